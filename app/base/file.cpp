@@ -1,0 +1,59 @@
+#include "base/file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+namespace fs = std::filesystem;
+
+Result<std::string> read_bytes(const fs::path& file, std::size_t most_bytes) {
+    std::error_code error;
+    const fs::file_status status = fs::status(file, error);
+    if (!fs::exists(status))
+        return fail({file, 0, "there is no such file"});
+    if (!fs::is_regular_file(status))
+        return fail({file, 0, fs::is_directory(status) ? "is a folder, not a file" : "is not a file"});
+    const std::uintmax_t size = fs::file_size(file, error);
+    if (error)
+        return fail({file, 0, error.message()});
+    if (size > most_bytes)
+        return fail({file, 0,
+                     fmt::format("is too large: {} bytes, at most {} are read", size, most_bytes)});
+    std::ifstream stream(file, std::ios::binary);
+    std::string bytes(static_cast<std::size_t>(size), '\0');
+    stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    if (!stream && !stream.eof())
+        return fail({file, 0, std::string("cannot be read: ") + std::strerror(errno)});
+    bytes.resize(static_cast<std::size_t>(stream.gcount()));
+    return bytes;
+}
+
+Result<std::string> read_text(const fs::path& file) {
+    constexpr std::size_t most_bytes = std::size_t{16} << 20;
+    auto text = read_bytes(file, most_bytes);
+    if (!text)
+        return text;
+    if (text->starts_with("\xef\xbb\xbf"))
+        text->erase(0, 3);
+    const std::size_t zero = text->find('\0');
+    if (zero != std::string::npos) {
+        const auto line = std::count(text->begin(), text->begin() + static_cast<std::ptrdiff_t>(zero), '\n');
+        return fail({file, static_cast<int>(line) + 1, "is not a text file: it holds a NUL byte"});
+    }
+    return text;
+}
+
+bool is_inside(const fs::path& path, const fs::path& folder) {
+    std::error_code error;
+    const fs::path real = fs::canonical(path, error);
+    if (error)
+        return false;
+    const fs::path root = fs::canonical(folder, error);
+    if (error)
+        return false;
+    const auto [end, _] = std::mismatch(root.begin(), root.end(), real.begin(), real.end());
+    return end == root.end();
+}

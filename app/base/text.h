@@ -1,0 +1,49 @@
+#pragma once
+
+#include "base/diagnostic.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Where each line of an assembled text was written: line n of the text is origins[n - 1].
+using LineMap = std::vector<Location>;
+
+/// The place where line `line` (from 1) of an assembled text was written; past the end the last one.
+Location origin_of(const LineMap& lines, int line);
+
+/// The lines of a text without their ends; "\r\n" and "\n" both end a line.
+std::vector<std::string_view> split_lines(std::string_view text);
+
+/// Pieces between single separators; empty pieces are kept.
+std::vector<std::string_view> split(std::string_view text, char separator);
+
+std::string_view trim(std::string_view text);
+
+/// A whole text read as a decimal number, "." as the decimal point in every locale; never infinite or NaN.
+std::optional<double> parse_number(std::string_view text);
+std::optional<int> parse_integer(std::string_view text);
+
+/// The shortest decimal text that reads back as the same number.
+std::string format_number(double number);
+
+/// As format_number, for a value that is kept as a 32-bit float: 0.92, not 0.9200000166893005.
+std::string format_float(float number);
+
+/// Lower-case ASCII letters, all else as it is.
+std::string to_lower(std::string_view text);
+
+/// "scanline_strength" as a person reads it: "Scanline strength".
+std::string label_from_name(std::string_view name);
+
+/// Of the candidates, the one that is at most a third of its letters away; to say "did you mean".
+std::optional<std::string> find_similar(std::string_view name,
+                                        const std::vector<std::string>& candidates);
+
+/// " (did you mean 'decay'?)", or nothing.
+std::string did_you_mean(std::string_view name, const std::vector<std::string>& candidates);
+
+/// A digest of bytes for telling texts apart (FNV-1a, 64 bit); not for secrets.
+std::uint64_t digest_of(std::string_view bytes);

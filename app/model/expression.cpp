@@ -1,0 +1,157 @@
+#include "model/expression.h"
+
+#include "base/text.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <optional>
+
+namespace {
+// A recursive-descent reader; on a mistake m_problem is set and what follows is of no account.
+class Reader {
+public:
+    Reader(std::string_view text, const std::map<std::string, double>& names)
+        : m_text(text), m_names(names) {}
+
+    Result<double> read() {
+        const double value = sum();
+        skip_blank();
+        if (m_problem.empty() && m_at < m_text.size())
+            m_problem = "unexpected '" + std::string(m_text.substr(m_at)) + "'";
+        if (m_problem.empty() && !std::isfinite(value))
+            m_problem = "'" + std::string(m_text) + "' is not a finite number";
+        if (!m_problem.empty())
+            return fail({{}, 0, m_problem});
+        return value;
+    }
+
+private:
+    static constexpr int deepest = 64;
+
+    double sum() {
+        double value = product();
+        for (;;) {
+            if (accept('+'))
+                value += product();
+            else if (accept('-'))
+                value -= product();
+            else
+                return value;
+        }
+    }
+
+    double product() {
+        double value = factor();
+        for (;;) {
+            if (accept('*'))
+                value *= factor();
+            else if (accept('/'))
+                value /= factor();
+            else if (accept('%'))
+                value = std::fmod(value, factor());
+            else
+                return value;
+        }
+    }
+
+    double factor() {
+        if (m_depth >= deepest)
+            return stop("too many brackets");
+        ++m_depth;
+        const double value = accept('-') ? -factor() : atom();
+        --m_depth;
+        return value;
+    }
+
+    double atom() {
+        if (accept('(')) {
+            const double value = sum();
+            expect(')');
+            return value;
+        }
+        if (accept('$'))
+            return named();
+        const std::string name = word();
+        return name.empty() ? number() : call(name);
+    }
+
+    double named() {
+        const std::string name = word();
+        const auto found = m_names.find(name);
+        return found == m_names.end() ? stop("unknown name '$" + name + "'") : found->second;
+    }
+
+    double number() {
+        const std::size_t start = m_at;
+        while (m_at < m_text.size() && (std::isdigit(letter()) || letter() == '.'))
+            ++m_at;
+        const auto value = parse_number(m_text.substr(start, m_at - start));
+        return value ? *value : stop("a number, a name or a bracket is missing");
+    }
+
+    double call(const std::string& name) {
+        expect('(');
+        const double a = sum();
+        if (name == "max" || name == "min" || name == "pow") {
+            expect(',');
+            const double b = sum();
+            expect(')');
+            return name == "max" ? std::max(a, b) : name == "min" ? std::min(a, b) : std::pow(a, b);
+        }
+        expect(')');
+        static const std::map<std::string, double (*)(double)> functions{
+            {"abs", std::fabs},   {"ceil", std::ceil}, {"floor", std::floor},
+            {"round", std::round}, {"sqrt", std::sqrt}};
+        const auto function = functions.find(name);
+        return function == functions.end() ? stop("unknown function '" + name + "'")
+                                           : function->second(a);
+    }
+
+    std::string word() {
+        skip_blank();
+        const std::size_t start = m_at;
+        while (m_at < m_text.size() &&
+               (std::isalpha(letter()) || letter() == '_' || (m_at > start && std::isdigit(letter()))))
+            ++m_at;
+        return std::string(m_text.substr(start, m_at - start));
+    }
+
+    bool accept(char wanted) {
+        skip_blank();
+        if (m_at >= m_text.size() || m_text[m_at] != wanted)
+            return false;
+        ++m_at;
+        return true;
+    }
+
+    void expect(char wanted) {
+        if (!accept(wanted))
+            stop(std::string("'") + wanted + "' is missing");
+    }
+
+    double stop(std::string problem) {
+        if (m_problem.empty())
+            m_problem = std::move(problem);
+        m_at = m_text.size();
+        return 0.0;
+    }
+
+    void skip_blank() {
+        while (m_at < m_text.size() && std::isspace(letter()))
+            ++m_at;
+    }
+
+    unsigned char letter() const { return static_cast<unsigned char>(m_text[m_at]); }
+
+    std::string_view m_text;
+    const std::map<std::string, double>& m_names;
+    std::size_t m_at = 0;
+    int m_depth = 0;
+    std::string m_problem;
+};
+}  // namespace
+
+Result<double> evaluate(std::string_view expression, const std::map<std::string, double>& names) {
+    return Reader(expression, names).read();
+}

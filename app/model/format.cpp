@@ -1,0 +1,35 @@
+#include "model/format.h"
+
+#include <algorithm>
+
+const std::vector<FormatFacts>& all_formats() {
+    static const std::vector<FormatFacts> formats{
+        {Format::r8, "r8", 1, 1, false},
+        {Format::rg8, "rg8", 2, 2, false},
+        {Format::rgba8, "rgba8", 4, 4, false},
+        {Format::srgb8_alpha8, "srgb8_alpha8", 4, 4, false},
+        {Format::rgb10_a2, "rgb10_a2", 4, 4, false},
+        {Format::r11f_g11f_b10f, "r11f_g11f_b10f", 3, 4},
+        {Format::r16f, "r16f", 1, 2},
+        {Format::rg16f, "rg16f", 2, 4},
+        {Format::rgba16f, "rgba16f", 4, 8},
+        {Format::r32f, "r32f", 1, 4},
+        {Format::rg32f, "rg32f", 2, 8},
+        {Format::rgba32f, "rgba32f", 4, 16},
+        {Format::r32ui, "r32ui", 1, 4, false, true},
+    };
+    return formats;
+}
+
+const FormatFacts& facts_of(Format format) {
+    return all_formats()[static_cast<std::size_t>(format)];
+}
+
+std::optional<Format> parse_format(std::string_view name) {
+    const auto& formats = all_formats();
+    const auto found = std::find_if(formats.begin(), formats.end(),
+                                    [&](const FormatFacts& facts) { return facts.name == name; });
+    if (found == formats.end())
+        return std::nullopt;
+    return found->format;
+}

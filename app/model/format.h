@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+/// The texel of a target.
+enum class Format {
+    r8,
+    rg8,
+    rgba8,
+    srgb8_alpha8,
+    rgb10_a2,
+    r11f_g11f_b10f,
+    r16f,
+    rg16f,
+    rgba16f,
+    r32f,
+    rg32f,
+    rgba32f,
+    r32ui,
+};
+
+struct FormatFacts {
+    Format format = Format::rgba16f;
+    std::string_view name;  // in look.json
+    int channels = 4;
+    int bytes = 8;  // a texel
+    bool is_float = true;
+    bool is_integer = false;
+};
+
+const std::vector<FormatFacts>& all_formats();
+const FormatFacts& facts_of(Format format);
+std::optional<Format> parse_format(std::string_view name);

@@ -1,0 +1,79 @@
+#include "model/look.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+std::string Input::reference() const {
+    const std::string base = from == From::source ? "source" : name;
+    return frames_ago > 0 ? fmt::format("{}@{}", base, frames_ago) : base;
+}
+
+std::optional<int> find_pass(const Look& look, std::string_view name) {
+    for (std::size_t i = 0; i < look.passes.size(); ++i)
+        if (look.passes[i].name == name)
+            return static_cast<int>(i);
+    return std::nullopt;
+}
+
+const Parameter* find_parameter(const Look& look, std::string_view name) {
+    const auto found = std::find_if(look.parameters.begin(), look.parameters.end(),
+                                    [&](const Parameter& p) { return p.name == name; });
+    return found == look.parameters.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> parameter_names(const Look& look) {
+    std::vector<std::string> names;
+    for (const Parameter& parameter : look.parameters)
+        names.push_back(parameter.name);
+    return names;
+}
+
+const Value& value_of(const Parameter& parameter, const Values& values) {
+    const auto found = values.find(parameter.name);
+    return found == values.end() ? parameter.initial : found->second;
+}
+
+Values changed_values(const Look& look, const Values& values) {
+    Values changed = values;
+    for (const Parameter& parameter : look.parameters) {
+        const auto found = changed.find(parameter.name);
+        if (found != changed.end() && found->second == parameter.initial)
+            changed.erase(found);
+    }
+    return changed;
+}
+
+std::vector<std::string> orphans(const Look& look, const Values& values) {
+    std::vector<std::string> names;
+    for (const auto& [name, value] : values)
+        if (!find_parameter(look, name))
+            names.push_back(name);
+    return names;
+}
+
+Values renamed_values(const Look& look, Values values) {
+    for (const Parameter& parameter : look.parameters) {
+        if (parameter.was.empty() || find_parameter(look, parameter.was) ||
+            values.contains(parameter.name))
+            continue;
+        auto former = values.extract(parameter.was);
+        if (former) {
+            former.key() = parameter.name;
+            values.insert(std::move(former));
+        }
+    }
+    return values;
+}
+
+std::string look_digest(const Look& look) {
+    std::vector<std::string> lines;
+    for (const Parameter& parameter : look.parameters)
+        lines.push_back(parameter.name + '=' + to_string(parameter.initial) + '\n');
+    std::sort(lines.begin(), lines.end());
+    std::string text;
+    for (const std::string& line : lines)
+        text += line;
+    const std::uint64_t digest = digest_of(text);
+    return fmt::format("{:08x}", static_cast<std::uint32_t>(digest ^ (digest >> 32)));
+}

@@ -1,0 +1,140 @@
+#pragma once
+
+#include "base/text.h"
+#include "model/extent.h"
+#include "model/format.h"
+#include "model/parameter.h"
+#include "model/picture.h"
+#include "model/spec.h"
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+enum class Filter { nearest, linear };
+enum class Wrap { edge, border, repeat, mirror };
+
+/// How a texture is read by one input of one pass.
+struct Sampler {
+    Filter filter = Filter::linear;
+    Wrap wrap = Wrap::edge;
+    bool mipmap = false;
+
+    bool operator==(const Sampler&) const = default;
+};
+
+/// A sampler uniform of a pass and what it reads.
+struct Input {
+    enum class From { pass, source, image };
+
+    std::string uniform;
+    From from = From::pass;
+    std::string name;    // of the pass or image
+    int frames_ago = 0;  // pass and source only
+    Sampler sampler;
+
+    bool operator==(const Input&) const = default;
+    /// "persistence@1", "source", "noise": as look.json says it.
+    std::string reference() const;
+};
+
+/// One side of a target's size: `factor` times what it is measured by.
+struct Side {
+    enum class By { viewport, source, pixels, expression };
+
+    By by = By::viewport;
+    double factor = 1.0;     // pixels: the size itself
+    std::string expression;  // over WIDTH, HEIGHT and parameters, all behind '$'
+
+    bool operator==(const Side&) const = default;
+};
+
+/// GLSL as glslang and the driver get it, and where each of its lines was written.
+struct Stage {
+    std::filesystem::path file;  // "": the program's own text
+    std::string text;
+    LineMap lines;
+
+    bool operator==(const Stage&) const = default;
+};
+
+enum class Draw { fullscreen, points, segments };
+enum class Blend { replace, add, alpha, multiply, maximum };
+
+/// One draw: a vertex and a fragment shader, inputs, one target.
+struct Pass {
+    std::string name;
+    Draw draw = Draw::fullscreen;
+    Stage vertex;
+    Stage fragment;
+    Format format = Format::rgba16f;
+    std::array<Side, 2> size;  // width, height
+    Blend blend = Blend::replace;
+    std::vector<Input> inputs;
+    Values set;                                  // uniforms with a fixed value
+    std::map<std::string, std::string> rename;   // uniform -> parameter
+    bool accumulate = false;                     // goes on until anything changes, counted in u_samples
+    std::variant<int, std::string> repeat = 1;   // draws a frame, or the parameter that says so
+    int frame_modulo = 0;                        // u_frame counts modulo this; 0: never
+    Location declared;                           // in look.json
+
+    bool operator==(const Pass&) const = default;
+};
+
+/// A picture that belongs to a look (a LUT).
+struct Image {
+    std::string name;
+    std::filesystem::path file;
+    Sampler sampler;
+    bool is_linear = false;  // data, not display-encoded colours
+
+    bool operator==(const Image&) const = default;
+};
+
+enum class Driver { signal, picture, nothing };
+
+/// The passes in order, their inputs, images and parameters: all that is needed to draw, in one value.
+struct Look {
+    std::string id;  // the folder's name: "phosphor"
+    std::string name;
+    std::string about;
+    std::string author;
+    std::string license;
+    Driver driven_by = Driver::nothing;
+    std::optional<Spec> default_signal;
+    std::string default_source;
+    Encoding source_encoding = Encoding::linear;
+    Encoding output = Encoding::display;
+    int settle_frames = 1;
+    bool has_orbit = false;
+    std::vector<Pass> passes;
+    std::vector<Image> images;
+    std::vector<Parameter> parameters;  // in the order of their declaration
+    std::filesystem::path manifest;     // look.json, or the foreign file
+    std::vector<std::filesystem::path> files;  // everything that it was read from, for the watcher
+
+    bool operator==(const Look&) const = default;
+};
+
+/// The place of the pass in Look::passes.
+std::optional<int> find_pass(const Look& look, std::string_view name);
+const Parameter* find_parameter(const Look& look, std::string_view name);
+std::vector<std::string> parameter_names(const Look& look);
+
+/// The value in force: the one that was set, else the default.
+const Value& value_of(const Parameter& parameter, const Values& values);
+
+/// Drops what equals its default; keeps names that the look does not know (orphans).
+Values changed_values(const Look& look, const Values& values);
+
+/// Names that are values' but not the look's.
+std::vector<std::string> orphans(const Look& look, const Values& values);
+
+/// Values under their former names (`@was`) moved to the new ones.
+Values renamed_values(const Look& look, Values values);
+
+/// Eight hexadecimal digits over the parameters' names and defaults.
+std::string look_digest(const Look& look);

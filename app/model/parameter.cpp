@@ -1,0 +1,127 @@
+#include "model/parameter.h"
+
+#include "base/text.h"
+#include "model/color.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+std::string glsl_name(const NumberType& type) {
+    constexpr const char* scalars[] = {"float", "int", "uint", "bool"};
+    constexpr const char* vectors[] = {"vec", "ivec", "uvec", "bvec"};
+    const auto scalar = static_cast<std::size_t>(type.scalar);
+    if (type.size() == 1)
+        return scalars[scalar];
+    if (type.columns == 1)
+        return vectors[scalar] + std::to_string(type.rows);
+    if (type.columns == type.rows)
+        return "mat" + std::to_string(type.rows);
+    return fmt::format("mat{}x{}", type.columns, type.rows);
+}
+
+std::string type_name(const Parameter& parameter) {
+    switch (parameter.control) {
+        case Control::list:
+            return "list";
+        case Control::color:
+            return "color";
+        case Control::point:
+            return "point";
+        case Control::event:
+            return "event";
+        case Control::image:
+            return "image";
+        case Control::sound:
+            return "sound";
+        case Control::slider:
+        case Control::angle:
+            break;
+    }
+    return glsl_name(parameter.type);
+}
+
+namespace {
+double clamped_number(const Parameter& parameter, double number) {
+    if (!std::isfinite(number))
+        number = parameter.initial.number();
+    if (parameter.limit)
+        number = std::clamp(number, parameter.limit->low, parameter.limit->high);
+    switch (parameter.type.scalar) {
+        case Scalar::floating:
+            return number;
+        case Scalar::integer:
+            return std::clamp(std::round(number), -2147483648.0, 2147483647.0);
+        case Scalar::natural:
+            return std::clamp(std::round(number), 0.0, 4294967295.0);
+        case Scalar::boolean:
+            return number != 0.0 ? 1.0 : 0.0;
+    }
+    return number;
+}
+
+std::optional<Value> color_from_hex(std::string_view text, std::size_t components) {
+    unsigned code = 0;
+    const char* const end = text.data() + text.size();
+    if (text.size() != 7 || text.front() != '#' ||
+        std::from_chars(text.data() + 1, end, code, 16).ptr != end)
+        return std::nullopt;
+    std::vector<double> numbers;
+    for (const unsigned shift : {16u, 8u, 0u})
+        numbers.push_back(srgb_decode(static_cast<double>((code >> shift) & 0xffu) / 255.0));
+    numbers.resize(components, 1.0);
+    return Value(std::move(numbers));
+}
+
+std::optional<double> number_from(const Parameter& parameter, std::string_view text) {
+    for (const Item& item : parameter.items)
+        if (to_lower(item.label) == to_lower(text))
+            return item.value;
+    if (parameter.type.scalar == Scalar::boolean) {
+        if (text == "true" || text == "on" || text == "yes")
+            return 1.0;
+        if (text == "false" || text == "off" || text == "no")
+            return 0.0;
+    }
+    return parse_number(text);
+}
+}  // namespace
+
+Value clamped(const Parameter& parameter, Value value) {
+    if (parameter.control == Control::image || parameter.control == Control::sound)
+        return value;
+    value.path.clear();
+    const std::size_t given = value.numbers.size();
+    value.numbers.resize(static_cast<std::size_t>(parameter.type.size()));
+    for (std::size_t i = 0; i < value.numbers.size(); ++i) {
+        if (i >= given)
+            value.numbers[i] = i < parameter.initial.numbers.size() ? parameter.initial.numbers[i] : 0;
+        value.numbers[i] = clamped_number(parameter, value.numbers[i]);
+    }
+    return value;
+}
+
+Result<Value> parse_value(const Parameter& parameter, std::string_view text) {
+    text = trim(text);
+    if (parameter.control == Control::image || parameter.control == Control::sound)
+        return Value::of_path(std::string(text));
+    const auto size = static_cast<std::size_t>(parameter.type.size());
+    if (parameter.control == Control::color)
+        if (auto color = color_from_hex(text, size))
+            return *color;
+
+    std::vector<double> numbers;
+    for (const std::string_view piece : split(text, ',')) {
+        const auto number = number_from(parameter, trim(piece));
+        if (!number)
+            return fail({{}, 0, fmt::format("'{}' is no value for '{}', which is a {}", text,
+                                            parameter.name, type_name(parameter))});
+        numbers.push_back(*number);
+    }
+    if (numbers.size() != size)
+        return fail({{}, 0, fmt::format("'{}' takes {} numbers, not {}", parameter.name, size,
+                                        numbers.size())});
+    return clamped(parameter, Value(std::move(numbers)));
+}

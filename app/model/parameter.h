@@ -1,0 +1,95 @@
+#pragma once
+
+#include "base/diagnostic.h"
+#include "model/value.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+enum class Scalar { floating, integer, natural, boolean };
+
+/// A GLSL number type: scalar, vector (rows > 1) or matrix (columns > 1).
+struct NumberType {
+    Scalar scalar = Scalar::floating;
+    int rows = 1;
+    int columns = 1;
+
+    bool operator==(const NumberType&) const = default;
+    int size() const { return rows * columns; }
+};
+
+/// "float", "ivec3", "mat4", "mat2x3".
+std::string glsl_name(const NumberType& type);
+
+/// How a person turns a parameter.
+enum class Control { slider, list, color, point, angle, event, image, sound };
+
+enum class Scale { linear, logarithmic };
+
+/// The soft ends of a slider; a typed value may go beyond them.
+struct Range {
+    double low = 0.0;
+    double high = 1.0;
+    double step = 0.0;  // 0: any value
+
+    bool operator==(const Range&) const = default;
+};
+
+/// Ends that no value may pass.
+struct Limit {
+    double low = 0.0;
+    double high = 1.0;
+
+    bool operator==(const Limit&) const = default;
+};
+
+/// One choice of a list.
+struct Item {
+    double value = 0.0;
+    std::string label;
+
+    bool operator==(const Item&) const = default;
+};
+
+/// A uniform of a pass that a parameter drives.
+struct Binding {
+    int pass = 0;  // index into Look::passes
+    std::string uniform;
+
+    bool operator==(const Binding&) const = default;
+};
+
+/// One knob of a look: what the shaders declare about it. Its value is kept apart, in Values.
+struct Parameter {
+    std::string name;   // unique within its look
+    std::string label;  // what a panel shows
+    std::string unit;
+    std::string group;  // "": under the name of its first pass
+    std::string help;
+    NumberType type;
+    Control control = Control::slider;
+    Value initial;  // the default
+    Range range;
+    std::optional<Limit> limit;
+    Scale scale = Scale::linear;
+    std::vector<Item> items;
+    std::optional<Value> identity;  // the value that does nothing
+    std::string was;                // a former name, "" when there is none
+    bool is_hidden = false;
+    std::vector<Binding> bindings;
+    Location declared;
+
+    bool operator==(const Parameter&) const = default;
+};
+
+/// "float", "vec3", "color", "point", "list", "event", "image", "sound": the type as `describe` says it.
+std::string type_name(const Parameter& parameter);
+
+/// The nearest value that the parameter allows: within its limit, of its size, whole where it counts.
+Value clamped(const Parameter& parameter, Value value);
+
+/// Reads what a person typed or gave to `--set`: numbers between commas, an item's label, true/false,
+/// #rrggbb for a colour (taken as display-encoded sRGB, kept linear), or a path.
+/// Errors name the parameter, not a file.
+Result<Value> parse_value(const Parameter& parameter, std::string_view text);

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "model/extent.h"
+
+#include <cstddef>
+#include <vector>
+
+/// Whether numbers are amounts of light or what a display is sent (sRGB).
+enum class Encoding { linear, display };
+
+/// Pixels in memory: floats, interleaved channels, row 0 on top.
+struct Picture {
+    Extent extent;
+    int channels = 4;  // 1 grey, 3 RGB, 4 RGBA (unassociated alpha)
+    Encoding encoding = Encoding::linear;
+    std::vector<float> pixels;  // extent.height rows of extent.width * channels
+
+    bool operator==(const Picture&) const = default;
+    std::size_t index(int x, int y) const {
+        return (static_cast<std::size_t>(y) * static_cast<std::size_t>(extent.width) +
+                static_cast<std::size_t>(x)) *
+               static_cast<std::size_t>(channels);
+    }
+};

@@ -1,0 +1,189 @@
+#include "model/plan.h"
+
+#include "model/expression.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+Look with_overrides(Look look, const PassOverrides& overrides) {
+    for (Pass& pass : look.passes) {
+        const auto own = overrides.find(pass.name);
+        if (own != overrides.end()) {
+            pass.format = own->second.format.value_or(pass.format);
+            if (own->second.scale)
+                pass.size.fill({Side::By::viewport, *own->second.scale, {}});
+        }
+        for (Input& input : pass.inputs) {
+            const auto read = overrides.find(input.name);
+            if (input.from == Input::From::pass && read != overrides.end())
+                input.sampler.filter = read->second.filter.value_or(input.sampler.filter);
+        }
+    }
+    return look;
+}
+
+namespace {
+struct Measures {
+    Extent viewport;
+    Extent source;
+    std::map<std::string, double> names;
+};
+
+Result<double> length_of(const Side& side, int viewport, int source, const Measures& measures) {
+    switch (side.by) {
+        case Side::By::viewport:
+            return viewport * side.factor;
+        case Side::By::source:
+            return source * side.factor;
+        case Side::By::pixels:
+            return side.factor;
+        case Side::By::expression:
+            return evaluate(side.expression, measures.names);
+    }
+    return 0.0;
+}
+
+Result<Extent> extent_of(const Pass& pass, const Measures& measures, int largest_side) {
+    const auto width =
+        length_of(pass.size[0], measures.viewport.width, measures.source.width, measures);
+    const auto height =
+        length_of(pass.size[1], measures.viewport.height, measures.source.height, measures);
+    for (const auto* length : {&width, &height}) {
+        if (!*length)
+            return fail({pass.declared.file, pass.declared.line,
+                         fmt::format("size of pass '{}': {}", pass.name,
+                                     length->error().front().message)});
+        if (!(**length < largest_side + 1.0))
+            return fail({pass.declared.file, pass.declared.line,
+                         fmt::format("pass '{}' would be {} x {} px; {} px a side is the most",
+                                     pass.name, *width, *height, largest_side)});
+    }
+    return Extent{std::max(1, static_cast<int>(std::lround(*width))),
+                  std::max(1, static_cast<int>(std::lround(*height)))};
+}
+
+Measures measures_of(const Look& look, Extent viewport, Extent source, const Values& values) {
+    Measures measures{viewport, source, {{"WIDTH", viewport.width}, {"HEIGHT", viewport.height}}};
+    for (const Parameter& parameter : look.parameters)
+        measures.names[parameter.name] = value_of(parameter, values).number();
+    return measures;
+}
+}  // namespace
+
+Result<Plan> plan_targets(const Look& look, Extent viewport, Extent source, const Values& values,
+                          int largest_side) {
+    Plan plan;
+    const Measures measures = measures_of(look, viewport, source, values);
+    for (const Pass& pass : look.passes) {
+        const auto extent = extent_of(pass, measures, largest_side);
+        if (!extent)
+            return fail(extent.error());
+        plan.targets.push_back({*extent, pass.format});
+    }
+    for (const Pass& pass : look.passes) {
+        for (const Input& input : pass.inputs) {
+            if (input.from == Input::From::source)
+                plan.source_slots = std::max(plan.source_slots, input.frames_ago + 1);
+            const auto read = find_pass(look, input.name);
+            if (input.from != Input::From::pass || !read)
+                continue;
+            PlannedTarget& target = plan.targets[static_cast<std::size_t>(*read)];
+            target.slots = std::max(target.slots, input.frames_ago + 1);
+            target.mipmapped = target.mipmapped || input.sampler.mipmap;
+        }
+    }
+    return plan;
+}
+
+namespace {
+double bytes_of(const PlannedTarget& target) {
+    return static_cast<double>(target.extent.width) * target.extent.height *
+           facts_of(target.format).bytes;
+}
+}  // namespace
+
+std::size_t memory_of(const Plan& plan) {
+    double bytes = 0;
+    for (const PlannedTarget& target : plan.targets)
+        bytes += bytes_of(target) * target.slots * (target.mipmapped ? 4.0 / 3.0 : 1.0);
+    return static_cast<std::size_t>(bytes);
+}
+
+double bytes_per_pixel(const Look& look, const Plan& plan) {
+    double bytes = 0;
+    for (std::size_t i = 0; i < look.passes.size(); ++i) {
+        const Pass& pass = look.passes[i];
+        bytes += bytes_of(plan.targets[i]);
+        for (const Input& input : pass.inputs)
+            if (const auto read = find_pass(look, input.name);
+                input.from == Input::From::pass && read)
+                bytes += bytes_of(plan.targets[static_cast<std::size_t>(*read)]);
+    }
+    const Extent picture = plan.targets.back().extent;
+    return bytes / (static_cast<double>(picture.width) * picture.height);
+}
+
+namespace {
+bool is_driven(const Look& look, std::size_t pass, const std::vector<std::string>& parameters) {
+    for (const std::string& name : parameters) {
+        const Parameter* parameter = find_parameter(look, name);
+        if (parameter && std::any_of(parameter->bindings.begin(), parameter->bindings.end(),
+                                     [&](const Binding& binding) {
+                                         return static_cast<std::size_t>(binding.pass) == pass;
+                                     }))
+            return true;
+        const Pass& read = look.passes[pass];
+        if (const auto* repeat = std::get_if<std::string>(&read.repeat); repeat && *repeat == name)
+            return true;
+        for (const Side& side : read.size)
+            if (side.by == Side::By::expression &&
+                side.expression.find('$' + name) != std::string::npos)
+                return true;
+    }
+    return false;
+}
+}  // namespace
+
+Redraw redraw_after(const Look& look, const std::vector<std::string>& parameters) {
+    Redraw redraw;
+    for (std::size_t i = 0; i < look.passes.size(); ++i) {
+        bool reached = is_driven(look, i, parameters);
+        for (const Input& input : look.passes[i].inputs) {
+            const auto read = find_pass(look, input.name);
+            if (input.from == Input::From::pass && input.frames_ago == 0 && read &&
+                static_cast<std::size_t>(*read) < i)
+                reached = reached || redraw.passes[static_cast<std::size_t>(*read)];
+        }
+        redraw.passes.push_back(reached);
+    }
+    for (std::size_t i = 0; i < look.passes.size(); ++i) {
+        redraw.needs_replay =
+            redraw.needs_replay || (redraw.passes[i] && look.passes[i].accumulate);
+        for (const Input& input : look.passes[i].inputs) {
+            const auto read = find_pass(look, input.name);
+            if (input.from == Input::From::pass && input.frames_ago > 0 && read)
+                redraw.needs_replay =
+                    redraw.needs_replay || redraw.passes[static_cast<std::size_t>(*read)];
+        }
+    }
+    return redraw;
+}
+
+std::vector<bool> needed_for(const Look& look, int pass) {
+    std::vector<bool> needed(look.passes.size(), false);
+    std::vector<int> open{pass};
+    while (!open.empty()) {
+        const auto current = static_cast<std::size_t>(open.back());
+        open.pop_back();
+        if (needed[current])
+            continue;
+        needed[current] = true;
+        for (const Input& input : look.passes[current].inputs)
+            if (const auto read = find_pass(look, input.name);
+                input.from == Input::From::pass && read)
+                open.push_back(*read);
+    }
+    return needed;
+}

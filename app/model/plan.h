@@ -1,0 +1,65 @@
+#pragma once
+
+#include "model/look.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+/// What a person changed about a pass while looking into it; kept apart from the look.
+struct PassOverride {
+    std::optional<Format> format;
+    std::optional<double> scale;    // of the viewport, both sides
+    std::optional<Filter> filter;   // of every input that reads this pass
+
+    bool operator==(const PassOverride&) const = default;
+    bool is_empty() const { return !format && !scale && !filter; }
+};
+
+/// By the pass's name.
+using PassOverrides = std::map<std::string, PassOverride>;
+
+/// The look with its passes as a person overrode them.
+Look with_overrides(Look look, const PassOverrides& overrides);
+
+/// The target of one pass.
+struct PlannedTarget {
+    Extent extent;
+    Format format = Format::rgba16f;
+    int slots = 1;           // pictures kept: the current one and those that some input still reads
+    bool mipmapped = false;  // some input reads its smaller levels
+
+    bool operator==(const PlannedTarget&) const = default;
+};
+
+/// What must be allocated to draw a frame of a look at a size.
+struct Plan {
+    std::vector<PlannedTarget> targets;  // one a pass, in the same order
+    int source_slots = 1;                // source pictures kept
+
+    bool operator==(const Plan&) const = default;
+};
+
+/// Sizes, formats and lifetimes of the targets for a picture of `viewport` pixels.
+/// Fails where an expression cannot be read or a target would be empty or past `largest_side`.
+Result<Plan> plan_targets(const Look& look, Extent viewport, Extent source, const Values& values,
+                          int largest_side = 16384);
+
+/// Bytes that the targets hold.
+std::size_t memory_of(const Plan& plan);
+
+/// Bytes read and written in a frame by full-target passes, a pixel of the picture (points and
+/// segments count their target once).
+double bytes_per_pixel(const Look& look, const Plan& plan);
+
+/// What drawing the present frame again with other values takes.
+struct Redraw {
+    std::vector<bool> passes;   // those that the change reaches within a frame
+    bool needs_replay = false;  // it also reaches earlier frames that this one is made of
+};
+
+/// For a paused picture: what shows a change of these parameters.
+Redraw redraw_after(const Look& look, const std::vector<std::string>& parameters);
+
+/// Passes on which the picture of `pass` depends, itself included; over all frames.
+std::vector<bool> needed_for(const Look& look, int pass);

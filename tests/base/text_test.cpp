@@ -1,0 +1,40 @@
+#include "base/text.h"
+
+#include <doctest/doctest.h>
+
+TEST_CASE("a number is read the same in every locale, and only when it is all of the text") {
+    CHECK(parse_number("0.92") == 0.92);
+    CHECK(parse_number("+1e3") == 1000.0);
+    CHECK_FALSE(parse_number("0,92").has_value());
+    CHECK_FALSE(parse_number("1x").has_value());
+    CHECK_FALSE(parse_number("").has_value());
+    CHECK_FALSE(parse_number("nan").has_value());
+    CHECK_FALSE(parse_number("1e999").has_value());
+}
+
+TEST_CASE("a float is written as the shortest text that reads back the same") {
+    CHECK(format_float(0.92f) == "0.92");
+    CHECK(format_number(0.1) == "0.1");
+}
+
+TEST_CASE("lines end with LF or CRLF, and the last end opens no line") {
+    const auto lines = split_lines("a\r\nb\n\nc\n");
+    REQUIRE(lines.size() == 4);
+    CHECK(lines[0] == "a");
+    CHECK(lines[2].empty());
+    CHECK(lines[3] == "c");
+}
+
+TEST_CASE("a name is suggested only when it is near") {
+    const std::vector<std::string> names{"decay", "exposure"};
+    CHECK(did_you_mean("dacay", names) == " (did you mean 'decay'?)");
+    CHECK(did_you_mean("vignette", names).empty());
+}
+
+TEST_CASE("a diagnostic reads like a compiler's") {
+    CHECK(to_string(Diagnostic{"mask.frag", 2, "unknown hint"}) ==
+          "mask.frag:2: error: unknown hint");
+    CHECK(to_string(Diagnostic{"mask.frag", 0, "is empty", Severity::warning}) ==
+          "mask.frag: warning: is empty");
+    CHECK(to_string(Diagnostic{{}, 0, "no GL"}) == "error: no GL");
+}
