@@ -1,0 +1,28 @@
+// Colour: linear light, and the values that a display takes.
+#ifndef AFTERGLOW_COLOR
+#define AFTERGLOW_COLOR
+
+// Linear light 0..1 to display values (sRGB, IEC 61966-2-1). Once, at the end.
+vec3 srgb_encode(vec3 linear) {
+    vec3 inside = clamp(linear, 0.0, 1.0);
+    vec3 curve = 1.055 * pow(inside, vec3(1.0 / 2.4)) - 0.055;
+    return mix(curve, 12.92 * inside, lessThanEqual(inside, vec3(0.0031308)));
+}
+
+// Display values 0..1 to linear light; the inverse of srgb_encode.
+vec3 srgb_decode(vec3 encoded) {
+    vec3 inside = clamp(encoded, 0.0, 1.0);
+    vec3 curve = pow((inside + 0.055) / 1.055, vec3(2.4));
+    return mix(curve, inside / 12.92, lessThanEqual(inside, vec3(0.04045)));
+}
+
+// How bright linear light looks: the Y of sRGB's primaries (ITU-R BT.709).
+float luminance(vec3 linear) {
+    return dot(linear, vec3(0.2126, 0.7152, 0.0722));
+}
+
+float brightest_channel(vec3 light) {
+    return max(light.r, max(light.g, light.b));
+}
+
+#endif

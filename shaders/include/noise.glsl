@@ -1,0 +1,25 @@
+// Noise without a texture: the same pixel of the same frame gets the same number on every machine.
+#ifndef AFTERGLOW_NOISE
+#define AFTERGLOW_NOISE
+
+// PCG3D: M. Jarzynski and M. Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020.
+uvec3 hash(uvec3 key) {
+    key = key * 1664525u + 1013904223u;
+    key += key.yzx * key.zxy;
+    key ^= key >> 16u;
+    key += key.yzx * key.zxy;
+    return key;
+}
+
+// Three independent numbers, evenly spread over 0 <= n < 1.
+vec3 noise(uvec2 pixel, uint frame) {
+    return vec3(hash(uvec3(pixel, frame)) >> 8u) / 16777216.0;
+}
+
+// Noise of at most half a code of an 8-bit display, so that a slow ramp keeps its mean and shows no
+// steps; an even 0 or 1 stays as it is.
+vec3 dithered(vec3 display, uvec2 pixel, uint frame) {
+    return display + (noise(pixel, frame) - 0.5) * (0.998 / 255.0);
+}
+
+#endif

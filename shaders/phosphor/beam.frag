@@ -1,0 +1,37 @@
+#version 410 core
+// The beam: the light of one spot, added to that of all others in the frame. Linear light.
+// Energy of a point, summed over all pixels (px^2), wherever it lies between them:
+//   beam_gain * intensity * width^2 * pi * (1 / core_sharpness + glow_weight / glow_sharpness)
+// with width = beam_width * height / 512 px, and times beam_color for each channel.
+#include "as_written.glsl"
+#include "gaussian.glsl"
+#include "spot.glsl"
+
+uniform vec3 beam_color = vec3(0.2, 1.0, 0.3);  // @color  @label "Colour"  @group "Beam"
+                                                // @help "The colour in which the phosphor glows."
+uniform float beam_gain = 0.7;                  // @range 0.01 4  @limit 0 1000  @scale log  @label "Beam strength"  @group "Beam"
+                                                // @help "How much light the beam leaves behind. More makes crowded and slow parts of the trace brighter, up to the ceiling."
+
+flat in vec2 middle;
+flat in float width;
+flat in float charge;
+out vec4 color;
+
+float spot() {
+    vec2 offset = gl_FragCoord.xy - middle;
+    float px = width * width;
+    return gaussian_over_pixel(offset, core_sharpness / px) +
+           glow_weight * gaussian_over_pixel(offset, glow_sharpness / px);
+}
+
+// Sampled in the middle of each pixel and cut at the square's edge, at 3 % of the peak.
+float spot_as_written() {
+    vec2 offset = gl_PointCoord - 0.5;
+    float square = dot(offset, offset);
+    return exp(-core_sharpness * square) + glow_weight * exp(-glow_sharpness * square);
+}
+
+void main() {
+    float brightness = beam_gain * charge * (as_written ? spot_as_written() : spot());
+    color = vec4(beam_color * brightness, brightness);
+}

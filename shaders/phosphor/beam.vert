@@ -1,0 +1,47 @@
+#version 410 core
+// The beam: one square for each instant at which the beam was somewhere, large enough for its spot.
+#include "reference_height.glsl"
+#include "as_written.glsl"
+#include "decay.glsl"
+#include "fit.glsl"
+#include "spot.glsl"
+
+uniform vec2 u_resolution;
+uniform float beam_width = 2.0;  // @range 0.5 12  @limit 0.05 64  @scale log  @label "Beam width"  @unit "px at 512 lines"  @group "Beam"
+                                 // @help "How wide the spot is that the beam makes, in pixels of a picture 512 pixels high; larger pictures scale it, so that every size looks the same."
+
+in vec2 position;       // -1..1, y up
+in float intensity;     // 1: full current for 1/4096 of 1/60 s
+in float age_seconds;   // before the frame's end
+
+flat out vec2 middle;   // px from the bottom left
+flat out float width;   // px
+flat out float charge;  // intensity, less what has faded since
+
+// GL drops a point whose middle is off the picture, and with it the half of the spot that is not.
+// So the square is drawn around the nearest place inside, larger by as much as it was moved.
+void place_square(vec2 place, float half_side) {
+    vec2 inside = clamp(place, -1.0, 1.0);
+    vec2 moved = abs(place - inside) * 0.5 * u_resolution;
+    float moved_px = max(moved.x, moved.y);
+    bool is_seen = moved_px < half_side;
+    gl_Position = is_seen ? vec4(inside, 0.0, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
+    gl_PointSize = 2.0 * (half_side + moved_px);
+}
+
+// The article's size: at most twice that at 512 lines, and no larger than the spot is called wide.
+void place_as_written(vec2 place) {
+    gl_Position = vec4(place, 0.0, 1.0);
+    gl_PointSize = beam_width * min(u_resolution.y / reference_height, 2.0);
+}
+
+void main() {
+    vec2 place = position * signal_size(u_resolution);
+    middle = (0.5 + 0.5 * place) * u_resolution;
+    width = beam_width * u_resolution.y / reference_height;
+    charge = as_written ? intensity : intensity * left_after(age_seconds);
+    if (as_written)
+        place_as_written(place);
+    else
+        place_square(place, spot_reach() * width + 0.5);
+}

@@ -1,0 +1,21 @@
+// The article's composite: what it put on the screen was never display-encoded, its graticule only
+// darkens (and its lines lie half a division off), its scanlines are sampled and not averaged.
+#include "color.glsl"
+#include "glass.glsl"
+#include "tonemap.glsl"
+
+// Lines in the middle of each division, 0.06 divisions to either side; the two axes are finer.
+float graticule_as_written(vec2 at, vec2 divisions, float strength) {
+    vec2 away = abs(fract(at * divisions) - 0.5);
+    vec2 clear = smoothstep(0.0, 0.06, away);
+    vec2 axes = 1.0 - smoothstep(0.0, 0.003, abs(fract(at * 2.0) - 0.5));
+    return mix(1.0, clear.x * clear.y, strength) * (1.0 - 1.5 * strength * (axes.x + axes.y));
+}
+
+float scanline_as_written(float y_px, float period_px, float strength) {
+    return 1.0 - strength * (0.5 + 0.5 * sin(6.28318530718 * y_px / period_px));
+}
+
+float vignette_as_written(vec2 place, float strength) {
+    return smoothstep(0.0, 1.0, clamp(1.0 - dot(0.5 * place, 0.5 * place) * strength, 0.0, 1.0));
+}

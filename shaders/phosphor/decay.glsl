@@ -1,0 +1,13 @@
+// How the phosphor fades. Linear light.
+#ifndef PHOSPHOR_DECAY
+#define PHOSPHOR_DECAY
+
+uniform float decay = 0.92;  // @range 0.5 0.999  @limit 0 1  @label "Decay"  @unit "per 1/60 s"  @group "Phosphor"
+                             // @help "How much of the light is left a sixtieth of a second later. 0.5 is gone at once, 0.92 leaves a short tail, 0.99 glows for seconds."
+
+// What is left of a light of 1 after some seconds, whatever the frame rate.
+float left_after(float seconds) {
+    return pow(max(decay, 1e-6), 60.0 * seconds);
+}
+
+#endif

@@ -1,0 +1,31 @@
+// The graticule's lines on this look's screen. Linear light.
+#include "fit.glsl"
+#include "graticule.glsl"
+#include "reference_height.glsl"
+
+uniform float graticule = 0.15;  // @range 0 1  @limit 0 1  @label "Graticule"  @group "Graticule"  @identity 0
+                                 // @help "How strongly the measuring lines show."
+uniform ivec2 graticule_divisions = ivec2(10, 10);  // @range 1 20 1  @limit 1 100  @label "Divisions"  @group "Graticule"
+                                                    // @help "How many boxes the lines make, across and up. Most scopes have 10 by 8."
+uniform int graticule_lines = 0;  // @items "Lit" "Dark"  @label "Lines"  @group "Graticule"
+                                  // @help "Lit lines are engraved in the glass and shine in the light of small lamps at its edge. Dark lines are printed inside the tube and hide the trace behind them."
+uniform vec3 graticule_color = vec3(0.45, 0.8, 0.55);  // @color  @label "Line colour"  @group "Graticule"
+                                                       // @help "The colour of the lamps that light the lines."
+
+// 1 on a line, 0 between lines. `place` is -1..1 on the glass.
+float graticule_at(vec2 place, vec2 resolution) {
+    vec2 divisions = vec2(graticule_divisions);
+    vec2 division_px = fit == 0 ? resolution / divisions
+                                : vec2(min(resolution.x, resolution.y) / divisions.y);
+    vec2 in_divisions = 0.5 * place * resolution / division_px;
+    float width = max(1.0, resolution.y / reference_height);
+    return graticule_coverage(in_divisions, divisions, division_px, width);
+}
+
+vec3 with_graticule(vec3 light, vec2 place, vec2 resolution) {
+    float line = graticule * graticule_at(place, resolution);
+    if (graticule_lines == 1)
+        return light * (1.0 - line);
+    vec3 lamp = line * graticule_color;
+    return light + lamp * (1.0 - min(light, 1.0));
+}
