@@ -9,21 +9,39 @@
 
 namespace fs = std::filesystem;
 
-Result<std::string> read_bytes(const fs::path& file, std::size_t most_bytes) {
+namespace {
+Result<std::size_t> size_of(const fs::path& file) {
     std::error_code error;
     const fs::file_status status = fs::status(file, error);
     if (!fs::exists(status))
         return fail({file, 0, "there is no such file"});
     if (!fs::is_regular_file(status))
-        return fail({file, 0, fs::is_directory(status) ? "is a folder, not a file" : "is not a file"});
+        return fail(
+            {file, 0, fs::is_directory(status) ? "is a folder, not a file" : "is not a file"});
     const std::uintmax_t size = fs::file_size(file, error);
     if (error)
         return fail({file, 0, error.message()});
-    if (size > most_bytes)
-        return fail({file, 0,
-                     fmt::format("is too large: {} bytes, at most {} are read", size, most_bytes)});
+    return static_cast<std::size_t>(size);
+}
+}  // namespace
+
+Result<std::string> read_bytes(const fs::path& file, std::size_t most_bytes) {
+    const auto size = size_of(file);
+    if (!size)
+        return fail(size.error());
+    if (*size > most_bytes)
+        return fail(
+            {file, 0,
+             fmt::format("is too large: {} bytes, at most {} are read", *size, most_bytes)});
+    return read_start(file, *size);
+}
+
+Result<std::string> read_start(const fs::path& file, std::size_t count) {
+    const auto size = size_of(file);
+    if (!size)
+        return fail(size.error());
     std::ifstream stream(file, std::ios::binary);
-    std::string bytes(static_cast<std::size_t>(size), '\0');
+    std::string bytes(std::min(*size, count), '\0');
     stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     if (!stream && !stream.eof())
         return fail({file, 0, std::string("cannot be read: ") + std::strerror(errno)});
@@ -40,7 +58,8 @@ Result<std::string> read_text(const fs::path& file) {
         text->erase(0, 3);
     const std::size_t zero = text->find('\0');
     if (zero != std::string::npos) {
-        const auto line = std::count(text->begin(), text->begin() + static_cast<std::ptrdiff_t>(zero), '\n');
+        const auto line =
+            std::count(text->begin(), text->begin() + static_cast<std::ptrdiff_t>(zero), '\n');
         return fail({file, static_cast<int>(line) + 1, "is not a text file: it holds a NUL byte"});
     }
     return text;

@@ -1,0 +1,124 @@
+#include "io/atomic_file.h"
+
+#include "io/descriptor.h"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fcntl.h>
+#include <optional>
+#include <sys/stat.h>
+
+namespace fs = std::filesystem;
+
+namespace {
+std::string system_reason() {
+    return std::strerror(errno);
+}
+
+// The file that a chain of links ends at, which need not exist.
+Result<fs::path> target_of(fs::path file) {
+    constexpr int longest_chain = 40;
+    const fs::path asked = file;
+    for (int i = 0; i < longest_chain; ++i) {
+        std::error_code error;
+        if (!fs::is_symlink(fs::symlink_status(file, error)))
+            return file;
+        const fs::path next = fs::read_symlink(file, error);
+        if (error)
+            return fail({asked, 0, "cannot be written: " + error.message()});
+        file = file.parent_path() / next;
+    }
+    return fail({asked, 0, "cannot be written: its links go round in a circle"});
+}
+
+// A file beside the target that is removed unless it took the target's place.
+class TemporaryFile {
+public:
+    explicit TemporaryFile(const fs::path& folder) {
+        static std::atomic<unsigned> counter{0};
+        do {
+            m_path = folder / fmt::format(".afterglow-{}-{}.tmp", ::getpid(), counter++);
+            m_descriptor =
+                Descriptor(::open(m_path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+        } while (!m_descriptor.is_open() && errno == EEXIST);
+    }
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+    ~TemporaryFile() {
+        if (!m_path.empty())
+            ::unlink(m_path.c_str());
+    }
+
+    bool is_open() const { return m_descriptor.is_open(); }
+    bool set_mode(mode_t mode) { return ::fchmod(m_descriptor.get(), mode) == 0; }
+
+    bool write(std::string_view bytes) {
+        while (!bytes.empty()) {
+            const ssize_t count = ::write(m_descriptor.get(), bytes.data(), bytes.size());
+            if (count < 0 && errno != EINTR)
+                return false;
+            bytes.remove_prefix(count < 0 ? 0 : static_cast<std::size_t>(count));
+        }
+        return ::fsync(m_descriptor.get()) == 0 && m_descriptor.close();
+    }
+
+    bool take_place_of(const fs::path& target) {
+        if (::rename(m_path.c_str(), target.c_str()) != 0)
+            return false;
+        m_path.clear();
+        return true;
+    }
+
+private:
+    fs::path m_path;
+    Descriptor m_descriptor;
+};
+
+// The rename itself must reach the disk; file systems that cannot say so (EINVAL) are no error.
+bool flush_folder(const fs::path& folder) {
+    const Descriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    return !descriptor.is_open() || ::fsync(descriptor.get()) == 0 || errno == EINVAL;
+}
+
+// The permissions to keep, nothing for a new file, or why `target` must not be replaced.
+Result<std::optional<mode_t>> mode_to_keep(const fs::path& file, const fs::path& target) {
+    struct stat status = {};
+    if (::stat(target.c_str(), &status) != 0)
+        return std::nullopt;
+    if (S_ISDIR(status.st_mode))
+        return fail({file, 0, "cannot be written: it is a folder"});
+    if (!S_ISREG(status.st_mode))
+        return fail({file, 0, "cannot be written: it is not a regular file"});
+    if (::access(target.c_str(), W_OK) != 0)
+        return fail({file, 0, "cannot be written: " + system_reason()});
+    return status.st_mode & 07777;
+}
+}  // namespace
+
+Result<void> write_atomically(const fs::path& file, std::string_view bytes) {
+    if (!file.has_filename())
+        return fail({file, 0, "cannot be written: it has no file name"});
+    const auto target = target_of(file);
+    if (!target)
+        return fail(target.error());
+    const auto mode = mode_to_keep(file, *target);
+    if (!mode)
+        return fail(mode.error());
+    const fs::path folder = target->has_parent_path() ? target->parent_path() : fs::path(".");
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error)
+        return fail({file, 0, "its folder cannot be made: " + error.message()});
+
+    const auto refused = [&] { return fail({file, 0, "cannot be written: " + system_reason()}); };
+    TemporaryFile temporary(folder);
+    if (!temporary.is_open() || (*mode && !temporary.set_mode(**mode)))
+        return refused();
+    if (!temporary.write(bytes) || !temporary.take_place_of(*target) || !flush_folder(folder))
+        return refused();
+    return {};
+}

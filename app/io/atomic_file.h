@@ -1,0 +1,11 @@
+#pragma once
+
+#include "base/diagnostic.h"
+
+#include <filesystem>
+#include <string_view>
+
+/// Makes `bytes` the whole content of `file` in one step: at every moment, also after a crash, the
+/// file is the old one or the new one. Missing folders are made; a link's target is replaced and
+/// the link stays; permissions stay. Refuses what is not a regular file and what is read-only.
+Result<void> write_atomically(const std::filesystem::path& file, std::string_view bytes);

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "base/diagnostic.h"
+#include "model/picture.h"
+
+#include <filesystem>
+#include <string>
+
+/// A picture as stored: 1, 3 or 4 channels (grey with alpha becomes RGBA), alpha unassociated,
+/// turned upright as its file says. Whole-number files (PNG, JPEG) are display-encoded, float files
+/// (EXR, HDR) linear. At most 16384 px a side and 64 Mi pixels.
+Result<Picture> load_picture(const std::filesystem::path& file);
+
+struct SaveOptions {
+    bool half = false;  // .exr: 16-bit floats instead of 32-bit ones
+};
+
+/// By extension: `.png` is 8-bit RGB, display values as they are, linear ones clamped and
+/// sRGB-encoded;
+/// `.exr` holds the stored values, alpha associated. The same pixels give the same bytes; atomic.
+Result<void> save_picture(const Picture& picture, const std::filesystem::path& file,
+                          const SaveOptions& options = {});
+
+/// The bytes of the `.png` that save_picture writes; errors carry no file.
+Result<std::string> encode_png(const Picture& picture);

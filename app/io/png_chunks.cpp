@@ -1,0 +1,75 @@
+#include "io/png_chunks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <zlib.h>
+
+namespace {
+// Length, type and check sum take four bytes each (PNG specification, 5.3).
+constexpr std::size_t word = 4;
+
+std::uint32_t number_at(std::string_view bytes, std::size_t at) {
+    std::uint32_t number = 0;
+    for (std::size_t i = 0; i < word; ++i)
+        number = number << 8 | static_cast<unsigned char>(bytes[at + i]);
+    return number;
+}
+
+void append_number(std::string& bytes, std::size_t number) {
+    for (const unsigned shift : {24u, 16u, 8u, 0u})
+        bytes += static_cast<char>((number >> shift) & 0xffu);
+}
+
+std::uint32_t check_sum(std::string_view bytes) {
+    return static_cast<std::uint32_t>(
+        ::crc32_z(0, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()));
+}
+
+bool is_type(std::string_view type) {
+    return std::all_of(type.begin(), type.end(), [](char letter) {
+        return (letter >= 'A' && letter <= 'Z') || (letter >= 'a' && letter <= 'z');
+    });
+}
+}  // namespace
+
+std::string_view png_signature() {
+    return "\x89PNG\r\n\x1a\n";
+}
+
+bool is_png(std::string_view bytes) {
+    return bytes.starts_with(png_signature());
+}
+
+Result<std::vector<PngChunk>> parse_png_chunks(std::string_view bytes) {
+    if (!is_png(bytes))
+        return fail({{}, 0, "is no PNG picture"});
+    std::vector<PngChunk> chunks;
+    for (std::size_t at = png_signature().size();;) {
+        const std::size_t left = bytes.size() - at;
+        if (left < 3 * word || number_at(bytes, at) > left - 3 * word)
+            return fail({{}, 0, "is damaged: the PNG ends too early"});
+        const std::size_t length = number_at(bytes, at);
+        const PngChunk chunk{bytes.substr(at + word, word), bytes.substr(at + 2 * word, length),
+                             bytes.substr(at, length + 3 * word)};
+        const std::uint32_t sum = number_at(bytes, at + 2 * word + length);
+        if (!is_type(chunk.type) || check_sum(bytes.substr(at + word, word + length)) != sum)
+            return fail(
+                {{}, 0, fmt::format("is damaged: a wrong check sum at byte {} of the PNG", at)});
+        if (chunks.empty() != (chunk.type == "IHDR"))
+            return fail({{}, 0, "is damaged: the PNG does not start with its size"});
+        chunks.push_back(chunk);
+        at += chunk.whole.size();
+        if (chunk.type == "IEND")
+            return chunks;
+    }
+}
+
+std::string png_chunk(std::string_view type, std::string_view data) {
+    std::string chunk;
+    append_number(chunk, data.size());
+    chunk.append(type).append(data);
+    append_number(chunk, check_sum(std::string_view(chunk).substr(word)));
+    return chunk;
+}

@@ -1,0 +1,117 @@
+#include "io/atomic_file.h"
+
+#include "io/temporary_folder.h"
+
+#include <doctest/doctest.h>
+
+#include <csignal>
+#include <random>
+#include <sys/stat.h>
+#include <sys/wait.h>
+
+namespace fs = std::filesystem;
+
+namespace {
+std::size_t count_of(const fs::path& folder) {
+    return static_cast<std::size_t>(
+        std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+}  // namespace
+
+TEST_CASE("a new file is written with its folders, and nothing is left beside it") {
+    const TemporaryFolder folder;
+    REQUIRE(write_atomically(folder / "a/b/file.txt", std::string_view("one\0two", 7)));
+    CHECK(content_of(folder / "a/b/file.txt") == std::string("one\0two", 7));
+    CHECK(count_of(folder / "a/b") == 1);
+}
+
+TEST_CASE("an old file is replaced and keeps its permissions") {
+    const TemporaryFolder folder;
+    const fs::path file = folder.write("file", "a long old content");
+    fs::permissions(file, fs::perms(0640));
+    REQUIRE(write_atomically(file, "new"));
+    CHECK(content_of(file) == "new");
+    CHECK(fs::status(file).permissions() == fs::perms(0640));
+}
+
+TEST_CASE("a new file has the permissions that the person's mask leaves") {
+    const TemporaryFolder folder;
+    const mode_t before = ::umask(027);
+    REQUIRE(write_atomically(folder / "file", "new"));
+    ::umask(before);
+    CHECK(fs::status(folder / "file").permissions() == fs::perms(0640));
+}
+
+TEST_CASE("a link stays and its target is replaced, also through a chain and when it dangles") {
+    const TemporaryFolder folder;
+    folder.write("there/file", "old");
+    fs::create_symlink("there/file", folder / "inner");
+    fs::create_symlink(folder / "inner", folder / "outer");
+    REQUIRE(write_atomically(folder / "outer", "new"));
+    CHECK(fs::is_symlink(folder / "outer"));
+    CHECK(fs::is_symlink(folder / "inner"));
+    CHECK(content_of(folder / "there/file") == "new");
+
+    fs::create_symlink("there/later", folder / "dangling");
+    REQUIRE(write_atomically(folder / "dangling", "made"));
+    CHECK(fs::is_symlink(folder / "dangling"));
+    CHECK(content_of(folder / "there/later") == "made");
+}
+
+TEST_CASE("what cannot be a file is refused by name and reason, and nothing is left behind") {
+    const TemporaryFolder folder;
+    folder.write("file", "kept");
+    fs::create_symlink("circle", folder / "circle");
+    fs::create_directory(folder / "folder");
+    REQUIRE(::mkfifo((folder / "pipe").c_str(), 0600) == 0);
+    const auto message = [&](const fs::path& file) {
+        const auto written = write_atomically(file, "new");
+        REQUIRE_FALSE(written.has_value());
+        REQUIRE(written.error().size() == 1);
+        CHECK(written.error().front().file == file);
+        return written.error().front().message;
+    };
+    CHECK(message(folder / "folder") == "cannot be written: it is a folder");
+    CHECK(message(folder / "pipe") == "cannot be written: it is not a regular file");
+    CHECK(message(folder / "circle") == "cannot be written: its links go round in a circle");
+    CHECK(message(folder / "file/inside") == "its folder cannot be made: Not a directory");
+    CHECK(message("/proc/afterglow/file").starts_with("its folder cannot be made: "));
+    CHECK(message(folder / std::string(300, 'n')).starts_with("cannot be written: "));
+    CHECK(message(folder.path() / "") == "cannot be written: it has no file name");
+    CHECK(message("") == "cannot be written: it has no file name");
+    CHECK(content_of(folder / "file") == "kept");
+    CHECK(count_of(folder.path()) == 4);
+}
+
+TEST_CASE("killed at any moment of saving, the file is wholly the old or wholly the new one") {
+    const TemporaryFolder folder;
+    const fs::path file = folder / "file";
+    // The text says its own length and letter, so that a torn one shows.
+    const auto text = [](int round) {
+        return std::string(static_cast<std::size_t>(1 + round % 7 * 40000),
+                           static_cast<char>('a' + round % 7));
+    };
+    REQUIRE(write_atomically(file, text(0)));
+    std::mt19937 random(20240601);
+    std::uniform_int_distribution<useconds_t> moment(0, 8000);
+    int changes = 0;
+    for (int trial = 0; trial < 60; ++trial) {
+        const std::string before = content_of(file);
+        const pid_t child = ::fork();
+        if (child == 0)
+            for (int round = trial + 1;; ++round)
+                if (!write_atomically(file, text(round)))
+                    ::_exit(1);
+        REQUIRE(child > 0);
+        ::usleep(moment(random));
+        ::kill(child, SIGKILL);
+        int status = 0;
+        REQUIRE(::waitpid(child, &status, 0) == child);
+        CHECK(WIFSIGNALED(status));
+        const std::string after = content_of(file);
+        changes += after != before;
+        REQUIRE_FALSE(after.empty());
+        CHECK(after == text(after.front() - 'a'));
+    }
+    CHECK(changes > 10);  // the child did save
+}
