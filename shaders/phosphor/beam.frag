@@ -14,7 +14,7 @@ uniform float beam_gain = 0.7;                  // @range 0.01 4  @limit 0 1000 
 
 flat in vec2 middle;
 flat in float width;
-flat in float charge;
+flat in vec3 charge;
 out vec4 color;
 
 float spot() {
@@ -32,6 +32,6 @@ float spot_as_written() {
 }
 
 void main() {
-    float brightness = beam_gain * charge * (as_written ? spot_as_written() : spot());
-    color = vec4(beam_color * brightness, brightness);
+    vec3 brightness = beam_gain * charge * (as_written ? spot_as_written() : spot());
+    color = vec4(beam_color * brightness, 1.0);
 }

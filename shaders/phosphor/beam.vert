@@ -16,7 +16,7 @@ in float age_seconds;   // before the frame's end
 
 flat out vec2 middle;   // px from the bottom left
 flat out float width;   // px
-flat out float charge;  // intensity, less what has faded since
+flat out vec3 charge;   // intensity, less what has faded since, of each channel
 
 // GL drops a point whose middle is off the picture, and with it the half of the spot that is not.
 // So the square is drawn around the nearest place inside, larger by as much as it was moved.
@@ -39,7 +39,7 @@ void main() {
     vec2 place = position * signal_size(u_resolution);
     middle = (0.5 + 0.5 * place) * u_resolution;
     width = beam_width * u_resolution.y / reference_height;
-    charge = as_written ? intensity : intensity * left_after(age_seconds);
+    charge = intensity * (as_written ? vec3(1.0) : left_after(age_seconds));
     if (as_written)
         place_as_written(place);
     else

@@ -72,8 +72,8 @@ vec3 through_glass(vec2 place) {
     float y_px = 0.5 * (place.y + 1.0) * u_resolution.y;
     vec3 light = shown(fringed_light(0.5 * place + 0.5));
     light *= scanline_factor(y_px, scanline_period, scanline_strength);
-    light = with_graticule(light, place, u_resolution);
-    light = light * vignette_factor(place, vignette) + ambient_glass;
+    light = with_graticule(light + ambient_glass, place, u_resolution);
+    light *= vignette_factor(place, vignette);
     vec2 half_size = u_resolution / u_resolution.y;
     return light * glass_coverage(place, half_size, corner_radius);
 }

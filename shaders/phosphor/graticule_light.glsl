@@ -15,8 +15,8 @@ uniform vec3 graticule_color = vec3(0.45, 0.8, 0.55);  // @color  @label "Line c
 // 1 on a line, 0 between lines. `place` is -1..1 on the glass.
 float graticule_at(vec2 place, vec2 resolution) {
     vec2 divisions = vec2(graticule_divisions);
-    vec2 division_px = fit == 0 ? resolution / divisions
-                                : vec2(min(resolution.x, resolution.y) / divisions.y);
+    vec2 signal_px = signal_size(resolution) * resolution;
+    vec2 division_px = signal_px / (fit == 0 ? divisions : divisions.yy);
     vec2 in_divisions = 0.5 * place * resolution / division_px;
     float width = max(1.0, resolution.y / reference_height);
     return graticule_coverage(in_divisions, divisions, division_px, width);

@@ -17,17 +17,14 @@ in vec2 uv;
 out vec4 color;
 
 // The brightest channel reaches the ceiling and takes the others along: the hue stays.
-vec4 saturated(vec4 light) {
-    return light * min(1.0, ceiling / max(brightest_channel(light.rgb), 1e-20));
+vec3 saturated(vec3 light) {
+    return light * min(1.0, ceiling / max(brightest_channel(light), 1e-20));
 }
 
 void main() {
-    vec4 kept = texture(previous, uv);
-    vec4 fresh = texture(current, uv);
-    if (as_written)
-        color = min(kept * decay + fresh, vec4(ceiling));
-    else
-        color = saturated(kept * left_after(u_time_delta) + fresh);
-    if (tone_map_every_frame)
-        color.rgb = reinhard(color.rgb);
+    vec3 kept = texture(previous, uv).rgb;
+    vec3 fresh = texture(current, uv).rgb;
+    vec3 light = as_written ? min(kept * decay + fresh, vec3(ceiling))
+                            : saturated(kept * left_after(u_time_delta) + fresh);
+    color = vec4(tone_map_every_frame ? reinhard(light) : light, 1.0);
 }
