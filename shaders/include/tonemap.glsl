@@ -6,8 +6,7 @@
 
 const int tone_map_clamp = 0;
 const int tone_map_reinhard = 1;
-const int tone_map_reinhard_white = 2;
-const int tone_map_aces = 3;
+const int tone_map_aces = 2;
 
 // Reinhard et al., "Photographic Tone Reproduction for Digital Images", SIGGRAPH 2002, equation 3.
 vec3 reinhard(vec3 light) {
@@ -24,13 +23,11 @@ vec3 aces(vec3 light) {
     return light * (2.51 * light + 0.03) / (light * (2.43 * light + 0.59) + 0.14);
 }
 
-// Each channel by itself: bright colours turn white, as in a camera.
+// Each channel by itself: bright colours turn white, as in a camera. `white` is Reinhard's; 0: none.
 vec3 tone_mapped(vec3 light, int curve, float white) {
     vec3 mapped = light;
     if (curve == tone_map_reinhard)
-        mapped = reinhard(light);
-    else if (curve == tone_map_reinhard_white)
-        mapped = reinhard_to_white(light, white);
+        mapped = white > 0.0 ? reinhard_to_white(light, white) : reinhard(light);
     else if (curve == tone_map_aces)
         mapped = aces(light);
     return clamp(mapped, 0.0, 1.0);

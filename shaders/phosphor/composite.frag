@@ -19,10 +19,10 @@ uniform float bloom_intensity = 0.6;  // @range 0 3  @limit 0 100  @label "Inten
                                       // @help "How much of the spread light is added to the trace."
 uniform float exposure = 1.5;         // @range 0.1 16  @limit 0 1000  @scale log  @label "Exposure"  @group "Exposure"
                                       // @help "Brightness of the whole trace, like a camera's exposure: twice as much doubles the light before the tone map."
-uniform int tone_map = 1;             // @items "Clamp" "Reinhard" "Reinhard to white" "ACES"  @label "Tone map"  @group "Exposure"
+uniform int tone_map = 1;             // @items "Clamp" "Reinhard" "ACES"  @label "Tone map"  @group "Exposure"
                                       // @help "How light brighter than the screen can show is brought back to it. Clamp cuts it off, the others bend it softly."
-uniform float white = 4.0;            // @range 1 16  @limit 0.1 1000  @scale log  @label "White"  @group "Exposure"
-                                      // @help "The light that becomes full white in Reinhard to white."
+uniform float white = 0.0;            // @range 0 16  @limit 0 1000  @label "White"  @group "Exposure"  @identity 0
+                                      // @help "The light that Reinhard turns to full white. 0 is without: everything stays a little below it."
 uniform float keep_hue = 0.8;         // @range 0 1  @limit 0 1  @label "Keep hue"  @group "Exposure"
                                       // @help "0: a very bright trace turns white, as on film. 1: it stays as coloured as the phosphor, as to the eye."
 uniform bool display_encode = true;   // @label "Display encoding"  @group "Exposure"
