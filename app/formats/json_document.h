@@ -1,0 +1,37 @@
+#pragma once
+
+#include "base/diagnostic.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// A value of a JSON text, and where in the text it stands.
+struct JsonValue {
+    enum class Kind { null, boolean, number, text, array, object };
+
+    Kind kind = Kind::null;
+    bool boolean = false;
+    double number = 0.0;  // finite
+    std::string text;
+    std::vector<JsonValue> children;  // elements or members, in the order of the text
+    std::string key;                  // of a member
+    int line = 1;                     // where the value, for a member its key, begins
+    std::size_t key_begin = 0;        // bytes [key_begin, end) are a member with its key,
+    std::size_t begin = 0;            // [begin, end) the value
+    std::size_t end = 0;
+
+    bool is(Kind asked) const { return kind == asked; }
+};
+
+/// Reads a whole JSON text: at most 16 MiB, 128 levels deep, a million values. Every key of an
+/// object is there once. Errors have `file` and the line.
+Result<JsonValue> parse_json(std::string_view text, const std::filesystem::path& file);
+
+/// The member of an object, or null.
+const JsonValue* find_member(const JsonValue& object, std::string_view key);
+
+/// "a number", "a list": for messages.
+std::string_view kind_name(JsonValue::Kind kind);

@@ -1,0 +1,167 @@
+#include "formats/preset_format.h"
+
+#include "base/file.h"
+#include "formats/json_text.h"
+#include "formats/preset_png.h"
+#include "formats/share_line.h"
+#include "formats/spec_json.h"
+#include "formats/value_json.h"
+#include "io/atomic_file.h"
+#include "io/png_chunks.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+constexpr std::string_view format_name = "afterglow-preset";
+constexpr int newest_version = 1;
+
+Values read_values(ObjectReader& reader) {
+    Values values;
+    const JsonValue* member = reader.find("values");
+    if (!member || !reader.expect(*member, JsonValue::Kind::object))
+        return values;
+    for (const JsonValue& child : member->children)
+        if (auto value = read_value(child, reader))
+            values[child.key] = std::move(*value);
+    return values;
+}
+
+// The lines of a preset's values, by name; none where the file is no JSON.
+std::map<std::string, int> lines_of_values(const std::filesystem::path& file) {
+    std::map<std::string, int> lines;
+    const auto text = read_text(file);
+    const auto document = text ? parse_json(*text, file) : fail(text.error());
+    const JsonValue* values = document ? find_member(*document, "values") : nullptr;
+    if (values)
+        for (const JsonValue& value : values->children)
+            lines[value.key] = value.line;
+    return lines;
+}
+
+Result<Value> fitted_value(const Parameter& parameter, const Value& value) {
+    const bool takes_path =
+        parameter.control == Control::image || parameter.control == Control::sound;
+    if (takes_path && !value.numbers.empty())
+        return fail(
+            {{}, 0, fmt::format("'{}' takes the path of a file, not numbers", parameter.name)});
+    if (takes_path)
+        return value;
+    if (value.numbers.empty())
+        return parse_value(parameter, value.path);
+    const auto size = static_cast<std::size_t>(parameter.type.size());
+    if (value.numbers.size() != size)
+        return fail({{},
+                     0,
+                     fmt::format("'{}' takes {} numbers, not {}", parameter.name, size,
+                                 value.numbers.size())});
+    return clamped(parameter, value);
+}
+}  // namespace
+
+Result<Preset> parse_preset(std::string_view text, const std::filesystem::path& file) {
+    const auto document = parse_json(text, file);
+    if (!document)
+        return fail(document.error());
+    Diagnostics problems;
+    ObjectReader reader(*document, file, problems);
+    if (!accept_header(reader, format_name, newest_version))
+        return fail(std::move(problems));
+    Preset preset;
+    const JsonValue* look = reader.require("look");
+    preset.look = reader.text("look");
+    if (look && look->is(JsonValue::Kind::text) && look->text.empty())
+        reader.problem(*look, "\"look\" must name a look");
+    preset.digest = reader.text("look_digest");
+    preset.name = reader.text("name");
+    preset.about = reader.text("about");
+    preset.author = reader.text("author");
+    if (const JsonValue* signal = reader.find("signal"))
+        preset.signal = read_spec(*signal, file, problems);
+    preset.source = reader.text("source");
+    preset.media_digest = reader.text("media_digest");
+    preset.values = read_values(reader);
+    reader.refuse_unknown();
+    if (!problems.empty())
+        return fail(std::move(problems));
+    return preset;
+}
+
+Result<Preset> load_preset(const std::filesystem::path& file) {
+    const auto start = read_start(file, png_signature().size());
+    if (!start)
+        return fail(start.error());
+    if (is_png(*start)) {
+        const auto bytes = read_bytes(file);
+        return bytes ? preset_from_png(*bytes, file) : fail(bytes.error());
+    }
+    const auto text = read_text(file);
+    if (!text)
+        return fail(text.error());
+    if (!is_share_line(*text))
+        return parse_preset(*text, file);
+    auto preset = parse_share_line(*text);
+    if (!preset)
+        for (Diagnostic& reason : preset.error())
+            reason.file = file;
+    return preset;
+}
+
+nlohmann::ordered_json preset_json(const Preset& preset, const Look* look) {
+    Json json{{"format", format_name},        {"version", newest_version}, {"look", preset.look},
+              {"look_digest", preset.digest}, {"name", preset.name},       {"about", preset.about},
+              {"author", preset.author}};
+    if (preset.signal)
+        json["signal"] = json_of(*preset.signal);
+    if (!preset.source.empty())
+        json["source"] = preset.source;
+    if (!preset.media_digest.empty())
+        json["media_digest"] = preset.media_digest;
+    json["values"] = Json::object();
+    for (const auto& [name, value] : preset.values)
+        json["values"][name] = json_of(value, look ? find_parameter(*look, name) : nullptr);
+    return json;
+}
+
+std::string preset_to_json(const Preset& preset, const Look* look) {
+    return json_text(preset_json(preset, look));
+}
+
+Result<void> save_preset(const std::filesystem::path& file, const Preset& preset,
+                         const Look* look) {
+    return write_atomically(file, preset_to_json(preset, look));
+}
+
+Preset with_all_values(Preset preset, const Look& look) {
+    preset.values = renamed_values(look, std::move(preset.values));
+    for (const Parameter& parameter : look.parameters)
+        preset.values.try_emplace(parameter.name, parameter.initial);
+    return preset;
+}
+
+Result<Values> fitted_values(const Look& look, const Preset& preset,
+                             const std::filesystem::path& file) {
+    Diagnostics problems;
+    Values values = renamed_values(look, preset.values);
+    for (auto& [name, value] : values) {
+        const Parameter* parameter = find_parameter(look, name);
+        if (!parameter)
+            continue;
+        auto fitted = fitted_value(*parameter, value);
+        if (fitted) {
+            value = std::move(*fitted);
+            continue;
+        }
+        const auto lines = lines_of_values(file);
+        const auto line = lines.find(preset.values.contains(name) ? name : parameter->was);
+        problems.push_back(
+            {file, line == lines.end() ? 0 : line->second, fitted.error().front().message});
+    }
+    if (!problems.empty())
+        return fail(std::move(problems));
+    return values;
+}

@@ -1,0 +1,161 @@
+#include "formats/session_format.h"
+
+#include "formats/json_text.h"
+#include "formats/object_reader.h"
+#include "formats/preset_format.h"
+
+#include <nlohmann/json.hpp>
+
+namespace {
+constexpr std::string_view format_name = "afterglow-session";
+constexpr int newest_version = 1;
+constexpr std::size_t most_steps = 200;
+
+const Choices<Filter> filters{{"nearest", Filter::nearest}, {"linear", Filter::linear}};
+
+nlohmann::ordered_json json_of(const PassOverrides& overrides) {
+    nlohmann::ordered_json document = nlohmann::ordered_json::object();
+    for (const auto& [pass, override] : overrides) {
+        nlohmann::ordered_json& entry = document[pass] = nlohmann::ordered_json::object();
+        if (override.format)
+            entry["format"] = facts_of(*override.format).name;
+        if (override.scale)
+            entry["scale"] = *override.scale;
+        if (override.filter)
+            entry["filter"] = *override.filter == Filter::nearest ? "nearest" : "linear";
+    }
+    return document;
+}
+
+nlohmann::ordered_json json_of(const SessionState& state) {
+    return {{"step", state.step},
+            {"preset", preset_json(state.preset)},
+            {"overrides", json_of(state.overrides)}};
+}
+
+nlohmann::ordered_json json_of(const std::vector<SessionState>& states, std::size_t first) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (std::size_t i = first; i < states.size(); ++i)
+        list.push_back(json_of(states[i]));
+    return list;
+}
+
+PassOverride read_override(const JsonValue& value, const std::filesystem::path& file,
+                           Diagnostics& problems) {
+    ObjectReader reader(value, file, problems);
+    PassOverride override;
+    if (const std::string format = reader.text("format"); !format.empty())
+        override.format = parse_format(format);
+    if (reader.find("scale"))
+        override.scale = reader.number("scale", 1.0);
+    if (reader.find("filter"))
+        override.filter = reader.choice("filter", filters, Filter::linear);
+    reader.refuse_unknown();
+    return override;
+}
+
+/// Reads sessions out of their JSON; a preset inside is read by its own reader.
+class SessionReader {
+public:
+    SessionReader(std::string_view text, const std::filesystem::path& file)
+        : m_text(text), m_file(file) {}
+
+    Result<Session> read() {
+        const auto document = parse_json(m_text, m_file);
+        if (!document)
+            return fail(document.error());
+        Session session;
+        ObjectReader reader(*document, m_file, m_problems);
+        if (accept_header(reader, format_name, newest_version))
+            read_session(reader, session);
+        if (!m_problems.empty())
+            return fail(m_problems);
+        return session;
+    }
+
+private:
+    void read_session(ObjectReader& reader, Session& session) {
+        session.look = reader.text("look");
+        session.preset_file = reader.text("preset_file");
+        session.saved = state(reader.find("saved"));
+        session.current = state(reader.find("current"));
+        session.past = states(reader.find("past"));
+        session.future = states(reader.find("future"));
+        session.time = reader.number("time", session.time);
+        session.speed = reader.number("speed", session.speed);
+        session.level = reader.number("level", session.level);
+        session.is_playing = reader.boolean("is_playing", session.is_playing);
+        session.follows_view = reader.boolean("follows_view", session.follows_view);
+        constexpr int largest = 16384;
+        session.fixed_size.width = reader.whole("width", session.fixed_size.width, 1, largest);
+        session.fixed_size.height = reader.whole("height", session.fixed_size.height, 1, largest);
+        session.picture_scale = reader.number("picture_scale", session.picture_scale);
+        if (const JsonValue* window = reader.find("window"))
+            for (const JsonValue& number : window->children)
+                session.window[number.key] = number.number;
+        reader.refuse_unknown();
+    }
+
+    SessionState state(const JsonValue* value) {
+        SessionState state;
+        if (!value)
+            return state;
+        ObjectReader reader(*value, m_file, m_problems);
+        state.step = reader.text("step");
+        if (const JsonValue* preset = reader.require("preset")) {
+            auto read =
+                parse_preset(m_text.substr(preset->begin, preset->end - preset->begin), m_file);
+            if (read)
+                state.preset = std::move(*read);
+            else
+                m_problems.insert(m_problems.end(), read.error().begin(), read.error().end());
+        }
+        if (const JsonValue* overrides = reader.find("overrides"))
+            for (const JsonValue& pass : overrides->children)
+                state.overrides[pass.key] = read_override(pass, m_file, m_problems);
+        reader.refuse_unknown();
+        return state;
+    }
+
+    std::vector<SessionState> states(const JsonValue* list) {
+        std::vector<SessionState> all;
+        if (list)
+            for (const JsonValue& value : list->children)
+                all.push_back(state(&value));
+        return all;
+    }
+
+    std::string_view m_text;
+    const std::filesystem::path& m_file;
+    Diagnostics m_problems;
+};
+}  // namespace
+
+std::string session_to_json(const Session& session) {
+    const std::size_t first =
+        session.past.size() > most_steps ? session.past.size() - most_steps : 0;
+    nlohmann::ordered_json window = nlohmann::ordered_json::object();
+    for (const auto& [name, number] : session.window)
+        window[name] = number;
+    return json_text({{"format", format_name},
+                      {"version", newest_version},
+                      {"look", session.look},
+                      {"preset_file", session.preset_file},
+                      {"saved", json_of(session.saved)},
+                      {"current", json_of(session.current)},
+                      {"past", json_of(session.past, first)},
+                      {"future", json_of(session.future, 0)},
+                      {"time", session.time},
+                      {"speed", session.speed},
+                      {"level", session.level},
+                      {"is_playing", session.is_playing},
+                      {"follows_view", session.follows_view},
+                      {"width", session.fixed_size.width},
+                      {"height", session.fixed_size.height},
+                      {"picture_scale", session.picture_scale},
+                      {"window", std::move(window)}});
+}
+
+Result<Session> parse_session(std::string_view text, const std::filesystem::path& file) {
+    return SessionReader(text, file).read();
+}

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "base/diagnostic.h"
+#include "model/plan.h"
+#include "model/preset.h"
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// One state of a document, and the name of the step that led away from it.
+struct SessionState {
+    std::string step;
+    Preset preset;  // values, signal and source
+    PassOverrides overrides;
+
+    bool operator==(const SessionState&) const = default;
+};
+
+/// What was open when the program was last used, unsaved changes and undo included.
+struct Session {
+    std::string look;         // folder or manifest; "": none was open
+    std::string preset_file;  // "": none was open
+    SessionState saved;       // as the preset's file holds it; its preset also says name and author
+    SessionState current;
+    std::vector<SessionState> past;    // oldest first
+    std::vector<SessionState> future;  // the next redo last
+    double time = 0.0;                 // s
+    double speed = 1.0;
+    double level = 1.0;
+    bool is_playing = true;
+    bool follows_view = true;
+    Extent fixed_size{1280, 720};
+    double picture_scale = 1.0;
+    std::map<std::string, double> window;  // what the window remembers of itself, by its own names
+
+    bool operator==(const Session&) const = default;
+};
+
+std::string session_to_json(const Session& session);
+Result<Session> parse_session(std::string_view text, const std::filesystem::path& file);
