@@ -50,16 +50,16 @@ Result<Extent> extent_of(const Pass& pass, const Measures& measures, int largest
         length_of(pass.size[0], measures.viewport.width, measures.source.width, measures);
     const auto height =
         length_of(pass.size[1], measures.viewport.height, measures.source.height, measures);
-    for (const auto* length : {&width, &height}) {
+    for (const auto* length : {&width, &height})
         if (!*length)
             return fail({pass.declared.file, pass.declared.line,
                          fmt::format("size of pass '{}': {}", pass.name,
                                      length->error().front().message)});
-        if (!(**length < largest_side + 1.0))
-            return fail({pass.declared.file, pass.declared.line,
-                         fmt::format("pass '{}' would be {} x {} px; {} px a side is the most",
-                                     pass.name, *width, *height, largest_side)});
-    }
+    const double most = largest_side + 0.5;  // before rounding
+    if (!(*width > 0.0 && *width < most && *height > 0.0 && *height < most))
+        return fail({pass.declared.file, pass.declared.line,
+                     fmt::format("pass '{}' would be {} x {} px; a side is 1 to {} px", pass.name,
+                                 *width, *height, largest_side)});
     return Extent{std::max(1, static_cast<int>(std::lround(*width))),
                   std::max(1, static_cast<int>(std::lround(*height)))};
 }

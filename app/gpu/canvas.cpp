@@ -1,0 +1,68 @@
+#include "gpu/canvas.h"
+
+#include <fmt/format.h>
+
+namespace gpu {
+
+void delete_framebuffer(GLuint id) {
+    glDeleteFramebuffers(1, &id);
+}
+
+namespace {
+GLuint new_framebuffer() {
+    GLuint id = 0;
+    glGenFramebuffers(1, &id);
+    return id;
+}
+}  // namespace
+
+Canvas::Canvas(Texture texture) : m_texture(std::move(texture)), m_name(new_framebuffer()) {}
+
+Result<Canvas> Canvas::make(Extent extent, Format format, bool is_mipmapped) {
+    auto texture = Texture::make(extent, format, is_mipmapped);
+    if (!texture)
+        return fail(texture.error());
+    Canvas canvas(std::move(*texture));
+    glBindFramebuffer(GL_FRAMEBUFFER, canvas.m_name.get());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
+                           canvas.m_texture.id(), 0);
+    const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    if (status != GL_FRAMEBUFFER_COMPLETE)
+        return fail({{},
+                     0,
+                     fmt::format("the graphics driver cannot draw into {} ({:#x})",
+                                 facts_of(format).name, status)});
+    canvas.clear();
+    canvas.m_texture.generate_mipmaps();
+    return canvas;
+}
+
+void Canvas::bind() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, m_name.get());
+    glViewport(0, 0, m_texture.extent().width, m_texture.extent().height);
+}
+
+void Canvas::clear(std::array<float, 4> rgba) const {
+    bind();
+    glDisable(GL_SCISSOR_TEST);
+    if (facts_of(m_texture.format()).is_integer) {
+        const GLuint whole[4] = {static_cast<GLuint>(rgba[0]), static_cast<GLuint>(rgba[1]),
+                                 static_cast<GLuint>(rgba[2]), static_cast<GLuint>(rgba[3])};
+        glClearBufferuiv(GL_COLOR, 0, whole);
+    } else {
+        glClearBufferfv(GL_COLOR, 0, rgba.data());
+    }
+}
+
+void Canvas::copy_to(const Canvas& other) const {
+    const Extent extent = m_texture.extent();
+    glDisable(GL_SCISSOR_TEST);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, m_name.get());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, other.m_name.get());
+    glBlitFramebuffer(0, 0, extent.width, extent.height, 0, 0, extent.width, extent.height,
+                      GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+}  // namespace gpu

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "gpu/texture.h"
+
+#include <array>
+
+namespace gpu {
+
+void delete_framebuffer(GLuint id);
+
+/// A texture that can be drawn into. Belongs to the context that made it.
+class Canvas {
+public:
+    /// Every texel is zero.
+    static Result<Canvas> make(Extent extent, Format format, bool is_mipmapped = false);
+
+    const Texture& texture() const { return m_texture; }
+    Texture& texture() { return m_texture; }
+
+    /// From here on draws go to the whole of it.
+    void bind() const;
+    /// Every texel of the largest level; integer formats take the whole part.
+    void clear(std::array<float, 4> rgba = {}) const;
+    /// Copies the largest level to a canvas of the same size and format.
+    void copy_to(const Canvas& other) const;
+
+private:
+    explicit Canvas(Texture texture);
+
+    Texture m_texture;
+    Name<delete_framebuffer> m_name;
+};
+
+}  // namespace gpu

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "model/look.h"
+
+#include <array>
+
+namespace gpu {
+
+/// While it lives GL's state is what every pass of a look starts from; after it nothing of that is
+/// left, so that a toolkit may draw next.
+class DrawScope {
+public:
+    DrawScope();
+    ~DrawScope();
+    DrawScope(const DrawScope&) = delete;
+    DrawScope& operator=(const DrawScope&) = delete;
+};
+
+/// How what is drawn next meets what is there. Alpha is unassociated.
+void set_blend(Blend blend);
+
+/// Three vertices without attributes.
+void draw_triangle();
+void draw_points(int count);
+/// Strips of four vertices, one an instance.
+void draw_quads(int instances);
+
+/// From here on draws go to the window, to `extent` pixels of it.
+void bind_screen(Extent extent);
+/// Fills the window.
+void clear_screen(std::array<float, 4> rgba);
+
+/// Waits until all that was asked for is done; makes objects of this thread good for others.
+void finish();
+
+}  // namespace gpu

@@ -1,0 +1,180 @@
+// Context::headless: OpenGL without a display server, through EGL's device and surfaceless
+// platforms.
+#include "gpu/context.h"
+
+#include <epoxy/egl.h>
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdlib>
+#include <string_view>
+#include <vector>
+
+namespace gpu {
+
+namespace {
+bool has_word(const char* words, std::string_view word) {
+    const std::string_view all = words ? words : "";
+    for (std::size_t at = all.find(word); at != std::string_view::npos;
+         at = all.find(word, at + 1)) {
+        const std::size_t end = at + word.size();
+        if ((at == 0 || all[at - 1] == ' ') && (end == all.size() || all[end] == ' '))
+            return true;
+    }
+    return false;
+}
+
+// Extension functions come from EGL itself: epoxy ends the process where it thinks that one is
+// missing.
+template <class Function>
+Function extension(const char* name) {
+    return reinterpret_cast<Function>(eglGetProcAddress(name));
+}
+
+class HeadlessContext : public Context {
+public:
+    HeadlessContext(EGLDisplay display, EGLConfig config, EGLContext context, EGLSurface surface)
+        : m_display(display), m_config(config), m_context(context), m_surface(surface) {}
+
+    // The display stays open: EGL has one a device for the whole process, and others may use it.
+    ~HeadlessContext() override {
+        if (eglGetCurrentContext() == m_context)
+            release();
+        eglDestroyContext(m_display, m_context);
+        if (m_surface != EGL_NO_SURFACE)
+            eglDestroySurface(m_display, m_surface);
+    }
+
+    void make_current() override {
+        eglBindAPI(EGL_OPENGL_API);  // EGL keeps it for each thread
+        eglMakeCurrent(m_display, m_surface, m_surface, m_context);
+    }
+
+    void release() override {
+        eglMakeCurrent(m_display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    }
+
+    /// Null where the display has no OpenGL 4.1 core.
+    static std::unique_ptr<HeadlessContext> make(EGLDisplay display, EGLConfig config,
+                                                 EGLContext shared) {
+        constexpr EGLint wanted[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                     4,
+                                     EGL_CONTEXT_MINOR_VERSION,
+                                     1,
+                                     EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                     EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                     EGL_NONE};
+        eglBindAPI(EGL_OPENGL_API);
+        const EGLContext context = eglCreateContext(display, config, shared, wanted);
+        if (context == EGL_NO_CONTEXT)
+            return nullptr;
+        EGLSurface surface = EGL_NO_SURFACE;
+        if (!has_word(eglQueryString(display, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context")) {
+            constexpr EGLint smallest[] = {EGL_WIDTH, 1, EGL_HEIGHT, 1, EGL_NONE};
+            surface = eglCreatePbufferSurface(display, config, smallest);
+        }
+        return std::make_unique<HeadlessContext>(display, config, context, surface);
+    }
+
+    /// Makes it current and asks the driver; false where that cannot be done.
+    bool start() {
+        make_current();
+        if (eglGetCurrentContext() != m_context)
+            return false;
+        m_facts = read_facts();
+        return true;
+    }
+
+private:
+    Result<std::unique_ptr<Context>> make_sharing() const override {
+        auto context = make(m_display, m_config, m_context);
+        if (!context)
+            return fail({{}, 0, "the graphics driver gives no second context for a helper thread"});
+        context->m_facts = m_facts;
+        return context;
+    }
+
+    EGLDisplay m_display;
+    EGLConfig m_config;
+    EGLContext m_context;
+    EGLSurface m_surface;
+};
+
+EGLDisplay platform_display(EGLenum platform, void* device) {
+    const auto get = extension<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
+    return get ? get(platform, device, nullptr) : EGL_NO_DISPLAY;
+}
+
+std::vector<EGLDeviceEXT> devices(bool software) {
+    const auto query_devices = extension<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
+    const auto query_text = extension<PFNEGLQUERYDEVICESTRINGEXTPROC>("eglQueryDeviceStringEXT");
+    std::array<EGLDeviceEXT, 32> found{};
+    EGLint count = 0;
+    if (!query_devices || !query_devices(static_cast<EGLint>(found.size()), found.data(), &count))
+        return {};
+    std::vector<EGLDeviceEXT> wanted;
+    for (EGLint i = 0; i < count; ++i) {
+        const EGLDeviceEXT device = found[static_cast<std::size_t>(i)];
+        const char* words = query_text ? query_text(device, EGL_EXTENSIONS) : nullptr;
+        if (has_word(words, "EGL_MESA_device_software") == software)
+            wanted.push_back(device);
+    }
+    return wanted;
+}
+
+// Those that draw in hardware first; Mesa's surfaceless platform finds software by itself.
+std::vector<EGLDisplay> displays() {
+    const char* client = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
+    const bool has_devices = has_word(client, "EGL_EXT_platform_device");
+    std::vector<EGLDisplay> all;
+    const auto add = [&](EGLDisplay display) {
+        if (display != EGL_NO_DISPLAY)
+            all.push_back(display);
+    };
+    if (has_devices && !std::getenv("LIBGL_ALWAYS_SOFTWARE"))
+        for (const EGLDeviceEXT device : devices(false))
+            add(platform_display(EGL_PLATFORM_DEVICE_EXT, device));
+    if (has_word(client, "EGL_MESA_platform_surfaceless"))
+        add(platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY));
+    if (has_devices)
+        for (const EGLDeviceEXT device : devices(true))
+            add(platform_display(EGL_PLATFORM_DEVICE_EXT, device));
+    if (all.empty())
+        add(eglGetDisplay(EGL_DEFAULT_DISPLAY));
+    return all;
+}
+
+std::unique_ptr<HeadlessContext> open_on(EGLDisplay display) {
+    if (!eglInitialize(display, nullptr, nullptr))
+        return nullptr;
+    constexpr EGLint with_pbuffer[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE,
+                                       EGL_OPENGL_BIT, EGL_NONE};
+    constexpr EGLint with_any[] = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
+                                   EGL_NONE};
+    for (const EGLint* wanted : {with_pbuffer, with_any}) {
+        EGLConfig config = nullptr;
+        EGLint count = 0;
+        if (!eglChooseConfig(display, wanted, &config, 1, &count) || count < 1)
+            continue;
+        auto context = HeadlessContext::make(display, config, EGL_NO_CONTEXT);
+        if (context && context->start())
+            return context;
+    }
+    return nullptr;
+}
+}  // namespace
+
+Result<std::unique_ptr<Context>> Context::headless() {
+    const std::vector<EGLDisplay> tried = displays();
+    for (const EGLDisplay display : tried)
+        if (auto context = open_on(display))
+            return context;
+    return fail({{},
+                 0,
+                 fmt::format("no OpenGL 4.1 core without a display here: EGL offers {} places to "
+                             "draw and none of them has it; Mesa's software driver (the package "
+                             "libgl1-mesa-dri) would do",
+                             tried.size())});
+}
+
+}  // namespace gpu

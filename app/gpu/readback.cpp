@@ -1,0 +1,71 @@
+#include "gpu/readback.h"
+
+#include "gpu/canvas.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace gpu {
+
+namespace {
+int picture_channels(const FormatFacts& facts) {
+    return facts.channels == 2 ? 3 : facts.channels;
+}
+
+GLenum layout_of(int channels) {
+    return channels == 1 ? GL_RED : channels == 3 ? GL_RGB : GL_RGBA;
+}
+
+void flip_rows(Picture& picture) {
+    const auto row = static_cast<std::ptrdiff_t>(picture.extent.width) * picture.channels;
+    auto low = picture.pixels.begin();
+    auto high = picture.pixels.end() - row;
+    for (; low < high; low += row, high -= row)
+        std::swap_ranges(low, low + row, high);
+}
+}  // namespace
+
+Picture read_picture(const Texture& texture) {
+    const FormatFacts& facts = facts_of(texture.format());
+    Picture picture{texture.extent(), picture_channels(facts), Encoding::linear, {}};
+    if (texture.format() == Format::srgb8_alpha8)
+        picture.encoding = Encoding::display;
+    picture.pixels.resize(picture.index(0, picture.extent.height));
+    glBindTexture(GL_TEXTURE_2D, texture.id());
+    if (facts.is_integer) {
+        std::vector<GLuint> whole(picture.pixels.size());
+        glGetTexImage(GL_TEXTURE_2D, 0, GL_RED_INTEGER, GL_UNSIGNED_INT, whole.data());
+        std::ranges::transform(whole, picture.pixels.begin(),
+                               [](GLuint number) { return static_cast<float>(number); });
+    } else {
+        glGetTexImage(GL_TEXTURE_2D, 0, layout_of(picture.channels), GL_FLOAT,
+                      picture.pixels.data());
+    }
+    glBindTexture(GL_TEXTURE_2D, 0);
+    flip_rows(picture);
+    return picture;
+}
+
+std::array<float, 4> read_pixel(const Texture& texture, int x, int y) {
+    const Extent extent = texture.extent();
+    assert(x >= 0 && y >= 0 && x < extent.width && y < extent.height);
+    GLuint id = 0;
+    glGenFramebuffers(1, &id);
+    const Name<delete_framebuffer> framebuffer(id);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, id);
+    glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.id(),
+                           0);
+    std::array<float, 4> rgba{0.0f, 0.0f, 0.0f, 1.0f};
+    const int row = extent.height - 1 - y;
+    if (facts_of(texture.format()).is_integer) {
+        GLuint whole = 0;
+        glReadPixels(x, row, 1, 1, GL_RED_INTEGER, GL_UNSIGNED_INT, &whole);
+        rgba[0] = static_cast<float>(whole);
+    } else {
+        glReadPixels(x, row, 1, 1, GL_RGBA, GL_FLOAT, rgba.data());
+    }
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+    return rgba;
+}
+
+}  // namespace gpu

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "gpu/texture.h"
+#include "model/picture.h"
+
+#include <array>
+
+namespace gpu {
+
+/// The largest level as it is stored, row 0 on top. One channel gives a grey picture, two give RGB
+/// without blue. Waits for the GPU.
+Picture read_picture(const Texture& texture);
+
+/// The stored numbers of one texel, `y` down from the top as in a Picture; channels that the format
+/// lacks are 0, alpha 1. Waits for the GPU.
+std::array<float, 4> read_pixel(const Texture& texture, int x, int y);
+
+}  // namespace gpu

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "gpu/texture.h"
+#include "model/look.h"
+
+#include <optional>
+#include <vector>
+
+namespace gpu {
+
+void delete_sampler(GLuint id);
+
+/// Binds textures to units, each read through a sampler object; one object a kind of sampler.
+class Samplers {
+public:
+    /// Integer textures are always read without a filter.
+    void bind(int unit, const Texture& texture, const Sampler& sampler);
+    /// For what is no texture of two dimensions: reads as an incomplete texture does.
+    void bind_nothing(int unit);
+    /// Leaves every unit that was used empty.
+    void release();
+
+private:
+    GLuint object_for(const Sampler& sampler);
+
+    struct Made {
+        Sampler sampler;
+        Name<delete_sampler> name;
+    };
+    std::vector<Made> m_made;
+    int m_used_units = 0;
+};
+
+}  // namespace gpu

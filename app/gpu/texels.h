@@ -1,0 +1,13 @@
+#pragma once
+
+#include "model/picture.h"
+
+#include <vector>
+
+namespace gpu {
+
+/// A picture as Texture::upload takes it: RGBA, the bottom row first, its colours (not alpha) taken
+/// to the `wanted` encoding. `texels` is used again, so that a video makes no new memory a frame.
+void fill_texels(const Picture& picture, Encoding wanted, std::vector<float>& texels);
+
+}  // namespace gpu

@@ -1,0 +1,213 @@
+#include "gpu/window.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace gpu {
+
+struct Window::Library {
+    Library() = default;
+    ~Library() { glfwTerminate(); }
+    Library(const Library&) = delete;
+    Library& operator=(const Library&) = delete;
+};
+
+namespace {
+std::string last_problem() {
+    const char* words = nullptr;
+    glfwGetError(&words);
+    return words ? words : "no reason given";
+}
+
+void set_hints(const WindowOptions& options) {
+    glfwDefaultWindowHints();
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 1);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);  // macOS insists
+    glfwWindowHint(GLFW_DEPTH_BITS, 0);
+    glfwWindowHint(GLFW_STENCIL_BITS, 0);
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);  // shown once it is where it belongs
+    glfwWindowHint(GLFW_MAXIMIZED, options.is_maximised && options.is_visible);
+}
+}  // namespace
+
+Result<std::shared_ptr<Window::Library>> Window::open_library() {
+    static std::weak_ptr<Library> open;
+    if (auto library = open.lock())
+        return library;
+    if (!glfwInit())
+        return fail({{}, 0, fmt::format("no window can be opened: {}", last_problem())});
+    auto library = std::make_shared<Library>();
+    open = library;
+    return library;
+}
+
+Window::Window(std::shared_ptr<Library> library, GLFWwindow* window)
+    : m_library(std::move(library)), m_window(window) {
+    glfwSetWindowUserPointer(m_window, this);
+    glfwSetDropCallback(m_window, keep_dropped);
+}
+
+Window::~Window() {
+    glfwDestroyWindow(m_window);
+}
+
+Result<std::unique_ptr<Window>> Window::create(const WindowOptions& options, GLFWwindow* shared) {
+    auto library = open_library();
+    if (!library)
+        return fail(library.error());
+    set_hints(options);
+    GLFWwindow* made =
+        glfwCreateWindow(std::max(options.size.width, 1), std::max(options.size.height, 1),
+                         options.title.c_str(), nullptr, shared);
+    if (!made)
+        return fail({{}, 0, fmt::format("no OpenGL 4.1 window can be had: {}", last_problem())});
+    return std::unique_ptr<Window>(new Window(std::move(*library), made));
+}
+
+Result<std::unique_ptr<Window>> Window::open(const WindowOptions& options) {
+    auto window = create(options, nullptr);
+    if (!window)
+        return window;
+    GLFWwindow* made = (*window)->m_window;
+    if (options.position && !options.is_maximised)
+        glfwSetWindowPos(made, (*options.position)[0], (*options.position)[1]);
+    if (options.is_visible)
+        glfwShowWindow(made);
+    (*window)->make_current();
+    (*window)->m_facts = read_facts();
+    return window;
+}
+
+Result<std::unique_ptr<Context>> Window::make_sharing() const {
+    auto window = create({"", {16, 16}, std::nullopt, false, false}, m_window);
+    if (!window)
+        return fail(window.error());
+    (*window)->m_facts = m_facts;
+    return std::move(*window);
+}
+
+void Window::make_current() {
+    glfwMakeContextCurrent(m_window);
+}
+
+void Window::release() {
+    glfwMakeContextCurrent(nullptr);
+}
+
+void Window::poll_events() {
+    glfwPollEvents();
+}
+
+void Window::wait_events(double most_seconds) {
+    if (most_seconds > 0)  // GLFW refuses a wait of nothing
+        glfwWaitEventsTimeout(most_seconds);
+    else
+        glfwPollEvents();
+}
+
+void Window::wake() {
+    glfwPostEmptyEvent();
+}
+
+void Window::swap() {
+    glfwSwapBuffers(m_window);
+}
+
+void Window::set_vsync(bool is_on) {
+    glfwSwapInterval(is_on ? 1 : 0);
+}
+
+bool Window::is_close_requested() const {
+    return glfwWindowShouldClose(m_window) == GLFW_TRUE;
+}
+
+void Window::refuse_close() {
+    glfwSetWindowShouldClose(m_window, GLFW_FALSE);
+}
+
+void Window::keep_dropped(GLFWwindow* window, int count, const char** paths) {
+    auto* self = static_cast<Window*>(glfwGetWindowUserPointer(window));
+    self->m_dropped.insert(self->m_dropped.end(), paths, paths + count);
+}
+
+std::vector<std::filesystem::path> Window::take_dropped_files() {
+    return std::exchange(m_dropped, {});
+}
+
+Extent Window::framebuffer_size() const {
+    Extent extent;
+    glfwGetFramebufferSize(m_window, &extent.width, &extent.height);
+    return extent;
+}
+
+Extent Window::size() const {
+    Extent extent;
+    glfwGetWindowSize(m_window, &extent.width, &extent.height);
+    return extent;
+}
+
+std::array<int, 2> Window::position() const {
+    std::array<int, 2> place{};
+    glfwGetWindowPos(m_window, place.data(), &place[1]);
+    return place;
+}
+
+bool Window::is_maximised() const {
+    return glfwGetWindowAttrib(m_window, GLFW_MAXIMIZED) == GLFW_TRUE;
+}
+
+bool Window::is_focused() const {
+    return glfwGetWindowAttrib(m_window, GLFW_FOCUSED) == GLFW_TRUE;
+}
+
+float Window::content_scale() const {
+    float scale = 1.0f;
+    glfwGetWindowContentScale(m_window, &scale, nullptr);
+    return scale;
+}
+
+namespace {
+// The display under the window's middle.
+GLFWmonitor* monitor_at(int x, int y) {
+    int count = 0;
+    GLFWmonitor** monitors = glfwGetMonitors(&count);
+    for (int i = 0; i < count; ++i) {
+        int left = 0;
+        int top = 0;
+        glfwGetMonitorPos(monitors[i], &left, &top);
+        const GLFWvidmode* mode = glfwGetVideoMode(monitors[i]);
+        if (mode && x >= left && y >= top && x < left + mode->width && y < top + mode->height)
+            return monitors[i];
+    }
+    return glfwGetPrimaryMonitor();
+}
+}  // namespace
+
+double Window::refresh_rate() const {
+    const auto [x, y] = position();
+    const Extent extent = size();
+    GLFWmonitor* monitor = monitor_at(x + extent.width / 2, y + extent.height / 2);
+    const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+    return mode && mode->refreshRate > 0 ? mode->refreshRate : 60.0;
+}
+
+void Window::set_title(const std::string& title) {
+    glfwSetWindowTitle(m_window, title.c_str());
+}
+
+std::string Window::clipboard() const {
+    const char* text = glfwGetClipboardString(m_window);
+    return text ? text : "";
+}
+
+void Window::set_clipboard(const std::string& text) {
+    glfwSetClipboardString(m_window, text.c_str());
+}
+
+}  // namespace gpu

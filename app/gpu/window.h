@@ -1,0 +1,85 @@
+#pragma once
+
+#include "gpu/context.h"
+#include "model/extent.h"
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+struct GLFWwindow;
+
+namespace gpu {
+
+struct WindowOptions {
+    std::string title;
+    Extent size{1280, 800};  // screen coordinates
+    std::optional<std::array<int, 2>> position;
+    bool is_maximised = false;
+    bool is_visible = true;
+};
+
+/// A window on the desktop with the context that draws into it. Made and used on the main thread,
+/// but for wake(), make_current() and release().
+class Window : public Context {
+public:
+    /// Its context is current. Fails in plain words without a display or OpenGL 4.1.
+    static Result<std::unique_ptr<Window>> open(const WindowOptions& options);
+    ~Window() override;
+
+    void make_current() override;
+    void release() override;
+
+    /// Handles what has happened since last asked.
+    void poll_events();
+    /// As poll_events, but first sleeps until something happens or `most_seconds` are over.
+    void wait_events(double most_seconds);
+    /// Ends a wait; from any thread.
+    static void wake();
+    /// Shows what was drawn.
+    void swap();
+    /// Whether swap waits for the display.
+    void set_vsync(bool is_on);
+
+    bool is_close_requested() const;
+    /// The person stays after all.
+    void refuse_close();
+    /// Files dropped on it since last asked.
+    std::vector<std::filesystem::path> take_dropped_files();
+
+    /// Device pixels; empty while minimised.
+    Extent framebuffer_size() const;
+    /// Screen coordinates, as WindowOptions takes it.
+    Extent size() const;
+    std::array<int, 2> position() const;
+    bool is_maximised() const;
+    bool is_focused() const;
+    /// Device pixels of a point of text; 1 on a plain display, 2 on a fine one.
+    float content_scale() const;
+    /// Of the display it is on; 60 where that is not known.
+    double refresh_rate() const;
+
+    void set_title(const std::string& title);
+    std::string clipboard() const;
+    void set_clipboard(const std::string& text);
+
+    /// GLFW's window, for a toolkit's backend.
+    void* native() const { return m_window; }
+
+private:
+    struct Library;  // GLFW itself, open as long as any window
+
+    Window(std::shared_ptr<Library> library, GLFWwindow* window);
+    Result<std::unique_ptr<Context>> make_sharing() const override;
+    static Result<std::unique_ptr<Window>> create(const WindowOptions& options, GLFWwindow* shared);
+    static Result<std::shared_ptr<Library>> open_library();
+    static void keep_dropped(GLFWwindow* window, int count, const char** paths);
+
+    std::shared_ptr<Library> m_library;  // shared: the last window of several closes it
+    GLFWwindow* m_window;
+    std::vector<std::filesystem::path> m_dropped;
+};
+
+}  // namespace gpu

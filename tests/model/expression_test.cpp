@@ -1,0 +1,51 @@
+#include "model/expression.h"
+
+#include <doctest/doctest.h>
+
+namespace {
+double value(const char* text) {
+    const auto result = evaluate(text, {{"WIDTH", 640.0}, {"pixels_2", 3.0}});
+    REQUIRE(result.has_value());
+    return *result;
+}
+
+std::string problem(const std::string& text) {
+    const auto result = evaluate(text, {{"WIDTH", 640.0}});
+    REQUIRE_FALSE(result.has_value());
+    return result.error().front().message;
+}
+}  // namespace
+
+TEST_CASE("products come before sums, and both go from left to right") {
+    CHECK(value("2 + 3 * 4") == 14.0);
+    CHECK(value("(2 + 3) * 4") == 20.0);
+    CHECK(value("10 - 4 - 3") == 3.0);
+    CHECK(value("24 / 4 / 2") == 3.0);
+    CHECK(value("-2 * -3") == 6.0);
+    CHECK(value("7 % 4") == 3.0);
+    CHECK(value("2--3") == 5.0);
+}
+
+TEST_CASE("names stand behind a dollar sign and functions before a bracket") {
+    CHECK(value("$WIDTH / 4") == 160.0);
+    CHECK(value("floor($WIDTH / $pixels_2)") == 213.0);
+    CHECK(value("ceil(0.1) + round(2.5) + abs(-4) + sqrt(9)") == 11.0);
+    CHECK(value("max(1, 2) * min(3, 4) + pow(2, 5)") == 38.0);
+}
+
+TEST_CASE("what cannot be read is said in words") {
+    CHECK(problem("$HEIGHT") == "unknown name '$HEIGHT'");
+    CHECK(problem("sin(1)") == "unknown function 'sin'");
+    CHECK(problem("(1 + 2") == "')' is missing");
+    CHECK(problem("max(1)") == "',' is missing");
+    CHECK(problem("1 2") == "unexpected '2'");
+    CHECK(problem("") == "a number, a name or a bracket is missing");
+    CHECK(problem("1 / 0") == "'1 / 0' is not a finite number");
+    CHECK(problem("$") == "unknown name '$'");
+    CHECK(problem("\xff\x01") == "a number, a name or a bracket is missing");
+}
+
+TEST_CASE("a text that only opens brackets ends in words, however long it is") {
+    CHECK(problem(std::string(100000, '(')) == "too many brackets");
+    CHECK(problem(std::string(100000, '-')) == "too many brackets");
+}

@@ -1,0 +1,14 @@
+#include "model/format.h"
+
+#include <doctest/doctest.h>
+
+TEST_CASE("every format is found by its own name and knows itself") {
+    for (const FormatFacts& facts : all_formats()) {
+        CHECK(parse_format(facts.name) == facts.format);
+        CHECK(facts_of(facts.format).name == facts.name);
+    }
+    CHECK(facts_of(Format::r32ui).is_integer);
+    CHECK(facts_of(Format::rgba16f).bytes == 8);
+    CHECK_FALSE(parse_format("rgba64f").has_value());
+    CHECK_FALSE(parse_format("").has_value());
+}

@@ -1,0 +1,166 @@
+#include "model/plan.h"
+
+#include <doctest/doctest.h>
+
+namespace {
+Pass pass(const char* name, std::vector<Input> inputs = {}) {
+    Pass made;
+    made.name = name;
+    made.inputs = std::move(inputs);
+    made.declared = {"look.json", 7};
+    return made;
+}
+
+Input reads(const char* name, int frames_ago = 0, bool mipmap = false) {
+    return {"from_" + std::string(name),
+            Input::From::pass,
+            name,
+            frames_ago,
+            {Filter::linear, Wrap::edge, mipmap}};
+}
+
+Parameter knob(const char* name, double initial, std::vector<Binding> bindings) {
+    Parameter made;
+    made.name = name;
+    made.initial = initial;
+    made.bindings = std::move(bindings);
+    return made;
+}
+
+// beam -> persistence (reads itself) -> bloom -> composite, as an oscilloscope has it.
+Look scope() {
+    Look look;
+    look.passes = {pass("beam"), pass("persistence", {reads("beam"), reads("persistence", 1)}),
+                   pass("bloom", {reads("persistence")}),
+                   pass("composite", {reads("persistence"), reads("bloom")})};
+    look.parameters = {knob("gain", 1, {{0, "gain"}}), knob("decay", 0.9, {{1, "decay"}}),
+                       knob("glow", 1, {{2, "glow"}}), knob("exposure", 1, {{3, "exposure"}})};
+    return look;
+}
+
+std::string problem(const Look& look, Extent viewport = {100, 50}) {
+    const auto plan = plan_targets(look, viewport, {}, {}, 1000);
+    REQUIRE_FALSE(plan.has_value());
+    return to_string(plan.error().front());
+}
+}  // namespace
+
+TEST_CASE("a side is measured by viewport, source, pixels or an expression") {
+    Look look;
+    look.passes = {pass("a"), pass("b"), pass("c")};
+    look.passes[0].size = {Side{Side::By::viewport, 0.5, {}}, Side{Side::By::source, 2.0, {}}};
+    look.passes[1].size = {Side{Side::By::pixels, 33, {}}, Side{Side::By::pixels, 1, {}}};
+    look.passes[2].size = {Side{Side::By::expression, 1, "$WIDTH / floor($cell)"},
+                           Side{Side::By::expression, 1, "max($HEIGHT - 10, 1)"}};
+    look.parameters = {knob("cell", 4.5, {})};
+
+    const Plan plan = plan_targets(look, {640, 480}, {320, 200}, {}).value();
+    CHECK(plan.targets[0].extent == Extent{320, 400});
+    CHECK(plan.targets[1].extent == Extent{33, 1});
+    CHECK(plan.targets[2].extent == Extent{160, 470});
+
+    const Plan finer = plan_targets(look, {640, 480}, {320, 200}, {{"cell", 2.0}}).value();
+    CHECK(finer.targets[2].extent == Extent{320, 470});
+}
+
+TEST_CASE("a share of a small viewport is at least one texel") {
+    Look look;
+    look.passes = {pass("tiny")};
+    look.passes[0].size.fill({Side::By::viewport, 0.001, {}});
+    CHECK(plan_targets(look, {64, 64}, {}, {}).value().targets[0].extent == Extent{1, 1});
+}
+
+TEST_CASE("a size that no texture can have is refused at the pass's line") {
+    Look look;
+    look.passes = {pass("big")};
+    look.passes[0].size.fill({Side::By::pixels, 1000, {}});
+    CHECK(plan_targets(look, {1, 1}, {}, {}, 1000).has_value());
+    look.passes[0].size[1].factor = 1001;
+    CHECK(problem(look) ==
+          "look.json:7: error: pass 'big' would be 1000 x 1001 px; a side is 1 to 1000 px");
+    look.passes[0].size[1].factor = 0;
+    CHECK(problem(look).find("1000 x 0 px") != std::string::npos);
+    look.passes[0].size[1].factor = -1e300;
+    CHECK_FALSE(problem(look).empty());
+    look.passes[0].size.fill({Side::By::source, 1, {}});  // without any source
+    CHECK(problem(look).find("0 x 0 px") != std::string::npos);
+}
+
+TEST_CASE("an expression that cannot be read is refused at the pass's line") {
+    Look look;
+    look.passes = {pass("odd")};
+    look.passes[0].size = {Side{Side::By::pixels, 5000, {}},
+                           Side{Side::By::expression, 1, "$HIGHT"}};
+    CHECK(problem(look) == "look.json:7: error: size of pass 'odd': unknown name '$HIGHT'");
+}
+
+TEST_CASE("a target keeps as many pictures as its most patient reader needs") {
+    Look look = scope();
+    look.passes[3].inputs.push_back(reads("beam", 3, true));
+    Input source{"s", Input::From::source, "source", 2, {}};
+    look.passes[0].inputs.push_back(source);
+    const Plan plan = plan_targets(look, {8, 8}, {8, 8}, {}).value();
+    CHECK(plan.targets[0].slots == 4);
+    CHECK(plan.targets[0].mipmapped);
+    CHECK(plan.targets[1].slots == 2);
+    CHECK_FALSE(plan.targets[1].mipmapped);
+    CHECK(plan.targets[2].slots == 1);
+    CHECK(plan.source_slots == 3);
+}
+
+TEST_CASE("memory is texels times bytes times slots") {
+    const Plan plan{{{{100, 10}, Format::rgba16f, 2, false}, {{8, 8}, Format::r32f, 1, false}}, 1};
+    CHECK(memory_of(plan) == 100 * 10 * 8 * 2 + 8 * 8 * 4);
+}
+
+TEST_CASE("bytes a pixel count each target once as written and once a reader") {
+    const Look look = scope();
+    const Plan plan = plan_targets(look, {100, 100}, {}, {}).value();
+    // Four targets of 8 bytes, and beam, persistence three times, bloom read.
+    CHECK(bytes_per_pixel(look, plan) == doctest::Approx(4 * 8 + 5 * 8));
+}
+
+TEST_CASE("a knob reaches the passes behind its own") {
+    const Redraw composite = redraw_after(scope(), {"exposure"});
+    CHECK(composite.passes == std::vector<bool>{false, false, false, true});
+    CHECK_FALSE(composite.needs_replay);
+    const Redraw bloom = redraw_after(scope(), {"glow"});
+    CHECK(bloom.passes == std::vector<bool>{false, false, true, true});
+    CHECK_FALSE(bloom.needs_replay);
+    CHECK(redraw_after(scope(), {"no_such"}).passes ==
+          std::vector<bool>{false, false, false, false});
+}
+
+TEST_CASE("a knob before a pass that reads its own past needs a replay") {
+    const Redraw gain = redraw_after(scope(), {"gain"});
+    CHECK(gain.passes == std::vector<bool>{true, true, true, true});
+    CHECK(gain.needs_replay);
+    CHECK(redraw_after(scope(), {"decay"}).needs_replay);
+}
+
+TEST_CASE("a knob that repeats or sizes a pass reaches it too") {
+    Look look = scope();
+    look.passes[2].repeat = "rounds";
+    look.passes[3].size[0] = {Side::By::expression, 1, "$WIDTH / $cell"};
+    look.parameters.push_back(knob("rounds", 1, {}));
+    look.parameters.push_back(knob("cell", 1, {}));
+    CHECK(redraw_after(look, {"rounds"}).passes == std::vector<bool>{false, false, true, true});
+    CHECK(redraw_after(look, {"cell"}).passes == std::vector<bool>{false, false, false, true});
+}
+
+TEST_CASE("what a pass needs is found through loops as well") {
+    CHECK(needed_for(scope(), 3) == std::vector<bool>{true, true, true, true});
+    CHECK(needed_for(scope(), 1) == std::vector<bool>{true, true, false, false});
+    CHECK(needed_for(scope(), 0) == std::vector<bool>{true, false, false, false});
+}
+
+TEST_CASE("a person's override reaches the pass and whoever reads it") {
+    PassOverrides overrides;
+    overrides["persistence"] = {Format::r32f, 0.5, Filter::nearest};
+    const Look look = with_overrides(scope(), overrides);
+    CHECK(look.passes[1].format == Format::r32f);
+    CHECK(look.passes[1].size[0].factor == 0.5);
+    CHECK(look.passes[2].inputs[0].sampler.filter == Filter::nearest);
+    CHECK(look.passes[3].inputs[1].sampler.filter == Filter::linear);
+    CHECK(with_overrides(scope(), {}) == scope());
+}
