@@ -1,0 +1,94 @@
+#include "io/sound_file.h"
+
+#include "base/file.h"
+#include "io/descriptor.h"
+
+#include <fmt/format.h>
+#include <sndfile.h>
+
+#include <array>
+#include <cmath>
+#include <fcntl.h>
+#include <memory>
+#include <new>
+
+namespace {
+constexpr int most_channels = 8;
+constexpr int most_rate = 768000;
+
+struct CloseFile {
+    void operator()(SNDFILE* file) const { sf_close(file); }
+};
+using SoundFile = std::unique_ptr<SNDFILE, CloseFile>;
+
+Result<void> check(const std::filesystem::path& file, const SF_INFO& info) {
+    if (info.samplerate <= 0 || info.samplerate > most_rate)
+        return fail(
+            {file, 0,
+             fmt::format("has a rate of {} Hz; 1 to {} can be read", info.samplerate, most_rate)});
+    if (info.channels <= 0 || info.channels > most_channels)
+        return fail(
+            {file, 0,
+             fmt::format("has {} channels; 1 to {} can be read", info.channels, most_channels)});
+    return {};
+}
+
+// A float file may hold anything; far beyond full scale nothing can be heard or seen.
+float sane(float sample) {
+    constexpr float most = 1000.0f;
+    if (std::isnan(sample))
+        return 0.0f;
+    return std::min(std::max(sample, -most), most);
+}
+
+// Block by block until nothing more comes: the length that a header claims is never believed.
+Result<void> read_samples(const std::filesystem::path& file, SNDFILE* source, Sound& sound) {
+    std::array<float, 8192> block;
+    const auto channels = static_cast<std::size_t>(sound.channels);
+    const auto frames = static_cast<sf_count_t>(block.size() / channels);
+    const std::size_t longest =
+        std::size_t{most_sound_seconds} * static_cast<std::size_t>(sound.rate) * channels;
+    for (;;) {
+        const sf_count_t got = sf_readf_float(source, block.data(), frames);
+        if (got <= 0)
+            return {};
+        const auto count = static_cast<std::size_t>(got) * channels;
+        if (sound.samples.size() + count > longest)
+            return fail({file, 0, "is longer than an hour, which is the limit"});
+        if (sound.samples.size() + count > most_sound_samples)
+            return fail({file, 0, "takes more than 2 GiB of memory, which is the limit"});
+        for (std::size_t i = 0; i < count; ++i)
+            sound.samples.push_back(sane(block[i]));
+    }
+}
+}  // namespace
+
+Result<Sound> load_sound(const std::filesystem::path& file) {
+    // Also says what is not there or no file; opening a pipe would wait forever.
+    const auto start = read_start(file, 1);
+    if (!start)
+        return fail(start.error());
+    if (start->empty())
+        return fail({file, 0, "is empty"});
+
+    // By its content alone: told a name, libsndfile takes any bytes called .mp3 for MPEG frames,
+    // and the decoder then complains on stderr.
+    const Descriptor descriptor(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+    SF_INFO info{};
+    const SoundFile source(sf_open_fd(descriptor.get(), SFM_READ, &info, SF_FALSE));
+    if (!source)
+        return fail({file, 0, fmt::format("cannot be read as a sound: {}", sf_strerror(nullptr))});
+    if (const auto good = check(file, info); !good)
+        return fail(good.error());
+
+    Sound sound{.rate = info.samplerate, .channels = info.channels, .samples = {}};
+    try {
+        if (const auto read = read_samples(file, source.get(), sound); !read)
+            return fail(read.error());
+    } catch (const std::bad_alloc&) {
+        return fail({file, 0, "does not fit into memory"});
+    }
+    if (sound.samples.empty())
+        return fail({file, 0, "holds no sound"});
+    return sound;
+}

@@ -1,0 +1,6 @@
+#pragma once
+
+#include "signals/kinds.h"
+
+/// A sound on a scope: left across and right up (xy), or one trace over time (waveform).
+SignalKind audio_kind();

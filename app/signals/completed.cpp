@@ -1,0 +1,120 @@
+#include "base/text.h"
+#include "signals/kinds.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+Diagnostic problem(std::string message) {
+    return {{}, 0, std::move(message)};
+}
+
+Diagnostic unknown_kind(const std::string& name) {
+    std::vector<std::string> known;
+    for (const SignalKind& kind : signal_kinds())
+        known.push_back(kind.kind);
+    const std::string guess = did_you_mean(name, known);
+    return problem(fmt::format(
+        "there is no signal '{}'{}", name,
+        guess.empty() ? "; known are " + fmt::format("{}", fmt::join(known, ", ")) : guess));
+}
+
+Diagnostic unknown_setting(const SignalKind& kind, const std::string& key) {
+    std::vector<std::string> known;
+    for (const SettingFacts& setting : kind.settings)
+        known.push_back(setting.key);
+    const std::string guess = did_you_mean(key, known);
+    return problem(fmt::format(
+        "{} has no setting '{}'{}", kind.kind, key,
+        guess.empty() ? "; it has " + fmt::format("{}", fmt::join(known, ", ")) : guess));
+}
+
+std::string text_of(const Spec::Setting& value) {
+    const double* number = std::get_if<double>(&value);
+    return number ? format_number(*number) : std::get<std::string>(value);
+}
+
+// Each of these says what is wrong with a value; "" when nothing is.
+std::string number_problem(const SettingFacts& facts, const Spec::Setting& value) {
+    const double* number = std::get_if<double>(&value);
+    if (!number || !std::isfinite(*number))
+        return fmt::format("takes a number, not '{}'", text_of(value));
+    if (*number < facts.limit.low || *number > facts.limit.high)
+        return fmt::format("is {}, but must lie between {} and {}", format_number(*number),
+                           format_number(facts.limit.low), format_number(facts.limit.high));
+    if (facts.step == 1.0 && *number != std::floor(*number))
+        return fmt::format("takes a whole number, not {}", format_number(*number));
+    return {};
+}
+
+std::string word_problem(const SettingFacts& facts, const Spec::Setting& value) {
+    const std::string word = text_of(value);
+    if (std::find(facts.words.begin(), facts.words.end(), word) != facts.words.end())
+        return {};
+    return fmt::format("takes {}, not '{}'{}", fmt::join(facts.words, ", "), word,
+                       did_you_mean(word, facts.words));
+}
+
+std::string value_problem(const SettingFacts& facts, const Spec::Setting& value) {
+    switch (facts.type) {
+        case SettingType::number:
+            return number_problem(facts, value);
+        case SettingType::word:
+            return word_problem(facts, value);
+        case SettingType::text:
+            return text_of(value).empty() ? "must be given" : "";
+    }
+    return {};
+}
+
+Spec::Setting initial_of(const SettingFacts& facts) {
+    if (facts.type == SettingType::number)
+        return facts.initial;
+    return facts.initial_word;
+}
+
+// The bare first word put under the key that it stands for.
+Result<Spec> with_bare_word_named(const SignalKind& kind, Spec spec) {
+    const auto bare = spec.settings.find("");
+    if (bare == spec.settings.end())
+        return spec;
+    const std::string word = text_of(bare->second);
+    if (kind.bare_setting.empty() && !word.empty())
+        return fail(problem(fmt::format("{}: '{}' is not of the form key=value", kind.kind, word)));
+    if (!word.empty() && !spec.settings.emplace(kind.bare_setting, word).second)
+        return fail(problem(fmt::format("{}: {} is given twice", kind.kind, kind.bare_setting)));
+    spec.settings.erase("");
+    return spec;
+}
+}  // namespace
+
+Result<Spec> completed(const Spec& given) {
+    const SignalKind* kind = find_kind(given.kind);
+    if (!kind)
+        return fail(unknown_kind(given.kind));
+    const auto named = with_bare_word_named(*kind, given);
+    if (!named)
+        return named;
+
+    Diagnostics problems;
+    for (const auto& [key, value] : named->settings)
+        if (!find_setting(*kind, key))
+            problems.push_back(unknown_setting(*kind, key));
+
+    Spec complete{kind->kind, {}};
+    for (const SettingFacts& facts : kind->settings) {
+        const auto found = named->settings.find(facts.key);
+        Spec::Setting value = found == named->settings.end() ? initial_of(facts) : found->second;
+        const std::string wrong = value_problem(facts, value);
+        if (!wrong.empty())
+            problems.push_back(problem(fmt::format("{}: {} {}", kind->kind, facts.key, wrong)));
+        if (facts.type != SettingType::number)
+            value = text_of(value);
+        complete.settings.emplace(facts.key, std::move(value));
+    }
+    if (!problems.empty())
+        return fail(std::move(problems));
+    return complete;
+}

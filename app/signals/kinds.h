@@ -1,0 +1,60 @@
+#pragma once
+
+#include "base/diagnostic.h"
+#include "model/parameter.h"
+#include "model/spec.h"
+#include "signals/signal.h"
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+class Settings;
+
+enum class SettingType { number, word, text };
+
+/// One setting of a kind of signal: what a list, a control and the manual say about it.
+struct SettingFacts {
+    std::string key = {};
+    std::string label = {};
+    std::string unit = {};
+    std::string help = {};
+    SettingType type = SettingType::number;
+    double low = 0.0;  // soft ends of a slider
+    double high = 1.0;
+    double step = 0.0;  // 0: any value; 1: whole numbers only
+    double initial = 0.0;
+    bool logarithmic = false;
+    Limit limit = {-1e6, 1e6};            // a number beyond it is refused
+    std::vector<std::string> words = {};  // word: all that are allowed
+    std::string initial_word = {};        // word and text; "" where a text must be given
+};
+
+/// A kind of signal; everything about it that is not its formula.
+struct SignalKind {
+    using Make = Result<std::unique_ptr<Signal>> (*)(const Settings& settings,
+                                                     const SignalMedia& media);
+
+    std::string kind = {};
+    std::string label = {};
+    std::string help = {};
+    std::vector<SettingFacts> settings = {};
+    std::string file_setting = {};  // the key that names a file; "": none
+    std::string bare_setting = {};  // the key that a bare first word stands for; "": none
+    Make make = nullptr;
+};
+
+/// Every kind, in the order of a menu.
+const std::vector<SignalKind>& signal_kinds();
+/// Null when there is no such kind.
+const SignalKind* find_kind(std::string_view kind);
+const SettingFacts* find_setting(const SignalKind& kind, std::string_view key);
+
+/// Fills defaults in and turns the bare first setting (key "") into the kind's own key. Refuses
+/// unknown kinds, keys and words with a suggestion, and numbers that are not finite, not whole
+/// where they count or beyond their limit. What it gives it takes again unchanged.
+Result<Spec> completed(const Spec& spec);
+
+/// The file that a spec names, as it is written there; "" when its kind reads none.
+std::string file_of(const Spec& spec);

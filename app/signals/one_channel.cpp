@@ -1,0 +1,32 @@
+#include "signals/one_channel.h"
+
+SettingFacts periods_setting(std::string key, std::string label, std::string help, double initial) {
+    return {.key = std::move(key),
+            .label = std::move(label),
+            .unit = "per 1/60 s",
+            .help = std::move(help),
+            .low = 0.5,
+            .high = 100,
+            .initial = initial,
+            .logarithmic = true,
+            .limit = {0.001, 10000}};
+}
+
+std::vector<SettingFacts> one_channel_settings(std::vector<SettingFacts> own) {
+    own.push_back(amplitude_setting(0.8));
+    own.push_back({.key = "speed",
+                   .label = "Scroll",
+                   .unit = "screens/s",
+                   .help = "How fast the trace moves to the left; yt only.",
+                   .low = -1,
+                   .high = 1,
+                   .limit = {-1000, 1000}});
+    own.push_back({.key = "mode",
+                   .label = "Shown as",
+                   .help = "yt: over time. xy: across, and a quarter period later up.",
+                   .type = SettingType::word,
+                   .words = {"yt", "xy"},
+                   .initial_word = "yt"});
+    own.push_back(points_setting());
+    return own;
+}

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "base/diagnostic.h"
+#include "model/beam.h"
+#include "model/sound.h"
+#include "model/spec.h"
+#include "signals/clock.h"
+
+#include <limits>
+#include <memory>
+
+/// What drives a scope: a pure function of time, so that real time and offline give the same points
+/// for the same time.
+class Signal {
+public:
+    virtual ~Signal() = default;
+
+    /// Appends the points of the beam in `span`, oldest first, ages against span.end. Every sample
+    /// falls into exactly one of adjoining spans; before time 0 there is none.
+    virtual void trace(const TimeSpan& span, Beam& beam) const = 0;
+
+    /// Its length; infinite when it has no end.
+    virtual double seconds() const { return std::numeric_limits<double>::infinity(); }
+};
+
+/// What a signal may need from outside: files are read by the caller.
+struct SignalMedia {
+    std::shared_ptr<const Sound> sound;  // shared with the sound device's thread
+};
+
+/// The signal of a spec. Errors name the kind and the setting, not a file.
+Result<std::unique_ptr<Signal>> make_signal(const Spec& spec, const SignalMedia& media);

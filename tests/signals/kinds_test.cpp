@@ -1,0 +1,100 @@
+#include "signals/kinds.h"
+
+#include "signals/settings.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+namespace {
+std::string refusal(std::string_view text) {
+    const auto spec = parse_spec(text);
+    REQUIRE(spec.has_value());
+    const auto complete = completed(*spec);
+    REQUIRE_FALSE(complete.has_value());
+    return to_string(complete.error());
+}
+}  // namespace
+
+TEST_CASE("a bare kind is completed with every default") {
+    const auto spec = completed(parse_spec("lissajous").value());
+    REQUIRE(spec.has_value());
+    CHECK(Settings(*spec).number("x") == 3.0);
+    CHECK(Settings(*spec).number("y") == 2.0);
+    CHECK(Settings(*spec).number("phase") == 0.25);
+    CHECK(Settings(*spec).number("amplitude") == 0.8);
+    CHECK(Settings(*spec).number("speed") == 0.0);
+    CHECK(Settings(*spec).is("weighting", "constant"));
+}
+
+TEST_CASE("a completed spec is completed to itself, and its text reads back the same") {
+    for (const SignalKind& kind : signal_kinds()) {
+        Spec spec{kind.kind, {}};
+        if (!kind.file_setting.empty())
+            spec.settings[""] = std::string("song.wav");
+        const auto once = completed(spec);
+        REQUIRE(once.has_value());
+        CHECK(once->settings.size() == kind.settings.size());
+        CHECK(completed(*once) == once);
+        CHECK(completed(parse_spec(to_string(*once)).value()) == once);
+    }
+}
+
+TEST_CASE("a bare word is the file, also when it looks like a number") {
+    const auto spec = completed(parse_spec("audio:song.wav,mode=xy").value());
+    REQUIRE(spec.has_value());
+    CHECK(Settings(*spec).word("file") == "song.wav");
+    CHECK(spec->settings.count("") == 0);
+    CHECK(file_of(parse_spec("audio:song.wav").value()) == "song.wav");
+    CHECK(file_of(parse_spec("audio:file=12").value()) == "12");
+    CHECK(file_of(parse_spec("lissajous").value()).empty());
+}
+
+TEST_CASE("a misspelt kind, key or word is refused with a suggestion") {
+    CHECK(refusal("lisajous") ==
+          "error: there is no signal 'lisajous' (did you mean 'lissajous'?)\n");
+    CHECK(refusal("lissajous:phse=0") ==
+          "error: lissajous has no setting 'phse' (did you mean 'phase'?)\n");
+    CHECK(refusal("waveform:ch1=sin") ==
+          "error: waveform: ch1 takes sine, triangle, square, saw, noise, off, not 'sin' "
+          "(did you mean 'sine'?)\n");
+    CHECK(refusal("theremin").find("known are lissajous, waveform") != std::string::npos);
+}
+
+TEST_CASE("numbers that cannot be meant are refused, all at once") {
+    CHECK(refusal("lissajous:points=4096.5").find("whole number") != std::string::npos);
+    CHECK(refusal("lissajous:points=1e12").find("between 16 and 262144") != std::string::npos);
+    CHECK(refusal("audio:a.wav,upsample=0").find("between 1 and 16") != std::string::npos);
+    CHECK(refusal("lissajous:x=nan") == "error: lissajous: x takes a number, not 'nan'\n");
+    CHECK(refusal("lissajous:3") == "error: lissajous: '3' is not of the form key=value\n");
+    CHECK(refusal("audio") == "error: audio: file must be given\n");
+    CHECK(refusal("audio:a.wav,file=b.wav") == "error: audio: file is given twice\n");
+    const std::string both = refusal("am:depth=2,mode=zz");
+    CHECK(std::count(both.begin(), both.end(), '\n') == 2);
+
+    Spec infinite{"lissajous", {{"x", std::numeric_limits<double>::infinity()}}};
+    CHECK_FALSE(completed(infinite).has_value());
+}
+
+TEST_CASE("the table says all that a control and a manual need") {
+    std::set<std::string> kinds;
+    for (const SignalKind& kind : signal_kinds()) {
+        INFO(kind.kind);
+        CHECK(kinds.insert(kind.kind).second);
+        CHECK_FALSE(kind.label.empty());
+        CHECK_FALSE(kind.help.empty());
+        std::set<std::string> keys;
+        for (const SettingFacts& setting : kind.settings) {
+            INFO(setting.key);
+            CHECK(keys.insert(setting.key).second);
+            CHECK_FALSE(setting.label.empty());
+            CHECK_FALSE(setting.help.empty());
+            CHECK(setting.low < setting.high);
+            CHECK(setting.limit.low <= setting.low);
+            CHECK(setting.limit.high >= setting.high);
+            CHECK((setting.type != SettingType::word || !setting.words.empty()));
+        }
+    }
+}
