@@ -1,0 +1,202 @@
+"""Drives ./run in a copy of its files, with stand-ins for apt, sudo, CMake, Ninja and CTest."""
+
+import os
+import pty
+import shutil
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+SOURCE = Path(__file__).resolve().parent.parent
+TOOLS = "bash env dirname readlink awk sed grep tr wc tail tee paste fold nproc cat mkdir chmod python3 id".split()
+
+# The packages of the stand-in system are files in $BOX/installed; what was called is in $BOX/log.
+STAND_INS = {
+    "dpkg-query": '[ -e "$BOX/installed/${!#}" ] && echo installed',
+    "apt-cache": '[ -e "$BOX/known" ] && echo "Installed-Size: 1000"',
+    "apt-get": """
+        case "$*" in
+            *--print-uris*) echo "'x' a.deb 2000000 SHA"; echo "'y' b.deb 1000000 SHA" ;;
+            *' -s '*) echo 'Inst one (1)'; echo 'Inst two (1)' ;;
+            update*) echo "apt-get $*" >> "$BOX/log"; touch "$BOX/known" ;;
+            *) echo "apt-get $*" >> "$BOX/log"; cd "$BOX/installed"; touch_all "$@" ;;
+        esac""",
+    "touch_all": 'for name in "$@"; do : > "$name"; done 2>/dev/null; exit 0',
+    "touch": ': > "$1"',
+    "sudo": 'echo sudo >> "$BOX/log"; exec "$@"',
+    "cmake": """
+        echo "cmake $*" >> "$BOX/log"
+        [ -e "$BOX/cmake_fails" ] && exit 1
+        case "$1" in
+            --preset) mkdir -p "build/$2"; : > "build/$2/build.ninja" ;;
+            --build)
+                [ -e "$BOX/build_fails" ] && exit 1
+                mkdir -p "$2/app"; cp_program "$2/app/afterglow" ;;
+        esac""",
+    "cp_program": """
+        printf '%s\\n' '#!/bin/bash' 'echo "in $PWD"' 'printf "<%s>\\n" "$@"' 'exit 7' > "$1"
+        chmod +x "$1" """,
+    "ninja": '[ -x "$2/app/afterglow" ] && echo "ninja: no work to do."',
+    "ctest": 'echo "ctest $*" >> "$BOX/log"; cat "$BOX/ctest_output"; [ ! -e "$BOX/tests_fail" ]',
+}
+
+
+class RunTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.box = Path(folder.name).resolve()
+        for name in ("bin", "installed", "a person's folder", "tree/third_party"):
+            (self.box / name).mkdir(parents=True)
+        for name in ("run", "third_party/install_packages", "third_party/packages.txt"):
+            shutil.copy(SOURCE / name, self.box / "tree" / name)
+        for tool in TOOLS:
+            (self.box / "bin" / tool).symlink_to(shutil.which(tool))
+        for name, script in STAND_INS.items():
+            file = self.box / "bin" / name
+            file.write_text(f"#!/bin/bash\n{script}\n", encoding="utf-8")
+            file.chmod(0o755)
+        self.note("known")
+        self.note("ctest_output", "100% tests passed, 0 tests failed out of 4\n")
+
+    def note(self, name, text=""):
+        (self.box / name).write_text(text, encoding="utf-8")
+
+    def log(self):
+        file = self.box / "log"
+        return file.read_text(encoding="utf-8") if file.exists() else ""
+
+    def environment(self):
+        return {"PATH": str(self.box / "bin"), "BOX": str(self.box), "HOME": str(self.box)}
+
+    def run_it(self, *arguments, folder="a person's folder"):
+        return subprocess.run(
+            [self.box / "tree/run", *arguments],
+            cwd=self.box / folder,
+            env=self.environment(),
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            text=True,
+            timeout=60,
+            check=False,
+        )
+
+    def run_at_terminal(self, answer, *arguments):
+        """Exit code of ./run with a terminal as stdin, on which this answer is typed."""
+        terminal, stdin = pty.openpty()
+        os.write(terminal, answer.encode())
+        done = subprocess.run(
+            [self.box / "tree/run", *arguments],
+            cwd=self.box,
+            env=self.environment(),
+            stdin=stdin,
+            capture_output=True,
+            timeout=60,
+            check=False,
+        )
+        os.close(stdin)
+        os.close(terminal)
+        return done.returncode
+
+    def remove(self, *names):
+        for name in names:
+            (self.box / "bin" / name).unlink()
+
+    def test_it_opens_the_lab_on_phosphor(self):
+        done = self.run_it()
+        self.assertEqual(done.stdout, f"in {self.box}/a person's folder\n<phosphor>\n")
+        self.assertEqual(done.returncode, 7)
+
+    def test_a_command_gets_its_words_as_they_are_and_the_persons_folder(self):
+        done = self.run_it("render", "my look", "-o", "a b.png", "--set", "x=*")
+        self.assertEqual(
+            done.stdout,
+            f"in {self.box}/a person's folder\n<render>\n<my look>\n<-o>\n<a b.png>\n<--set>\n<x=*>\n",
+        )
+
+    def test_check_and_bench_of_a_look_are_the_programs(self):
+        self.assertIn("<check>\n<crt>", self.run_it("check", "crt").stdout)
+        self.assertIn("<bench>\n<crt>\n<--json>", self.run_it("bench", "crt", "--json").stdout)
+
+    def test_it_says_what_it_installs_and_how_much_before_it_does(self):
+        said = self.run_it("build").stderr
+        self.assertIn("g++", said)
+        self.assertIn("2 packages with what they need: 3 MB to download, 1 MB on disk", said)
+        self.assertIn("apt-get install", self.log())
+        self.assertIn("libopenimageio-dev", self.log())
+        self.assertIn("--no-install-recommends", self.log())
+
+    def test_what_is_installed_is_not_installed_again(self):
+        self.run_it("build")
+        before = self.log().count("apt-get install")
+        done = self.run_it("build")
+        self.assertEqual(self.log().count("apt-get install"), before)
+        self.assertEqual(done.stderr, "")
+
+    def test_at_a_terminal_it_asks_and_no_means_no(self):
+        self.run_at_terminal("n\n", "build")
+        self.assertNotIn("apt-get install", self.log())
+        self.assertIn("cmake --preset release", self.log())
+
+    def test_at_a_terminal_yes_or_the_option_installs(self):
+        self.run_at_terminal("y\n", "build")
+        self.assertIn("apt-get install", self.log())
+        shutil.rmtree(self.box / "installed")
+        (self.box / "installed").mkdir()
+        self.run_at_terminal("", "--yes", "build")
+        self.assertEqual(self.log().count("apt-get install"), 2)
+
+    def test_without_lists_of_packages_it_fetches_them_first(self):
+        (self.box / "known").unlink()
+        self.run_it("build")
+        self.assertLess(self.log().index("apt-get update"), self.log().index("apt-get install"))
+
+    def test_without_apt_it_builds_where_cmake_finds_everything(self):
+        self.remove("apt-get", "dpkg-query", "apt-cache")
+        self.assertEqual(self.run_it("list", "looks").returncode, 7)
+
+    def test_without_apt_it_prints_the_packages_where_cmake_does_not(self):
+        self.remove("apt-get", "dpkg-query", "apt-cache")
+        self.note("cmake_fails")
+        done = self.run_it()
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("nlohmann-json3-dev", done.stderr)
+        self.assertNotIn("xdotool", done.stderr)
+
+    def test_a_build_that_fails_starts_nothing(self):
+        self.note("build_fails")
+        done = self.run_it("render", "x")
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+
+    def test_the_tests_close_with_a_plain_count(self):
+        self.note("ctest_output", "100% tests passed, 0 tests failed out of 4\n")
+        done = self.run_it("test")
+        self.assertEqual(done.stdout.splitlines()[-1], "4 passed, 0 failed, 0 skipped")
+        self.assertEqual(done.returncode, 0)
+
+    def test_failed_and_skipped_tests_are_counted_and_fail(self):
+        self.note(
+            "ctest_output",
+            "60% tests passed, 2 tests failed out of 5\n\nThe following tests did not run:\n"
+            "\t  3 - c (Skipped)\n\nThe following tests FAILED:\n\t  2 - b (Failed)\n",
+        )
+        self.note("tests_fail")
+        done = self.run_it("test")
+        self.assertEqual(done.stdout.splitlines()[-1], "2 passed, 2 failed, 1 skipped")
+        self.assertEqual(done.returncode, 1)
+
+    def test_the_sanitizers_have_a_build_of_their_own(self):
+        self.run_it("test", "--sanitize", "-R", "base")
+        self.assertIn("cmake --preset sanitize", self.log())
+        self.assertRegex(self.log(), r"ctest .*build/sanitize.* -L unit\|bad_input -R base")
+
+    def test_help_tells_the_two_checks_apart_and_installs_nothing(self):
+        done = self.run_it("--help")
+        self.assertIn("./run check", done.stdout)
+        self.assertIn("check LOOK", done.stdout)
+        self.assertEqual(self.log(), "")
+
+
+if __name__ == "__main__":
+    unittest.main()
