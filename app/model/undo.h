@@ -33,6 +33,7 @@ public:
 
     /// Ends the gesture that is under way; the next change is a step of its own.
     void finish() { m_open = false; }
+    bool is_in_gesture() const { return m_open; }
 
     void undo() {
         if (!can_undo())
@@ -77,8 +78,8 @@ public:
 private:
     static constexpr std::size_t most_steps = 1000;
 
-    void remember(std::string name) {
-        m_past.push_back({m_current, std::move(name)});
+    void remember(const std::string& name) {
+        m_past.push_back({m_current, name});
         if (m_past.size() > most_steps)
             m_past.erase(m_past.begin());
     }
