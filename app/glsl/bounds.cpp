@@ -1,0 +1,98 @@
+#include "glsl/bounds.h"
+
+#include "glsl/macro_weights.h"
+#include "glsl/tokens.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace {
+// glslang 12 overflows a stack of 8 MiB at about 30000 operators in a row.
+constexpr double most_in_statement = 16'384;
+constexpr double most_in_text = 1'000'000;
+constexpr int most_nested = 256;
+constexpr int most_structs = 1000;
+
+std::optional<OutOfBounds> find_deep_nesting(std::span<const Token> tokens) {
+    int depth = 0;
+    for (const Token& token : tokens) {
+        if (token.starts_directive)
+            depth = 0;
+        if (token.is("(") || token.is("[") || token.is("{"))
+            ++depth;
+        else if (token.is(")") || token.is("]") || token.is("}"))
+            depth = std::max(depth - 1, 0);
+        if (depth > most_nested)
+            return OutOfBounds{token.line,
+                               fmt::format("brackets are nested more than {} deep", most_nested)};
+    }
+    return std::nullopt;
+}
+
+class Measure {
+public:
+    explicit Measure(const std::vector<Directive>& directives) : m_weights(directives) {}
+
+    std::optional<OutOfBounds> add(std::span<const Token> statement) {
+        if (statement.empty())
+            return std::nullopt;
+        const double weight = m_weights.weight_of(statement);
+        m_total += weight;
+        const int line = statement.front().line;
+        if (weight > most_in_statement)
+            return OutOfBounds{line, fmt::format("this is too long to be compiled: more than {} "
+                                                 "words and signs in one statement, with its "
+                                                 "macros expanded",
+                                                 most_in_statement)};
+        if (m_total > most_in_text)
+            return OutOfBounds{line, fmt::format("the shader is too long to be compiled: more than "
+                                                 "{} words and signs, with its macros expanded",
+                                                 most_in_text)};
+        return std::nullopt;
+    }
+
+private:
+    MacroWeights m_weights;
+    double m_total = 0.0;
+};
+
+// Statements end at ; { } outside of round brackets: a macro's argument may hold some.
+std::optional<OutOfBounds> find_long_statement(std::span<const Token> code, Measure& measure) {
+    std::size_t begin = 0;
+    int depth = 0;
+    int structs = 0;
+    for (std::size_t i = 0; i < code.size(); ++i) {
+        if (code[i].is("struct") && ++structs > most_structs)
+            return OutOfBounds{code[i].line, fmt::format("more than {} structs", most_structs)};
+        depth = std::max(depth + (code[i].is("(") ? 1 : code[i].is(")") ? -1 : 0), 0);
+        const bool ends = depth == 0 && (code[i].is(";") || code[i].is("{") || code[i].is("}"));
+        if (!ends && i + 1 < code.size())
+            continue;
+        if (auto problem = measure.add(code.subspan(begin, i + 1 - begin)))
+            return problem;
+        begin = i + 1;
+    }
+    return std::nullopt;
+}
+}  // namespace
+
+std::optional<OutOfBounds> find_out_of_bounds(std::string_view text) {
+    const Tokens tokens = scan(text);
+    std::vector<Token> code;
+    std::vector<Token> lines;
+    for (const Token& token : tokens.all)
+        if (token.kind != Token::Kind::comment)
+            (token.in_directive ? lines : code).push_back(token);
+    for (const auto& part : {code, lines})
+        if (auto problem = find_deep_nesting(part))
+            return problem;
+
+    const std::vector<Directive> directives = find_directives(text, tokens);
+    Measure measure(directives);
+    for (const Directive& directive : directives)
+        if (directive.name == "if" || directive.name == "elif")
+            if (auto problem = measure.add(directive.arguments))
+                return problem;
+    return find_long_statement(code, measure);
+}

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "model/parameter.h"
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+/// A uniform that the program sets itself; never a slider.
+struct BuiltinUniform {
+    std::string_view name;
+    NumberType type;
+};
+
+const std::vector<BuiltinUniform>& builtin_uniforms();
+
+/// Null when the name is an author's own.
+const BuiltinUniform* find_builtin_uniform(std::string_view name);

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "model/look.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+/// A uniform as the shaders of a pass declare it.
+struct Uniform {
+    enum class Kind { number, sampler, other };
+
+    std::string name;  // a block's own name
+    Kind kind = Kind::other;
+    std::string type_name;         // as GLSL writes it: "vec3", "sampler2D", "float[4]"
+    NumberType type;               // of a number
+    std::string why_no_control;    // of all else but samplers: a sentence's end, "is an array, ..."
+    std::optional<Value> initial;  // of a number, when it is initialised
+    std::vector<Location> declared;  // one a stage that declares it
+
+    bool operator==(const Uniform&) const = default;
+};
+
+/// What the stages of a pass declare.
+struct Reflection {
+    std::vector<Uniform> uniforms;  // each name once, in order of declaration, vertex stage first
+    Diagnostics warnings;           // glslang's
+
+    bool operator==(const Reflection&) const = default;
+};
+
+/// Checks both stages and their fitting together with glslang, as for a driver of OpenGL 4.1 core.
+/// Errors are glslang's messages at the author's file and line; also a missing #version, a default
+/// that no 32-bit float holds, and shaders that would take glslang out of its depth.
+Result<Reflection> check_program(const Stage& vertex, const Stage& fragment);
+
+/// Builds glslang's built-in tables, which the first check would otherwise wait for (20 ms).
+void warm_up();
+
+/// The author's place of a line of a stage.
+Location place_in(const Stage& stage, int line);

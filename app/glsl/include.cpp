@@ -1,0 +1,212 @@
+#include "glsl/include.h"
+
+#include "base/file.h"
+#include "glsl/include_paths.h"
+#include "glsl/tokens.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace fs = std::filesystem;
+
+namespace {
+constexpr std::size_t most_depth = 64;
+constexpr int most_files = 4096;
+constexpr std::size_t most_bytes = std::size_t{4} << 20;
+constexpr std::size_t most_errors = 32;
+constexpr std::size_t most_lines = 200'000;
+
+constexpr const char* too_large =
+    "the shader with its includes is too large (more than 4 MiB or 200000 lines)";
+
+// Compilers disagree on whether a lone CR ends a line; LF alone leaves no doubt.
+std::string with_plain_line_ends(std::string_view text) {
+    std::string plain;
+    plain.reserve(text.size());
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool is_pair = text[i] == '\r' && i + 1 < text.size() && text[i + 1] == '\n';
+        if (!is_pair)
+            plain += text[i] == '\r' ? '\n' : text[i];
+    }
+    return plain;
+}
+
+class Assembler {
+public:
+    Assembler(const fs::path& file, const IncludeRoots& roots, std::vector<fs::path>& files)
+        : m_paths(file, roots), m_files(files) {
+        m_stage.file = file;
+    }
+
+    Result<Stage> assemble() {
+        remember(m_stage.file);
+        add_file(m_stage.file, {m_stage.file, 0});
+        if (!m_errors.empty())
+            return fail(std::move(m_errors));
+        return std::move(m_stage);
+    }
+
+private:
+    void error(const Location& at, std::string message) {
+        m_errors.push_back({at.file, at.line, std::move(message)});
+        m_is_full = m_is_full || m_errors.size() >= most_errors;
+    }
+
+    void remember(const fs::path& file) {
+        if (std::ranges::find(m_files, file) == m_files.end())
+            m_files.push_back(file);
+    }
+
+    void add_file(const fs::path& file, const Location& from) {
+        if (!m_paths.is_allowed(file))
+            return error(from, fmt::format("'{}' leads out of the look's folder and of the shared "
+                                           "includes",
+                                           file.string()));
+        auto text = read_text(file);
+        if (!text) {
+            m_errors.insert(m_errors.end(), text.error().begin(), text.error().end());
+            return;
+        }
+        if (text->size() > most_bytes)
+            return error({file, 1}, too_large);
+        std::error_code unknown;
+        m_open.push_back({file, fs::canonical(file, unknown)});
+        add_text(with_plain_line_ends(*text));
+        m_open.pop_back();
+    }
+
+    void add_text(std::string text) {
+        const fs::path file = m_open.back().path;
+        text = without_line_directives(std::move(text));
+        const std::string scanned = text;
+        const Tokens tokens = scan(scanned);
+        if (tokens.unclosed_comment > 0)
+            error({file, tokens.unclosed_comment}, "the comment that starts here never ends");
+        std::size_t done = 0;
+        int line = 1;
+        for (const Directive& directive : find_directives(scanned, tokens)) {
+            if (directive.name == "pragma" && is_once(directive)) {
+                m_once.push_back(m_open.back().real);
+                blank_out(text, directive.begin, directive.end);
+            }
+            if (directive.name != "include")
+                continue;
+            add_lines(std::string_view(text).substr(done, directive.begin - done), line, done > 0);
+            include(directive, {file, directive.line});
+            done = directive.end;
+            line = directive.arguments.empty() ? directive.line : directive.arguments.back().line;
+        }
+        add_lines(std::string_view(text).substr(done), line, done > 0);
+    }
+
+    static bool is_once(const Directive& directive) {
+        return directive.arguments.size() == 1 && directive.arguments.front().is("once");
+    }
+
+    // Adds a part of a file. The pieces of a line around an #include count only if they say
+    // something: half of a comment may start or end there.
+    void add_lines(std::string_view part, int first_line, bool starts_inside_line) {
+        Location at{m_open.back().path, first_line};
+        const auto lines = split(part, '\n');
+        for (std::size_t i = 0; i < lines.size(); ++i, ++at.line) {
+            const bool is_whole = (i > 0 || !starts_inside_line) && i + 1 < lines.size();
+            if (is_whole || !trim(lines[i]).empty())
+                add_line(lines[i], at);
+        }
+    }
+
+    void add_line(std::string_view line, const Location& at) {
+        if (m_is_full)
+            return;
+        if (m_stage.text.size() + line.size() >= most_bytes || m_stage.lines.size() >= most_lines) {
+            m_is_full = true;
+            return error(at, too_large);
+        }
+        m_stage.text.append(line).push_back('\n');
+        m_stage.lines.push_back(at);
+    }
+
+    void include(const Directive& directive, const Location& at) {
+        if (m_is_full)
+            return;
+        const auto& arguments = directive.arguments;
+        if (arguments.size() != 1 || arguments.front().kind != Token::Kind::string)
+            return error(at, "an include is written #include \"file.glsl\"");
+        const std::string_view name =
+            arguments.front().text.substr(1, arguments.front().text.size() - 2);
+        if (std::string fault = fault_of_include_name(name); !fault.empty())
+            return error(at, fault);
+        std::vector<fs::path> tried;
+        const auto found = m_paths.find(name, at.file.parent_path(), tried);
+        for (const fs::path& path : tried)
+            remember(path);
+        if (!found)
+            return error(at,
+                         fmt::format("there is no file '{}' beside this file, in the look's folder "
+                                     "or among the shared includes",
+                                     name));
+        enter(*found, at);
+    }
+
+    void enter(const fs::path& file, const Location& at) {
+        std::error_code unknown;
+        const fs::path real = fs::canonical(file, unknown);
+        if (std::ranges::find(m_once, real) != m_once.end())
+            return;
+        const auto open = std::ranges::find(m_open, real, &Open::real);
+        if (open != m_open.end()) {
+            std::string chain;
+            for (auto link = open; link != m_open.end(); ++link)
+                chain += link->path.filename().string() + " -> ";
+            return error(at, "includes go round in a circle: " + chain + file.filename().string());
+        }
+        if (m_open.size() >= most_depth)
+            return error(at, fmt::format("includes are nested more than {} deep", most_depth));
+        if (++m_included > most_files) {
+            m_is_full = true;
+            return error(at, fmt::format("more than {} includes in one shader", most_files));
+        }
+        add_file(file, at);
+    }
+
+    struct Open {
+        fs::path path;
+        fs::path real;
+    };
+
+    IncludePaths m_paths;
+    std::vector<fs::path>& m_files;
+    Stage m_stage;
+    Diagnostics m_errors;
+    std::vector<Open> m_open;      // from the top file to the one being read
+    std::vector<fs::path> m_once;  // those with #pragma once
+    int m_included = 0;
+    bool m_is_full = false;
+};
+}  // namespace
+
+Result<Stage> load_stage(const fs::path& file, const IncludeRoots& roots,
+                         std::vector<fs::path>& files) {
+    return Assembler(file, roots, files).assemble();
+}
+
+Stage builtin_stage(std::string text) {
+    Stage stage;
+    const auto count = static_cast<int>(split_lines(text).size());
+    for (int line = 1; line <= count; ++line)
+        stage.lines.push_back({{}, line});
+    stage.text = without_line_directives(std::move(text));
+    return stage;
+}
+
+const Stage& fullscreen_vertex_stage() {
+    static const Stage stage = builtin_stage(
+        "#version 410 core\n"
+        "out vec2 uv;\n"
+        "void main() {\n"
+        "    uv = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);\n"
+        "    gl_Position = vec4(uv * 2.0 - 1.0, 0.0, 1.0);\n"
+        "}\n");
+    return stage;
+}

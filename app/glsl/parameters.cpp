@@ -1,0 +1,113 @@
+#include "glsl/parameters.h"
+
+#include "glsl/annotation.h"
+#include "glsl/guess.h"
+#include "glsl/include.h"
+#include "glsl/interface.h"
+#include "glsl/pass_uniforms.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace {
+Value zero_of(const NumberType& type) {
+    return Value(std::vector<double>(static_cast<std::size_t>(type.size())));
+}
+
+/// All declarations of what becomes one parameter.
+struct Candidate {
+    std::string name;
+    Uniform uniform;
+    Hints hints;
+    std::vector<Binding> bindings;
+};
+
+void append(Diagnostics& all, const Diagnostics& some) {
+    for (const Diagnostic& diagnostic : some)
+        if (std::ranges::find(all, diagnostic) == all.end())
+            all.push_back(diagnostic);
+}
+
+void disagree(const Candidate& first, const Uniform& second, std::string_view here,
+              std::string_view there, Diagnostics& errors) {
+    const Location& at = second.declared.front();
+    append(errors, {{at.file, at.line,
+                     fmt::format("'{}' is {} here but {} in another pass{}", first.name, here,
+                                 there, aside(first.uniform.declared.front()))}});
+}
+
+void merge(Candidate& first, const FreeUniform& second, Diagnostics& errors) {
+    const Uniform& uniform = second.uniform;
+    first.bindings.push_back(second.binding);
+    if (first.uniform.type_name != uniform.type_name)
+        return disagree(first, uniform, "a " + uniform.type_name, "a " + first.uniform.type_name,
+                        errors);
+    if (first.uniform.initial && uniform.initial && first.uniform.initial != uniform.initial)
+        return disagree(first, uniform, to_string(*uniform.initial),
+                        to_string(*first.uniform.initial), errors);
+    if (!first.uniform.initial)
+        first.uniform.initial = uniform.initial;
+    Diagnostics found;
+    merge_hints(first.hints, second.hints, first.name, found);
+    append(errors, found);
+}
+
+Parameter parameter_from(const Candidate& candidate, Diagnostics& errors) {
+    const Uniform& uniform = candidate.uniform;
+    const bool is_image = uniform.kind == Uniform::Kind::sampler;
+    Parameter parameter = guessed_parameter(candidate.name, uniform.type,
+                                            uniform.initial.value_or(zero_of(uniform.type)));
+    if (is_image) {
+        parameter.control = Control::image;
+        parameter.initial = Value::of_path("");
+    }
+    parameter.bindings = candidate.bindings;
+    parameter.declared = uniform.declared.front();
+    Diagnostics found;
+    annotate(parameter, candidate.hints, found);
+    append(errors, found);
+    return parameter;
+}
+
+void check_repeats(const Look& look, const std::vector<Parameter>& parameters,
+                   Diagnostics& errors) {
+    std::vector<std::string> names;
+    for (const Parameter& parameter : parameters)
+        names.push_back(parameter.name);
+    for (const Pass& pass : look.passes) {
+        const auto* const name = std::get_if<std::string>(&pass.repeat);
+        if (name && std::ranges::find(names, *name) == names.end())
+            errors.push_back(
+                {pass.declared.file, pass.declared.line,
+                 fmt::format("pass '{}' repeats '{}' times, which no shader declares{}", pass.name,
+                             *name, did_you_mean(*name, names))});
+    }
+}
+}  // namespace
+
+Result<std::vector<Parameter>> find_parameters(const Look& look, CheckCache* cache,
+                                               Diagnostics& warnings) {
+    Diagnostics errors;
+    std::vector<Candidate> candidates;
+    for (std::size_t i = 0; i < look.passes.size(); ++i) {
+        PassUniforms pass = find_pass_uniforms(look.passes[i], static_cast<int>(i), cache);
+        append(errors, pass.errors);
+        append(warnings, pass.warnings);
+        for (FreeUniform& free : pass.free) {
+            const auto same = std::ranges::find(candidates, free.parameter, &Candidate::name);
+            if (same != candidates.end())
+                merge(*same, free, errors);
+            else
+                candidates.push_back({free.parameter, free.uniform, free.hints, {free.binding}});
+        }
+    }
+    std::vector<Parameter> parameters;
+    for (const Candidate& candidate : candidates)
+        parameters.push_back(parameter_from(candidate, errors));
+    if (errors.empty())
+        check_repeats(look, parameters, errors);
+    if (!errors.empty())
+        return fail(std::move(errors));
+    return parameters;
+}

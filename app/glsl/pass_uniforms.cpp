@@ -1,0 +1,169 @@
+#include "glsl/pass_uniforms.h"
+
+#include "glsl/builtins.h"
+#include "glsl/declarations.h"
+#include "glsl/include.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace {
+const Stage& vertex_of(const Pass& pass) {
+    return pass.vertex.text.empty() ? fullscreen_vertex_stage() : pass.vertex;
+}
+
+class Sorter {
+public:
+    Sorter(const Pass& pass, int index) : m_pass(pass), m_index(index) {}
+
+    PassUniforms sort(const Reflection& reflection) {
+        m_result.warnings = reflection.warnings;
+        for (const Uniform& uniform : reflection.uniforms)
+            m_names.push_back(uniform.name);
+        for (const auto& [name, value] : m_pass.set)
+            check_set(name, value, reflection);
+        for (const auto& [name, parameter] : m_pass.rename)
+            check_rename(name, reflection);
+        for (const Input& input : m_pass.inputs)
+            check_input(input, reflection);
+        for (const Uniform& uniform : reflection.uniforms)
+            add(uniform);
+        read_hints();
+        return std::move(m_result);
+    }
+
+private:
+    void error(const Location& at, std::string message) {
+        m_result.errors.push_back({at.file, at.line, std::move(message)});
+    }
+
+    // The uniform that a key of the pass in look.json is about, when it can be.
+    const Uniform* find(const std::string& key, const std::string& name,
+                        const Reflection& reflection) {
+        const auto found = std::ranges::find(reflection.uniforms, name, &Uniform::name);
+        if (found != reflection.uniforms.end() && !find_builtin_uniform(name))
+            return &*found;
+        if (found != reflection.uniforms.end())
+            error(m_pass.declared,
+                  fmt::format("pass '{}': \"{}\" names '{}', which the program sets "
+                              "itself",
+                              m_pass.name, key, name));
+        else
+            error(
+                m_pass.declared,
+                fmt::format("pass '{}': \"{}\" names '{}', which no shader of the pass declares{}",
+                            m_pass.name, key, name, did_you_mean(name, m_names)));
+        return nullptr;
+    }
+
+    void check_set(const std::string& name, const Value& value, const Reflection& reflection) {
+        const Uniform* const uniform = find("set", name, reflection);
+        if (!uniform)
+            return;
+        if (uniform->kind != Uniform::Kind::number)
+            error(m_pass.declared, fmt::format("pass '{}': \"set\" cannot set '{}', which is a {}",
+                                               m_pass.name, name, uniform->type_name));
+        else if (value.numbers.size() != static_cast<std::size_t>(uniform->type.size()))
+            error(
+                m_pass.declared,
+                fmt::format("pass '{}': \"set\" gives '{}' {} numbers; a {} takes {}", m_pass.name,
+                            name, value.numbers.size(), uniform->type_name, uniform->type.size()));
+    }
+
+    void check_rename(const std::string& name, const Reflection& reflection) {
+        if (find("rename", name, reflection) && m_pass.set.contains(name))
+            error(m_pass.declared, fmt::format("pass '{}': '{}' is in \"set\" and in \"rename\"",
+                                               m_pass.name, name));
+    }
+
+    void check_input(const Input& input, const Reflection& reflection) {
+        const Uniform* const uniform = find("inputs", input.uniform, reflection);
+        if (uniform && uniform->kind != Uniform::Kind::sampler)
+            error(m_pass.declared, fmt::format("pass '{}': the input '{}' is a {}, not a sampler",
+                                               m_pass.name, input.uniform, uniform->type_name));
+    }
+
+    void add(const Uniform& uniform) {
+        if (const BuiltinUniform* builtin = find_builtin_uniform(uniform.name))
+            return check_builtin(uniform, *builtin);
+        if (m_pass.set.contains(uniform.name))
+            return;
+        if (uniform.kind == Uniform::Kind::other) {
+            const Location& at = uniform.declared.front();
+            m_result.warnings.push_back({at.file, at.line,
+                                         fmt::format("'{}' ({}) {}", uniform.name,
+                                                     uniform.type_name, uniform.why_no_control),
+                                         Severity::warning});
+            return;
+        }
+        if (uniform.kind == Uniform::Kind::sampler && has_input(uniform.name))
+            return;
+        if (uniform.kind == Uniform::Kind::sampler && uniform.type_name != "sampler2D")
+            return error(uniform.declared.front(),
+                         fmt::format("'{}' has no input in pass '{}', and only a sampler2D can be "
+                                     "given a picture by hand",
+                                     uniform.name, m_pass.name));
+        const auto renamed = m_pass.rename.find(uniform.name);
+        const std::string& parameter =
+            renamed == m_pass.rename.end() ? uniform.name : renamed->second;
+        m_result.free.push_back({parameter, uniform, {}, {m_index, uniform.name}});
+    }
+
+    bool has_input(const std::string& name) const {
+        return std::ranges::find(m_pass.inputs, name, &Input::uniform) != m_pass.inputs.end();
+    }
+
+    void check_builtin(const Uniform& uniform, const BuiltinUniform& builtin) {
+        const bool is_right = uniform.kind == Uniform::Kind::number && uniform.type == builtin.type;
+        if (!is_right)
+            error(uniform.declared.front(),
+                  fmt::format("'{}' is set by the program as a {}; here it is a {}", uniform.name,
+                              glsl_name(builtin.type), uniform.type_name));
+    }
+
+    void read_hints() {
+        if (m_result.free.empty())
+            return;
+        for (const Stage* stage : {&vertex_of(m_pass), &m_pass.fragment})
+            for (const Declaration& declaration : find_declarations(stage->text))
+                read_hints(declaration, *stage);
+    }
+
+    void read_hints(const Declaration& declaration, const Stage& stage) {
+        const auto is_declared_here = [&](const FreeUniform& free) {
+            return free.uniform.name == declaration.name &&
+                   std::ranges::find(free.uniform.declared, place_in(stage, declaration.line)) !=
+                       free.uniform.declared.end();
+        };
+        const auto free = std::ranges::find_if(m_result.free, is_declared_here);
+        if (free == m_result.free.end())
+            return;
+        const Hints hints = parse_hints(declaration.comments, stage, m_result.errors);
+        merge_hints(free->hints, hints, free->parameter, m_result.errors);
+    }
+
+    const Pass& m_pass;
+    int m_index;
+    std::vector<std::string> m_names;
+    PassUniforms m_result;
+};
+}  // namespace
+
+PassUniforms find_pass_uniforms(const Pass& pass, int index, CheckCache* cache) {
+    PassUniforms failed;
+    if (pass.vertex.text.empty() && pass.draw != Draw::fullscreen) {
+        failed.errors = {{pass.declared.file, pass.declared.line,
+                          fmt::format("pass '{}' draws {} and needs a vertex shader", pass.name,
+                                      pass.draw == Draw::points ? "points" : "segments")}};
+        return failed;
+    }
+    const Stage& vertex = vertex_of(pass);
+    auto reflection =
+        cache ? cache->check(vertex, pass.fragment) : check_program(vertex, pass.fragment);
+    if (!reflection) {
+        failed.errors = std::move(reflection.error());
+        return failed;
+    }
+    return Sorter(pass, index).sort(*reflection);
+}
