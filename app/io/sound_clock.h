@@ -5,14 +5,12 @@
 #include <atomic>
 #include <chrono>
 
-/// Tells the time of the sound that is heard now, between a device's buffers too. The device's
-/// thread says when it has a buffer filled, one other thread asks; neither waits.
+/// Tells the time of the sound that is heard now. Devices ask for buffers in bursts; the clock runs
+/// evenly through them and follows the device's own speed over half a second. The device's thread
+/// says when it has filled a buffer, one other thread asks; neither waits.
 class SoundClock {
 public:
     using Time = std::chrono::steady_clock::time_point;
-
-    /// `buffer_seconds` is how long a buffer sounds.
-    explicit SoundClock(double buffer_seconds) : m_buffer_seconds(buffer_seconds) {}
 
     void buffer_filled(const SoundPlayer::Mixed& buffer, Time now) noexcept;
 
@@ -30,8 +28,8 @@ private:
         Time time;
     };
     Snapshot latest() const;
+    void follow(double target, double speed, double passed);
 
-    double m_buffer_seconds;
     std::atomic<std::uint64_t> m_version = 0;  // odd while a snapshot is being written
     std::atomic<double> m_begin_seconds = 0.0;
     std::atomic<double> m_seconds_per_second = 0.0;
@@ -40,4 +38,5 @@ private:
 
     std::uint64_t m_jump_asked = 0;
     double m_heard = 0.0;
+    Time m_asked = {};  // when it was last told; none since a jump
 };

@@ -53,14 +53,14 @@ public:
         parameters.nChannels = 2;
         RtAudio::StreamOptions options;
         options.streamName = "Afterglow";
+        options.numberOfBuffers = 4;  // a sound server left to itself holds seconds
         unsigned int frames = 512;
         player.emplace(static_cast<int>(rate));
         m_stream.openStream(&parameters, nullptr, RTAUDIO_FLOAT32, rate, &frames, fill, this,
                             &options, error_while_running);
         m_name = info.name;
         m_rate = rate;
-        m_buffer_seconds = static_cast<double>(frames) / rate;
-        clock.emplace(m_buffer_seconds);
+        m_buffered_seconds = static_cast<double>(frames) * options.numberOfBuffers / rate;
         m_stream.startStream();
     }
 
@@ -68,14 +68,14 @@ public:
     bool is_running() const { return m_stream.isStreamRunning(); }
     const std::string& name() const { return m_name; }
 
-    /// From filling a buffer to hearing it: what the driver says, at least the buffer itself.
+    /// From filling a buffer to hearing it: what the driver says, else what it may hold.
     double latency_seconds() {
-        return std::max(static_cast<double>(m_stream.getStreamLatency()) / m_rate,
-                        m_buffer_seconds);
+        const long frames = m_stream.getStreamLatency();
+        return frames > 0 ? static_cast<double>(frames) / m_rate : m_buffered_seconds;
     }
 
     std::optional<SoundPlayer> player;
-    std::optional<SoundClock> clock;
+    SoundClock clock;
 
 private:
     static int fill(void* output, void*, unsigned int frames, double, RtAudioStreamStatus,
@@ -83,7 +83,7 @@ private:
         Device& device = *static_cast<Device*>(self);
         const std::span stereo(static_cast<float*>(output), std::size_t{2} * frames);
         const SoundPlayer::Mixed mixed = device.player->mix(stereo);
-        device.clock->buffer_filled(mixed, Clock::now());
+        device.clock.buffer_filled(mixed, Clock::now());
         return 0;
     }
 
@@ -92,7 +92,7 @@ private:
 
     std::string m_name;
     double m_rate = 48000.0;
-    double m_buffer_seconds = 0.0;
+    double m_buffered_seconds = 0.0;
     RtAudio m_stream;  // ends, and with it the thread, before what the thread uses
 };
 
@@ -125,7 +125,7 @@ std::string SoundOutput::device_name() const {
 
 void SoundOutput::play(std::shared_ptr<const Sound> sound) {
     m_device->player->play(std::move(sound));
-    m_device->clock->jumped(m_device->player->jump(), 0.0);
+    m_device->clock.jumped(m_device->player->jump(), 0.0);
 }
 
 void SoundOutput::play() {
@@ -138,7 +138,7 @@ void SoundOutput::pause() {
 
 void SoundOutput::seek(double seconds) {
     m_device->player->seek(seconds);
-    m_device->clock->jumped(m_device->player->jump(), std::max(seconds, 0.0));
+    m_device->clock.jumped(m_device->player->jump(), std::max(seconds, 0.0));
 }
 
 void SoundOutput::set_loop(bool loops) {
@@ -154,9 +154,9 @@ void SoundOutput::set_speed(double speed) {
 }
 
 double SoundOutput::position_seconds() const {
-    return m_device->clock->heard_seconds(Clock::now(), m_device->latency_seconds());
+    return m_device->clock.heard_seconds(Clock::now(), m_device->latency_seconds());
 }
 
 bool SoundOutput::has_stalled() const {
-    return m_device->clock->seconds_since_buffer(Clock::now()) > 1.0;
+    return m_device->clock.seconds_since_buffer(Clock::now()) > 1.0;
 }

@@ -61,43 +61,44 @@ void SoundPlayer::follow_seek(const Sound& sound) noexcept {
 
 SoundPlayer::Mixed SoundPlayer::mix(std::span<float> stereo) noexcept {
     std::fill(stereo.begin(), stereo.end(), 0.0f);
-    const Track* track = begin_reading();
     Mixed mixed;
-    if (track) {
+    if (const Track* const track = begin_reading()) {
         const Sound& sound = *track->sound;
+        const auto length = static_cast<double>(sound.frame_count());
+        const bool loops = m_loops && length > 0.0;
         follow_seek(sound);
-        mixed = {m_position / sound.rate, m_is_paused ? 0.0 : m_speed.load(), m_jump_followed};
-        if (mixed.seconds_per_second > 0.0)
-            add_sound(sound, mixed.seconds_per_second * sound.rate / m_device_rate, stereo);
+        if (!loops)
+            m_position = std::min(m_position, length);
+        const bool is_still = m_is_paused || (!loops && m_position == length);
+        mixed = {m_position / sound.rate, is_still ? 0.0 : m_speed.load(), m_jump_followed};
+        const double step = mixed.seconds_per_second * sound.rate / m_device_rate;
+        if (!is_still)
+            add_sound(sound, {step, loops}, stereo);
     }
     m_in_use = nullptr;
     scale(stereo);
     return mixed;
 }
 
-void SoundPlayer::add_sound(const Sound& sound, double step, std::span<float> stereo) noexcept {
+void SoundPlayer::add_sound(const Sound& sound, const Pace& pace,
+                            std::span<float> stereo) noexcept {
     const std::size_t count = sound.frame_count();
     const auto length = static_cast<double>(count);
     const auto channels = static_cast<std::size_t>(sound.channels);
     const std::size_t right = channels > 1 ? 1 : 0;
-    const bool loops = m_loops;
-    if (count == 0)
-        return;
-    if (!loops)
-        m_position = std::min(m_position, length);
-    double place = loops ? std::fmod(m_position, length) : m_position;
+    double place = pace.loops ? std::fmod(m_position, length) : m_position;
     for (std::size_t i = 0; i + 1 < stereo.size() && place < length; i += 2) {
         const auto below = static_cast<std::size_t>(place);
         const bool is_last = below + 1 == count;
         const float* from = sound.samples.data() + below * channels;
         const float* to = is_last ? sound.samples.data() : from + channels;
         const auto part = static_cast<float>(place - static_cast<double>(below));
-        const float weight = is_last && !loops ? 0.0f : part;  // after the end comes silence
+        const float weight = is_last && !pace.loops ? 0.0f : part;  // after the end comes silence
         stereo[i] = from[0] * (1.0f - part) + to[0] * weight;
         stereo[i + 1] = from[right] * (1.0f - part) + to[right] * weight;
-        place += step;
-        m_position += step;
-        if (loops && place >= length)
+        place += pace.step;
+        m_position += pace.step;
+        if (pace.loops && place >= length)
             place = std::fmod(place, length);
     }
 }

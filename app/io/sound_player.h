@@ -28,7 +28,7 @@ public:
     /// What a buffer holds.
     struct Mixed {
         double begin_seconds = 0.0;       // in the sound; goes on counting from loop to loop
-        double seconds_per_second = 0.0;  // how fast that goes on: 0 paused, else the speed
+        double seconds_per_second = 0.0;  // 0 paused or at the end, else the speed
         std::uint64_t jump = 0;           // the last seek that it follows
     };
     /// Fills in left and right in turn, within -1 .. 1; straight lines between the sound's own
@@ -43,9 +43,14 @@ private:
         std::shared_ptr<const Sound> sound;  // shared with the signal that draws it
     };
 
+    struct Pace {
+        double step = 1.0;  // samples of the sound a sample of the device
+        bool loops = false;
+    };
+
     const Track* begin_reading() noexcept;
     void follow_seek(const Sound& sound) noexcept;
-    void add_sound(const Sound& sound, double step, std::span<float> stereo) noexcept;
+    void add_sound(const Sound& sound, const Pace& pace, std::span<float> stereo) noexcept;
     void scale(std::span<float> stereo) noexcept;
     void drop_unused_tracks();
 

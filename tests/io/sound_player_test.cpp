@@ -58,6 +58,8 @@ TEST_CASE("behind the end comes silence, and the position stays there") {
     for (std::size_t i = 20; i < 40; ++i)
         REQUIRE(heard[i] == 0.0f);
     CHECK(begin_of_next(player) == doctest::Approx(0.01));
+    std::vector<float> none;
+    CHECK(player.mix(none).seconds_per_second == 0.0);
 }
 
 TEST_CASE("a loop goes on with its first sample, and its time goes on counting") {
