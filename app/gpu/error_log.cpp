@@ -8,8 +8,10 @@
 namespace gpu {
 
 namespace {
-void GLAPIENTRY keep_error(GLenum, GLenum type, GLuint, GLenum, GLsizei length,
+void GLAPIENTRY keep_error(GLenum source, GLenum type, GLuint, GLenum, GLsizei length,
                            const GLchar* message, const void* kept) {
+    if (source == GL_DEBUG_SOURCE_SHADER_COMPILER)  // refused shaders are a Result, not a mistake
+        return;
     if (type != GL_DEBUG_TYPE_ERROR && type != GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR)
         return;
     // GL hands the pointer back as const; it was given as the log's own list.

@@ -31,6 +31,7 @@ Picture read_picture(const Texture& texture) {
     if (texture.format() == Format::srgb8_alpha8)
         picture.encoding = Encoding::display;
     picture.pixels.resize(picture.index(0, picture.extent.height));
+    glFinish();  // as below
     glBindTexture(GL_TEXTURE_2D, texture.id());
     if (facts.is_integer) {
         std::vector<GLuint> whole(picture.pixels.size());
@@ -49,6 +50,7 @@ Picture read_picture(const Texture& texture) {
 std::array<float, 4> read_pixel(const Texture& texture, int x, int y) {
     const Extent extent = texture.extent();
     assert(x >= 0 && y >= 0 && x < extent.width && y < extent.height);
+    glFinish();  // Mesa 22.3's llvmpipe reads what another framebuffer has not drawn to its end yet
     GLuint id = 0;
     glGenFramebuffers(1, &id);
     const Name<delete_framebuffer> framebuffer(id);

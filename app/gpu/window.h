@@ -14,9 +14,9 @@ struct GLFWwindow;
 namespace gpu {
 
 struct WindowOptions {
-    std::string title;
+    std::string title = "";
     Extent size{1280, 800};  // screen coordinates
-    std::optional<std::array<int, 2>> position;
+    std::optional<std::array<int, 2>> position = std::nullopt;
     bool is_maximised = false;
     bool is_visible = true;
 };

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "gpu/program.h"
+#include "gpu/vertex_array.h"
+#include "graph/frame.h"
+#include "graph/segment.h"
+
+/// A frame's beam as vertices: points, and the segments that join them across frames.
+class BeamBuffer {
+public:
+    /// A new frame begins: its first point will join the last one of the frame before.
+    void advance(const Frame& frame);
+    /// Forgets the frames before.
+    void clear();
+    /// Makes the vertices that the draw modes in use need.
+    void write(const Frame& frame, bool has_points, bool has_segments);
+
+    /// The attributes of a program of a `draw` pass.
+    gpu::VertexArray vertices_for(const gpu::Program& program, Draw draw) const;
+    int point_count() const { return m_point_count; }
+    int segment_count() const { return static_cast<int>(m_segments.size()); }
+
+private:
+    gpu::StreamBuffer m_point_buffer;
+    gpu::StreamBuffer m_segment_buffer;
+    std::vector<Segment> m_segments;
+    std::optional<BeamPoint>
+        m_before;                     // the last point of the frames before, aged to this one's end
+    std::optional<BeamPoint> m_last;  // of this frame
+    int m_point_count = 0;
+};

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "gpu/program.h"
+#include "graph/frame.h"
+#include "model/extent.h"
+
+/// Sizes that a pass is told.
+struct PassExtents {
+    Extent target;
+    Extent output;
+    Extent source;
+};
+
+/// The uniforms that the program itself drives, where a pass has them; each in whatever number type
+/// it was declared.
+class BuiltInUniforms {
+public:
+    explicit BuiltInUniforms(const gpu::Program& program);
+
+    /// `number` is the frame's, after the pass's modulo.
+    void write(const gpu::Program& program, const Frame& frame, double number,
+               const PassExtents& extents) const;
+    void write_samples(const gpu::Program& program, int samples) const;
+
+private:
+    const gpu::Uniform* m_time;
+    const gpu::Uniform* m_time_delta;
+    const gpu::Uniform* m_frame;
+    const gpu::Uniform* m_resolution;
+    const gpu::Uniform* m_output_resolution;
+    const gpu::Uniform* m_source_resolution;
+    const gpu::Uniform* m_mouse;
+    const gpu::Uniform* m_samples;
+    const gpu::Uniform* m_view;
+};

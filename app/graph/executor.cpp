@@ -1,0 +1,168 @@
+#include "graph/executor.h"
+
+#include "gpu/context.h"
+#include "gpu/texels.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace {
+bool reads_mipmaps(const Look& look, Input::From from, const std::string& name) {
+    for (const Pass& pass : look.passes)
+        for (const Input& input : pass.inputs)
+            if (input.from == from && input.sampler.mipmap &&
+                (from == Input::From::source || input.name == name))
+                return true;
+    return false;
+}
+
+const Image* find_image(const Look& look, const std::string& name) {
+    const auto found = std::ranges::find(look.images, name, &Image::name);
+    return found == look.images.end() ? nullptr : &*found;
+}
+
+bool has_draw(const Look& look, Draw draw) {
+    return std::ranges::any_of(look.passes, [&](const Pass& pass) { return pass.draw == draw; });
+}
+
+// The program's own triangle covers all; a person's vertex shader, points or `discard` may not.
+bool covers(const Pass& pass) {
+    return pass.draw == Draw::fullscreen && pass.blend == Blend::replace &&
+           pass.vertex.file.empty() && pass.fragment.text.find("discard") == std::string::npos;
+}
+}  // namespace
+
+Executor::Executor(Look look, Programs programs)
+    : m_look(std::move(look)),
+      m_programs(std::move(programs)),
+      m_largest_side(gpu::read_facts().largest_texture) {
+    prepare();
+}
+
+Executor::PassState Executor::make_state(std::size_t pass) const {
+    const auto& program = m_programs.passes[pass].program;
+    const Pass& declared = m_look.passes[pass];
+    PassState state{program, BuiltInUniforms(*program),
+                    bind_inputs(m_look, static_cast<int>(pass), *program),
+                    m_beam.vertices_for(*program, declared.draw), std::make_unique<gpu::Timer>()};
+    state.reads_itself = std::ranges::any_of(state.inputs, [&](const BoundInput& input) {
+        return input.from == Input::From::pass && input.pass == static_cast<int>(pass);
+    });
+    state.covers_target = covers(declared);
+    return state;
+}
+
+void Executor::prepare() {
+    assert(m_programs.passes.size() == m_look.passes.size());
+    m_passes.clear();
+    for (std::size_t i = 0; i < m_look.passes.size(); ++i)
+        m_passes.push_back(make_state(i));
+    m_parameters = ParameterUniforms(m_look, m_programs);
+    m_parameters.write(m_look, m_values);
+    m_has_points = has_draw(m_look, Draw::points);
+    m_has_segments = has_draw(m_look, Draw::segments);
+}
+
+Result<void> Executor::replace(Look look, Programs programs) {
+    if (m_targets.size() > 0) {
+        auto plan = plan_targets(look, m_viewport, m_source_extent, m_values, m_largest_side);
+        if (!plan)
+            return fail(plan.error());
+        auto targets = TargetSet::make(look, *plan, m_targets);
+        if (!targets)
+            return fail(targets.error());
+        m_plan = std::move(*plan);
+        m_targets = std::move(*targets);
+        m_source.set_slots(m_plan.source_slots);
+    }
+    m_look = std::move(look);
+    m_programs = std::move(programs);
+    prepare();
+    return {};
+}
+
+Result<void> Executor::make_empty() {
+    for (const Format format : {Format::rgba8, Format::r32ui}) {
+        if (m_empty.contains(format))
+            continue;
+        auto empty = gpu::Canvas::make({1, 1}, format);
+        if (!empty)
+            return fail(empty.error());
+        m_empty.emplace(format, std::move(*empty));
+    }
+    return {};
+}
+
+Result<void> Executor::resize(Extent viewport, Extent source) {
+    auto plan = plan_targets(m_look, viewport, source, m_values, m_largest_side);
+    if (!plan)
+        return fail(plan.error());
+    if (auto empty = make_empty(); !empty)
+        return empty;
+    if (m_targets.size() == 0 || *plan != m_plan) {
+        auto targets = TargetSet::make(m_look, *plan, m_targets);
+        if (!targets)
+            return fail(targets.error());
+        m_targets = std::move(*targets);
+        m_plan = std::move(*plan);
+        m_source.set_slots(m_plan.source_slots);
+    }
+    m_viewport = viewport;
+    m_source_extent = source;
+    return {};
+}
+
+void Executor::set_values(const Values& values) {
+    m_values = values;
+    m_parameters.write(m_look, m_values);
+}
+
+Result<void> Executor::set_source(const Picture& picture) {
+    return m_source.set(picture, m_look.source_encoding,
+                        reads_mipmaps(m_look, Input::From::source, {}));
+}
+
+Result<void> Executor::set_image(const std::string& name, const Picture& picture) {
+    if (picture.extent.is_empty())
+        return fail({{}, 0, "the picture '" + name + "' is empty"});
+    auto texture = gpu::Texture::make(picture.extent, Format::rgba32f,
+                                      reads_mipmaps(m_look, Input::From::image, name));
+    if (!texture)
+        return fail(texture.error());
+    const Image* image = find_image(m_look, name);
+    const bool is_data = image && image->is_linear;
+    std::vector<float> texels;
+    gpu::fill_texels(picture, is_data ? picture.encoding : m_look.source_encoding, texels);
+    texture->upload(texels);
+    texture->generate_mipmaps();
+    m_images.insert_or_assign(name, std::move(*texture));
+    return {};
+}
+
+void Executor::clear_history() {
+    m_targets.clear();
+    m_source.clear();
+    m_beam.clear();
+}
+
+const gpu::Texture& Executor::target(int pass) const {
+    return m_targets[static_cast<std::size_t>(pass)].canvas().texture();
+}
+
+std::vector<double> Executor::pass_milliseconds() {
+    std::vector<double> times;
+    for (PassState& state : m_passes)
+        times.push_back(state.timer->milliseconds().value_or(0.0));
+    return times;
+}
+
+int Executor::repeats_of(const Pass& pass) const {
+    constexpr double most = 4096;
+    double count = 1;
+    if (const auto* number = std::get_if<int>(&pass.repeat))
+        count = *number;
+    else if (const Parameter* parameter =
+                 find_parameter(m_look, std::get<std::string>(pass.repeat)))
+        count = value_of(*parameter, m_values).number();
+    return static_cast<int>(std::clamp(count, 1.0, most));
+}

@@ -1,0 +1,102 @@
+#pragma once
+
+#include "gpu/samplers.h"
+#include "gpu/timer.h"
+#include "graph/beam_buffer.h"
+#include "graph/bound_input.h"
+#include "graph/built_in_uniforms.h"
+#include "graph/frame.h"
+#include "graph/parameter_uniforms.h"
+#include "graph/programs.h"
+#include "graph/source_history.h"
+#include "graph/target_set.h"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+/// A look on the GPU: its programs, targets, history and pictures. Draws frame after frame; belongs
+/// to the context that it was made in. resize() comes before the first draw.
+class Executor {
+public:
+    /// `programs` are those of `look`.
+    Executor(Look look, Programs programs);
+
+    /// Swaps in an edited look, at the present sizes. Targets that keep name, size and format keep
+    /// their contents and history; values, source and images stay (set those again whose encoding
+    /// or file changed). On failure the former look goes on.
+    Result<void> replace(Look look, Programs programs);
+    /// Allocates what differs for a picture of `viewport` pixels and keeps the rest; cheap when
+    /// nothing differs. Also to be called when a parameter that a size depends on has changed. On
+    /// failure (no memory, a size out of bounds) all is as before.
+    Result<void> resize(Extent viewport, Extent source);
+
+    /// The values in force; a parameter without one takes its default. Uploads what changed.
+    void set_values(const Values& values);
+    /// Converted to the look's source_encoding. The source's size in a plan is resize's business.
+    Result<void> set_source(const Picture& picture);
+    /// For an image of the look, or an image parameter, by its name. Without it that reads
+    /// transparent black.
+    Result<void> set_image(const std::string& name, const Picture& picture);
+
+    /// One frame further: history moves on.
+    void draw(const Frame& frame);
+    /// The same frame again, only these passes; history does not move. Accumulating passes of one
+    /// slot go on top of what they hold unless frame.samples is 0.
+    void redraw(const Frame& frame, const std::vector<bool>& passes);
+    /// As before the first frame.
+    void clear_history();
+
+    /// This frame's picture of a pass.
+    const gpu::Texture& target(int pass) const;
+    const Plan& plan() const { return m_plan; }
+    const Look& look() const { return m_look; }
+    const Programs& programs() const { return m_programs; }
+    /// The latest known GPU time of each pass, some frames old; 0 until one is known.
+    std::vector<double> pass_milliseconds();
+    /// Of the last draw or redraw.
+    int draw_calls() const { return m_draw_calls; }
+
+private:
+    struct PassState {
+        std::shared_ptr<const gpu::Program> program;  // as in m_programs
+        BuiltInUniforms built_ins;
+        std::vector<BoundInput> inputs;
+        gpu::VertexArray vertices;
+        std::unique_ptr<gpu::Timer> timer;
+        bool reads_itself = false;
+        bool covers_target = false;  // leaves no texel of what was there
+    };
+
+    PassState make_state(std::size_t pass) const;
+    void prepare();
+    Result<void> make_empty();
+    int repeats_of(const Pass& pass) const;
+
+    void draw_passes(const Frame& frame, const std::vector<bool>* only);
+    void draw_pass(std::size_t pass, const Frame& frame, bool is_again);
+    void bind(const PassState& state);
+    const gpu::Texture* texture_for(const BoundInput& input) const;
+    void start_target(std::size_t pass, bool goes_on);
+    void draw_shape(std::size_t pass);
+
+    Look m_look;
+    Programs m_programs;
+    int m_largest_side;  // of a texture, px
+    Values m_values;
+    Plan m_plan;
+    Extent m_viewport;
+    Extent m_source_extent;
+    BeamBuffer m_beam;
+    std::vector<PassState> m_passes;
+    ParameterUniforms m_parameters;
+    TargetSet m_targets;
+    SourceHistory m_source;
+    std::map<std::string, gpu::Texture> m_images;
+    std::map<Format, gpu::Canvas> m_empty;  // one texel of transparent black
+    gpu::Samplers m_samplers;
+    bool m_has_points = false;
+    bool m_has_segments = false;
+    int m_draw_calls = 0;
+};

@@ -1,0 +1,114 @@
+// Executor::draw and redraw: the passes of one frame.
+#include "gpu/draw.h"
+#include "graph/executor.h"
+
+#include <cassert>
+
+void Executor::draw(const Frame& frame) {
+    if (frame.is_first)
+        clear_history();
+    m_targets.advance();
+    m_source.advance();
+    m_beam.advance(frame);
+    draw_passes(frame, nullptr);
+}
+
+void Executor::redraw(const Frame& frame, const std::vector<bool>& passes) {
+    draw_passes(frame, &passes);
+}
+
+void Executor::draw_passes(const Frame& frame, const std::vector<bool>* only) {
+    assert(m_targets.size() == m_passes.size());
+    m_beam.write(frame, m_has_points, m_has_segments);
+    m_draw_calls = 0;
+    const gpu::DrawScope scope;
+    for (std::size_t i = 0; i < m_passes.size(); ++i)
+        if (!only || (i < only->size() && (*only)[i]))
+            draw_pass(i, frame, only != nullptr);
+    m_samplers.release();
+}
+
+namespace {
+double frame_number(const Frame& frame, const Pass& pass) {
+    const std::int64_t number =
+        pass.frame_modulo > 0 ? frame.number % pass.frame_modulo : frame.number;
+    return static_cast<double>(number);
+}
+}  // namespace
+
+// A pass that reads its own history moves on with each repetition; all that is left of the former
+// ones when it is drawn again is what the last one read, so only that one is drawn.
+void Executor::draw_pass(std::size_t index, const Frame& frame, bool is_again) {
+    const Pass& pass = m_look.passes[index];
+    const PassState& state = m_passes[index];
+    const int repeats = repeats_of(pass);
+    const gpu::Texture* source = m_source.texture(0);
+    state.timer->begin();
+    state.program->use();
+    state.built_ins.write(
+        *state.program, frame, frame_number(frame, pass),
+        {m_plan.targets[index].extent, m_viewport, source ? source->extent() : m_source_extent});
+    for (int i = is_again && state.reads_itself ? repeats - 1 : 0; i < repeats; ++i) {
+        if (i > 0 && state.reads_itself && !is_again)
+            m_targets[index].advance();
+        if (i == 0 || state.reads_itself) {
+            start_target(index, pass.accumulate && (frame.samples > 0 || i > 0));
+            bind(state);
+        }
+        state.built_ins.write_samples(*state.program, frame.samples * repeats + i);
+        draw_shape(index);
+    }
+    m_targets[index].canvas().texture().generate_mipmaps();
+    state.timer->end();
+}
+
+// What a draw meets: the picture so far, or what changes nothing under the pass's blending.
+void Executor::start_target(std::size_t index, bool goes_on) {
+    const Pass& pass = m_look.passes[index];
+    Target& target = m_targets[index];
+    const bool is_whole = m_passes[index].covers_target;
+    if (goes_on && !is_whole && target.planned().slots > 1)
+        target.canvas(1).copy_to(target.canvas());
+    else if (!goes_on && !is_whole && pass.blend == Blend::multiply)
+        target.canvas().clear({1.0f, 1.0f, 1.0f, 1.0f});
+    else if (!goes_on && !is_whole)
+        target.canvas().clear();
+    target.canvas().bind();
+    gpu::set_blend(facts_of(pass.format).is_integer ? Blend::replace : pass.blend);
+}
+
+void Executor::bind(const PassState& state) {
+    for (const BoundInput& input : state.inputs) {
+        const bool wants_naturals = input.sampled == gpu::Uniform::Sampled::natural;
+        const gpu::Texture* texture = texture_for(input);
+        if (!texture || facts_of(texture->format()).is_integer != wants_naturals)
+            texture = &m_empty.at(wants_naturals ? Format::r32ui : Format::rgba8).texture();
+        if (wants_naturals || input.sampled == gpu::Uniform::Sampled::floating)
+            m_samplers.bind(input.unit, *texture, input.sampler);
+        else
+            m_samplers.bind_nothing(input.unit);
+    }
+}
+
+const gpu::Texture* Executor::texture_for(const BoundInput& input) const {
+    if (!input.from)
+        return nullptr;
+    if (*input.from == Input::From::source)
+        return m_source.texture(input.frames_ago);
+    if (*input.from == Input::From::pass)
+        return &m_targets[static_cast<std::size_t>(input.pass)].canvas(input.frames_ago).texture();
+    const auto image = m_images.find(input.image);
+    return image == m_images.end() ? nullptr : &image->second;
+}
+
+void Executor::draw_shape(std::size_t index) {
+    const Draw shape = m_look.passes[index].draw;
+    m_passes[index].vertices.bind();
+    ++m_draw_calls;
+    if (shape == Draw::points)
+        gpu::draw_points(m_beam.point_count());
+    else if (shape == Draw::segments)
+        gpu::draw_quads(m_beam.segment_count());
+    else
+        gpu::draw_triangle();
+}

@@ -1,0 +1,41 @@
+#include "graph/parameter_uniforms.h"
+
+namespace {
+const gpu::Program* program_of(const Programs& programs, int pass) {
+    if (pass < 0 || static_cast<std::size_t>(pass) >= programs.passes.size())
+        return nullptr;
+    return programs.passes[static_cast<std::size_t>(pass)].program.get();
+}
+}  // namespace
+
+ParameterUniforms::ParameterUniforms(const Look& look, const Programs& programs) {
+    for (std::size_t i = 0; i < look.passes.size(); ++i)
+        for (const auto& [uniform, value] : look.passes[i].set)
+            programs.passes[i].program->write(uniform, value.numbers);
+
+    for (std::size_t i = 0; i < look.parameters.size(); ++i) {
+        Driven driven{i, {}, {}};
+        for (const Binding& binding : look.parameters[i].bindings) {
+            const gpu::Program* program = program_of(programs, binding.pass);
+            const gpu::Uniform* uniform =
+                program ? program->find_uniform(binding.uniform) : nullptr;
+            if (uniform && uniform->number)
+                driven.places.push_back({program, uniform});
+        }
+        if (!driven.places.empty())
+            m_driven.push_back(std::move(driven));
+    }
+}
+
+void ParameterUniforms::write(const Look& look, const Values& values) {
+    for (Driven& driven : m_driven) {
+        const Parameter& parameter = look.parameters[driven.parameter];
+        const Value& value = value_of(parameter, values);
+        if (value == driven.written && !driven.written.numbers.empty())
+            continue;
+        const Value usable = clamped(parameter, value);
+        for (const Place& place : driven.places)
+            place.program->write(*place.uniform, usable.numbers);
+        driven.written = value;
+    }
+}

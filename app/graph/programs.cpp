@@ -1,0 +1,84 @@
+#include "graph/programs.h"
+
+#include "glsl/include.h"
+#include "gpu/draw.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace {
+const Stage& vertex_stage_of(const Pass& pass) {
+    return pass.vertex.text.empty() ? fullscreen_vertex_stage() : pass.vertex;
+}
+
+// Drawing into what one reads is undefined; only an earlier frame can be meant.
+Diagnostics check_inputs(const Pass& pass) {
+    Diagnostics problems;
+    for (const Input& input : pass.inputs)
+        if (input.from == Input::From::pass && input.name == pass.name && input.frames_ago == 0)
+            problems.push_back(
+                {pass.declared.file, pass.declared.line,
+                 fmt::format("pass '{}' cannot read what it is drawing; '{}@1' is its "
+                             "former frame",
+                             pass.name, pass.name)});
+    return problems;
+}
+
+// Each program is taken once: two passes of one text (a blur in x and in y) differ in their
+// uniforms.
+class Reusable {
+public:
+    explicit Reusable(const Programs* former) {
+        if (former)
+            m_left = former->passes;
+    }
+
+    std::shared_ptr<const gpu::Program> take(const PassProgram& wanted) {
+        const auto found = std::ranges::find_if(m_left, [&](const PassProgram& had) {
+            return had.program && had.fragment == wanted.fragment && had.vertex == wanted.vertex &&
+                   had.draw == wanted.draw && had.set == wanted.set;
+        });
+        return found == m_left.end() ? nullptr : std::move(found->program);
+    }
+
+private:
+    std::vector<PassProgram> m_left;
+};
+
+Result<PassProgram> build_pass(const Pass& pass, Reusable& reusable) {
+    Diagnostics problems = check_inputs(pass);
+    const Stage& vertex = vertex_stage_of(pass);
+    PassProgram made{vertex.text, pass.fragment.text, pass.draw, pass.set, nullptr};
+    made.program = reusable.take(made);
+    if (!made.program) {
+        auto program = gpu::Program::build(vertex, pass.fragment);
+        if (program)
+            made.program = std::make_shared<const gpu::Program>(std::move(*program));
+        else
+            problems.insert(problems.end(), program.error().begin(), program.error().end());
+    }
+    if (!problems.empty())
+        return fail(std::move(problems));
+    return made;
+}
+}  // namespace
+
+Result<Programs> build_programs(const Look& look, const Programs* reuse) {
+    Programs programs;
+    Diagnostics problems;
+    Reusable reusable(reuse);
+    for (const Pass& pass : look.passes) {
+        auto made = build_pass(pass, reusable);
+        if (made)
+            programs.passes.push_back(std::move(*made));
+        else
+            problems.insert(problems.end(), made.error().begin(), made.error().end());
+    }
+    if (look.passes.empty())
+        problems.push_back({look.manifest, 0, "the look has no passes"});
+    if (!problems.empty())
+        return fail(std::move(problems));
+    gpu::finish();  // another context may use them from here on
+    return programs;
+}

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "base/diagnostic.h"
+#include "gpu/program.h"
+#include "model/look.h"
+
+#include <memory>
+#include <vector>
+
+/// What a pass compiles to, and from what.
+struct PassProgram {
+    std::string vertex;
+    std::string fragment;
+    Draw draw = Draw::fullscreen;
+    Values set;
+    // Shared: the look on the screen and the one being made from it keep what both have.
+    std::shared_ptr<const gpu::Program> program;
+};
+
+/// One linked program a pass, in the look's order.
+struct Programs {
+    std::vector<PassProgram> passes;
+};
+
+/// Compiles and links; may run on a helper thread whose context shares with the drawing one. Passes
+/// whose stages, draw mode and fixed uniforms equal those of one in `reuse` take its program. Fails
+/// with what the driver refuses, of all passes at once, at the author's files and lines.
+Result<Programs> build_programs(const Look& look, const Programs* reuse = nullptr);

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "model/beam.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+/// One instance of a `segments` pass: the beam's way from one point to the next.
+struct Segment {
+    float x0, y0, x1, y1;                  // the attribute `segment`
+    float start_intensity, end_intensity;  // `intensities`
+    float start_age, end_age;              // `ages_seconds`, before the frame's end
+
+    bool operator==(const Segment&) const = default;
+};
+
+/// Joins consecutive points, the first one to `before`. Towards a point of intensity 0 the beam is
+/// blanked and nothing is drawn; from one it is lit as where it goes. Points that are not finite
+/// are passed over, the beam being blanked around them.
+void make_segments(std::span<const BeamPoint> beam, const std::optional<BeamPoint>& before,
+                   std::vector<Segment>& segments);

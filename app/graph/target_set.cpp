@@ -1,0 +1,63 @@
+#include "graph/target_set.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace {
+// A look that asks for more would bring a machine to its knees before the driver says no.
+constexpr std::size_t most_bytes = std::size_t{8} << 30;
+
+Diagnostics at_pass(Diagnostics problems, const Pass& pass) {
+    for (Diagnostic& problem : problems) {
+        problem.file = pass.declared.file;
+        problem.line = pass.declared.line;
+        problem.message = fmt::format("target of pass '{}': {}", pass.name, problem.message);
+    }
+    return problems;
+}
+}  // namespace
+
+Target* TargetSet::find(const std::string& pass) {
+    const auto found = std::ranges::find(m_targets, pass, &Named::pass);
+    return found == m_targets.end() ? nullptr : &found->target;
+}
+
+Result<TargetSet> TargetSet::make(const Look& look, const Plan& plan, TargetSet& former) {
+    if (memory_of(plan) > most_bytes)
+        return fail(
+            {look.manifest, 0,
+             fmt::format("the targets would take {:.1f} GiB; {} GiB is the most",
+                         static_cast<double>(memory_of(plan)) / (1 << 30), most_bytes >> 30)});
+    // First all that is new, as that may fail; what goes on is moved last.
+    std::vector<std::optional<Target>> made(plan.targets.size());
+    for (std::size_t i = 0; i < made.size(); ++i) {
+        const Target* had = former.find(look.passes[i].name);
+        if (had && had->planned() == plan.targets[i])
+            continue;
+        auto target = Target::make(plan.targets[i]);
+        if (!target)
+            return fail(at_pass(target.error(), look.passes[i]));
+        made[i] = std::move(*target);
+    }
+    TargetSet set;
+    for (std::size_t i = 0; i < made.size(); ++i) {
+        const std::string& name = look.passes[i].name;
+        Target* had = former.find(name);
+        if (made[i] && had && is_compatible(had->planned(), plan.targets[i]))
+            made[i]->adopt(std::move(*had));
+        set.m_targets.push_back({name, made[i] ? std::move(*made[i]) : std::move(*had)});
+    }
+    return set;
+}
+
+void TargetSet::advance() {
+    for (Named& named : m_targets)
+        named.target.advance();
+}
+
+void TargetSet::clear() {
+    for (Named& named : m_targets)
+        named.target.clear();
+}

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "graph/target.h"
+#include "model/look.h"
+
+#include <string>
+#include <vector>
+
+/// The targets of a look's passes, in their order.
+class TargetSet {
+public:
+    /// What `plan` asks for. Targets of `former` with the same pass, size and format go on with
+    /// what they hold; on failure `former` is as it was.
+    static Result<TargetSet> make(const Look& look, const Plan& plan, TargetSet& former);
+
+    std::size_t size() const { return m_targets.size(); }
+    Target& operator[](std::size_t pass) { return m_targets[pass].target; }
+    const Target& operator[](std::size_t pass) const { return m_targets[pass].target; }
+
+    void advance();
+    void clear();
+
+private:
+    struct Named {
+        std::string pass;
+        Target target;
+    };
+
+    Target* find(const std::string& pass);
+
+    std::vector<Named> m_targets;
+};

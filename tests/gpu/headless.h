@@ -1,0 +1,23 @@
+#pragma once
+
+#include "gpu/context.h"
+#include "gpu/error_log.h"
+
+#include <doctest/doctest.h>
+
+/// A context for one test case, which fails on any GL error within it.
+struct Headless {
+    Headless() {
+        REQUIRE(context.has_value());
+        log = std::make_unique<gpu::ErrorLog>();
+    }
+    ~Headless() {
+        for (const std::string& error : log->take())
+            FAIL_CHECK(error);
+    }
+    Headless(const Headless&) = delete;
+    Headless& operator=(const Headless&) = delete;
+
+    Result<std::unique_ptr<gpu::Context>> context = gpu::Context::headless();
+    std::unique_ptr<gpu::ErrorLog> log;
+};

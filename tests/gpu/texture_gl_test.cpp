@@ -1,0 +1,84 @@
+#include "gpu/canvas.h"
+#include "gpu/headless.h"
+#include "gpu/readback.h"
+#include "gpu/texels.h"
+
+namespace {
+gpu::Texture texture_of(const Picture& picture, Format format, bool is_mipmapped = false) {
+    auto texture = gpu::Texture::make(picture.extent, format, is_mipmapped);
+    REQUIRE(texture.has_value());
+    std::vector<float> texels;
+    gpu::fill_texels(picture, picture.encoding, texels);
+    texture->upload(texels);
+    texture->generate_mipmaps();
+    return std::move(*texture);
+}
+
+// Values that every format can hold: 0 or 1.
+Picture corners() {
+    return {{2, 2}, 4, Encoding::linear, {1, 0, 0, 1, 0, 1, 0, 1, 0, 0, 1, 1, 1, 1, 1, 1}};
+}
+}  // namespace
+
+TEST_CASE_FIXTURE(Headless, "a picture comes back as it went, row 0 on top") {
+    CHECK(gpu::read_picture(texture_of(corners(), Format::rgba32f)) == corners());
+}
+
+TEST_CASE_FIXTURE(Headless, "every format gives back the channels that it has") {
+    for (const FormatFacts& facts : all_formats()) {
+        if (facts.is_integer)
+            continue;
+        CAPTURE(facts.name);
+        const Picture back = gpu::read_picture(texture_of(corners(), facts.format));
+        const Picture whole = corners();
+        REQUIRE(back.channels == (facts.channels == 2 ? 3 : facts.channels));
+        for (int y = 0; y < 2; ++y)
+            for (int x = 0; x < 2; ++x)
+                for (int c = 0; c < back.channels; ++c) {
+                    const float wanted =
+                        c < facts.channels ? whole.pixels[whole.index(x, y) + std::size_t(c)] : 0;
+                    CHECK(back.pixels[back.index(x, y) + std::size_t(c)] == wanted);
+                }
+    }
+}
+
+TEST_CASE_FIXTURE(Headless,
+                  "one pixel is read where a picture has it, and lacking channels are told") {
+    const gpu::Texture texture = texture_of(corners(), Format::rgba16f);
+    CHECK(gpu::read_pixel(texture, 1, 0) == std::array<float, 4>{0, 1, 0, 1});
+    CHECK(gpu::read_pixel(texture, 0, 1) == std::array<float, 4>{0, 0, 1, 1});
+    const gpu::Texture red = texture_of(corners(), Format::r16f);
+    CHECK(gpu::read_pixel(red, 0, 0) == std::array<float, 4>{1, 0, 0, 1});
+}
+
+TEST_CASE_FIXTURE(Headless, "every format can be drawn into, and starts as zero") {
+    for (const FormatFacts& facts : all_formats()) {
+        CAPTURE(facts.name);
+        auto canvas = gpu::Canvas::make({3, 5}, facts.format);
+        REQUIRE(canvas.has_value());
+        for (const float number : gpu::read_picture(canvas->texture()).pixels)
+            CHECK(number == 0.0f);
+    }
+}
+
+TEST_CASE_FIXTURE(Headless, "a canvas is cleared to a colour and copied") {
+    auto one = gpu::Canvas::make({4, 2}, Format::rgba16f);
+    auto two = gpu::Canvas::make({4, 2}, Format::rgba16f);
+    REQUIRE((one && two));
+    one->clear({0.5f, 2.0f, 0.0f, 1.0f});
+    one->copy_to(*two);
+    CHECK(gpu::read_pixel(two->texture(), 3, 1) == std::array<float, 4>{0.5f, 2.0f, 0.0f, 1.0f});
+    auto whole = gpu::Canvas::make({1, 1}, Format::r32ui);
+    REQUIRE(whole.has_value());
+    whole->clear({70000.0f, 0, 0, 0});
+    CHECK(gpu::read_pixel(whole->texture(), 0, 0)[0] == 70000.0f);
+}
+
+TEST_CASE_FIXTURE(Headless,
+                  "a side past the driver's limit is refused in words, without a GL error") {
+    const int largest = (*context)->facts().largest_texture;
+    const auto texture = gpu::Texture::make({largest + 1, 1}, Format::rgba32f);
+    REQUIRE_FALSE(texture.has_value());
+    CHECK(texture.error().front().message.find("no room for a") != std::string::npos);
+    CHECK_FALSE(gpu::Canvas::make({1, largest + 1}, Format::r8).has_value());
+}

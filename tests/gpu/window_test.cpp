@@ -1,0 +1,20 @@
+#include "gpu/window.h"
+
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+
+TEST_CASE("without a display opening a window fails in words, and again the same way") {
+    const char* display = std::getenv("DISPLAY");
+    const std::string former = display ? display : "";
+    for (const char* absent : {"", ":987"}) {
+        setenv("DISPLAY", absent, 1);
+        const auto window = gpu::Window::open({"test"});
+        REQUIRE_FALSE(window.has_value());
+        CHECK(window.error().front().message.starts_with("no window can be opened: "));
+    }
+    if (display)
+        setenv("DISPLAY", former.c_str(), 1);
+    else
+        unsetenv("DISPLAY");
+}

@@ -1,0 +1,171 @@
+#include "graph/looks.h"
+
+TEST_CASE_FIXTURE(Headless, "after n frames a counter holds n, and starts again when cleared") {
+    Executor executor = executor_of(look_of({counter()}));
+    for (int n = 1; n <= 5; ++n) {
+        executor.draw(frame(n));
+        CHECK(red(executor, 0) == static_cast<float>(n));
+    }
+    executor.clear_history();
+    executor.draw(frame(6));
+    CHECK(red(executor, 0) == 1.0f);
+    executor.draw(frame(1));  // the first frame clears by itself
+    CHECK(red(executor, 0) == 1.0f);
+}
+
+TEST_CASE_FIXTURE(Headless, "name@2 is the picture of two frames ago, transparent black before") {
+    const Look look =
+        look_of({pass("number", "uniform int u_frame;\nvoid main() { color = vec4(u_frame); }\n"),
+                 pass("late", "uniform sampler2D old;\nvoid main() { color = texture(old, uv); }\n",
+                      {reads("old", "number", 2)})});
+    Executor executor = executor_of(look);
+    const float expected[] = {0, 0, 1, 2, 3, 4};
+    for (int n = 1; n <= 6; ++n) {
+        executor.draw(frame(n));
+        CHECK(pixel(executor, 1) ==
+              Rgba{expected[n - 1], expected[n - 1], expected[n - 1], expected[n - 1]});
+    }
+}
+
+TEST_CASE_FIXTURE(Headless, "a redraw shows other values and does not move history") {
+    Pass show = pass("show",
+                     "uniform sampler2D counted; uniform float gain;\n"
+                     "void main() { color = texture(counted, uv) * gain; }\n",
+                     {reads("counted", "counter")});
+    Executor executor =
+        executor_of(look_of({counter(), show}, {knob("gain", {}, 1.0, {{1, "gain"}})}));
+    for (int n = 1; n <= 3; ++n)
+        executor.draw(frame(n));
+    executor.set_values({{"gain", 10.0}});
+    for (int i = 0; i < 4; ++i)
+        executor.redraw(frame(3), {false, true});
+    CHECK(red(executor, 1) == 30.0f);
+    CHECK(executor.draw_calls() == 1);
+    for (int i = 0; i < 4; ++i)
+        executor.redraw(frame(3), {true, true});
+    CHECK(red(executor, 0) == 3.0f);
+    executor.draw(frame(4));
+    CHECK(red(executor, 1) == 40.0f);
+}
+
+TEST_CASE_FIXTURE(Headless, "an edited look goes on with the history of what stayed the same") {
+    const Look before = look_of({counter()});
+    Executor executor = executor_of(before);
+    for (int n = 1; n <= 3; ++n)
+        executor.draw(frame(n));
+
+    Look after = look_of(
+        {pass("new", "void main() { color = vec4(7); }\n"), counter(),
+         pass("older", "uniform sampler2D old;\nvoid main() { color = texture(old, uv); }\n",
+              {reads("old", "counter", 3)})});
+    const Programs programs = programs_of(after, &executor.programs());
+    CHECK(programs.passes[1].program == executor.programs().passes[0].program);
+    REQUIRE(executor.replace(after, programs).has_value());
+    executor.draw(frame(4));
+    CHECK(red(executor, 0) == 7.0f);
+    CHECK(red(executor, 1) == 4.0f);  // more slots than before, the newest ones kept
+    CHECK(red(executor, 2) == 0.0f);  // its first frame had already left the two slots
+    executor.draw(frame(5));
+    CHECK(red(executor, 2) == 2.0f);
+    executor.draw(frame(6));
+    CHECK(red(executor, 2) == 3.0f);
+}
+
+TEST_CASE_FIXTURE(Headless, "a target whose format or size changes starts anew, others do not") {
+    Look look = look_of({counter(), counter()});
+    look.passes[1].name = "half";
+    look.passes[1].inputs = {reads("previous", "half", 1)};
+    Executor executor = executor_of(look);
+    executor.draw(frame(1));
+    executor.draw(frame(2));
+    look.passes[1].format = Format::rgba16f;
+    REQUIRE(executor.replace(look, programs_of(look, &executor.programs())).has_value());
+    executor.draw(frame(3));
+    CHECK(red(executor, 0) == 3.0f);
+    CHECK(red(executor, 1) == 1.0f);
+    REQUIRE(executor.resize({4, 4}, {}).has_value());
+    executor.draw(frame(4));
+    CHECK(red(executor, 0) == 4.0f);
+    REQUIRE(executor.resize({8, 4}, {}).has_value());
+    executor.draw(frame(5));
+    CHECK(red(executor, 0) == 1.0f);
+}
+
+TEST_CASE_FIXTURE(Headless, "a look that cannot be had leaves the one before at work") {
+    Executor executor = executor_of(look_of({counter()}));
+    executor.draw(frame(1));
+    Look large = look_of({counter()});
+    large.passes[0].size.fill({Side::By::pixels, 1e6, {}});
+    const auto replaced = executor.replace(large, programs_of(large));
+    REQUIRE_FALSE(replaced.has_value());
+    CHECK(replaced.error().front().file == "look.json");
+    CHECK_FALSE(executor.resize({1000000, 4}, {}).has_value());
+    executor.draw(frame(2));
+    CHECK(red(executor, 0) == 2.0f);
+}
+
+TEST_CASE_FIXTURE(Headless, "a later pass read without @ gives its last frame") {
+    const Look look = look_of(
+        {pass("early", "uniform sampler2D later;\nvoid main() { color = texture(later, uv); }\n",
+              {reads("later", "number")}),
+         pass("number", "uniform int u_frame;\nvoid main() { color = vec4(u_frame); }\n")});
+    Executor executor = executor_of(look);
+    for (int n = 1; n <= 3; ++n)
+        executor.draw(frame(n));
+    CHECK(red(executor, 0) == 2.0f);
+}
+
+TEST_CASE_FIXTURE(Headless, "a pass that reads itself takes a step with each repetition") {
+    Look look = look_of({counter()}, {knob("rounds", {Scalar::integer}, 3.0, {})});
+    look.passes[0].repeat = "rounds";
+    Executor executor = executor_of(look);
+    executor.draw(frame(1));
+    CHECK(red(executor, 0) == 3.0f);
+    CHECK(executor.draw_calls() == 3);
+    executor.set_values({{"rounds", 10.0}});
+    executor.draw(frame(2));
+    CHECK(red(executor, 0) == 13.0f);
+    executor.redraw(frame(2), {true});
+    CHECK(red(executor, 0) == 13.0f);
+    executor.set_values({{"rounds", -5.0}});
+    executor.draw(frame(3));
+    CHECK(red(executor, 0) == 14.0f);
+}
+
+TEST_CASE_FIXTURE(Headless,
+                  "an accumulating pass keeps what it holds until its samples start anew") {
+    Look look = look_of({pass(
+        "sum", "uniform int u_samples;\nvoid main() { color = vec4(1, u_samples, 0, 0); }\n")});
+    look.passes[0].accumulate = true;
+    look.passes[0].blend = Blend::add;
+    look.passes[0].repeat = 2;
+    Executor executor = executor_of(look);
+    Frame now = frame(1);
+    executor.draw(now);
+    now = frame(2);
+    now.samples = 1;
+    executor.draw(now);
+    CHECK(pixel(executor, 0) == Rgba{4, 0 + 1 + 2 + 3, 0, 0});
+    executor.draw(frame(3));
+    CHECK(pixel(executor, 0) == Rgba{2, 0 + 1, 0, 0});
+}
+
+TEST_CASE_FIXTURE(Headless,
+                  "a running mean by alpha reaches the mean, also in a target with history") {
+    Look look = look_of(
+        {pass("mean",
+              "uniform int u_samples; uniform int u_frame;\n"
+              "void main() { color = vec4(vec3(u_frame), 1.0 / float(u_samples + 1)); }\n"),
+         pass("old", "uniform sampler2D past;\nvoid main() { color = texture(past, uv); }\n",
+              {reads("past", "mean", 1)})});
+    look.passes[0].accumulate = true;
+    look.passes[0].blend = Blend::alpha;
+    Executor executor = executor_of(look);
+    for (int n = 1; n <= 5; ++n) {
+        Frame now = frame(n);
+        now.samples = n - 1;
+        executor.draw(now);
+    }
+    CHECK(red(executor, 0) == doctest::Approx(3.0));  // the mean of 1 to 5
+    CHECK(red(executor, 1) == doctest::Approx(2.5));  // of 1 to 4
+}

@@ -1,0 +1,70 @@
+#include "graph/looks.h"
+
+#include <thread>
+
+TEST_CASE_FIXTURE(Headless, "what only the driver refuses is told at the author's file and line") {
+    Look look = look_of({counter(), pass("bad", "void main() { color = vec4(oops); }\n")});
+    look.passes[1].fragment.lines[3] = {"include/light.glsl", 88};
+    const auto programs = build_programs(look);
+    REQUIRE_FALSE(programs.has_value());
+    CHECK(programs.error().front().file == "include/light.glsl");
+    CHECK(programs.error().front().line == 88);
+}
+
+TEST_CASE_FIXTURE(Headless, "every pass's mistakes are told at once") {
+    const auto programs = build_programs(look_of({pass("a", "void main() { color = first; }\n"),
+                                                  pass("b", "void main() { color = second; }\n")}));
+    REQUIRE_FALSE(programs.has_value());
+    const std::string all = to_string(programs.error());
+    CHECK(all.find("first") != std::string::npos);
+    CHECK(all.find("second") != std::string::npos);
+}
+
+TEST_CASE_FIXTURE(Headless, "a pass cannot read what it is drawing, and a look needs a pass") {
+    Look look = look_of({counter()});
+    look.passes[0].inputs[0].frames_ago = 0;
+    const auto programs = build_programs(look);
+    REQUIRE_FALSE(programs.has_value());
+    CHECK(to_string(programs.error().front())
+              .starts_with("look.json:5: error: pass 'counter' cannot read"));
+    const auto none = build_programs(look_of({}));
+    REQUIRE_FALSE(none.has_value());
+    CHECK(to_string(none.error().front()) == "look.json: error: the look has no passes");
+}
+
+TEST_CASE_FIXTURE(Headless,
+                  "programs are taken over by text, each once, whatever the order and names") {
+    const std::string body = "uniform float k;\nvoid main() { color = vec4(k); }\n";
+    const Look look = look_of({pass("a", body), pass("b", body), counter()});
+    const Programs first = programs_of(look);
+    CHECK(first.passes[0].program != first.passes[1].program);
+
+    Look edited = look_of({counter(), pass("c", body), pass("d", body), pass("e", body)});
+    edited.passes[1].fragment.lines[3].line = 99;  // an edit above it moves its lines, not its text
+    const Programs second = programs_of(edited, &first);
+    CHECK(second.passes[0].program == first.passes[2].program);
+    CHECK(second.passes[1].program == first.passes[0].program);
+    CHECK(second.passes[2].program == first.passes[1].program);
+    CHECK(second.passes[3].program != first.passes[0].program);
+
+    edited.passes[1].set = {{"k", 2.0}};
+    CHECK(programs_of(edited, &second).passes[1].program != second.passes[1].program);
+}
+
+TEST_CASE_FIXTURE(Headless, "programs made on a helper thread draw on the first one") {
+    const Look look = look_of({counter()});
+    auto helper = gpu::Context::shared_with(**context);
+    REQUIRE(helper.has_value());
+    Result<Programs> programs = fail({{}, 0, "not made"});
+    std::thread([&] {
+        (*helper)->make_current();
+        programs = build_programs(look);
+        (*helper)->release();
+    }).join();
+    REQUIRE(programs.has_value());
+    Executor executor(look, *programs);
+    REQUIRE(executor.resize({2, 2}, {}).has_value());
+    executor.draw(frame(1));
+    executor.draw(frame(2));
+    CHECK(red(executor, 0) == 2.0f);
+}

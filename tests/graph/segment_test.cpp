@@ -1,0 +1,37 @@
+#include "graph/segment.h"
+
+#include <doctest/doctest.h>
+
+#include <limits>
+
+namespace {
+std::vector<Segment> segments(const Beam& beam, std::optional<BeamPoint> before = std::nullopt) {
+    std::vector<Segment> made{{9, 9, 9, 9, 9, 9, 9, 9}};  // of the frame before, to be dropped
+    make_segments(beam, before, made);
+    return made;
+}
+}  // namespace
+
+TEST_CASE("n points make n - 1 segments, and one more to the frame before") {
+    const Beam beam{{0, 0, 1, 0.3f}, {1, 0, 2, 0.2f}, {1, 1, 3, 0.1f}};
+    CHECK(segments(beam) ==
+          std::vector<Segment>{{0, 0, 1, 0, 1, 2, 0.3f, 0.2f}, {1, 0, 1, 1, 2, 3, 0.2f, 0.1f}});
+    const auto joined = segments(beam, BeamPoint{-1, 0, 4, 0.4f});
+    REQUIRE(joined.size() == 3);
+    CHECK(joined.front() == Segment{-1, 0, 0, 0, 4, 1, 0.4f, 0.3f});
+    CHECK(segments({}, BeamPoint{}).empty());
+    CHECK(segments({{0, 0, 1, 0}}).empty());
+}
+
+TEST_CASE("the way to a blanked point is not drawn, the way on from it is fully lit") {
+    const auto made = segments({{0, 0, 1, 0}, {1, 0, 0, 0}, {1, 1, 5, 0}});
+    CHECK(made == std::vector<Segment>{{1, 0, 1, 1, 5, 5, 0, 0}});
+}
+
+TEST_CASE("a point that is not finite breaks the line and nothing more") {
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const float far = std::numeric_limits<float>::infinity();
+    const auto made =
+        segments({{0, 0, 1, 0}, {nan, 0, 1, 0}, {0, far, 1, 0}, {1, 1, 1, 0}, {2, 1, 1, 0}});
+    CHECK(made == std::vector<Segment>{{1, 1, 2, 1, 1, 1, 0, 0}});
+}
