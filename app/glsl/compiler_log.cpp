@@ -83,16 +83,29 @@ std::string with_signs_spelled(std::string_view message) {
     return text;
 }
 
+std::string with_single_blanks(std::string_view message) {
+    std::string text;
+    for (const char c : message)
+        if (c != ' ' || !text.ends_with(' '))
+            text += c;
+    return text;
+}
+
 // "'' :  syntax error" and "'foo' : undeclared identifier " -> the words alone.
 std::string cleaned(std::string_view message) {
+    message = trim(message);
     if (message.starts_with("'' :"))
         message = trim(message.substr(4));
-    message = trim(message);
     if (message.starts_with("memory exhausted"))
         return "this is nested too deeply to be compiled";
     if (message.starts_with("syntax error"))
         return with_signs_spelled(message);
-    return std::string(message);
+    return with_single_blanks(message);
+}
+
+// A name that glslang does not know counts as a float, which leads to messages about its type.
+bool follows_from(const CompilerMessage& message, const CompilerMessage& before) {
+    return message.line == before.line && before.text.ends_with(": undeclared identifier");
 }
 
 bool is_noise(std::string_view message) {
@@ -148,8 +161,11 @@ std::vector<CompilerMessage> parse_compiler_log(std::string_view log) {
             continue;
         const bool is_warning = line.starts_with(warning);
         if (line.starts_with(error) || is_warning) {
-            messages.push_back(located(line.substr(is_warning ? warning.size() : error.size())));
-            messages.back().is_warning = is_warning;
+            CompilerMessage message =
+                located(line.substr(is_warning ? warning.size() : error.size()));
+            message.is_warning = is_warning;
+            if (messages.empty() || !follows_from(message, messages.back()))
+                messages.push_back(std::move(message));
         } else if (!messages.empty()) {
             add_detail(messages.back(), line);
         }

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "glsl/check.h"
+#include "glsl/include.h"
+#include "model/look.h"
+
+#include <filesystem>
+#include <string>
+
+/// A stage whose every line lies in one file, as if it had been loaded.
+inline Stage stage_of(const std::string& file, const std::string& text) {
+    Stage stage = builtin_stage(text);
+    stage.file = file;
+    for (Location& at : stage.lines)
+        at.file = file;
+    return stage;
+}
+
+/// A fragment shader with these lines after its first.
+inline Stage fragment_with(const std::string& lines, const std::string& file = "a.frag") {
+    return stage_of(file, "#version 410 core\n" + lines +
+                              "\nout vec4 color;\nvoid main() { color = vec4(1.0); }\n");
+}
+
+inline Pass pass_of(const std::string& name, const Stage& fragment) {
+    Pass pass;
+    pass.name = name;
+    pass.fragment = fragment;
+    pass.declared = {"look.json", 7};
+    return pass;
+}
+
+/// A look of one pass with these uniforms.
+inline Look look_with(const std::string& lines) {
+    Look look;
+    look.passes.push_back(pass_of("main", fragment_with(lines)));
+    return look;
+}
