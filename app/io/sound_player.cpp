@@ -105,11 +105,12 @@ void SoundPlayer::add_sound(const Sound& sound, const Pace& pace,
 
 void SoundPlayer::scale(std::span<float> stereo) noexcept {
     const double goal = m_level;
-    const auto frames = static_cast<double>(stereo.size() / 2);
-    const double change = (goal - m_level_now) / std::max(frames, 1.0);
-    for (std::size_t i = 0; i < stereo.size(); ++i) {
-        const double level = m_level_now + change * static_cast<double>(i / 2);
-        stereo[i] = std::clamp(stereo[i] * static_cast<float>(level), -1.0f, 1.0f);
+    const std::size_t frames = stereo.size() / 2;
+    for (std::size_t frame = 0; frame < frames; ++frame) {
+        const double part = static_cast<double>(frame) / static_cast<double>(frames);
+        const auto level = static_cast<float>(std::lerp(m_level_now, goal, part));
+        for (float& sample : stereo.subspan(2 * frame, 2))
+            sample = std::clamp(sample * level, -1.0f, 1.0f);
     }
     m_level_now = goal;
 }

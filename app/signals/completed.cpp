@@ -94,7 +94,7 @@ Result<Spec> completed(const Spec& given) {
     const SignalKind* kind = find_kind(given.kind);
     if (!kind)
         return fail(unknown_kind(given.kind));
-    const auto named = with_bare_word_named(*kind, given);
+    auto named = with_bare_word_named(*kind, given);
     if (!named)
         return named;
 

@@ -32,8 +32,9 @@ private:
     }
 
     BeamPoint swept(std::int64_t k) const {
+        const std::int64_t sweep = k / m_points;
         const SweepPoint point = sweep_point(k % m_points, m_points, m_charge);
-        const double u = point.across + m_scroll * static_cast<double>(k / m_points);
+        const double u = point.across + m_scroll * static_cast<double>(sweep);
         return {point.x, static_cast<float>(m_amplitude * m_wave(u)), point.intensity};
     }
 

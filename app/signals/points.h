@@ -15,7 +15,7 @@ inline double charge_of_point(double rate) {
 
 /// Points that come at an even rate.
 struct PointStream {
-    double rate = 4096.0 * 60.0;                                     // a second
+    double rate = 4096.0 * 60.0;                                    // a second
     std::int64_t count = std::numeric_limits<std::int64_t>::max();  // in all
 };
 
@@ -48,7 +48,7 @@ struct SweepPoint {
 
 /// Point `place` (from 0) of a sweep of `length` points that together lay down length * charge.
 inline SweepPoint sweep_point(std::int64_t place, std::int64_t length, double charge) {
-    const double points = static_cast<double>(length);
+    const auto points = static_cast<double>(length);
     const double across = static_cast<double>(place + 1) / points;
     const double light = place == 0 ? 0.0 : charge * points / (points - 1.0);
     return {across, static_cast<float>(2.0 * across - 1.0), static_cast<float>(light)};

@@ -40,6 +40,7 @@ double noise(double turns, std::uint64_t seed) {
 
 std::vector<std::string> shape_names() {
     std::vector<std::string> names;
+    names.reserve(named_shapes.size());
     for (const NamedShape& shape : named_shapes)
         names.emplace_back(shape.name);
     return names;

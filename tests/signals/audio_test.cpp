@@ -18,8 +18,8 @@ TEST_CASE("xy: left goes across, right goes up, and a frame holds the samples of
         48000, 48000, [](int i) { return i * 1e-5; }, [](int i) { return -0.5 + i * 1e-5; });
     const Beam beam = beam_of(*signal_of("audio:a.wav,upsample=1", sound), frame_span(31, 60.0));
     REQUIRE(beam.size() == 800);
-    CHECK(beam.front().x == sound->samples[2 * 24000]);
-    CHECK(beam.back().y == sound->samples[2 * 24799 + 1]);
+    CHECK(beam.front().x == sound->samples[48000]);
+    CHECK(beam.back().y == sound->samples[49599]);
     CHECK(beam.back().age_seconds == doctest::Approx(0.0));
 }
 
@@ -56,8 +56,8 @@ TEST_CASE("the path goes on from the end of a loop to its start") {
     const auto signal = signal_of("audio:a.wav", circle(48000, 240, 1000.0));
     const Beam beam = beam_of(*signal, {0.0, 1.0});
     REQUIRE(beam.size() == 192000);
-    for (std::size_t i = 0; i < beam.size(); ++i)
-        REQUIRE(std::hypot(beam[i].x, beam[i].y) == doctest::Approx(0.5).epsilon(1e-3));
+    for (const BeamPoint& point : beam)
+        REQUIRE(std::hypot(point.x, point.y) == doctest::Approx(0.5).epsilon(1e-3));
 }
 
 TEST_CASE("start is where time 0 is and where the loop begins again") {

@@ -22,11 +22,12 @@ TEST_CASE("sample k has the instant (k + 1) / rate, and a span holds its end but
 }
 
 TEST_CASE("every frame of an hour holds the same number of samples and none is lost between") {
+    constexpr std::int64_t frames_of_an_hour = 216000;
     for (const double rate : {44100.0 * 4.0, 48000.0 * 16.0, 4096.0 * 60.0}) {
         const auto each = static_cast<std::int64_t>(rate / 60.0);
         std::int64_t next = 0;
         std::int64_t uneven = 0;
-        for (std::int64_t n = 1; n <= 3600 * 60; ++n) {
+        for (std::int64_t n = 1; n <= frames_of_an_hour; ++n) {
             const Instants instants = instants_in(frame_span(n, 60.0), rate);
             uneven += instants.first != next || instants.count() != each;
             next = instants.end;

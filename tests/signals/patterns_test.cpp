@@ -15,12 +15,12 @@ std::vector<float> pixel(const Picture& picture, int x, int y) {
 TEST_CASE("the SMPTE bars stand in their order at 75 %") {
     const auto bars = make_pattern("smpte,size=700x480");
     REQUIRE(bars.has_value());
-    const std::vector<std::vector<float>> expected{{.75f, .75f, .75f}, {.75f, .75f, 0}, {0, .75f, .75f},
-                                                   {0, .75f, 0},       {.75f, 0, .75f}, {.75f, 0, 0},
-                                                   {0, 0, .75f}};
+    const std::vector<std::vector<float>> expected{
+        {.75f, .75f, .75f}, {.75f, .75f, 0}, {0, .75f, .75f}, {0, .75f, 0},
+        {.75f, 0, .75f},    {.75f, 0, 0},    {0, 0, .75f}};
     for (int i = 0; i < 7; ++i)
         CHECK(pixel(*bars, 50 + 100 * i, 100) == expected[static_cast<std::size_t>(i)]);
-    CHECK(pixel(*bars, 50, 340) == expected[6]);   // reversed blue bars
+    CHECK(pixel(*bars, 50, 340) == expected[6]);  // reversed blue bars
     CHECK(pixel(*bars, 150, 340) == std::vector<float>{0, 0, 0});
     CHECK(pixel(*bars, 180, 460) == std::vector<float>{1, 1, 1});
 }
@@ -41,7 +41,8 @@ TEST_CASE("the checkerboard is half white") {
 TEST_CASE("a pattern's mistakes are named") {
     CHECK(make_pattern("smpt").error().front().message ==
           "there is no pattern 'smpt' (did you mean 'smpte'?)");
-    for (const char* text : {"", "smpte,size=", "smpte,size=0x5", "smpte,size=99999x9", "smpte,color=1"})
+    for (const char* text :
+         {"", "smpte,size=", "smpte,size=0x5", "smpte,size=99999x9", "smpte,color=1"})
         CHECK_FALSE(make_pattern(text).has_value());
 }
 
