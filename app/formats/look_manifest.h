@@ -1,0 +1,14 @@
+#pragma once
+
+#include "base/diagnostic.h"
+#include "model/look.h"
+
+#include <filesystem>
+#include <vector>
+
+/// Reads look.json: everything of a look but the texts of its shaders (its stages name their files)
+/// and its parameters. Files that it names are checked to lie in its folder and become full paths,
+/// also in default_source and default_signal. `files` gets the manifest and all that it names.
+/// Errors have the manifest's lines; all that can be told at once are.
+Result<Look> load_manifest(const std::filesystem::path& manifest,
+                           std::vector<std::filesystem::path>& files);

@@ -1,0 +1,387 @@
+#include "formats/look_manifest.h"
+
+#include "io/temporary_folder.h"
+
+#include <doctest/doctest.h>
+
+#include <random>
+
+namespace fs = std::filesystem;
+
+namespace {
+// The manifest that the design shows.
+const std::string phosphor = R"({
+  "format": "afterglow-look", "version": 1,
+  "name": "Phosphor", "about": "An oscilloscope tube: beam, persistence, bloom, glass.", "author": "", "license": "MIT",
+  "driven_by": "signal", "default_signal": { "kind": "lissajous", "x": 3, "y": 2 },
+  "output": "display", "settle_frames": 120,
+  "passes": [
+    { "name": "beam", "draw": "points", "vertex": "beam.vert", "fragment": "beam.frag", "format": "rgba16f", "blend": "add" },
+    { "name": "persistence", "fragment": "persistence.frag", "format": "rgba16f", "inputs": { "current": "beam", "previous": "persistence@1" } },
+    { "name": "bloom_x", "fragment": "blur.frag", "scale": 0.5, "format": "rgba16f", "inputs": { "image": "persistence" }, "set": { "direction": [1, 0] } },
+    { "name": "bloom_y", "fragment": "blur.frag", "scale": 0.5, "format": "rgba16f", "inputs": { "image": "bloom_x" }, "set": { "direction": [0, 1] } },
+    { "name": "composite", "fragment": "composite.frag", "inputs": { "phosphor": "persistence", "bloom": "bloom_y" } }
+  ]
+}
+)";
+
+class LookOnDisk {
+public:
+    LookOnDisk() {
+        for (const char* name : {"beam.vert", "beam.frag", "persistence.frag", "blur.frag",
+                                 "composite.frag", "lut.png"})
+            folder.write(fs::path("phosphor") / name, "text");
+    }
+
+    Result<Look> load(std::string_view text) {
+        files.clear();
+        return load_manifest(folder.write("phosphor/look.json", text), files);
+    }
+
+    // All diagnostics, with the manifest's name cut down to "look.json".
+    std::string errors_of(std::string_view text) {
+        const auto look = load(text);
+        REQUIRE_FALSE(look.has_value());
+        std::string all;
+        for (Diagnostic reason : look.error()) {
+            CHECK(reason.file == folder / "phosphor/look.json");
+            reason.file = "look.json";
+            all += to_string(reason) + '\n';
+        }
+        return all;
+    }
+
+    TemporaryFolder folder;
+    std::vector<fs::path> files;
+};
+
+// A look whose head is on line 1, and whose `passes` start on line 2.
+std::string look_with(std::string_view head, std::string_view passes) {
+    return "{ \"format\": \"afterglow-look\", \"version\": 1, " + std::string(head) +
+           "\"passes\": [\n" + std::string(passes) + "\n] }";
+}
+
+const std::string picture_head =
+    "\"driven_by\": \"picture\", \"default_source\": \"pattern:smpte\", ";
+}  // namespace
+
+TEST_CASE("the manifest that the design shows is read as it says") {
+    LookOnDisk disk;
+    const auto loaded = disk.load(phosphor);
+    REQUIRE(loaded.has_value());
+    const Look& look = *loaded;
+    CHECK(look.id == "phosphor");
+    CHECK(look.name == "Phosphor");
+    CHECK(look.license == "MIT");
+    CHECK(look.driven_by == Driver::signal);
+    CHECK(look.default_signal == Spec{"lissajous", {{"x", 3.0}, {"y", 2.0}}});
+    CHECK(look.output == Encoding::display);
+    CHECK(look.settle_frames == 120);
+    CHECK(look.manifest == disk.folder / "phosphor/look.json");
+    REQUIRE(look.passes.size() == 5);
+    CHECK(look.passes[0].draw == Draw::points);
+    CHECK(look.passes[0].blend == Blend::add);
+    CHECK(look.passes[0].vertex.file == disk.folder / "phosphor/beam.vert");
+    CHECK(look.passes[0].declared == Location{look.manifest, 7});
+    const Pass& persistence = look.passes[1];
+    CHECK(persistence.vertex.file.empty());
+    REQUIRE(persistence.inputs.size() == 2);
+    CHECK(persistence.inputs[0].uniform == "current");
+    CHECK(persistence.inputs[0].reference() == "beam");
+    CHECK(persistence.inputs[1].reference() == "persistence@1");
+    CHECK(persistence.inputs[1].sampler == Sampler{});
+    CHECK(look.passes[2].size[1] == Side{Side::By::viewport, 0.5, {}});
+    CHECK(look.passes[3].set == Values{{"direction", Value({0.0, 1.0})}});
+    CHECK(look.passes[4].format == Format::rgba8);
+    CHECK(look.passes[4].size[0] == Side{});
+    CHECK(disk.files.size() == 6);
+}
+
+TEST_CASE("defaults are those of the page") {
+    LookOnDisk disk;
+    const auto look = disk.load(
+        look_with("\"output\": \"linear\", ", R"({"name": "a", "fragment": "blur.frag"})"));
+    REQUIRE(look.has_value());
+    CHECK(look->name == "phosphor");
+    CHECK(look->driven_by == Driver::nothing);
+    CHECK(look->source_encoding == Encoding::linear);
+    CHECK(look->settle_frames == 1);
+    CHECK_FALSE(look->has_orbit);
+    const Pass& pass = look->passes.front();
+    CHECK(pass.draw == Draw::fullscreen);
+    CHECK(pass.format == Format::rgba16f);
+    CHECK(pass.blend == Blend::replace);
+    CHECK(pass.size[0] == Side{});
+    CHECK(std::get<int>(pass.repeat) == 1);
+}
+
+TEST_CASE("every key of a pass, an input and an image is read") {
+    LookOnDisk disk;
+    const auto look = disk.load(look_with(
+        picture_head +
+            R"("source_encoding": "display", "orbit": true, "images": {"lut": "lut.png", "noise": {"file": "lut.png", "filter": "nearest", "wrap": "repeat", "mipmap": true, "linear": true}}, )",
+        R"json({"name": "a", "fragment": "blur.frag", "scale": [2, 0.5], "scale_of": "source",
+            "inputs": {"s": "source@2", "l": {"from": "noise", "wrap": "mirror"}, "o": {"from": "a@64", "filter": "nearest", "wrap": "border", "mipmap": true}},
+            "rename": {"radius": "a_radius"}, "accumulate": true, "repeat": 8, "frame_modulo": 60, "set": {"x": true, "m": [1, 0, 0, 1]}},
+           {"name": "b", "fragment": "blur.frag", "size": [320, "$HEIGHT / floor($pixels)"], "repeat": "count"})json"));
+    REQUIRE(look.has_value());
+    CHECK(look->default_source == "pattern:smpte");
+    CHECK(look->source_encoding == Encoding::display);
+    CHECK(look->has_orbit);
+    REQUIRE(look->images.size() == 2);
+    CHECK(look->images[0].file == disk.folder / "phosphor/lut.png");
+    CHECK(look->images[1].sampler == Sampler{Filter::nearest, Wrap::repeat, true});
+    CHECK(look->images[1].is_linear);
+    const Pass& a = look->passes[0];
+    CHECK(a.size[0] == Side{Side::By::source, 2.0, {}});
+    CHECK(a.size[1] == Side{Side::By::source, 0.5, {}});
+    CHECK(a.inputs[0].from == Input::From::source);
+    CHECK(a.inputs[0].frames_ago == 2);
+    CHECK(a.inputs[1].from == Input::From::image);
+    CHECK(a.inputs[1].sampler == Sampler{Filter::nearest, Wrap::mirror, true});
+    CHECK(a.inputs[2].frames_ago == 64);
+    CHECK(a.inputs[2].sampler == Sampler{Filter::nearest, Wrap::border, true});
+    CHECK(a.rename.at("radius") == "a_radius");
+    CHECK(a.accumulate);
+    CHECK(std::get<int>(a.repeat) == 8);
+    CHECK(a.frame_modulo == 60);
+    CHECK(a.set == Values{{"x", 1.0}, {"m", Value({1.0, 0.0, 0.0, 1.0})}});
+    const Pass& b = look->passes[1];
+    CHECK(b.size[0] == Side{Side::By::pixels, 320.0, {}});
+    CHECK(b.size[1] == Side{Side::By::expression, 1.0, "$HEIGHT / floor($pixels)"});
+    CHECK(std::get<std::string>(b.repeat) == "count");
+}
+
+TEST_CASE("unknown keys are told with their line and the nearest known one") {
+    LookOnDisk disk;
+    CHECK(disk.errors_of(
+              look_with("\"licence\": \"MIT\", ",
+                        "{\"name\": \"a\",\n\"fragment\": \"blur.frag\",\n\"formt\": "
+                        "\"rgba8\",\n\"inputs\": {\"i\": {\"from\": \"a@1\",\n\"filtre\": 1}}}")) ==
+          "look.json:1: error: unknown key \"licence\" (did you mean 'license'?)\n"
+          "look.json:4: error: unknown key \"formt\" (did you mean 'format'?)\n"
+          "look.json:6: error: unknown key \"filtre\" (did you mean 'filter'?)\n");
+}
+
+TEST_CASE("inputs that read nothing, themselves or a later pass are told") {
+    LookOnDisk disk;
+    CHECK(disk.errors_of(look_with("", R"({"name": "beam", "fragment": "blur.frag", "inputs": {
+"a": "beam",
+"b": "last",
+"c": "baem_",
+"d": "source",
+"e": "last@65",
+"f": "last@x",
+"g": "last@0",
+"h": "beam@1", "i": 3, "j": {}}},
+{"name": "last", "fragment": "blur.frag", "inputs": {"a": "beam"}})")) ==
+          "look.json:3: error: a pass cannot read what it is drawing; 'beam@1' is its own picture "
+          "of the "
+          "frame before\n"
+          "look.json:4: error: pass 'last' is drawn after this one; 'last@1' is its picture of the "
+          "frame "
+          "before\n"
+          "look.json:5: error: there is no pass or image 'baem_'\n"
+          "look.json:6: error: there is no source: the look is not driven by a picture\n"
+          "look.json:7: error: 'last@65': behind @ stands a number of frames, 0 to 64\n"
+          "look.json:8: error: 'last@x': behind @ stands a number of frames, 0 to 64\n"
+          "look.json:9: error: pass 'last' is drawn after this one; 'last@1' is its picture of the "
+          "frame "
+          "before\n"
+          "look.json:10: error: \"i\" must be an object, not a number\n"
+          "look.json:10: error: \"from\" is missing\n");
+    CHECK(disk.errors_of(
+                  look_with("",
+                            "{\"name\": \"beam\", \"fragment\": \"blur.frag\"},\n{\"name\": "
+                            "\"b\", \"fragment\": \"blur.frag\", \"inputs\": {\"i\": \"baem\"}}"))
+              .starts_with("look.json:3: error: there is no pass or image 'baem'"));
+}
+
+TEST_CASE("names of passes are checked") {
+    LookOnDisk disk;
+    const std::string rule =
+        "a name is 1 to 64 letters, digits, _ and -, starts with a letter or _, and is not "
+        "'source'\n";
+    CHECK(disk.errors_of(look_with("\"images\": {\"lut\": \"lut.png\"}, ",
+                                   R"({"name": "a", "fragment": "blur.frag"},
+{"name": "a", "fragment": "blur.frag"},
+{"name": "source", "fragment": "blur.frag"},
+{"name": "../up", "fragment": "blur.frag"},
+{"fragment": "blur.frag"},
+{"name": "", "fragment": "blur.frag"},
+{"name": "lut", "fragment": "blur.frag"}, 7)")) ==
+          "look.json:3: error: there is a pass 'a' already, on line 2\n"
+          "look.json:4: error: 'source' cannot be the name of a pass: " +
+              rule + "look.json:5: error: '../up' cannot be the name of a pass: " + rule +
+              "look.json:6: error: \"name\" is missing\n"
+              "look.json:7: error: '' cannot be the name of a pass: " +
+              rule +
+              "look.json:8: error: this must be an object, not a number\n"
+              "look.json:8: error: there is an image 'lut' already\n");
+}
+
+TEST_CASE("points and segments need a vertex shader and a signal") {
+    LookOnDisk disk;
+    CHECK(disk.errors_of(
+              look_with("", R"({"name": "a", "draw": "points", "fragment": "blur.frag"})")) ==
+          "look.json:2: error: a pass that draws points needs a \"vertex\" shader\n"
+          "look.json:2: error: only a look with \"driven_by\": \"signal\" can draw points\n");
+}
+
+TEST_CASE("files must lie in the look's folder") {
+    LookOnDisk disk;
+    disk.folder.write("outside.frag", "");
+    fs::create_symlink("../outside.frag", disk.folder / "phosphor/link.frag");
+    fs::create_directory(disk.folder / "phosphor/folder");
+    CHECK(disk.errors_of(look_with("", R"({"name": "a", "fragment": "../outside.frag"},
+{"name": "b", "fragment": "/etc/passwd"},
+{"name": "c", "fragment": "link.frag"},
+{"name": "d", "fragment": "blur.fraq"},
+{"name": "e", "fragment": "folder"},
+{"name": "f", "fragment": ""},
+{"name": "g", "fragment": "x\u0000"},
+{"name": "h", "fragment": "folder/../blur.frag"},
+{"name": "i", "vertex": 3})")) ==
+          "look.json:2: error: '../outside.frag' leads out of the look's folder; files of a look "
+          "lie in its "
+          "own folder\n"
+          "look.json:3: error: '/etc/passwd' leads out of the look's folder; files of a look lie "
+          "in its own "
+          "folder\n"
+          "look.json:4: error: 'link.frag' is a link that leads out of the look's folder\n"
+          "look.json:5: error: 'blur.fraq' is missing in the look's folder (did you mean "
+          "'blur.frag'?)\n"
+          "look.json:6: error: 'folder' is not a file\n"
+          "look.json:7: error: '' is no file name\n"
+          "look.json:8: error: '" +
+              std::string("x\0", 2) +
+              "' is no file name\n"
+              "look.json:9: error: 'folder/../blur.frag' leads out of the look's folder; files of "
+              "a look lie in "
+              "its own folder\n"
+              "look.json:10: error: \"vertex\" must be a text, not a number\n"
+              "look.json:10: error: \"fragment\" is missing\n");
+    CHECK(std::find(disk.files.begin(), disk.files.end(), disk.folder / "phosphor/blur.fraq") !=
+          disk.files.end());
+}
+
+TEST_CASE("sizes, formats and counts are checked") {
+    LookOnDisk disk;
+    CHECK(
+        disk.errors_of(look_with("", R"({"name": "a", "fragment": "blur.frag", "scale": 0},
+{"name": "b", "fragment": "blur.frag", "scale": [1, 65]},
+{"name": "c", "fragment": "blur.frag", "scale_of": "source"},
+{"name": "d", "fragment": "blur.frag", "size": [0.5, ""]},
+{"name": "e", "fragment": "blur.frag", "size": 5},
+{"name": "f", "fragment": "blur.frag", "size": [5, 5], "scale": 1},
+{"name": "g", "fragment": "blur.frag", "repeat": 0},
+{"name": "h", "fragment": "blur.frag", "frame_modulo": -1},
+{"name": "i", "fragment": "blur.frag", "set": {"a": "text"}, "rename": {"a": "9"}},
+{"name": "j", "fragment": "blur.frag", "format": "r32ui", "blend": "add"},
+{"name": "k", "fragment": "blur.frag", "inputs": {"a": {"from": "j", "filter": "linear", "mipmap": true}}},
+{"name": "l", "fragment": "blur.frag", "format": "rgba61f"})")) ==
+        "look.json:2: error: \"scale\" must be a number above 0 and at most 64, or a list of two: "
+        "[x, y]\n"
+        "look.json:3: error: \"scale\" must be a number above 0 and at most 64, or a list of two: "
+        "[x, y]\n"
+        "look.json:4: error: there is no source to measure by: the look is not driven by a "
+        "picture\n"
+        "look.json:5: error: a side of \"size\" must be 1 to 16384 pixels or an expression such as "
+        "\"$WIDTH/2\"\n"
+        "look.json:5: error: a side of \"size\" must be 1 to 16384 pixels or an expression such as "
+        "\"$WIDTH/2\"\n"
+        "look.json:6: error: \"size\" must be a list of two: [width, height]\n"
+        "look.json:7: error: a pass has a \"scale\" or a \"size\", not both\n"
+        "look.json:8: error: \"repeat\" must be a whole number from 1 to 1024\n"
+        "look.json:9: error: \"frame_modulo\" must be a whole number from 0 to 16777216\n"
+        "look.json:10: error: \"a\" must be numbers\n"
+        "look.json:10: error: '9' cannot be the name of a parameter: a name is 1 to 64 letters, "
+        "digits, _ "
+        "and -, starts with a letter or _, and is not 'source'\n"
+        "look.json:11: error: a target of whole numbers cannot be blended\n"
+        "look.json:12: error: pass 'j' holds whole numbers, which cannot be filtered\n"
+        "look.json:12: error: pass 'j' holds whole numbers, which have no smaller levels\n"
+        "look.json:13: error: \"format\" cannot be 'rgba61f' (did you mean 'rgba16f'?); it is one "
+        "of: r8, "
+        "rg8, rgba8, srgb8_alpha8, rgb10_a2, r11f_g11f_b10f, r16f, rg16f, rgba16f, r32f, rg32f, "
+        "rgba32f, "
+        "r32ui\n");
+    const auto whole =
+        disk.load(look_with("", R"({"name": "j", "fragment": "blur.frag", "format": "r32ui"},
+{"name": "k", "fragment": "blur.frag", "inputs": {"a": "j"}})"));
+    REQUIRE(whole.has_value());
+    CHECK(whole->passes[1].inputs[0].sampler.filter == Filter::nearest);
+}
+
+TEST_CASE("what drives a look is checked") {
+    LookOnDisk disk;
+    const std::string pass = R"({"name": "a", "fragment": "blur.frag"})";
+    CHECK(
+        disk.errors_of(look_with("\"driven_by\": \"picture\", ", pass)) ==
+        "look.json:1: error: a look that is driven by a picture needs a \"default_source\", as in "
+        "\"pattern:smpte\"\n");
+    CHECK(disk.errors_of(look_with("\"default_source\": \"pattern:smpte\", ", pass)) ==
+          "look.json:1: error: \"default_source\" is for a look with \"driven_by\": \"picture\"\n");
+    CHECK(disk
+              .errors_of(look_with(
+                  "\"driven_by\": \"picture\", \"default_source\": \"pattern:smtpe\", ", pass))
+              .starts_with("look.json:1: error: there is no test pattern 'smtpe'"));
+    CHECK(disk.errors_of(
+                  look_with("\"driven_by\": \"picture\", \"default_source\": \"../a.png\", ", pass))
+              .starts_with("look.json:1: error: '../a.png' leads out"));
+    CHECK(disk.errors_of(look_with("\"default_signal\": {\"kind\": \"lissajous\"}, ", pass)) ==
+          "look.json:1: error: \"default_signal\" is for a look with \"driven_by\": \"signal\"\n");
+    CHECK(disk
+              .errors_of(look_with(
+                  "\"driven_by\": \"signal\", \"default_signal\": {\"kind\": \"x\"}, ", pass))
+              .starts_with("look.json:1: error: "));
+    const auto own =
+        disk.load(look_with("\"driven_by\": \"picture\", \"default_source\": \"lut.png\", ", pass));
+    REQUIRE(own.has_value());
+    CHECK(own->default_source == disk.folder / "phosphor/lut.png");
+}
+
+TEST_CASE("a look without passes, or with too many, is refused") {
+    LookOnDisk disk;
+    CHECK(disk.errors_of(look_with("", "")) == "look.json:1: error: a look has 1 to 256 passes\n");
+    std::string many = R"({"name": "p0", "fragment": "blur.frag"})";
+    for (int i = 1; i < 257; ++i)
+        many += ",{\"name\": \"p" + std::to_string(i) + "\", \"fragment\": \"blur.frag\"}";
+    CHECK(disk.errors_of(look_with("", many)) ==
+          "look.json:1: error: a look has 1 to 256 passes\n");
+    CHECK(disk.errors_of(R"({"format": "afterglow-look", "version": 1})") ==
+          "look.json:1: error: \"passes\" is missing\n");
+}
+
+TEST_CASE("what is no manifest is refused with its file, and a line where there is one") {
+    LookOnDisk disk;
+    CHECK(disk.errors_of("") == "look.json:1: error: is empty\n");
+    CHECK(disk.errors_of(std::string("{\n\0", 3)) ==
+          "look.json:2: error: is not a text file: it holds a NUL byte\n");
+    CHECK(disk.errors_of("[]") == "look.json:1: error: this must be an object, not a list\n");
+    CHECK(disk.errors_of("{\"format\": \"afterglow-look\",\n\"version\": 9, \"new\": 1}") ==
+          "look.json:2: error: was written by a newer version of the program: version 9 of its "
+          "format, 1 is "
+          "the newest that is read\n");
+    std::vector<fs::path> files;
+    const auto missing = load_manifest(disk.folder / "none/look.json", files);
+    REQUIRE_FALSE(missing.has_value());
+    CHECK(missing.error().front().message == "there is no such file");
+    CHECK(files == std::vector<fs::path>{disk.folder / "none/look.json"});
+}
+
+TEST_CASE("cut anywhere or changed at random, a manifest is read or refused at a line") {
+    LookOnDisk disk;
+    for (std::size_t size = 0; size + 2 < phosphor.size(); size += 3)
+        CHECK(disk.errors_of(phosphor.substr(0, size)).starts_with("look.json:"));
+    std::mt19937 random(31);
+    for (int trial = 0; trial < 2000; ++trial) {
+        std::string changed = phosphor;
+        for (int change = 0; change < 1 + trial % 4; ++change)
+            changed[random() % changed.size()] = static_cast<char>(random() % 96 + 32);
+        const auto look = disk.load(changed);
+        if (!look)
+            for (const Diagnostic& reason : look.error())
+                CHECK(reason.line >= 1);
+    }
+}

@@ -1,0 +1,110 @@
+#include "formats/manifest_edit.h"
+
+#include "io/temporary_folder.h"
+
+#include <doctest/doctest.h>
+
+namespace {
+const std::string manifest = R"({ "format": "afterglow-look",  "version": 1,
+  "passes": [
+    { "name": "beam",   "format": "rgba16f", "blend": "add" },
+    { "name": "glow", "scale": 0.5, "scale_of": "source", "inputs": { "current": "beam", "previous": "glow@1" } },
+    {
+      "name": "last",
+      "size": [320, "$HEIGHT"],
+      "inputs": {
+        "a": { "from": "glow",  "wrap": "repeat" },
+        "b": { "filter": "linear", "from": "beam" }
+      }
+    }
+  ] }
+)";
+
+std::string edited(const PassOverrides& overrides) {
+    const auto text = with_overrides_written(manifest, overrides, "look.json");
+    REQUIRE(text.has_value());
+    return *text;
+}
+
+// The manifest with one place changed, which is there once.
+std::string with(std::string text, std::string_view before, std::string_view after) {
+    const std::size_t at = text.find(before);
+    REQUIRE(at != std::string::npos);
+    REQUIRE(text.find(before, at + 1) == std::string::npos);
+    return text.replace(at, before.size(), after);
+}
+}  // namespace
+
+TEST_CASE("nothing to write leaves every byte") {
+    CHECK(edited({}) == manifest);
+    CHECK(edited({{"beam", {}}, {"not there", {}}}) == manifest);
+}
+
+TEST_CASE("a format that is there is replaced, one that is not is added") {
+    CHECK(edited({{"beam", {Format::rgba32f, {}, {}}}}) ==
+          with(manifest, "\"format\": \"rgba16f\"", "\"format\": \"rgba32f\""));
+    CHECK(edited({{"glow", {Format::r8, {}, {}}}}) ==
+          with(manifest, "\"glow@1\" } }", "\"glow@1\" }, \"format\": \"r8\" }"));
+    CHECK(edited({{"last", {Format::r8, {}, {}}}}) ==
+          with(manifest, "\"from\": \"beam\" }\n      }",
+               "\"from\": \"beam\" }\n      },\n      \"format\": \"r8\""));
+}
+
+TEST_CASE("a scale takes the place of what said the size before") {
+    CHECK(edited({{"beam", {{}, 0.25, {}}}}) ==
+          with(manifest, "\"blend\": \"add\" }", "\"blend\": \"add\", \"scale\": 0.25 }"));
+    CHECK(edited({{"glow", {{}, 2.0, {}}}}) == with(manifest,
+                                                    "\"scale\": 0.5, \"scale_of\": \"source\"",
+                                                    "\"scale\": 2, \"scale_of\": \"viewport\""));
+    CHECK(edited({{"last", {{}, 0.5, {}}}}) ==
+          with(manifest, "\"size\": [320, \"$HEIGHT\"]", "\"scale\": 0.5"));
+}
+
+TEST_CASE("a filter is written into every input that reads the pass, whatever its form") {
+    CHECK(edited({{"beam", {{}, {}, Filter::nearest}}}) ==
+          with(with(manifest, "\"current\": \"beam\"",
+                    "\"current\": { \"from\": \"beam\", \"filter\": \"nearest\" }"),
+               "\"filter\": \"linear\"", "\"filter\": \"nearest\""));
+    CHECK(edited({{"glow", {{}, {}, Filter::nearest}}}) ==
+          with(with(manifest, "\"glow@1\"", "{ \"from\": \"glow@1\", \"filter\": \"nearest\" }"),
+               "\"wrap\": \"repeat\" }", "\"wrap\": \"repeat\",  \"filter\": \"nearest\" }"));
+}
+
+TEST_CASE("several changes are made together") {
+    const std::string text =
+        edited({{"beam", {Format::r8, 0.5, Filter::nearest}}, {"last", {Format::rgba8, 1.0, {}}}});
+    for (const char* part :
+         {"\"format\": \"r8\", \"blend\": \"add\", \"scale\": 0.5 }", "\"scale\": 1,",
+          "\"format\": \"rgba8\"", "\"filter\": \"nearest\", \"from\": \"beam\""})
+        CHECK(text.find(part) != std::string::npos);
+    // A second writing finds everything in place.
+    const auto again = with_overrides_written(
+        text, {{"beam", {Format::r8, 0.5, Filter::nearest}}, {"last", {Format::rgba8, 1.0, {}}}},
+        "look.json");
+    CHECK(again == text);
+}
+
+TEST_CASE("what cannot be written into is refused and left alone") {
+    const auto error_of = [](std::string_view text, const PassOverrides& overrides) {
+        const auto result = with_overrides_written(text, overrides, "look.json");
+        REQUIRE_FALSE(result.has_value());
+        return to_string(result.error().front());
+    };
+    CHECK(error_of(manifest, {{"baem", {Format::r8, {}, {}}}}) ==
+          "look.json:2: error: has no pass 'baem' to write into");
+    CHECK(error_of("{}", {}) == "look.json: error: has no list of passes to write into");
+    CHECK(error_of("{", {}).starts_with("look.json:1: error: no JSON"));
+    CHECK(with_overrides_written(R"({"passes": [1, {"name": 2, "inputs": 3}, {"inputs": [4]}]})",
+                                 {}, "look.json")
+              .has_value());
+}
+
+TEST_CASE("a file is edited in place, its byte order mark and line ends kept") {
+    const TemporaryFolder folder;
+    const std::string text = "\xef\xbb\xbf{\"passes\": [\r\n{\"name\": \"a\"}]}\r\n";
+    const auto file = folder.write("look.json", text);
+    REQUIRE(write_overrides(file, {{"a", {Format::r8, {}, {}}}}));
+    CHECK(content_of(file) ==
+          "\xef\xbb\xbf{\"passes\": [\r\n{\"name\": \"a\", \"format\": \"r8\"}]}\r\n");
+    CHECK_FALSE(write_overrides(folder / "none.json", {}).has_value());
+}
