@@ -13,9 +13,10 @@ Result<std::string> read_bytes(const std::filesystem::path& file,
 /// The first `count` bytes of a regular file of any size, or all of a shorter one.
 Result<std::string> read_start(const std::filesystem::path& file, std::size_t count);
 
-/// As read_bytes, for a text that a person writes (GLSL, JSON): at most 16 MiB, UTF-8 or ASCII without
-/// NUL bytes; a byte order mark is dropped.
+/// As read_bytes, for a text that a person writes (GLSL, JSON): at most 16 MiB, UTF-8 or ASCII
+/// without NUL bytes; a byte order mark is dropped.
 Result<std::string> read_text(const std::filesystem::path& file);
 
-/// Whether `path` lies in `folder` after links and `..` are followed; false for what does not exist.
+/// Whether `path` lies in `folder` after links and `..` are followed; false for what does not
+/// exist.
 bool is_inside(const std::filesystem::path& path, const std::filesystem::path& folder);

@@ -11,7 +11,8 @@
 /// Where each line of an assembled text was written: line n of the text is origins[n - 1].
 using LineMap = std::vector<Location>;
 
-/// The place where line `line` (from 1) of an assembled text was written; past the end the last one.
+/// The place where line `line` (from 1) of an assembled text was written; past the end the last
+/// one.
 Location origin_of(const LineMap& lines, int line);
 
 /// The lines of a text without their ends; "\r\n" and "\n" both end a line.
@@ -22,7 +23,8 @@ std::vector<std::string_view> split(std::string_view text, char separator);
 
 std::string_view trim(std::string_view text);
 
-/// A whole text read as a decimal number, "." as the decimal point in every locale; never infinite or NaN.
+/// A whole text read as a decimal number, "." as the decimal point in every locale; never infinite
+/// or NaN.
 std::optional<double> parse_number(std::string_view text);
 std::optional<int> parse_integer(std::string_view text);
 

@@ -100,9 +100,11 @@ private:
             return name == "max" ? std::max(a, b) : name == "min" ? std::min(a, b) : std::pow(a, b);
         }
         expect(')');
-        static const std::map<std::string, double (*)(double)> functions{
-            {"abs", std::fabs},   {"ceil", std::ceil}, {"floor", std::floor},
-            {"round", std::round}, {"sqrt", std::sqrt}};
+        static const std::map<std::string, double (*)(double)> functions{{"abs", std::fabs},
+                                                                         {"ceil", std::ceil},
+                                                                         {"floor", std::floor},
+                                                                         {"round", std::round},
+                                                                         {"sqrt", std::sqrt}};
         const auto function = functions.find(name);
         return function == functions.end() ? stop("unknown function '" + name + "'")
                                            : function->second(a);
@@ -111,8 +113,8 @@ private:
     std::string word() {
         skip_blank();
         const std::size_t start = m_at;
-        while (m_at < m_text.size() &&
-               (std::isalpha(letter()) || letter() == '_' || (m_at > start && std::isdigit(letter()))))
+        while (m_at < m_text.size() && (std::isalpha(letter()) || letter() == '_' ||
+                                        (m_at > start && std::isdigit(letter()))))
             ++m_at;
         return std::string(m_text.substr(start, m_at - start));
     }

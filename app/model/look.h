@@ -74,12 +74,12 @@ struct Pass {
     std::array<Side, 2> size;  // width, height
     Blend blend = Blend::replace;
     std::vector<Input> inputs;
-    Values set;                                  // uniforms with a fixed value
-    std::map<std::string, std::string> rename;   // uniform -> parameter
-    bool accumulate = false;                     // goes on until anything changes, counted in u_samples
-    std::variant<int, std::string> repeat = 1;   // draws a frame, or the parameter that says so
-    int frame_modulo = 0;                        // u_frame counts modulo this; 0: never
-    Location declared;                           // in look.json
+    Values set;                                 // uniforms with a fixed value
+    std::map<std::string, std::string> rename;  // uniform -> parameter
+    bool accumulate = false;  // goes on until anything changes, counted in u_samples
+    std::variant<int, std::string> repeat = 1;  // draws a frame, or the parameter that says so
+    int frame_modulo = 0;                       // u_frame counts modulo this; 0: never
+    Location declared;                          // in look.json
 
     bool operator==(const Pass&) const = default;
 };
@@ -96,7 +96,8 @@ struct Image {
 
 enum class Driver { signal, picture, nothing };
 
-/// The passes in order, their inputs, images and parameters: all that is needed to draw, in one value.
+/// The passes in order, their inputs, images and parameters: all that is needed to draw, in one
+/// value.
 struct Look {
     std::string id;  // the folder's name: "phosphor"
     std::string name;
@@ -112,8 +113,8 @@ struct Look {
     bool has_orbit = false;
     std::vector<Pass> passes;
     std::vector<Image> images;
-    std::vector<Parameter> parameters;  // in the order of their declaration
-    std::filesystem::path manifest;     // look.json, or the foreign file
+    std::vector<Parameter> parameters;         // in the order of their declaration
+    std::filesystem::path manifest;            // look.json, or the foreign file
     std::vector<std::filesystem::path> files;  // everything that it was read from, for the watcher
 
     bool operator==(const Look&) const = default;

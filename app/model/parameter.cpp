@@ -97,7 +97,8 @@ Value clamped(const Parameter& parameter, Value value) {
     value.numbers.resize(static_cast<std::size_t>(parameter.type.size()));
     for (std::size_t i = 0; i < value.numbers.size(); ++i) {
         if (i >= given)
-            value.numbers[i] = i < parameter.initial.numbers.size() ? parameter.initial.numbers[i] : 0;
+            value.numbers[i] =
+                i < parameter.initial.numbers.size() ? parameter.initial.numbers[i] : 0;
         value.numbers[i] = clamped_number(parameter, value.numbers[i]);
     }
     return value;
@@ -116,12 +117,16 @@ Result<Value> parse_value(const Parameter& parameter, std::string_view text) {
     for (const std::string_view piece : split(text, ',')) {
         const auto number = number_from(parameter, trim(piece));
         if (!number)
-            return fail({{}, 0, fmt::format("'{}' is no value for '{}', which is a {}", text,
-                                            parameter.name, type_name(parameter))});
+            return fail({{},
+                         0,
+                         fmt::format("'{}' is no value for '{}', which is a {}", text,
+                                     parameter.name, type_name(parameter))});
         numbers.push_back(*number);
     }
     if (numbers.size() != size)
-        return fail({{}, 0, fmt::format("'{}' takes {} numbers, not {}", parameter.name, size,
-                                        numbers.size())});
+        return fail(
+            {{},
+             0,
+             fmt::format("'{}' takes {} numbers, not {}", parameter.name, size, numbers.size())});
     return clamped(parameter, Value(std::move(numbers)));
 }

@@ -83,13 +83,15 @@ struct Parameter {
     bool operator==(const Parameter&) const = default;
 };
 
-/// "float", "vec3", "color", "point", "list", "event", "image", "sound": the type as `describe` says it.
+/// "float", "vec3", "color", "point", "list", "event", "image", "sound": the type as `describe`
+/// says it.
 std::string type_name(const Parameter& parameter);
 
-/// The nearest value that the parameter allows: within its limit, of its size, whole where it counts.
+/// The nearest value that the parameter allows: within its limit, of its size, whole where it
+/// counts.
 Value clamped(const Parameter& parameter, Value value);
 
-/// Reads what a person typed or gave to `--set`: numbers between commas, an item's label, true/false,
-/// #rrggbb for a colour (taken as display-encoded sRGB, kept linear), or a path.
-/// Errors name the parameter, not a file.
+/// Reads what a person typed or gave to `--set`: numbers between commas, an item's label,
+/// true/false, #rrggbb for a colour (taken as display-encoded sRGB, kept linear), or a path. Errors
+/// name the parameter, not a file.
 Result<Value> parse_value(const Parameter& parameter, std::string_view text);

@@ -52,11 +52,11 @@ Result<Extent> extent_of(const Pass& pass, const Measures& measures, int largest
         length_of(pass.size[1], measures.viewport.height, measures.source.height, measures);
     for (const auto* length : {&width, &height})
         if (!*length)
-            return fail({pass.declared.file, pass.declared.line,
-                         fmt::format("size of pass '{}': {}", pass.name,
-                                     length->error().front().message)});
+            return fail(
+                {pass.declared.file, pass.declared.line,
+                 fmt::format("size of pass '{}': {}", pass.name, length->error().front().message)});
     const double most = largest_side + 0.5;  // before rounding
-    if (!(*width > 0.0 && *width < most && *height > 0.0 && *height < most))
+    if (!(*width > 0.0 && *width<most&& * height> 0.0 && *height < most))
         return fail({pass.declared.file, pass.declared.line,
                      fmt::format("pass '{}' would be {} x {} px; a side is 1 to {} px", pass.name,
                                  *width, *height, largest_side)});

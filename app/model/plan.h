@@ -9,8 +9,8 @@
 /// What a person changed about a pass while looking into it; kept apart from the look.
 struct PassOverride {
     std::optional<Format> format;
-    std::optional<double> scale;    // of the viewport, both sides
-    std::optional<Filter> filter;   // of every input that reads this pass
+    std::optional<double> scale;   // of the viewport, both sides
+    std::optional<Filter> filter;  // of every input that reads this pass
 
     bool operator==(const PassOverride&) const = default;
     bool is_empty() const { return !format && !scale && !filter; }

@@ -13,9 +13,9 @@ struct Preset {
     std::string about;
     std::string author;
     std::optional<Spec> signal;
-    std::string source;            // "pattern:smpte", a picture's path, or "": the look's own
-    std::string media_digest;      // of the person's file that signal or source names; "": none
-    Values values;                 // what differs from the defaults, orphans included
+    std::string source;        // "pattern:smpte", a picture's path, or "": the look's own
+    std::string media_digest;  // of the person's file that signal or source names; "": none
+    Values values;             // what differs from the defaults, orphans included
 
     bool operator==(const Preset&) const = default;
 };

@@ -5,7 +5,8 @@
 #include <utility>
 #include <vector>
 
-/// What was, what is and what was undone of one value. A gesture (a drag of one slider) is one step.
+/// What was, what is and what was undone of one value. A gesture (a drag of one slider) is one
+/// step.
 template <class State>
 class Undo {
 public:
@@ -51,7 +52,8 @@ public:
         m_open = false;
     }
 
-    /// Applies a function to every state, past and to come (a parameter that was renamed by an edit).
+    /// Applies a function to every state, past and to come (a parameter that was renamed by an
+    /// edit).
     template <class Function>
     void rewrite(const Function& function) {
         function(m_current);
