@@ -1,0 +1,68 @@
+#include "cli/common.h"
+
+#include "lab/measure.h"
+
+#include <nlohmann/json.hpp>
+
+#include <fmt/format.h>
+
+#include <iostream>
+
+namespace {
+struct Arguments {
+    LookOptions look;
+    int frames = 60;
+    bool as_json = false;
+};
+
+void print_json(const Measurement& measured) {
+    nlohmann::ordered_json passes = nlohmann::ordered_json::array();
+    for (const PassTime& pass : measured.passes)
+        passes.push_back({{"name", pass.name}, {"ms", pass.milliseconds}});
+    const nlohmann::ordered_json document{
+        {"frame", {{"cpu_ms", measured.cpu_milliseconds}, {"wall_ms", measured.wall_milliseconds}}},
+        {"passes", std::move(passes)},
+        {"draw_calls", measured.draw_calls},
+        {"bytes_per_pixel", measured.bytes_per_pixel},
+        {"renderer", measured.renderer}};
+    std::cout << document.dump(2) << '\n';
+}
+
+void print_table(const Measurement& measured) {
+    std::cout << fmt::format("{}\nframe        {:8.3f} ms cpu  {:8.3f} ms wall\n", measured.renderer,
+                             measured.cpu_milliseconds, measured.wall_milliseconds);
+    for (const PassTime& pass : measured.passes)
+        std::cout << fmt::format("{:<12} {:8.3f} ms\n", pass.name, pass.milliseconds);
+    std::cout << fmt::format("{} draw calls, {:.1f} bytes a pixel\n", measured.draw_calls,
+                             measured.bytes_per_pixel);
+}
+
+int bench(const Arguments& arguments, const std::string& data) {
+    const RenderRequest request = arguments.look.request();
+    const auto library = open_library(data);
+    if (!library)
+        return report(library.error());
+    auto prepared = prepare(request, *library);
+    if (!prepared)
+        return report(prepared.error());
+    warn(prepared->warnings);
+    auto offline = Offline::create(std::move(*prepared), request.size, request.fps);
+    if (!offline)
+        return report(offline.error());
+    const Measurement measured = measure(*offline, arguments.frames);
+    arguments.as_json ? print_json(measured) : print_table(measured);
+    return exit_done;
+}
+}  // namespace
+
+/// afterglow bench LOOK --json
+Command add_bench(CLI::App& program) {
+    auto* command = program.add_subcommand("bench", "Measure what a frame of a look costs");
+    auto arguments = std::make_shared<Arguments>();
+    arguments->look.add_to(*command, LookOptions::Take::drawing);
+    command->add_option("--frames", arguments->frames, "Frames to measure, after warm-up")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 100000));
+    command->add_flag("--json", arguments->as_json, "One JSON document");
+    return [arguments](const std::string& data) { return bench(*arguments, data); };
+}

@@ -1,0 +1,61 @@
+#include "cli/cli.h"
+
+#include "cli/common.h"
+
+#include <array>
+#include <exception>
+#include <iostream>
+
+namespace {
+struct Verb {
+    const char* name;
+    Command (*add)(CLI::App&);
+};
+
+constexpr std::array verbs{
+    Verb{"list", add_list},         Verb{"render", add_render}, Verb{"check", add_check},
+    Verb{"describe", add_describe}, Verb{"preset", add_preset}, Verb{"compare", add_compare},
+    Verb{"bench", add_bench},
+};
+
+constexpr const char* about =
+    "The lab for the CRT, phosphor and oscilloscope look.\n\n"
+    "afterglow [LOOK] opens the window; the commands work without a display.\n"
+    "LOOK is a look's folder or name, or a preset: a file, a PNG that holds one, or its line of text.";
+
+/// Runs the command that was parsed, or opens the window when there was none.
+int run_parsed(const CLI::App& program, const std::vector<Command>& commands, const std::string& look,
+               const std::string& data, const OpenWindow& open_window) {
+    for (std::size_t i = 0; i < verbs.size(); ++i) {
+        if (!program.got_subcommand(verbs[i].name))
+            continue;
+        if (!look.empty())
+            throw CLI::ExtrasError(verbs[i].name, {look});
+        return commands[i](data);
+    }
+    return open_window(look, data);
+}
+}  // namespace
+
+int run_program(int argc, const char* const* argv, const OpenWindow& open_window) {
+    CLI::App program{about};
+    program.name("afterglow");
+    program.set_version_flag("--version", "afterglow " AFTERGLOW_VERSION);
+    program.require_subcommand(0, 1);
+    std::string look;
+    std::string data;
+    program.add_option("LOOK", look, "What the window opens; the last one when it is left out");
+    program.add_option("--data", data, "The folder that holds shaders/ and presets/");
+    program.fallthrough();
+    std::vector<Command> commands;
+    for (const Verb& verb : verbs)
+        commands.push_back(verb.add(program));
+    try {
+        program.parse(argc, argv);
+        return run_parsed(program, commands, look, data, open_window);
+    } catch (const CLI::ParseError& error) {
+        return program.exit(error) == 0 ? exit_done : exit_usage;
+    } catch (const std::exception& error) {
+        return report({{{}, 0, error.what()}});
+    }
+}

@@ -1,0 +1,63 @@
+#include "cli/common.h"
+
+#include "base/text.h"
+
+#include <iostream>
+
+int report(const Diagnostics& reasons) {
+    std::cerr << to_string(reasons);
+    return exit_not_good;
+}
+
+void warn(const Diagnostics& warnings) {
+    std::cerr << to_string(warnings);
+}
+
+Extent parse_size(const std::string& text) {
+    const std::size_t cross = text.find('x');
+    const auto width = parse_integer(std::string_view(text).substr(0, cross));
+    const auto height = cross == std::string::npos
+                            ? std::nullopt
+                            : parse_integer(std::string_view(text).substr(cross + 1));
+    constexpr int largest = 16384;
+    if (!width || !height || *width < 1 || *height < 1 || *width > largest || *height > largest)
+        throw CLI::ValidationError("--size", "'" + text + "' is not of the form 1280x720, 1 to 16384 px a side");
+    return {*width, *height};
+}
+
+void LookOptions::add_to(CLI::App& command, Take take) {
+    command.add_option("LOOK", m_request.look,
+                       "A look's folder or name, or a preset: file, PNG or line")
+        ->required();
+    command.add_option("--preset", m_request.preset, "A preset of the look: file, name or line");
+    command.add_option("--set", m_set, "name=value; may be given again and again")
+        ->take_all()
+        ->allow_extra_args(false);
+    command.add_option("--signal", m_request.signal,
+                       "What drives a scope, as in lissajous:x=3,y=2 or audio:song.wav,mode=xy");
+    command.add_option("--source", m_request.source, "The picture that a CRT look works on");
+    command.add_option("--size", m_size, "Of the picture, in pixels")->capture_default_str();
+    if (take == Take::drawing)
+        command.add_option("--fps", m_request.fps, "Frames a second of the fixed clock")
+            ->capture_default_str()
+            ->check(CLI::Range(1.0, 1000.0));
+}
+
+RenderRequest LookOptions::request() const {
+    RenderRequest request = m_request;
+    request.size = parse_size(m_size);
+    for (const std::string& assignment : m_set) {
+        const std::size_t equals = assignment.find('=');
+        if (equals == std::string::npos || equals == 0)
+            throw CLI::ValidationError("--set", "'" + assignment + "' is not of the form name=value");
+        request.values.emplace_back(assignment.substr(0, equals), assignment.substr(equals + 1));
+    }
+    return request;
+}
+
+Result<Library> open_library(const std::string& data) {
+    auto roots = find_roots(data.empty() ? std::nullopt : std::optional<std::filesystem::path>(data));
+    if (!roots)
+        return fail(roots.error());
+    return Library(std::move(*roots));
+}

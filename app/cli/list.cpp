@@ -1,0 +1,68 @@
+#include "cli/common.h"
+
+#include "lab/catalog.h"
+
+#include <nlohmann/json.hpp>
+
+#include <iomanip>
+#include <iostream>
+
+namespace {
+void print_json(const std::vector<CatalogEntry>& entries) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const CatalogEntry& entry : entries) {
+        nlohmann::ordered_json line{{"id", entry.id}, {"name", entry.name}, {"about", entry.about}};
+        if (!entry.look.empty())
+            line["look"] = entry.look;
+        if (!entry.file.empty())
+            line["file"] = entry.file.string();
+        list.push_back(std::move(line));
+    }
+    std::cout << list.dump(2) << '\n';
+}
+
+void print_table(const std::vector<CatalogEntry>& entries) {
+    std::size_t width = 0;
+    const auto key = [](const CatalogEntry& entry) {
+        return entry.look.empty() ? entry.id : entry.look + "/" + entry.id;
+    };
+    for (const CatalogEntry& entry : entries)
+        width = std::max(width, key(entry).size());
+    for (const CatalogEntry& entry : entries)
+        std::cout << std::left << std::setw(static_cast<int>(width) + 2) << key(entry) << entry.name
+                  << (entry.about.empty() ? "" : ". ") << entry.about << '\n';
+}
+
+int list(const std::string& what, bool as_json, const std::string& data) {
+    std::vector<CatalogEntry> entries;
+    if (what == "signals") {
+        entries = list_signals();
+    } else if (what == "patterns") {
+        entries = list_patterns();
+    } else {
+        const auto library = open_library(data);
+        if (!library)
+            return report(library.error());
+        entries = what == "looks" ? list_looks(*library) : list_presets(*library);
+    }
+    as_json ? print_json(entries) : print_table(entries);
+    return exit_done;
+}
+}  // namespace
+
+/// afterglow list looks|presets|signals|patterns [--json]
+Command add_list(CLI::App& program) {
+    struct Arguments {
+        std::string what;
+        bool as_json = false;
+    };
+    auto* command = program.add_subcommand("list", "Print what there is");
+    auto arguments = std::make_shared<Arguments>();
+    command->add_option("WHAT", arguments->what, "looks, presets, signals or patterns")
+        ->required()
+        ->check(CLI::IsMember({"looks", "presets", "signals", "patterns"}));
+    command->add_flag("--json", arguments->as_json, "One JSON document");
+    return [arguments](const std::string& data) {
+        return list(arguments->what, arguments->as_json, data);
+    };
+}

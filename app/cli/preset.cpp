@@ -1,0 +1,40 @@
+#include "cli/common.h"
+
+#include "lab/sharing.h"
+
+#include <iostream>
+
+/// afterglow preset LOOK [--preset F] [--set …] -o F.json | --line
+Command add_preset(CLI::App& program) {
+    struct Arguments {
+        LookOptions look;
+        std::string output;
+        std::string name;
+        bool as_line = false;
+    };
+    auto* command = program.add_subcommand("preset", "Make, convert or share a preset");
+    auto arguments = std::make_shared<Arguments>();
+    arguments->look.add_to(*command, LookOptions::Take::values);
+    auto* output = command->add_option("-o,--output", arguments->output,
+                                       "The file to write: .json, or .png for a picture that holds it");
+    command->add_option("--name", arguments->name, "What the preset is called");
+    auto* line = command->add_flag("--line", arguments->as_line, "Print it as one line of text");
+    line->excludes(output);
+    return [arguments](const std::string& data) {
+        if (!arguments->as_line && arguments->output.empty())
+            throw CLI::RequiredError("-o F.json or --line");
+        const auto library = open_library(data);
+        if (!library)
+            return report(library.error());
+        auto prepared = prepare(arguments->look.request(), *library);
+        if (!prepared)
+            return report(prepared.error());
+        warn(prepared->warnings);
+        if (arguments->as_line) {
+            std::cout << share_line_of(prepared->document) << '\n';
+            return exit_done;
+        }
+        const auto saved = write_preset(prepared->document, arguments->name, arguments->output);
+        return saved ? exit_done : report(saved.error());
+    };
+}

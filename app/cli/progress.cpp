@@ -1,0 +1,25 @@
+#include "cli/progress.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <iostream>
+
+Progress::Progress(std::string what, int total)
+    : m_what(std::move(what)), m_total(total), m_is_shown(isatty(STDERR_FILENO) == 1) {}
+
+Progress::~Progress() {
+    if (m_has_shown)
+        std::cerr << "\r\033[K";
+}
+
+void Progress::show(int done) {
+    const auto now = Clock::now();
+    if (!m_is_shown || now - m_last < std::chrono::milliseconds(100))
+        return;
+    m_last = now;
+    m_has_shown = true;
+    const double gone = std::chrono::duration<double>(now - m_start).count();
+    const double left = gone / done * (m_total - done);
+    std::cerr << fmt::format("\r{}  {} of {} frames, {:.0f} s left\033[K", m_what, done, m_total, left);
+}

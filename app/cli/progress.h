@@ -1,0 +1,25 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+
+/// How far long work has come, on one line of a terminal's stderr; silent elsewhere.
+class Progress {
+public:
+    Progress(std::string what, int total);
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    void show(int done);
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    std::string m_what;
+    int m_total;
+    bool m_is_shown;
+    bool m_has_shown = false;
+    Clock::time_point m_start = Clock::now();
+    Clock::time_point m_last = m_start;
+};

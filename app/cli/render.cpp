@@ -1,0 +1,103 @@
+#include "cli/common.h"
+
+#include "base/text.h"
+#include "cli/frame_names.h"
+#include "cli/progress.h"
+#include "lab/sharing.h"
+#include "io/picture_file.h"
+
+#include <fmt/format.h>
+
+namespace {
+struct Arguments {
+    LookOptions look;
+    std::string output;
+    int frames = 0;  // 0: the look's settle_frames
+    std::string pass;
+    std::string all_passes;
+};
+
+Result<int> chosen_pass(const Arguments& arguments, const Look& look) {
+    if (arguments.pass.empty())
+        return static_cast<int>(look.passes.size()) - 1;
+    if (const auto pass = find_pass(look, arguments.pass))
+        return *pass;
+    std::vector<std::string> names;
+    for (const Pass& pass : look.passes)
+        names.push_back(pass.name);
+    return fail({{}, 0, fmt::format("'{}' has no pass '{}'{}", look.id, arguments.pass,
+                                    did_you_mean(arguments.pass, names))});
+}
+
+Result<void> save_all_passes(const Offline& offline, const std::filesystem::path& folder) {
+    const Look& look = offline.executor().look();
+    for (std::size_t i = 0; i < look.passes.size(); ++i) {
+        const auto file = folder / fmt::format("{:02}_{}.exr", i, look.passes[i].name);
+        if (auto saved = save_picture(offline.picture(static_cast<int>(i)), file); !saved)
+            return saved;
+    }
+    return {};
+}
+
+/// Draws every frame; writes those that the output's name asks for.
+Result<void> draw(const Arguments& arguments, Offline& offline) {
+    const auto pass = chosen_pass(arguments, offline.executor().look());
+    if (!pass)
+        return fail(pass.error());
+    const auto names = parse_frame_names(arguments.output);
+    if (!names)
+        return fail(names.error());
+    const int frames = arguments.frames > 0 ? arguments.frames : offline.document().look().settle_frames;
+    Progress progress("render", frames);
+    for (int frame = 0; frame < frames; ++frame) {
+        offline.advance();
+        if (names->is_sequence() || frame + 1 == frames) {
+            const Picture picture = offline.picture(*pass);
+            const auto file = names->name(frame);
+            const auto saved = names->is_sequence()
+                                   ? save_picture(picture, file)
+                                   : save_picture_with_preset(picture, offline.document(), file);
+            if (!saved)
+                return saved;
+        }
+        progress.show(frame + 1);
+    }
+    if (!arguments.all_passes.empty())
+        return save_all_passes(offline, arguments.all_passes);
+    return {};
+}
+
+int render(const Arguments& arguments, const std::string& data) {
+    const RenderRequest request = arguments.look.request();
+    const auto library = open_library(data);
+    if (!library)
+        return report(library.error());
+    auto prepared = prepare(request, *library);
+    if (!prepared)
+        return report(prepared.error());
+    warn(prepared->warnings);
+    auto offline = Offline::create(std::move(*prepared), request.size, request.fps);
+    if (!offline)
+        return report(offline.error());
+    const auto done = draw(arguments, *offline);
+    return done ? exit_done : report(done.error());
+}
+}  // namespace
+
+/// afterglow render LOOK -o OUT
+Command add_render(CLI::App& program) {
+    auto* command =
+        program.add_subcommand("render", "Draw a look from a fresh start on a fixed clock");
+    auto arguments = std::make_shared<Arguments>();
+    arguments->look.add_to(*command, LookOptions::Take::drawing);
+    command->add_option("-o,--output", arguments->output,
+                        "The picture's file, .png or .exr; with %04d in it every frame, the first 0000")
+        ->required();
+    command->add_option("--frames", arguments->frames,
+                        "Frames to draw; the last is the picture (default: what the look needs to settle)")
+        ->check(CLI::Range(1, 10000000));
+    command->add_option("--pass", arguments->pass, "This pass's target instead of the picture");
+    command->add_option("--all-passes", arguments->all_passes,
+                        "A folder for every pass's target as EXR, after the last frame");
+    return [arguments](const std::string& data) { return render(*arguments, data); };
+}

@@ -1,0 +1,33 @@
+#include "cli/cli.h"
+#include "cli/common.h"
+#include "cli/progress.h"
+#include "lab/sharing.h"
+
+#include <iostream>
+
+int render_instead_of_window(const std::string& look, const std::string& data) {
+    const auto library = open_library(data);
+    if (!library)
+        return report(library.error());
+    RenderRequest request;
+    request.look = look.empty() ? "phosphor" : look;
+    auto prepared = prepare(request, *library);
+    if (!prepared)
+        return report(prepared.error());
+    auto offline = Offline::create(std::move(*prepared), request.size, request.fps);
+    if (!offline)
+        return report(offline.error());
+    const int frames = offline->document().look().settle_frames;
+    Progress progress("render", frames);
+    for (int frame = 0; frame < frames; ++frame) {
+        offline->advance();
+        progress.show(frame + 1);
+    }
+    const auto file =
+        std::filesystem::absolute("afterglow-" + offline->document().look().id + ".png");
+    const auto saved = save_picture_with_preset(offline->picture(), offline->document(), file);
+    if (!saved)
+        return report(saved.error());
+    std::cout << "Rendered to " << file.string() << '\n';
+    return exit_done;
+}

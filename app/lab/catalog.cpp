@@ -1,0 +1,53 @@
+#include "lab/catalog.h"
+
+#include "base/text.h"
+#include "formats/look_format.h"
+#include "formats/preset_format.h"
+#include "signals/kinds.h"
+#include "signals/patterns.h"
+
+std::vector<CatalogEntry> list_looks(const Library& library) {
+    std::vector<CatalogEntry> entries;
+    for (const LookEntry& look : library.looks()) {
+        const LoadedLook loaded = load_look(look.folder, library.roots().shared_includes());
+        if (loaded.look)
+            entries.push_back({look.id, loaded.look->name, loaded.look->about, {}, look.folder});
+        else
+            entries.push_back({look.id, look.id, to_string(loaded.look.error().front()), {}, look.folder});
+    }
+    return entries;
+}
+
+std::vector<CatalogEntry> list_presets(const Library& library) {
+    std::vector<CatalogEntry> entries;
+    for (const LookEntry& look : library.looks())
+        for (const PresetEntry& entry : library.presets(look.id)) {
+            const auto preset = load_preset(entry.file);
+            if (preset)
+                entries.push_back({entry.name, preset->name, preset->about, look.id, entry.file});
+            else
+                entries.push_back(
+                    {entry.name, entry.name, to_string(preset.error().front()), look.id, entry.file});
+        }
+    return entries;
+}
+
+std::vector<CatalogEntry> list_signals() {
+    std::vector<CatalogEntry> entries;
+    for (const SignalKind& kind : signal_kinds()) {
+        std::string settings;
+        for (const SettingFacts& setting : kind.settings)
+            settings += (settings.empty() ? "" : ",") + setting.key + '=' +
+                        (setting.type == SettingType::number ? format_number(setting.initial)
+                                                               : setting.initial_word);
+        entries.push_back({kind.kind, kind.label, kind.help + " [" + settings + "]", {}, {}});
+    }
+    return entries;
+}
+
+std::vector<CatalogEntry> list_patterns() {
+    std::vector<CatalogEntry> entries;
+    for (const PatternFacts& pattern : all_patterns())
+        entries.push_back({pattern.name, pattern.label, pattern.help, {}, {}});
+    return entries;
+}

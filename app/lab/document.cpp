@@ -1,0 +1,136 @@
+#include "lab/document.h"
+
+#include <fmt/format.h>
+
+DocumentState initial_state(const Look& look) {
+    return {{}, look.default_signal.value_or(Spec{}), look.default_source, {}};
+}
+
+Document::Document(Look look)
+    : m_look(std::move(look)), m_undo(initial_state(m_look)), m_saved(m_undo.current()) {}
+
+bool Document::is_changed(const Parameter& parameter) const {
+    return value(parameter) != parameter.initial;
+}
+
+void Document::change(DocumentState next, std::string step_name, bool goes_on) {
+    next.values = changed_values(m_look, next.values);
+    m_undo.change(std::move(next), std::move(step_name), goes_on);
+}
+
+void Document::set_value(const std::string& name, Value value, bool goes_on) {
+    const Parameter* parameter = find_parameter(m_look, name);
+    if (!parameter)
+        return;
+    DocumentState next = state();
+    next.values[name] = clamped(*parameter, std::move(value));
+    change(std::move(next), parameter->label, goes_on);
+}
+
+void Document::reset(const std::vector<std::string>& names) {
+    DocumentState next = state();
+    for (const std::string& name : names)
+        next.values.erase(name);
+    const Parameter* first = names.size() == 1 ? find_parameter(m_look, names.front()) : nullptr;
+    change(std::move(next), first ? "Reset " + first->label : "Reset group");
+}
+
+void Document::reset_all() {
+    DocumentState next = state();
+    next.values.clear();
+    change(std::move(next), "Reset all");
+}
+
+void Document::set_signal(Spec signal, bool goes_on) {
+    DocumentState next = state();
+    next.signal = std::move(signal);
+    change(std::move(next), "Signal", goes_on);
+}
+
+void Document::set_source(std::string source) {
+    DocumentState next = state();
+    next.source = std::move(source);
+    change(std::move(next), "Source");
+}
+
+void Document::set_override(const std::string& pass, PassOverride override) {
+    DocumentState next = state();
+    if (override.is_empty())
+        next.overrides.erase(pass);
+    else
+        next.overrides[pass] = override;
+    change(std::move(next), "Pass " + pass);
+}
+
+void Document::clear_overrides() {
+    DocumentState next = state();
+    next.overrides.clear();
+    change(std::move(next), "Passes as written");
+}
+
+DocumentState Document::state_of(const Preset& preset) const {
+    DocumentState state = initial_state(m_look);
+    state.values = renamed_values(m_look, preset.values);
+    for (auto& [name, value] : state.values)
+        if (const Parameter* parameter = find_parameter(m_look, name))
+            value = clamped(*parameter, value);
+    state.values = changed_values(m_look, state.values);
+    if (preset.signal)
+        state.signal = *preset.signal;
+    if (!preset.source.empty())
+        state.source = preset.source;
+    return state;
+}
+
+void Document::take(const Preset& preset, const std::string& step_name) {
+    DocumentState next = state_of(preset);
+    next.overrides = state().overrides;
+    change(std::move(next), step_name);
+}
+
+void Document::replace_look(Look look) {
+    m_look = std::move(look);
+    const auto follow = [this](DocumentState& state) {
+        state.values = changed_values(m_look, renamed_values(m_look, state.values));
+    };
+    m_undo.rewrite(follow);
+    follow(m_saved);
+}
+
+void Document::open_preset(const Preset& preset, std::filesystem::path file) {
+    m_undo = Undo<DocumentState>(state_of(preset));
+    m_saved = m_undo.current();
+    set_identity(preset, std::move(file));
+}
+
+void Document::set_identity(Preset identity, std::filesystem::path file) {
+    m_identity = std::move(identity);
+    m_preset_file = std::move(file);
+}
+
+bool Document::is_modified() const {
+    DocumentState now = state();
+    now.overrides = m_saved.overrides;  // passes belong to the look, not to the preset
+    return now != m_saved;
+}
+
+Preset Document::preset() const {
+    Preset preset = m_identity;
+    preset.look = m_look.id;
+    preset.digest = look_digest(m_look);
+    preset.values = changed_values(m_look, values());
+    preset.signal.reset();
+    preset.source.clear();
+    if (m_look.driven_by == Driver::signal)
+        preset.signal = state().signal;
+    if (m_look.driven_by == Driver::picture)
+        preset.source = state().source;
+    return preset;
+}
+
+Preset Document::complete_preset() const {
+    Preset preset = this->preset();
+    for (const Parameter& parameter : m_look.parameters)
+        preset.values.try_emplace(parameter.name, parameter.initial);
+    return preset;
+}

@@ -1,0 +1,78 @@
+#include "lab/editor.h"
+
+#include "base/text.h"
+
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <cstring>
+#include <thread>
+
+extern char** environ;
+
+namespace {
+std::string variable(const char* name) {
+    const char* value = std::getenv(name);
+    return value ? std::string(trim(value)) : std::string();
+}
+
+bool is_one_of(std::string_view name, std::initializer_list<std::string_view> names) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::vector<std::string> with_place(const std::string& editor, const Location& place) {
+    std::vector<std::string> command;
+    for (const std::string_view word : split(editor, ' '))
+        if (!word.empty())
+            command.emplace_back(word);
+    const std::string name = std::filesystem::path(command.front()).filename();
+    const std::string file = place.file.string();
+    const int line = std::max(1, place.line);
+    if (is_one_of(name, {"code", "codium", "code-insiders", "cursor"})) {
+        command.emplace_back("--goto");
+        command.push_back(fmt::format("{}:{}", file, line));
+    } else if (is_one_of(name, {"subl", "zed", "hx", "helix", "micro", "atom"})) {
+        command.push_back(fmt::format("{}:{}", file, line));
+    } else if (name == "xdg-open") {
+        command.push_back(file);
+    } else {
+        command.push_back(fmt::format("+{}", line));
+        command.push_back(file);
+    }
+    if (is_one_of(name, {"vi", "vim", "nvim", "nano", "micro", "hx", "helix", "joe", "ne", "mg"}))
+        command.insert(command.begin(), {"x-terminal-emulator", "-e"});
+    return command;
+}
+}  // namespace
+
+Result<std::vector<std::string>> editor_command(const Location& place) {
+    if (place.file.empty())
+        return fail({{}, 0, "there is no file behind this"});
+    for (const char* name : {"VISUAL", "EDITOR"})
+        if (const std::string editor = variable(name); !editor.empty())
+            return with_place(editor, place);
+    return with_place("xdg-open", place);
+}
+
+Result<void> open_in_editor(const Location& place) {
+    const auto command = editor_command(place);
+    if (!command)
+        return fail(command.error());
+    std::vector<char*> arguments;
+    for (const std::string& word : *command)
+        arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    pid_t process = 0;
+    const int error = posix_spawnp(&process, arguments[0], nullptr, nullptr, arguments.data(), environ);
+    if (error != 0)
+        return fail({place.file, place.line,
+                     fmt::format("'{}' cannot be started ({}); set $VISUAL to your editor",
+                                 command->front(), std::strerror(error))});
+    std::thread([process] { waitpid(process, nullptr, 0); }).detach();
+    return {};
+}

@@ -1,0 +1,201 @@
+#include "lab/lab.h"
+
+#include "base/file.h"
+#include "formats/manifest_edit.h"
+#include "formats/preset_format.h"
+#include "formats/share_line.h"
+#include "io/picture_file.h"
+#include "lab/editor.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fs = std::filesystem;
+
+Extent PictureSize::extent(Extent view) const {
+    const Extent whole = follows_view ? view : fixed;
+    const auto side = [this](int length) {
+        return std::clamp(static_cast<int>(std::lround(length * scale)), 1, 16384);
+    };
+    return {side(whole.width), side(whole.height)};
+}
+
+Lab::Lab(Library library, std::unique_ptr<gpu::Context> worker)
+    : m_library(std::move(library)),
+      m_reloader(std::move(worker), m_library.roots().shared_includes()) {}
+
+fs::path Lab::media_folder() const {
+    if (m_document && !m_document->preset_file().empty())
+        return m_document->preset_file().parent_path();
+    return fs::current_path();
+}
+
+void Lab::say(std::string text, bool is_problem) {
+    m_notice = Notice{std::move(text), is_problem, is_problem ? 12.0 : 5.0};
+}
+
+void Lab::open(const std::string& argument) {
+    const auto request = resolve(argument, m_library);
+    if (succeeded(request))
+        open(*request);
+}
+
+void Lab::open(const OpenRequest& request) {
+    m_when_opened = {};
+    m_reloader.open(request);
+}
+
+void Lab::open_file(const fs::path& file) {
+    if (!is_sound_file(file)) {
+        open(file.string());
+        return;
+    }
+    if (!m_document || m_document->look().driven_by != Driver::signal) {
+        say("open a look that a signal drives first; then the sound will draw", true);
+        return;
+    }
+    Spec spec{"audio", {{"file", fs::absolute(file).string()}, {"mode", std::string("xy")}}};
+    const Spec& present = m_document->state().signal;
+    if (present.kind == "audio") {
+        const auto file_setting = spec.settings["file"];
+        spec = present;
+        spec.settings["file"] = file_setting;
+    }
+    m_document->set_signal(std::move(spec));
+    m_player.restart();
+    m_player.play();
+}
+
+void Lab::edit(const std::function<void(Document&)>& change) {
+    if (m_document)
+        change(*m_document);
+}
+
+void Lab::restart() {
+    m_player.restart();
+    if (m_renderer)
+        m_renderer->clear_history();
+    if (!m_player.is_playing())
+        m_player.step();
+}
+
+void Lab::set_picture_size(const PictureSize& size) {
+    m_picture_size = size;
+    m_picture_size.scale = std::clamp(size.scale, 0.25, 2.0);
+}
+
+void Lab::set_mouse(double x, double y) {
+    if (m_renderer)
+        m_renderer->set_mouse(x, y);
+}
+
+void Lab::cancel_replay() {
+    if (m_renderer)
+        m_renderer->cancel_replay();
+}
+
+void Lab::save_preset() {
+    if (!m_document)
+        return;
+    if (m_document->preset_file().empty()) {
+        say("give the preset a name first", true);
+        return;
+    }
+    if (!succeeded(::save_preset(m_document->preset_file(), m_document->preset())))
+        return;
+    m_document->mark_saved();
+    say("Saved '" + m_document->preset_name() + "'");
+}
+
+void Lab::save_preset_as(const std::string& name) {
+    if (!m_document)
+        return;
+    Preset preset = m_document->preset();
+    preset.name = name;
+    const auto file = m_library.save_preset(preset, name);
+    if (!succeeded(file))
+        return;
+    m_document->set_identity(preset, *file);
+    m_document->mark_saved();
+    m_reloader.watch_also({*file});
+    say("Saved '" + name + "'");
+}
+
+void Lab::rename_preset(const std::string& name) {
+    if (!m_document || m_document->preset_file().empty())
+        return;
+    const auto file = m_library.rename_preset(m_document->preset_file(), name);
+    if (!succeeded(file))
+        return;
+    Preset identity = m_document->identity();
+    identity.name = name;
+    m_document->set_identity(identity, *file);
+    m_reloader.watch_also({*file});
+    say("Renamed to '" + name + "'");
+}
+
+void Lab::duplicate_preset() {
+    if (!m_document || m_document->preset_file().empty())
+        return;
+    const auto file = m_library.duplicate_preset(m_document->preset_file());
+    if (succeeded(file))
+        open(file->string());
+}
+
+void Lab::delete_preset() {
+    if (!m_document || m_document->preset_file().empty())
+        return;
+    const fs::path file = m_document->preset_file();
+    if (!succeeded(m_library.delete_preset(file)))
+        return;
+    say("Deleted '" + m_document->preset_name() + "'; its values stay here until another look opens");
+    m_document->set_identity({}, {});
+    m_document->mark_saved(initial_state(m_document->look()));
+}
+
+std::string Lab::share_line() const {
+    return m_document ? ::share_line(m_document->complete_preset()) : std::string();
+}
+
+void Lab::paste(const std::string& line) {
+    const auto preset = parse_share_line(line);
+    if (!succeeded(preset))
+        return;
+    if (m_document && preset->look == m_document->look().id) {
+        m_document->take(*preset, "Paste");
+        return;
+    }
+    open(line);
+}
+
+void Lab::new_look(const std::string& id) {
+    const auto folder = m_library.new_look(id);
+    if (succeeded(folder))
+        open(OpenRequest{*folder, {}, {}});
+}
+
+void Lab::duplicate_look(const std::string& id) {
+    if (!m_document)
+        return;
+    const auto folder = m_library.duplicate_look(m_document->look().manifest.parent_path(), id);
+    if (!succeeded(folder))
+        return;
+    Preset present = m_document->preset();
+    present.look = id;
+    open(OpenRequest{*folder, present, {}});
+}
+
+void Lab::write_overrides() {
+    if (!m_document || m_document->state().overrides.empty())
+        return;
+    if (succeeded(::write_overrides(m_document->look().manifest, m_document->state().overrides))) {
+        m_document->clear_overrides();
+        say("Written to " + m_document->look().manifest.filename().string());
+    }
+}
+
+void Lab::open_in_editor(const Location& place) {
+    succeeded(::open_in_editor(place));
+}

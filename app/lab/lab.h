@@ -1,0 +1,130 @@
+#pragma once
+
+#include "lab/document.h"
+#include "lab/library.h"
+#include "lab/media.h"
+#include "lab/open.h"
+#include "lab/player.h"
+#include "lab/reloader.h"
+#include "lab/renderer.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// A diagnostic with the line of text that it speaks of.
+struct Problem {
+    Diagnostic diagnostic;
+    std::string source_line;
+};
+
+/// The picture's size, chosen apart from the window.
+struct PictureSize {
+    bool follows_view = true;
+    Extent fixed{1280, 720};
+    double scale = 1.0;  // 1/4 .. 2, of either
+
+    bool operator==(const PictureSize&) const = default;
+    Extent extent(Extent view) const;
+};
+
+/// Something that just happened and goes by ("Saved 'amber'").
+struct Notice {
+    std::string text;
+    bool is_problem = false;
+    double seconds_left = 6.0;
+};
+
+/// All that a person has open. Owns the parts and lets each frame run through them.
+class Lab {
+public:
+    /// `worker` is a context for the reloader's thread that shares with the current one.
+    Lab(Library library, std::unique_ptr<gpu::Context> worker);
+
+    const Library& library() const { return m_library; }
+    /// Null until a look has been opened.
+    const Document* document() const { return m_document ? &*m_document : nullptr; }
+    const Player& player() const { return m_player; }
+    /// Null until a look has drawn.
+    const Renderer* renderer() const { return m_renderer.get(); }
+    const std::vector<Problem>& problems() const { return m_problems; }
+    const std::optional<Notice>& notice() const { return m_notice; }
+    bool is_loading() const { return m_reloader.is_busy(); }
+    const PictureSize& picture_size() const { return m_picture_size; }
+    Extent picture_extent() const { return m_picture_size.extent(m_view); }
+    /// Folder that a relative path in the signal or source is looked for in.
+    std::filesystem::path media_folder() const;
+
+    // Verbs. Each shows its failure as a notice.
+    void open(const std::string& argument);
+    void open(const OpenRequest& request);
+    void open_file(const std::filesystem::path& file);  // dropped: a look, a preset or a sound
+    void edit(const std::function<void(Document&)>& change);
+    Player& transport() { return m_player; }
+    void restart();
+    void set_picture_size(const PictureSize& size);
+    void set_view(Extent view_pixels) { m_view = view_pixels; }
+    void set_mouse(double x, double y);
+    void save_preset();                             // over the open one
+    void save_preset_as(const std::string& name);
+    void rename_preset(const std::string& name);
+    void duplicate_preset();
+    void delete_preset();
+    std::string share_line() const;                 // "" when nothing is open
+    void paste(const std::string& line);
+    void new_look(const std::string& id);
+    void duplicate_look(const std::string& id);
+    void write_overrides();                         // into look.json
+    void open_in_editor(const Location& place);
+    void cancel_replay();
+    void say(std::string text, bool is_problem = false);
+
+    /// One turn: takes reloads in, lets time flow, draws what must be drawn.
+    void update(double wall_seconds);
+    /// Whether the next update has work to do without any event from outside.
+    bool is_moving() const;
+    /// Becomes readable when a watched file has changed; -1 where files cannot be watched.
+    int watch_descriptor() const { return m_reloader.descriptor(); }
+
+    /// Calls `then` once, when the look that is being opened has been read.
+    void when_opened(std::function<void(Lab&)> then) { m_when_opened = std::move(then); }
+    Document* mutable_document() { return m_document ? &*m_document : nullptr; }
+
+private:
+    void take_reload();
+    void apply(LoadedRequest loaded);
+    void open_document(Look look, const OpenRequest& request);
+    void load_images();
+    void show_problems(const Diagnostics& problems);
+    void apply_document();
+    void apply_signal();
+    void want(const Redraw& redraw);
+    void resize_picture();
+    void draw_picture(double wall_seconds);
+    void start_replay();
+    void extra_file_changed(const std::filesystem::path& file);
+    /// Says the first reason of a failure.
+    template <class T>
+    bool succeeded(const Result<T>& result) {
+        if (!result)
+            say(to_string(result.error().front()), true);
+        return result.has_value();
+    }
+
+    Library m_library;
+    std::optional<Document> m_document;
+    std::optional<DocumentState> m_applied;  // what player and renderer were last told
+    std::optional<Programs> m_programs;      // of the open look, as linked
+    Player m_player{Player::Sounding::heard};
+    std::unique_ptr<Renderer> m_renderer;
+    Reloader m_reloader;
+    std::vector<Problem> m_problems;
+    std::optional<Notice> m_notice;
+    PictureSize m_picture_size;
+    Extent m_view{1280, 720};
+    Extent m_drawn_extent;
+    std::optional<Redraw> m_wanted;  // what the paused picture still owes
+    std::function<void(Lab&)> m_when_opened;
+};

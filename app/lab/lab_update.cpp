@@ -1,0 +1,184 @@
+// The part of Lab that runs every turn: reloads in, time on, picture drawn.
+#include "base/file.h"
+#include "formats/preset_format.h"
+#include "io/picture_file.h"
+#include "lab/lab.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace fs = std::filesystem;
+
+void Lab::update(double wall_seconds) {
+    if (m_notice && (m_notice->seconds_left -= wall_seconds) <= 0.0)
+        m_notice.reset();
+    for (const fs::path& file : m_reloader.update())
+        extra_file_changed(file);
+    take_reload();
+    if (!m_document || !m_renderer)
+        return;
+    apply_document();
+    draw_picture(wall_seconds);
+}
+
+bool Lab::is_moving() const {
+    return m_player.is_playing() || is_loading() || m_notice ||
+           m_wanted || (m_renderer && m_renderer->replay().is_running());
+}
+
+void Lab::take_reload() {
+    if (auto loaded = m_reloader.take_finished())
+        apply(std::move(*loaded));
+}
+
+void Lab::show_problems(const Diagnostics& problems) {
+    m_problems.clear();
+    for (const Diagnostic& diagnostic : problems) {
+        Problem problem{diagnostic, {}};
+        if (diagnostic.line > 0)
+            if (const auto text = read_text(diagnostic.file)) {
+                const auto lines = split_lines(*text);
+                if (static_cast<std::size_t>(diagnostic.line) <= lines.size())
+                    problem.source_line = lines[static_cast<std::size_t>(diagnostic.line) - 1];
+            }
+        m_problems.push_back(std::move(problem));
+    }
+}
+
+void Lab::apply(LoadedRequest loaded) {
+    show_problems(loaded.problems);
+    if (!loaded.look || !loaded.programs)
+        return;  // the last good picture goes on
+    m_programs = std::move(*loaded.programs);
+    if (loaded.is_reload && m_document) {
+        m_document->replace_look(std::move(*loaded.look));
+        succeeded(m_renderer->replace(m_document->drawn_look(), *m_programs));
+    } else {
+        open_document(std::move(*loaded.look), loaded.request);
+    }
+    load_images();
+    m_applied.reset();
+    if (m_when_opened)
+        std::exchange(m_when_opened, {})(*this);
+}
+
+void Lab::open_document(Look look, const OpenRequest& request) {
+    m_document.emplace(std::move(look));
+    m_renderer = std::make_unique<Renderer>(m_document->drawn_look(), *m_programs);
+    m_drawn_extent = {};
+    m_player.restart();
+    m_player.play();
+    m_reloader.watch_also({request.preset_file});
+    if (!request.preset)
+        return;
+    m_document->open_preset(*request.preset, request.preset_file);
+    for (const Diagnostic& note :
+         compare_with_look(*request.preset, m_document->look(), request.preset_file))
+        m_problems.push_back({note, {}});
+}
+
+void Lab::load_images() {
+    for (const Image& image : m_document->look().images)
+        if (const auto picture = load_picture(image.file); succeeded(picture))
+            succeeded(m_renderer->set_image(image.name, *picture));
+}
+
+// Tells player and renderer what the person changed since last told.
+void Lab::apply_document() {
+    const DocumentState& state = m_document->state();
+    if (m_applied == state)
+        return;
+    const bool is_first = !m_applied;
+    std::vector<std::string> names;
+    for (const Parameter& parameter : m_document->look().parameters)
+        if (is_first || value_of(parameter, m_applied->values) != m_document->value(parameter))
+            names.push_back(parameter.name);
+    m_renderer->set_values(state.values);
+    Redraw redraw = redraw_after(m_document->look(), names);
+    if (is_first || m_applied->signal != state.signal) {
+        apply_signal();
+        redraw.needs_replay = true;
+    }
+    if (!is_first && m_applied->overrides != state.overrides) {
+        succeeded(m_renderer->replace(m_document->drawn_look(), *m_programs));
+        m_drawn_extent = {};
+    }
+    m_applied = state;
+    want(redraw);
+}
+
+void Lab::apply_signal() {
+    if (m_document->look().driven_by != Driver::signal)
+        return;
+    if (succeeded(m_player.set_signal(m_document->state().signal, media_folder())))
+        return;
+    if (m_player.signal() || !m_document->look().default_signal)
+        return;  // the last good signal goes on
+    succeeded(m_player.set_signal(*m_document->look().default_signal, media_folder()));
+}
+
+void Lab::want(const Redraw& redraw) {
+    if (!m_wanted) {
+        m_wanted = redraw;
+        return;
+    }
+    m_wanted->needs_replay = m_wanted->needs_replay || redraw.needs_replay;
+    for (std::size_t i = 0; i < redraw.passes.size() && i < m_wanted->passes.size(); ++i)
+        m_wanted->passes[i] = m_wanted->passes[i] || redraw.passes[i];
+}
+
+void Lab::resize_picture() {
+    const Extent extent = picture_extent();
+    if (extent == m_drawn_extent)
+        return;
+    m_drawn_extent = extent;
+    if (succeeded(m_renderer->resize(extent, extent)))
+        want({{}, true});
+}
+
+void Lab::draw_picture(double wall_seconds) {
+    resize_picture();
+    if (const auto frame = m_player.advance(wall_seconds)) {
+        m_wanted.reset();
+        m_renderer->cancel_replay();
+        m_renderer->draw(*frame, m_player.trace(frame->span));
+        return;
+    }
+    // Enough of each turn for a picture that follows the hand, and the window stays awake.
+    constexpr double seconds_a_turn = 0.012;
+    if (m_renderer->replay().is_running())
+        m_renderer->continue_replay(m_player, seconds_a_turn);
+    else if (m_wanted && m_wanted->needs_replay)
+        start_replay();
+    else if (m_wanted && !m_player.is_playing())
+        m_renderer->redraw(m_player, std::exchange(m_wanted, std::nullopt)->passes);
+}
+
+// While a knob is being turned only as much of the past is shown again as the hand can wait for.
+void Lab::start_replay() {
+    constexpr double patience_seconds = 0.2;
+    constexpr std::size_t fewest = 4;
+    const auto all = static_cast<std::size_t>(std::max(m_document->look().settle_frames, 1));
+    std::size_t frames = all;
+    if (m_document->history().is_in_gesture())
+        frames = std::clamp(static_cast<std::size_t>(patience_seconds / m_renderer->frame_seconds()),
+                            std::min(fewest, all), all);
+    m_renderer->start_replay(m_player, frames);
+    if (frames == all || m_renderer->replay().total < frames)
+        m_wanted.reset();  // else the rest is owed until the hand lets go
+}
+
+// The open preset was changed by another program.
+void Lab::extra_file_changed(const fs::path& file) {
+    if (!m_document || file != m_document->preset_file())
+        return;
+    const auto preset = load_preset(file);
+    if (!succeeded(preset) || *preset == m_document->preset())
+        return;
+    if (m_document->is_modified()) {
+        say("'" + m_document->preset_name() + "' has changed on disk; your own changes stay", true);
+        return;
+    }
+    m_document->take(*preset, "Preset changed on disk");
+    m_document->mark_saved();
+}

@@ -1,0 +1,204 @@
+#include "lab/library.h"
+
+#include "base/file.h"
+#include "base/text.h"
+#include "formats/preset_format.h"
+#include "io/atomic_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace fs = std::filesystem;
+
+namespace {
+std::vector<fs::path> sorted_entries(const fs::path& folder) {
+    std::vector<fs::path> entries;
+    std::error_code error;
+    for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
+        entries.push_back(it->path());
+    std::sort(entries.begin(), entries.end());
+    return entries;
+}
+
+Result<void> check_name(std::string_view name, const char* what) {
+    const auto is_fine = [](unsigned char c) {
+        return std::isalnum(c) || c >= 0x80 || std::string_view(" -_.()+").find(static_cast<char>(c)) !=
+                                                   std::string_view::npos;
+    };
+    if (name.empty() || name.size() > 100 || name.front() == '.' || trim(name) != name ||
+        !std::all_of(name.begin(), name.end(), is_fine))
+        return fail({{}, 0,
+                     fmt::format("'{}' cannot be the name of a {}: letters, digits, spaces and "
+                                 "-_.()+ make a name",
+                                 name, what)});
+    return {};
+}
+
+template <class Entry>
+void add_or_shadow(std::vector<Entry>& entries, Entry entry, std::string Entry::*key) {
+    const auto same = std::find_if(entries.begin(), entries.end(),
+                                   [&](const Entry& e) { return e.*key == entry.*key; });
+    if (same == entries.end())
+        entries.push_back(std::move(entry));
+    else
+        *same = std::move(entry);
+}
+}  // namespace
+
+std::vector<LookEntry> Library::looks() const {
+    std::vector<LookEntry> looks;
+    std::error_code error;
+    for (const fs::path& root : m_roots.all())
+        for (const fs::path& folder : sorted_entries(root / "shaders"))
+            if (fs::is_regular_file(folder / "look.json", error))
+                add_or_shadow(looks, {folder.filename(), folder, root == m_roots.user},
+                              &LookEntry::id);
+    return looks;
+}
+
+std::vector<PresetEntry> Library::presets(std::string_view look) const {
+    std::vector<PresetEntry> presets;
+    for (const fs::path& root : m_roots.all())
+        for (const fs::path& file : sorted_entries(root / "presets" / look))
+            if (file.extension() == ".json")
+                add_or_shadow(presets,
+                              {std::string(look), file.stem(), file, root == m_roots.user},
+                              &PresetEntry::name);
+    return presets;
+}
+
+std::optional<LookEntry> Library::find_look(std::string_view id) const {
+    for (LookEntry& look : looks())
+        if (look.id == id)
+            return look;
+    return std::nullopt;
+}
+
+std::optional<PresetEntry> Library::find_preset(std::string_view look, std::string_view name) const {
+    for (PresetEntry& preset : presets(look))
+        if (preset.name == name)
+            return preset;
+    return std::nullopt;
+}
+
+Result<fs::path> Library::preset_path(std::string_view look, std::string_view name) const {
+    if (auto fine = check_name(name, "preset"); !fine)
+        return fail(fine.error());
+    return m_roots.writable() / "presets" / look / (std::string(name) + ".json");
+}
+
+Result<fs::path> Library::save_preset(Preset preset, const std::string& name) const {
+    const auto file = preset_path(preset.look, name);
+    if (!file)
+        return file;
+    if (preset.name.empty())
+        preset.name = name;
+    if (auto saved = ::save_preset(*file, preset); !saved)
+        return fail(saved.error());
+    return *file;
+}
+
+Result<fs::path> Library::rename_preset(const fs::path& file, const std::string& name) const {
+    if (auto fine = check_name(name, "preset"); !fine)
+        return fail(fine.error());
+    const fs::path renamed = file.parent_path() / (name + ".json");
+    std::error_code error;
+    if (renamed == file)
+        return file;
+    if (fs::exists(renamed, error))
+        return fail({renamed, 0, "there is a preset of that name already"});
+    auto preset = load_preset(file);
+    if (!preset)
+        return fail(preset.error());
+    preset->name = name;
+    if (auto saved = ::save_preset(renamed, *preset); !saved)
+        return fail(saved.error());
+    fs::remove(file, error);
+    if (error)
+        return fail({file, 0, "the old file stays: " + error.message()});
+    return renamed;
+}
+
+Result<fs::path> Library::duplicate_preset(const fs::path& file) const {
+    auto preset = load_preset(file);
+    if (!preset)
+        return fail(preset.error());
+    for (int n = 2;; ++n) {
+        const std::string name = fmt::format("{} {}", file.stem().string(), n);
+        const auto copy = preset_path(preset->look, name);
+        std::error_code error;
+        if (copy && fs::exists(*copy, error))
+            continue;
+        preset->name = name;
+        return save_preset(std::move(*preset), name);
+    }
+}
+
+Result<void> Library::delete_preset(const fs::path& file) const {
+    std::error_code error;
+    if (!fs::remove(file, error))
+        return fail({file, 0, error ? error.message() : "there is no such file"});
+    return {};
+}
+
+Result<fs::path> Library::new_look_folder(const std::string& id) const {
+    if (auto fine = check_name(id, "look"); !fine)
+        return fail(fine.error());
+    if (find_look(id))
+        return fail({{}, 0, "there is a look called '" + id + "' already"});
+    const fs::path folder = m_roots.writable() / "shaders" / id;
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error)
+        return fail({folder, 0, error.message()});
+    return folder;
+}
+
+Result<fs::path> Library::duplicate_look(const fs::path& folder, const std::string& id) const {
+    const auto copy = new_look_folder(id);
+    if (!copy)
+        return copy;
+    std::error_code error;
+    fs::copy(folder, *copy, fs::copy_options::recursive, error);
+    if (error)
+        return fail({*copy, 0, error.message()});
+    return *copy;
+}
+
+Result<fs::path> Library::new_look(const std::string& id) const {
+    constexpr std::string_view manifest = R"({{
+  "format": "afterglow-look", "version": 1,
+  "name": "{}", "about": "", "author": "", "license": "",
+  "driven_by": "nothing",
+  "passes": [
+    {{ "name": "picture", "fragment": "picture.frag" }}
+  ]
+}}
+)";
+    constexpr std::string_view fragment = R"(#version 410 core
+// A first pass: rings that run outward. Display-encoded.
+uniform float u_time;
+uniform vec2 u_resolution;
+uniform float rings = 8.0;                   // @range 1 40  @label "Rings"
+uniform vec3 tint = vec3(0.2, 1.0, 0.3);     // @color  @label "Tint"
+in vec2 uv;
+out vec4 color;
+
+void main() {
+    vec2 centred = (uv - 0.5) * vec2(u_resolution.x / u_resolution.y, 1.0);
+    float wave = 0.5 + 0.5 * sin(6.2831853 * (rings * length(centred) - 0.5 * u_time));
+    color = vec4(tint * wave, 1.0);
+}
+)";
+    const auto folder = new_look_folder(id);
+    if (!folder)
+        return folder;
+    if (auto done = write_atomically(*folder / "picture.frag", fragment); !done)
+        return fail(done.error());
+    const std::string text = fmt::format(fmt::runtime(manifest), label_from_name(id));
+    if (auto done = write_atomically(*folder / "look.json", text); !done)
+        return fail(done.error());
+    return *folder;
+}

@@ -1,0 +1,165 @@
+#include "lab/offline.h"
+
+#include "base/text.h"
+#include "formats/describe.h"
+#include "formats/preset_format.h"
+#include "gpu/readback.h"
+#include "io/picture_file.h"
+#include "lab/source.h"
+
+#include <fmt/format.h>
+
+namespace {
+Result<void> apply_values(const RenderRequest& request, Document& document) {
+    Diagnostics problems;
+    for (const auto& [name, text] : request.values) {
+        const Parameter* parameter = find_parameter(document.look(), name);
+        if (!parameter) {
+            problems.push_back({{}, 0, fmt::format("'{}' has no parameter '{}'{}",
+                                                   document.look().id, name,
+                                                   did_you_mean(name, parameter_names(document.look())))});
+            continue;
+        }
+        auto value = parse_value(*parameter, text);
+        if (value)
+            document.set_value(name, std::move(*value));
+        else
+            problems.insert(problems.end(), value.error().begin(), value.error().end());
+    }
+    if (!problems.empty())
+        return fail(std::move(problems));
+    return {};
+}
+
+Result<void> apply_drive(const RenderRequest& request, Document& document) {
+    if (!request.signal.empty()) {
+        if (document.look().driven_by != Driver::signal)
+            return fail({{}, 0, "'" + document.look().id + "' is not driven by a signal"});
+        auto signal = parse_spec(request.signal);
+        if (!signal)
+            return fail(signal.error());
+        document.set_signal(std::move(*signal));
+    }
+    if (!request.source.empty()) {
+        if (document.look().driven_by != Driver::picture)
+            return fail({{}, 0, "'" + document.look().id + "' does not work on a picture"});
+        document.set_source(request.source);
+    }
+    return {};
+}
+}  // namespace
+
+Result<Prepared> prepare(const RenderRequest& request, const Library& library) {
+    const auto found = resolve(request.look, library);
+    if (!found)
+        return fail(found.error());
+    LoadedLook loaded = load_requested(*found, library);
+    if (!loaded.look)
+        return fail(std::move(loaded.look.error()));
+    Prepared prepared{Document(std::move(*loaded.look)), std::move(loaded.warnings),
+                      std::filesystem::current_path()};
+    std::optional<OpenRequest> preset;
+    if (!request.preset.empty()) {
+        auto named = resolve_preset(request.preset, prepared.document.look().id, library);
+        if (!named)
+            return fail(named.error());
+        preset = std::move(*named);
+    } else if (found->preset) {
+        preset = *found;
+    }
+    if (preset) {
+        const Look& look = prepared.document.look();
+        if (preset->preset->look != look.id)
+            return fail({preset->preset_file, 0,
+                         fmt::format("this preset is for '{}', not for '{}'", preset->preset->look,
+                                     look.id)});
+        const auto notes = compare_with_look(*preset->preset, look, preset->preset_file);
+        prepared.warnings.insert(prepared.warnings.end(), notes.begin(), notes.end());
+        auto values = fitted_values(look, *preset->preset, preset->preset_file);
+        if (!values)
+            return fail(values.error());
+        preset->preset->values = std::move(*values);
+        prepared.document.open_preset(*preset->preset, preset->preset_file);
+        if (request.signal.empty() && !preset->preset_file.empty())
+            prepared.media_folder = std::filesystem::absolute(preset->preset_file).parent_path();
+    }
+    if (auto done = apply_values(request, prepared.document); !done)
+        return fail(done.error());
+    if (auto done = apply_drive(request, prepared.document); !done)
+        return fail(done.error());
+    return prepared;
+}
+
+Result<Plan> plan_of(const Prepared& prepared, Extent size) {
+    return plan_targets(prepared.document.drawn_look(), size, size, prepared.document.values());
+}
+
+Result<std::string> describe(const Prepared& prepared, Extent size) {
+    const auto plan = plan_of(prepared, size);
+    if (!plan)
+        return fail(plan.error());
+    return describe_json(prepared.document.drawn_look(), *plan, prepared.document.values());
+}
+
+Offline::Offline(std::unique_ptr<gpu::Context> context, Document document, Programs programs,
+                 double fps)
+    : m_context(std::move(context)),
+      m_document(std::move(document)),
+      m_renderer(std::make_unique<Renderer>(m_document.drawn_look(), std::move(programs))),
+      m_player(std::make_unique<Player>()),
+      m_fps(fps) {}
+
+Result<Offline> Offline::create(Prepared prepared, Extent size, double fps) {
+    auto context = gpu::Context::headless();
+    if (!context)
+        return fail(context.error());
+    Look look = prepared.document.drawn_look();
+    auto programs = build_programs(look);
+    if (!programs)
+        return fail(programs.error());
+    Offline offline(std::move(*context), std::move(prepared.document), std::move(*programs), fps);
+    if (auto done = offline.m_renderer->resize(size, size); !done)
+        return fail(done.error());
+    offline.m_renderer->set_values(offline.m_document.values());
+    if (look.driven_by == Driver::signal)
+        if (auto done = offline.m_player->set_signal(offline.m_document.state().signal,
+                                                     prepared.media_folder);
+            !done)
+            return fail(done.error());
+    if (auto done = offline.load_pictures(prepared.media_folder, size); !done)
+        return fail(done.error());
+    return offline;
+}
+
+Result<void> Offline::load_pictures(const std::filesystem::path& media_folder, Extent size) {
+    const Look& look = executor().look();
+    if (look.driven_by == Driver::picture) {
+        const auto source = load_source(m_document.state().source, media_folder);
+        if (!source)
+            return fail(source.error());
+        if (auto done = m_renderer->resize(size, source->extent); !done)
+            return done;
+        if (auto done = m_renderer->set_source(*source); !done)
+            return done;
+    }
+    for (const Image& image : look.images) {
+        const auto picture = load_picture(image.file);
+        if (!picture)
+            return fail(picture.error());
+        if (auto done = m_renderer->set_image(image.name, *picture); !done)
+            return done;
+    }
+    return {};
+}
+
+void Offline::advance() {
+    const PlayedFrame frame = m_player->advance_fixed(m_fps);
+    m_renderer->draw(frame, m_player->trace(frame.span));
+}
+
+Picture Offline::picture(int pass) const {
+    Picture picture = gpu::read_picture(executor().target(pass));
+    const bool is_last = pass + 1 == static_cast<int>(executor().look().passes.size());
+    picture.encoding = is_last ? executor().look().output : Encoding::linear;
+    return picture;
+}

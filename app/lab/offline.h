@@ -1,0 +1,66 @@
+#pragma once
+
+#include "gpu/context.h"
+#include "lab/document.h"
+#include "lab/open.h"
+#include "lab/player.h"
+#include "lab/renderer.h"
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// What the command line asks to be drawn.
+struct RenderRequest {
+    std::string look;
+    std::string preset;                                       // "": none
+    std::vector<std::pair<std::string, std::string>> values;  // name or key, text
+    std::string signal;                                       // "": the preset's, else the look's
+    std::string source;
+    Extent size{1280, 720};
+    double fps = 60.0;
+};
+
+/// A look with its values and what drives it, ready to be drawn or described; needs no GL.
+struct Prepared {
+    Document document;
+    Diagnostics warnings;
+    std::filesystem::path media_folder;
+};
+Result<Prepared> prepare(const RenderRequest& request, const Library& library);
+
+/// The targets for a prepared look; needs no GL.
+Result<Plan> plan_of(const Prepared& prepared, Extent size);
+
+/// `describe`'s JSON.
+Result<std::string> describe(const Prepared& prepared, Extent size);
+
+/// Draws a look without a display, from a fresh start on a fixed clock: the same request gives the
+/// same pictures.
+class Offline {
+public:
+    /// Makes its own headless context.
+    static Result<Offline> create(Prepared prepared, Extent size, double fps);
+
+    /// Draws the next frame of the clock.
+    void advance();
+    std::int64_t frame_number() const { return m_player->frame_number(); }
+    std::vector<double> pass_milliseconds() { return m_renderer->pass_milliseconds(); }
+    const Executor& executor() const { return m_renderer->executor(); }
+    const Document& document() const { return m_document; }
+    const gpu::Context& context() const { return *m_context; }
+    /// The picture of a pass, row 0 on top; with the encoding that its values have.
+    Picture picture(int pass) const;
+    Picture picture() const { return picture(static_cast<int>(executor().look().passes.size()) - 1); }
+
+private:
+    Result<void> load_pictures(const std::filesystem::path& media_folder, Extent size);
+    Offline(std::unique_ptr<gpu::Context> context, Document document, Programs programs, double fps);
+
+    std::unique_ptr<gpu::Context> m_context;
+    Document m_document;
+    std::unique_ptr<Renderer> m_renderer;
+    std::unique_ptr<Player> m_player;
+    double m_fps;
+};

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "formats/look_format.h"
+#include "lab/library.h"
+#include "model/preset.h"
+
+#include <optional>
+#include <string>
+
+class CheckCache;
+
+/// What a person named on the command line or chose in the window, found but not yet read.
+struct OpenRequest {
+    std::filesystem::path look;    // folder or manifest
+    std::optional<Preset> preset;  // to be applied to it
+    std::filesystem::path preset_file;
+
+    bool operator==(const OpenRequest&) const = default;
+};
+
+/// Finds what `argument` means: a look's folder, manifest or name; a preset's file, PNG or line.
+/// Errors say what was looked for and what is nearest.
+Result<OpenRequest> resolve(const std::string& argument, const Library& library);
+
+/// A preset of the look by name, file, PNG or line.
+Result<OpenRequest> resolve_preset(const std::string& argument, const std::string& look,
+                                  const Library& library);
+
+/// Reads the look that a request names.
+LoadedLook load_requested(const OpenRequest& request, const Library& library);

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+/// How evenly the window's frames come: the wall time between the latest of them.
+class Pace {
+public:
+    static constexpr std::size_t length = 240;
+
+    /// A pause longer than a second (a resting window) is no frame.
+    void add(double wall_seconds);
+
+    /// Milliseconds, oldest first from start(), wrapping round.
+    const std::array<float, length>& milliseconds() const { return m_milliseconds; }
+    std::size_t start() const { return m_next; }
+    /// Over about the last half second; 0 while resting.
+    double frames_a_second() const { return m_seconds > 0.0 ? 1.0 / m_seconds : 0.0; }
+
+private:
+    std::array<float, length> m_milliseconds{};
+    std::size_t m_next = 0;
+    double m_seconds = 0.0;  // smoothed
+};

@@ -1,0 +1,87 @@
+#pragma once
+
+#include "base/diagnostic.h"
+#include "io/sound_output.h"
+#include "model/beam.h"
+#include "model/spec.h"
+#include "signals/clock.h"
+#include "signals/signal.h"
+
+#include <cstdint>
+#include <deque>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+/// One frame on the player's clock.
+struct PlayedFrame {
+    std::int64_t number = 0;  // from 1 after a restart
+    TimeSpan span;
+};
+
+/// The clock, and the signal that it runs over.
+class Player {
+public:
+    enum class Sounding { silent, heard };
+    /// Only where a person listens does a sound go to the machine's sound device.
+    explicit Player(Sounding sounding = Sounding::silent)
+        : m_is_heard(sounding == Sounding::heard) {}
+
+    /// Makes the signal of the spec the current one; a file that it names is read from `folder` when
+    /// its path is relative. On an error the old signal goes on.
+    Result<void> set_signal(const Spec& spec, const std::filesystem::path& folder);
+    const Signal* signal() const { return m_signal.get(); }
+    const std::shared_ptr<const Sound>& sound() const { return m_sound; }
+    /// Why a sound that should be heard is not; "" when all is well.
+    const std::string& silence() const { return m_silence; }
+
+    bool is_playing() const { return m_is_playing; }
+    double speed() const { return m_speed; }
+    double time() const { return m_time; }
+    std::int64_t frame_number() const { return m_frame; }
+    double level() const { return m_level; }
+
+    void play();
+    void pause();
+    void restart();
+    void seek(double seconds);
+    void set_speed(double speed);  // 0.01 .. 4
+    void set_level(double level);  // 0 .. 2, of the loudspeaker
+    /// The next advance() goes one frame of 1/60 s further, also while paused.
+    void step() { m_is_stepping = true; }
+
+    /// The frame that `wall_seconds` since the last call bring; none while paused or at the signal's end.
+    /// While a sound is heard its device is the clock.
+    std::optional<PlayedFrame> advance(double wall_seconds);
+    /// The frame of a fixed clock; time need not flow.
+    PlayedFrame advance_fixed(double fps);
+
+    Beam trace(const TimeSpan& span) const;
+
+    /// The latest frames, oldest first, for showing again what led to the present picture.
+    const std::deque<PlayedFrame>& past() const { return m_past; }
+
+private:
+    void play_sound(const Spec& spec, bool is_new_sound);
+    bool is_sound_the_clock() const;
+    double played_seconds(double wall_seconds);
+    PlayedFrame moved_to(double end);
+
+    static constexpr std::size_t frames_remembered = 1024;
+
+    std::unique_ptr<Signal> m_signal;
+    std::shared_ptr<const Sound> m_sound;  // shared with the sound device's thread
+    std::filesystem::path m_sound_file;
+    bool m_is_heard;
+    std::unique_ptr<SoundOutput> m_output;
+    std::string m_silence;
+    double m_speed = 1.0;
+    double m_level = 1.0;
+    double m_time = 0.0;
+    double m_heard = 0.0;       // s of the output when last asked
+    double m_heard_from = 0.0;  // s into the file where the output's sound begins
+    std::int64_t m_frame = 0;
+    bool m_is_playing = true;
+    bool m_is_stepping = false;
+    std::deque<PlayedFrame> m_past;
+};

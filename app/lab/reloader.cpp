@@ -1,0 +1,130 @@
+#include "lab/reloader.h"
+
+#include <algorithm>
+
+namespace fs = std::filesystem;
+
+Reloader::Reloader(std::unique_ptr<gpu::Context> context, fs::path shared_includes)
+    : m_shared_includes(std::move(shared_includes)), m_context(std::move(context)) {
+    if (auto watcher = FileWatcher::start())
+        m_watcher = std::make_unique<FileWatcher>(std::move(*watcher));
+    m_thread = std::thread([this] { run(); });
+}
+
+Reloader::~Reloader() {
+    {
+        const std::lock_guard lock(m_mutex);
+        m_is_ending = true;
+    }
+    m_wake.notify_all();
+    m_thread.join();
+}
+
+void Reloader::open(const OpenRequest& request) {
+    submit(request, false);
+}
+
+void Reloader::reload() {
+    if (m_request)
+        submit(*m_request, true);
+}
+
+void Reloader::submit(OpenRequest request, bool is_reload) {
+    m_request = request;
+    {
+        const std::lock_guard lock(m_mutex);
+        m_job = Job{std::move(request), is_reload, ++m_submitted};
+        m_finished.reset();
+    }
+    m_wake.notify_all();
+}
+
+std::vector<fs::path> Reloader::update() {
+    std::vector<fs::path> extra;
+    if (!m_watcher)
+        return extra;
+    bool is_look_changed = false;
+    for (const fs::path& file : m_watcher->take_changed()) {
+        if (std::find(m_look_files.begin(), m_look_files.end(), file) != m_look_files.end())
+            is_look_changed = true;
+        if (std::find(m_extra_files.begin(), m_extra_files.end(), file) != m_extra_files.end())
+            extra.push_back(file);
+    }
+    if (is_look_changed)
+        reload();
+    return extra;
+}
+
+void Reloader::watch_also(std::vector<fs::path> files) {
+    m_extra_files = std::move(files);
+    watch(m_look_files);
+}
+
+void Reloader::watch(const std::vector<fs::path>& files) {
+    m_look_files = files;
+    std::vector<fs::path> all = files;
+    all.insert(all.end(), m_extra_files.begin(), m_extra_files.end());
+    if (m_watcher)
+        m_watcher->watch(all);
+}
+
+std::optional<LoadedRequest> Reloader::take_finished() {
+    std::optional<LoadedRequest> finished;
+    {
+        const std::lock_guard lock(m_mutex);
+        finished.swap(m_finished);
+    }
+    if (finished)
+        watch(finished->files);
+    return finished;
+}
+
+bool Reloader::is_busy() const {
+    const std::lock_guard lock(m_mutex);
+    return m_completed != m_submitted || m_finished;
+}
+
+void Reloader::run() {
+    m_context->make_current();
+    warm_up();
+    std::unique_lock lock(m_mutex);
+    for (;;) {
+        m_wake.wait(lock, [this] { return m_is_ending || m_job; });
+        if (m_is_ending)
+            break;
+        const Job job = std::move(*m_job);
+        m_job.reset();
+        lock.unlock();
+        LoadedRequest loaded = load(job);
+        lock.lock();
+        m_completed = job.generation;
+        if (job.generation == m_submitted)  // else it is older than the newest text
+            m_finished = std::move(loaded);
+    }
+    lock.unlock();
+    m_finished.reset();
+    m_linked.reset();
+    m_context->release();
+}
+
+LoadedRequest Reloader::load(const Job& job) {
+    LoadedRequest loaded{job.request, job.is_reload, {}, {}, {}, {}};
+    LoadedLook read = load_look(job.request.look, m_shared_includes, &m_checks);
+    loaded.files = std::move(read.files);
+    loaded.problems = std::move(read.warnings);
+    if (!read.look) {
+        loaded.problems.insert(loaded.problems.begin(), read.look.error().begin(),
+                               read.look.error().end());
+        return loaded;
+    }
+    auto programs = build_programs(*read.look, m_linked ? &*m_linked : nullptr);
+    if (!programs) {
+        loaded.problems.insert(loaded.problems.begin(), programs.error().begin(),
+                               programs.error().end());
+        return loaded;
+    }
+    m_linked = *programs;
+    loaded.look = std::move(*read.look);
+    loaded.programs = std::move(*programs);
+    return loaded;
+}

@@ -1,0 +1,81 @@
+#pragma once
+
+#include "formats/look_format.h"
+#include "glsl/parameters.h"
+#include "gpu/context.h"
+#include "graph/programs.h"
+#include "io/file_watcher.h"
+#include "lab/open.h"
+
+#include <condition_variable>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+/// What became of one reading of a look.
+struct LoadedRequest {
+    OpenRequest request;
+    bool is_reload = false;  // of the look that is open already
+    std::optional<Look> look;
+    std::optional<Programs> programs;
+    Diagnostics problems;  // errors when look or programs are missing, else warnings
+    std::vector<std::filesystem::path> files;
+};
+
+/// Reads looks and links their programs on a thread of its own, and watches their files.
+class Reloader {
+public:
+    /// `context` shares objects with the drawing one; from now on it belongs to the reloader's thread.
+    Reloader(std::unique_ptr<gpu::Context> context, std::filesystem::path shared_includes);
+    ~Reloader();
+    Reloader(const Reloader&) = delete;
+    Reloader& operator=(const Reloader&) = delete;
+
+    /// Reads another look; what was under way is dropped.
+    void open(const OpenRequest& request);
+    /// Reads the open look again although no file changed.
+    void reload();
+    /// Looks at the watched files and submits the look again when one has changed.
+    /// Gives the watched extra files that changed (the open preset, a sound).
+    std::vector<std::filesystem::path> update();
+    /// Files besides the look's own that update() reports.
+    void watch_also(std::vector<std::filesystem::path> files);
+    /// The newest result, once; a result older than the newest submission never comes.
+    std::optional<LoadedRequest> take_finished();
+    bool is_busy() const;
+    /// Becomes readable when update() has something to see; -1 where files cannot be watched.
+    int descriptor() const { return m_watcher ? m_watcher->descriptor() : -1; }
+
+private:
+    struct Job {
+        OpenRequest request;
+        bool is_reload = false;
+        std::uint64_t generation = 0;
+    };
+
+    void submit(OpenRequest request, bool is_reload);
+    void watch(const std::vector<std::filesystem::path>& files);
+    void run();
+    LoadedRequest load(const Job& job);
+
+    std::filesystem::path m_shared_includes;
+    std::unique_ptr<gpu::Context> m_context;
+    std::unique_ptr<FileWatcher> m_watcher;
+    std::vector<std::filesystem::path> m_look_files;
+    std::vector<std::filesystem::path> m_extra_files;
+    std::optional<OpenRequest> m_request;
+
+    mutable std::mutex m_mutex;
+    std::condition_variable m_wake;
+    std::optional<Job> m_job;
+    std::optional<LoadedRequest> m_finished;
+    std::uint64_t m_submitted = 0;
+    std::uint64_t m_completed = 0;
+    bool m_is_ending = false;
+
+    CheckCache m_checks;      // the thread's
+    std::optional<Programs> m_linked;  // the thread's: what the next reading may reuse
+    std::thread m_thread;
+};

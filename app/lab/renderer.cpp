@@ -1,0 +1,63 @@
+#include "lab/renderer.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace {
+double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+}  // namespace
+
+Frame Renderer::frame_of(const PlayedFrame& played, const Beam& beam) const {
+    Frame frame;
+    frame.time = played.span.end;
+    frame.time_delta = played.span.seconds();
+    frame.number = played.number;
+    frame.mouse = m_mouse;
+    frame.samples = m_samples;
+    frame.beam = beam;
+    return frame;
+}
+
+void Renderer::draw(const PlayedFrame& played, const Beam& beam) {
+    const auto start = std::chrono::steady_clock::now();
+    ++m_samples;
+    m_executor.draw(frame_of(played, beam));
+    m_point_count = beam.size();
+    m_pass_milliseconds = m_executor.pass_milliseconds();
+    constexpr double smoothing = 0.1;
+    m_frame_seconds += smoothing * (seconds_since(start) - m_frame_seconds);
+}
+
+void Renderer::clear_history() {
+    m_samples = 0;
+    m_executor.clear_history();
+}
+
+void Renderer::redraw(const Player& player, const std::vector<bool>& passes) {
+    if (player.past().empty())
+        return;
+    const PlayedFrame& present = player.past().back();
+    m_executor.redraw(frame_of(present, player.trace(present.span)), passes);
+}
+
+void Renderer::start_replay(const Player& player, std::size_t frames) {
+    const std::size_t there = player.past().size();
+    m_replay = {0, std::min(frames, there)};
+    m_replay_first = there - m_replay.total;
+    if (m_replay.is_running())
+        clear_history();
+}
+
+bool Renderer::continue_replay(const Player& player, double seconds) {
+    const auto start = std::chrono::steady_clock::now();
+    while (m_replay.is_running() && seconds_since(start) < seconds) {
+        const PlayedFrame& frame = player.past()[m_replay_first + m_replay.done];
+        draw(frame, player.trace(frame.span));
+        ++m_replay.done;
+        if (!m_replay.is_running())
+            return true;
+    }
+    return false;
+}

@@ -1,0 +1,66 @@
+#include "lab/roots.h"
+
+#include <unistd.h>
+
+#include <cstdlib>
+
+namespace fs = std::filesystem;
+
+namespace {
+fs::path folder_from_environment(const char* name, const char* below_home) {
+    if (const char* folder = std::getenv(name); folder && *folder == '/')
+        return fs::path(folder) / "afterglow";
+    const char* home = std::getenv("HOME");
+    return fs::path(home && *home ? home : "/") / below_home / "afterglow";
+}
+
+bool holds_shaders(const fs::path& folder) {
+    std::error_code error;
+    return fs::is_directory(folder / "shaders", error);
+}
+
+std::vector<fs::path> candidates() {
+    std::vector<fs::path> folders;
+    std::error_code error;
+    const fs::path program = fs::read_symlink("/proc/self/exe", error);
+    for (fs::path folder = program.parent_path(); folder.has_relative_path();
+         folder = folder.parent_path()) {
+        folders.push_back(folder);
+        folders.push_back(folder / "share" / "afterglow");
+    }
+    folders.emplace_back(AFTERGLOW_SOURCE_DIR);
+    return folders;
+}
+
+bool is_writable(fs::path folder) {
+    std::error_code error;
+    while (!fs::exists(folder, error) && folder.has_relative_path())
+        folder = folder.parent_path();
+    return access(folder.c_str(), W_OK | X_OK) == 0;
+}
+}  // namespace
+
+fs::path Roots::writable() const {
+    return is_writable(program) ? program : user;
+}
+
+Result<Roots> find_roots(const std::optional<fs::path>& data) {
+    Roots roots;
+    roots.user = folder_from_environment("XDG_DATA_HOME", ".local/share");
+    roots.state = folder_from_environment("XDG_STATE_HOME", ".local/state");
+    const char* variable = std::getenv("AFTERGLOW_DATA");
+    if (data || (variable && *variable)) {
+        roots.program = data ? *data : fs::path(variable);
+        if (!holds_shaders(roots.program))
+            return fail({roots.program, 0, "holds no folder 'shaders', so it is no data folder"});
+        roots.program = fs::absolute(roots.program).lexically_normal();
+        return roots;
+    }
+    for (const fs::path& folder : candidates()) {
+        if (holds_shaders(folder)) {
+            roots.program = folder;
+            return roots;
+        }
+    }
+    return fail({{}, 0, "the looks were not found beside the program; name their folder with --data"});
+}

@@ -1,0 +1,127 @@
+#include "lab/session.h"
+
+#include "base/file.h"
+#include "io/atomic_file.h"
+
+#include <fmt/format.h>
+
+namespace fs = std::filesystem;
+
+namespace {
+fs::path session_file(const Roots& roots) {
+    return roots.state / "session.json";
+}
+
+SessionState session_state(const DocumentState& state, const Look& look, std::string step) {
+    SessionState saved{std::move(step), {}, state.overrides};
+    saved.preset.look = look.id;
+    saved.preset.values = state.values;
+    if (!state.signal.kind.empty())
+        saved.preset.signal = state.signal;
+    saved.preset.source = state.source;
+    return saved;
+}
+
+DocumentState document_state(const SessionState& saved, const Look& look) {
+    DocumentState state = initial_state(look);
+    state.values = changed_values(look, renamed_values(look, saved.preset.values));
+    for (auto& [name, value] : state.values)
+        if (const Parameter* parameter = find_parameter(look, name))
+            value = clamped(*parameter, value);
+    if (saved.preset.signal)
+        state.signal = *saved.preset.signal;
+    if (!saved.preset.source.empty())
+        state.source = saved.preset.source;
+    state.overrides = saved.overrides;
+    return state;
+}
+
+using Steps = std::vector<Undo<DocumentState>::Step>;
+
+std::vector<SessionState> session_states(const Steps& steps, const Look& look) {
+    std::vector<SessionState> states;
+    for (const auto& step : steps)
+        states.push_back(session_state(step.state, look, step.name));
+    return states;
+}
+
+Steps document_steps(const std::vector<SessionState>& states, const Look& look) {
+    Steps steps;
+    for (const SessionState& state : states)
+        steps.push_back({document_state(state, look), state.step});
+    return steps;
+}
+
+void restore_document(Document& document, const Session& session) {
+    const Look& look = document.look();
+    document.restore_history(Undo<DocumentState>::restored(document_steps(session.past, look),
+                                                           document_state(session.current, look),
+                                                           document_steps(session.future, look)));
+    document.set_identity(session.saved.preset, session.preset_file);
+    document.mark_saved(document_state(session.saved, look));
+}
+}  // namespace
+
+Session load_session(const Roots& roots, Diagnostics& warnings) {
+    const fs::path file = session_file(roots);
+    std::error_code error;
+    if (!fs::exists(file, error))
+        return {};
+    const auto text = read_text(file);
+    auto session = text ? parse_session(*text, file) : fail(text.error());
+    if (session)
+        return std::move(*session);
+    const fs::path aside = file.string() + ".damaged";
+    fs::rename(file, aside, error);
+    warnings.push_back(session.error().front());
+    warnings.push_back({aside, 0, "holds what could be kept of the last session", Severity::warning});
+    return {};
+}
+
+Result<void> save_session(const Roots& roots, const Session& session) {
+    return write_atomically(session_file(roots), session_to_json(session));
+}
+
+Session session_of(const Lab& lab, std::map<std::string, double> window) {
+    Session session;
+    session.window = std::move(window);
+    const PictureSize& size = lab.picture_size();
+    session.follows_view = size.follows_view;
+    session.fixed_size = size.fixed;
+    session.picture_scale = size.scale;
+    session.time = lab.player().time();
+    session.speed = lab.player().speed();
+    session.level = lab.player().level();
+    session.is_playing = lab.player().is_playing();
+    const Document* document = lab.document();
+    if (!document)
+        return session;
+    const Look& look = document->look();
+    session.look = look.manifest.string();
+    session.preset_file = document->preset_file().string();
+    session.saved = session_state(document->saved(), look, {});
+    session.saved.preset.name = document->identity().name;
+    session.saved.preset.about = document->identity().about;
+    session.saved.preset.author = document->identity().author;
+    session.current = session_state(document->state(), look, {});
+    session.past = session_states(document->history().past(), look);
+    session.future = session_states(document->history().future(), look);
+    return session;
+}
+
+void restore(Lab& lab, const Session& session) {
+    lab.set_picture_size({session.follows_view, session.fixed_size, session.picture_scale});
+    lab.transport().set_speed(session.speed);
+    lab.transport().set_level(session.level);
+    if (session.look.empty())
+        return;
+    lab.open(OpenRequest{session.look, {}, {}});
+    lab.when_opened([session](Lab& opened) {
+        restore_document(*opened.mutable_document(), session);
+        opened.transport().seek(session.time);
+        if (!session.is_playing) {
+            opened.transport().pause();
+            opened.transport().step();
+        }
+    });
+}

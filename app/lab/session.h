@@ -1,0 +1,16 @@
+#pragma once
+
+#include "formats/session_format.h"
+#include "lab/lab.h"
+
+/// The session of the last use; an empty one at the first. A damaged file is set aside, and the
+/// reason given as a warning.
+Session load_session(const Roots& roots, Diagnostics& warnings);
+
+Result<void> save_session(const Roots& roots, const Session& session);
+
+/// What is open now; `window` is what the window remembers of itself.
+Session session_of(const Lab& lab, std::map<std::string, double> window);
+
+/// Opens what was open, with its unsaved changes and undo, once its look has been read.
+void restore(Lab& lab, const Session& session);

@@ -1,0 +1,27 @@
+#include "lab/session_keeper.h"
+
+#include "lab/window_session.h"
+
+void SessionKeeper::update(Lab& lab, const WindowState& window) {
+    constexpr auto pause = std::chrono::seconds(1);
+    const auto now = std::chrono::steady_clock::now();
+    if (now - m_looked < pause || lab.is_loading())
+        return;
+    m_looked = now;
+    save(lab, window);
+}
+
+void SessionKeeper::save(Lab& lab, const WindowState& window) {
+    Session session = session_of(lab, remembered(window));
+    if (session.look.empty())
+        return;  // nothing was opened: what was saved before stays
+    // Time that flows is no change of its own; it goes along with one.
+    m_saved.time = session.time;
+    if (session == m_saved)
+        return;
+    const auto saved = save_session(m_roots, session);
+    if (!saved && !m_has_failed)
+        lab.say(to_string(saved.error().front()), true);
+    m_has_failed = !saved;
+    m_saved = std::move(session);
+}

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "lab/session.h"
+#include "lab/window_state.h"
+
+#include <chrono>
+
+/// Writes what is open a second after it last changed, so that a crash loses next to nothing.
+class SessionKeeper {
+public:
+    explicit SessionKeeper(Roots roots) : m_roots(std::move(roots)) {}
+
+    /// To be called every turn.
+    void update(Lab& lab, const WindowState& window);
+    void save(Lab& lab, const WindowState& window);
+
+private:
+    Roots m_roots;
+    Session m_saved;
+    std::chrono::steady_clock::time_point m_looked = std::chrono::steady_clock::now();
+    bool m_has_failed = false;  // said once
+};

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "lab/document.h"
+#include "model/picture.h"
+
+#include <filesystem>
+#include <string>
+
+/// The document as one line of text that holds every value.
+std::string share_line_of(const Document& document);
+
+/// Writes the document as a preset; `name` "" keeps the present one, or takes the file's.
+/// Only .json is a preset's file; a PNG comes from save_picture_with_preset.
+Result<void> write_preset(const Document& document, const std::string& name,
+                          const std::filesystem::path& file);
+
+/// Writes a picture; a PNG also carries the document as a preset, so that it opens as one.
+Result<void> save_picture_with_preset(const Picture& picture, const Document& document,
+                                      const std::filesystem::path& file);

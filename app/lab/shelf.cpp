@@ -1,0 +1,49 @@
+#include "lab/shelf.h"
+
+#include "formats/look_manifest.h"
+#include "formats/preset_format.h"
+
+namespace fs = std::filesystem;
+
+namespace {
+Shelf::Words read_look(const fs::path& file) {
+    std::vector<fs::path> files;
+    const auto look = load_manifest(file, files);
+    return look ? Shelf::Words{{}, look->name, look->about}
+                : Shelf::Words{{}, {}, to_string(look.error().front())};
+}
+
+Shelf::Words read_preset(const fs::path& file) {
+    const auto preset = load_preset(file);
+    return preset ? Shelf::Words{{}, preset->name, preset->about}
+                  : Shelf::Words{{}, {}, to_string(preset.error().front())};
+}
+}  // namespace
+
+const Shelf::Words& Shelf::words_of(const fs::path& file, bool is_look) {
+    std::error_code error;
+    const fs::file_time_type written = fs::last_write_time(file, error);
+    const auto known = m_words.find(file);
+    if (known != m_words.end() && known->second.written == written)
+        return known->second;
+    Words words = is_look ? read_look(file) : read_preset(file);
+    words.written = written;
+    return m_words[file] = words;
+}
+
+void Shelf::update(const Library& library, double wall_seconds) {
+    m_seconds_left -= wall_seconds;
+    if (m_seconds_left > 0.0)
+        return;
+    m_seconds_left = 1.0;
+    m_looks.clear();
+    for (const LookEntry& entry : library.looks()) {
+        const Words& words = words_of(entry.folder / "look.json", true);
+        ShelfLook look{entry, words.name.empty() ? entry.id : words.name, words.about, {}};
+        for (const PresetEntry& preset : library.presets(entry.id)) {
+            const Words& told = words_of(preset.file, false);
+            look.presets.push_back({preset, told.name.empty() ? preset.name : told.name, told.about});
+        }
+        m_looks.push_back(std::move(look));
+    }
+}

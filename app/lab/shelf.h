@@ -1,0 +1,46 @@
+#pragma once
+
+#include "lab/library.h"
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+/// A preset as a list shows it.
+struct ShelfPreset {
+    PresetEntry entry;
+    std::string name;
+    std::string about;  // or why it cannot be read
+};
+
+/// A look and its presets as a list shows them.
+struct ShelfLook {
+    LookEntry entry;
+    std::string name;
+    std::string about;
+    std::vector<ShelfPreset> presets;
+};
+
+/// The library as the window lists it: read about once a second, and only files that changed.
+class Shelf {
+public:
+    void update(const Library& library, double wall_seconds);
+    /// Reads the folders at the next update: something was just saved, renamed or deleted.
+    void refresh() { m_seconds_left = 0.0; }
+
+    const std::vector<ShelfLook>& looks() const { return m_looks; }
+    /// What a file says of itself: name and about; an empty name where it cannot be read.
+    struct Words {
+        std::filesystem::file_time_type written;
+        std::string name;
+        std::string about;
+    };
+
+private:
+    const Words& words_of(const std::filesystem::path& file, bool is_look);
+
+    double m_seconds_left = 0.0;
+    std::vector<ShelfLook> m_looks;
+    std::map<std::filesystem::path, Words> m_words;
+};

@@ -1,0 +1,107 @@
+#include "lab/views.h"
+
+#include "gpu/readback.h"
+
+#include <algorithm>
+
+Encoding encoding_of(const Look& look, int pass) {
+    return pass + 1 == static_cast<int>(look.passes.size()) ? look.output : Encoding::linear;
+}
+
+Result<Views> Views::make() {
+    auto viewer = Viewer::make();
+    if (!viewer)
+        return fail(viewer.error());
+    return Views(std::move(*viewer));
+}
+
+Views::Image Views::image_of(const std::optional<gpu::Canvas>& canvas) {
+    if (!canvas)
+        return {};
+    return {canvas->texture().handle(), canvas->texture().extent()};
+}
+
+Views::Image Views::thumbnail(std::size_t pass) const {
+    return pass < m_thumbnails.size() ? image_of(m_thumbnails[pass]) : Image{};
+}
+
+// Where there is no memory the view stays empty; the passes themselves are what needs it.
+bool Views::fit(std::optional<gpu::Canvas>& canvas, Extent extent) {
+    if (canvas && canvas->texture().extent() == extent)
+        return true;
+    canvas.reset();
+    if (extent.is_empty())
+        return false;
+    auto made = gpu::Canvas::make(extent, Format::rgba8);
+    if (made)
+        canvas.emplace(std::move(*made));
+    return made.has_value();
+}
+
+void Views::draw_part(const gpu::Texture& from, std::optional<gpu::Canvas>& to, Extent size,
+                      const PictureView& view, ViewOptions options) {
+    if (!fit(to, size))
+        return;
+    const Extent whole = from.extent();
+    const PicturePlace place = place_of(view, whole, size);
+    options.width = size.width / place.zoom;
+    options.height = size.height / place.zoom;
+    options.left = -place.left / place.zoom;
+    options.bottom = whole.height + place.top / place.zoom - options.height;
+    m_viewer.draw(from, *to, options);
+}
+
+void Views::draw_thumbnails(const Executor& executor, int height) {
+    const Look& look = executor.look();
+    m_thumbnails.resize(look.passes.size());
+    if (height <= 0)
+        return;
+    for (std::size_t pass = 0; pass < look.passes.size(); ++pass) {
+        const gpu::Texture& target = executor.target(static_cast<int>(pass));
+        const Extent whole = target.extent();
+        const int width = std::clamp(height * whole.width / std::max(whole.height, 1), height / 2,
+                                     height * 5 / 2);
+        if (fit(m_thumbnails[pass], {width, height}))
+            m_viewer.draw(target, *m_thumbnails[pass],
+                          {.encoding = encoding_of(look, static_cast<int>(pass))});
+    }
+}
+
+void Views::probe(const Executor& executor, const std::optional<Probe>& probe) {
+    m_probed.reset();
+    const auto pass = probe ? find_pass(executor.look(), probe->pass) : std::nullopt;
+    if (!pass)
+        return;
+    const gpu::Texture& target = executor.target(*pass);
+    if (probe->x >= 0 && probe->y >= 0 && probe->x < target.extent().width &&
+        probe->y < target.extent().height)
+        m_probed = gpu::read_pixel(target, probe->x, probe->y);
+}
+
+void Views::update(const Lab& lab, const WindowState& window) {
+    if (!lab.renderer() || lab.renderer()->executor().plan().targets.empty()) {
+        m_picture.reset();
+        m_inspected.reset();
+        m_thumbnails.clear();
+        m_probed.reset();
+        return;
+    }
+    const Executor& executor = lab.renderer()->executor();
+    const Look& look = executor.look();
+    const int last = static_cast<int>(look.passes.size()) - 1;
+    draw_part(executor.target(last), m_picture, window.views.picture, window.picture,
+              {.encoding = encoding_of(look, last)});
+    const bool is_whole = !window.is_picture_only;
+    draw_thumbnails(executor,
+                    is_whole && window.shows_strip ? window.views.thumbnail_height : 0);
+    const auto inspected = find_pass(look, window.inspected.pass);
+    if (inspected && is_whole && window.shows_inspector)
+        draw_part(executor.target(*inspected), m_inspected, window.views.inspector,
+                  window.inspected.view,
+                  {.exposure_stops = window.inspected.exposure,
+                   .channels = static_cast<ChannelChoice>(window.inspected.channels),
+                   .encoding = encoding_of(look, *inspected)});
+    else
+        m_inspected.reset();
+    probe(executor, window.probe);
+}

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "gpu/canvas.h"
+#include "graph/viewer.h"
+#include "lab/lab.h"
+#include "lab/window_state.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+/// What the window shows of the open look, ready for the screen: the picture and the inspected pass
+/// as they lie in their views, a thumbnail of each pass, and the numbers under the pointer.
+class Views {
+public:
+    static Result<Views> make();
+
+    /// Draws those that the window shows. To be called after Lab::update.
+    void update(const Lab& lab, const WindowState& window);
+
+    /// A texture as a toolkit takes it (row 0 at the bottom); 0: nothing to show yet.
+    struct Image {
+        std::uintptr_t handle = 0;
+        Extent extent;
+    };
+    Image picture() const { return image_of(m_picture); }
+    Image inspected() const { return image_of(m_inspected); }
+    Image thumbnail(std::size_t pass) const;
+    /// The stored numbers of WindowState::probe's pixel.
+    const std::optional<std::array<float, 4>>& probed() const { return m_probed; }
+
+private:
+    explicit Views(Viewer viewer) : m_viewer(std::move(viewer)) {}
+    static Image image_of(const std::optional<gpu::Canvas>& canvas);
+    bool fit(std::optional<gpu::Canvas>& canvas, Extent extent);
+    void draw_part(const gpu::Texture& from, std::optional<gpu::Canvas>& to, Extent size,
+                   const PictureView& view, ViewOptions options);
+    void draw_thumbnails(const Executor& executor, int height);
+    void probe(const Executor& executor, const std::optional<Probe>& probe);
+
+    Viewer m_viewer;
+    std::optional<gpu::Canvas> m_picture;
+    std::optional<gpu::Canvas> m_inspected;
+    std::vector<std::optional<gpu::Canvas>> m_thumbnails;
+    std::optional<std::array<float, 4>> m_probed;
+};
+
+/// The encoding that a pass's texels have.
+Encoding encoding_of(const Look& look, int pass);

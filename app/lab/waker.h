@@ -1,0 +1,23 @@
+#pragma once
+
+#include "io/descriptor.h"
+
+#include <functional>
+#include <thread>
+
+/// Wakes a sleeping window when a descriptor becomes readable, from a thread of its own.
+class Waker {
+public:
+    /// `wake` is called on the waker's thread. Does nothing for a descriptor of -1.
+    Waker(int descriptor, std::function<void()> wake);
+    ~Waker();
+    Waker(const Waker&) = delete;
+    Waker& operator=(const Waker&) = delete;
+
+private:
+    void run(int descriptor, const std::function<void()>& wake) const;
+
+    Descriptor m_stop_reader;
+    Descriptor m_stop_writer;  // closed to end the thread
+    std::thread m_thread;
+};

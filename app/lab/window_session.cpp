@@ -1,0 +1,71 @@
+#include "lab/window_session.h"
+
+#include <cmath>
+#include <initializer_list>
+#include <utility>
+
+namespace {
+constexpr std::initializer_list<std::pair<const char*, bool WindowState::*>> switches{
+    {"library", &WindowState::shows_library},   {"parameters", &WindowState::shows_parameters},
+    {"inspector", &WindowState::shows_inspector}, {"strip", &WindowState::shows_strip},
+    {"bottom", &WindowState::shows_bottom},     {"timings", &WindowState::shows_timings},
+    {"maximised", &WindowState::is_maximised}};
+
+constexpr std::initializer_list<std::pair<const char*, float PaneSizes::*>> sizes{
+    {"left_size", &PaneSizes::left},
+    {"right_size", &PaneSizes::right},
+    {"strip_size", &PaneSizes::strip},
+    {"bottom_size", &PaneSizes::bottom},
+    {"inspector_size", &PaneSizes::inspector}};
+
+// A number within its bounds, or nothing.
+std::optional<double> number(const std::map<std::string, double>& numbers, const char* name,
+                             double low, double high) {
+    const auto found = numbers.find(name);
+    if (found == numbers.end() || !(found->second >= low && found->second <= high))
+        return std::nullopt;
+    return found->second;
+}
+
+std::optional<int> whole(const std::map<std::string, double>& numbers, const char* name, double low,
+                         double high) {
+    const auto found = number(numbers, name, low, high);
+    return found ? std::optional(static_cast<int>(std::lround(*found))) : std::nullopt;
+}
+}  // namespace
+
+std::map<std::string, double> remembered(const WindowState& window) {
+    std::map<std::string, double> numbers{{"width", window.size.width},
+                                          {"height", window.size.height},
+                                          {"scale", window.scale}};
+    if (window.position) {
+        numbers["left"] = (*window.position)[0];
+        numbers["top"] = (*window.position)[1];
+    }
+    for (const auto& [name, is_on] : switches)
+        numbers[name] = window.*is_on ? 1.0 : 0.0;
+    for (const auto& [name, size] : sizes)
+        numbers[name] = static_cast<double>(window.panes.*size);
+    return numbers;
+}
+
+WindowState restored_window(const std::map<std::string, double>& numbers) {
+    WindowState window;
+    const auto width = whole(numbers, "width", 320.0, 16384.0);
+    const auto height = whole(numbers, "height", 240.0, 16384.0);
+    if (width && height)
+        window.size = {*width, *height};
+    const auto left = whole(numbers, "left", -32768.0, 32768.0);
+    const auto top = whole(numbers, "top", -32768.0, 32768.0);
+    if (left && top)
+        window.position = {*left, *top};
+    if (const auto scale = number(numbers, "scale", 0.75, 3.0))
+        window.scale = *scale;
+    for (const auto& [name, is_on] : switches)
+        if (const auto kept = number(numbers, name, 0.0, 1.0))
+            window.*is_on = *kept != 0.0;
+    for (const auto& [name, size] : sizes)
+        if (const auto kept = number(numbers, name, 60.0, 2000.0))
+            window.panes.*size = static_cast<float>(*kept);
+    return window;
+}

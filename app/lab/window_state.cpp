@@ -1,0 +1,46 @@
+#include "lab/window_state.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+constexpr std::array zooms{0.125, 0.25, 0.5,  1.0,  2.0,  3.0,  4.0, 6.0,
+                           8.0,   12.0, 16.0, 24.0, 32.0, 48.0, 64.0};
+}  // namespace
+
+double PictureView::zoom_for(Extent picture, Extent view) const {
+    if (fit == Fit::free || picture.is_empty() || view.is_empty())
+        return zoom;
+    const double all = std::min(static_cast<double>(view.width) / picture.width,
+                                static_cast<double>(view.height) / picture.height);
+    return fit == Fit::all ? all : std::max(1.0, std::floor(all));
+}
+
+void PictureView::zoom_about(double at_x, double at_y, double present, double next) {
+    x = std::clamp(at_x + (x - at_x) * present / next, 0.0, 1.0);
+    y = std::clamp(at_y + (y - at_y) * present / next, 0.0, 1.0);
+    zoom = next;
+    fit = Fit::free;
+}
+
+PicturePlace place_of(const PictureView& view, Extent picture, Extent size) {
+    const double zoom = view.zoom_for(picture, size);
+    // All of it is shown in the middle; only what is cut can be moved.
+    const auto start = [zoom](double middle, int pixels, int room) {
+        const double shown = pixels * zoom;
+        return std::round(shown <= room ? (room - shown) / 2 : room / 2.0 - middle * shown);
+    };
+    return {start(view.x, picture.width, size.width), start(view.y, picture.height, size.height), zoom};
+}
+
+double next_zoom(double zoom, bool is_in) {
+    constexpr double slack = 1e-6;
+    if (is_in) {
+        const auto above = std::find_if(zooms.begin(), zooms.end(),
+                                        [&](double step) { return step > zoom + slack; });
+        return above == zooms.end() ? zooms.back() : *above;
+    }
+    const auto below = std::find_if(zooms.rbegin(), zooms.rend(),
+                                    [&](double step) { return step < zoom - slack; });
+    return below == zooms.rend() ? zooms.front() : *below;
+}

@@ -1,0 +1,138 @@
+#pragma once
+
+#include "lab/folder.h"
+#include "model/extent.h"
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// How a picture lies in its view. The zoom is in device pixels of the screen a pixel of the picture.
+struct PictureView {
+    enum class Fit { whole, all, free };  // whole: the largest whole zoom that shows all, at least 1
+
+    Fit fit = Fit::whole;
+    double zoom = 1.0;  // when free
+    double x = 0.5;     // what lies in the middle, 0 left .. 1 right
+    double y = 0.5;     // 0 top .. 1 bottom
+
+    bool operator==(const PictureView&) const = default;
+    /// The zoom in force for a picture in a view, both in device pixels.
+    double zoom_for(Extent picture, Extent view) const;
+    /// Zooms to `next` so that the point of the picture at (at_x, at_y), 0..1, stays where it is.
+    void zoom_about(double at_x, double at_y, double present, double next);
+};
+
+/// The zoom one notch further in (or out): 1/8 1/4 1/2 1 2 3 4 6 8 12 16 24 32 48 64.
+double next_zoom(double zoom, bool is_in);
+
+/// Where a picture lies in a view: both in device pixels, from the top left.
+struct PicturePlace {
+    double left = 0.0;  // of the picture in the view; below 0 when it is cut there
+    double top = 0.0;
+    double zoom = 1.0;
+
+    /// The pixel of the picture under a point of the view.
+    std::array<double, 2> pixel_at(double x, double y) const {
+        return {(x - left) / zoom, (y - top) / zoom};
+    }
+};
+/// The picture's corner falls on a whole pixel of the view, so that 1:1 is 1:1.
+PicturePlace place_of(const PictureView& view, Extent picture, Extent size);
+
+/// What of a pass's numbers is shown.
+enum class Channels { color, red, green, blue, alpha, luminance };
+
+/// The pass that a person looks into, and how.
+struct PassView {
+    std::string pass;       // "": none
+    double exposure = 0.0;  // stops
+    Channels channels = Channels::color;
+    PictureView view{PictureView::Fit::all};
+
+    bool operator==(const PassView&) const = default;
+};
+
+/// A pixel under the pointer, from the top left.
+struct Probe {
+    std::string pass;
+    int x = 0;
+    int y = 0;
+
+    bool operator==(const Probe&) const = default;
+};
+
+/// Device pixels that the panels have for pictures.
+struct ViewSizes {
+    Extent picture;
+    Extent inspector;
+    int thumbnail_height = 0;
+};
+
+/// Widths and heights of the panes in pixels at a scale of 1.
+struct PaneSizes {
+    float left = 236.0f;
+    float right = 344.0f;
+    float strip = 118.0f;
+    float bottom = 150.0f;
+    float inspector = 330.0f;
+
+    bool operator==(const PaneSizes&) const = default;
+};
+
+/// What is asked or told above everything else.
+struct Dialog {
+    enum class Kind {
+        none,
+        open_file,
+        choose_file,  // for the parameter or signal in `subject`
+        save_picture,
+        save_preset_as,
+        rename_preset,
+        delete_preset,
+        new_look,
+        duplicate_look,
+        unsaved,  // another look is to be opened over changes
+        keys,
+        about,
+    };
+
+    Kind kind = Kind::none;
+    std::string text = {};               // a name or path as typed so far
+    std::filesystem::path folder = {};  // that is listed
+    std::vector<FolderEntry> entries = {};
+    std::string subject = {};           // what the answer is for
+    bool is_new = true;                 // has not been drawn yet
+
+    bool operator==(const Dialog&) const = default;
+};
+
+/// How a person has arranged the window, and what they look at. A value; the session keeps the
+/// arrangement.
+struct WindowState {
+    Extent size{1440, 900};  // screen coordinates
+    std::optional<std::array<int, 2>> position;
+    bool is_maximised = false;
+    double scale = 1.0;  // of text and controls, on top of the display's own
+
+    PaneSizes panes;
+    bool shows_library = true;
+    bool shows_parameters = true;
+    bool shows_inspector = true;
+    bool shows_strip = true;
+    bool shows_bottom = false;
+    bool shows_timings = false;  // in the bottom pane, instead of the problems
+    bool is_picture_only = false;
+
+    PictureView picture;
+    PassView inspected;
+    std::optional<Probe> probe;
+    ViewSizes views;
+    std::string search;  // among the parameters
+    bool is_searching = false;  // the search box is to have the keyboard
+    bool shows_only_changed = false;
+    Dialog dialog;
+    std::filesystem::path last_folder;
+};

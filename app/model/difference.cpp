@@ -1,0 +1,64 @@
+#include "model/difference.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace {
+int colour_channels(const Picture& picture) {
+    return std::min(picture.channels, 3);
+}
+
+float component(const Picture& picture, std::size_t pixel, int channel) {
+    const int own = std::min(channel, colour_channels(picture) - 1);
+    return picture
+        .pixels[pixel * static_cast<std::size_t>(picture.channels) + static_cast<std::size_t>(own)];
+}
+
+double distance(float a, float b) {
+    if (a == b || (std::isnan(a) && std::isnan(b)))
+        return 0.0;
+    const double apart = std::abs(static_cast<double>(a) - static_cast<double>(b));
+    return std::isnan(apart) ? std::numeric_limits<double>::infinity() : apart;
+}
+}  // namespace
+
+Result<Difference> difference_between(const Picture& first, const Picture& second,
+                                      double tolerance) {
+    if (first.extent != second.extent)
+        return fail({{},
+                     0,
+                     fmt::format("the sizes differ: {} x {} and {} x {} px", first.extent.width,
+                                 first.extent.height, second.extent.width, second.extent.height)});
+    Difference difference;
+    const int channels = std::max(colour_channels(first), colour_channels(second));
+    const auto width = static_cast<std::size_t>(first.extent.width);
+    const std::size_t pixels = width * static_cast<std::size_t>(first.extent.height);
+    double sum = 0.0;
+    double squares = 0.0;
+    std::size_t beyond = 0;
+    for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
+        double worst = 0.0;
+        for (int channel = 0; channel < channels; ++channel) {
+            const double apart =
+                distance(component(first, pixel, channel), component(second, pixel, channel));
+            sum += apart;
+            squares += apart * apart;
+            worst = std::max(worst, apart);
+        }
+        beyond += worst > tolerance ? 1 : 0;
+        if (worst > difference.largest) {
+            difference.largest = worst;
+            difference.largest_x = static_cast<int>(pixel % width);
+            difference.largest_y = static_cast<int>(pixel / width);
+        }
+    }
+    const double count = static_cast<double>(pixels) * channels;
+    difference.mean = sum / count;
+    difference.rms = std::sqrt(squares / count);
+    difference.psnr_db = -20.0 * std::log10(difference.rms);
+    difference.share_beyond = static_cast<double>(beyond) / static_cast<double>(pixels);
+    return difference;
+}

@@ -1,0 +1,189 @@
+"""The command line as a person's script sees it."""
+
+import json
+import wave
+
+from program import ProgramTest, main, read_png, run
+
+SMALL = ("--size", "96x64", "--frames", "4")
+
+
+class Listing(ProgramTest):
+    def test_everything_can_be_listed_as_text_and_json(self):
+        for what, one in (("looks", "phosphor"), ("presets", "article"), ("signals", "lissajous"),
+                          ("patterns", "smpte")):
+            result = run("list", what)
+            self.assert_done(result)
+            self.assertIn(one, result.stdout)
+            entries = json.loads(run("list", what, "--json").stdout)
+            self.assertIn(one, [entry["id"] for entry in entries])
+
+    def test_help_names_every_command(self):
+        result = run("--help")
+        self.assert_done(result)
+        for command in ("list", "render", "check", "describe", "preset", "compare", "bench"):
+            self.assertIn(command, result.stdout)
+
+
+class Rendering(ProgramTest):
+    def test_the_same_command_gives_the_same_bytes(self):
+        for name in ("a.png", "b.png"):
+            self.assert_done(run("render", "phosphor", *SMALL, "-o", self.folder / name))
+        self.assertEqual((self.folder / "a.png").read_bytes(), (self.folder / "b.png").read_bytes())
+
+    def test_a_picture_has_the_asked_size_and_shows_a_trace(self):
+        self.assert_done(run("render", "phosphor", *SMALL, "-o", self.folder / "a.png"))
+        width, height, rows = read_png(self.folder / "a.png")
+        self.assertEqual((width, height), (96, 64))
+        self.assertGreater(max(max(row) for row in rows), 100)
+
+    def test_a_sequence_is_numbered_from_0000_and_moves(self):
+        self.assert_done(run("render", "phosphor", *SMALL, "-o", self.folder / "f_%04d.png"))
+        names = sorted(file.name for file in self.folder.iterdir())
+        self.assertEqual(names, [f"f_{n:04d}.png" for n in range(4)])
+        self.assertNotEqual((self.folder / names[0]).read_bytes(), (self.folder / names[3]).read_bytes())
+
+    def test_a_frame_of_a_sequence_is_the_frame_asked_for_alone(self):
+        self.assert_done(run("render", "phosphor", *SMALL, "-o", self.folder / "f_%d.exr"))
+        self.assert_done(run("render", "phosphor", "--size", "96x64", "--frames", "3", "-o", self.folder / "x.exr"))
+        self.assert_done(run("compare", self.folder / "f_2.exr", self.folder / "x.exr", "--fail-above", "max=0"))
+
+    def test_a_parameter_changes_the_picture(self):
+        self.assert_done(run("render", "phosphor", *SMALL, "-o", self.folder / "a.png"))
+        self.assert_done(run("render", "phosphor", *SMALL, "--set", "exposure=6", "-o", self.folder / "b.png"))
+        self.assert_refused(run("compare", self.folder / "a.png", self.folder / "b.png", "--fail-above", "mean=0.001"))
+
+    def test_a_pass_and_all_passes_can_be_had(self):
+        self.assert_done(run("render", "phosphor", *SMALL, "--pass", "persistence", "--all-passes",
+                             self.folder / "all", "-o", self.folder / "p.exr"))
+        files = sorted(file.name for file in (self.folder / "all").iterdir())
+        self.assertEqual(files[1], "01_persistence.exr")
+        self.assert_done(run("compare", self.folder / "all" / files[1], self.folder / "p.exr", "--fail-above", "max=0"))
+
+    def test_a_sound_file_draws(self):
+        sound = self.folder / "tone.wav"
+        with wave.open(str(sound), "wb") as file:
+            file.setnchannels(2)
+            file.setsampwidth(2)
+            file.setframerate(48000)
+            file.writeframes(b"".join((20000 * (n % 100 < 50)).to_bytes(2, "little", signed=True) * 2
+                                      for n in range(4800)))
+        self.assert_done(run("render", "phosphor", *SMALL, "--signal", f"audio:{sound},mode=xy", "-o",
+                             self.folder / "a.png"))
+        self.assertGreater(max(max(row) for row in read_png(self.folder / "a.png")[2]), 100)
+
+    def test_mistakes_are_named(self):
+        out = self.folder / "x.png"
+        self.assert_refused(run("render", "fosphor", "-o", out), "did you mean 'phosphor'")
+        self.assert_refused(run("render", "phosphor", "-o", out, "--set", "dacay=1"), "did you mean 'decay'")
+        self.assert_refused(run("render", "phosphor", "-o", out, "--set", "decay=fast"), "decay")
+        self.assert_refused(run("render", "phosphor", "-o", out, "--pass", "bloom"), "has no pass 'bloom'")
+        self.assert_refused(run("render", "phosphor", "-o", out, "--signal", "lisajous"), "did you mean 'lissajous'")
+        self.assert_refused(run("render", "phosphor", "-o", self.folder / "x.gif", *SMALL), "x.gif")
+        for wrong in (("--size", "big"), ("--size", "0x5"), ("--fps", "0"), ("--frames", "-1"), ("--sett", "a=1")):
+            self.assert_refused(run("render", "phosphor", "-o", out, *wrong), code=2)
+        self.assert_refused(run("render", "phosphor"), code=2)
+        self.assert_refused(run("rendr", "phosphor", "-o", out), code=2)
+        self.assertFalse(out.exists())
+
+
+class Presets(ProgramTest):
+    def test_a_preset_travels_as_file_line_and_picture(self):
+        file, picture = self.folder / "mine.json", self.folder / "mine.png"
+        self.assert_done(run("preset", "phosphor", "--set", "decay=0.97", "--set", "beam_color=1,0.5,0.25",
+                             "--signal", "lissajous:x=5,y=4", "--name", "Mine", "-o", file))
+        preset = json.loads(file.read_text())
+        self.assertEqual(preset["values"], {"beam_color": [1, 0.5, 0.25], "decay": 0.97})
+        self.assertEqual(preset["signal"]["x"], 5)
+        self.assertEqual(list(preset["values"]), sorted(preset["values"]))
+
+        line = run("preset", file, "--line").stdout.strip()
+        self.assertTrue(line.startswith("afterglow:1:") and "\n" not in line)
+        self.assert_done(run("render", file, *SMALL, "-o", picture))
+        for source in (file, line, picture):
+            self.assert_done(run("render", source, *SMALL, "-o", self.folder / "again.exr"))
+            self.assert_done(run("render", "phosphor", *SMALL, "--set", "decay=0.97", "--set",
+                                 "beam_color=1,0.5,0.25", "--signal", "lissajous:x=5,y=4", "-o",
+                                 self.folder / "direct.exr"))
+            self.assert_done(run("compare", self.folder / "again.exr", self.folder / "direct.exr",
+                                 "--fail-above", "max=0"))
+
+    def test_every_shipped_preset_opens_without_a_warning(self):
+        for entry in json.loads(run("list", "presets", "--json").stdout):
+            result = run("describe", entry["file"], "--json")
+            self.assert_done(result)
+            self.assertEqual(result.stderr, "", entry["id"])
+
+    def test_values_of_parameters_that_are_gone_are_kept_and_told(self):
+        file = self.write("old.json", json.dumps({"format": "afterglow-preset", "version": 1, "look": "phosphor",
+                                                  "values": {"decay": 0.9, "dacay_red": 0.5}}))
+        result = run("preset", file, "-o", self.folder / "new.json")
+        self.assert_done(result)
+        self.assertIn("dacay_red", result.stderr)
+        self.assertEqual(json.loads((self.folder / "new.json").read_text())["values"]["dacay_red"], 0.5)
+
+
+class Describing(ProgramTest):
+    def test_the_frame_can_be_rebuilt_from_it(self):
+        document = json.loads(run("describe", "phosphor", "--json", "--size", "640x360").stdout)
+        passes = {one["name"]: one for one in document["passes"]}
+        self.assertEqual(list(passes), ["beam", "persistence", "bloom_x", "bloom_y", "composite"])
+        self.assertEqual((passes["bloom_x"]["width"], passes["bloom_x"]["height"]), (320, 180))
+        inputs = {one["name"]: one["from"] for one in passes["persistence"]["inputs"]}
+        self.assertEqual(inputs, {"current": "beam", "previous": "persistence@1"})
+        names = {one["name"] for one in document["parameters"]}
+        self.assertLessEqual({"decay", "bloom_intensity", "bloom_radius", "exposure", "aberration", "scanline_strength",
+                              "scanline_period", "curvature", "vignette", "graticule", "beam_width", "beam_color",
+                              "beam_gain", "ceiling"}, names)
+        decay = next(one for one in document["parameters"] if one["name"] == "decay")
+        self.assertEqual(decay["default"], 0.92)
+        for key in ("label", "unit", "group", "help", "min", "max", "scale", "passes"):
+            self.assertIn(key, decay)
+
+
+class Comparing(ProgramTest):
+    def ppm(self, name, *pixels):
+        return self.write(name, b"P6 %d 1 255\n" % len(pixels) + bytes(v for pixel in pixels for v in pixel))
+
+    def test_measures_follow_their_definitions(self):
+        a = self.ppm("a.ppm", (0, 0, 0), (255, 255, 255))
+        b = self.ppm("b.ppm", (51, 0, 0), (255, 255, 255))
+        measured = json.loads(run("compare", a, b, "--json").stdout)
+        self.assertAlmostEqual(measured["mean"], 0.2 / 6, places=6)
+        self.assertAlmostEqual(measured["rms"], (0.04 / 6) ** 0.5, places=6)
+        self.assertAlmostEqual(measured["max"], 0.2, places=6)
+        self.assertAlmostEqual(measured["share"], 0.5, places=6)
+        self.assertAlmostEqual(measured["psnr_db"], 21.7609, places=3)  # -10 log10(0.04 / 6)
+        self.assert_done(run("compare", a, b, "--fail-above", "max=0.21"))
+        self.assert_refused(run("compare", a, b, "--fail-above", "max=0.19"))
+        self.assert_refused(run("compare", a, b, "--fail-above", "loud=1"), code=2)
+
+    def test_other_sizes_and_missing_files_are_not_good(self):
+        a, b = self.ppm("a.ppm", (0, 0, 0)), self.ppm("b.ppm", (0, 0, 0), (0, 0, 0))
+        self.assert_refused(run("compare", a, b), "sizes differ")
+        self.assert_refused(run("compare", a, self.folder / "none.png"), "none.png")
+
+
+class Measuring(ProgramTest):
+    def test_bench_prints_what_a_frame_costs(self):
+        result = run("bench", "phosphor", "--size", "160x90", "--frames", "5", "--json")
+        self.assert_done(result)
+        document = json.loads(result.stdout)
+        self.assertGreater(document["frame"]["cpu_ms"], 0)
+        self.assertEqual(len(document["passes"]), 5)
+        self.assertEqual(document["draw_calls"], 5)
+        self.assertTrue(document["renderer"])
+
+
+class WithoutDisplay(ProgramTest):
+    def test_the_window_says_what_it_found_and_renders_instead(self):
+        result = run("phosphor", cwd=self.folder, XDG_STATE_HOME=self.folder)
+        self.assert_done(result)
+        self.assertIn("display", result.stderr.lower())
+        width, height, _ = read_png(self.folder / "afterglow-phosphor.png")
+        self.assertEqual((width, height), (1280, 720))
+        self.assertIn("afterglow-phosphor.png", result.stdout)
+
+
+if __name__ == "__main__":
+    main()

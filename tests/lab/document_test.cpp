@@ -1,0 +1,123 @@
+#include "lab/document.h"
+
+#include <doctest/doctest.h>
+
+namespace {
+Parameter knob(const std::string& name, double initial) {
+    Parameter parameter;
+    parameter.name = name;
+    parameter.label = label_from_name(name);
+    parameter.initial = Value(initial);
+    parameter.limit = Limit{0.0, 10.0};
+    return parameter;
+}
+
+Look small_look() {
+    Look look;
+    look.id = "small";
+    look.name = "Small";
+    look.driven_by = Driver::signal;
+    look.default_signal = Spec{"lissajous", {{"x", 3.0}}};
+    look.parameters = {knob("decay", 0.92), knob("exposure", 1.5)};
+    return look;
+}
+}  // namespace
+
+TEST_CASE("a drag is one step of undo") {
+    Document document(small_look());
+    document.set_value("decay", Value(0.5), true);
+    document.set_value("decay", Value(0.6), true);
+    document.set_value("decay", Value(0.7), true);
+    document.finish();
+    document.set_value("decay", Value(0.8), true);
+    document.finish();
+
+    document.undo();
+    CHECK(document.values().at("decay") == Value(0.7));
+    document.undo();
+    CHECK(document.values().empty());
+    document.redo();
+    CHECK(document.values().at("decay") == Value(0.7));
+}
+
+TEST_CASE("a value beyond the hard limit stops at it") {
+    Document document(small_look());
+    document.set_value("exposure", Value(1e9));
+    CHECK(document.values().at("exposure") == Value(10.0));
+    document.set_value("exposure", Value(std::nan("")));
+    CHECK(document.values().count("exposure") == 0);  // no number: the default
+}
+
+TEST_CASE("a value that is back at its default is no change") {
+    Document document(small_look());
+    document.set_value("decay", Value(0.5));
+    CHECK(document.is_modified());
+    document.set_value("decay", Value(0.92));
+    CHECK(document.values().empty());
+    CHECK_FALSE(document.is_modified());
+}
+
+TEST_CASE("reset takes back one, and all") {
+    Document document(small_look());
+    document.set_value("decay", Value(0.5));
+    document.set_value("exposure", Value(3.0));
+    document.reset({"decay"});
+    CHECK(document.values() == Values{{"exposure", Value(3.0)}});
+    CHECK(document.history().undo_name() == "Reset Decay");
+    document.reset_all();
+    CHECK(document.values().empty());
+    document.undo();
+    CHECK(document.values() == Values{{"exposure", Value(3.0)}});
+}
+
+TEST_CASE("an edited look keeps values, moves renamed ones and keeps what it lost, in all of undo") {
+    Document document(small_look());
+    document.set_value("decay", Value(0.5));
+    document.set_value("exposure", Value(3.0));
+    Look edited = small_look();
+    edited.parameters = {knob("persistence", 0.9)};
+    edited.parameters[0].was = "decay";
+    document.replace_look(edited);
+
+    CHECK(document.values() == Values{{"persistence", Value(0.5)}, {"exposure", Value(3.0)}});
+    CHECK(orphans(document.look(), document.values()) == std::vector<std::string>{"exposure"});
+    document.undo();
+    CHECK(document.values() == Values{{"persistence", Value(0.5)}});
+
+    document.replace_look(small_look());  // the uniform is back, under its old name
+    document.redo();
+    CHECK(document.values().at("exposure") == Value(3.0));
+}
+
+TEST_CASE("a preset opens unmodified, is marked once changed and keeps its name and orphans") {
+    Document document(small_look());
+    Preset preset;
+    preset.look = "small";
+    preset.name = "Night";
+    preset.values = {{"decay", Value(0.99)}, {"gone", Value(1.0)}};
+    document.open_preset(preset, "night.json");
+    CHECK_FALSE(document.is_modified());
+    CHECK(document.state().signal == *small_look().default_signal);
+    document.set_value("exposure", Value(2.0));
+    CHECK(document.is_modified());
+
+    const Preset saved = document.preset();
+    CHECK(saved.name == "Night");
+    CHECK(saved.values ==
+          Values{{"decay", Value(0.99)}, {"exposure", Value(2.0)}, {"gone", Value(1.0)}});
+    CHECK(saved.digest == look_digest(small_look()));
+    CHECK(document.complete_preset().values.size() == 3);
+}
+
+TEST_CASE("what a person overrode of a pass belongs to the look and not to the preset") {
+    Look look = small_look();
+    look.passes.resize(1);
+    look.passes[0].name = "beam";
+    Document document(look);
+    document.set_override("beam", {Format::r32f, 0.25, {}});
+    CHECK(document.drawn_look().passes[0].format == Format::r32f);
+    CHECK(document.drawn_look().passes[0].size[0].factor == 0.25);
+    CHECK_FALSE(document.is_modified());
+    document.undo();
+    CHECK(document.drawn_look() == look);
+}

@@ -1,0 +1,89 @@
+#include "lab/library.h"
+
+#include "formats/preset_format.h"
+
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <fstream>
+
+namespace fs = std::filesystem;
+
+namespace {
+/// Two empty roots in a folder of their own, gone at the end.
+class TemporaryRoots {
+public:
+    TemporaryRoots() {
+        std::string name = (fs::temp_directory_path() / "afterglow-library-XXXXXX").string();
+        m_folder = mkdtemp(name.data());
+        fs::create_directories(m_folder / "program" / "shaders" / "phosphor");
+        std::ofstream(m_folder / "program" / "shaders" / "phosphor" / "look.json") << "{}";
+    }
+    ~TemporaryRoots() { fs::remove_all(m_folder); }
+    Roots roots() const { return {m_folder / "program", m_folder / "user", m_folder / "state"}; }
+
+private:
+    fs::path m_folder;
+};
+
+Preset night() {
+    Preset preset;
+    preset.look = "phosphor";
+    preset.values = {{"decay", Value(0.9)}};
+    return preset;
+}
+}  // namespace
+
+TEST_CASE("a preset is saved under its look, listed, renamed, duplicated and deleted") {
+    const TemporaryRoots folder;
+    const Library library(folder.roots());
+    const auto file = library.save_preset(night(), "Night sky");
+    REQUIRE(file.has_value());
+    CHECK(*file == folder.roots().program / "presets" / "phosphor" / "Night sky.json");
+    REQUIRE(library.presets("phosphor").size() == 1);
+
+    const auto copy = library.duplicate_preset(*file);
+    REQUIRE(copy.has_value());
+    CHECK(copy->filename() == "Night sky 2.json");
+    const auto renamed = library.rename_preset(*file, "Dawn");
+    REQUIRE(renamed.has_value());
+    CHECK_FALSE(fs::exists(*file));
+    CHECK(load_preset(*renamed)->name == "Dawn");
+    CHECK(load_preset(*renamed)->values == night().values);
+
+    CHECK_FALSE(library.rename_preset(*copy, "Dawn").has_value());  // would overwrite
+    CHECK(library.delete_preset(*copy).has_value());
+    CHECK_FALSE(library.delete_preset(*copy).has_value());
+    CHECK(library.presets("phosphor").size() == 1);
+}
+
+TEST_CASE("a name that is no file's name is refused") {
+    const TemporaryRoots folder;
+    const Library library(folder.roots());
+    for (const char* name : {"", ".", "..", "../evil", "a/b", " a", "a\nb", ".hidden", "a\\b"})
+        CHECK_FALSE(library.save_preset(night(), name).has_value());
+    CHECK(library.save_preset(night(), "Grün 31 (soft)").has_value());
+}
+
+TEST_CASE("where the program's folder cannot be written, presets go to the person's own") {
+    const TemporaryRoots folder;
+    Roots roots = folder.roots();
+    roots.program = "/proc";  // never writable
+    const Library library(roots);
+    const auto file = library.save_preset(night(), "Night");
+    REQUIRE(file.has_value());
+    CHECK(*file == roots.user / "presets" / "phosphor" / "Night.json");
+    CHECK(library.presets("phosphor").front().is_own);
+}
+
+TEST_CASE("a look is duplicated with all its files, and not over another") {
+    const TemporaryRoots folder;
+    const Library library(folder.roots());
+    const auto look = library.find_look("phosphor");
+    REQUIRE(look.has_value());
+    const auto copy = library.duplicate_look(look->folder, "mine");
+    REQUIRE(copy.has_value());
+    CHECK(fs::exists(*copy / "look.json"));
+    CHECK_FALSE(library.duplicate_look(look->folder, "mine").has_value());
+    CHECK(library.looks().size() == 2);
+}

@@ -1,0 +1,246 @@
+// Phosphor against closed forms: what the passes hold, in numbers.
+#include "base/text.h"
+#include "gpu/readback.h"
+#include "lab/offline.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace fs = std::filesystem;
+
+namespace {
+/// Phosphor with its targets in 32-bit floats, fed by hand.
+class Tube {
+public:
+    explicit Tube(Values values, Extent extent = {128, 128}) : m_extent(extent) {
+        auto context = gpu::Context::headless();
+        REQUIRE(context.has_value());
+        m_context = std::move(*context);
+        LoadedLook loaded = load_look(fs::path(AFTERGLOW_SOURCE_DIR) / "shaders" / "phosphor",
+                                      fs::path(AFTERGLOW_SOURCE_DIR) / "shaders" / "include");
+        REQUIRE_MESSAGE(loaded.look.has_value(), (loaded.look ? "" : to_string(loaded.look.error())));
+        for (Pass& pass : loaded.look->passes)
+            pass.format = Format::rgba32f;
+        auto programs = build_programs(*loaded.look);
+        REQUIRE(programs.has_value());
+        m_renderer = std::make_unique<Renderer>(std::move(*loaded.look), std::move(*programs));
+        REQUIRE(m_renderer->resize(extent, extent).has_value());
+        m_renderer->set_values(values);
+    }
+
+    /// One frame of 1/fps that holds these points.
+    void draw(const Beam& beam, double fps = 60.0) {
+        ++m_number;
+        m_renderer->draw({m_number, frame_span(m_number, fps)}, beam);
+    }
+    void rest(int count, double fps = 60.0) {
+        for (int i = 0; i < count; ++i)
+            draw({}, fps);
+    }
+
+    Picture target(const char* pass) const {
+        const Executor& executor = m_renderer->executor();
+        return gpu::read_picture(executor.target(*find_pass(executor.look(), pass)));
+    }
+    /// A channel summed over all pixels.
+    double sum(const char* pass, std::size_t channel = 1) const {
+        const Picture picture = target(pass);
+        double sum = 0.0;
+        for (std::size_t i = channel; i < picture.pixels.size(); i += 4)
+            sum += static_cast<double>(picture.pixels[i]);
+        return sum;
+    }
+    double at(const char* pass, int x, int y, std::size_t channel = 1) const {
+        const Picture picture = target(pass);
+        return static_cast<double>(picture.pixels[picture.index(x, y) + channel]);
+    }
+
+    /// Enough of the beam everywhere that the phosphor is at its ceiling.
+    Beam flood() const {
+        Beam beam;
+        for (float y = -1.0f; y <= 1.0f; y += 0.04f)
+            for (float x = -1.0f; x <= 1.0f; x += 0.04f)
+                beam.push_back({x, y, 1e4f, 0.0f});
+        return beam;
+    }
+
+private:
+    Extent m_extent;
+    std::unique_ptr<gpu::Context> m_context;
+    std::unique_ptr<Renderer> m_renderer;
+    std::int64_t m_number = 0;
+};
+
+/// Everything off that would change a flat field in the composite.
+Values plain_glass() {
+    return {{"bloom_intensity", Value(0.0)}, {"scanline_strength", Value(0.0)},
+            {"graticule", Value(0.0)},       {"vignette", Value(0.0)},
+            {"curvature", Value(0.0)},       {"aberration", Value(0.0)},
+            {"corner_radius", Value(0.0)},   {"ambient_glass", Value(std::vector<double>{0, 0, 0})},
+            {"dither", Value(0.0)},          {"display_encode", Value(0.0)},
+            {"beam_color", Value(std::vector<double>{1, 1, 1})}};
+}
+
+Values with(Values values, const Values& more) {
+    for (const auto& [name, value] : more)
+        values[name] = value;
+    return values;
+}
+}  // namespace
+
+TEST_CASE("a decay of 0.95 per 1/60 s leaves 0.0461 after a second") {
+    Tube tube({{"decay", Value(0.95)}, {"beam_gain", Value(0.01)}});
+    tube.draw({{0.0f, 0.0f, 1.0f, 0.0f}});
+    const double before = tube.sum("persistence");
+    tube.rest(60);
+    CHECK(tube.sum("persistence") / before == doctest::Approx(std::pow(0.95, 60)).epsilon(0.001));
+    CHECK(std::pow(0.95, 60) == doctest::Approx(0.0461).epsilon(0.001));
+}
+
+TEST_CASE("a decay of 0.999 per 1/60 s is the same after 10 s at every frame rate") {
+    for (const int fps : {24, 60, 144, 240}) {
+        CAPTURE(fps);
+        Tube tube({{"decay", Value(0.999)}, {"beam_gain", Value(0.01)}}, {16, 16});
+        tube.draw({{0.0f, 0.0f, 1.0f, 0.0f}}, fps);
+        const double before = tube.sum("persistence");
+        tube.rest(10 * fps, fps);
+        CHECK(tube.sum("persistence") / before ==
+              doctest::Approx(std::pow(0.999, 600)).epsilon(0.01));
+    }
+}
+
+TEST_CASE("light laid down in a frame has faded by its age at the frame's end") {
+    Tube fresh({{"decay", Value(0.9)}, {"beam_gain", Value(0.01)}});
+    fresh.draw({{0.0f, 0.0f, 1.0f, 0.0f}});
+    Tube aged({{"decay", Value(0.9)}, {"beam_gain", Value(0.01)}});
+    aged.draw({{0.0f, 0.0f, 1.0f, 0.5f / 60.0f}});
+    CHECK(aged.sum("persistence") / fresh.sum("persistence") ==
+          doctest::Approx(std::sqrt(0.9)).epsilon(0.0001));
+}
+
+TEST_CASE("an even deposit leaves E (1 - d^(60 dt)) / (-60 ln d)") {
+    // 4096 points in a frame of 1/24 s, one unit of charge a second in all.
+    constexpr int count = 4096;
+    constexpr double seconds = 1.0 / 24.0;
+    constexpr double decay = 0.8;
+    Beam beam;
+    for (int i = 0; i < count; ++i)
+        beam.push_back({0.0f, 0.0f, static_cast<float>(seconds / count),
+                        static_cast<float>((i + 0.5) * seconds / count)});
+    Tube tube({{"decay", Value(decay)}});
+    tube.draw(beam, 24.0);
+    Tube unit({{"decay", Value(decay)}});
+    unit.draw({{0.0f, 0.0f, 1.0f, 0.0f}}, 24.0);
+    const double expected = (1.0 - std::pow(decay, 60.0 * seconds)) / (-60.0 * std::log(decay));
+    CHECK(tube.sum("persistence") / unit.sum("persistence") == doctest::Approx(expected).epsilon(0.001));
+}
+
+TEST_CASE("a still trace looks the same at 24, 48 and 144 frames a second") {
+    const auto persistence_at = [](int fps) {
+        auto roots = find_roots(fs::path(AFTERGLOW_SOURCE_DIR));
+        REQUIRE(roots.has_value());
+        RenderRequest request;
+        request.look = "phosphor";
+        request.values = {{"ceiling", "1000"}};
+        request.signal = "lissajous:x=3,y=2";
+        auto offline = Offline::create(*prepare(request, Library(*roots)), {256, 144}, fps);
+        REQUIRE(offline.has_value());
+        while (offline->frame_number() < fps / 4)
+            offline->advance();
+        return offline->picture(*find_pass(offline->executor().look(), "persistence"));
+    };
+    const Picture reference = persistence_at(48);
+    const float peak = *std::max_element(reference.pixels.begin(), reference.pixels.end());
+    CHECK(peak > 0.5f);
+    for (const int fps : {24, 144}) {
+        CAPTURE(fps);
+        const Picture other = persistence_at(fps);
+        float apart = 0.0f;
+        for (std::size_t i = 0; i < other.pixels.size(); ++i)
+            apart = std::max(apart, std::abs(other.pixels[i] - reference.pixels[i]));
+        CHECK(apart <= peak / 255.0f);
+    }
+}
+
+TEST_CASE("a point's light has the stated energy wherever it lies between pixels") {
+    for (const double width : {1.0, 2.0, 6.0}) {
+        for (const float shift : {0.0f, 0.25f, 0.5f}) {
+            CAPTURE(width);
+            CAPTURE(shift);
+            Tube tube({{"beam_width", Value(width)}, {"ceiling", Value(1000.0)}}, {256, 256});
+            const float px = 2.0f / 256.0f;
+            tube.draw({{shift * px, 0.3f * shift * px, 1.0f, 0.0f}});
+            const double scaled = width * 256.0 / 512.0;
+            const double energy =
+                0.7 * scaled * scaled * std::numbers::pi * (1.0 / 28.0 + 0.3 / 8.0);
+            CHECK(tube.sum("beam") == doctest::Approx(energy).epsilon(0.01));  // green is 1
+            CHECK(tube.sum("beam", 0) == doctest::Approx(0.2 * energy).epsilon(0.01));
+        }
+    }
+}
+
+TEST_CASE("one lit spot keeps its energy through the bloom") {
+    Tube tube({{"beam_width", Value(2.0)}, {"ceiling", Value(1000.0)}}, {256, 256});
+    tube.draw({{0.1f, -0.2f, 1.0f, 0.0f}});
+    constexpr double pixels_a_texel = 4.0;  // half size
+    CHECK(tube.sum("bloom_y") * pixels_a_texel ==
+          doctest::Approx(tube.sum("persistence")).epsilon(0.01));
+}
+
+TEST_CASE("the bloom has the stated sigma") {
+    Tube tube({{"bloom_radius", Value(3.0)}, {"bloom_sigma", Value(1.64)}, {"bloom_taps", Value(25.0)},
+               {"ceiling", Value(1000.0)}, {"beam_width", Value(1.0)}},
+              {512, 512});
+    const float centre = 1.0f / 512.0f;
+    tube.draw({{centre, centre, 1.0f, 0.0f}});
+    const Picture bloom = tube.target("bloom_y");
+    double sum = 0.0;
+    double squares = 0.0;
+    double mean = 0.0;
+    for (int y = 0; y < bloom.extent.height; ++y)
+        for (int x = 0; x < bloom.extent.width; ++x) {
+            const double light = static_cast<double>(bloom.pixels[bloom.index(x, y) + 1]);
+            sum += light;
+            mean += light * x;
+            squares += light * x * x;
+        }
+    mean /= sum;
+    const double sigma = std::sqrt(squares / sum - mean * mean);
+    CHECK(sigma == doctest::Approx(1.64 * 3.0).epsilon(0.03));  // half-size px at 512 lines
+}
+
+TEST_CASE("the phosphor saturates at its ceiling and keeps its hue") {
+    Tube tube({{"ceiling", Value(2.5)}});
+    tube.draw(tube.flood());
+    CHECK(tube.at("persistence", 64, 64, 1) == doctest::Approx(2.5).epsilon(1e-5));
+    CHECK(tube.at("persistence", 64, 64, 0) == doctest::Approx(0.5).epsilon(1e-4));
+}
+
+TEST_CASE("Reinhard of 2.5 at an exposure of 1.5 is 0.7895") {
+    Tube tube(plain_glass());
+    tube.draw(tube.flood());
+    CHECK(tube.at("composite", 64, 64) == doctest::Approx(3.75 / 4.75).epsilon(1e-4));
+    CHECK(3.75 / 4.75 == doctest::Approx(0.7895).epsilon(1e-4));
+}
+
+TEST_CASE("display encoding is the piecewise sRGB curve, once") {
+    Tube tube(with(plain_glass(), {{"display_encode", Value(1.0)}}));
+    tube.draw(tube.flood());
+    CHECK(tube.at("composite", 64, 64) ==
+          doctest::Approx(1.055 * std::pow(3.75 / 4.75, 1.0 / 2.4) - 0.055).epsilon(1e-4));
+}
+
+TEST_CASE("scanlines leave a mean of 1 - strength / 2 over whole periods") {
+    for (const double period : {4.0, 8.0}) {
+        CAPTURE(period);
+        Tube flat(plain_glass());
+        flat.draw(flat.flood());
+        Tube lined(with(plain_glass(), {{"scanline_strength", Value(0.3)},
+                                        {"scanline_period", Value(period)}}));
+        lined.draw(lined.flood());
+        CHECK(lined.sum("composite") / flat.sum("composite") == doctest::Approx(0.85).epsilon(0.005));
+        CHECK(lined.at("composite", 64, 64) != doctest::Approx(lined.at("composite", 64, 66)));
+    }
+}
