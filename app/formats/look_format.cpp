@@ -1,0 +1,85 @@
+#include "formats/look_format.h"
+
+#include "formats/look_manifest.h"
+#include "glsl/include.h"
+#include "glsl/parameters.h"
+#include "model/plan.h"
+
+#include <map>
+
+namespace fs = std::filesystem;
+
+namespace {
+// Loads each file once, however many passes use it, and tells its mistakes once.
+class StageLoader {
+public:
+    StageLoader(IncludeRoots roots, std::vector<fs::path>& files)
+        : m_roots(std::move(roots)), m_files(files) {}
+
+    Stage load(const fs::path& file) {
+        const auto known = m_stages.find(file);
+        if (known != m_stages.end())
+            return known->second;
+        auto stage = load_stage(file, m_roots, m_files);
+        if (!stage)
+            problems.insert(problems.end(), stage.error().begin(), stage.error().end());
+        return m_stages[file] = stage ? std::move(*stage) : Stage{};
+    }
+
+    Diagnostics problems;
+
+private:
+    IncludeRoots m_roots;
+    std::vector<fs::path>& m_files;
+    std::map<fs::path, Stage> m_stages;
+};
+
+Diagnostics load_stages(Look& look, const fs::path& shared, std::vector<fs::path>& files) {
+    StageLoader loader({look.manifest.parent_path(), shared}, files);
+    for (Pass& pass : look.passes) {
+        pass.fragment = loader.load(pass.fragment.file);
+        pass.vertex =
+            pass.vertex.file.empty() ? fullscreen_vertex_stage() : loader.load(pass.vertex.file);
+    }
+    return std::move(loader.problems);
+}
+
+// Expressions for sizes speak of parameters, which are known last; any usual size tells their
+// mistakes.
+Diagnostics check_sizes(const Look& look) {
+    constexpr Extent viewport{1280, 720};
+    constexpr Extent source{640, 480};
+    const auto plan = plan_targets(look, viewport, source, {});
+    return plan ? Diagnostics{} : plan.error();
+}
+
+Result<Look> read_look(const fs::path& manifest, const fs::path& shared, CheckCache* cache,
+                       LoadedLook& loaded) {
+    auto look = load_manifest(manifest, loaded.files);
+    if (!look)
+        return look;
+    Diagnostics problems = load_stages(*look, shared, loaded.files);
+    if (!problems.empty())
+        return fail(std::move(problems));
+    auto parameters = find_parameters(*look, cache, loaded.warnings);
+    if (!parameters)
+        return fail(std::move(parameters.error()));
+    look->parameters = std::move(*parameters);
+    problems = check_sizes(*look);
+    if (!problems.empty())
+        return fail(std::move(problems));
+    return look;
+}
+}  // namespace
+
+LoadedLook load_look(const fs::path& folder_or_manifest, const fs::path& shared_includes,
+                     CheckCache* cache) {
+    std::error_code error;
+    const bool is_folder = fs::is_directory(folder_or_manifest, error);
+    const fs::path manifest = is_folder ? folder_or_manifest / "look.json" : folder_or_manifest;
+    LoadedLook loaded;
+    loaded.look = read_look(manifest, shared_includes, cache, loaded);
+    if (loaded.look)
+        loaded.look->files = loaded.files;
+    return loaded;
+}

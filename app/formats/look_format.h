@@ -1,0 +1,23 @@
+#pragma once
+
+#include "base/diagnostic.h"
+#include "model/look.h"
+
+#include <filesystem>
+#include <vector>
+
+class CheckCache;
+
+/// A look as it was read, or why it was not.
+struct LoadedLook {
+    Result<Look> look;
+    std::vector<std::filesystem::path>
+        files;  // read, or missed: what a watcher watches, also on failure
+    Diagnostics warnings;
+};
+
+/// Reads a look: its manifest, its shaders with their includes, and its parameters, all checked.
+/// `folder_or_manifest` is the look's folder or its look.json; `shared_includes` the program's
+/// shaders/include. With a cache, shaders that did not change are not checked again.
+LoadedLook load_look(const std::filesystem::path& folder_or_manifest,
+                     const std::filesystem::path& shared_includes, CheckCache* cache = nullptr);

@@ -1,0 +1,156 @@
+#include "formats/look_format.h"
+
+#include "glsl/check_cache.h"
+#include "io/temporary_folder.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+namespace fs = std::filesystem;
+
+namespace {
+const fs::path source_tree = AFTERGLOW_SOURCE_DIR;
+
+constexpr std::string_view manifest = R"({
+  "format": "afterglow-look", "version": 1, "name": "Small",
+  "passes": [
+    { "name": "first", "fragment": "fill.frag", "rename": { "gain": "first_gain" } },
+    { "name": "last", "fragment": "fill.frag", "size": ["$WIDTH", "$HEIGHT / $lines"],
+      "set": { "tint": [1, 0, 0] } }
+  ]
+}
+)";
+
+constexpr std::string_view fragment =
+    "#version 410 core\n"
+    "#include \"light.glsl\"\n"
+    "uniform float gain = 1.5;  // @range 0 4\n"
+    "uniform int lines = 2;\n"
+    "uniform vec3 tint = vec3(1);\n"
+    "in vec2 uv;\n"
+    "out vec4 color;\n"
+    "void main() { color = vec4(light(tint) * gain * float(lines), uv); }\n";
+
+class SmallLook {
+public:
+    SmallLook() {
+        folder.write("small/look.json", manifest);
+        folder.write("small/fill.frag", fragment);
+        folder.write("shared/light.glsl", "vec3 light(vec3 value) { return value; }\n");
+    }
+
+    LoadedLook load(const fs::path& name = "small") {
+        return load_look(folder / name, folder / "shared");
+    }
+
+    // All errors, with the folder's name cut off.
+    std::string errors() {
+        const LoadedLook loaded = load();
+        REQUIRE_FALSE(loaded.look.has_value());
+        std::string all;
+        for (Diagnostic reason : loaded.look.error()) {
+            reason.file = fs::relative(reason.file, folder.path());
+            all += to_string(reason) + '\n';
+        }
+        return all;
+    }
+
+    TemporaryFolder folder;
+};
+
+bool contains(const std::vector<fs::path>& files, const fs::path& file) {
+    return std::find(files.begin(), files.end(), file) != files.end();
+}
+}  // namespace
+
+TEST_CASE("a look is read whole: passes, complete shaders and parameters") {
+    SmallLook small;
+    const LoadedLook loaded = small.load();
+    REQUIRE(loaded.look.has_value());
+    const Look& look = *loaded.look;
+    CHECK(look.id == "small");
+    CHECK(look.name == "Small");
+    CHECK(parameter_names(look) == std::vector<std::string>{"first_gain", "lines", "tint", "gain"});
+    CHECK(find_parameter(look, "gain")->range == Range{0.0, 4.0, 0.0});
+    CHECK(find_parameter(look, "gain")->initial == Value(1.5));
+    CHECK(find_parameter(look, "lines")->bindings ==
+          std::vector<Binding>{{0, "lines"}, {1, "lines"}});
+    CHECK(find_parameter(look, "tint")->bindings == std::vector<Binding>{{0, "tint"}});
+    CHECK(look.passes[0].fragment.text.find("vec3 light(") != std::string::npos);
+    CHECK(look.passes[0].fragment == look.passes[1].fragment);
+    CHECK(look.passes[0].vertex.file.empty());
+    CHECK_FALSE(look.passes[0].vertex.text.empty());
+    for (const char* name : {"small/look.json", "small/fill.frag", "shared/light.glsl"})
+        CHECK(contains(loaded.files, small.folder / name));
+    CHECK(look.files == loaded.files);
+    CHECK(loaded.warnings.empty());
+}
+
+TEST_CASE("a look is found by its folder or its manifest, also through a cache") {
+    SmallLook small;
+    const LoadedLook by_folder = small.load();
+    CHECK(small.load("small/look.json").look == by_folder.look);
+    CheckCache cache;
+    for (int round = 0; round < 2; ++round)
+        CHECK(load_look(small.folder / "small", small.folder / "shared", &cache).look ==
+              by_folder.look);
+}
+
+TEST_CASE("a missing file is watched for, and named where it is asked for") {
+    SmallLook small;
+    fs::remove(small.folder / "shared/light.glsl");
+    const LoadedLook loaded = small.load();
+    REQUIRE_FALSE(loaded.look.has_value());
+    CHECK(loaded.look.error().size() == 1);  // once, though two passes use the file
+    CHECK(loaded.look.error().front().file == small.folder / "small/fill.frag");
+    CHECK(loaded.look.error().front().line == 2);
+    CHECK(contains(loaded.files, small.folder / "shared/light.glsl"));
+
+    fs::remove(small.folder / "small/fill.frag");
+    CHECK(small.errors() ==
+          "small/look.json:4: error: 'fill.frag' is missing in the look's folder\n"
+          "small/look.json:5: error: 'fill.frag' is missing in the look's folder\n");
+    const LoadedLook none = small.load("none");
+    REQUIRE_FALSE(none.look.has_value());
+    CHECK(none.files == std::vector<fs::path>{small.folder / "none"});
+}
+
+TEST_CASE("mistakes in shaders stand at their own file and line") {
+    SmallLook small;
+    std::string broken(fragment);
+    broken.replace(broken.find("void main"), 9, "void mian");
+    small.folder.write("small/fill.frag", broken);
+    CHECK(small.errors().starts_with("small/fill.frag"));
+    broken = fragment;
+    broken.replace(broken.find("@range"), 6, "@rnage");
+    small.folder.write("small/fill.frag", broken);
+    CHECK(small.errors().starts_with("small/fill.frag:3: error: "));
+}
+
+TEST_CASE("sizes and repeats that speak of no parameter are told at their pass") {
+    SmallLook small;
+    std::string text(manifest);
+    text.replace(text.find("$lines"), 6, "$linse");
+    small.folder.write("small/look.json", text);
+    CHECK(small.errors() ==
+          "small/look.json:5: error: size of pass 'last': unknown name '$linse'\n");
+    text = manifest;
+    text.replace(text.find("\"set\""), 5, "\"repeat\": \"lins\", \"set\"");
+    small.folder.write("small/look.json", text);
+    CHECK(small.errors().starts_with("small/look.json:5: error: "));
+}
+
+TEST_CASE("every look that comes with the program is read without a word") {
+    int count = 0;
+    for (const auto& entry : fs::directory_iterator(source_tree / "shaders")) {
+        if (!fs::exists(entry.path() / "look.json"))
+            continue;
+        ++count;
+        const LoadedLook loaded = load_look(entry.path(), source_tree / "shaders/include");
+        CHECK_MESSAGE(loaded.look.has_value(),
+                      to_string(loaded.look ? Diagnostics{} : loaded.look.error()));
+        CHECK_MESSAGE(loaded.warnings.empty(), to_string(loaded.warnings));
+    }
+    CHECK(count > 0);
+}
