@@ -1,6 +1,7 @@
 #include "glsl/annotation.h"
 
 #include "base/text.h"
+#include "glsl/check.h"
 
 #include <fmt/format.h>
 
@@ -52,9 +53,8 @@ std::optional<std::vector<double>> numbers_of(const Site& site) {
         if (!number)
             site.error(fmt::format("{}: '{}' is not a number", site.hint.key, word));
         else if (!fits(component, *number))
-            site.error(fmt::format("{}: {} does not fit {} {}", site.hint.key, word,
-                                   component.scalar == Scalar::integer ? "an" : "a",
-                                   glsl_name(component)));
+            site.error(fmt::format("{}: {} does not fit {}", site.hint.key, word,
+                                   with_article(glsl_name(component))));
         if (!number || !fits(component, *number))
             return std::nullopt;
         numbers.push_back(*number);
@@ -115,8 +115,9 @@ void apply_text(const Site& site) {
 
 void apply_items(const Site& site) {
     if (site.parameter.type.size() != 1)
-        return site.error(fmt::format("@items is for a single value; '{}' is a {}",
-                                      site.parameter.name, glsl_name(site.parameter.type)));
+        return site.error(fmt::format("@items is for a single value; '{}' is {}",
+                                      site.parameter.name,
+                                      with_article(glsl_name(site.parameter.type))));
     const std::size_t count = site.hint.words.size();
     if (is_boolean(site.parameter) && count != 2)
         return site.error("@items of a bool takes two names, for false and for true");
@@ -142,8 +143,8 @@ void apply_control(const Site& site, Control control, std::initializer_list<int>
     if (!site.hint.words.empty())
         return site.error(site.hint.key + " takes no words");
     if (!is_fit)
-        return site.error(fmt::format("{} is for {}; '{}' is a {}", site.hint.key, wanted,
-                                      site.parameter.name, glsl_name(type)));
+        return site.error(fmt::format("{} is for {}; '{}' is {}", site.hint.key, wanted,
+                                      site.parameter.name, with_article(glsl_name(type))));
     site.parameter.control = control;
 }
 

@@ -98,6 +98,11 @@ void check_text(const Stage& stage, Diagnostics& problems) {
 }
 }  // namespace
 
+std::string with_article(const std::string& type_name) {
+    const bool is_vowel = type_name.starts_with('i') || type_name.starts_with('a');
+    return (is_vowel ? "an " : "a ") + type_name;
+}
+
 Location place_in(const Stage& stage, int line) {
     return stage.lines.empty() ? Location{stage.file, line} : origin_of(stage.lines, line);
 }

@@ -37,5 +37,8 @@ Result<Reflection> check_program(const Stage& vertex, const Stage& fragment);
 /// Builds glslang's built-in tables, which the first check would otherwise wait for (20 ms).
 void warm_up();
 
+/// "a vec2", "an ivec2": a type in a sentence.
+std::string with_article(const std::string& type_name);
+
 /// The author's place of a line of a stage.
 Location place_in(const Stage& stage, int line);

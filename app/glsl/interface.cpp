@@ -11,10 +11,10 @@ void merge(Uniform& first, const Uniform& second, Diagnostics& problems) {
     const Location& at = second.declared.front();
     const Location& before = first.declared.front();
     if (first.type_name != second.type_name || first.kind != second.kind)
-        problems.push_back(
-            {at.file, at.line,
-             fmt::format("'{}' is a {} here but a {} in the vertex shader{}", second.name,
-                         second.type_name, first.type_name, aside(before))});
+        problems.push_back({at.file, at.line,
+                            fmt::format("'{}' is {} here but {} in the vertex shader{}",
+                                        second.name, with_article(second.type_name),
+                                        with_article(first.type_name), aside(before))});
     else if (first.initial && second.initial && first.initial != second.initial)
         problems.push_back(
             {at.file, at.line,
@@ -61,8 +61,8 @@ void check_varyings(const StageInterface& vertex, const StageInterface& fragment
             message =
                 fmt::format("the vertex shader has no 'out {} {}'", input.type_name, input.name);
         else if (output->type_name != input.type_name)
-            message = fmt::format("'{}' is a {} here but a {} in the vertex shader", input.name,
-                                  input.type_name, output->type_name);
+            message = fmt::format("'{}' is {} here but {} in the vertex shader", input.name,
+                                  with_article(input.type_name), with_article(output->type_name));
         if (message.empty())
             continue;
         const Location at =

@@ -41,8 +41,8 @@ void merge(Candidate& first, const FreeUniform& second, Diagnostics& errors) {
     const Uniform& uniform = second.uniform;
     first.bindings.push_back(second.binding);
     if (first.uniform.type_name != uniform.type_name)
-        return disagree(first, uniform, "a " + uniform.type_name, "a " + first.uniform.type_name,
-                        errors);
+        return disagree(first, uniform, with_article(uniform.type_name),
+                        with_article(first.uniform.type_name), errors);
     if (first.uniform.initial && uniform.initial && first.uniform.initial != uniform.initial)
         return disagree(first, uniform, to_string(*uniform.initial),
                         to_string(*first.uniform.initial), errors);

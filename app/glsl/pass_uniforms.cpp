@@ -62,13 +62,14 @@ private:
         if (!uniform)
             return;
         if (uniform->kind != Uniform::Kind::number)
-            error(m_pass.declared, fmt::format("pass '{}': \"set\" cannot set '{}', which is a {}",
-                                               m_pass.name, name, uniform->type_name));
+            error(m_pass.declared,
+                  fmt::format("pass '{}': \"set\" cannot set '{}', which is {}", m_pass.name, name,
+                              with_article(uniform->type_name)));
         else if (value.numbers.size() != static_cast<std::size_t>(uniform->type.size()))
-            error(
-                m_pass.declared,
-                fmt::format("pass '{}': \"set\" gives '{}' {} numbers; a {} takes {}", m_pass.name,
-                            name, value.numbers.size(), uniform->type_name, uniform->type.size()));
+            error(m_pass.declared,
+                  fmt::format("pass '{}': \"set\" gives '{}' {} numbers; {} takes {}", m_pass.name,
+                              name, value.numbers.size(), with_article(uniform->type_name),
+                              uniform->type.size()));
     }
 
     void check_rename(const std::string& name, const Reflection& reflection) {
@@ -80,8 +81,9 @@ private:
     void check_input(const Input& input, const Reflection& reflection) {
         const Uniform* const uniform = find("inputs", input.uniform, reflection);
         if (uniform && uniform->kind != Uniform::Kind::sampler)
-            error(m_pass.declared, fmt::format("pass '{}': the input '{}' is a {}, not a sampler",
-                                               m_pass.name, input.uniform, uniform->type_name));
+            error(m_pass.declared,
+                  fmt::format("pass '{}': the input '{}' is {}, not a sampler", m_pass.name,
+                              input.uniform, with_article(uniform->type_name)));
     }
 
     void add(const Uniform& uniform) {
@@ -118,8 +120,9 @@ private:
         const bool is_right = uniform.kind == Uniform::Kind::number && uniform.type == builtin.type;
         if (!is_right)
             error(uniform.declared.front(),
-                  fmt::format("'{}' is set by the program as a {}; here it is a {}", uniform.name,
-                              glsl_name(builtin.type), uniform.type_name));
+                  fmt::format("'{}' is set by the program as {}; here it is {}", uniform.name,
+                              with_article(glsl_name(builtin.type)),
+                              with_article(uniform.type_name)));
     }
 
     void read_hints() {

@@ -153,7 +153,7 @@ TEST_CASE("every mistake in an annotation is told on its own line") {
     error("vec2 a; // @items A B", "@items is for a single value; 'a' is a vec2");
     error("float a; // @color", "@color is for vec3 and vec4; 'a' is a float");
     error("vec3 a; // @color red", "@color takes no words");
-    error("ivec2 a; // @point", "@point is for vec2; 'a' is a ivec2");
+    error("ivec2 a; // @point", "@point is for vec2; 'a' is an ivec2");
     error("vec2 a; // @angle", "@angle is for float; 'a' is a vec2");
     error("vec3 a; // @identity 1 2", "@identity takes one number or 3");
     error("float a; // @was", "@was takes one name, the uniform's former one");

@@ -91,7 +91,7 @@ TEST_CASE("built-in uniforms are no parameters, and must have their type") {
               "uniform vec2 u_resolution, u_output_resolution, u_source_resolution, u_mouse;\n"
               "uniform mat4 u_view;\nuniform float mine;"))) == Names{"mine"});
     CHECK(errors_of(look_with("\nuniform int u_time;")) ==
-          "a.frag:3: error: 'u_time' is set by the program as a float; here it is a int\n");
+          "a.frag:3: error: 'u_time' is set by the program as a float; here it is an int\n");
     CHECK(errors_of(look_with("uniform vec2 u_mouse[2];")) ==
           "a.frag:2: error: 'u_mouse' is set by the program as a vec2; here it is a vec2[2]\n");
 }
