@@ -1,8 +1,9 @@
 #include "gpu/driver_log.h"
 
-#include <array>
+#include <algorithm>
 #include <optional>
-#include <regex>
+#include <string>
+#include <utility>
 
 namespace gpu {
 
@@ -13,34 +14,76 @@ struct Remark {
     std::string message;
 };
 
-std::optional<Remark> parse_remark(std::string_view line) {
-    // Line number, kind and message are the groups named here, by driver.
-    struct Shape {
-        std::regex pattern;
-        std::size_t number, kind, message;
-    };
-    static const std::array<Shape, 3> shapes{{
-        {std::regex(R"(^\d+:(\d+)\(\d+\): (?:preprocessor )?(\w+): (.*)$)"), 1, 2, 3},
-        {std::regex(R"(^\d+\((\d+)\) : (\w+) \w+: (.*)$)"), 1, 2, 3},
-        {std::regex(R"(^(\w+): \d+:(\d+): (.*)$)"), 2, 1, 3},
-    }};
-    for (const Shape& shape : shapes) {
-        std::match_results<std::string_view::const_iterator> match;
-        if (!std::regex_match(line.begin(), line.end(), match, shape.pattern))
-            continue;
-        const auto number = parse_integer(match[shape.number].str());
-        return Remark{number.value_or(0), to_lower(match[shape.kind].str()),
-                      match[shape.message].str()};
+// Takes one piece after the other from the front of a line; once one is missing, all that follow
+// are.
+class Scanner {
+public:
+    explicit Scanner(std::string_view line) : m_rest(line) {}
+
+    Scanner& text(std::string_view wanted) {
+        m_is_good = m_is_good && m_rest.starts_with(wanted);
+        m_rest.remove_prefix(m_is_good ? wanted.size() : 0);
+        return *this;
     }
-    return std::nullopt;
+    Scanner& text_if_there(std::string_view perhaps) {
+        m_rest.remove_prefix(m_is_good && m_rest.starts_with(perhaps) ? perhaps.size() : 0);
+        return *this;
+    }
+    Scanner& number(int* number) {
+        return piece("0123456789",
+                     [&](std::string_view digits) { *number = parse_integer(digits).value_or(0); });
+    }
+    Scanner& word(std::string* word) {
+        return piece("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789",
+                     [&](std::string_view letters) { *word = to_lower(letters); });
+    }
+    std::optional<Remark> remark(int line, std::string kind) const {
+        if (!m_is_good)
+            return std::nullopt;
+        return Remark{line, std::move(kind), std::string(m_rest)};
+    }
+
+private:
+    template <class Use>
+    Scanner& piece(std::string_view letters, const Use& use) {
+        const std::size_t length = std::min(m_rest.find_first_not_of(letters), m_rest.size());
+        m_is_good = m_is_good && length > 0;
+        if (m_is_good)
+            use(m_rest.substr(0, length));
+        m_rest.remove_prefix(m_is_good ? length : 0);
+        return *this;
+    }
+
+    std::string_view m_rest;
+    bool m_is_good = true;
+};
+
+std::optional<Remark> parse_remark(std::string_view line) {
+    int string = 0;  // which of the texts handed to the driver: always the only one
+    int number = 0;
+    int column = 0;
+    std::string kind;
+    std::string code;
+    Scanner mesa(line);
+    mesa.number(&string).text(":").number(&number).text("(").number(&column).text("): ");
+    mesa.text_if_there("preprocessor ").word(&kind).text(": ");
+    if (auto remark = mesa.remark(number, kind))
+        return remark;
+    Scanner nvidia(line);
+    nvidia.number(&string).text("(").number(&number).text(") : ").word(&kind).text(" ");
+    nvidia.word(&code).text(": ");
+    if (auto remark = nvidia.remark(number, kind))
+        return remark;
+    Scanner others(line);
+    others.word(&kind).text(": ").number(&string).text(":").number(&number).text(": ");
+    return others.remark(number, kind);
 }
 }  // namespace
 
 Diagnostics parse_driver_log(std::string_view log, const Stage& stage) {
     Diagnostics diagnostics;
     for (const std::string_view line : split_lines(log)) {
-        constexpr std::size_t longest = 2000;  // a regular expression recurses a step a letter
-        const auto remark = parse_remark(trim(line).substr(0, longest));
+        const auto remark = parse_remark(trim(line));
         if (!remark)
             continue;
         Location place = origin_of(stage.lines, remark->line);
@@ -51,12 +94,9 @@ Diagnostics parse_driver_log(std::string_view log, const Stage& stage) {
                                is_warning ? Severity::warning : Severity::error});
     }
     if (!has_errors(diagnostics)) {
-        const std::string_view whole = trim(log).substr(0, trim(log).find('\0'));
-        diagnostics.push_back(
-            {stage.file, 0,
-             "the graphics driver: " + (whole.empty() ? std::string("refused, "
-                                                                    "without a word")
-                                                      : std::string(whole))});
+        const std::string_view whole = trim(log);
+        const std::string said(whole.empty() ? "refused without a word" : whole);
+        diagnostics.push_back({stage.file, 0, "the graphics driver: " + said});
     }
     return diagnostics;
 }
