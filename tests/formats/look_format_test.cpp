@@ -1,5 +1,6 @@
 #include "formats/look_format.h"
 
+#include "formats/preset_format.h"
 #include "glsl/check_cache.h"
 #include "io/temporary_folder.h"
 
@@ -153,4 +154,20 @@ TEST_CASE("every look that comes with the program is read without a word") {
         CHECK_MESSAGE(loaded.warnings.empty(), to_string(loaded.warnings));
     }
     CHECK(count > 0);
+}
+
+TEST_CASE("every preset that comes with the program fits its look and is written as it is read") {
+    for (const auto& folder : fs::directory_iterator(source_tree / "presets")) {
+        const LoadedLook loaded = load_look(source_tree / "shaders" / folder.path().filename(),
+                                            source_tree / "shaders/include");
+        REQUIRE(loaded.look.has_value());
+        for (const auto& entry : fs::directory_iterator(folder)) {
+            const auto preset = load_preset(entry.path());
+            REQUIRE_MESSAGE(preset.has_value(), to_string(preset ? Diagnostics{} : preset.error()));
+            const auto values = fitted_values(*loaded.look, *preset, entry.path());
+            CHECK_MESSAGE(values.has_value(), to_string(values ? Diagnostics{} : values.error()));
+            CHECK(orphans(*loaded.look, preset->values).empty());
+            CHECK(parse_preset(preset_to_json(*preset, &*loaded.look), "a.json") == preset);
+        }
+    }
 }
