@@ -3,14 +3,9 @@
 // Energy of a point, summed over all pixels (px^2), wherever it lies between them:
 //   beam_gain * intensity * width^2 * pi * (1 / core_sharpness + glow_weight / glow_sharpness)
 // with width = beam_width * height / 512 px, and times beam_color for each channel.
+#include "spot.glsl"
 #include "as_written.glsl"
 #include "gaussian.glsl"
-#include "spot.glsl"
-
-uniform vec3 beam_color = vec3(0.2, 1.0, 0.3);  // @color  @label "Colour"  @group "Beam"
-                                                // @help "The colour in which the phosphor glows."
-uniform float beam_gain = 0.7;                  // @range 0.01 4  @limit 0 1000  @scale log  @label "Beam strength"  @group "Beam"
-                                                // @help "How much light the beam leaves behind. More makes crowded and slow parts of the trace brighter, up to the ceiling."
 
 flat in vec2 middle;
 flat in float width;

@@ -1,14 +1,12 @@
 #version 410 core
 // The beam: one square for each instant at which the beam was somewhere, large enough for its spot.
-#include "reference_height.glsl"
-#include "as_written.glsl"
+#include "spot.glsl"
 #include "decay.glsl"
 #include "fit.glsl"
-#include "spot.glsl"
+#include "as_written.glsl"
+#include "reference_height.glsl"
 
 uniform vec2 u_resolution;
-uniform float beam_width = 2.0;  // @range 0.5 12  @limit 0.05 64  @scale log  @label "Beam width"  @unit "px at 512 lines"  @group "Beam"
-                                 // @help "How wide the spot is that the beam makes, in pixels of a picture 512 pixels high; larger pictures scale it, so that every size looks the same."
 
 in vec2 position;       // -1..1, y up
 in float intensity;     // 1: full current for 1/4096 of 1/60 s
