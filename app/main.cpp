@@ -1,3 +1,44 @@
-int main() {
-    return 0;
+#include "cli/cli.h"
+#include "ui/application.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+
+namespace {
+WindowOptions window_options(const std::string& look, Roots roots) {
+    WindowOptions options;
+    options.roots = std::move(roots);
+    if (!look.empty())
+        options.look = look;
+    if (const char* file = std::getenv("AFTERGLOW_STATE_FILE"))
+        options.state_file = file;
+    return options;
+}
+
+// A window; where none can be had one with software OpenGL; where there is no display a picture.
+int open_window(const std::string& look, const std::string& data) {
+    const auto roots =
+        find_roots(data.empty() ? std::nullopt : std::optional<std::filesystem::path>(data));
+    if (!roots) {
+        std::cerr << to_string(roots.error()) << '\n';
+        return EXIT_FAILURE;
+    }
+    const WindowOptions options = window_options(look, *roots);
+    auto shown = run_window(options);
+    if (!shown && !std::getenv("LIBGL_ALWAYS_SOFTWARE")) {
+        std::cerr << to_string(shown.error()) << "\nTrying software OpenGL.\n";
+        setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
+        shown = run_window(options);
+    }
+    if (shown)
+        return EXIT_SUCCESS;
+    std::cerr << to_string(shown.error()) << "\nRendering a picture instead of opening a window.\n";
+    return render_instead_of_window(look, data);
+}
+}  // namespace
+
+int main(int argc, char** argv) {
+    return run_program(argc, argv, open_window);
 }

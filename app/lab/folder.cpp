@@ -7,7 +7,8 @@
 
 namespace fs = std::filesystem;
 
-std::vector<FolderEntry> list_folder(const fs::path& folder, const std::vector<std::string>& endings) {
+std::vector<FolderEntry> list_folder(const fs::path& folder,
+                                     const std::vector<std::string>& endings) {
     std::vector<FolderEntry> entries;
     std::error_code error;
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end;

@@ -42,7 +42,8 @@ void Shelf::update(const Library& library, double wall_seconds) {
         ShelfLook look{entry, words.name.empty() ? entry.id : words.name, words.about, {}};
         for (const PresetEntry& preset : library.presets(entry.id)) {
             const Words& told = words_of(preset.file, false);
-            look.presets.push_back({preset, told.name.empty() ? preset.name : told.name, told.about});
+            look.presets.push_back(
+                {preset, told.name.empty() ? preset.name : told.name, told.about});
         }
         m_looks.push_back(std::move(look));
     }

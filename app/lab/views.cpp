@@ -92,8 +92,7 @@ void Views::update(const Lab& lab, const WindowState& window) {
     draw_part(executor.target(last), m_picture, window.views.picture, window.picture,
               {.encoding = encoding_of(look, last)});
     const bool is_whole = !window.is_picture_only;
-    draw_thumbnails(executor,
-                    is_whole && window.shows_strip ? window.views.thumbnail_height : 0);
+    draw_thumbnails(executor, is_whole && window.shows_strip ? window.views.thumbnail_height : 0);
     const auto inspected = find_pass(look, window.inspected.pass);
     if (inspected && is_whole && window.shows_inspector)
         draw_part(executor.target(*inspected), m_inspected, window.views.inspector,

@@ -1,9 +1,8 @@
 #include "lab/waker.h"
 
+#include <array>
 #include <poll.h>
 #include <unistd.h>
-
-#include <array>
 
 Waker::Waker(int descriptor, std::function<void()> wake) {
     std::array<int, 2> ends{};

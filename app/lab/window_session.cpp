@@ -6,9 +6,9 @@
 
 namespace {
 constexpr std::initializer_list<std::pair<const char*, bool WindowState::*>> switches{
-    {"library", &WindowState::shows_library},   {"parameters", &WindowState::shows_parameters},
+    {"library", &WindowState::shows_library},     {"parameters", &WindowState::shows_parameters},
     {"inspector", &WindowState::shows_inspector}, {"strip", &WindowState::shows_strip},
-    {"bottom", &WindowState::shows_bottom},     {"timings", &WindowState::shows_timings},
+    {"bottom", &WindowState::shows_bottom},       {"timings", &WindowState::shows_timings},
     {"maximised", &WindowState::is_maximised}};
 
 constexpr std::initializer_list<std::pair<const char*, float PaneSizes::*>> sizes{
@@ -35,9 +35,8 @@ std::optional<int> whole(const std::map<std::string, double>& numbers, const cha
 }  // namespace
 
 std::map<std::string, double> remembered(const WindowState& window) {
-    std::map<std::string, double> numbers{{"width", window.size.width},
-                                          {"height", window.size.height},
-                                          {"scale", window.scale}};
+    std::map<std::string, double> numbers{
+        {"width", window.size.width}, {"height", window.size.height}, {"scale", window.scale}};
     if (window.position) {
         numbers["left"] = (*window.position)[0];
         numbers["top"] = (*window.position)[1];

@@ -30,7 +30,8 @@ PicturePlace place_of(const PictureView& view, Extent picture, Extent size) {
         const double shown = pixels * zoom;
         return std::round(shown <= room ? (room - shown) / 2 : room / 2.0 - middle * shown);
     };
-    return {start(view.x, picture.width, size.width), start(view.y, picture.height, size.height), zoom};
+    return {start(view.x, picture.width, size.width), start(view.y, picture.height, size.height),
+            zoom};
 }
 
 double next_zoom(double zoom, bool is_in) {

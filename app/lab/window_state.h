@@ -9,9 +9,14 @@
 #include <string>
 #include <vector>
 
-/// How a picture lies in its view. The zoom is in device pixels of the screen a pixel of the picture.
+/// How a picture lies in its view. The zoom is in device pixels of the screen a pixel of the
+/// picture.
 struct PictureView {
-    enum class Fit { whole, all, free };  // whole: the largest whole zoom that shows all, at least 1
+    enum class Fit {
+        whole,
+        all,
+        free
+    };  // whole: the largest whole zoom that shows all, at least 1
 
     Fit fit = Fit::whole;
     double zoom = 1.0;  // when free
@@ -100,11 +105,11 @@ struct Dialog {
     };
 
     Kind kind = Kind::none;
-    std::string text = {};               // a name or path as typed so far
+    std::string text = {};              // a name or path as typed so far
     std::filesystem::path folder = {};  // that is listed
     std::vector<FolderEntry> entries = {};
-    std::string subject = {};           // what the answer is for
-    bool is_new = true;                 // has not been drawn yet
+    std::string subject = {};  // what the answer is for
+    bool is_new = true;        // has not been drawn yet
 
     bool operator==(const Dialog&) const = default;
 };
@@ -130,7 +135,7 @@ struct WindowState {
     PassView inspected;
     std::optional<Probe> probe;
     ViewSizes views;
-    std::string search;  // among the parameters
+    std::string search;         // among the parameters
     bool is_searching = false;  // the search box is to have the keyboard
     bool shows_only_changed = false;
     Dialog dialog;

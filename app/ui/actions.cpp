@@ -1,0 +1,166 @@
+#include "ui/actions.h"
+
+#include "ui/file_actions.h"
+#include "ui/view_actions.h"
+
+#include <imgui/imgui.h>
+
+#include <algorithm>
+
+namespace {
+constexpr int key_escape = 256;
+constexpr int key_first_function = 290;  // F1
+constexpr int key_last_function = 301;   // F12
+
+bool can_undo(const Scene& scene) {
+    return scene.lab.document() && scene.lab.document()->history().can_undo();
+}
+bool can_redo(const Scene& scene) {
+    return scene.lab.document() && scene.lab.document()->history().can_redo();
+}
+bool has_values(const Scene& scene) {
+    return scene.lab.document() && !scene.lab.document()->values().empty();
+}
+
+void undo(const Scene&, Edits& edits) {
+    edits.document([](Document& document) { document.undo(); });
+}
+void redo(const Scene&, Edits& edits) {
+    edits.document([](Document& document) { document.redo(); });
+}
+void reset_all(const Scene&, Edits& edits) {
+    edits.document([](Document& document) { document.reset_all(); });
+}
+void play_pause(const Scene& scene, Edits& edits) {
+    const bool is_playing = scene.lab.player().is_playing();
+    edits.add(
+        [is_playing](Lab& lab) { is_playing ? lab.transport().pause() : lab.transport().play(); });
+}
+void step(const Scene&, Edits& edits) {
+    edits.add([](Lab& lab) {
+        lab.transport().pause();
+        lab.transport().step();
+    });
+}
+void restart(const Scene&, Edits& edits) {
+    edits.add([](Lab& lab) { lab.restart(); });
+}
+void set_normal_speed(const Scene&, Edits& edits) {
+    edits.add([](Lab& lab) { lab.transport().set_speed(1.0); });
+}
+
+std::vector<Action> edit_actions() {
+    return {
+        {ActionId::undo, Menu::edit, "Undo", {'Z', true}, false, undo, can_undo},
+        {ActionId::redo, Menu::edit, "Redo", {'Z', true, true}, false, redo, can_redo},
+        {ActionId::reset_all, Menu::edit, "Reset all parameters", {}, true, reset_all, has_values},
+        {ActionId::search,
+         Menu::edit,
+         "Find a parameter",
+         {'F', true},
+         true,
+         view_actions::search,
+         file_actions::has_document}};
+}
+
+std::vector<Action> playback_actions() {
+    return {{ActionId::play_pause, Menu::playback, "Play or pause", {' '}, false, play_pause},
+            {ActionId::step, Menu::playback, "One frame on", {'.'}, false, step},
+            {ActionId::restart, Menu::playback, "Restart", {'R'}, false, restart},
+            {ActionId::normal_speed, Menu::playback, "Normal speed", {}, true, set_normal_speed}};
+}
+
+std::vector<Action> help_actions() {
+    const auto keys = [](const Scene&, Edits& edits) { edits.show({.kind = Dialog::Kind::keys}); };
+    const auto about = [](const Scene&, Edits& edits) {
+        edits.show({.kind = Dialog::Kind::about});
+    };
+    return {{ActionId::keys, Menu::help, "Keys", {key_first_function}, false, keys},
+            {ActionId::about, Menu::help, "About Afterglow", {}, false, about}};
+}
+
+std::vector<Action> make_actions() {
+    std::vector<Action> actions;
+    for (const auto& part : {file_actions::list(), edit_actions(), view_actions::list(),
+                             playback_actions(), help_actions()})
+        actions.insert(actions.end(), part.begin(), part.end());
+    return actions;
+}
+
+bool is_pressed(const Chord& chord) {
+    const ImGuiIO& io = ImGui::GetIO();
+    return chord.key != 0 && io.KeyCtrl == chord.control && io.KeyShift == chord.shift &&
+           !io.KeyAlt && ImGui::IsKeyPressed(chord.key, chord.key == '.' || chord.key == 'Z');
+}
+
+bool can_run(const Action& action, const Scene& scene) {
+    return !action.is_enabled || action.is_enabled(scene);
+}
+
+// Escape goes through what is in the way, nearest first.
+void escape(const Scene& scene, Edits& edits) {
+    if (scene.lab.renderer() && scene.lab.renderer()->replay().is_running())
+        edits.add([](Lab& lab) { lab.cancel_replay(); });
+    else if (scene.window.is_picture_only)
+        edits.arrange([](WindowState& window) { window.is_picture_only = false; });
+}
+}  // namespace
+
+const std::vector<Action>& all_actions() {
+    static const std::vector<Action> actions = make_actions();
+    return actions;
+}
+
+void run(ActionId id, const Scene& scene, Edits& edits) {
+    for (const Action& action : all_actions())
+        if (action.id == id && can_run(action, scene))
+            action.act(scene, edits);
+}
+
+std::string chord_text(const Chord& chord) {
+    if (chord.key == 0)
+        return {};
+    std::string text = std::string(chord.control ? "Ctrl+" : "") + (chord.shift ? "Shift+" : "");
+    if (chord.key == ' ')
+        return text + "Space";
+    if (chord.key >= key_first_function && chord.key <= key_last_function)
+        return text + "F" + std::to_string(chord.key - key_first_function + 1);
+    return text + static_cast<char>(chord.key);
+}
+
+std::string help_of(ActionId id) {
+    const auto& actions = all_actions();
+    const auto found = std::find_if(actions.begin(), actions.end(),
+                                    [id](const Action& action) { return action.id == id; });
+    const std::string keys = chord_text(found->chord);
+    return found->label + (keys.empty() ? "" : " (" + keys + ")");
+}
+
+std::string label_of(const Action& action, const Scene& scene) {
+    const Document* document = scene.lab.document();
+    if (document && action.id == ActionId::undo && can_undo(scene))
+        return "Undo: " + document->history().undo_name();
+    if (document && action.id == ActionId::redo && can_redo(scene))
+        return "Redo: " + document->history().redo_name();
+    return action.label;
+}
+
+void run_keys(const Scene& scene, Edits& edits) {
+    if (scene.window.dialog.kind != Dialog::Kind::none)
+        return;
+    if (ImGui::IsKeyPressed(key_escape, false) && !ImGui::IsAnyItemActive())
+        escape(scene, edits);
+    const bool is_typing = ImGui::GetIO().WantTextInput;
+    const auto& actions = all_actions();
+    for (const Action& action : actions) {
+        // A text field has its own copy, paste, undo and letters; saving works from everywhere.
+        const bool is_text_field_s = !action.chord.control || action.id == ActionId::copy_line ||
+                                     action.id == ActionId::paste_line ||
+                                     action.id == ActionId::undo || action.id == ActionId::redo;
+        if (is_pressed(action.chord) && !(is_typing && is_text_field_s) && can_run(action, scene))
+            action.act(scene, edits);
+    }
+    const bool is_second_redo = is_pressed({'Y', true}) && !is_typing;
+    if (is_second_redo && can_redo(scene))
+        redo(scene, edits);
+}

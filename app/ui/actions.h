@@ -1,0 +1,82 @@
+#pragma once
+
+#include "ui/edits.h"
+#include "ui/scene.h"
+
+#include <string>
+#include <vector>
+
+/// What a menu, a key or a button can do.
+enum class ActionId {
+    open,
+    new_look,
+    duplicate_look,
+    save_preset,
+    save_preset_as,
+    rename_preset,
+    duplicate_preset,
+    delete_preset,
+    copy_line,
+    paste_line,
+    save_picture,
+    quit,
+    undo,
+    redo,
+    reset_all,
+    search,
+    zoom_one,
+    zoom_fit,
+    zoom_in,
+    zoom_out,
+    show_library,
+    show_parameters,
+    show_inspector,
+    show_strip,
+    show_problems,
+    show_timings,
+    picture_only,
+    larger_text,
+    smaller_text,
+    play_pause,
+    step,
+    restart,
+    normal_speed,
+    keys,
+    about,
+};
+
+enum class Menu { file, edit, view, playback, help };
+
+/// A key with what is held down with it.
+struct Chord {
+    int key = 0;  // as ImGui's window backend numbers them: ASCII for what prints; 0: none
+    bool control = false;
+    bool shift = false;
+};
+
+/// One line of a menu: the only place where its words, its key and what it does are written.
+struct Action {
+    ActionId id;
+    Menu menu;
+    const char* label;
+    Chord chord;
+    bool is_first = false;  // a line is drawn above it
+    void (*act)(const Scene& scene, Edits& edits);
+    bool (*is_enabled)(const Scene& scene) = nullptr;  // null: always
+    bool (*is_on)(const Scene& scene) = nullptr;       // null: no tick
+};
+
+const std::vector<Action>& all_actions();
+
+/// Runs the action if it can be run now.
+void run(ActionId id, const Scene& scene, Edits& edits);
+
+/// "Pause (Space)".
+std::string help_of(ActionId id);
+/// "Ctrl+Shift+S"; "" for none.
+std::string chord_text(const Chord& chord);
+/// With what it is about now: "Undo Decay".
+std::string label_of(const Action& action, const Scene& scene);
+
+/// Runs what the keyboard asks for; letters belong to a text field while one is active.
+void run_keys(const Scene& scene, Edits& edits);

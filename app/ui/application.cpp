@@ -1,0 +1,192 @@
+#include "ui/application.h"
+
+#include "gpu/draw.h"
+#include "gpu/window.h"
+#include "lab/session.h"
+#include "lab/session_keeper.h"
+#include "lab/waker.h"
+#include "lab/window_session.h"
+#include "ui/menu_bar.h"
+#include "ui/state_file.h"
+#include "ui/theme.h"
+#include "ui/toolkit.h"
+#include "ui/window_panes.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace {
+using Clock = std::chrono::steady_clock;
+
+double seconds_between(Clock::time_point start, Clock::time_point end) {
+    return std::chrono::duration<double>(end - start).count();
+}
+
+/// The window with all that runs in it, turn by turn.
+class Application {
+public:
+    Application(const WindowOptions& options, gpu::Window& window,
+                std::unique_ptr<gpu::Context> worker, Views views, WindowState state)
+        : m_options(options),
+          m_window(window),
+          m_toolkit(window),
+          m_lab(Library(options.roots), std::move(worker)),
+          m_views(std::move(views)),
+          m_state(std::move(state)),
+          m_waker(m_lab.watch_descriptor(), [] { gpu::Window::wake(); }) {}
+
+    void start(const Session& session) {
+        if (m_options.look)
+            m_lab.open(*m_options.look);
+        else if (session.look.empty())
+            m_lab.open("phosphor");
+        else
+            restore(m_lab, session);
+    }
+
+    void run() {
+        SessionKeeper keeper(m_options.roots);
+        while (!m_is_quitting && !m_window.is_close_requested()) {
+            wait();
+            turn();
+            keeper.update(m_lab, m_state);
+        }
+        keeper.save(m_lab, m_state);
+    }
+
+private:
+    void wait();
+    void turn();
+    void draw(double wall_seconds);
+    void apply(const Edits& edits);
+    void note_geometry();
+    void update_title();
+
+    const WindowOptions& m_options;
+    gpu::Window& m_window;
+    Toolkit m_toolkit;
+    Lab m_lab;
+    Views m_views;
+    WindowState m_state;
+    Shelf m_shelf;
+    Pace m_pace;
+    Waker m_waker;
+    std::string m_title;
+    std::string m_state_text;
+    Clock::time_point m_last = Clock::now();
+    int m_frames_owed = 3;  // a widget's answer to an event shows a frame or two later
+    bool m_is_quitting = false;
+};
+
+// While nothing moves the program sleeps until the person, a file or the clock of the session
+// wants something. While it moves no more frames are drawn than the display shows.
+void Application::wait() {
+    constexpr double rest_seconds = 1.0;
+    const bool is_moving = m_lab.is_moving() || m_frames_owed > 0;
+    if (!is_moving) {
+        const Clock::time_point start = Clock::now();
+        m_window.wait_events(rest_seconds);
+        if (seconds_between(start, Clock::now()) < rest_seconds)
+            m_frames_owed = 3;
+        return;
+    }
+    const double frame = 1.0 / std::clamp(m_window.refresh_rate(), 24.0, 240.0);
+    const double left = frame - seconds_between(m_last, Clock::now());
+    constexpr double slack = 0.001;
+    if (left > slack)
+        m_window.wait_events(left - slack);
+    else
+        m_window.poll_events();
+}
+
+void Application::turn() {
+    const Clock::time_point now = Clock::now();
+    const double wall_seconds = seconds_between(m_last, now);
+    m_last = now;
+    if (m_frames_owed > 0)
+        --m_frames_owed;
+    m_pace.add(wall_seconds);
+    m_lab.set_view(m_state.views.picture.is_empty() ? Extent{1280, 720} : m_state.views.picture);
+    m_lab.update(wall_seconds);
+    if (m_window.framebuffer_size().is_empty())
+        return;  // minimised
+    m_shelf.update(m_lab.library(), wall_seconds);
+    m_views.update(m_lab, m_state);
+    draw(wall_seconds);
+}
+
+void Application::draw(double) {
+    gpu::bind_screen(m_window.framebuffer_size());
+    const theme::Color back = theme::surround;
+    gpu::clear_screen({back.red, back.green, back.blue, 1.0f});
+    m_toolkit.begin(static_cast<float>(m_state.scale));
+    Edits edits;
+    const Scene scene{m_lab,  m_state,           m_views,           m_shelf,
+                      m_pace, m_toolkit.fonts(), m_toolkit.scale(), m_toolkit.density()};
+    edits.arrange([](WindowState& state) { state.probe.reset(); });  // panels set it anew
+    draw_window(scene, edits);
+    for (const std::filesystem::path& file : m_window.take_dropped_files())
+        edits.open_file(m_lab, file);
+    m_toolkit.end();
+    m_window.swap();
+    if (!m_options.state_file.empty())
+        if (std::string text = state_text(scene, edits); text != m_state_text)
+            write_state(m_options.state_file, m_state_text = std::move(text));
+    apply(edits);
+}
+
+void Application::apply(const Edits& edits) {
+    edits.apply(m_lab, m_state);
+    if (edits.has_verbs()) {
+        m_frames_owed = std::max(m_frames_owed, 2);
+        m_shelf.refresh();
+    }
+    if (edits.copied())
+        m_window.set_clipboard(*edits.copied());
+    m_is_quitting = edits.is_quitting();
+    note_geometry();
+    update_title();
+}
+
+void Application::note_geometry() {
+    m_state.is_maximised = m_window.is_maximised();
+    if (m_state.is_maximised)
+        return;
+    m_state.size = m_window.size();
+    m_state.position = m_window.position();
+}
+
+void Application::update_title() {
+    const std::string open = title_of(m_lab);
+    std::string title = open.empty() ? "Afterglow" : open + " – Afterglow";
+    if (title != m_title)
+        m_window.set_title(m_title = std::move(title));
+}
+
+gpu::WindowOptions geometry_of(const WindowState& state) {
+    return {.title = "Afterglow",
+            .size = state.size,
+            .position = state.position,
+            .is_maximised = state.is_maximised};
+}
+}  // namespace
+
+Result<void> run_window(const WindowOptions& options) {
+    Diagnostics warnings;
+    const Session session = load_session(options.roots, warnings);
+    WindowState state = restored_window(session.window);
+    auto window = gpu::Window::open(geometry_of(state));
+    if (!window)
+        return fail(window.error());
+    auto worker = gpu::Context::shared_with(**window);
+    if (!worker)
+        return fail(worker.error());
+    auto views = Views::make();
+    if (!views)
+        return fail(views.error());
+    Application application(options, **window, std::move(*worker), std::move(*views),
+                            std::move(state));
+    application.start(session);
+    application.run();
+    return {};
+}

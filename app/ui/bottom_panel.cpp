@@ -1,0 +1,111 @@
+#include "ui/bottom_panel.h"
+
+#include "ui/actions.h"
+#include "ui/icons.h"
+#include "ui/problem_list.h"
+#include "ui/scoped.h"
+#include "ui/theme.h"
+#include "ui/timings_panel.h"
+#include "ui/widgets.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <numeric>
+
+namespace {
+std::string problems_text(const Lab& lab) {
+    const std::size_t count = lab.problems().size();
+    return count == 0   ? "No problems"
+           : count == 1 ? "1 problem"
+                        : fmt::format("{} problems", count);
+}
+
+std::string pace_text(const Scene& scene) {
+    const double pace = scene.pace.frames_a_second();
+    return scene.lab.player().is_playing() && pace > 0.0 ? fmt::format("{:.0f} fps", pace)
+                                                         : "resting";
+}
+
+std::string cost_text(const Scene& scene) {
+    const Renderer* renderer = scene.lab.renderer();
+    if (!renderer || renderer->executor().plan().targets.empty())
+        return {};
+    const std::vector<double>& times = renderer->latest_pass_milliseconds();
+    const double all = std::accumulate(times.begin(), times.end(), 0.0);
+    const double memory =
+        static_cast<double>(memory_of(renderer->executor().plan())) / (1024.0 * 1024.0);
+    return fmt::format("{:.2f} ms   {} draws   {:.1f} MiB", all, renderer->executor().draw_calls(),
+                       memory);
+}
+
+std::string pointer_text(const Scene& scene) {
+    if (!scene.window.probe || !scene.views.probed())
+        return {};
+    const Probe& probe = *scene.window.probe;
+    const auto& rgba = *scene.views.probed();
+    return fmt::format("{}  {}, {}   {:.4f}  {:.4f}  {:.4f}  {:.4f}", probe.pass, probe.x, probe.y,
+                       rgba[0], rgba[1], rgba[2], rgba[3]);
+}
+
+void draw_problems(const Scene& scene, Edits& edits) {
+    if (scene.lab.problems().empty())
+        dim_text("Nothing is wrong with the open look.");
+    for (const Problem& problem : scene.lab.problems()) {
+        draw_problem(problem, scene.fonts, edits);
+        ImGui::Spacing();
+    }
+}
+}  // namespace
+
+void draw_bottom_panel(const Scene& scene, Edits& edits) {
+    static constexpr std::array labels{"Problems", "Timings"};
+    const int present = scene.window.shows_timings ? 1 : 0;
+    const int chosen = choice("bottom", labels.data(), 2, present, edits);
+    if (chosen != present)
+        edits.arrange([chosen](WindowState& window) { window.shows_timings = chosen == 1; });
+    same_line_right(ImGui::GetFrameHeight());
+    if (icon_button("##close", Icon::close, "Close", theme::dim))
+        edits.arrange([](WindowState& window) { window.shows_bottom = false; });
+    const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
+    ImGui::BeginChild("##content");
+    if (scene.window.shows_timings)
+        draw_timings_panel(scene);
+    else
+        draw_problems(scene, edits);
+    ImGui::EndChild();
+}
+
+void draw_status_bar(const Scene& scene, Edits& edits) {
+    const ScopedStyle<ImVec2> frame(ImGuiStyleVar_FramePadding,
+                                    ImVec2(6.0f * scene.scale, 2.0f * scene.scale));
+    const bool has_problems = !scene.lab.problems().empty();
+    ImGui::SetCursorPos({ImGui::GetStyle().WindowPadding.x - 6.0f * scene.scale,
+                         (ImGui::GetWindowHeight() - ImGui::GetFrameHeight()) * 0.5f});
+    {
+        const ScopedColor color(ImGuiCol_Text, has_problems ? theme::problem : theme::dim);
+        if (quiet_button(problems_text(scene.lab) + "##problems"))
+            run(ActionId::show_problems, scene, edits);
+        tooltip(help_of(ActionId::show_problems));
+        edits.mark("status_problems");
+    }
+    ImGui::SameLine();
+    {
+        const ScopedFont font(scene.fonts.numbers);
+        const ScopedColor color(ImGuiCol_Text, theme::dim);
+        if (quiet_button(pace_text(scene) + "   " + cost_text(scene) + "##timings"))
+            run(ActionId::show_timings, scene, edits);
+        tooltip(help_of(ActionId::show_timings));
+    }
+    const std::string pointer = pointer_text(scene);
+    if (pointer.empty())
+        return;
+    const ScopedFont font(scene.fonts.numbers);
+    const float width = ImGui::CalcTextSize(pointer.c_str()).x;
+    if (ImGui::GetItemRectMax().x + width + 20.0f >
+        ImGui::GetWindowPos().x + ImGui::GetWindowWidth())
+        return;
+    same_line_right(width);
+    ImGui::AlignTextToFramePadding();
+    dim_text(pointer);
+}

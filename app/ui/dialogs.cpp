@@ -1,0 +1,136 @@
+#include "ui/dialogs.h"
+
+#include "ui/dialog_frame.h"
+#include "ui/file_dialog.h"
+#include "ui/help_dialogs.h"
+#include "ui/scoped.h"
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+#include <imgui/imgui_stdlib.h>
+
+namespace {
+struct Question {
+    const char* title;
+    const char* help;
+    const char* label;
+    void (Lab::*answer)(const std::string&);
+};
+
+// A dialog that asks for one name.
+void draw_name_dialog(const Question& question, const Scene& scene, Edits& edits) {
+    const DialogFrame frame(question.title, 26.0f, scene, edits);
+    if (!frame.is_open())
+        return;
+    dim_text(question.help);
+    std::string text = scene.window.dialog.text;
+    if (scene.window.dialog.is_new) {
+        ImGui::SetKeyboardFocusHere();
+        edits.arrange([](WindowState& window) { window.dialog.is_new = false; });
+    }
+    ImGui::SetNextItemWidth(-1.0f);
+    if (ImGui::InputText("##name", &text, ImGuiInputTextFlags_AutoSelectAll))
+        edits.arrange([text](WindowState& window) { window.dialog.text = text; });
+    edits.mark("dialog_name");
+    if (!draw_dialog_buttons(question.label, !text.empty(), edits))
+        return;
+    close_dialog(edits);
+    edits.add([text, answer = question.answer](Lab& lab) { (lab.*answer)(text); });
+}
+
+void draw_delete_dialog(const Scene& scene, Edits& edits) {
+    const DialogFrame frame("Delete the preset?", 26.0f, scene, edits);
+    if (!frame.is_open())
+        return;
+    ImGui::TextWrapped("'%s' will be deleted from the disk. Its values stay in the window.",
+                       scene.lab.document() ? scene.lab.document()->preset_name().c_str() : "");
+    if (!draw_dialog_buttons("Delete", true, edits))
+        return;
+    close_dialog(edits);
+    edits.add([](Lab& lab) { lab.delete_preset(); });
+}
+
+void open_next(const Scene& scene, Edits& edits) {
+    close_dialog(edits);
+    edits.add([next = scene.window.dialog.subject](Lab& lab) { lab.open(next); });
+}
+
+void save_then_open(const Scene& scene, Edits& edits) {
+    if (scene.lab.document()->preset_file().empty()) {
+        edits.show({.kind = Dialog::Kind::save_preset_as});
+        return;
+    }
+    edits.add([](Lab& lab) { lab.save_preset(); });
+    open_next(scene, edits);
+}
+
+void draw_unsaved_dialog(const Scene& scene, Edits& edits) {
+    const DialogFrame frame("Save the changes?", 30.0f, scene, edits);
+    if (!frame.is_open() || !scene.lab.document())
+        return;
+    const std::string& preset = scene.lab.document()->preset_name();
+    ImGui::TextWrapped(
+        "The changes to %s would be lost when another look or preset opens.",
+        preset.empty() ? scene.lab.document()->look().name.c_str() : ("'" + preset + "'").c_str());
+    ImGui::Spacing();
+    const float width = ImGui::GetFontSize() * 6.5f;
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - 3.0f * width - 2.0f * gap);
+    if (ImGui::Button("Cancel", {width, 0.0f}))
+        close_dialog(edits);
+    edits.mark("dialog_cancel");
+    ImGui::SameLine();
+    if (ImGui::Button("Discard", {width, 0.0f}))
+        open_next(scene, edits);
+    edits.mark("dialog_discard");
+    ImGui::SameLine();
+    const ScopedColor color(ImGuiCol_Button, theme::accent_filled);
+    if (ImGui::Button(preset.empty() ? "Save as…" : "Save", {width, 0.0f}))
+        save_then_open(scene, edits);
+    edits.mark("dialog_ok");
+}
+}  // namespace
+
+void draw_dialogs(const Scene& scene, Edits& edits) {
+    using Kind = Dialog::Kind;
+    switch (scene.window.dialog.kind) {
+        case Kind::none:
+            return;
+        case Kind::open_file:
+        case Kind::choose_file:
+        case Kind::save_picture:
+            draw_file_dialog(scene, edits);
+            return;
+        case Kind::save_preset_as:
+            draw_name_dialog(
+                {"Save the preset as", "A name for these values", "Save", &Lab::save_preset_as},
+                scene, edits);
+            return;
+        case Kind::rename_preset:
+            draw_name_dialog({"Rename the preset", "Its new name", "Rename", &Lab::rename_preset},
+                             scene, edits);
+            return;
+        case Kind::new_look:
+            draw_name_dialog({"New look", "The name of its folder: small letters, digits, - and _",
+                              "Create", &Lab::new_look},
+                             scene, edits);
+            return;
+        case Kind::duplicate_look:
+            draw_name_dialog({"Duplicate this look", "The name of the copy's folder", "Duplicate",
+                              &Lab::duplicate_look},
+                             scene, edits);
+            return;
+        case Kind::delete_preset:
+            draw_delete_dialog(scene, edits);
+            return;
+        case Kind::unsaved:
+            draw_unsaved_dialog(scene, edits);
+            return;
+        case Kind::keys:
+            draw_keys_dialog(scene, edits);
+            return;
+        case Kind::about:
+            draw_about_dialog(scene, edits);
+            return;
+    }
+}

@@ -1,0 +1,51 @@
+#include "ui/edits.h"
+
+#include "lab/lab.h"
+
+#include <imgui/imgui.h>
+
+void Edits::document(std::function<void(Document&)> edit) {
+    add([edit = std::move(edit)](Lab& lab) { lab.edit(edit); });
+}
+
+void Edits::set(const std::string& name, Value value) {
+    document([name, value = std::move(value)](Document& document) {
+        document.set_value(name, value, true);
+    });
+}
+
+void Edits::finish() {
+    document([](Document& document) { document.finish(); });
+}
+
+void Edits::show(Dialog dialog) {
+    arrange([dialog = std::move(dialog)](WindowState& window) { window.dialog = dialog; });
+}
+
+void Edits::open(const Lab& lab, const std::string& argument) {
+    if (lab.document() && lab.document()->is_modified())
+        show({.kind = Dialog::Kind::unsaved, .subject = argument});
+    else
+        add([argument](Lab& opening) { opening.open(argument); });
+}
+
+void Edits::open_file(const Lab& lab, const std::filesystem::path& file) {
+    if (is_sound_file(file))
+        add([file](Lab& opening) { opening.open_file(file); });
+    else
+        open(lab, file.string());
+}
+
+void Edits::mark(const std::string& name) {
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 high = ImGui::GetItemRectMax();
+    if (ImGui::IsItemVisible())
+        m_places[name] = {low.x, low.y, high.x, high.y};
+}
+
+void Edits::apply(Lab& lab, WindowState& window) const {
+    for (const auto& edit : m_window)
+        edit(window);
+    for (const auto& edit : m_lab)
+        edit(lab);
+}

@@ -1,0 +1,110 @@
+#include "ui/file_actions.h"
+
+#include <imgui/imgui.h>
+
+namespace {
+void save(const Scene& scene, Edits& edits) {
+    if (file_actions::has_preset(scene))
+        edits.add([](Lab& lab) { lab.save_preset(); });
+    else
+        edits.show({.kind = Dialog::Kind::save_preset_as});
+}
+
+void save_as(const Scene& scene, Edits& edits) {
+    edits.show({.kind = Dialog::Kind::save_preset_as, .text = scene.lab.document()->preset_name()});
+}
+
+void rename(const Scene& scene, Edits& edits) {
+    edits.show({.kind = Dialog::Kind::rename_preset, .text = scene.lab.document()->preset_name()});
+}
+
+void duplicate(const Scene&, Edits& edits) {
+    edits.add([](Lab& lab) { lab.duplicate_preset(); });
+}
+
+void duplicate_look(const Scene& scene, Edits& edits) {
+    edits.show(
+        {.kind = Dialog::Kind::duplicate_look, .text = scene.lab.document()->look().id + "-copy"});
+}
+
+void copy_line(const Scene& scene, Edits& edits) {
+    edits.copy(scene.lab.share_line());
+    edits.add([](Lab& lab) { lab.say("Copied: the preset as one line of text"); });
+}
+
+void paste_line(const Scene&, Edits& edits) {
+    const char* text = ImGui::GetClipboardText();
+    edits.add([line = std::string(text ? text : "")](Lab& lab) { lab.paste(line); });
+}
+
+void quit(const Scene&, Edits& edits) {
+    edits.quit();
+}
+
+template <Dialog::Kind kind>
+void show(const Scene&, Edits& edits) {
+    edits.show({.kind = kind});
+}
+}  // namespace
+
+bool file_actions::has_document(const Scene& scene) {
+    return scene.lab.document() != nullptr;
+}
+
+bool file_actions::has_preset(const Scene& scene) {
+    return scene.lab.document() && !scene.lab.document()->preset_file().empty();
+}
+
+std::vector<Action> file_actions::list() {
+    using Kind = Dialog::Kind;
+    return {
+        {ActionId::open, Menu::file, "Open…", {'O', true}, false, show<Kind::open_file>},
+        {ActionId::new_look, Menu::file, "New look…", {'N', true}, true, show<Kind::new_look>},
+        {ActionId::duplicate_look,
+         Menu::file,
+         "Duplicate this look…",
+         {},
+         false,
+         duplicate_look,
+         has_document},
+        {ActionId::save_preset, Menu::file, "Save preset", {'S', true}, true, save, has_document},
+        {ActionId::save_preset_as,
+         Menu::file,
+         "Save preset as…",
+         {'S', true, true},
+         false,
+         save_as,
+         has_document},
+        {ActionId::rename_preset, Menu::file, "Rename preset…", {}, false, rename, has_preset},
+        {ActionId::duplicate_preset,
+         Menu::file,
+         "Duplicate preset",
+         {'D', true},
+         false,
+         duplicate,
+         has_preset},
+        {ActionId::delete_preset,
+         Menu::file,
+         "Delete preset…",
+         {},
+         false,
+         show<Kind::delete_preset>,
+         has_preset},
+        {ActionId::copy_line,
+         Menu::file,
+         "Copy as a line of text",
+         {'C', true},
+         true,
+         copy_line,
+         has_document},
+        {ActionId::paste_line, Menu::file, "Paste a line", {'V', true}, false, paste_line},
+        {ActionId::save_picture,
+         Menu::file,
+         "Save the picture…",
+         {'E', true},
+         true,
+         show<Kind::save_picture>,
+         has_document},
+        {ActionId::quit, Menu::file, "Quit", {'Q', true}, true, quit},
+    };
+}

@@ -1,0 +1,123 @@
+#include "ui/file_dialog.h"
+
+#include "lab/snapshot.h"
+#include "ui/dialog_frame.h"
+#include "ui/scoped.h"
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+#include <imgui/imgui_stdlib.h>
+
+namespace fs = std::filesystem;
+
+namespace {
+std::vector<std::string> endings_for(Dialog::Kind kind) {
+    if (kind == Dialog::Kind::save_picture)
+        return {".png", ".exr"};
+    if (kind == Dialog::Kind::choose_file)
+        return {};
+    return {".json", ".png", ".exr", ".jpg", ".jpeg", ".txt", ".wav",
+            ".flac", ".ogg", ".oga", ".mp3", ".aif",  ".aiff"};
+}
+
+const char* title_for(Dialog::Kind kind) {
+    switch (kind) {
+        case Dialog::Kind::save_picture:
+            return "Save the picture";
+        case Dialog::Kind::choose_file:
+            return "Choose a file";
+        default:
+            return "Open a look, a preset, a picture or a sound";
+    }
+}
+
+void enter(const fs::path& folder, Edits& edits) {
+    edits.arrange([folder = folder.lexically_normal()](WindowState& window) {
+        window.dialog.folder = folder;
+        window.dialog.entries = list_folder(folder, endings_for(window.dialog.kind));
+        window.last_folder = folder;
+    });
+}
+
+void start(const Scene& scene, Edits& edits) {
+    std::error_code error;
+    const fs::path& last = scene.window.last_folder;
+    enter(fs::is_directory(last, error) ? last : fs::current_path(error), edits);
+    edits.arrange([](WindowState& window) { window.dialog.is_new = false; });
+    if (scene.window.dialog.kind == Dialog::Kind::save_picture)
+        edits.arrange([](WindowState& window) { window.dialog.text = "picture.png"; });
+}
+
+void finish(const fs::path& file, const Scene& scene, Edits& edits) {
+    const Dialog& dialog = scene.window.dialog;
+    close_dialog(edits);
+    if (dialog.kind == Dialog::Kind::open_file)
+        edits.open_file(scene.lab, file);
+    else if (dialog.kind == Dialog::Kind::save_picture)
+        edits.add([file](Lab& lab) { save_snapshot(lab, file); });
+    else
+        edits.document([name = dialog.subject, file](Document& document) {
+            document.set_value(name, Value::of_path(file.string()));
+        });
+}
+
+void draw_folder_line(const Dialog& dialog, Edits& edits) {
+    if (ImGui::Button("Up"))
+        enter(dialog.folder.parent_path(), edits);
+    ImGui::SameLine();
+    std::string folder = dialog.folder.string();
+    ImGui::SetNextItemWidth(-1.0f);
+    if (ImGui::InputText("##folder", &folder, ImGuiInputTextFlags_EnterReturnsTrue))
+        enter(folder, edits);
+    edits.mark("dialog_folder");
+}
+
+// A look's folder opens as a look with a double click on its look.json.
+void draw_entries(const Scene& scene, Edits& edits) {
+    const Dialog& dialog = scene.window.dialog;
+    const ScopedColor back(ImGuiCol_ChildBg, theme::surround);
+    const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(6.0f, 6.0f));
+    ImGui::BeginChild("##entries", {0.0f, ImGui::GetFontSize() * 20.0f}, false,
+                      ImGuiWindowFlags_AlwaysUseWindowPadding);
+    for (const FolderEntry& entry : dialog.entries) {
+        const std::string label = entry.is_folder ? entry.name + "/" : entry.name;
+        const ScopedColor color(ImGuiCol_Text, entry.is_folder ? theme::label : theme::text);
+        if (ImGui::Selectable(
+                label.c_str(), entry.name == dialog.text,
+                ImGuiSelectableFlags_AllowDoubleClick | ImGuiSelectableFlags_DontClosePopups)) {
+            if (entry.is_folder)
+                enter(dialog.folder / entry.name, edits);
+            else
+                edits.arrange(
+                    [name = entry.name](WindowState& window) { window.dialog.text = name; });
+            if (!entry.is_folder && ImGui::IsMouseDoubleClicked(0))
+                finish(dialog.folder / entry.name, scene, edits);
+        }
+        edits.mark("file:" + entry.name);
+    }
+    if (dialog.entries.empty())
+        dim_text("Nothing here that could be opened.");
+    ImGui::EndChild();
+}
+}  // namespace
+
+void draw_file_dialog(const Scene& scene, Edits& edits) {
+    const Dialog& dialog = scene.window.dialog;
+    const DialogFrame frame(title_for(dialog.kind), 44.0f, scene, edits);
+    if (!frame.is_open())
+        return;
+    if (dialog.is_new) {
+        start(scene, edits);
+        return;
+    }
+    draw_folder_line(dialog, edits);
+    draw_entries(scene, edits);
+    std::string name = dialog.text;
+    ImGui::SetNextItemWidth(-1.0f);
+    if (ImGui::InputTextWithHint("##file", "Name or path of a file", &name))
+        edits.arrange([name](WindowState& window) { window.dialog.text = name; });
+    edits.mark("dialog_file");
+    const bool is_saving = dialog.kind == Dialog::Kind::save_picture;
+    if (draw_dialog_buttons(is_saving ? "Save" : "Open", !name.empty(), edits))
+        finish(dialog.folder / name, scene, edits);
+}

@@ -1,0 +1,69 @@
+#include "ui/fonts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <initializer_list>
+#include <string>
+
+namespace {
+constexpr float text_height = 15.0f;
+constexpr float number_height = 13.0f;
+
+// Latin, Greek and Cyrillic, and the signs that labels and units use.
+const ImWchar* glyphs() {
+    static constexpr std::array<ImWchar, 17> ranges{0x0020, 0x024F, 0x0370, 0x03FF, 0x0400, 0x04FF,
+                                                    0x2010, 0x2044, 0x2070, 0x209F, 0x2190, 0x21FF,
+                                                    0x2200, 0x22FF, 0x2300, 0x23FF, 0};
+    return ranges.data();
+}
+
+std::string find_font(std::initializer_list<const char*> names) {
+    const std::string home = std::getenv("HOME") ? std::getenv("HOME") : "";
+    const std::array folders{std::string("/usr/share/fonts/opentype/inter/"),
+                             std::string("/usr/share/fonts/truetype/inter/"),
+                             std::string("/usr/share/fonts/inter/"),
+                             std::string("/usr/share/fonts/truetype/dejavu/"),
+                             std::string("/usr/share/fonts/TTF/"),
+                             std::string("/usr/share/fonts/dejavu-sans-fonts/"),
+                             std::string("/usr/share/fonts/dejavu-sans-mono-fonts/"),
+                             std::string("/usr/share/fonts/dejavu/"),
+                             home + "/.local/share/fonts/",
+                             std::string("/System/Library/Fonts/")};
+    for (const char* name : names)
+        for (const std::string& folder : folders)
+            if (std::error_code error; std::filesystem::is_regular_file(folder + name, error))
+                return folder + name;
+    return {};
+}
+
+// ImGui's own face is a bitmap of 13 pixels; it stays sharp at whole multiples only.
+ImFont* add_built_in(float scale) {
+    ImFontConfig config;
+    config.SizePixels = 13.0f * std::max(1.0f, std::round(scale));
+    return ImGui::GetIO().Fonts->AddFontDefault(&config);
+}
+
+ImFont* add(const std::string& file, float height, float scale) {
+    if (file.empty())
+        return add_built_in(scale);
+    ImFontConfig config;
+    config.OversampleH = 2;
+    config.OversampleV = 1;
+    ImFont* font = ImGui::GetIO().Fonts->AddFontFromFileTTF(
+        file.c_str(), std::round(height * scale), &config, glyphs());
+    return font ? font : add_built_in(scale);
+}
+}  // namespace
+
+Fonts load_fonts(float scale) {
+    ImGui::GetIO().Fonts->Clear();
+    const auto text = find_font({"Inter-Regular.otf", "Inter-Regular.ttf", "DejaVuSans.ttf"});
+    const auto strong =
+        find_font({"Inter-SemiBold.otf", "Inter-SemiBold.ttf", "DejaVuSans-Bold.ttf"});
+    const auto numbers = find_font({"DejaVuSansMono.ttf", "Menlo.ttc"});
+    return {.text = add(text, text_height, scale),
+            .strong = add(strong, text_height, scale),
+            .numbers = add(numbers, number_height, scale)};
+}

@@ -1,0 +1,86 @@
+#include "ui/form.h"
+
+#include "ui/icons.h"
+#include "ui/scoped.h"
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+float gap() {
+    return ImGui::GetStyle().ItemInnerSpacing.x;
+}
+}  // namespace
+
+float FormColumns::control_and_number() const {
+    return control + gap() + number;
+}
+
+FormColumns form_columns(bool has_button) {
+    const float room = ImGui::GetContentRegionAvail().x;
+    FormColumns columns;
+    columns.button = has_button ? ImGui::GetFrameHeight() : -gap();
+    columns.number = std::round(ImGui::GetFontSize() * 3.9f);
+    const float rest = std::max(60.0f, room - columns.button - columns.number - 3.0f * gap());
+    columns.label = std::floor(rest * 0.5f);
+    columns.control = std::floor(rest - columns.label);
+    return columns;
+}
+
+bool form_label(const std::string& label, const FormColumns& columns, bool is_changed) {
+    const float height = ImGui::GetFrameHeight();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const bool is_clicked = ImGui::InvisibleButton(
+        "##label", {columns.label, height},
+        ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
+    const ImVec4 color = is_changed || ImGui::IsItemHovered() ? theme::text : theme::label;
+    const std::string cut = cut_to_fit(label, columns.label);
+    const float top = at.y + (height - ImGui::GetFontSize()) * 0.5f;
+    ImGui::GetWindowDrawList()->AddText({at.x, top}, theme::packed(color), cut.c_str());
+    return is_clicked;
+}
+
+void form_control(const FormColumns& columns) {
+    ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + columns.label + gap());
+}
+
+Turned form_slider(const char* id, double& value, const SliderFacts& facts,
+                   const FormColumns& columns, const Fonts& fonts) {
+    const ScopedId scope{std::string(id)};
+    const ScopedFont font(fonts.numbers);
+    const ScopedStyle<ImVec2> padding(
+        ImGuiStyleVar_FramePadding,
+        ImVec2(4.0f,
+               ImGui::GetStyle().FramePadding.y + (fonts.text->FontSize - fonts.numbers->FontSize) *
+                                                      0.5f * ImGui::GetIO().FontGlobalScale));
+    Turned turned = draw_slider("##slider", value, facts, columns.control);
+    ImGui::SameLine(0.0f, gap());
+    turned |= draw_number("##number", value, columns.number, facts.is_changed);
+    return turned;
+}
+
+bool form_reset(const std::string& help, bool is_changed, const FormColumns& columns) {
+    ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + columns.label + columns.control +
+                    columns.number + 3.0f * gap());
+    if (is_changed)
+        return icon_button("##reset", Icon::reset, help, theme::dim);
+    ImGui::Dummy({columns.button, ImGui::GetFrameHeight()});
+    return false;
+}
+
+bool form_list(const char* id, const char* const* labels, int count, int& chosen, float width) {
+    ImGui::SetNextItemWidth(width);
+    const char* present = chosen >= 0 && chosen < count ? labels[chosen] : "";
+    bool is_changed = false;
+    if (!ImGui::BeginCombo(id, present))
+        return false;
+    for (int i = 0; i < count; ++i)
+        if (ImGui::Selectable(labels[i], i == chosen) && i != chosen) {
+            chosen = i;
+            is_changed = true;
+        }
+    ImGui::EndCombo();
+    return is_changed;
+}

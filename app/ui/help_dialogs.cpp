@@ -1,0 +1,94 @@
+#include "ui/help_dialogs.h"
+
+#include "ui/actions.h"
+#include "ui/dialog_frame.h"
+#include "ui/scoped.h"
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+#include <array>
+#include <utility>
+
+namespace {
+constexpr std::array<std::pair<const char*, const char*>, 7> mouse_habits{
+    {{"Drag on a slider", "turn it; with Shift ten times finer"},
+     {"Ctrl+click or double click", "type a value, also beyond the slider's ends"},
+     {"Click on a name", "what the parameter is, and where it is declared"},
+     {"Wheel over a picture", "zoom about the pointer"},
+     {"Drag a picture", "move it"},
+     {"Escape", "stop showing the past again, leave the picture, close a dialog"},
+     {"Ctrl+Y", "redo"}}};
+
+void line(const std::string& keys, const std::string& words, const Scene& scene) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    {
+        const ScopedFont font(scene.fonts.numbers);
+        const ScopedColor color(ImGuiCol_Text, theme::accent);
+        ImGui::TextUnformatted(keys.c_str());
+    }
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(words.c_str());
+}
+
+void draw_close(Edits& edits) {
+    ImGui::Spacing();
+    const float width = ImGui::GetFontSize() * 6.5f;
+    ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - width);
+    if (ImGui::Button("Close", {width, 0.0f}))
+        close_dialog(edits);
+    edits.mark("dialog_cancel");
+}
+
+template <class Lines>
+void draw_table(const char* id, const Lines& lines) {
+    if (!ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingFixedFit))
+        return;
+    lines();
+    ImGui::EndTable();
+}
+}  // namespace
+
+void draw_keys_dialog(const Scene& scene, Edits& edits) {
+    const DialogFrame frame("Keys", 62.0f, scene, edits);
+    if (!frame.is_open())
+        return;
+    const std::vector<Action>& actions = all_actions();
+    std::vector<const Action*> with_keys;
+    for (const Action& action : actions)
+        if (action.chord.key != 0)
+            with_keys.push_back(&action);
+    const std::size_t half = (with_keys.size() + 1) / 2;
+    const auto column = [&](std::size_t first, std::size_t end) {
+        for (std::size_t i = first; i < end; ++i)
+            line(chord_text(with_keys[i]->chord), with_keys[i]->label, scene);
+    };
+    if (ImGui::BeginTable("##halves", 2)) {
+        ImGui::TableNextColumn();
+        draw_table("##first", [&] { column(0, half); });
+        ImGui::TableNextColumn();
+        draw_table("##second", [&] { column(half, with_keys.size()); });
+        ImGui::EndTable();
+    }
+    ImGui::Separator();
+    draw_table("##mouse", [&] {
+        for (const auto& [keys, words] : mouse_habits)
+            line(keys, words, scene);
+    });
+    draw_close(edits);
+}
+
+void draw_about_dialog(const Scene& scene, Edits& edits) {
+    const DialogFrame frame("Afterglow", 32.0f, scene, edits);
+    if (!frame.is_open())
+        return;
+    ImGui::TextWrapped(
+        "A lab for the CRT, phosphor and oscilloscope look: open a look, turn its "
+        "parameters, edit its shaders, and share what you found as a preset.");
+    ImGui::Spacing();
+    dim_text("Looks and presets");
+    ImGui::TextWrapped("%s", scene.lab.library().roots().program.string().c_str());
+    dim_text("Your own");
+    ImGui::TextWrapped("%s", scene.lab.library().roots().user.string().c_str());
+    draw_close(edits);
+}

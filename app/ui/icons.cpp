@@ -1,0 +1,105 @@
+#include "ui/icons.h"
+
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+#include <cmath>
+
+namespace {
+// Draws in a square from (0, 0) to (1, 1).
+class Pen {
+public:
+    Pen(const ImVec2& at, float size, ImU32 color)
+        : m_list(*ImGui::GetWindowDrawList()), m_at(at), m_size(size), m_color(color) {}
+
+    ImVec2 at(float x, float y) const { return {m_at.x + x * m_size, m_at.y + y * m_size}; }
+    void box(float left, float top, float right, float bottom) {
+        m_list.AddRectFilled(at(left, top), at(right, bottom), m_color, m_size * 0.06f);
+    }
+    void triangle(const ImVec2& a, const ImVec2& b, const ImVec2& c) {
+        m_list.AddTriangleFilled(at(a.x, a.y), at(b.x, b.y), at(c.x, c.y), m_color);
+    }
+    void line(const ImVec2& a, const ImVec2& b) {
+        m_list.AddLine(at(a.x, a.y), at(b.x, b.y), m_color, m_size * 0.11f);
+    }
+    // Part of a circle around the middle, from one angle to another; radians, clockwise from the
+    // right.
+    void arc(float radius, float from, float to) {
+        m_list.PathArcTo(at(0.5f, 0.5f), radius * m_size, from, to, 24);
+        m_list.PathStroke(m_color, 0, m_size * 0.11f);
+    }
+    void circle(float x, float y, float radius) {
+        m_list.AddCircle(at(x, y), radius * m_size, m_color, 24, m_size * 0.11f);
+    }
+
+private:
+    ImDrawList& m_list;
+    ImVec2 m_at;
+    float m_size;
+    ImU32 m_color;
+};
+
+void draw_turn_back(Pen& pen) {
+    constexpr float pi = 3.14159265f;
+    pen.arc(0.32f, -0.75f * pi, 0.85f * pi);
+    pen.triangle({0.08f, 0.12f}, {0.44f, 0.16f}, {0.16f, 0.46f});
+}
+}  // namespace
+
+void draw_icon(Icon icon, const ImVec2& at, float size, ImU32 color) {
+    Pen pen(at, size, color);
+    switch (icon) {
+        case Icon::play:
+            pen.triangle({0.24f, 0.12f}, {0.24f, 0.88f}, {0.88f, 0.5f});
+            break;
+        case Icon::pause:
+            pen.box(0.2f, 0.14f, 0.41f, 0.86f);
+            pen.box(0.59f, 0.14f, 0.8f, 0.86f);
+            break;
+        case Icon::step:
+            pen.triangle({0.14f, 0.14f}, {0.14f, 0.86f}, {0.68f, 0.5f});
+            pen.box(0.7f, 0.14f, 0.84f, 0.86f);
+            break;
+        case Icon::restart:
+            pen.triangle({0.86f, 0.14f}, {0.86f, 0.86f}, {0.32f, 0.5f});
+            pen.box(0.16f, 0.14f, 0.3f, 0.86f);
+            break;
+        case Icon::reset:
+            draw_turn_back(pen);
+            break;
+        case Icon::edit:
+            pen.line({0.2f, 0.8f}, {0.72f, 0.28f});
+            pen.triangle({0.1f, 0.9f}, {0.16f, 0.66f}, {0.34f, 0.84f});
+            break;
+        case Icon::close:
+            pen.line({0.24f, 0.24f}, {0.76f, 0.76f});
+            pen.line({0.76f, 0.24f}, {0.24f, 0.76f});
+            break;
+        case Icon::search:
+            pen.circle(0.43f, 0.43f, 0.27f);
+            pen.line({0.62f, 0.62f}, {0.86f, 0.86f});
+            break;
+        case Icon::stop:
+            pen.box(0.2f, 0.2f, 0.8f, 0.8f);
+            break;
+    }
+}
+
+bool icon_button(const char* id, Icon icon, const std::string& help, const ImVec4& color) {
+    const float side = ImGui::GetFrameHeight();
+    const bool is_pressed = ImGui::InvisibleButton(id, {side, side});
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const bool is_hovered = ImGui::IsItemHovered();
+    if (is_hovered)
+        ImGui::GetWindowDrawList()->AddRectFilled(low, ImGui::GetItemRectMax(),
+                                                  theme::packed(theme::field_active),
+                                                  ImGui::GetStyle().FrameRounding);
+    const float inset = std::round(side * 0.24f);
+    draw_icon(icon, {low.x + inset, low.y + inset}, side - 2.0f * inset, ImGui::GetColorU32(color));
+    tooltip(help);
+    return is_pressed;
+}
+
+bool icon_button(const char* id, Icon icon, const std::string& help) {
+    return icon_button(id, icon, help, theme::text);
+}

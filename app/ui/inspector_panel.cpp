@@ -1,0 +1,154 @@
+#include "ui/inspector_panel.h"
+
+#include "ui/icons.h"
+#include "ui/pass_settings.h"
+#include "ui/picture_canvas.h"
+#include "ui/picture_menus.h"
+#include "ui/scoped.h"
+#include "ui/slider.h"
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+namespace {
+// The pass that is looked into; the last one until another is chosen.
+const Pass& inspected_pass(const Scene& scene) {
+    const Look& look = scene.lab.renderer()->executor().look();
+    const auto chosen = find_pass(look, scene.window.inspected.pass);
+    return chosen ? look.passes[static_cast<std::size_t>(*chosen)] : look.passes.back();
+}
+
+void arrange(PassView view, Edits& edits) {
+    edits.arrange([view = std::move(view)](WindowState& window) { window.inspected = view; });
+}
+
+void draw_title(const Pass& pass, const Scene& scene, Edits& edits) {
+    const Look& look = scene.lab.renderer()->executor().look();
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() - 4.0f);
+    const ScopedFont strong(scene.fonts.strong);
+    if (ImGui::BeginCombo("##pass", pass.name.c_str())) {
+        const ScopedFont text(scene.fonts.text);
+        for (const Pass& other : look.passes)
+            if (ImGui::Selectable(other.name.c_str(), other.name == pass.name))
+                edits.arrange(
+                    [name = other.name](WindowState& window) { window.inspected.pass = name; });
+        ImGui::EndCombo();
+    }
+    const ScopedFont text(scene.fonts.text);
+    ImGui::SameLine(0.0f, 4.0f);
+    const std::filesystem::path file = pass.fragment.file;
+    if (icon_button("##edit", Icon::edit, "Open " + file.filename().string() + " in your editor",
+                    theme::dim))
+        edits.add([file](Lab& lab) { lab.open_in_editor({file, 1}); });
+}
+
+void draw_channels(const Scene& scene, Edits& edits) {
+    static constexpr std::array labels{"RGB", "R", "G", "B", "A", "Y"};
+    PassView view = scene.window.inspected;
+    const int chosen = choice("channels", labels.data(), static_cast<int>(labels.size()),
+                              static_cast<int>(view.channels), edits);
+    if (chosen == static_cast<int>(view.channels))
+        return;
+    view.channels = static_cast<Channels>(chosen);
+    arrange(view, edits);
+}
+
+void draw_exposure(const Scene& scene, Edits& edits) {
+    PassView view = scene.window.inspected;
+    const float number = ImGui::GetFontSize() * 2.6f;
+    const float room = ImGui::GetContentRegionAvail().x - number - 6.0f;
+    const SliderFacts facts{.low = -10.0,
+                            .high = 10.0,
+                            .step = 0.1,
+                            .initial = 0.0,
+                            .is_changed = view.exposure != 0.0};
+    const ScopedFont font(scene.fonts.numbers);
+    Turned turned = draw_slider("##exposure", view.exposure, facts, std::max(room, 30.0f));
+    tooltip(
+        "Exposure of this view, in stops. Double click to type; the pass itself stays as it is.");
+    edits.mark("inspector_exposure");
+    ImGui::SameLine(0.0f, 4.0f);
+    turned |= draw_number("##stops", view.exposure, number, facts.is_changed);
+    if (turned.is_changed)
+        arrange(view, edits);
+}
+
+std::string probe_text(const Scene& scene, const Pass& pass) {
+    const auto& probe = scene.window.probe;
+    const auto& rgba = scene.views.probed();
+    if (!probe || probe->pass != pass.name || !rgba)
+        return {};
+    std::string text = fmt::format("{}, {} ", probe->x, probe->y);
+    for (int i = 0; i < facts_of(pass.format).channels; ++i)
+        text += fmt::format(
+            " {}", short_number(static_cast<double>((*rgba)[static_cast<std::size_t>(i)])));
+    return text;
+}
+
+void draw_facts_line(const Pass& pass, Extent extent, const Scene& scene, Edits& edits) {
+    const PassView& view = scene.window.inspected;
+    const ScopedFont font(scene.fonts.numbers);
+    const double zoom = view.view.zoom_for(extent, scene.window.views.inspector);
+    const std::string probe = probe_text(scene, pass);
+    const float width = ImGui::GetContentRegionAvail().x;
+    if (!probe.empty()) {
+        fitted_text(probe, width, theme::text);
+    } else {
+        fitted_text(fmt::format("{}  {}  {}", size_text(extent), facts_of(pass.format).name,
+                                zoom_text(zoom)),
+                    width, theme::dim);
+    }
+    edits.mark("inspector_value");
+}
+
+void draw_view(const Pass& pass, Extent extent, float height, const Scene& scene, Edits& edits) {
+    const float width = ImGui::GetContentRegionAvail().x;
+    const Extent room = scene.device_pixels(width, height);
+    if (room != scene.window.views.inspector)
+        edits.arrange([room](WindowState& window) { window.views.inspector = room; });
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + width, low.y + height},
+                                              theme::packed(theme::surround));
+    const CanvasInput input = draw_picture_canvas({.id = "##inspected",
+                                                   .image = scene.views.inspected(),
+                                                   .picture = extent,
+                                                   .view = scene.window.inspected.view,
+                                                   .size = {width, height}},
+                                                  scene);
+    edits.mark("inspector");
+    if (input.moved)
+        edits.arrange([view = *input.moved](WindowState& window) { window.inspected.view = view; });
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0))
+        edits.arrange([](WindowState& window) { window.inspected.view = {PictureView::Fit::all}; });
+    if (!input.hovered)
+        return;
+    const Probe probe{pass.name, static_cast<int>(std::floor((*input.hovered)[0])),
+                      static_cast<int>(std::floor((*input.hovered)[1]))};
+    edits.arrange([probe](WindowState& window) { window.probe = probe; });
+}
+}  // namespace
+
+void draw_inspector_panel(const Scene& scene, Edits& edits) {
+    if (!scene.lab.renderer() || scene.lab.renderer()->executor().plan().targets.empty())
+        return;
+    const Executor& executor = scene.lab.renderer()->executor();
+    const Pass& pass = inspected_pass(scene);
+    if (pass.name != scene.window.inspected.pass)
+        edits.arrange([name = pass.name](WindowState& window) { window.inspected.pass = name; });
+    const Extent extent = executor.target(*find_pass(executor.look(), pass.name)).extent();
+
+    draw_title(pass, scene, edits);
+    draw_channels(scene, edits);
+    ImGui::SameLine();
+    draw_exposure(scene, edits);
+    const float below = pass_settings_height() + ImGui::GetTextLineHeightWithSpacing() +
+                        ImGui::GetStyle().ItemSpacing.y * 2.0f;
+    const float height = std::max(40.0f, ImGui::GetContentRegionAvail().y - below);
+    draw_view(pass, extent, std::floor(height), scene, edits);
+    draw_facts_line(pass, extent, scene, edits);
+    draw_pass_settings(pass.name, scene, edits);
+}

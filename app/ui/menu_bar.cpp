@@ -1,0 +1,78 @@
+#include "ui/menu_bar.h"
+
+#include "ui/actions.h"
+#include "ui/picture_menus.h"
+#include "ui/scoped.h"
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+#include <array>
+
+namespace {
+void draw_item(const Action& action, const Scene& scene, Edits& edits) {
+    if (action.is_first)
+        ImGui::Separator();
+    const std::string label = label_of(action, scene);
+    const bool is_enabled = !action.is_enabled || action.is_enabled(scene);
+    const bool is_on = action.is_on && action.is_on(scene);
+    if (ImGui::MenuItem(label.c_str(), chord_text(action.chord).c_str(), is_on, is_enabled))
+        action.act(scene, edits);
+    edits.mark(std::string("menu:") + action.label);
+}
+
+void draw_picture_submenus(const Scene& scene, Edits& edits) {
+    if (ImGui::BeginMenu("Picture size")) {
+        draw_size_items(scene, edits);
+        ImGui::EndMenu();
+    }
+    if (ImGui::BeginMenu("Zoom")) {
+        draw_zoom_items(scene, edits);
+        ImGui::EndMenu();
+    }
+}
+
+void draw_menu(Menu menu, const char* label, const Scene& scene, Edits& edits) {
+    const bool is_open = ImGui::BeginMenu(label);
+    edits.mark(std::string("menu:") + label);
+    if (!is_open)
+        return;
+    if (menu == Menu::view)
+        draw_picture_submenus(scene, edits);
+    for (const Action& action : all_actions())
+        if (action.menu == menu)
+            draw_item(action, scene, edits);
+    ImGui::EndMenu();
+}
+
+void draw_title(const Scene& scene) {
+    const std::string title = title_of(scene.lab);
+    const float width = ImGui::CalcTextSize(title.c_str()).x;
+    const float left = ImGui::GetWindowWidth() - width - ImGui::GetStyle().WindowPadding.x;
+    if (left < ImGui::GetCursorPosX())
+        return;
+    ImGui::SetCursorPosX(left);
+    dim_text(title);
+}
+}  // namespace
+
+std::string title_of(const Lab& lab) {
+    const Document* document = lab.document();
+    if (!document)
+        return {};
+    std::string title = document->look().name;
+    if (!document->preset_name().empty())
+        title += " – " + document->preset_name();
+    return document->is_modified() ? title + " •" : title;
+}
+
+void draw_menu_bar(const Scene& scene, Edits& edits) {
+    if (!ImGui::BeginMenuBar())
+        return;
+    draw_menu(Menu::file, "File", scene, edits);
+    draw_menu(Menu::edit, "Edit", scene, edits);
+    draw_menu(Menu::view, "View", scene, edits);
+    draw_menu(Menu::playback, "Playback", scene, edits);
+    draw_menu(Menu::help, "Help", scene, edits);
+    draw_title(scene);
+    ImGui::EndMenuBar();
+}

@@ -1,0 +1,123 @@
+#include "ui/overlays.h"
+
+#include "ui/icons.h"
+#include "ui/problem_list.h"
+#include "ui/scoped.h"
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace {
+void draw_centered(const std::string& text, float y, const ImVec4& color) {
+    const float width = ImGui::CalcTextSize(text.c_str()).x;
+    ImGui::SetCursorPos({(ImGui::GetWindowWidth() - width) * 0.5f, y});
+    const ScopedColor scoped(ImGuiCol_Text, color);
+    ImGui::TextUnformatted(text.c_str());
+}
+
+std::vector<const Problem*> errors_of(const Lab& lab) {
+    std::vector<const Problem*> errors;
+    for (const Problem& problem : lab.problems())
+        if (problem.diagnostic.severity == Severity::error)
+            errors.push_back(&problem);
+    return errors;
+}
+
+// As tall as its text, which is known from the frame before.
+void draw_errors(const Scene& scene, Edits& edits) {
+    const std::vector<const Problem*> errors = errors_of(scene.lab);
+    if (errors.empty())
+        return;
+    constexpr std::size_t most = 4;
+    const float margin = ImGui::GetFontSize() * 0.7f;
+    const float width = ImGui::GetWindowWidth() - 2.0f * margin;
+    const float line = ImGui::GetTextLineHeightWithSpacing();
+    const auto shown = static_cast<float>(std::min(errors.size(), most));
+    const float height = std::min(ImGui::GetWindowHeight() * 0.6f,
+                                  line * (shown * 2.4f + (errors.size() > most ? 1.0f : 0.0f)) +
+                                      2.0f * ImGui::GetStyle().WindowPadding.y);
+    ImGui::SetCursorPos({margin, margin});
+    const ScopedColor back(ImGuiCol_ChildBg, theme::problem_pane);
+    const ScopedStyle<float> rounding(ImGuiStyleVar_ChildRounding, 5.0f * scene.scale);
+    ImGui::BeginChild("##errors", {width, height}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+    for (std::size_t i = 0; i < std::min(errors.size(), most); ++i) {
+        draw_problem(*errors[i], scene.fonts, edits);
+        ImGui::Spacing();
+    }
+    if (errors.size() > most)
+        dim_text(fmt::format("and {} more, in the problems below", errors.size() - most));
+    ImGui::EndChild();
+    edits.mark("errors");
+}
+
+struct Pill {
+    const char* id;
+    std::string text;
+    theme::Color color;
+    float rise = 0.0f;  // from the bottom, in lines
+    float opacity = 1.0f;
+};
+
+void draw_pill(const Pill& pill, const Scene& scene) {
+    const float pad = ImGui::GetFontSize() * 0.8f;
+    const float most = ImGui::GetWindowWidth() * 0.8f - 2.0f * pad;
+    const ImVec2 text = ImGui::CalcTextSize(pill.text.c_str(), nullptr, false, most);
+    const ImVec2 size(text.x + 2.0f * pad, text.y + pad);
+    const ImVec2 window = ImGui::GetWindowPos();
+    const float bottom = window.y + ImGui::GetWindowHeight() - pad - pill.rise * size.y * 1.3f;
+    const ImVec2 low(window.x + (ImGui::GetWindowWidth() - size.x) * 0.5f, bottom - size.y);
+    const ScopedStyle<float> opacity(ImGuiStyleVar_Alpha, pill.opacity);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(low, {low.x + size.x, bottom}, ImGui::GetColorU32(theme::popup),
+                       6.0f * scene.scale);
+    list.AddRect(low, {low.x + size.x, bottom}, ImGui::GetColorU32(theme::line),
+                 6.0f * scene.scale);
+    list.AddText(scene.fonts.text, ImGui::GetFontSize(), {low.x + pad, low.y + pad * 0.5f},
+                 ImGui::GetColorU32(pill.color), pill.text.c_str(), nullptr, most);
+}
+
+void draw_notice(const Scene& scene) {
+    const auto& notice = scene.lab.notice();
+    if (!notice)
+        return;
+    const float opacity = std::clamp(static_cast<float>(notice->seconds_left), 0.0f, 1.0f);
+    draw_pill({"##notice", notice->text, notice->is_problem ? theme::problem : theme::text, 0.0f,
+               opacity},
+              scene);
+}
+
+void draw_replay(const Scene& scene) {
+    if (!scene.lab.renderer() || !scene.lab.renderer()->replay().is_running())
+        return;
+    const Replay& replay = scene.lab.renderer()->replay();
+    draw_pill({"##replay",
+               fmt::format("Showing the past again: {} of {} frames · Esc stops", replay.done,
+                           replay.total),
+               theme::dim, 1.0f},
+              scene);
+}
+}  // namespace
+
+void draw_overlays(const Scene& scene, Edits& edits) {
+    draw_errors(scene, edits);
+    draw_replay(scene);
+    draw_notice(scene);
+}
+
+void draw_welcome(const Scene& scene) {
+    const float middle = ImGui::GetWindowHeight() * 0.42f;
+    const float line = ImGui::GetTextLineHeightWithSpacing();
+    if (scene.lab.is_loading()) {
+        draw_centered("Reading the look…", middle, theme::dim);
+        return;
+    }
+    {
+        const ScopedFont font(scene.fonts.strong);
+        draw_centered("Afterglow", middle, theme::text);
+    }
+    draw_centered("Choose a look on the left, or drop a look, a preset or a sound here.",
+                  middle + line * 1.3f, theme::dim);
+}

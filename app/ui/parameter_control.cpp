@@ -1,0 +1,173 @@
+#include "ui/parameter_control.h"
+
+#include "ui/color_control.h"
+#include "ui/form.h"
+#include "ui/parameter_help.h"
+#include "ui/point_pad.h"
+#include "ui/scoped.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace {
+SliderFacts facts_for(const Knob& knob, std::size_t component) {
+    const Parameter& parameter = knob.parameter;
+    SliderFacts facts{.low = parameter.range.low,
+                      .high = parameter.range.high,
+                      .step = parameter.range.step,
+                      .is_logarithmic = parameter.scale == Scale::logarithmic,
+                      .is_changed = knob.is_changed};
+    if (parameter.type.scalar != Scalar::floating && facts.step <= 0.0)
+        facts.step = 1.0;
+    if (component < parameter.initial.numbers.size())
+        facts.initial = parameter.initial.numbers[component];
+    return facts;
+}
+
+// Angles are radians in the shader and degrees to a person.
+double shown_factor(const Parameter& parameter) {
+    return parameter.control == Control::angle ? 180.0 / std::numbers::pi : 1.0;
+}
+
+Turned draw_component(const Knob& knob, std::size_t component, Value& value,
+                      const FormColumns& columns, const Fonts& fonts, Edits& edits) {
+    SliderFacts facts = facts_for(knob, component);
+    const double factor = shown_factor(knob.parameter);
+    facts.low *= factor;
+    facts.high *= factor;
+    facts.step *= factor;
+    if (facts.initial)
+        *facts.initial *= factor;
+    double shown = value.numbers[component] * factor;
+    const std::string id = std::to_string(component);
+    const Turned turned = form_slider(id.c_str(), shown, facts, columns, fonts);
+    if (component == 0)
+        edits.mark("number:" + knob.parameter.name);
+    if (turned.is_changed)
+        value.numbers[component] = shown / factor;
+    return turned;
+}
+
+Turned draw_sliders(const Knob& knob, Value& value, const FormColumns& columns, const Fonts& fonts,
+                    Edits& edits) {
+    Turned turned;
+    for (std::size_t i = 0; i < value.numbers.size(); ++i)
+        turned |= draw_component(knob, i, value, columns, fonts, edits);
+    return turned;
+}
+
+Turned draw_check_boxes(Value& value) {
+    Turned turned;
+    for (std::size_t i = 0; i < value.numbers.size(); ++i) {
+        bool is_on = value.numbers[i] != 0.0;
+        if (i > 0)
+            ImGui::SameLine();
+        if (ImGui::Checkbox(("##" + std::to_string(i)).c_str(), &is_on)) {
+            value.numbers[i] = is_on ? 1.0 : 0.0;
+            turned = {true, true};
+        }
+    }
+    return turned;
+}
+
+Turned draw_list(const Knob& knob, Value& value, const FormColumns& columns) {
+    std::vector<const char*> labels;
+    int chosen = -1;
+    for (const Item& item : knob.parameter.items) {
+        if (item.value == value.number())
+            chosen = static_cast<int>(labels.size());
+        labels.push_back(item.label.c_str());
+    }
+    if (!form_list("##list", labels.data(), static_cast<int>(labels.size()), chosen,
+                   columns.control_and_number()))
+        return {};
+    value = Value(knob.parameter.items[static_cast<std::size_t>(chosen)].value);
+    return {true, true};
+}
+
+Turned draw_matrix(const Knob& knob, Value& value, const FormColumns& columns, const Fonts& fonts) {
+    const NumberType& type = knob.parameter.type;
+    const ScopedFont font(fonts.numbers);
+    const float width = columns.control_and_number() / static_cast<float>(type.columns) - 2.0f;
+    Turned turned;
+    for (int row = 0; row < type.rows; ++row) {
+        for (int column = 0; column < type.columns; ++column) {
+            if (column > 0)
+                ImGui::SameLine(0.0f, 2.0f);
+            const auto place = static_cast<std::size_t>(column * type.rows + row);
+            turned |= draw_number(fmt::format("##{}", place).c_str(), value.numbers[place], width,
+                                  knob.is_changed);
+        }
+    }
+    return turned;
+}
+
+Turned draw_trigger(Value& value, const FormColumns& columns) {
+    ImGui::Button("Trigger", {columns.control_and_number(), 0.0f});
+    const double wanted = ImGui::IsItemActive() ? 1.0 : 0.0;
+    if (wanted == value.number())
+        return {};
+    value = Value(wanted);
+    return {true, wanted == 0.0};
+}
+
+Turned draw_file(const Knob& knob, const FormColumns& columns, Edits& edits) {
+    const std::string name = std::filesystem::path(knob.value.path).filename().string();
+    const std::string label = (name.empty() ? std::string("Choose…") : name) + "##file";
+    if (ImGui::Button(label.c_str(), {columns.control_and_number(), 0.0f}))
+        edits.show({.kind = Dialog::Kind::choose_file, .subject = knob.parameter.name});
+    return {};
+}
+
+Turned draw_control(const Knob& knob, Value& value, const FormColumns& columns, const Fonts& fonts,
+                    Edits& edits) {
+    const Parameter& parameter = knob.parameter;
+    switch (parameter.control) {
+        case Control::list:
+            return draw_list(knob, value, columns);
+        case Control::color:
+            return draw_color(parameter, value, columns, fonts);
+        case Control::point:
+            return draw_point(parameter, value, knob.is_changed, columns, fonts);
+        case Control::event:
+            return draw_trigger(value, columns);
+        case Control::image:
+        case Control::sound:
+            return draw_file(knob, columns, edits);
+        case Control::slider:
+        case Control::angle:
+            break;
+    }
+    if (parameter.type.columns > 1)
+        return draw_matrix(knob, value, columns, fonts);
+    if (parameter.type.scalar == Scalar::boolean)
+        return draw_check_boxes(value);
+    return draw_sliders(knob, value, columns, fonts, edits);
+}
+}  // namespace
+
+void draw_parameter(const Knob& knob, const Fonts& fonts, Edits& edits) {
+    const Parameter& parameter = knob.parameter;
+    const ScopedId scope(parameter.name);
+    const FormColumns columns = form_columns();
+    if (form_label(parameter.label, columns, knob.is_changed))
+        ImGui::OpenPopup("about");
+    draw_parameter_help(knob, fonts, edits);
+    Value value = knob.value;
+    form_control(columns);
+    ImGui::BeginGroup();
+    const Turned turned = draw_control(knob, value, columns, fonts, edits);
+    ImGui::EndGroup();
+    edits.mark("parameter:" + parameter.name);
+    if (turned.is_changed)
+        edits.set(parameter.name, value);
+    if (turned.is_finished)
+        edits.finish();
+    if (form_reset("Back to " + short_value(parameter, parameter.initial), knob.is_changed,
+                   columns))
+        reset_parameter(parameter.name, edits);
+    if (knob.is_changed)
+        edits.mark("reset:" + parameter.name);
+}

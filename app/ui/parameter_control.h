@@ -1,0 +1,15 @@
+#pragma once
+
+#include "model/parameter.h"
+#include "ui/edits.h"
+#include "ui/fonts.h"
+
+/// One knob of a look as the panel shows it.
+struct Knob {
+    const Parameter& parameter;
+    const Value& value;
+    bool is_changed = false;
+};
+
+/// Label, control, number and reset of one parameter, whatever its type.
+void draw_parameter(const Knob& knob, const Fonts& fonts, Edits& edits);

@@ -1,0 +1,103 @@
+#include "ui/parameter_help.h"
+
+#include "lab/lab.h"
+#include "ui/scoped.h"
+#include "ui/slider.h"
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+#include <fmt/format.h>
+
+#include <numbers>
+
+std::string short_value(const Parameter& parameter, const Value& value) {
+    if (!value.path.empty())
+        return std::filesystem::path(value.path).filename().string();
+    if (value.numbers.empty())
+        return "none";
+    for (const Item& item : parameter.items)
+        if (item.value == value.number())
+            return item.label;
+    if (parameter.type.scalar == Scalar::boolean && value.numbers.size() == 1)
+        return value.number() != 0.0 ? "on" : "off";
+    if (parameter.control == Control::angle)
+        return short_number(value.number() * 180.0 / std::numbers::pi) + "°";
+    std::string text;
+    for (const double number : value.numbers)
+        text += (text.empty() ? "" : ", ") + short_number(number);
+    return parameter.unit.empty() ? text : text + " " + parameter.unit;
+}
+
+void reset_parameter(const std::string& name, Edits& edits) {
+    edits.document([name](Document& document) { document.reset({name}); });
+}
+
+namespace {
+void fact(const char* name, const std::string& text) {
+    if (text.empty())
+        return;
+    dim_text(name);
+    ImGui::SameLine(ImGui::GetFontSize() * 5.0f);
+    ImGui::TextUnformatted(text.c_str());
+}
+
+std::string range_text(const Parameter& parameter) {
+    if (!parameter.items.empty() || parameter.type.scalar == Scalar::boolean ||
+        parameter.control == Control::image || parameter.control == Control::sound)
+        return {};
+    std::string text = fmt::format("{} to {}", short_number(parameter.range.low),
+                                   short_number(parameter.range.high));
+    if (parameter.scale == Scale::logarithmic)
+        text += ", logarithmic";
+    if (parameter.limit)
+        text += fmt::format("; at most {} to {}", short_number(parameter.limit->low),
+                            short_number(parameter.limit->high));
+    return text;
+}
+
+std::string place_text(const Location& place) {
+    if (place.file.empty())
+        return {};
+    return fmt::format("{}:{}", place.file.filename().string(), place.line);
+}
+
+void draw_facts(const Knob& knob, const Fonts& fonts) {
+    const Parameter& parameter = knob.parameter;
+    {
+        const ScopedFont strong(fonts.strong);
+        ImGui::TextUnformatted(parameter.label.c_str());
+    }
+    if (!parameter.help.empty()) {
+        ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24.0f);
+        ImGui::TextUnformatted(parameter.help.c_str());
+        ImGui::PopTextWrapPos();
+    }
+    ImGui::Spacing();
+    fact("name", parameter.name + "  (" + type_name(parameter) + ")");
+    fact("value", short_value(parameter, knob.value));
+    fact("default", short_value(parameter, parameter.initial));
+    fact("range", range_text(parameter));
+    fact("declared", place_text(parameter.declared));
+}
+}  // namespace
+
+void draw_parameter_help(const Knob& knob, const Fonts& fonts, Edits& edits) {
+    const Parameter& parameter = knob.parameter;
+    if (ImGui::IsItemHovered() && !ImGui::IsMouseDown(0) && !ImGui::IsPopupOpen("about")) {
+        ImGui::BeginTooltip();
+        draw_facts(knob, fonts);
+        ImGui::EndTooltip();
+    }
+    if (!ImGui::BeginPopup("about"))
+        return;
+    draw_facts(knob, fonts);
+    ImGui::Separator();
+    const Location place = parameter.declared;
+    if (!place.file.empty() && ImGui::Selectable(("Open " + place_text(place)).c_str()))
+        edits.add([place](Lab& lab) { lab.open_in_editor(place); });
+    if (knob.is_changed && ImGui::Selectable("Reset"))
+        reset_parameter(parameter.name, edits);
+    if (ImGui::Selectable("Copy the name"))
+        edits.copy(parameter.name);
+    ImGui::EndPopup();
+}

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "ui/parameter_control.h"
+
+/// Behind the label that was drawn last: what the parameter is, on hover; on a click the same with
+/// a way into the shader.
+void draw_parameter_help(const Knob& knob, const Fonts& fonts, Edits& edits);
+
+/// A value as a person reads it: with its unit, a list's item by its label.
+std::string short_value(const Parameter& parameter, const Value& value);
+
+void reset_parameter(const std::string& name, Edits& edits);

@@ -1,0 +1,117 @@
+#include "ui/pass_settings.h"
+
+#include "ui/form.h"
+#include "ui/picture_menus.h"
+#include "ui/scoped.h"
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace {
+constexpr std::array scales{0.125, 0.25, 0.5, 1.0, 2.0};
+
+PassOverride present_override(const Document& document, const std::string& pass) {
+    const PassOverrides& overrides = document.state().overrides;
+    const auto found = overrides.find(pass);
+    return found == overrides.end() ? PassOverride{} : found->second;
+}
+
+void set_override(const std::string& pass, const PassOverride& changed, Edits& edits) {
+    edits.document([=](Document& document) { document.set_override(pass, changed); });
+}
+
+// The factor of a pass that is measured by the picture; nothing where a size is given otherwise.
+std::optional<double> scale_of(const Pass& pass) {
+    const Side& side = pass.size[0];
+    return side.by == Side::By::viewport ? std::optional(side.factor) : std::nullopt;
+}
+
+void draw_scale(const Pass& drawn, PassOverride changed, float width, Edits& edits) {
+    std::array<std::string, scales.size()> texts;
+    std::array<const char*, scales.size()> labels{};
+    int chosen = -1;
+    for (std::size_t i = 0; i < scales.size(); ++i) {
+        texts[i] = zoom_text(scales[i]);
+        labels[i] = texts[i].c_str();
+        if (scale_of(drawn) == scales[i])
+            chosen = static_cast<int>(i);
+    }
+    if (form_list("##scale", labels.data(), static_cast<int>(labels.size()), chosen, width)) {
+        changed.scale = scales[static_cast<std::size_t>(chosen)];
+        set_override(drawn.name, changed, edits);
+    }
+    tooltip("Size of this pass against the picture");
+    edits.mark("pass_scale");
+}
+
+void draw_format(const Pass& drawn, PassOverride changed, float width, Edits& edits) {
+    ImGui::SetNextItemWidth(width);
+    if (ImGui::BeginCombo("##format", std::string(facts_of(drawn.format).name).c_str())) {
+        for (const FormatFacts& facts : all_formats())
+            if (ImGui::Selectable(std::string(facts.name).c_str(), facts.format == drawn.format)) {
+                changed.format = facts.format;
+                set_override(drawn.name, changed, edits);
+            }
+        ImGui::EndCombo();
+    }
+    tooltip("Format of this pass's target");
+    edits.mark("pass_format");
+}
+
+// As the first pass reads it that does.
+Filter filter_of(const Look& look, const std::string& pass) {
+    for (const Pass& reader : look.passes)
+        for (const Input& input : reader.inputs)
+            if (input.from == Input::From::pass && input.name == pass)
+                return input.sampler.filter;
+    return Filter::linear;
+}
+
+void draw_filter(const Look& drawn, const std::string& pass, PassOverride changed, float width,
+                 Edits& edits) {
+    static constexpr std::array labels{"nearest", "linear"};
+    int chosen = filter_of(drawn, pass) == Filter::linear ? 1 : 0;
+    if (form_list("##filter", labels.data(), 2, chosen, width)) {
+        changed.filter = chosen == 1 ? Filter::linear : Filter::nearest;
+        set_override(pass, changed, edits);
+    }
+    tooltip("How other passes read this one between its texels");
+    edits.mark("pass_filter");
+}
+
+void draw_buttons(const Scene& scene, Edits& edits) {
+    const bool has_changes = !scene.lab.document()->state().overrides.empty();
+    const ScopedDisabled disabled(!has_changes);
+    if (ImGui::Button("Write to look.json"))
+        edits.add([](Lab& lab) { lab.write_overrides(); });
+    edits.mark("write_overrides");
+    ImGui::SameLine();
+    if (quiet_button("As written"))
+        edits.document([](Document& document) { document.clear_overrides(); });
+    tooltip("Takes back what was tried here, in every pass");
+}
+}  // namespace
+
+float pass_settings_height() {
+    return 2.0f * ImGui::GetFrameHeightWithSpacing();
+}
+
+void draw_pass_settings(const std::string& pass, const Scene& scene, Edits& edits) {
+    const Look drawn = scene.lab.document()->drawn_look();
+    const auto place = find_pass(drawn, pass);
+    if (!place)
+        return;
+    const PassOverride changed = present_override(*scene.lab.document(), pass);
+    const float gap = 4.0f;
+    const float room = ImGui::GetContentRegionAvail().x - 2.0f * gap;
+    const Pass& shown = drawn.passes[static_cast<std::size_t>(*place)];
+    draw_scale(shown, changed, std::floor(room * 0.24f), edits);
+    ImGui::SameLine(0.0f, gap);
+    draw_format(shown, changed, std::floor(room * 0.44f), edits);
+    ImGui::SameLine(0.0f, gap);
+    draw_filter(drawn, pass, changed, std::floor(room * 0.32f), edits);
+    draw_buttons(scene, edits);
+}

@@ -1,0 +1,109 @@
+#include "ui/pass_strip.h"
+
+#include "ui/scoped.h"
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace {
+struct Cell {
+    std::size_t index = 0;
+    const Pass& pass;
+    const PlannedTarget& target;
+    double milliseconds = 0.0;
+    bool is_chosen = false;
+};
+
+std::string facts_text(const Cell& cell) {
+    return fmt::format("{} × {} {}", cell.target.extent.width, cell.target.extent.height,
+                       facts_of(cell.target.format).name);
+}
+
+std::string time_text(double milliseconds) {
+    return milliseconds > 0.0 ? fmt::format("{:.2f} ms", milliseconds) : std::string();
+}
+
+void draw_image(const Views::Image& image, const ImVec2& low, float width, float height,
+                float density) {
+    const float image_width = static_cast<float>(image.extent.width) / density;
+    const float image_height = static_cast<float>(image.extent.height) / density;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 start(low.x + std::floor((width - image_width) * 0.5f),
+                       low.y + std::floor((height - image_height) * 0.5f));
+    list.AddRectFilled(low, {low.x + width, low.y + height}, theme::packed(theme::surround));
+    if (image.handle != 0)
+        list.AddImage(texture_id(image.handle), start,
+                      {start.x + image_width, start.y + image_height}, {0.0f, 1.0f}, {1.0f, 0.0f});
+}
+
+void draw_words(const Cell& cell, const Scene& scene, const ImVec2& at, float width) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float line = ImGui::GetFontSize();
+    const std::string name = cut_to_fit(cell.pass.name, width);
+    list.AddText(at, theme::packed(cell.is_chosen ? theme::accent : theme::text), name.c_str());
+    const ScopedFont font(scene.fonts.numbers);
+    const std::string time = time_text(cell.milliseconds);
+    const float time_width = ImGui::CalcTextSize(time.c_str()).x;
+    const float name_width = scene.fonts.text->CalcTextSizeA(line, 10000.0f, 0.0f, name.c_str()).x;
+    if (name_width + time_width + line * 0.5f < width)
+        list.AddText({at.x + width - time_width, at.y + 1.0f}, theme::packed(theme::dim),
+                     time.c_str());
+    const std::string facts = cut_to_fit(facts_text(cell), width);
+    list.AddText({at.x, at.y + line * 1.2f}, theme::packed(theme::dim), facts.c_str());
+}
+
+void draw_cell(const Cell& cell, const Scene& scene, float image_height, Edits& edits) {
+    const ScopedId id(static_cast<int>(cell.index));
+    const Views::Image image = scene.views.thumbnail(cell.index);
+    const float least = ImGui::GetFontSize() * 9.5f;
+    const float width = std::max(least, static_cast<float>(image.extent.width) / scene.density);
+    const float words = ImGui::GetFontSize() * 2.5f;
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    if (ImGui::InvisibleButton("##pass", {width, image_height + words}))
+        edits.arrange([name = cell.pass.name](WindowState& window) {
+            window.inspected.pass = name;
+            window.shows_inspector = true;
+        });
+    edits.mark("pass:" + cell.pass.name);
+    const bool is_hovered = ImGui::IsItemHovered();
+    tooltip(fmt::format("{}\n{}{}", cell.pass.name, facts_text(cell),
+                        cell.milliseconds > 0.0 ? "\n" + time_text(cell.milliseconds) : ""));
+    draw_image(image, low, width, image_height, scene.density);
+    if (cell.is_chosen || is_hovered)
+        ImGui::GetWindowDrawList()->AddRect(
+            low, {low.x + width, low.y + image_height},
+            theme::packed(cell.is_chosen ? theme::accent : theme::faint));
+    draw_words(cell, scene, {low.x, low.y + image_height + 3.0f * scene.scale}, width);
+}
+}  // namespace
+
+void draw_pass_strip(const Scene& scene, Edits& edits) {
+    const Renderer* renderer = scene.lab.renderer();
+    if (!renderer)
+        return;
+    const Look& look = renderer->executor().look();
+    const std::vector<PlannedTarget>& targets = renderer->executor().plan().targets;
+    const std::vector<double>& times = renderer->latest_pass_milliseconds();
+    const float scrollbar = ImGui::GetStyle().ScrollbarSize;
+    const float room = ImGui::GetContentRegionAvail().y - ImGui::GetFontSize() * 2.5f - scrollbar;
+    const float image_height = std::max(24.0f, std::floor(room));
+    const int wanted = static_cast<int>(image_height * scene.density);
+    if (wanted != scene.window.views.thumbnail_height)
+        edits.arrange([wanted](WindowState& window) { window.views.thumbnail_height = wanted; });
+    const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
+    ImGui::BeginChild("##cells", {0.0f, 0.0f}, false, ImGuiWindowFlags_HorizontalScrollbar);
+    for (std::size_t i = 0; i < std::min(look.passes.size(), targets.size()); ++i) {
+        if (i > 0)
+            ImGui::SameLine(0.0f, ImGui::GetFontSize() * 0.6f);
+        draw_cell({.index = i,
+                   .pass = look.passes[i],
+                   .target = targets[i],
+                   .milliseconds = i < times.size() ? times[i] : 0.0,
+                   .is_chosen = look.passes[i].name == scene.window.inspected.pass},
+                  scene, image_height, edits);
+    }
+    ImGui::EndChild();
+}

@@ -1,0 +1,58 @@
+#include "ui/picture_canvas.h"
+
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+#include <algorithm>
+
+namespace {
+PictureView zoomed(const PictureCanvas& canvas, const PicturePlace& place,
+                   const std::array<double, 2>& pixel, bool is_in) {
+    PictureView view = canvas.view;
+    view.zoom_about(pixel[0] / canvas.picture.width, pixel[1] / canvas.picture.height, place.zoom,
+                    next_zoom(place.zoom, is_in));
+    return view;
+}
+
+PictureView panned(const PictureCanvas& canvas, const PicturePlace& place, float density) {
+    const ImVec2 delta = ImGui::GetIO().MouseDelta;
+    PictureView view = canvas.view;
+    const auto moved = [&](double middle, float by, int length) {
+        return std::clamp(middle - by * density / (place.zoom * length), 0.0, 1.0);
+    };
+    view.x = moved(view.x, delta.x, canvas.picture.width);
+    view.y = moved(view.y, delta.y, canvas.picture.height);
+    return view;
+}
+}  // namespace
+
+CanvasInput draw_picture_canvas(const PictureCanvas& canvas, const Scene& scene) {
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const ImVec2 high(low.x + canvas.size.x, low.y + canvas.size.y);
+    ImGui::InvisibleButton(canvas.id,
+                           {std::max(canvas.size.x, 1.0f), std::max(canvas.size.y, 1.0f)},
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
+    if (canvas.image.handle != 0) {
+        // The view's texture covers whole device pixels and has its row 0 at the bottom.
+        const ImVec2 end(low.x + static_cast<float>(canvas.image.extent.width) / scene.density,
+                         low.y + static_cast<float>(canvas.image.extent.height) / scene.density);
+        ImGui::GetWindowDrawList()->AddImage(texture_id(canvas.image.handle), low, end,
+                                             {0.0f, 1.0f}, {1.0f, 0.0f});
+    }
+    CanvasInput input;
+    if (canvas.picture.is_empty() || (!ImGui::IsItemHovered() && !ImGui::IsItemActive()))
+        return input;
+    const Extent room = scene.device_pixels(high.x - low.x, high.y - low.y);
+    const PicturePlace place = place_of(canvas.view, canvas.picture, room);
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const auto pixel =
+        place.pixel_at((mouse.x - low.x) * scene.density, (mouse.y - low.y) * scene.density);
+    input.hovered = pixel;
+    const float wheel = ImGui::GetIO().MouseWheel;
+    if (wheel != 0.0f)
+        input.moved = zoomed(canvas, place, pixel, wheel > 0.0f);
+    else if (ImGui::IsItemActive() &&
+             (ImGui::GetIO().MouseDelta.x != 0.0f || ImGui::GetIO().MouseDelta.y != 0.0f))
+        input.moved = panned(canvas, place, scene.density);
+    return input;
+}

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "lab/views.h"
+#include "lab/window_state.h"
+#include "ui/scene.h"
+
+#include <imgui/imgui.h>
+
+#include <functional>
+#include <optional>
+
+/// A picture in its view, that the wheel zooms and a drag moves.
+struct PictureCanvas {
+    const char* id;
+    Views::Image image;  // as it lies in the view
+    Extent picture;      // the whole of it, px
+    PictureView view;
+    ImVec2 size;  // of the view, coordinates of the window
+};
+
+/// What a person did to it.
+struct CanvasInput {
+    std::optional<PictureView> moved;
+    std::optional<std::array<double, 2>> hovered;  // pixel of the picture, from the top left
+};
+
+/// Draws it at the cursor. The picture is zoomed about the pointer.
+CanvasInput draw_picture_canvas(const PictureCanvas& canvas, const Scene& scene);

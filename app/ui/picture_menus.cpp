@@ -1,0 +1,125 @@
+#include "ui/picture_menus.h"
+
+#include "ui/scoped.h"
+#include "ui/slider.h"
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+#include <array>
+#include <cmath>
+
+namespace {
+constexpr std::array<Extent, 9> sizes{Extent{320, 240}, {640, 480},   {800, 600},
+                                      {1024, 1024},     {1280, 720},  {1920, 1080},
+                                      {2560, 1440},     {3840, 2160}, {1080, 1920}};
+constexpr std::array scales{0.25, 0.5, 1.0, 1.5, 2.0};
+constexpr std::array<double, 8> zooms{0.25, 0.5, 1.0, 2.0, 3.0, 4.0, 8.0, 16.0};
+
+std::string size_label(const Scene& scene) {
+    return size_text(scene.lab.picture_extent());
+}
+
+double present_zoom(const Scene& scene) {
+    return scene.window.picture.zoom_for(scene.lab.picture_extent(), scene.window.views.picture);
+}
+
+// At whole zooms every pixel of the picture is a block of pixels of the screen.
+std::string zoom_label(const Scene& scene) {
+    const double zoom = present_zoom(scene);
+    const bool is_whole = zoom >= 1.0 && zoom == std::floor(zoom);
+    return zoom_text(zoom) + (is_whole ? "" : " resampled");
+}
+
+float button_width(const std::string& label) {
+    return ImGui::CalcTextSize(label.c_str()).x + 2.0f * ImGui::GetStyle().FramePadding.x;
+}
+
+void set_size(PictureSize size, Edits& edits) {
+    edits.add([size](Lab& lab) { lab.set_picture_size(size); });
+}
+
+template <class Items>
+void draw_button(const std::string& label, const char* popup, const std::string& help,
+                 const Items& items) {
+    if (quiet_button(label + "##" + popup))
+        ImGui::OpenPopup(popup);
+    tooltip(help);
+    if (ImGui::BeginPopup(popup)) {
+        items();
+        ImGui::EndPopup();
+    }
+}
+}  // namespace
+
+std::string zoom_text(double zoom) {
+    if (zoom < 1.0 && 1.0 / zoom == std::floor(1.0 / zoom))
+        return "1/" + short_number(1.0 / zoom) + "×";
+    return short_number(std::round(zoom * 100.0) / 100.0) + "×";
+}
+
+float picture_menus_width(const Scene& scene) {
+    const ScopedFont font(scene.fonts.numbers);
+    return button_width(size_label(scene)) + button_width(zoom_label(scene));
+}
+
+void draw_picture_menus(const Scene& scene, Edits& edits) {
+    const std::string size = size_label(scene);
+    const std::string zoom = zoom_label(scene);
+    const ScopedFont font(scene.fonts.numbers);
+    draw_button(size, "size", "Size of the picture in pixels, whatever the window's", [&] {
+        const ScopedFont text(scene.fonts.text);
+        draw_size_items(scene, edits);
+    });
+    edits.mark("picture_size");
+    ImGui::SameLine(0.0f, 0.0f);
+    const ScopedColor color(ImGuiCol_Text, theme::dim);
+    draw_button(zoom, "zoom", "How large a pixel of the picture is shown", [&] {
+        const ScopedFont text(scene.fonts.text);
+        const ScopedColor normal(ImGuiCol_Text, theme::text);
+        draw_zoom_items(scene, edits);
+    });
+    edits.mark("zoom");
+}
+
+void draw_size_items(const Scene& scene, Edits& edits) {
+    const PictureSize present = scene.lab.picture_size();
+    if (ImGui::MenuItem("As large as the view", nullptr, present.follows_view)) {
+        PictureSize size = present;
+        size.follows_view = true;
+        set_size(size, edits);
+    }
+    for (const Extent& extent : sizes) {
+        const bool is_chosen = !present.follows_view && present.fixed == extent;
+        if (ImGui::MenuItem(size_text(extent).c_str(), nullptr, is_chosen))
+            set_size({false, extent, present.scale}, edits);
+        edits.mark("size:" + std::to_string(extent.width) + "x" + std::to_string(extent.height));
+    }
+    ImGui::Separator();
+    for (const double scale : scales) {
+        const std::string label = "of it, " + zoom_text(scale);
+        if (ImGui::MenuItem(label.c_str(), nullptr, present.scale == scale)) {
+            PictureSize size = present;
+            size.scale = scale;
+            set_size(size, edits);
+        }
+    }
+}
+
+void draw_zoom_items(const Scene& scene, Edits& edits) {
+    const PictureView& present = scene.window.picture;
+    const auto fit_item = [&](const char* label, const char* key, PictureView::Fit fit) {
+        if (ImGui::MenuItem(label, key, present.fit == fit))
+            edits.arrange([fit](WindowState& window) { window.picture = {fit}; });
+    };
+    fit_item("Whole pixels, as large as fits", "", PictureView::Fit::whole);
+    fit_item("All of it", "F", PictureView::Fit::all);
+    ImGui::Separator();
+    for (const double zoom : zooms) {
+        const bool is_chosen = present.fit == PictureView::Fit::free && present.zoom == zoom;
+        if (ImGui::MenuItem(zoom_text(zoom).c_str(), zoom == 1.0 ? "1" : nullptr, is_chosen))
+            edits.arrange([zoom](WindowState& window) {
+                window.picture.fit = PictureView::Fit::free;
+                window.picture.zoom = zoom;
+            });
+    }
+}

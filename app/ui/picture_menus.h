@@ -1,0 +1,15 @@
+#pragma once
+
+#include "ui/edits.h"
+#include "ui/scene.h"
+
+/// The picture's size and its zoom, each a button with a menu behind it.
+void draw_picture_menus(const Scene& scene, Edits& edits);
+float picture_menus_width(const Scene& scene);
+
+/// The choices behind the buttons, also for the menu bar.
+void draw_size_items(const Scene& scene, Edits& edits);
+void draw_zoom_items(const Scene& scene, Edits& edits);
+
+/// "2×", "1/2×", "0.73×".
+std::string zoom_text(double zoom);

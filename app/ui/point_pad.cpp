@@ -1,0 +1,73 @@
+#include "ui/point_pad.h"
+
+#include "ui/scoped.h"
+#include "ui/theme.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+double place_of(double value, const Range& range) {
+    const double span = range.high - range.low;
+    return span > 0.0 ? std::clamp((value - range.low) / span, 0.0, 1.0) : 0.0;
+}
+
+double value_at(double place, const Range& range) {
+    const double span = range.high - range.low;
+    const double step = span > 0.0 ? std::pow(10.0, std::floor(std::log10(span / 500.0))) : 1.0;
+    return std::round((range.low + std::clamp(place, 0.0, 1.0) * span) / step) * step;
+}
+
+void draw_cross(const ImVec2& low, const ImVec2& high, const ImVec2& at, bool is_changed) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(low, high, theme::packed(theme::field), ImGui::GetStyle().FrameRounding);
+    const ImVec2 middle((low.x + high.x) * 0.5f, (low.y + high.y) * 0.5f);
+    const ImU32 faint = theme::packed(theme::line);
+    list.AddLine({middle.x, low.y}, {middle.x, high.y}, faint);
+    list.AddLine({low.x, middle.y}, {high.x, middle.y}, faint);
+    const ImU32 color = theme::packed(is_changed ? theme::accent : theme::text);
+    list.AddCircleFilled(at, ImGui::GetFontSize() * 0.25f, color);
+}
+
+Turned draw_pad(const Range& range, double& x, double& y, bool is_changed, float width) {
+    const float height = std::round(ImGui::GetFontSize() * 6.0f);
+    ImGui::InvisibleButton("##pad", {width, height});
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 high = ImGui::GetItemRectMax();
+    Turned turned;
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const ImVec2 moved = ImGui::GetIO().MouseDelta;
+    const bool has_moved = ImGui::IsItemActivated() || moved.x != 0.0f || moved.y != 0.0f;
+    if (ImGui::IsItemActive() && has_moved) {
+        x = value_at((mouse.x - low.x) / width, range);
+        y = value_at((high.y - mouse.y) / height, range);
+        turned.is_changed = true;
+    }
+    turned.is_finished = ImGui::IsItemDeactivated();
+    draw_cross(low, high,
+               {low.x + width * static_cast<float>(place_of(x, range)),
+                high.y - height * static_cast<float>(place_of(y, range))},
+               is_changed);
+    return turned;
+}
+}  // namespace
+
+Turned draw_point(const Parameter& parameter, Value& value, bool is_changed,
+                  const FormColumns& columns, const Fonts& fonts) {
+    if (value.numbers.size() < 2)
+        return {};
+    const float width = columns.control_and_number();
+    Turned turned =
+        draw_pad(parameter.range, value.numbers[0], value.numbers[1], is_changed, width);
+    const ScopedFont font(fonts.numbers);
+    const float half = (width - 4.0f) * 0.5f;
+    for (std::size_t i = 0; i < value.numbers.size(); ++i) {
+        if (i > 0)
+            ImGui::SameLine(0.0f, 4.0f);
+        turned |= draw_number(i == 0   ? "##x"
+                              : i == 1 ? "##y"
+                                       : "##z",
+                              value.numbers[i], half, is_changed);
+    }
+    return turned;
+}

@@ -1,0 +1,8 @@
+#pragma once
+
+#include "ui/edits.h"
+#include "ui/scene.h"
+
+/// One problem: where (a click opens the editor there), what, and the line of text that it is
+/// about.
+void draw_problem(const Problem& problem, const Fonts& fonts, Edits& edits);

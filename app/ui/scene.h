@@ -1,0 +1,24 @@
+#pragma once
+
+#include "lab/lab.h"
+#include "lab/pace.h"
+#include "lab/shelf.h"
+#include "lab/views.h"
+#include "lab/window_state.h"
+#include "ui/fonts.h"
+
+/// What there is to show in a frame, all of it to be read only.
+struct Scene {
+    const Lab& lab;
+    const WindowState& window;
+    const Views& views;
+    const Shelf& shelf;
+    const Pace& pace;
+    const Fonts& fonts;
+    float scale = 1.0f;    // coordinates of the window a pixel of the layout
+    float density = 1.0f;  // device pixels a coordinate of the window
+
+    Extent device_pixels(float width, float height) const {
+        return {static_cast<int>(width * density), static_cast<int>(height * density)};
+    }
+};

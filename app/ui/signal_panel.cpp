@@ -1,0 +1,172 @@
+#include "ui/signal_panel.h"
+
+#include "signals/kinds.h"
+#include "signals/patterns.h"
+#include "ui/form.h"
+#include "ui/scoped.h"
+#include "ui/sound_controls.h"
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+#include <imgui/imgui_stdlib.h>
+
+#include <algorithm>
+
+namespace {
+void set_signal(const Spec& spec, Edits& edits) {
+    edits.document([spec](Document& document) { document.set_signal(spec, true); });
+}
+
+SliderFacts facts_of(const SettingFacts& setting, double value) {
+    return {.low = setting.low,
+            .high = setting.high,
+            .step = setting.step,
+            .is_logarithmic = setting.logarithmic,
+            .initial = setting.initial,
+            .is_changed = value != setting.initial};
+}
+
+void draw_number_setting(const SettingFacts& setting, Spec& spec, const FormColumns& columns,
+                         const Scene& scene, Edits& edits) {
+    double value = std::get<double>(spec.settings[setting.key]);
+    const Turned turned =
+        form_slider("##value", value, facts_of(setting, value), columns, scene.fonts);
+    if (turned.is_changed) {
+        spec.settings[setting.key] = std::clamp(value, setting.limit.low, setting.limit.high);
+        set_signal(spec, edits);
+    }
+    if (turned.is_finished)
+        edits.finish();
+}
+
+void draw_word_setting(const SettingFacts& setting, Spec& spec, const FormColumns& columns,
+                       Edits& edits) {
+    const std::string present = std::get<std::string>(spec.settings[setting.key]);
+    std::vector<const char*> labels;
+    int chosen = -1;
+    for (const std::string& word : setting.words) {
+        if (word == present)
+            chosen = static_cast<int>(labels.size());
+        labels.push_back(word.c_str());
+    }
+    if (!form_list("##value", labels.data(), static_cast<int>(labels.size()), chosen,
+                   columns.control_and_number()))
+        return;
+    spec.settings[setting.key] = setting.words[static_cast<std::size_t>(chosen)];
+    set_signal(spec, edits);
+    edits.finish();
+}
+
+void draw_text_setting(const SettingFacts& setting, bool is_file, Spec& spec,
+                       const FormColumns& columns, Edits& edits) {
+    std::string text = std::get<std::string>(spec.settings[setting.key]);
+    if (is_file) {
+        const std::string name = std::filesystem::path(text).filename().string();
+        const std::string label =
+            name.empty() ? "Choose…" : cut_to_fit(name, columns.control_and_number() - 16.0f);
+        if (ImGui::Button((label + "##file").c_str(), {columns.control_and_number(), 0.0f}))
+            edits.show({.kind = Dialog::Kind::open_file});
+        tooltip(text);
+        return;
+    }
+    ImGui::SetNextItemWidth(columns.control_and_number());
+    if (ImGui::InputText("##value", &text)) {
+        spec.settings[setting.key] = text;
+        set_signal(spec, edits);
+    }
+    if (ImGui::IsItemDeactivatedAfterEdit())
+        edits.finish();
+}
+
+void draw_setting(const SettingFacts& setting, const SignalKind& kind, Spec& spec,
+                  const Scene& scene, Edits& edits) {
+    const ScopedId id(setting.key);
+    const FormColumns columns = form_columns(false);
+    form_label(setting.label, columns, false);
+    tooltip(setting.help + (setting.unit.empty() ? "" : "\nIn " + setting.unit + "."));
+    form_control(columns);
+    ImGui::BeginGroup();
+    if (setting.type == SettingType::number)
+        draw_number_setting(setting, spec, columns, scene, edits);
+    else if (setting.type == SettingType::word)
+        draw_word_setting(setting, spec, columns, edits);
+    else
+        draw_text_setting(setting, setting.key == kind.file_setting, spec, columns, edits);
+    ImGui::EndGroup();
+    edits.mark("signal:" + setting.key);
+}
+
+// A kind that plays a file is chosen by choosing the file.
+void choose_kind(const SignalKind& kind, Edits& edits) {
+    if (!kind.file_setting.empty()) {
+        edits.show({.kind = Dialog::Kind::open_file});
+        return;
+    }
+    if (const auto spec = completed(Spec{kind.kind, {}})) {
+        set_signal(*spec, edits);
+        edits.finish();
+    }
+}
+
+void draw_kinds(const std::string& present, Edits& edits) {
+    std::vector<const char*> labels;
+    int chosen = -1;
+    for (const SignalKind& kind : signal_kinds()) {
+        if (kind.kind == present)
+            chosen = static_cast<int>(labels.size());
+        labels.push_back(kind.label.c_str());
+    }
+    if (form_list("##kind", labels.data(), static_cast<int>(labels.size()), chosen,
+                  ImGui::GetContentRegionAvail().x))
+        choose_kind(signal_kinds()[static_cast<std::size_t>(chosen)], edits);
+    edits.mark("signal");
+    if (const SignalKind* kind = find_kind(present))
+        tooltip(kind->help);
+}
+
+void draw_signal(const Document& document, const Scene& scene, Edits& edits) {
+    heading("Signal");
+    draw_kinds(document.state().signal.kind, edits);
+    const SignalKind* kind = find_kind(document.state().signal.kind);
+    auto spec = completed(document.state().signal);
+    if (!kind || !spec)
+        return;
+    if (!kind->file_setting.empty())
+        draw_sound_controls(scene, edits);
+    for (const SettingFacts& setting : kind->settings)
+        draw_setting(setting, *kind, *spec, scene, edits);
+}
+
+void draw_source(const Document& document, Edits& edits) {
+    heading("Source");
+    const std::string present = document.state().source;
+    const std::string label = present.starts_with("pattern:")
+                                  ? present.substr(8)
+                                  : std::filesystem::path(present).filename().string();
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+    if (ImGui::BeginCombo("##source", label.c_str())) {
+        for (const PatternFacts& pattern : all_patterns()) {
+            const std::string source = "pattern:" + pattern.name;
+            if (ImGui::Selectable(pattern.label.c_str(), source == present))
+                edits.document([source](Document& changed) { changed.set_source(source); });
+            tooltip(pattern.help);
+        }
+        ImGui::EndCombo();
+    }
+    edits.mark("source");
+    if (ImGui::Button("Open a picture…"))
+        edits.show({.kind = Dialog::Kind::open_file});
+}
+}  // namespace
+
+void draw_signal_panel(const Scene& scene, Edits& edits) {
+    const Document* document = scene.lab.document();
+    if (!document)
+        return;
+    if (document->look().driven_by == Driver::signal)
+        draw_signal(*document, scene, edits);
+    else if (document->look().driven_by == Driver::picture)
+        draw_source(*document, edits);
+    else
+        dim_text("This look needs neither a signal nor a source.");
+}

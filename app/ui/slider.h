@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+/// What a slider runs over and how it shows its value.
+struct SliderFacts {
+    double low = 0.0;
+    double high = 1.0;
+    double step = 0.0;  // 0: any value
+    bool is_logarithmic = false;
+    std::optional<double> initial = {};  // gets a tick
+    bool is_changed = false;
+};
+
+/// What a person just did to a control.
+struct Turned {
+    bool is_changed = false;
+    bool is_finished = false;  // the hand let go; ends a step of undo
+
+    Turned& operator|=(const Turned& other) {
+        is_changed |= other.is_changed;
+        is_finished |= other.is_finished;
+        return *this;
+    }
+};
+
+/// A bar that follows the mouse (ten times finer with Shift); Ctrl+click or a double click types.
+Turned draw_slider(const char* id, double& value, const SliderFacts& facts, float width);
+
+/// The number itself; a click types, also beyond the slider's ends.
+Turned draw_number(const char* id, double& value, float width, bool is_changed);
+
+/// A number as a control shows it: about four digits, no needless zeros.
+std::string short_number(double value);
+
+/// Where a value lies on the slider, 0 low .. 1 high, and back. A logarithmic slider whose low end
+/// is not above zero follows a cubic instead, which also gives small values the most room.
+double slider_place(double value, const SliderFacts& facts);
+double slider_value(double place, const SliderFacts& facts);

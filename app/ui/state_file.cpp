@@ -1,0 +1,92 @@
+#include "ui/state_file.h"
+
+#include "base/text.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <fstream>
+
+namespace {
+std::string json_string(std::string_view text) {
+    std::string json = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\')
+            json += '\\';
+        if (static_cast<unsigned char>(c) < 0x20)
+            json += fmt::format("\\u{:04x}", static_cast<int>(c));
+        else
+            json += c;
+    }
+    return json + '"';
+}
+
+std::string values_text(const Document& document) {
+    std::vector<std::string> values;
+    for (const Parameter& parameter : document.look().parameters) {
+        std::vector<std::string> numbers;
+        for (const double number : document.value(parameter).numbers)
+            numbers.push_back(format_number(number));
+        values.push_back(
+            fmt::format("{}:[{}]", json_string(parameter.name), fmt::join(numbers, ",")));
+    }
+    return fmt::format("{{{}}}", fmt::join(values, ","));
+}
+
+std::string problems_text(const Lab& lab) {
+    std::vector<std::string> problems;
+    for (const Problem& problem : lab.problems())
+        problems.push_back(
+            fmt::format(R"({{"file":{},"line":{},"message":{},"source":{}}})",
+                        json_string(problem.diagnostic.file.string()), problem.diagnostic.line,
+                        json_string(problem.diagnostic.message), json_string(problem.source_line)));
+    return fmt::format("[{}]", fmt::join(problems, ","));
+}
+
+std::string places_text(const Edits& edits) {
+    std::vector<std::string> places;
+    for (const auto& [name, place] : edits.places())
+        places.push_back(fmt::format("{}:[{:.0f},{:.0f},{:.0f},{:.0f}]", json_string(name),
+                                     place.left, place.top, place.right, place.bottom));
+    return fmt::format("{{{}}}", fmt::join(places, ","));
+}
+
+std::string probe_text(const Scene& scene) {
+    const auto& probe = scene.window.probe;
+    const auto& rgba = scene.views.probed();
+    if (!probe || !rgba)
+        return "null";
+    return fmt::format(R"({{"pass":{},"x":{},"y":{},"rgba":["{}","{}","{}","{}"]}})",
+                       json_string(probe->pass), probe->x, probe->y, (*rgba)[0], (*rgba)[1],
+                       (*rgba)[2],
+                       (*rgba)[3]);  // texts: a texel may be infinite or not a number
+}
+
+std::string document_text(const Document& document) {
+    return fmt::format(
+        R"("look":{},"preset":{},"is_modified":{},"undo":{},"redo":{},"signal":{},"values":{},)",
+        json_string(document.look().id), json_string(document.preset_name()),
+        document.is_modified(), json_string(document.history().undo_name()),
+        json_string(document.history().redo_name()),
+        json_string(to_string(document.state().signal)), values_text(document));
+}
+}  // namespace
+
+std::string state_text(const Scene& scene, const Edits& edits) {
+    const Lab& lab = scene.lab;
+    const Extent picture = lab.picture_extent();
+    return fmt::format(
+        R"({{{}"is_loading":{},"is_playing":{},"frame":{},"time":{:.4f},"picture":[{},{}],"notice":{},"dialog":{},"inspected":{},"probe":{},"problems":{},"widgets":{}}})",
+        lab.document() ? document_text(*lab.document()) : std::string(), lab.is_loading(),
+        lab.player().is_playing(), lab.player().frame_number(), lab.player().time(), picture.width,
+        picture.height, json_string(lab.notice() ? lab.notice()->text : std::string()),
+        static_cast<int>(scene.window.dialog.kind), json_string(scene.window.inspected.pass),
+        probe_text(scene), problems_text(lab), places_text(edits));
+}
+
+void write_state(const std::filesystem::path& file, const std::string& text) {
+    const std::filesystem::path beside = file.string() + ".new";
+    std::ofstream(beside, std::ios::binary) << text;
+    std::error_code ignored;
+    std::filesystem::rename(beside, file, ignored);
+}

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <imgui/imgui.h>
+
+/// The colours of the window: greys without a hue, always darker than a picture's lights, and one
+/// accent. Display-encoded.
+namespace theme {
+struct Color {
+    float red, green, blue, alpha;
+    operator ImVec4() const { return {red, green, blue, alpha}; }
+};
+
+constexpr Color none{0.0f, 0.0f, 0.0f, 0.0f};
+constexpr Color surround{0.055f, 0.055f, 0.057f, 1.0f};  // behind the picture
+constexpr Color pane{0.098f, 0.098f, 0.102f, 1.0f};
+constexpr Color popup{0.118f, 0.118f, 0.122f, 1.0f};
+constexpr Color field{0.150f, 0.150f, 0.156f, 1.0f};
+constexpr Color field_hovered{0.182f, 0.182f, 0.188f, 1.0f};
+constexpr Color field_active{0.210f, 0.210f, 0.216f, 1.0f};
+constexpr Color filled{0.262f, 0.262f, 0.270f, 1.0f};
+constexpr Color line{0.165f, 0.165f, 0.170f, 1.0f};
+constexpr Color text{0.790f, 0.790f, 0.780f, 1.0f};
+constexpr Color label{0.640f, 0.640f, 0.635f, 1.0f};
+constexpr Color dim{0.520f, 0.520f, 0.520f, 1.0f};
+constexpr Color faint{0.340f, 0.340f, 0.345f, 1.0f};
+constexpr Color accent{0.850f, 0.610f, 0.330f, 1.0f};
+constexpr Color accent_filled{0.420f, 0.315f, 0.195f, 1.0f};
+constexpr Color problem{0.900f, 0.430f, 0.380f, 1.0f};
+constexpr Color problem_pane{0.160f, 0.085f, 0.080f, 0.940f};
+constexpr Color warning{0.840f, 0.710f, 0.380f, 1.0f};
+
+/// Colours and sizes of every widget, for a scale of 1.
+ImGuiStyle style();
+/// For draw lists.
+inline ImU32 packed(const ImVec4& color) {
+    return ImGui::ColorConvertFloat4ToU32(color);
+}
+}  // namespace theme

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "gpu/window.h"
+#include "ui/fonts.h"
+
+/// ImGui in a window: its context, its fonts and the two backends. One at a time.
+class Toolkit {
+public:
+    explicit Toolkit(gpu::Window& window);
+    ~Toolkit();
+    Toolkit(const Toolkit&) = delete;
+    Toolkit& operator=(const Toolkit&) = delete;
+
+    /// Begins a frame at a scale of text and controls; `scale` 1 is the display's own.
+    void begin(float scale);
+    /// Draws what was asked for since begin().
+    void end();
+
+    const Fonts& fonts() const { return m_fonts; }
+    /// Coordinates of the window a pixel of the layout.
+    float scale() const { return m_scale; }
+    /// Device pixels a coordinate of the window.
+    float density() const { return m_density; }
+
+private:
+    void set_scale(float scale, float density);
+
+    gpu::Window& m_window;
+    Fonts m_fonts;
+    float m_scale = 0.0f;
+    float m_density = 1.0f;
+};

@@ -1,0 +1,97 @@
+#include "ui/transport_bar.h"
+
+#include "ui/actions.h"
+#include "ui/icons.h"
+#include "ui/picture_menus.h"
+#include "ui/scoped.h"
+#include "ui/slider.h"
+#include "ui/sound_controls.h"
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace {
+void draw_buttons(const Scene& scene, Edits& edits) {
+    const bool is_playing = scene.lab.player().is_playing();
+    if (icon_button("##restart", Icon::restart, help_of(ActionId::restart)))
+        run(ActionId::restart, scene, edits);
+    edits.mark("restart");
+    ImGui::SameLine(0.0f, 0.0f);
+    if (icon_button("##play", is_playing ? Icon::pause : Icon::play, help_of(ActionId::play_pause)))
+        run(ActionId::play_pause, scene, edits);
+    edits.mark("play");
+    ImGui::SameLine(0.0f, 0.0f);
+    if (icon_button("##step", Icon::step, help_of(ActionId::step)))
+        run(ActionId::step, scene, edits);
+    edits.mark("step");
+}
+
+void draw_speed(const Scene& scene, Edits& edits) {
+    double speed = scene.lab.player().speed();
+    const SliderFacts facts{.low = 0.01,
+                            .high = 4.0,
+                            .is_logarithmic = true,
+                            .initial = 1.0,
+                            .is_changed = speed != 1.0};
+    Turned turned = draw_slider("##speed", speed, facts, ImGui::GetFontSize() * 5.0f);
+    edits.mark("speed");
+    tooltip("Speed, 0.01 to 4 times");
+    ImGui::SameLine(0.0f, 2.0f);
+    {
+        const ScopedFont font(scene.fonts.numbers);
+        turned |=
+            draw_number("##speed_number", speed, ImGui::GetFontSize() * 3.2f, facts.is_changed);
+        ImGui::SameLine(0.0f, 0.0f);
+        ImGui::AlignTextToFramePadding();
+        dim_text("×");
+    }
+    if (facts.is_changed) {
+        ImGui::SameLine(0.0f, 0.0f);
+        if (icon_button("##speed_reset", Icon::reset, "Back to 1×", theme::dim)) {
+            speed = 1.0;
+            turned.is_changed = true;
+        }
+    }
+    if (turned.is_changed)
+        edits.add([speed](Lab& lab) { lab.transport().set_speed(speed); });
+}
+
+// Left out from the end where the pane is narrow.
+void draw_facts(const Scene& scene, float room) {
+    const ScopedFont font(scene.fonts.numbers);
+    const Player& player = scene.lab.player();
+    std::vector<std::string> facts{clock_text(player.time()),
+                                   fmt::format("frame {}", player.frame_number())};
+    if (scene.lab.renderer() && scene.lab.document() &&
+        scene.lab.document()->look().driven_by == Driver::signal)
+        facts.push_back(fmt::format("{} points", scene.lab.renderer()->point_count()));
+    if (scene.lab.renderer() && scene.lab.renderer()->replay().is_running())
+        facts[1] = fmt::format("replay {}/{}", scene.lab.renderer()->replay().done,
+                               scene.lab.renderer()->replay().total);
+    const float gap = ImGui::GetFontSize();
+    for (std::size_t i = 0; i < facts.size(); ++i) {
+        const float width = ImGui::CalcTextSize(facts[i].c_str()).x;
+        if ((room -= width + gap) < 0.0f)
+            return;
+        ImGui::SameLine(0.0f, gap);
+        ImGui::AlignTextToFramePadding();
+        const ScopedColor color(ImGuiCol_Text, i == 0 ? theme::text : theme::dim);
+        ImGui::TextUnformatted(facts[i].c_str());
+    }
+}
+}  // namespace
+
+void draw_transport_bar(const Scene& scene, Edits& edits) {
+    ImGui::SetCursorPosY((ImGui::GetWindowHeight() - ImGui::GetFrameHeight()) * 0.5f);
+    draw_buttons(scene, edits);
+    ImGui::SameLine(0.0f, ImGui::GetStyle().ItemSpacing.x * 2.0f);
+    draw_speed(scene, edits);
+    const float menus = picture_menus_width(scene);
+    const float end = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x;
+    draw_facts(scene, ImGui::GetWindowContentRegionMax().x - menus - end - ImGui::GetFontSize());
+    same_line_right(menus);
+    draw_picture_menus(scene, edits);
+}

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "model/extent.h"
+#include "ui/edits.h"
+
+#include <imgui/imgui.h>
+
+#include <string>
+
+/// A part of the window, in its coordinates from the top left corner.
+struct Rect {
+    float left = 0.0f;
+    float top = 0.0f;
+    float width = 0.0f;
+    float height = 0.0f;
+
+    float right() const { return left + width; }
+    float bottom() const { return top + height; }
+};
+
+/// What ImGui calls a texture; it takes GL's name in a pointer's clothes.
+ImTextureID texture_id(std::uintptr_t handle);
+
+/// A pane of the window: drawn into until it ends.
+class Pane {
+public:
+    Pane(const char* id, const Rect& place, const ImVec4& background, bool is_padded = true);
+    ~Pane();
+    Pane(const Pane&) = delete;
+    Pane& operator=(const Pane&) = delete;
+};
+
+void dim_text(const std::string& text);
+/// Cut at the right with "…" where it does not fit `width`; the whole in a tooltip.
+void fitted_text(const std::string& text, float width, const ImVec4& color);
+std::string cut_to_fit(const std::string& text, float width);
+
+/// Shows a text, broken into lines, when the last item is hovered for a moment.
+void tooltip(const std::string& text);
+
+/// A quiet heading over a part of a pane.
+void heading(const std::string& text);
+
+/// A line that opens and closes what follows; its text may stand out when something in it is
+/// changed.
+bool section(const std::string& label, bool opens_first, bool is_changed = false);
+
+/// A button with a text that stays quiet until hovered.
+bool quiet_button(const std::string& label);
+
+/// A choice among a few words, as buttons in a row, named "ID:WORD"; gives the one in force.
+int choice(const char* id, const char* const* labels, int count, int chosen, Edits& edits);
+
+/// Moves on along the line, to `x` from the pane's left edge.
+void same_line_right(float width);
+
+/// "1280 × 720".
+std::string size_text(Extent extent);

@@ -1,0 +1,110 @@
+#include "ui/window_panes.h"
+
+#include "ui/actions.h"
+#include "ui/bottom_panel.h"
+#include "ui/dialogs.h"
+#include "ui/inspector_panel.h"
+#include "ui/layout.h"
+#include "ui/library_panel.h"
+#include "ui/menu_bar.h"
+#include "ui/parameters_panel.h"
+#include "ui/pass_strip.h"
+#include "ui/picture_panel.h"
+#include "ui/scoped.h"
+#include "ui/signal_panel.h"
+#include "ui/theme.h"
+#include "ui/transport_bar.h"
+
+#include <algorithm>
+
+namespace {
+bool is_shown(const Rect& place) {
+    return place.width > 0.0f && place.height > 0.0f;
+}
+
+void draw_left(const Scene& scene, const Rect& place, Edits& edits) {
+    Rect upper = place;
+    Rect lower = place;
+    // The list is as long as it needs to be, up to a little more than half.
+    std::size_t lines = 2;
+    for (const ShelfLook& look : scene.shelf.looks())
+        lines += 1 + (scene.lab.document() && look.entry.id == scene.lab.document()->look().id
+                          ? look.presets.size() + 1
+                          : 0);
+    const float wanted = static_cast<float>(lines) * ImGui::GetTextLineHeightWithSpacing() +
+                         2.0f * ImGui::GetStyle().WindowPadding.y;
+    const float gap = 4.0f * scene.scale;
+    upper.height = std::min(wanted, place.height * 0.55f);
+    lower.top = upper.bottom() + gap;
+    lower.height = place.bottom() - lower.top;
+    {
+        const Pane pane("library", upper, theme::pane);
+        draw_library_panel(scene, edits);
+    }
+    const Pane pane("signal", lower, theme::pane);
+    draw_signal_panel(scene, edits);
+}
+
+void draw_middle(const Scene& scene, const Layout& layout, Edits& edits) {
+    if (is_shown(layout.transport)) {
+        const Pane pane("transport", layout.transport, theme::pane);
+        draw_transport_bar(scene, edits);
+    }
+    {
+        const Pane pane("picture", layout.picture, theme::surround, false);
+        draw_picture_panel(scene, layout.picture, edits);
+    }
+    if (is_shown(layout.strip)) {
+        const Pane pane("strip", layout.strip, theme::pane);
+        draw_pass_strip(scene, edits);
+    }
+    if (is_shown(layout.bottom)) {
+        const Pane pane("bottom", layout.bottom, theme::pane);
+        draw_bottom_panel(scene, edits);
+    }
+}
+
+void draw_panes(const Scene& scene, const Layout& layout, Edits& edits) {
+    if (is_shown(layout.library))
+        draw_left(scene, layout.library, edits);
+    draw_middle(scene, layout, edits);
+    if (is_shown(layout.parameters)) {
+        const Pane pane("parameters", layout.parameters, theme::pane);
+        draw_parameters_panel(scene, edits);
+    }
+    if (is_shown(layout.inspector)) {
+        const Pane pane("inspector", layout.inspector, theme::pane);
+        draw_inspector_panel(scene, edits);
+    }
+    if (is_shown(layout.status)) {
+        const Pane pane("status", layout.status, theme::pane);
+        draw_status_bar(scene, edits);
+    }
+}
+}  // namespace
+
+void draw_window(const Scene& scene, Edits& edits) {
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({0.0f, 0.0f});
+    ImGui::SetNextWindowSize(size);
+    ImGuiWindowFlags flags =
+        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+        ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse;
+    if (!scene.window.is_picture_only)
+        flags |= ImGuiWindowFlags_MenuBar;
+    {
+        const ScopedColor back(ImGuiCol_WindowBg, theme::surround);
+        const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
+        ImGui::Begin("Afterglow", nullptr, flags);
+    }
+    if (!scene.window.is_picture_only)
+        draw_menu_bar(scene, edits);
+    const float top = scene.window.is_picture_only ? 0.0f : ImGui::GetFrameHeight();
+    const Layout layout =
+        arrange_panes(scene.window, {0.0f, top, size.x, size.y - top}, scene.scale);
+    draw_panes(scene, layout, edits);
+    draw_splitters(layout, scene.window, scene.scale, edits);
+    ImGui::End();
+    draw_dialogs(scene, edits);
+    run_keys(scene, edits);
+}
