@@ -50,8 +50,9 @@ Result<void> draw(const Arguments& arguments, Offline& offline) {
     const int frames = arguments.frames > 0 ? arguments.frames : offline.document().look().settle_frames;
     Progress progress("render", frames);
     for (int frame = 0; frame < frames; ++frame) {
-        offline.advance();
-        if (names->is_sequence() || frame + 1 == frames) {
+        const bool is_seen = names->is_sequence() || frame + 1 == frames;
+        is_seen ? offline.advance() : offline.advance_unseen();
+        if (is_seen) {
             const Picture picture = offline.picture(*pass);
             const auto file = names->name(frame);
             const auto saved = names->is_sequence()

@@ -20,7 +20,7 @@ int render_instead_of_window(const std::string& look, const std::string& data) {
     const int frames = offline->document().look().settle_frames;
     Progress progress("render", frames);
     for (int frame = 0; frame < frames; ++frame) {
-        offline->advance();
+        frame + 1 < frames ? offline->advance_unseen() : offline->advance();
         progress.show(frame + 1);
     }
     const auto file =

@@ -40,8 +40,9 @@ public:
     /// transparent black.
     Result<void> set_image(const std::string& name, const Picture& picture);
 
-    /// One frame further: history moves on.
-    void draw(const Frame& frame);
+    /// One frame further: history moves on. With `passes` only these are drawn; the others keep an
+    /// older picture.
+    void draw(const Frame& frame, const std::vector<bool>* passes = nullptr);
     /// The same frame again, only these passes; history does not move. Accumulating passes of one
     /// slot go on top of what they hold unless frame.samples is 0.
     void redraw(const Frame& frame, const std::vector<bool>& passes);
@@ -74,7 +75,7 @@ private:
     Result<void> make_empty();
     int repeats_of(const Pass& pass) const;
 
-    void draw_passes(const Frame& frame, const std::vector<bool>* only);
+    void draw_passes(const Frame& frame, const std::vector<bool>* only, bool is_again);
     void draw_pass(std::size_t pass, const Frame& frame, bool is_again);
     void bind(const PassState& state);
     const gpu::Texture* texture_for(const BoundInput& input) const;

@@ -4,27 +4,27 @@
 
 #include <cassert>
 
-void Executor::draw(const Frame& frame) {
+void Executor::draw(const Frame& frame, const std::vector<bool>* passes) {
     if (frame.is_first)
         clear_history();
     m_targets.advance();
     m_source.advance();
     m_beam.advance(frame);
-    draw_passes(frame, nullptr);
+    draw_passes(frame, passes, false);
 }
 
 void Executor::redraw(const Frame& frame, const std::vector<bool>& passes) {
-    draw_passes(frame, &passes);
+    draw_passes(frame, &passes, true);
 }
 
-void Executor::draw_passes(const Frame& frame, const std::vector<bool>* only) {
+void Executor::draw_passes(const Frame& frame, const std::vector<bool>* only, bool is_again) {
     assert(m_targets.size() == m_passes.size());
     m_beam.write(frame, m_has_points, m_has_segments);
     m_draw_calls = 0;
     const gpu::DrawScope scope;
     for (std::size_t i = 0; i < m_passes.size(); ++i)
         if (!only || (i < only->size() && (*only)[i]))
-            draw_pass(i, frame, only != nullptr);
+            draw_pass(i, frame, is_again);
     m_samplers.release();
 }
 

@@ -94,6 +94,7 @@ void Lab::apply_document() {
         if (is_first || value_of(parameter, m_applied->values) != m_document->value(parameter))
             names.push_back(parameter.name);
     m_renderer->set_values(state.values);
+    m_drawn_extent = {};  // sizes may depend on values
     Redraw redraw = redraw_after(m_document->look(), names);
     if (is_first || m_applied->signal != state.signal) {
         apply_signal();
@@ -101,7 +102,7 @@ void Lab::apply_document() {
     }
     if (!is_first && m_applied->overrides != state.overrides) {
         succeeded(m_renderer->replace(m_document->drawn_look(), *m_programs));
-        m_drawn_extent = {};
+        redraw.needs_replay = true;
     }
     m_applied = state;
     want(redraw);
@@ -132,7 +133,8 @@ void Lab::resize_picture() {
     if (extent == m_drawn_extent)
         return;
     m_drawn_extent = extent;
-    if (succeeded(m_renderer->resize(extent, extent)))
+    const Plan before = m_renderer->executor().plan();
+    if (succeeded(m_renderer->resize(extent, extent)) && m_renderer->executor().plan() != before)
         want({{}, true});
 }
 

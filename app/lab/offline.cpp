@@ -157,6 +157,11 @@ void Offline::advance() {
     m_renderer->draw(frame, m_player->trace(frame.span));
 }
 
+void Offline::advance_unseen() {
+    const PlayedFrame frame = m_player->advance_fixed(m_fps);
+    m_renderer->draw_unseen(frame, m_player->trace(frame.span));
+}
+
 Picture Offline::picture(int pass) const {
     Picture picture = gpu::read_picture(executor().target(pass));
     const bool is_last = pass + 1 == static_cast<int>(executor().look().passes.size());

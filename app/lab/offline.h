@@ -13,11 +13,11 @@
 
 /// What the command line asks to be drawn.
 struct RenderRequest {
-    std::string look;
-    std::string preset;                                       // "": none
-    std::vector<std::pair<std::string, std::string>> values;  // name or key, text
-    std::string signal;                                       // "": the preset's, else the look's
-    std::string source;
+    std::string look = {};
+    std::string preset = {};                                       // "": none
+    std::vector<std::pair<std::string, std::string>> values = {};  // name or key, text
+    std::string signal = {};  // "": the preset's, else the look's
+    std::string source = {};
     Extent size{1280, 720};
     double fps = 60.0;
 };
@@ -45,6 +45,8 @@ public:
 
     /// Draws the next frame of the clock.
     void advance();
+    /// As advance(), for a frame that nobody will look at: only what later frames are made of.
+    void advance_unseen();
     std::int64_t frame_number() const { return m_player->frame_number(); }
     std::vector<double> pass_milliseconds() { return m_renderer->pass_milliseconds(); }
     const Executor& executor() const { return m_renderer->executor(); }

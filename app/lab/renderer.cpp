@@ -30,6 +30,12 @@ void Renderer::draw(const PlayedFrame& played, const Beam& beam) {
     m_frame_seconds += smoothing * (seconds_since(start) - m_frame_seconds);
 }
 
+void Renderer::draw_unseen(const PlayedFrame& played, const Beam& beam) {
+    const std::vector<bool> carried = carried_passes(m_executor.look());
+    ++m_samples;
+    m_executor.draw(frame_of(played, beam), &carried);
+}
+
 void Renderer::clear_history() {
     m_samples = 0;
     m_executor.clear_history();
@@ -54,10 +60,13 @@ bool Renderer::continue_replay(const Player& player, double seconds) {
     const auto start = std::chrono::steady_clock::now();
     while (m_replay.is_running() && seconds_since(start) < seconds) {
         const PlayedFrame& frame = player.past()[m_replay_first + m_replay.done];
-        draw(frame, player.trace(frame.span));
         ++m_replay.done;
-        if (!m_replay.is_running())
-            return true;
+        if (m_replay.is_running()) {
+            draw_unseen(frame, player.trace(frame.span));
+            continue;
+        }
+        draw(frame, player.trace(frame.span));
+        return true;
     }
     return false;
 }

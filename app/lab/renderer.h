@@ -32,6 +32,8 @@ public:
     void set_mouse(double x, double y) { m_mouse = {x, y}; }  // px from bottom left
 
     void draw(const PlayedFrame& frame, const Beam& beam);
+    /// A frame that nobody will look at: only what later frames are made of is drawn.
+    void draw_unseen(const PlayedFrame& frame, const Beam& beam);
     void clear_history();
 
     /// Draws the present frame again; only the passes that the change reaches.

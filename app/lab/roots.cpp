@@ -36,7 +36,7 @@ bool is_writable(fs::path folder) {
     std::error_code error;
     while (!fs::exists(folder, error) && folder.has_relative_path())
         folder = folder.parent_path();
-    return access(folder.c_str(), W_OK | X_OK) == 0;
+    return fs::is_directory(folder, error) && access(folder.c_str(), W_OK | X_OK) == 0;
 }
 }  // namespace
 

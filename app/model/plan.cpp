@@ -187,3 +187,21 @@ std::vector<bool> needed_for(const Look& look, int pass) {
     }
     return needed;
 }
+
+std::vector<bool> carried_passes(const Look& look) {
+    std::vector<bool> carried(look.passes.size(), false);
+    const auto add = [&](int pass) {
+        const std::vector<bool> needed = needed_for(look, pass);
+        for (std::size_t i = 0; i < needed.size(); ++i)
+            carried[i] = carried[i] || needed[i];
+    };
+    for (std::size_t i = 0; i < look.passes.size(); ++i) {
+        if (look.passes[i].accumulate)
+            add(static_cast<int>(i));
+        for (const Input& input : look.passes[i].inputs)
+            if (const auto read = find_pass(look, input.name);
+                input.from == Input::From::pass && input.frames_ago > 0 && read)
+                add(*read);
+    }
+    return carried;
+}

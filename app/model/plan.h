@@ -63,3 +63,6 @@ Redraw redraw_after(const Look& look, const std::vector<std::string>& parameters
 
 /// Passes on which the picture of `pass` depends, itself included; over all frames.
 std::vector<bool> needed_for(const Look& look, int pass);
+
+/// Passes that later frames are made of: what must be drawn of a frame that nobody looks at.
+std::vector<bool> carried_passes(const Look& look);

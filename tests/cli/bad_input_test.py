@@ -69,8 +69,9 @@ class BadLooks(ProgramTest):
         self.refuse("only.frag:2: error:", "@rnage", only__frag=FRAGMENT.replace("@range", "@rnage"))
 
     def test_an_unknown_key_is_reported_on_its_line(self):
-        self.refuse("look.json:6: error:", "settle_frams",
-                    text=manifest(settle_frams=3).replace('"settle', '\n"settle'))
+        text = manifest(settle_frams=3)
+        line = 1 + text[:text.index("settle_frams")].count("\n")
+        self.refuse(f"look.json:{line}: error:", "did you mean 'settle_frames'", text=text)
 
     def test_broken_manifests(self):
         whole = manifest()
@@ -94,7 +95,7 @@ class BadLooks(ProgramTest):
         self.refuse("only.frag", only__frag=FRAGMENT.replace("uv * gain", "(" * 20000 + "uv" + ")" * 20000))
 
     def test_a_target_too_large_is_refused(self):
-        text = manifest(passes=[{"name": "only", "fragment": "only.frag", "scale": 1000}])
+        text = manifest(passes=[{"name": "only", "fragment": "only.frag", "scale": 60}])
         self.assert_refused(run("render", self.look(text), "-o", self.folder / "x.png"), "px")
 
 

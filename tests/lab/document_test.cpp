@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 namespace {
 Parameter knob(const std::string& name, double initial) {
     Parameter parameter;

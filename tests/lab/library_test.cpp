@@ -68,7 +68,7 @@ TEST_CASE("a name that is no file's name is refused") {
 TEST_CASE("where the program's folder cannot be written, presets go to the person's own") {
     const TemporaryRoots folder;
     Roots roots = folder.roots();
-    roots.program = "/proc";  // never writable
+    roots.program /= "shaders/phosphor/look.json";  // a file, so nothing can be written below it
     const Library library(roots);
     const auto file = library.save_preset(night(), "Night");
     REQUIRE(file.has_value());

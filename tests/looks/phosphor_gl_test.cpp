@@ -14,7 +14,7 @@ namespace {
 /// Phosphor with its targets in 32-bit floats, fed by hand.
 class Tube {
 public:
-    explicit Tube(Values values, Extent extent = {128, 128}) : m_extent(extent) {
+    explicit Tube(const Values& values, Extent extent = {128, 128}) {
         auto context = gpu::Context::headless();
         REQUIRE(context.has_value());
         m_context = std::move(*context);
@@ -32,6 +32,7 @@ public:
 
     /// One frame of 1/fps that holds these points.
     void draw(const Beam& beam, double fps = 60.0) {
+        m_context->make_current();  // another tube may have been
         ++m_number;
         m_renderer->draw({m_number, frame_span(m_number, fps)}, beam);
     }
@@ -41,6 +42,7 @@ public:
     }
 
     Picture target(const char* pass) const {
+        m_context->make_current();
         const Executor& executor = m_renderer->executor();
         return gpu::read_picture(executor.target(*find_pass(executor.look(), pass)));
     }
@@ -66,8 +68,11 @@ public:
         return beam;
     }
 
+    Tube(const Tube&) = delete;
+    Tube& operator=(const Tube&) = delete;
+    ~Tube() { m_context->make_current(); }
+
 private:
-    Extent m_extent;
     std::unique_ptr<gpu::Context> m_context;
     std::unique_ptr<Renderer> m_renderer;
     std::int64_t m_number = 0;

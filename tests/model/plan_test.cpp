@@ -154,6 +154,19 @@ TEST_CASE("what a pass needs is found through loops as well") {
     CHECK(needed_for(scope(), 0) == std::vector<bool>{true, false, false, false});
 }
 
+TEST_CASE("later frames are made of the passes that some input reads frames ago, and of what those need") {
+    CHECK(carried_passes(scope()) == std::vector<bool>{true, true, false, false});
+    Look look = scope();
+    look.passes.back().accumulate = true;
+    CHECK(carried_passes(look) == std::vector<bool>{true, true, true, true});
+    for (Pass& pass : look.passes) {
+        pass.accumulate = false;
+        for (Input& input : pass.inputs)
+            input.frames_ago = 0;
+    }
+    CHECK(carried_passes(look) == std::vector<bool>(4, false));
+}
+
 TEST_CASE("a person's override reaches the pass and whoever reads it") {
     PassOverrides overrides;
     overrides["persistence"] = {Format::r32f, 0.5, Filter::nearest};
