@@ -21,9 +21,9 @@ const JsonValue* ObjectReader::require(std::string_view key) {
     return value;
 }
 
-std::string ObjectReader::text(std::string_view key, std::string fallback) {
+std::string ObjectReader::text(std::string_view key, const std::string& fallback) {
     const JsonValue* value = find(key);
-    return value && expect(*value, JsonValue::Kind::text) ? value->text : std::move(fallback);
+    return value && expect(*value, JsonValue::Kind::text) ? value->text : fallback;
 }
 
 bool ObjectReader::boolean(std::string_view key, bool fallback) {

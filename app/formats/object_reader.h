@@ -27,7 +27,7 @@ public:
     /// As find(), but notes when it is not there.
     const JsonValue* require(std::string_view key);
 
-    std::string text(std::string_view key, std::string fallback = {});
+    std::string text(std::string_view key, const std::string& fallback = {});
     bool boolean(std::string_view key, bool fallback);
     double number(std::string_view key, double fallback);
     /// A whole number from `low` to `high`.

@@ -162,8 +162,8 @@ std::vector<std::uint8_t> display_bytes(const Picture& picture) {
     return bytes;
 }
 
-Result<std::string> encode(const char* name, const OIIO::ImageSpec& spec, OIIO::TypeDesc type,
-                           const void* pixels) {
+Result<std::string> encode(const char* name, const OIIO::ImageSpec& spec,
+                           const OIIO::TypeDesc& type, const void* pixels) {
     std::vector<unsigned char> bytes;
     OIIO::Filesystem::IOVecOutput memory(bytes);
     const auto output = OIIO::ImageOutput::create(name, &memory);

@@ -22,8 +22,8 @@ TEST_CASE("a stream of another program is read") {
 }
 
 TEST_CASE("a stream that holds too much is stopped") {
-    const std::string bomb = deflated(std::string(100000000, 'a'));
-    CHECK(bomb.size() < 200000);
+    const std::string bomb = deflated(std::string(8000000, 'a'));
+    CHECK(bomb.size() < 16000);
     CHECK_FALSE(inflated(bomb, std::size_t{4} << 20).has_value());
     CHECK_FALSE(inflated(deflated("hello"), 4).has_value());
 }

@@ -95,7 +95,8 @@ TEST_CASE("killed at any moment of saving, the file is wholly the old or wholly 
     std::mt19937 random(20240601);
     std::uniform_int_distribution<useconds_t> moment(0, 8000);
     int changes = 0;
-    for (int trial = 0; trial < 60; ++trial) {
+    // On a busy machine a child may not come to save before it is killed.
+    for (int trial = 0; trial < 60 || (changes <= 10 && trial < 2000); ++trial) {
         const std::string before = content_of(file);
         const pid_t child = ::fork();
         if (child == 0)

@@ -31,7 +31,7 @@ public:
 
     /// Writes in place, as `cp` or an editor without safe saving does; folders are made.
     std::filesystem::path write(const std::filesystem::path& name, std::string_view text) const {
-        const std::filesystem::path file = m_path / name;
+        std::filesystem::path file = m_path / name;
         std::filesystem::create_directories(file.parent_path());
         std::ofstream(file, std::ios::binary) << text;
         return file;
