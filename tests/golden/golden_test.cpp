@@ -1,6 +1,6 @@
-// Draws Phosphor with each parameter at its low and its high end, at frames 1, 16 and 64, and compares
-// with the pictures kept beside this file. AFTERGLOW_UPDATE_GOLDEN=1 writes them anew: look at each
-// before it is kept.
+// Draws Phosphor with each parameter at its low and its high end, at frames 1, 16 and 64, and
+// compares with the pictures kept beside this file. AFTERGLOW_UPDATE_GOLDEN=1 writes them anew:
+// look at each before it is kept.
 #include "base/text.h"
 #include "io/picture_file.h"
 #include "lab/offline.h"
@@ -42,7 +42,8 @@ Picture strip(const std::string& look, const Settings& settings, Extent size = c
     auto offline = Offline::create(std::move(*prepared), size, 60.0);
     REQUIRE_MESSAGE(offline.has_value(), (offline ? "" : to_string(offline.error())));
 
-    Picture strip{{size.width * static_cast<int>(frames.size()), size.height}, 3, Encoding::display, {}};
+    Picture strip{
+        {size.width * static_cast<int>(frames.size()), size.height}, 3, Encoding::display, {}};
     strip.pixels.resize(strip.index(0, size.height));
     for (std::size_t column = 0; column < frames.size(); ++column) {
         while (offline->frame_number() + 1 < frames[column])
@@ -52,8 +53,8 @@ Picture strip(const std::string& look, const Settings& settings, Extent size = c
         for (int y = 0; y < size.height; ++y)
             for (int x = 0; x < size.width; ++x)
                 for (std::size_t channel = 0; channel < 3; ++channel)
-                    strip.pixels[strip.index(x + static_cast<int>(column) * size.width, y) + channel] =
-                        picture.pixels[picture.index(x, y) + channel];
+                    strip.pixels[strip.index(x + static_cast<int>(column) * size.width, y) +
+                                 channel] = picture.pixels[picture.index(x, y) + channel];
     }
     return strip;
 }
@@ -92,15 +93,18 @@ std::array<std::string, 2> ends_of(const Parameter& parameter) {
     std::array ends{std::string(), std::string()};
     for (int i = 0; i < parameter.type.size(); ++i) {
         const char* comma = i > 0 ? "," : "";
-        ends[0] += comma + format_number(parameter.control == Control::color ? 0.1 * i : parameter.range.low);
-        ends[1] += comma + format_number(parameter.control == Control::color ? 1.0 - 0.3 * i
-                                                                              : parameter.range.high);
+        ends[0] += comma + format_number(parameter.control == Control::color ? 0.1 * i
+                                                                             : parameter.range.low);
+        ends[1] +=
+            comma + format_number(parameter.control == Control::color ? 1.0 - 0.3 * i
+                                                                      : parameter.range.high);
     }
     return ends;
 }
 }  // namespace
 
-TEST_CASE("each parameter's low and high end look as they did, and one of them changes the picture") {
+TEST_CASE(
+    "each parameter's low and high end look as they did, and one of them changes the picture") {
     const auto look = prepare({.look = "phosphor"}, library());
     REQUIRE(look.has_value());
     const Picture plain = strip("phosphor", {});
@@ -121,8 +125,8 @@ TEST_CASE("each parameter's low and high end look as they did, and one of them c
         compare_with_golden(stacked(low, high), parameter.name);
 
         const Picture rest = around.empty() ? plain : strip("phosphor", around);
-        const double moved = difference_between(low, rest, 0)->largest +
-                             difference_between(high, rest, 0)->largest;
+        const double moved =
+            difference_between(low, rest, 0)->largest + difference_between(high, rest, 0)->largest;
         CHECK(moved > 0.9 / 255.0);
     }
 }
