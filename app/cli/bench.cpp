@@ -1,10 +1,8 @@
 #include "cli/common.h"
-
 #include "lab/measure.h"
 
-#include <nlohmann/json.hpp>
-
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <iostream>
 
@@ -29,8 +27,9 @@ void print_json(const Measurement& measured) {
 }
 
 void print_table(const Measurement& measured) {
-    std::cout << fmt::format("{}\nframe        {:8.3f} ms cpu  {:8.3f} ms wall\n", measured.renderer,
-                             measured.cpu_milliseconds, measured.wall_milliseconds);
+    std::cout << fmt::format("{}\nframe        {:8.3f} ms cpu  {:8.3f} ms wall\n",
+                             measured.renderer, measured.cpu_milliseconds,
+                             measured.wall_milliseconds);
     for (const PassTime& pass : measured.passes)
         std::cout << fmt::format("{:<12} {:8.3f} ms\n", pass.name, pass.milliseconds);
     std::cout << fmt::format("{} draw calls, {:.1f} bytes a pixel\n", measured.draw_calls,

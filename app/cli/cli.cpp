@@ -21,11 +21,12 @@ constexpr std::array verbs{
 constexpr const char* about =
     "The lab for the CRT, phosphor and oscilloscope look.\n\n"
     "afterglow [LOOK] opens the window; the commands work without a display.\n"
-    "LOOK is a look's folder or name, or a preset: a file, a PNG that holds one, or its line of text.";
+    "LOOK is a look's folder or name, or a preset: a file, a PNG that holds one, or its line of "
+    "text.";
 
 /// Runs the command that was parsed, or opens the window when there was none.
-int run_parsed(const CLI::App& program, const std::vector<Command>& commands, const std::string& look,
-               const std::string& data, const OpenWindow& open_window) {
+int run_parsed(const CLI::App& program, const std::vector<Command>& commands,
+               const std::string& look, const std::string& data, const OpenWindow& open_window) {
     for (std::size_t i = 0; i < verbs.size(); ++i) {
         if (!program.got_subcommand(verbs[i].name))
             continue;

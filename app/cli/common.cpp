@@ -21,13 +21,15 @@ Extent parse_size(const std::string& text) {
                             : parse_integer(std::string_view(text).substr(cross + 1));
     constexpr int largest = 16384;
     if (!width || !height || *width < 1 || *height < 1 || *width > largest || *height > largest)
-        throw CLI::ValidationError("--size", "'" + text + "' is not of the form 1280x720, 1 to 16384 px a side");
+        throw CLI::ValidationError(
+            "--size", "'" + text + "' is not of the form 1280x720, 1 to 16384 px a side");
     return {*width, *height};
 }
 
 void LookOptions::add_to(CLI::App& command, Take take) {
-    command.add_option("LOOK", m_request.look,
-                       "A look's folder or name, or a preset: file, PNG or line")
+    command
+        .add_option("LOOK", m_request.look,
+                    "A look's folder or name, or a preset: file, PNG or line")
         ->required();
     command.add_option("--preset", m_request.preset, "A preset of the look: file, name or line");
     command.add_option("--set", m_set, "name=value; may be given again and again")
@@ -49,14 +51,16 @@ RenderRequest LookOptions::request() const {
     for (const std::string& assignment : m_set) {
         const std::size_t equals = assignment.find('=');
         if (equals == std::string::npos || equals == 0)
-            throw CLI::ValidationError("--set", "'" + assignment + "' is not of the form name=value");
+            throw CLI::ValidationError("--set",
+                                       "'" + assignment + "' is not of the form name=value");
         request.values.emplace_back(assignment.substr(0, equals), assignment.substr(equals + 1));
     }
     return request;
 }
 
 Result<Library> open_library(const std::string& data) {
-    auto roots = find_roots(data.empty() ? std::nullopt : std::optional<std::filesystem::path>(data));
+    auto roots =
+        find_roots(data.empty() ? std::nullopt : std::optional<std::filesystem::path>(data));
     if (!roots)
         return fail(roots.error());
     return Library(std::move(*roots));

@@ -1,6 +1,5 @@
-#include "cli/common.h"
-
 #include "base/text.h"
+#include "cli/common.h"
 #include "io/picture_file.h"
 #include "model/difference.h"
 
@@ -55,10 +54,10 @@ void print(const Difference& difference, bool as_json) {
             number_or_null(difference.share_beyond));
         return;
     }
-    std::cout << fmt::format("mean   {:.6g}\nrms    {:.6g}\nmax    {:.6g} at {}, {}\npsnr   {:.2f} dB\nshare  {:.6g}\n",
-                             difference.mean, difference.rms, difference.largest,
-                             difference.largest_x, difference.largest_y, difference.psnr_db,
-                             difference.share_beyond);
+    std::cout << fmt::format(
+        "mean   {:.6g}\nrms    {:.6g}\nmax    {:.6g} at {}, {}\npsnr   {:.2f} dB\nshare  {:.6g}\n",
+        difference.mean, difference.rms, difference.largest, difference.largest_x,
+        difference.largest_y, difference.psnr_db, difference.share_beyond);
 }
 
 int compare(const Arguments& arguments) {
@@ -85,8 +84,9 @@ Command add_compare(CLI::App& program) {
     auto arguments = std::make_shared<Arguments>();
     command->add_option("A", arguments->first, "A picture")->required();
     command->add_option("B", arguments->second, "A picture")->required();
-    command->add_option("--tolerance", arguments->tolerance,
-                        "The difference from which a pixel counts in 'share'")
+    command
+        ->add_option("--tolerance", arguments->tolerance,
+                     "The difference from which a pixel counts in 'share'")
         ->capture_default_str();
     command->add_option("--fail-above", arguments->fail_above,
                         "mean=V, rms=V, max=V or share=V: exit code 1 beyond it");

@@ -4,8 +4,8 @@
 
 /// afterglow describe LOOK --json
 Command add_describe(CLI::App& program) {
-    auto* command =
-        program.add_subcommand("describe", "Print all that is needed to rebuild the frame elsewhere");
+    auto* command = program.add_subcommand(
+        "describe", "Print all that is needed to rebuild the frame elsewhere");
     auto options = std::make_shared<LookOptions>();
     options->add_to(*command, LookOptions::Take::values);
     command->add_flag("--json")->description("JSON on stdout, the only form there is");

@@ -1,5 +1,4 @@
 #include "cli/common.h"
-
 #include "lab/catalog.h"
 
 #include <nlohmann/json.hpp>

@@ -1,5 +1,4 @@
 #include "cli/common.h"
-
 #include "lab/sharing.h"
 
 #include <iostream>
@@ -15,8 +14,9 @@ Command add_preset(CLI::App& program) {
     auto* command = program.add_subcommand("preset", "Make, convert or share a preset");
     auto arguments = std::make_shared<Arguments>();
     arguments->look.add_to(*command, LookOptions::Take::values);
-    auto* output = command->add_option("-o,--output", arguments->output,
-                                       "The file to write: .json, or .png for a picture that holds it");
+    auto* output =
+        command->add_option("-o,--output", arguments->output,
+                            "The file to write: .json, or .png for a picture that holds it");
     command->add_option("--name", arguments->name, "What the preset is called");
     auto* line = command->add_flag("--line", arguments->as_line, "Print it as one line of text");
     line->excludes(output);

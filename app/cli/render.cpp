@@ -1,10 +1,9 @@
-#include "cli/common.h"
-
 #include "base/text.h"
+#include "cli/common.h"
 #include "cli/frame_names.h"
 #include "cli/progress.h"
-#include "lab/sharing.h"
 #include "io/picture_file.h"
+#include "lab/sharing.h"
 
 #include <fmt/format.h>
 
@@ -25,8 +24,10 @@ Result<int> chosen_pass(const Arguments& arguments, const Look& look) {
     std::vector<std::string> names;
     for (const Pass& pass : look.passes)
         names.push_back(pass.name);
-    return fail({{}, 0, fmt::format("'{}' has no pass '{}'{}", look.id, arguments.pass,
-                                    did_you_mean(arguments.pass, names))});
+    return fail({{},
+                 0,
+                 fmt::format("'{}' has no pass '{}'{}", look.id, arguments.pass,
+                             did_you_mean(arguments.pass, names))});
 }
 
 Result<void> save_all_passes(const Offline& offline, const std::filesystem::path& folder) {
@@ -47,7 +48,8 @@ Result<void> draw(const Arguments& arguments, Offline& offline) {
     const auto names = parse_frame_names(arguments.output);
     if (!names)
         return fail(names.error());
-    const int frames = arguments.frames > 0 ? arguments.frames : offline.document().look().settle_frames;
+    const int frames =
+        arguments.frames > 0 ? arguments.frames : offline.document().look().settle_frames;
     Progress progress("render", frames);
     for (int frame = 0; frame < frames; ++frame) {
         const bool is_seen = names->is_sequence() || frame + 1 == frames;
@@ -91,11 +93,15 @@ Command add_render(CLI::App& program) {
         program.add_subcommand("render", "Draw a look from a fresh start on a fixed clock");
     auto arguments = std::make_shared<Arguments>();
     arguments->look.add_to(*command, LookOptions::Take::drawing);
-    command->add_option("-o,--output", arguments->output,
-                        "The picture's file, .png or .exr; with %04d in it every frame, the first 0000")
+    command
+        ->add_option(
+            "-o,--output", arguments->output,
+            "The picture's file, .png or .exr; with %04d in it every frame, the first 0000")
         ->required();
-    command->add_option("--frames", arguments->frames,
-                        "Frames to draw; the last is the picture (default: what the look needs to settle)")
+    command
+        ->add_option(
+            "--frames", arguments->frames,
+            "Frames to draw; the last is the picture (default: what the look needs to settle)")
         ->check(CLI::Range(1, 10000000));
     command->add_option("--pass", arguments->pass, "This pass's target instead of the picture");
     command->add_option("--all-passes", arguments->all_passes,

@@ -13,7 +13,8 @@ std::vector<CatalogEntry> list_looks(const Library& library) {
         if (loaded.look)
             entries.push_back({look.id, loaded.look->name, loaded.look->about, {}, look.folder});
         else
-            entries.push_back({look.id, look.id, to_string(loaded.look.error().front()), {}, look.folder});
+            entries.push_back(
+                {look.id, look.id, to_string(loaded.look.error().front()), {}, look.folder});
     }
     return entries;
 }
@@ -26,8 +27,8 @@ std::vector<CatalogEntry> list_presets(const Library& library) {
             if (preset)
                 entries.push_back({entry.name, preset->name, preset->about, look.id, entry.file});
             else
-                entries.push_back(
-                    {entry.name, entry.name, to_string(preset.error().front()), look.id, entry.file});
+                entries.push_back({entry.name, entry.name, to_string(preset.error().front()),
+                                   look.id, entry.file});
         }
     return entries;
 }
@@ -39,7 +40,7 @@ std::vector<CatalogEntry> list_signals() {
         for (const SettingFacts& setting : kind.settings)
             settings += (settings.empty() ? "" : ",") + setting.key + '=' +
                         (setting.type == SettingType::number ? format_number(setting.initial)
-                                                               : setting.initial_word);
+                                                             : setting.initial_word);
         entries.push_back({kind.kind, kind.label, kind.help + " [" + settings + "]", {}, {}});
     }
     return entries;

@@ -7,10 +7,10 @@
 
 /// One line of what there is to choose from.
 struct CatalogEntry {
-    std::string id;     // what the command line takes
-    std::string name;   // what a person reads
+    std::string id;    // what the command line takes
+    std::string name;  // what a person reads
     std::string about;
-    std::string look;   // of presets
+    std::string look;  // of presets
     std::filesystem::path file;
 
     bool operator==(const CatalogEntry&) const = default;

@@ -18,7 +18,8 @@ struct DocumentState {
     bool operator==(const DocumentState&) const = default;
 };
 
-/// What a person has open: the look, its values, the preset they came from, and the way back. A value.
+/// What a person has open: the look, its values, the preset they came from, and the way back. A
+/// value.
 class Document {
 public:
     explicit Document(Look look);
@@ -32,7 +33,8 @@ public:
     const Value& value(const Parameter& parameter) const { return value_of(parameter, values()); }
     bool is_changed(const Parameter& parameter) const;
 
-    /// Sets a parameter within its hard limit. `goes_on`: more of the same gesture will follow, up to finish().
+    /// Sets a parameter within its hard limit. `goes_on`: more of the same gesture will follow, up
+    /// to finish().
     void set_value(const std::string& name, Value value, bool goes_on = false);
     void reset(const std::vector<std::string>& names);
     void reset_all();

@@ -3,15 +3,15 @@
 #include "base/text.h"
 
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <cstring>
+#include <spawn.h>
+#include <sys/wait.h>
 #include <thread>
+#include <unistd.h>
 
 extern char** environ;
 
@@ -68,7 +68,8 @@ Result<void> open_in_editor(const Location& place) {
         arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
     pid_t process = 0;
-    const int error = posix_spawnp(&process, arguments[0], nullptr, nullptr, arguments.data(), environ);
+    const int error =
+        posix_spawnp(&process, arguments[0], nullptr, nullptr, arguments.data(), environ);
     if (error != 0)
         return fail({place.file, place.line,
                      fmt::format("'{}' cannot be started ({}); set $VISUAL to your editor",

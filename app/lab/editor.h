@@ -5,8 +5,9 @@
 #include <string>
 #include <vector>
 
-/// The command that opens a place in the person's editor ($VISUAL, else $EDITOR, else what the desktop
-/// opens text with), with the line in the form that this editor knows. A terminal's editor is given one.
+/// The command that opens a place in the person's editor ($VISUAL, else $EDITOR, else what the
+/// desktop opens text with), with the line in the form that this editor knows. A terminal's editor
+/// is given one.
 Result<std::vector<std::string>> editor_command(const Location& place);
 
 /// Starts it, and does not wait.

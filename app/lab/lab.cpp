@@ -150,7 +150,8 @@ void Lab::delete_preset() {
     const fs::path file = m_document->preset_file();
     if (!succeeded(m_library.delete_preset(file)))
         return;
-    say("Deleted '" + m_document->preset_name() + "'; its values stay here until another look opens");
+    say("Deleted '" + m_document->preset_name() +
+        "'; its values stay here until another look opens");
     m_document->set_identity({}, {});
     m_document->mark_saved(initial_state(m_document->look()));
 }

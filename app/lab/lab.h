@@ -67,16 +67,16 @@ public:
     void set_picture_size(const PictureSize& size);
     void set_view(Extent view_pixels) { m_view = view_pixels; }
     void set_mouse(double x, double y);
-    void save_preset();                             // over the open one
+    void save_preset();  // over the open one
     void save_preset_as(const std::string& name);
     void rename_preset(const std::string& name);
     void duplicate_preset();
     void delete_preset();
-    std::string share_line() const;                 // "" when nothing is open
+    std::string share_line() const;  // "" when nothing is open
     void paste(const std::string& line);
     void new_look(const std::string& id);
     void duplicate_look(const std::string& id);
-    void write_overrides();                         // into look.json
+    void write_overrides();  // into look.json
     void open_in_editor(const Location& place);
     void cancel_replay();
     void say(std::string text, bool is_problem = false);

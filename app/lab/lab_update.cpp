@@ -22,8 +22,8 @@ void Lab::update(double wall_seconds) {
 }
 
 bool Lab::is_moving() const {
-    return m_player.is_playing() || is_loading() || m_notice ||
-           m_wanted || (m_renderer && m_renderer->replay().is_running());
+    return m_player.is_playing() || is_loading() || m_notice || m_wanted ||
+           (m_renderer && m_renderer->replay().is_running());
 }
 
 void Lab::take_reload() {
@@ -163,8 +163,9 @@ void Lab::start_replay() {
     const auto all = static_cast<std::size_t>(std::max(m_document->look().settle_frames, 1));
     std::size_t frames = all;
     if (m_document->history().is_in_gesture())
-        frames = std::clamp(static_cast<std::size_t>(patience_seconds / m_renderer->frame_seconds()),
-                            std::min(fewest, all), all);
+        frames =
+            std::clamp(static_cast<std::size_t>(patience_seconds / m_renderer->frame_seconds()),
+                       std::min(fewest, all), all);
     m_renderer->start_replay(m_player, frames);
     if (frames == all || m_renderer->replay().total < frames)
         m_wanted.reset();  // else the rest is owed until the hand lets go

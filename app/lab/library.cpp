@@ -24,12 +24,13 @@ std::vector<fs::path> sorted_entries(const fs::path& folder) {
 
 Result<void> check_name(std::string_view name, const char* what) {
     const auto is_fine = [](unsigned char c) {
-        return std::isalnum(c) || c >= 0x80 || std::string_view(" -_.()+").find(static_cast<char>(c)) !=
-                                                   std::string_view::npos;
+        return std::isalnum(c) || c >= 0x80 ||
+               std::string_view(" -_.()+").find(static_cast<char>(c)) != std::string_view::npos;
     };
     if (name.empty() || name.size() > 100 || name.front() == '.' || trim(name) != name ||
         !std::all_of(name.begin(), name.end(), is_fine))
-        return fail({{}, 0,
+        return fail({{},
+                     0,
                      fmt::format("'{}' cannot be the name of a {}: letters, digits, spaces and "
                                  "-_.()+ make a name",
                                  name, what)});
@@ -63,8 +64,7 @@ std::vector<PresetEntry> Library::presets(std::string_view look) const {
     for (const fs::path& root : m_roots.all())
         for (const fs::path& file : sorted_entries(root / "presets" / look))
             if (file.extension() == ".json")
-                add_or_shadow(presets,
-                              {std::string(look), file.stem(), file, root == m_roots.user},
+                add_or_shadow(presets, {std::string(look), file.stem(), file, root == m_roots.user},
                               &PresetEntry::name);
     return presets;
 }
@@ -76,7 +76,8 @@ std::optional<LookEntry> Library::find_look(std::string_view id) const {
     return std::nullopt;
 }
 
-std::optional<PresetEntry> Library::find_preset(std::string_view look, std::string_view name) const {
+std::optional<PresetEntry> Library::find_preset(std::string_view look,
+                                                std::string_view name) const {
     for (PresetEntry& preset : presets(look))
         if (preset.name == name)
             return preset;

@@ -30,7 +30,7 @@ public:
     explicit Library(Roots roots) : m_roots(std::move(roots)) {}
 
     const Roots& roots() const { return m_roots; }
-    std::vector<LookEntry> looks() const;                          // by id; the program's first
+    std::vector<LookEntry> looks() const;                           // by id; the program's first
     std::vector<PresetEntry> presets(std::string_view look) const;  // by name; own ones shadow
     std::optional<LookEntry> find_look(std::string_view id) const;
     std::optional<PresetEntry> find_preset(std::string_view look, std::string_view name) const;

@@ -12,7 +12,8 @@ struct PassTime {
 
 /// What a frame of a look costs; medians.
 struct Measurement {
-    double cpu_milliseconds = 0.0;  // of the whole process, all threads, the frame ending in glFinish
+    double cpu_milliseconds =
+        0.0;  // of the whole process, all threads, the frame ending in glFinish
     double wall_milliseconds = 0.0;
     std::vector<PassTime> passes;
     int draw_calls = 0;

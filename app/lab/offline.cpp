@@ -15,9 +15,11 @@ Result<void> apply_values(const RenderRequest& request, Document& document) {
     for (const auto& [name, text] : request.values) {
         const Parameter* parameter = find_parameter(document.look(), name);
         if (!parameter) {
-            problems.push_back({{}, 0, fmt::format("'{}' has no parameter '{}'{}",
-                                                   document.look().id, name,
-                                                   did_you_mean(name, parameter_names(document.look())))});
+            problems.push_back(
+                {{},
+                 0,
+                 fmt::format("'{}' has no parameter '{}'{}", document.look().id, name,
+                             did_you_mean(name, parameter_names(document.look())))});
             continue;
         }
         auto value = parse_value(*parameter, text);

@@ -54,11 +54,14 @@ public:
     const gpu::Context& context() const { return *m_context; }
     /// The picture of a pass, row 0 on top; with the encoding that its values have.
     Picture picture(int pass) const;
-    Picture picture() const { return picture(static_cast<int>(executor().look().passes.size()) - 1); }
+    Picture picture() const {
+        return picture(static_cast<int>(executor().look().passes.size()) - 1);
+    }
 
 private:
     Result<void> load_pictures(const std::filesystem::path& media_folder, Extent size);
-    Offline(std::unique_ptr<gpu::Context> context, Document document, Programs programs, double fps);
+    Offline(std::unique_ptr<gpu::Context> context, Document document, Programs programs,
+            double fps);
 
     std::unique_ptr<gpu::Context> m_context;
     Document m_document;

@@ -32,8 +32,9 @@ bool is_look_manifest(const fs::path& file) {
 Result<OpenRequest> request_of_preset(Preset preset, fs::path file, const Library& library) {
     const auto look = library.find_look(preset.look);
     if (!look)
-        return fail({file, 0, fmt::format("this preset is for the look '{}', which is not here{}",
-                                          preset.look, did_you_mean(preset.look, look_ids(library)))});
+        return fail({file, 0,
+                     fmt::format("this preset is for the look '{}', which is not here{}",
+                                 preset.look, did_you_mean(preset.look, look_ids(library)))});
     return OpenRequest{look->folder, std::move(preset), std::move(file)};
 }
 
@@ -45,7 +46,8 @@ Result<OpenRequest> request_of_file(const fs::path& file, const Library& library
     }
     if (extension == ".json")
         return OpenRequest{file, {}, {}};
-    return fail({file, 0, "is neither a look's folder, a look.json, a preset nor a PNG that holds one"});
+    return fail(
+        {file, 0, "is neither a look's folder, a look.json, a preset nor a PNG that holds one"});
 }
 }  // namespace
 
@@ -65,12 +67,14 @@ Result<OpenRequest> resolve(const std::string& argument, const Library& library)
         return request_of_file(path, library);
     if (is_path)
         return fail({path, 0, "there is no such file or folder"});
-    return fail({{}, 0, fmt::format("there is no look called '{}'{}", argument,
-                                    did_you_mean(argument, look_ids(library)))});
+    return fail({{},
+                 0,
+                 fmt::format("there is no look called '{}'{}", argument,
+                             did_you_mean(argument, look_ids(library)))});
 }
 
 Result<OpenRequest> resolve_preset(const std::string& argument, const std::string& look,
-                                  const Library& library) {
+                                   const Library& library) {
     if (const auto entry = library.find_preset(look, argument)) {
         auto preset = load_preset(entry->file);
         return preset ? request_of_preset(std::move(*preset), entry->file, library)
@@ -81,8 +85,10 @@ Result<OpenRequest> resolve_preset(const std::string& argument, const std::strin
         std::vector<std::string> names;
         for (const PresetEntry& entry : library.presets(look))
             names.push_back(entry.name);
-        return fail({{}, 0, fmt::format("'{}' has no preset called '{}', and there is no such file{}",
-                                        look, argument, did_you_mean(argument, names))});
+        return fail({{},
+                     0,
+                     fmt::format("'{}' has no preset called '{}', and there is no such file{}",
+                                 look, argument, did_you_mean(argument, names))});
     }
     auto request = resolve(argument, library);
     if (request && !request->preset)

@@ -24,7 +24,7 @@ Result<OpenRequest> resolve(const std::string& argument, const Library& library)
 
 /// A preset of the look by name, file, PNG or line.
 Result<OpenRequest> resolve_preset(const std::string& argument, const std::string& look,
-                                  const Library& library);
+                                   const Library& library);
 
 /// Reads the look that a request names.
 LoadedLook load_requested(const OpenRequest& request, const Library& library);

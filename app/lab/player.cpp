@@ -138,7 +138,8 @@ PlayedFrame Player::moved_to(double end) {
 }
 
 std::optional<PlayedFrame> Player::advance(double wall_seconds) {
-    // A window that was held up does not ask for more than this at once; time is then lost, not light.
+    // A window that was held up does not ask for more than this at once; time is then lost, not
+    // light.
     constexpr double longest_frame = 0.25;
     if (m_is_stepping) {
         m_is_stepping = false;

@@ -27,8 +27,8 @@ public:
     explicit Player(Sounding sounding = Sounding::silent)
         : m_is_heard(sounding == Sounding::heard) {}
 
-    /// Makes the signal of the spec the current one; a file that it names is read from `folder` when
-    /// its path is relative. On an error the old signal goes on.
+    /// Makes the signal of the spec the current one; a file that it names is read from `folder`
+    /// when its path is relative. On an error the old signal goes on.
     Result<void> set_signal(const Spec& spec, const std::filesystem::path& folder);
     const Signal* signal() const { return m_signal.get(); }
     const std::shared_ptr<const Sound>& sound() const { return m_sound; }
@@ -50,8 +50,8 @@ public:
     /// The next advance() goes one frame of 1/60 s further, also while paused.
     void step() { m_is_stepping = true; }
 
-    /// The frame that `wall_seconds` since the last call bring; none while paused or at the signal's end.
-    /// While a sound is heard its device is the clock.
+    /// The frame that `wall_seconds` since the last call bring; none while paused or at the
+    /// signal's end. While a sound is heard its device is the clock.
     std::optional<PlayedFrame> advance(double wall_seconds);
     /// The frame of a fixed clock; time need not flow.
     PlayedFrame advance_fixed(double fps);

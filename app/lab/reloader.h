@@ -27,7 +27,8 @@ struct LoadedRequest {
 /// Reads looks and links their programs on a thread of its own, and watches their files.
 class Reloader {
 public:
-    /// `context` shares objects with the drawing one; from now on it belongs to the reloader's thread.
+    /// `context` shares objects with the drawing one; from now on it belongs to the reloader's
+    /// thread.
     Reloader(std::unique_ptr<gpu::Context> context, std::filesystem::path shared_includes);
     ~Reloader();
     Reloader(const Reloader&) = delete;
@@ -75,7 +76,7 @@ private:
     std::uint64_t m_completed = 0;
     bool m_is_ending = false;
 
-    CheckCache m_checks;      // the thread's
+    CheckCache m_checks;               // the thread's
     std::optional<Programs> m_linked;  // the thread's: what the next reading may reuse
     std::thread m_thread;
 };

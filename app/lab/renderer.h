@@ -24,7 +24,9 @@ public:
         return m_executor.replace(std::move(look), std::move(programs));
     }
     void set_values(const Values& values) { m_executor.set_values(values); }
-    Result<void> resize(Extent picture, Extent source) { return m_executor.resize(picture, source); }
+    Result<void> resize(Extent picture, Extent source) {
+        return m_executor.resize(picture, source);
+    }
     Result<void> set_source(const Picture& picture) { return m_executor.set_source(picture); }
     Result<void> set_image(const std::string& name, const Picture& picture) {
         return m_executor.set_image(name, picture);

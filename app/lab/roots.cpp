@@ -1,8 +1,7 @@
 #include "lab/roots.h"
 
-#include <unistd.h>
-
 #include <cstdlib>
+#include <unistd.h>
 
 namespace fs = std::filesystem;
 
@@ -62,5 +61,6 @@ Result<Roots> find_roots(const std::optional<fs::path>& data) {
             return roots;
         }
     }
-    return fail({{}, 0, "the looks were not found beside the program; name their folder with --data"});
+    return fail(
+        {{}, 0, "the looks were not found beside the program; name their folder with --data"});
 }

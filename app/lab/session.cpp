@@ -74,7 +74,8 @@ Session load_session(const Roots& roots, Diagnostics& warnings) {
     const fs::path aside = file.string() + ".damaged";
     fs::rename(file, aside, error);
     warnings.push_back(session.error().front());
-    warnings.push_back({aside, 0, "holds what could be kept of the last session", Severity::warning});
+    warnings.push_back(
+        {aside, 0, "holds what could be kept of the last session", Severity::warning});
     return {};
 }
 

@@ -1,6 +1,6 @@
-// Hot reload of Phosphor's composite: from the save to the linked program, and to the first frame drawn
-// with it, against a steady frame of the same run. Twenty texts never seen before, saved in place and by
-// rename.
+// Hot reload of Phosphor's composite: from the save to the linked program, and to the first frame
+// drawn with it, against a steady frame of the same run. Twenty texts never seen before, saved in
+// place and by rename.
 #include "gpu/draw.h"
 #include "io/atomic_file.h"
 #include "lab/lab.h"

@@ -72,7 +72,8 @@ TEST_CASE("reset takes back one, and all") {
     CHECK(document.values() == Values{{"exposure", Value(3.0)}});
 }
 
-TEST_CASE("an edited look keeps values, moves renamed ones and keeps what it lost, in all of undo") {
+TEST_CASE(
+    "an edited look keeps values, moves renamed ones and keeps what it lost, in all of undo") {
     Document document(small_look());
     document.set_value("decay", Value(0.5));
     document.set_value("exposure", Value(3.0));

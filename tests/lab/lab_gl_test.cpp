@@ -1,7 +1,6 @@
-#include "lab/lab.h"
-
 #include "gpu/readback.h"
 #include "io/atomic_file.h"
+#include "lab/lab.h"
 
 #include <doctest/doctest.h>
 
@@ -56,7 +55,8 @@ public:
                                       std::move(*worker));
         m_lab->set_picture_size({false, {8, 8}, 1.0});
         m_lab->open("small");
-        REQUIRE(turn_until([&] { return m_lab->renderer() && m_lab->player().frame_number() > 2; }));
+        REQUIRE(
+            turn_until([&] { return m_lab->renderer() && m_lab->player().frame_number() > 2; }));
     }
     ~SmallLab() {
         m_lab.reset();
@@ -90,9 +90,7 @@ public:
         for (int i = 0; i < count; ++i)
             m_lab->update(1.0 / 60.0);
     }
-    float shown() {
-        return gpu::read_pixel(m_lab->renderer()->executor().target(1), 3, 3)[0];
-    }
+    float shown() { return gpu::read_pixel(m_lab->renderer()->executor().target(1), 3, 3)[0]; }
     float frames() { return static_cast<float>(m_lab->player().frame_number()); }
 
 private:
@@ -120,7 +118,9 @@ TEST_CASE("an edited shader shows, and values, clock and history survive") {
     small.turn(1);
     CHECK(small.shown() == 2 * small.frames());
     const auto before = small.frames();
-    SUBCASE("saved in place") { small.write("show.frag", replaced(show, "* gain", "* gain * 4.0")); }
+    SUBCASE("saved in place") {
+        small.write("show.frag", replaced(show, "* gain", "* gain * 4.0"));
+    }
     SUBCASE("saved by rename") {
         small.write_by_rename("show.frag", replaced(show, "* gain", "* gain * 4.0"));
     }
@@ -146,7 +146,8 @@ TEST_CASE("a pass that is added shows, and the others keep their history") {
     CHECK(small.shown() == small.frames());
 }
 
-TEST_CASE("a mistake keeps the last good picture and names file, line and source; mending clears it") {
+TEST_CASE(
+    "a mistake keeps the last good picture and names file, line and source; mending clears it") {
     SmallLab small;
     small.write_by_rename("show.frag", replaced(show, "* gain", "* gian"));
     REQUIRE(small.turn_until([&] { return !small.lab().problems().empty(); }));

@@ -20,7 +20,8 @@ public:
         m_context = std::move(*context);
         LoadedLook loaded = load_look(fs::path(AFTERGLOW_SOURCE_DIR) / "shaders" / "phosphor",
                                       fs::path(AFTERGLOW_SOURCE_DIR) / "shaders" / "include");
-        REQUIRE_MESSAGE(loaded.look.has_value(), (loaded.look ? "" : to_string(loaded.look.error())));
+        REQUIRE_MESSAGE(loaded.look.has_value(),
+                        (loaded.look ? "" : to_string(loaded.look.error())));
         for (Pass& pass : loaded.look->passes)
             pass.format = Format::rgba32f;
         auto programs = build_programs(*loaded.look);
@@ -80,11 +81,16 @@ private:
 
 /// Everything off that would change a flat field in the composite.
 Values plain_glass() {
-    return {{"bloom_intensity", Value(0.0)}, {"scanline_strength", Value(0.0)},
-            {"graticule", Value(0.0)},       {"vignette", Value(0.0)},
-            {"curvature", Value(0.0)},       {"aberration", Value(0.0)},
-            {"corner_radius", Value(0.0)},   {"ambient_glass", Value(std::vector<double>{0, 0, 0})},
-            {"dither", Value(0.0)},          {"display_encode", Value(0.0)},
+    return {{"bloom_intensity", Value(0.0)},
+            {"scanline_strength", Value(0.0)},
+            {"graticule", Value(0.0)},
+            {"vignette", Value(0.0)},
+            {"curvature", Value(0.0)},
+            {"aberration", Value(0.0)},
+            {"corner_radius", Value(0.0)},
+            {"ambient_glass", Value(std::vector<double>{0, 0, 0})},
+            {"dither", Value(0.0)},
+            {"display_encode", Value(0.0)},
             {"beam_color", Value(std::vector<double>{1, 1, 1})}};
 }
 
@@ -139,7 +145,8 @@ TEST_CASE("an even deposit leaves E (1 - d^(60 dt)) / (-60 ln d)") {
     Tube unit({{"decay", Value(decay)}});
     unit.draw({{0.0f, 0.0f, 1.0f, 0.0f}}, 24.0);
     const double expected = (1.0 - std::pow(decay, 60.0 * seconds)) / (-60.0 * std::log(decay));
-    CHECK(tube.sum("persistence") / unit.sum("persistence") == doctest::Approx(expected).epsilon(0.001));
+    CHECK(tube.sum("persistence") / unit.sum("persistence") ==
+          doctest::Approx(expected).epsilon(0.001));
 }
 
 TEST_CASE("a still trace looks the same at 24, 48 and 144 frames a second") {
@@ -195,8 +202,11 @@ TEST_CASE("one lit spot keeps its energy through the bloom") {
 }
 
 TEST_CASE("the bloom has the stated sigma") {
-    Tube tube({{"bloom_radius", Value(3.0)}, {"bloom_sigma", Value(1.64)}, {"bloom_taps", Value(25.0)},
-               {"ceiling", Value(1000.0)}, {"beam_width", Value(1.0)}},
+    Tube tube({{"bloom_radius", Value(3.0)},
+               {"bloom_sigma", Value(1.64)},
+               {"bloom_taps", Value(25.0)},
+               {"ceiling", Value(1000.0)},
+               {"beam_width", Value(1.0)}},
               {512, 512});
     const float centre = 1.0f / 512.0f;
     tube.draw({{centre, centre, 1.0f, 0.0f}});
@@ -242,10 +252,11 @@ TEST_CASE("scanlines leave a mean of 1 - strength / 2 over whole periods") {
         CAPTURE(period);
         Tube flat(plain_glass());
         flat.draw(flat.flood());
-        Tube lined(with(plain_glass(), {{"scanline_strength", Value(0.3)},
-                                        {"scanline_period", Value(period)}}));
+        Tube lined(with(plain_glass(),
+                        {{"scanline_strength", Value(0.3)}, {"scanline_period", Value(period)}}));
         lined.draw(lined.flood());
-        CHECK(lined.sum("composite") / flat.sum("composite") == doctest::Approx(0.85).epsilon(0.005));
+        CHECK(lined.sum("composite") / flat.sum("composite") ==
+              doctest::Approx(0.85).epsilon(0.005));
         CHECK(lined.at("composite", 64, 64) != doctest::Approx(lined.at("composite", 64, 66)));
     }
 }
