@@ -86,6 +86,8 @@ void Views::update(const Lab& lab, const WindowState& window) {
         m_probed.reset();
         return;
     }
+    if (lab.renderer()->replay().is_running())
+        return;  // what was shown stays until the past has been drawn again
     const Executor& executor = lab.renderer()->executor();
     const Look& look = executor.look();
     const int last = static_cast<int>(look.passes.size()) - 1;

@@ -29,6 +29,18 @@ bool is_bottom(const Scene& scene) {
     return scene.window.shows_bottom && scene.window.shows_timings == timings;
 }
 
+// A line of the menu with a tick while its pane is shown.
+template <bool WindowState::*shown>
+Action toggling(ActionId id, const char* label, Chord chord, bool is_first = false) {
+    return {id, Menu::view, label, chord, is_first, toggle<shown>, nullptr, is_shown<shown>};
+}
+
+template <bool timings>
+Action bottom(ActionId id, const char* label, Chord chord) {
+    return {id,      Menu::view,        label, chord, false, toggle_bottom<timings>,
+            nullptr, is_bottom<timings>};
+}
+
 void zoom_one(const Scene&, Edits& edits) {
     edits.arrange([](WindowState& window) { window.picture = {PictureView::Fit::free, 1.0}; });
 }
@@ -70,62 +82,15 @@ std::vector<Action> view_actions::list() {
         {ActionId::zoom_fit, Menu::view, "Show all of the picture", {'F'}, false, zoom_fit},
         {ActionId::zoom_in, Menu::view, "Zoom in", {'='}, false, zoom<true>},
         {ActionId::zoom_out, Menu::view, "Zoom out", {'-'}, false, zoom<false>},
-        {ActionId::show_library,
-         Menu::view,
-         "Looks and signal",
-         {'1', true},
-         true,
-         toggle<&State::shows_library>,
-         nullptr,
-         is_shown<&State::shows_library>},
-        {ActionId::show_parameters,
-         Menu::view,
-         "Parameters",
-         {'2', true},
-         false,
-         toggle<&State::shows_parameters>,
-         nullptr,
-         is_shown<&State::shows_parameters>},
-        {ActionId::show_inspector,
-         Menu::view,
-         "Inspector",
-         {'3', true},
-         false,
-         toggle<&State::shows_inspector>,
-         nullptr,
-         is_shown<&State::shows_inspector>},
-        {ActionId::show_strip,
-         Menu::view,
-         "Strip of passes",
-         {'4', true},
-         false,
-         toggle<&State::shows_strip>,
-         nullptr,
-         is_shown<&State::shows_strip>},
-        {ActionId::show_problems,
-         Menu::view,
-         "Problems",
-         {'5', true},
-         false,
-         toggle_bottom<false>,
-         nullptr,
-         is_bottom<false>},
-        {ActionId::show_timings,
-         Menu::view,
-         "Timings",
-         {'6', true},
-         false,
-         toggle_bottom<true>,
-         nullptr,
-         is_bottom<true>},
-        {ActionId::picture_only,
-         Menu::view,
-         "Only the picture",
-         {key_f11},
-         true,
-         toggle<&State::is_picture_only>,
-         nullptr,
-         is_shown<&State::is_picture_only>},
+        toggling<&State::shows_library>(ActionId::show_library, "Looks and signal", {'1', true},
+                                        true),
+        toggling<&State::shows_parameters>(ActionId::show_parameters, "Parameters", {'2', true}),
+        toggling<&State::shows_inspector>(ActionId::show_inspector, "Inspector", {'3', true}),
+        toggling<&State::shows_strip>(ActionId::show_strip, "Strip of passes", {'4', true}),
+        bottom<false>(ActionId::show_problems, "Problems", {'5', true}),
+        bottom<true>(ActionId::show_timings, "Timings", {'6', true}),
+        toggling<&State::is_picture_only>(ActionId::picture_only, "Only the picture", {key_f11},
+                                          true),
         {ActionId::larger_text, Menu::view, "Larger text", {'=', true}, true, scale_text<1>},
         {ActionId::smaller_text, Menu::view, "Smaller text", {'-', true}, false, scale_text<-1>},
     };
