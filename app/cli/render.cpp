@@ -57,9 +57,9 @@ Result<void> draw(const Arguments& arguments, Offline& offline) {
         if (is_seen) {
             const Picture picture = offline.picture(*pass);
             const auto file = names->name(frame);
-            const auto saved = names->is_sequence()
-                                   ? save_picture(picture, file)
-                                   : save_picture_with_preset(picture, offline.document(), file);
+            auto saved = names->is_sequence()
+                             ? save_picture(picture, file)
+                             : save_picture_with_preset(picture, offline.document(), file);
             if (!saved)
                 return saved;
         }

@@ -91,7 +91,7 @@ Result<fs::path> Library::preset_path(std::string_view look, std::string_view na
 }
 
 Result<fs::path> Library::save_preset(Preset preset, const std::string& name) const {
-    const auto file = preset_path(preset.look, name);
+    auto file = preset_path(preset.look, name);
     if (!file)
         return file;
     if (preset.name.empty())
@@ -158,7 +158,7 @@ Result<fs::path> Library::new_look_folder(const std::string& id) const {
 }
 
 Result<fs::path> Library::duplicate_look(const fs::path& folder, const std::string& id) const {
-    const auto copy = new_look_folder(id);
+    auto copy = new_look_folder(id);
     if (!copy)
         return copy;
     std::error_code error;
@@ -193,7 +193,7 @@ void main() {
     color = vec4(tint * wave, 1.0);
 }
 )";
-    const auto folder = new_look_folder(id);
+    auto folder = new_look_folder(id);
     if (!folder)
         return folder;
     if (auto done = write_atomically(*folder / "picture.frag", fragment); !done)

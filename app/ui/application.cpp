@@ -22,6 +22,9 @@ double seconds_between(Clock::time_point start, Clock::time_point end) {
     return std::chrono::duration<double>(end - start).count();
 }
 
+// A widget's answer to an event shows a frame or two later, a tooltip after a moment.
+constexpr auto awake = std::chrono::milliseconds(450);
+
 /// The window with all that runs in it, turn by turn.
 class Application {
 public:
@@ -47,17 +50,17 @@ public:
     void run() {
         SessionKeeper keeper(m_options.roots);
         while (!m_is_quitting && !m_window.is_close_requested()) {
-            wait();
-            turn();
+            if (wait())
+                turn();
             keeper.update(m_lab, m_state);
         }
         keeper.save(m_lab, m_state);
     }
 
 private:
-    void wait();
+    bool wait();  // whether a turn is due
     void turn();
-    void draw(double wall_seconds);
+    void draw();
     void apply(const Edits& edits);
     void note_geometry();
     void update_title();
@@ -74,37 +77,36 @@ private:
     std::string m_title;
     std::string m_state_text;
     Clock::time_point m_last = Clock::now();
-    int m_frames_owed = 3;  // a widget's answer to an event shows a frame or two later
+    Clock::time_point m_awake_until = Clock::now() + awake;
     bool m_is_quitting = false;
 };
 
-// While nothing moves the program sleeps until the person, a file or the clock of the session
-// wants something. While it moves no more frames are drawn than the display shows.
-void Application::wait() {
+// While nothing moves the program sleeps until the person or a file wants something, and looks to
+// the session now and then. While it moves no more frames are drawn than the display shows.
+bool Application::wait() {
     constexpr double rest_seconds = 1.0;
-    const bool is_moving = m_lab.is_moving() || m_frames_owed > 0;
-    if (!is_moving) {
-        const Clock::time_point start = Clock::now();
+    const Clock::time_point start = Clock::now();
+    if (!m_lab.is_moving() && start > m_awake_until) {
         m_window.wait_events(rest_seconds);
-        if (seconds_between(start, Clock::now()) < rest_seconds)
-            m_frames_owed = 3;
-        return;
+        if (seconds_between(start, Clock::now()) >= rest_seconds)
+            return false;
+        m_awake_until = Clock::now() + awake;
+        return true;
     }
     const double frame = 1.0 / std::clamp(m_window.refresh_rate(), 24.0, 240.0);
-    const double left = frame - seconds_between(m_last, Clock::now());
+    const double left = frame - seconds_between(m_last, start);
     constexpr double slack = 0.001;
     if (left > slack)
         m_window.wait_events(left - slack);
     else
         m_window.poll_events();
+    return true;
 }
 
 void Application::turn() {
     const Clock::time_point now = Clock::now();
     const double wall_seconds = seconds_between(m_last, now);
     m_last = now;
-    if (m_frames_owed > 0)
-        --m_frames_owed;
     m_pace.add(wall_seconds);
     m_lab.set_view(m_state.views.picture.is_empty() ? Extent{1280, 720} : m_state.views.picture);
     m_lab.update(wall_seconds);
@@ -112,10 +114,10 @@ void Application::turn() {
         return;  // minimised
     m_shelf.update(m_lab.library(), wall_seconds);
     m_views.update(m_lab, m_state);
-    draw(wall_seconds);
+    draw();
 }
 
-void Application::draw(double) {
+void Application::draw() {
     gpu::bind_screen(m_window.framebuffer_size());
     const theme::Color back = theme::surround;
     gpu::clear_screen({back.red, back.green, back.blue, 1.0f});
@@ -138,7 +140,7 @@ void Application::draw(double) {
 void Application::apply(const Edits& edits) {
     edits.apply(m_lab, m_state);
     if (edits.has_verbs()) {
-        m_frames_owed = std::max(m_frames_owed, 2);
+        m_awake_until = Clock::now() + awake;
         m_shelf.refresh();
     }
     if (edits.copied())

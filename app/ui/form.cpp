@@ -24,7 +24,7 @@ FormColumns form_columns(bool has_button) {
     columns.button = has_button ? ImGui::GetFrameHeight() : -gap();
     columns.number = std::round(ImGui::GetFontSize() * 3.9f);
     const float rest = std::max(60.0f, room - columns.button - columns.number - 3.0f * gap());
-    columns.label = std::floor(rest * 0.5f);
+    columns.label = std::floor(rest * 0.54f);
     columns.control = std::floor(rest - columns.label);
     return columns;
 }
@@ -71,10 +71,8 @@ bool form_reset(const std::string& help, bool is_changed, const FormColumns& col
 }
 
 bool form_list(const char* id, const char* const* labels, int count, int& chosen, float width) {
-    ImGui::SetNextItemWidth(width);
-    const char* present = chosen >= 0 && chosen < count ? labels[chosen] : "";
     bool is_changed = false;
-    if (!ImGui::BeginCombo(id, present))
+    if (!begin_combo(id, chosen >= 0 && chosen < count ? labels[chosen] : "", width))
         return false;
     for (int i = 0; i < count; ++i)
         if (ImGui::Selectable(labels[i], i == chosen) && i != chosen) {

@@ -22,6 +22,9 @@ public:
     void line(const ImVec2& a, const ImVec2& b) {
         m_list.AddLine(at(a.x, a.y), at(b.x, b.y), m_color, m_size * 0.11f);
     }
+    void thick_line(const ImVec2& a, const ImVec2& b) {
+        m_list.AddLine(at(a.x, a.y), at(b.x, b.y), m_color, m_size * 0.26f);
+    }
     // Part of a circle around the middle, from one angle to another; radians, clockwise from the
     // right.
     void arc(float radius, float from, float to) {
@@ -39,10 +42,16 @@ private:
     ImU32 m_color;
 };
 
+// An arc that ends in an arrowhead at its upper left.
 void draw_turn_back(Pen& pen) {
     constexpr float pi = 3.14159265f;
-    pen.arc(0.32f, -0.75f * pi, 0.85f * pi);
-    pen.triangle({0.08f, 0.12f}, {0.44f, 0.16f}, {0.16f, 0.46f});
+    pen.arc(0.36f, -0.8f * pi, 0.75f * pi);
+    pen.triangle({0.06f, 0.06f}, {0.06f, 0.46f}, {0.46f, 0.46f});
+}
+
+void draw_pencil(Pen& pen) {
+    pen.thick_line({0.3f, 0.7f}, {0.8f, 0.2f});
+    pen.triangle({0.06f, 0.94f}, {0.16f, 0.6f}, {0.4f, 0.84f});
 }
 }  // namespace
 
@@ -68,8 +77,7 @@ void draw_icon(Icon icon, const ImVec2& at, float size, ImU32 color) {
             draw_turn_back(pen);
             break;
         case Icon::edit:
-            pen.line({0.2f, 0.8f}, {0.72f, 0.28f});
-            pen.triangle({0.1f, 0.9f}, {0.16f, 0.66f}, {0.34f, 0.84f});
+            draw_pencil(pen);
             break;
         case Icon::close:
             pen.line({0.24f, 0.24f}, {0.76f, 0.76f});

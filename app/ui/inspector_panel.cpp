@@ -28,9 +28,9 @@ void arrange(PassView view, Edits& edits) {
 
 void draw_title(const Pass& pass, const Scene& scene, Edits& edits) {
     const Look& look = scene.lab.renderer()->executor().look();
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() - 4.0f);
     const ScopedFont strong(scene.fonts.strong);
-    if (ImGui::BeginCombo("##pass", pass.name.c_str())) {
+    const float width = ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() - 4.0f;
+    if (begin_combo("##pass", pass.name, width)) {
         const ScopedFont text(scene.fonts.text);
         for (const Pass& other : look.passes)
             if (ImGui::Selectable(other.name.c_str(), other.name == pass.name))
@@ -59,7 +59,10 @@ void draw_channels(const Scene& scene, Edits& edits) {
 
 void draw_exposure(const Scene& scene, Edits& edits) {
     PassView view = scene.window.inspected;
-    const float number = ImGui::GetFontSize() * 2.6f;
+    ImGui::AlignTextToFramePadding();
+    dim_text("EV");
+    ImGui::SameLine(0.0f, 4.0f);
+    const float number = ImGui::GetFontSize() * 2.2f;
     const float room = ImGui::GetContentRegionAvail().x - number - 6.0f;
     const SliderFacts facts{.low = -10.0,
                             .high = 10.0,

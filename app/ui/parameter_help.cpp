@@ -83,7 +83,7 @@ void draw_facts(const Knob& knob, const Fonts& fonts) {
 
 void draw_parameter_help(const Knob& knob, const Fonts& fonts, Edits& edits) {
     const Parameter& parameter = knob.parameter;
-    if (ImGui::IsItemHovered() && !ImGui::IsMouseDown(0) && !ImGui::IsPopupOpen("about")) {
+    if (is_lingered_on() && !ImGui::IsPopupOpen("about")) {
         ImGui::BeginTooltip();
         draw_facts(knob, fonts);
         ImGui::EndTooltip();

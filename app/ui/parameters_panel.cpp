@@ -101,12 +101,11 @@ void draw_group(const Group& group, const Scene& scene, Edits& edits) {
     const auto changed = static_cast<std::size_t>(
         std::count_if(group.parameters.begin(), group.parameters.end(),
                       [&](const Parameter* parameter) { return document.is_changed(*parameter); }));
-    if (!scene.window.search.empty())
-        ImGui::SetNextItemOpen(true);
     bool is_open = false;
     {
         const ScopedFont strong(scene.fonts.strong);
-        is_open = section(group.name.empty() ? "Parameters" : group.name, true);
+        is_open = section(group.name.empty() ? "Parameters" : group.name, true) ||
+                  !scene.window.search.empty();
         edits.mark("group:" + group.name);
     }
     draw_group_header_end(group, changed, edits);

@@ -48,8 +48,7 @@ void draw_scale(const Pass& drawn, PassOverride changed, float width, Edits& edi
 }
 
 void draw_format(const Pass& drawn, PassOverride changed, float width, Edits& edits) {
-    ImGui::SetNextItemWidth(width);
-    if (ImGui::BeginCombo("##format", std::string(facts_of(drawn.format).name).c_str())) {
+    if (begin_combo("##format", std::string(facts_of(drawn.format).name), width)) {
         for (const FormatFacts& facts : all_formats())
             if (ImGui::Selectable(std::string(facts.name).c_str(), facts.format == drawn.format)) {
                 changed.format = facts.format;

@@ -18,7 +18,7 @@ struct Cell {
 };
 
 std::string facts_text(const Cell& cell) {
-    return fmt::format("{} × {} {}", cell.target.extent.width, cell.target.extent.height,
+    return fmt::format("{}×{} {}", cell.target.extent.width, cell.target.extent.height,
                        facts_of(cell.target.format).name);
 }
 
@@ -58,7 +58,7 @@ void draw_words(const Cell& cell, const Scene& scene, const ImVec2& at, float wi
 void draw_cell(const Cell& cell, const Scene& scene, float image_height, Edits& edits) {
     const ScopedId id(static_cast<int>(cell.index));
     const Views::Image image = scene.views.thumbnail(cell.index);
-    const float least = ImGui::GetFontSize() * 9.5f;
+    const float least = ImGui::GetFontSize() * 8.2f;
     const float width = std::max(least, static_cast<float>(image.extent.width) / scene.density);
     const float words = ImGui::GetFontSize() * 2.5f;
     const ImVec2 low = ImGui::GetCursorScreenPos();

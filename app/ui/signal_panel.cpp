@@ -143,8 +143,7 @@ void draw_source(const Document& document, Edits& edits) {
     const std::string label = present.starts_with("pattern:")
                                   ? present.substr(8)
                                   : std::filesystem::path(present).filename().string();
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
-    if (ImGui::BeginCombo("##source", label.c_str())) {
+    if (begin_combo("##source", label, ImGui::GetContentRegionAvail().x)) {
         for (const PatternFacts& pattern : all_patterns()) {
             const std::string source = "pattern:" + pattern.name;
             if (ImGui::Selectable(pattern.label.c_str(), source == present))

@@ -4,8 +4,10 @@
 #include "ui/theme.h"
 
 #include <fmt/format.h>
+#include <imgui/imgui_internal.h>
 
 #include <algorithm>
+#include <array>
 
 ImTextureID texture_id(std::uintptr_t handle) {
     return reinterpret_cast<ImTextureID>(handle);
@@ -57,9 +59,15 @@ void fitted_text(const std::string& text, float width, const ImVec4& color) {
         tooltip(text);
 }
 
+bool is_lingered_on() {
+    constexpr float patience_seconds = 0.3f;
+    const ImGuiContext& context = *ImGui::GetCurrentContext();
+    return ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) && !context.IO.MouseDown[0] &&
+           (context.HoveredId == 0 || context.HoveredIdTimer > patience_seconds);
+}
+
 void tooltip(const std::string& text) {
-    if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) ||
-        ImGui::GetIO().MouseDown[0])
+    if (text.empty() || !is_lingered_on())
         return;
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24.0f);
@@ -74,14 +82,52 @@ void heading(const std::string& text) {
     ImGui::Dummy({0.0f, 1.0f});
 }
 
-bool section(const std::string& label, bool opens_first, bool is_changed) {
-    const ScopedColor text(ImGuiCol_Text, is_changed ? theme::accent : theme::text);
-    const ScopedColor back(ImGuiCol_Header, theme::none);
-    const ImGuiTreeNodeFlags flags =
-        ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen |
-        ImGuiTreeNodeFlags_FramePadding | ImGuiTreeNodeFlags_AllowItemOverlap |
-        (opens_first ? ImGuiTreeNodeFlags_DefaultOpen : 0);
-    return ImGui::TreeNodeEx(label.c_str(), flags);
+bool section(const std::string& label, bool opens_first) {
+    ImGuiStorage& storage = *ImGui::GetStateStorage();
+    const ImGuiID id = ImGui::GetID(label.c_str());
+    bool is_open = storage.GetBool(id, opens_first);
+    const float height = ImGui::GetFrameHeight();
+    if (ImGui::InvisibleButton(label.c_str(),
+                               {ImGui::GetContentRegionAvail().x - height, height})) {
+        is_open = !is_open;
+        storage.SetBool(id, is_open);
+    }
+    const ImVec2 at = ImGui::GetItemRectMin();
+    const theme::Color color = ImGui::IsItemHovered() ? theme::accent : theme::text;
+    const float middle = at.y + height * 0.5f;
+    const float size = ImGui::GetFontSize();
+    draw_chevron({at.x + size * 0.3f, middle}, is_open,
+                 ImGui::IsItemHovered() ? theme::accent : theme::dim);
+    ImGui::GetWindowDrawList()->AddText({at.x + size * 0.95f, middle - size * 0.5f},
+                                        theme::packed(color), label.c_str());
+    return is_open;
+}
+
+void draw_chevron(const ImVec2& middle, bool is_down, const ImVec4& color) {
+    const float size = ImGui::GetFontSize() * 0.2f;
+    const float flat = size * 0.55f;
+    const std::array<ImVec2, 3> points = is_down
+                                             ? std::array{ImVec2(middle.x - size, middle.y - flat),
+                                                          ImVec2(middle.x, middle.y + flat),
+                                                          ImVec2(middle.x + size, middle.y - flat)}
+                                             : std::array{ImVec2(middle.x - flat, middle.y - size),
+                                                          ImVec2(middle.x + flat, middle.y),
+                                                          ImVec2(middle.x - flat, middle.y + size)};
+    ImGui::GetWindowDrawList()->AddPolyline(points.data(), 3, ImGui::GetColorU32(color), 0,
+                                            ImGui::GetFontSize() * 0.1f);
+}
+
+bool begin_combo(const char* id, const std::string& present, float width) {
+    ImGui::SetNextItemWidth(width);
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const std::string cut = cut_to_fit(present, width - ImGui::GetFontSize() * 1.6f);
+    const bool is_open = ImGui::BeginCombo(id, cut.c_str(), ImGuiComboFlags_NoArrowButton);
+    if (is_open)
+        return true;  // from here on the list is drawn
+    draw_chevron(
+        {low.x + width - ImGui::GetFontSize() * 0.7f, low.y + ImGui::GetFrameHeight() * 0.5f}, true,
+        theme::dim);
+    return false;
 }
 
 bool quiet_button(const std::string& label) {

@@ -35,15 +35,22 @@ void dim_text(const std::string& text);
 void fitted_text(const std::string& text, float width, const ImVec4& color);
 std::string cut_to_fit(const std::string& text, float width);
 
+/// Whether the last item has been hovered for a moment, with no button held.
+bool is_lingered_on();
 /// Shows a text, broken into lines, when the last item is hovered for a moment.
 void tooltip(const std::string& text);
 
 /// A quiet heading over a part of a pane.
 void heading(const std::string& text);
 
-/// A line that opens and closes what follows; its text may stand out when something in it is
-/// changed.
-bool section(const std::string& label, bool opens_first, bool is_changed = false);
+/// A line that opens and closes what follows; leaves room for a small button at its end.
+bool section(const std::string& label, bool opens_first);
+
+/// An arrowhead around `middle` that points down or to the right.
+void draw_chevron(const ImVec2& middle, bool is_down, const ImVec4& color);
+
+/// ImGui::BeginCombo with a quieter arrow.
+bool begin_combo(const char* id, const std::string& present, float width);
 
 /// A button with a text that stays quiet until hovered.
 bool quiet_button(const std::string& label);

@@ -216,7 +216,7 @@ TEST_CASE("the bloom has the stated sigma") {
     double mean = 0.0;
     for (int y = 0; y < bloom.extent.height; ++y)
         for (int x = 0; x < bloom.extent.width; ++x) {
-            const double light = static_cast<double>(bloom.pixels[bloom.index(x, y) + 1]);
+            const auto light = static_cast<double>(bloom.pixels[bloom.index(x, y) + 1]);
             sum += light;
             mean += light * x;
             squares += light * x * x;

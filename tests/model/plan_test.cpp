@@ -154,7 +154,7 @@ TEST_CASE("what a pass needs is found through loops as well") {
     CHECK(needed_for(scope(), 0) == std::vector<bool>{true, false, false, false});
 }
 
-TEST_CASE("later frames are made of the passes that some input reads frames ago, and of what those need") {
+TEST_CASE("later frames are made of what an input reads frames ago, and of what that needs") {
     CHECK(carried_passes(scope()) == std::vector<bool>{true, true, false, false});
     Look look = scope();
     look.passes.back().accumulate = true;
