@@ -57,14 +57,27 @@ Window::~Window() {
     glfwDestroyWindow(m_window);
 }
 
+namespace {
+/// No larger than the part of the display that panels and bars leave free.
+Extent fitted(Extent wanted) {
+    Extent room = wanted;
+    int left = 0;
+    int top = 0;
+    if (GLFWmonitor* monitor = glfwGetPrimaryMonitor())
+        glfwGetMonitorWorkarea(monitor, &left, &top, &room.width, &room.height);
+    return {std::clamp(wanted.width, 1, std::max(room.width, 1)),
+            std::clamp(wanted.height, 1, std::max(room.height, 1))};
+}
+}  // namespace
+
 Result<std::unique_ptr<Window>> Window::create(const WindowOptions& options, GLFWwindow* shared) {
     auto library = open_library();
     if (!library)
         return fail(library.error());
     set_hints(options);
+    const Extent size = fitted(options.size);
     GLFWwindow* made =
-        glfwCreateWindow(std::max(options.size.width, 1), std::max(options.size.height, 1),
-                         options.title.c_str(), nullptr, shared);
+        glfwCreateWindow(size.width, size.height, options.title.c_str(), nullptr, shared);
     if (!made)
         return fail({{}, 0, fmt::format("no OpenGL 4.1 window can be had: {}", last_problem())});
     return std::unique_ptr<Window>(new Window(std::move(*library), made));

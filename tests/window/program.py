@@ -1,0 +1,139 @@
+"""The real program on a virtual screen, driven as a person would."""
+
+import json
+import os
+import shutil
+import signal
+import subprocess
+import time
+from pathlib import Path
+
+PATIENCE_SECONDS = 30
+
+
+class Program:
+    """Afterglow with its own copy of the looks and presets, and its own home."""
+
+    def __init__(self, executable, source, folder, screen):
+        self.executable = executable
+        self.screen = screen
+        self.folder = folder
+        self.state_file = folder / "state.json"
+        self.editor_log = folder / "editor.log"
+        for part in ("shaders", "presets"):
+            shutil.copytree(source / part, folder / "data" / part)
+        editor = folder / "editor"
+        editor.write_text('#!/bin/sh\necho "$@" >> "%s"\n' % self.editor_log)
+        editor.chmod(0o755)
+
+    def start(self, *arguments):
+        self.state_file.unlink(missing_ok=True)
+        environment = {**os.environ, "DISPLAY": self.screen.display, "HOME": str(self.folder),
+                       "XDG_DATA_HOME": str(self.folder / "own"),
+                       "XDG_STATE_HOME": str(self.folder / "state"),
+                       "AFTERGLOW_DATA": str(self.folder / "data"),
+                       "AFTERGLOW_STATE_FILE": str(self.state_file),
+                       "VISUAL": str(self.folder / "editor"), "LIBGL_ALWAYS_SOFTWARE": "1"}
+        self.process = subprocess.Popen([self.executable, *arguments], env=environment)
+        return self.wait("a look is open and drawn", lambda s: s.get("look") and s["frame"] > 2)
+
+    def state(self):
+        try:
+            return json.loads(self.state_file.read_text())
+        except FileNotFoundError:
+            return {}
+
+    def wait(self, what, is_true):
+        """Waits for a state of which `is_true`; fails with `what` when it does not come."""
+        end = time.monotonic() + PATIENCE_SECONDS
+        state = {}
+        while time.monotonic() < end:
+            if self.process.poll() is not None:
+                raise AssertionError("the program ended (%s) before: %s" % (self.process.returncode, what))
+            state = self.state()
+            if state and is_true(state):
+                return state
+            time.sleep(0.05)
+        shown = {key: state.get(key) for key in state if key not in ("widgets", "values")}
+        raise AssertionError("never happened: %s\nlast state: %s" % (what, shown))
+
+    def wait_for(self, what, is_true):
+        """As wait, for what is not in the state."""
+        self.wait(what, lambda _: is_true())
+
+    def place(self, widget):
+        """The rectangle of a widget that has stopped moving."""
+        def is_still(state):
+            before, self._last = getattr(self, "_last", None), state["widgets"].get(widget)
+            return self._last is not None and self._last == before
+        self._last = None
+        return self.wait("a widget named '%s'" % widget, is_still)["widgets"][widget]
+
+    def middle(self, widget):
+        left, top, right, bottom = self.place(widget)
+        return (left + right) // 2, (top + bottom) // 2
+
+    def click(self, widget):
+        x, y = self.middle(widget)
+        # Two moves: a widget is hovered for a frame before it is pressed.
+        self.screen.do("mousemove", x - 1, y, "mousemove", x, y)
+        self.press()
+
+    def press(self, button=1):
+        self.screen.do("mousedown", button)
+        self.let_frames_pass()
+        self.screen.do("mouseup", button)
+        self.let_frames_pass()
+
+    def let_frames_pass(self):
+        """Several events within one frame are one to the window; a person is slower than that."""
+        time.sleep(0.12)
+
+    def drag(self, start, end):
+        self.screen.do("mousemove", *start)
+        self.let_frames_pass()
+        self.screen.do("mousedown", 1)
+        self.let_frames_pass()
+        for step in range(1, 5):
+            self.screen.do("mousemove", *(round(a + (b - a) * step / 4) for a, b in zip(start, end)))
+            self.let_frames_pass()
+        self.screen.do("mouseup", 1)
+        self.let_frames_pass()
+
+    def slider(self, name):
+        """Left end, right end and middle height of a parameter's slider."""
+        left, top, _, bottom = self.place("parameter:" + name)
+        number = self.place("number:" + name)
+        return left + 2, number[0] - 8, (top + bottom) // 2
+
+    def reveal(self, name):
+        """Brings a parameter into view with the search box."""
+        self.key("ctrl+f")
+        self.let_frames_pass()
+        self.key("ctrl+a")
+        self.type(name)
+        self.wait("the parameter '%s' is shown" % name,
+                  lambda s: "parameter:" + name in s["widgets"])
+        self.key("Return")
+
+    def key(self, *keys):
+        for one in keys:
+            self.screen.do("key", "--delay", 60, one)
+            self.let_frames_pass()
+
+    def type(self, text):
+        self.screen.do("type", "--delay", 60, text)
+        self.let_frames_pass()
+
+    def quit(self):
+        self.key("ctrl+q")
+        self.process.wait(PATIENCE_SECONDS)
+        assert self.process.returncode == 0, "the program ended with %s" % self.process.returncode
+
+    def kill(self):
+        self.process.send_signal(signal.SIGKILL)
+        self.process.wait()
+
+    def stop(self):
+        if getattr(self, "process", None) and self.process.poll() is None:
+            self.kill()

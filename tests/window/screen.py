@@ -1,0 +1,74 @@
+"""A virtual screen: its pixels, mouse and keyboard."""
+
+import os
+import shutil
+import struct
+import subprocess
+import tempfile
+import zlib
+from pathlib import Path
+
+
+class Screen:
+    """Xvfb on a free display, ended with the `with` block."""
+
+    def __init__(self, width, height):
+        self.size = (width, height)
+
+    def __enter__(self):
+        self.folder = Path(tempfile.mkdtemp(prefix="afterglow-screen-"))
+        reader, writer = os.pipe()
+        self.server = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(writer), "-screen", "0", "%dx%dx24" % self.size,
+             "-fbdir", str(self.folder), "-nolisten", "tcp", "+extension", "GLX"],
+            pass_fds=[writer], stderr=subprocess.DEVNULL)
+        os.close(writer)
+        with os.fdopen(reader) as numbers:
+            number = numbers.readline().strip()
+        if not number:
+            raise RuntimeError("Xvfb did not start")
+        self.display = ":" + number
+        return self
+
+    def __exit__(self, *_):
+        self.server.terminate()
+        self.server.wait()
+        shutil.rmtree(self.folder, ignore_errors=True)
+
+    def do(self, *words):
+        """Runs xdotool."""
+        subprocess.run(["xdotool", *map(str, words)], check=True, stdout=subprocess.DEVNULL,
+                       env={**os.environ, "DISPLAY": self.display})
+
+    def rows(self, left, top, right, bottom):
+        """The pixels of a part, each row as bytes of blue, green, red, unused."""
+        data = (self.folder / "Xvfb_screen0").read_bytes()
+        header = struct.unpack(">25I", data[:100])  # X11/XWDFile.h
+        start = header[0] + header[19] * 12
+        stride = header[12]
+        return [data[start + y * stride + left * 4:start + y * stride + right * 4]
+                for y in range(top, bottom)]
+
+    def brightness(self, place):
+        """Mean of red, green and blue over a part, 0..255."""
+        rows = self.rows(*place)
+        total = sum(sum(row[channel::4]) for row in rows for channel in range(3))
+        return total / (3 * sum(len(row) // 4 for row in rows))
+
+    def save(self, file):
+        """Writes what the screen shows as a PNG."""
+        width, height = self.size
+        lines = bytearray()
+        for row in self.rows(0, 0, width, height):
+            rgb = bytearray(3 * width)
+            rgb[0::3], rgb[1::3], rgb[2::3] = row[2::4], row[1::4], row[0::4]
+            lines += b"\0" + rgb
+
+        def chunk(kind, body):
+            check = zlib.crc32(kind + body)
+            return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", check)
+
+        header = struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) +
+                         chunk(b"IDAT", zlib.compress(bytes(lines), 6)) + chunk(b"IEND", b""))

@@ -1,0 +1,222 @@
+"""Drives the window with mouse and keyboard: window_test.py PROGRAM [SCREENSHOTS]."""
+
+import os
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from program import Program
+from screen import Screen
+
+SOURCE = Path(__file__).resolve().parents[2]
+PROGRAM = Path(sys.argv[1]).resolve()
+PICTURES = Path(sys.argv[2] if len(sys.argv) > 2 else SOURCE / "build/window").resolve()
+
+
+class WindowTest(unittest.TestCase):
+    """Each test is a person who starts with an empty home."""
+
+    def setUp(self):
+        self.screen = self.enterContext(Screen(1440, 900))
+        folder = Path(self.enterContext(tempfile.TemporaryDirectory(prefix="afterglow-window-")))
+        self.program = Program(PROGRAM, SOURCE, folder, self.screen)
+        self.addCleanup(self.program.stop)
+        self.looks = folder / "data/shaders"
+        self.presets = folder / "data/presets"
+
+    def enterContext(self, manager):
+        result = manager.__enter__()
+        self.addCleanup(manager.__exit__, None, None, None)
+        return result
+
+    def start(self, *arguments):
+        """A running look in a picture small enough for software GL."""
+        self.program.start(*arguments)
+        self.program.click("picture_size")
+        self.program.click("size:320x240")
+        return self.program.wait("the picture is small", lambda s: s["picture"] == [320, 240])
+
+    def snapshot(self, name):
+        self.screen.save(PICTURES / (name + ".png"))
+
+    def picture_place(self):
+        """Where the small picture lies: in the middle of its pane."""
+        left, top, right, bottom = self.program.place("picture")
+        x, y = (left + right) // 2, (top + bottom) // 2
+        return x - 150, y - 110, x + 150, y + 110
+
+    def brightness(self):
+        return self.screen.brightness(self.picture_place())
+
+    def test_a_knob_turns_the_picture_and_undo_turns_it_back(self):
+        program = self.program
+        state = self.start("phosphor")
+        self.snapshot("started")
+        default = state["values"]["exposure"][0]
+        dark = self.brightness()
+        program.reveal("exposure")
+        low, high, y = program.slider("exposure")
+        program.drag(((low + high) // 2, y), (high, y))
+        turned = program.wait("the exposure is turned up",
+                              lambda s: s["values"]["exposure"][0] > 4 * default)
+        program.wait_for("the picture is brighter", lambda: self.brightness() > dark + 3)
+        self.snapshot("turned")
+        self.assertEqual(turned["undo"], "Exposure")
+        self.assertTrue(turned["is_modified"])
+
+        program.key("ctrl+z")
+        program.wait("one step back is the default again",
+                     lambda s: s["values"]["exposure"][0] == default and s["undo"] == "")
+        program.wait_for("the picture is as dark as before", lambda: self.brightness() < dark + 2)
+        program.key("ctrl+shift+z")
+        program.wait("redo turns it up again",
+                     lambda s: s["values"]["exposure"] == turned["values"]["exposure"])
+        program.click("reset:exposure")
+        program.wait("its reset button gives the default",
+                     lambda s: s["values"]["exposure"][0] == default)
+
+    def test_a_typed_value_may_go_beyond_the_slider(self):
+        program = self.program
+        self.start("phosphor")
+        program.reveal("exposure")
+        program.click("number:exposure")
+        program.type("20.5")
+        program.key("Return")
+        program.wait("the typed value is taken", lambda s: s["values"]["exposure"][0] == 20.5)
+
+    def test_time_stops_steps_and_starts_again(self):
+        program = self.program
+        self.start("phosphor")
+        self.screen.do("mousemove", *program.middle("picture"))
+        program.key("space")
+        state = program.wait("it stops", lambda s: not s["is_playing"])
+        frame = program.state()["frame"]
+        program.key("period")
+        program.wait("one frame on", lambda s: s["frame"] == frame + 1)
+        program.click("play")
+        program.wait("it runs again", lambda s: s["is_playing"] and s["frame"] > state["frame"] + 5)
+        program.key("r")
+        program.wait("it starts anew", lambda s: s["frame"] < 60)
+
+    def test_a_paused_picture_follows_a_knob(self):
+        program = self.program
+        self.start("phosphor")
+        program.reveal("exposure")
+        program.click("play")
+        program.wait("it stops", lambda s: not s["is_playing"])
+        dark = self.brightness()
+        low, high, y = program.slider("exposure")
+        program.drag(((low + high) // 2, y), (high, y))
+        program.wait_for("the resting picture is brighter", lambda: self.brightness() > dark + 3)
+
+    def test_presets_are_saved_and_loaded(self):
+        program = self.program
+        self.start("phosphor")
+        program.reveal("decay")
+        program.click("number:decay")
+        program.type("0.61")
+        program.key("Return")
+        program.wait("the value is taken", lambda s: s["values"]["decay"][0] == 0.61)
+        program.key("ctrl+s")
+        program.place("dialog_name")
+        program.type("Mine")
+        self.snapshot("saving")
+        program.key("Return")
+        program.wait("it is saved", lambda s: s["preset"] == "Mine" and not s["is_modified"])
+        saved = self.presets / "phosphor/Mine.json"
+        self.assertIn('"decay": 0.61', saved.read_text())
+
+        program.click("preset:overdriven")
+        program.wait("another preset opens",
+                     lambda s: s["preset"] != "Mine" and s["values"]["decay"][0] != 0.61)
+        program.click("preset:Mine")
+        program.wait("the saved values are back",
+                     lambda s: s["preset"] == "Mine" and s["values"]["decay"][0] == 0.61)
+
+    def test_changes_are_not_lost_without_a_question(self):
+        program = self.program
+        self.start("phosphor")
+        program.reveal("decay")
+        program.click("number:decay")
+        program.type("0.61")
+        program.key("Return")
+        program.wait("the value is taken", lambda s: s["values"]["decay"][0] == 0.61)
+        program.click("preset:overdriven")
+        program.click("dialog_cancel")
+        state = program.wait("Cancel keeps everything", lambda s: s["dialog"] == 0)
+        self.assertEqual(state["values"]["decay"], [0.61])
+        program.click("preset:overdriven")
+        program.click("dialog_discard")
+        program.wait("Discard opens the other", lambda s: s["preset"] != "" and not s["is_modified"])
+
+    def test_an_edited_shader_shows_at_once(self):
+        program = self.program
+        self.start("phosphor")
+        shader = self.looks / "phosphor/composite.frag"
+        text = shader.read_text()
+        white = text[:text.rindex("}")] + "    color = vec4(1.0);\n}\n"
+        before = self.brightness()
+
+        beside = shader.with_suffix(".new")
+        beside.write_text(white)
+        os.replace(beside, shader)
+        program.wait_for("an edit by rename is seen", lambda: self.brightness() > 250)
+        shader.write_text(text)
+        program.wait_for("an edit in place is seen", lambda: self.brightness() < before + 20)
+
+        broken = text.replace("void main() {", "void main() {\n    colour = 1.0;", 1)
+        line = 1 + broken[:broken.index("colour = 1.0")].count("\n")
+        shader.write_text(broken)
+        state = program.wait("the mistake is shown", lambda s: s["problems"])
+        problem = state["problems"][0]
+        self.assertEqual((Path(problem["file"]).name, problem["line"]), ("composite.frag", line))
+        self.assertIn("colour", problem["message"])
+        self.assertEqual(problem["source"].strip(), "colour = 1.0;")
+        program.wait("the last good picture runs on", lambda s: s["frame"] > state["frame"] + 3)
+        self.assertGreater(self.brightness(), 0.5)
+        self.snapshot("broken")
+        program.click("problem:composite.frag:%d" % line)
+        program.wait_for("a click opens the editor at the line",
+                         lambda: program.editor_log.exists() and
+                         "+%d" % line in program.editor_log.read_text())
+        shader.write_text(text)
+        program.wait("mending it clears the message", lambda s: not s["problems"])
+
+    def test_a_pass_can_be_looked_into(self):
+        program = self.program
+        self.start("phosphor")
+        program.click("pass:persistence")
+        program.wait("it is inspected", lambda s: s["inspected"] == "persistence")
+        program.click("channels:G")
+        self.screen.do("mousemove", *program.middle("inspector"))
+        program.wait("the value under the pointer is told",
+                     lambda s: s["probe"] and s["probe"]["pass"] == "persistence" and
+                     len(s["probe"]["rgba"]) == 4)
+        self.snapshot("inspector")
+
+    def test_everything_comes_back_after_a_quit_and_after_a_crash(self):
+        program = self.program
+        self.start("phosphor")
+        program.reveal("decay")
+        program.click("number:decay")
+        program.type("0.61")
+        program.key("Return")
+        program.wait("the value is taken", lambda s: s["values"]["decay"][0] == 0.61)
+        program.quit()
+        state = program.start()
+        self.assertEqual((state["values"]["decay"], state["picture"]), ([0.61], [320, 240]))
+        self.assertTrue(state["is_modified"])
+        program.key("ctrl+z")
+        program.wait("undo reaches back over the quit", lambda s: s["values"]["decay"] != [0.61])
+
+        session = program.folder / "state/afterglow/session.json"
+        kept = session.stat().st_mtime_ns
+        program.key("ctrl+shift+z")
+        program.wait_for("the session is kept", lambda: session.stat().st_mtime_ns > kept)
+        program.kill()
+        self.assertEqual(program.start()["values"]["decay"], [0.61])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1], verbosity=2)
