@@ -47,10 +47,63 @@ Result<std::shared_ptr<Window::Library>> Window::open_library() {
     return library;
 }
 
+namespace {
+// Digits stay digits where a layout has them only with Shift.
+int key_of(int code, int scancode) {
+    const bool is_digit = code >= GLFW_KEY_0 && code <= GLFW_KEY_9;
+    const char* name = glfwGetKeyName(code, scancode);
+    if (is_digit || !name || name[0] <= ' ' || name[0] > '~' || name[1] != '\0')
+        return code;
+    return name[0] >= 'a' && name[0] <= 'z' ? name[0] - 'a' + 'A' : name[0];
+}
+}  // namespace
+
+struct Window::Listeners {
+    static Window& of(GLFWwindow* window) {
+        return *static_cast<Window*>(glfwGetWindowUserPointer(window));
+    }
+    static void add(GLFWwindow* window, InputEvent event) { of(window).m_input.push_back(event); }
+    static void drop(GLFWwindow* window, int count, const char** paths) {
+        of(window).m_dropped.insert(of(window).m_dropped.end(), paths, paths + count);
+    }
+    static void key(GLFWwindow* window, int code, int scancode, int action, int /*modifiers*/) {
+        if (action != GLFW_REPEAT && code != GLFW_KEY_UNKNOWN)
+            add(window, KeyEvent{key_of(code, scancode), action == GLFW_PRESS});
+    }
+    static void text(GLFWwindow* window, unsigned int code_point) {
+        add(window, TextEvent{code_point});
+    }
+    static void button(GLFWwindow* window, int button, int action, int /*modifiers*/) {
+        add(window, ButtonEvent{button, action == GLFW_PRESS});
+    }
+    static void pointer(GLFWwindow* window, double x, double y) {
+        add(window, PointerEvent{static_cast<float>(x), static_cast<float>(y)});
+    }
+    static void enter(GLFWwindow* window, int is_inside) {
+        if (!is_inside) {
+            add(window, PointerLeftEvent{});
+            return;
+        }
+        double x = 0.0;
+        double y = 0.0;
+        glfwGetCursorPos(window, &x, &y);
+        pointer(window, x, y);
+    }
+    static void wheel(GLFWwindow* window, double x, double y) {
+        add(window, WheelEvent{static_cast<float>(x), static_cast<float>(y)});
+    }
+};
+
 Window::Window(std::shared_ptr<Library> library, GLFWwindow* window)
     : m_library(std::move(library)), m_window(window) {
     glfwSetWindowUserPointer(m_window, this);
-    glfwSetDropCallback(m_window, keep_dropped);
+    glfwSetDropCallback(m_window, Listeners::drop);
+    glfwSetKeyCallback(m_window, Listeners::key);
+    glfwSetCharCallback(m_window, Listeners::text);
+    glfwSetMouseButtonCallback(m_window, Listeners::button);
+    glfwSetCursorPosCallback(m_window, Listeners::pointer);
+    glfwSetCursorEnterCallback(m_window, Listeners::enter);
+    glfwSetScrollCallback(m_window, Listeners::wheel);
 }
 
 Window::~Window() {
@@ -144,13 +197,12 @@ void Window::refuse_close() {
     glfwSetWindowShouldClose(m_window, GLFW_FALSE);
 }
 
-void Window::keep_dropped(GLFWwindow* window, int count, const char** paths) {
-    auto* self = static_cast<Window*>(glfwGetWindowUserPointer(window));
-    self->m_dropped.insert(self->m_dropped.end(), paths, paths + count);
-}
-
 std::vector<std::filesystem::path> Window::take_dropped_files() {
     return std::exchange(m_dropped, {});
+}
+
+std::vector<InputEvent> Window::take_input() {
+    return std::exchange(m_input, {});
 }
 
 Extent Window::framebuffer_size() const {

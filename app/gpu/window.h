@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gpu/context.h"
+#include "gpu/input_event.h"
 #include "model/extent.h"
 
 #include <array>
@@ -48,6 +49,8 @@ public:
     void refuse_close();
     /// Files dropped on it since last asked.
     std::vector<std::filesystem::path> take_dropped_files();
+    /// What mouse and keyboard did since last asked, in order.
+    std::vector<InputEvent> take_input();
 
     /// Device pixels; empty while minimised.
     Extent framebuffer_size() const;
@@ -75,11 +78,12 @@ private:
     Result<std::unique_ptr<Context>> make_sharing() const override;
     static Result<std::unique_ptr<Window>> create(const WindowOptions& options, GLFWwindow* shared);
     static Result<std::shared_ptr<Library>> open_library();
-    static void keep_dropped(GLFWwindow* window, int count, const char** paths);
+    struct Listeners;  // what GLFW calls
 
     std::shared_ptr<Library> m_library;  // shared: the last window of several closes it
     GLFWwindow* m_window;
     std::vector<std::filesystem::path> m_dropped;
+    std::vector<InputEvent> m_input;
 };
 
 }  // namespace gpu

@@ -1,5 +1,6 @@
 #include "ui/actions.h"
 
+#include "gpu/input_event.h"
 #include "ui/file_actions.h"
 #include "ui/view_actions.h"
 
@@ -8,10 +9,6 @@
 #include <algorithm>
 
 namespace {
-constexpr int key_escape = 256;
-constexpr int key_first_function = 290;  // F1
-constexpr int key_last_function = 301;   // F12
-
 bool can_undo(const Scene& scene) {
     return scene.lab.document() && scene.lab.document()->history().can_undo();
 }
@@ -75,7 +72,7 @@ std::vector<Action> help_actions() {
     const auto about = [](const Scene&, Edits& edits) {
         edits.show({.kind = Dialog::Kind::about});
     };
-    return {{ActionId::keys, Menu::help, "Keys", {key_first_function}, false, keys},
+    return {{ActionId::keys, Menu::help, "Keys", {gpu::key::first_function}, false, keys},
             {ActionId::about, Menu::help, "About Afterglow", {}, false, about}};
 }
 
@@ -123,8 +120,8 @@ std::string chord_text(const Chord& chord) {
     std::string text = std::string(chord.control ? "Ctrl+" : "") + (chord.shift ? "Shift+" : "");
     if (chord.key == ' ')
         return text + "Space";
-    if (chord.key >= key_first_function && chord.key <= key_last_function)
-        return text + "F" + std::to_string(chord.key - key_first_function + 1);
+    if (chord.key >= gpu::key::first_function && chord.key <= gpu::key::last_function)
+        return text + "F" + std::to_string(chord.key - gpu::key::first_function + 1);
     return text + static_cast<char>(chord.key);
 }
 
@@ -148,7 +145,7 @@ std::string label_of(const Action& action, const Scene& scene) {
 void run_keys(const Scene& scene, Edits& edits) {
     if (scene.window.dialog.kind != Dialog::Kind::none)
         return;
-    if (ImGui::IsKeyPressed(key_escape, false) && !ImGui::IsAnyItemActive())
+    if (ImGui::IsKeyPressed(gpu::key::escape, false) && !ImGui::IsAnyItemActive())
         escape(scene, edits);
     const bool is_typing = ImGui::GetIO().WantTextInput;
     const auto& actions = all_actions();

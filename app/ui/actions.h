@@ -49,7 +49,7 @@ enum class Menu { file, edit, view, playback, help };
 
 /// A key with what is held down with it.
 struct Chord {
-    int key = 0;  // as ImGui's window backend numbers them: ASCII for what prints; 0: none
+    int key = 0;  // as gpu::KeyEvent names it; 0: none
     bool control = false;
     bool shift = false;
 };

@@ -86,7 +86,7 @@ private:
 bool Application::wait() {
     constexpr double rest_seconds = 1.0;
     const Clock::time_point start = Clock::now();
-    if (!m_lab.is_moving() && start > m_awake_until) {
+    if (!m_lab.is_moving() && !m_toolkit.is_behind() && start > m_awake_until) {
         m_window.wait_events(rest_seconds);
         if (seconds_between(start, Clock::now()) >= rest_seconds)
             return false;

@@ -1,14 +1,9 @@
 #include "ui/dialog_frame.h"
 
+#include "gpu/input_event.h"
 #include "ui/scoped.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
-
-namespace {
-constexpr int key_escape = 256;
-constexpr int key_enter = 257;
-constexpr int key_pad_enter = 335;
-}  // namespace
 
 void close_dialog(Edits& edits) {
     edits.arrange([](WindowState& window) { window.dialog = {}; });
@@ -32,7 +27,7 @@ DialogFrame::DialogFrame(const char* title, float width, const Scene& scene, Edi
     const ScopedFont strong(scene.fonts.strong);
     ImGui::TextUnformatted(title);
     ImGui::Spacing();
-    if (ImGui::IsKeyPressed(key_escape, false))
+    if (ImGui::IsKeyPressed(gpu::key::escape, false))
         close_dialog(edits);
 }
 
@@ -53,8 +48,8 @@ bool draw_dialog_buttons(const char* label, bool can_do, Edits& edits) {
     ImGui::SameLine();
     const ScopedDisabled disabled(!can_do);
     const ScopedColor color(ImGuiCol_Button, theme::accent_filled);
-    const bool is_entered =
-        ImGui::IsKeyPressed(key_enter, false) || ImGui::IsKeyPressed(key_pad_enter, false);
+    const bool is_entered = ImGui::IsKeyPressed(gpu::key::enter, false) ||
+                            ImGui::IsKeyPressed(gpu::key::pad_enter, false);
     const bool is_asked = ImGui::Button(label, {width, 0.0f}) || is_entered;
     edits.mark("dialog_ok");
     return is_asked && can_do;

@@ -60,6 +60,7 @@ void draw_channels(const Scene& scene, Edits& edits) {
 void draw_exposure(const Scene& scene, Edits& edits) {
     PassView view = scene.window.inspected;
     ImGui::AlignTextToFramePadding();
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetStyle().ItemSpacing.x);
     dim_text("EV");
     ImGui::SameLine(0.0f, 4.0f);
     const float number = ImGui::GetFontSize() * 2.2f;

@@ -65,11 +65,12 @@ bool wants_typing(const ImRect& box, bool is_hovered) {
            ((io.MouseClicked[0] && io.KeyCtrl) || io.MouseDoubleClicked[0]);
 }
 
-Turned type_number(const ImRect& box, ImGuiID id, double& value) {
+// `id_text` is what the id was made from: the text field takes its own from it.
+Turned type_number(const ImRect& box, ImGuiID id, const char* id_text, double& value) {
     Turned turned;
     double typed = value;
     const bool is_edited =
-        ImGui::TempInputScalar(box, id, "", ImGuiDataType_Double, &typed, "%.7g");
+        ImGui::TempInputScalar(box, id, id_text, ImGuiDataType_Double, &typed, "%.7g");
     turned.is_changed = is_edited && std::isfinite(typed);
     if (turned.is_changed)
         value = typed;
@@ -126,10 +127,10 @@ Turned draw_slider(const char* id_text, double& value, const SliderFacts& facts,
     bool is_hovered = false;
     bool is_held = false;
     if (ImGui::TempInputIsActive(id))
-        return type_number(box, id, value);
+        return type_number(box, id, id_text, value);
     if (wants_typing(box, ImGui::ItemHoverable(box, id))) {
         ImGui::ClearActiveID();
-        return type_number(box, id, value);
+        return type_number(box, id, id_text, value);
     }
     ImGui::ButtonBehavior(box, id, &is_hovered, &is_held);
     Turned turned;
@@ -161,7 +162,7 @@ Turned draw_number(const char* id_text, double& value, float width, bool is_chan
     const bool is_tabbed_to = (ImGui::GetCurrentContext()->LastItemData.StatusFlags &
                                ImGuiItemStatusFlags_FocusedByTabbing) != 0;
     if (ImGui::TempInputIsActive(id) || is_tabbed_to || (is_hovered && ImGui::IsMouseClicked(0)))
-        return type_number(box, id, value);
+        return type_number(box, id, id_text, value);
 
     ImDrawList& list = *window->DrawList;
     if (is_hovered)

@@ -7,7 +7,10 @@
 #include <imgui/imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
+#include <limits>
 
 Toolkit::Toolkit(gpu::Window& window) : m_window(window) {
     IMGUI_CHECKVERSION();
@@ -17,7 +20,7 @@ Toolkit::Toolkit(gpu::Window& window) : m_window(window) {
     io.LogFilename = nullptr;
     io.ConfigWindowsMoveFromTitleBarOnly = true;
     io.ConfigInputTextCursorBlink = false;  // a resting window draws nothing
-    ImGui_ImplGlfw_InitForOpenGL(static_cast<GLFWwindow*>(window.native()), true);
+    ImGui_ImplGlfw_InitForOpenGL(static_cast<GLFWwindow*>(window.native()), false);
     ImGui_ImplOpenGL3_Init("#version 410 core");
 }
 
@@ -40,6 +43,64 @@ void Toolkit::set_scale(float scale, float density) {
     ImGui_ImplOpenGL3_CreateFontsTexture();
 }
 
+namespace {
+constexpr float nowhere = -std::numeric_limits<float>::max();
+
+void apply(const gpu::KeyEvent& event) {
+    ImGuiIO& io = ImGui::GetIO();
+    if (event.key < 0 || event.key >= IM_ARRAYSIZE(io.KeysDown))
+        return;
+    io.KeysDown[event.key] = event.is_down;
+    const auto is_down = [&io](int offset) {
+        return io.KeysDown[gpu::key::left_shift + offset] ||
+               io.KeysDown[gpu::key::right_shift + offset];
+    };
+    io.KeyShift = is_down(0);
+    io.KeyCtrl = is_down(1);
+    io.KeyAlt = is_down(2);
+    io.KeySuper = is_down(3);
+}
+
+void apply(const gpu::TextEvent& event) {
+    ImGui::GetIO().AddInputCharacter(event.code_point);
+}
+
+void apply(const gpu::ButtonEvent& event) {
+    ImGuiIO& io = ImGui::GetIO();
+    if (event.button >= 0 && event.button < IM_ARRAYSIZE(io.MouseDown))
+        io.MouseDown[event.button] = event.is_down;
+}
+
+void apply(const gpu::PointerEvent& event) {
+    ImGui::GetIO().MousePos = {event.x, event.y};
+}
+
+void apply(const gpu::PointerLeftEvent&) {
+    ImGuiIO& io = ImGui::GetIO();
+    if (std::none_of(std::begin(io.MouseDown), std::end(io.MouseDown), [](bool is) { return is; }))
+        io.MousePos = {nowhere, nowhere};
+}
+
+void apply(const gpu::WheelEvent& event) {
+    ImGui::GetIO().MouseWheel += event.y;
+    ImGui::GetIO().MouseWheelH += event.x;
+}
+}  // namespace
+
+// The backend looks at the mouse by itself; what it saw may be later than this frame's part.
+void Toolkit::take_input() {
+    ImGuiIO& io = ImGui::GetIO();
+    const ImVec2 place = io.MousePos;
+    std::array<bool, IM_ARRAYSIZE(io.MouseDown)> buttons{};
+    std::copy(std::begin(io.MouseDown), std::end(io.MouseDown), buttons.begin());
+    ImGui_ImplGlfw_NewFrame();
+    io.MousePos = place;
+    std::copy(buttons.begin(), buttons.end(), std::begin(io.MouseDown));
+    m_input.add(m_window.take_input());
+    for (const gpu::InputEvent& event : m_input.take_frame(io.WantTextInput))
+        std::visit([](const auto& one) { apply(one); }, event);
+}
+
 void Toolkit::begin(float scale) {
     // Where the desktop scales windows itself, a coordinate of the window covers several pixels.
     const Extent size = m_window.size();
@@ -50,7 +111,7 @@ void Toolkit::begin(float scale) {
     const float wanted = scale * m_window.content_scale() / density;
     set_scale(std::clamp(std::round(wanted * 8.0f) / 8.0f, 0.5f, 4.0f), density);
     ImGui_ImplOpenGL3_NewFrame();
-    ImGui_ImplGlfw_NewFrame();
+    take_input();
     ImGui::NewFrame();
 }
 

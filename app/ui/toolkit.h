@@ -2,6 +2,7 @@
 
 #include "gpu/window.h"
 #include "ui/fonts.h"
+#include "ui/input_queue.h"
 
 /// ImGui in a window: its context, its fonts and the two backends. One at a time.
 class Toolkit {
@@ -11,6 +12,8 @@ public:
     Toolkit(const Toolkit&) = delete;
     Toolkit& operator=(const Toolkit&) = delete;
 
+    /// Whether the person did more than the last frame could answer.
+    bool is_behind() const { return !m_input.is_empty(); }
     /// Begins a frame at a scale of text and controls; `scale` 1 is the display's own.
     void begin(float scale);
     /// Draws what was asked for since begin().
@@ -24,8 +27,10 @@ public:
 
 private:
     void set_scale(float scale, float density);
+    void take_input();
 
     gpu::Window& m_window;
+    InputQueue m_input;
     Fonts m_fonts;
     float m_scale = 0.0f;
     float m_density = 1.0f;

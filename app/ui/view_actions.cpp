@@ -1,9 +1,11 @@
 #include "ui/view_actions.h"
 
+#include "gpu/input_event.h"
+
 #include <algorithm>
 
 namespace {
-constexpr int key_f11 = 300;
+constexpr int key_f11 = gpu::key::first_function + 10;
 
 template <bool WindowState::*shown>
 void toggle(const Scene&, Edits& edits) {

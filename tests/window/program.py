@@ -63,10 +63,16 @@ class Program:
 
     def place(self, widget):
         """The rectangle of a widget that has stopped moving."""
+        last = None
+        still_since = 0.0
+
         def is_still(state):
-            before, self._last = getattr(self, "_last", None), state["widgets"].get(widget)
-            return self._last is not None and self._last == before
-        self._last = None
+            nonlocal last, still_since
+            now = time.monotonic()
+            place = state["widgets"].get(widget)
+            if place != last:
+                last, still_since = place, now
+            return place is not None and now - still_since > 0.2
         return self.wait("a widget named '%s'" % widget, is_still)["widgets"][widget]
 
     def middle(self, widget):
@@ -74,31 +80,14 @@ class Program:
         return (left + right) // 2, (top + bottom) // 2
 
     def click(self, widget):
-        x, y = self.middle(widget)
-        # Two moves: a widget is hovered for a frame before it is pressed.
-        self.screen.do("mousemove", x - 1, y, "mousemove", x, y)
-        self.press()
-
-    def press(self, button=1):
-        self.screen.do("mousedown", button)
-        self.let_frames_pass()
-        self.screen.do("mouseup", button)
-        self.let_frames_pass()
-
-    def let_frames_pass(self):
-        """Several events within one frame are one to the window; a person is slower than that."""
-        time.sleep(0.12)
+        self.screen.do("mousemove", *self.middle(widget), "click", 1)
 
     def drag(self, start, end):
-        self.screen.do("mousemove", *start)
-        self.let_frames_pass()
-        self.screen.do("mousedown", 1)
-        self.let_frames_pass()
-        for step in range(1, 5):
-            self.screen.do("mousemove", *(round(a + (b - a) * step / 4) for a, b in zip(start, end)))
-            self.let_frames_pass()
-        self.screen.do("mouseup", 1)
-        self.let_frames_pass()
+        """Presses at one place, moves to another in steps, as a hand does, and lets go."""
+        words = ["mousemove", *start, "mousedown", 1]
+        for step in range(1, 9):
+            words += ["mousemove", *(round(a + (b - a) * step / 8) for a, b in zip(start, end)), "sleep", 0.03]
+        self.screen.do(*words, "mouseup", 1)
 
     def slider(self, name):
         """Left end, right end and middle height of a parameter's slider."""
@@ -108,22 +97,24 @@ class Program:
 
     def reveal(self, name):
         """Brings a parameter into view with the search box."""
-        self.key("ctrl+f")
-        self.let_frames_pass()
-        self.key("ctrl+a")
+        self.key("ctrl+f", "ctrl+a")
         self.type(name)
         self.wait("the parameter '%s' is shown" % name,
                   lambda s: "parameter:" + name in s["widgets"])
         self.key("Return")
 
+    def set(self, name, text):
+        """Types a parameter's value."""
+        self.reveal(name)
+        self.click("number:" + name)
+        self.type(text)
+        self.key("Return")
+
     def key(self, *keys):
-        for one in keys:
-            self.screen.do("key", "--delay", 60, one)
-            self.let_frames_pass()
+        self.screen.do("key", *keys)
 
     def type(self, text):
-        self.screen.do("type", "--delay", 60, text)
-        self.let_frames_pass()
+        self.screen.do("type", text)
 
     def quit(self):
         self.key("ctrl+q")

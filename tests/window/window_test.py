@@ -1,5 +1,6 @@
 """Drives the window with mouse and keyboard: window_test.py PROGRAM [SCREENSHOTS]."""
 
+import json
 import os
 import sys
 import tempfile
@@ -14,11 +15,16 @@ PROGRAM = Path(sys.argv[1]).resolve()
 PICTURES = Path(sys.argv[2] if len(sys.argv) > 2 else SOURCE / "build/window").resolve()
 
 
+def kept_values(session):
+    """The values that a session file holds; the program replaces the file, so it is always whole."""
+    return json.loads(session.read_text())["current"]["preset"]["values"]
+
+
 class WindowTest(unittest.TestCase):
     """Each test is a person who starts with an empty home."""
 
     def setUp(self):
-        self.screen = self.enterContext(Screen(1440, 900))
+        self.screen = self.enterContext(Screen(1280, 720))
         folder = Path(self.enterContext(tempfile.TemporaryDirectory(prefix="afterglow-window-")))
         self.program = Program(PROGRAM, SOURCE, folder, self.screen)
         self.addCleanup(self.program.stop)
@@ -58,12 +64,11 @@ class WindowTest(unittest.TestCase):
         program.reveal("exposure")
         low, high, y = program.slider("exposure")
         program.drag(((low + high) // 2, y), (high, y))
-        turned = program.wait("the exposure is turned up",
-                              lambda s: s["values"]["exposure"][0] > 4 * default)
+        program.wait("the exposure is turned up, in one step",
+                     lambda s: s["values"]["exposure"][0] > 4 * default and
+                     s["undo"] == "Exposure" and s["is_modified"])
         program.wait_for("the picture is brighter", lambda: self.brightness() > dark + 3)
         self.snapshot("turned")
-        self.assertEqual(turned["undo"], "Exposure")
-        self.assertTrue(turned["is_modified"])
 
         program.key("ctrl+z")
         program.wait("one step back is the default again",
@@ -71,7 +76,7 @@ class WindowTest(unittest.TestCase):
         program.wait_for("the picture is as dark as before", lambda: self.brightness() < dark + 2)
         program.key("ctrl+shift+z")
         program.wait("redo turns it up again",
-                     lambda s: s["values"]["exposure"] == turned["values"]["exposure"])
+                     lambda s: s["values"]["exposure"][0] > 4 * default and s["redo"] == "")
         program.click("reset:exposure")
         program.wait("its reset button gives the default",
                      lambda s: s["values"]["exposure"][0] == default)
@@ -79,10 +84,7 @@ class WindowTest(unittest.TestCase):
     def test_a_typed_value_may_go_beyond_the_slider(self):
         program = self.program
         self.start("phosphor")
-        program.reveal("exposure")
-        program.click("number:exposure")
-        program.type("20.5")
-        program.key("Return")
+        program.set("exposure", "20.5")
         program.wait("the typed value is taken", lambda s: s["values"]["exposure"][0] == 20.5)
 
     def test_time_stops_steps_and_starts_again(self):
@@ -113,10 +115,7 @@ class WindowTest(unittest.TestCase):
     def test_presets_are_saved_and_loaded(self):
         program = self.program
         self.start("phosphor")
-        program.reveal("decay")
-        program.click("number:decay")
-        program.type("0.61")
-        program.key("Return")
+        program.set("decay", "0.61")
         program.wait("the value is taken", lambda s: s["values"]["decay"][0] == 0.61)
         program.key("ctrl+s")
         program.place("dialog_name")
@@ -137,10 +136,7 @@ class WindowTest(unittest.TestCase):
     def test_changes_are_not_lost_without_a_question(self):
         program = self.program
         self.start("phosphor")
-        program.reveal("decay")
-        program.click("number:decay")
-        program.type("0.61")
-        program.key("Return")
+        program.set("decay", "0.61")
         program.wait("the value is taken", lambda s: s["values"]["decay"][0] == 0.61)
         program.click("preset:overdriven")
         program.click("dialog_cancel")
@@ -198,10 +194,7 @@ class WindowTest(unittest.TestCase):
     def test_everything_comes_back_after_a_quit_and_after_a_crash(self):
         program = self.program
         self.start("phosphor")
-        program.reveal("decay")
-        program.click("number:decay")
-        program.type("0.61")
-        program.key("Return")
+        program.set("decay", "0.61")
         program.wait("the value is taken", lambda s: s["values"]["decay"][0] == 0.61)
         program.quit()
         state = program.start()
@@ -211,9 +204,9 @@ class WindowTest(unittest.TestCase):
         program.wait("undo reaches back over the quit", lambda s: s["values"]["decay"] != [0.61])
 
         session = program.folder / "state/afterglow/session.json"
-        kept = session.stat().st_mtime_ns
+        program.wait_for("the session is kept", lambda: "decay" not in kept_values(session))
         program.key("ctrl+shift+z")
-        program.wait_for("the session is kept", lambda: session.stat().st_mtime_ns > kept)
+        program.wait_for("the session is kept", lambda: kept_values(session).get("decay") == 0.61)
         program.kill()
         self.assertEqual(program.start()["values"]["decay"], [0.61])
 
