@@ -30,11 +30,13 @@ Command add_preset(CLI::App& program) {
         if (!prepared)
             return report(prepared.error());
         warn(prepared->warnings);
+        const RecentMedia recent(library->roots());
         if (arguments->as_line) {
-            std::cout << share_line_of(prepared->document) << '\n';
+            std::cout << share_line_of(prepared->document, recent) << '\n';
             return exit_done;
         }
-        const auto saved = write_preset(prepared->document, arguments->name, arguments->output);
+        const auto saved =
+            write_preset(prepared->document, arguments->name, arguments->output, recent);
         return saved ? exit_done : report(saved.error());
     };
 }

@@ -41,7 +41,7 @@ Result<void> save_all_passes(const Offline& offline, const std::filesystem::path
 }
 
 /// Draws every frame; writes those that the output's name asks for.
-Result<void> draw(const Arguments& arguments, Offline& offline) {
+Result<void> draw(const Arguments& arguments, Offline& offline, const RecentMedia& recent) {
     const auto pass = chosen_pass(arguments, offline.executor().look());
     if (!pass)
         return fail(pass.error());
@@ -59,7 +59,7 @@ Result<void> draw(const Arguments& arguments, Offline& offline) {
             const auto file = names->name(frame);
             auto saved = names->is_sequence()
                              ? save_picture(picture, file)
-                             : save_picture_with_preset(picture, offline.document(), file);
+                             : save_picture_with_preset(picture, offline.document(), file, recent);
             if (!saved)
                 return saved;
         }
@@ -82,7 +82,7 @@ int render(const Arguments& arguments, const std::string& data) {
     auto offline = Offline::create(std::move(*prepared), request.size, request.fps);
     if (!offline)
         return report(offline.error());
-    const auto done = draw(arguments, *offline);
+    const auto done = draw(arguments, *offline, RecentMedia(library->roots()));
     return done ? exit_done : report(done.error());
 }
 }  // namespace

@@ -25,7 +25,8 @@ int render_instead_of_window(const std::string& look, const std::string& data) {
     }
     const auto file =
         std::filesystem::absolute("afterglow-" + offline->document().look().id + ".png");
-    const auto saved = save_picture_with_preset(offline->picture(), offline->document(), file);
+    const auto saved = save_picture_with_preset(offline->picture(), offline->document(), file,
+                                                RecentMedia(library->roots()));
     if (!saved)
         return report(saved.error());
     std::cout << "Rendered to " << file.string() << '\n';

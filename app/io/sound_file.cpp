@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <sndfile.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fcntl.h>
@@ -42,7 +43,9 @@ float sane(float sample) {
 }
 
 // Block by block until nothing more comes: the length that a header claims is never believed.
-Result<void> read_samples(const std::filesystem::path& file, SNDFILE* source, Sound& sound) {
+// `claimed` is only for telling how far it has come.
+Result<void> read_samples(const std::filesystem::path& file, SNDFILE* source, double claimed,
+                          Sound& sound, Work* work) {
     std::array<float, 8192> block;
     const auto channels = static_cast<std::size_t>(sound.channels);
     const auto frames = static_cast<sf_count_t>(block.size() / channels);
@@ -59,11 +62,17 @@ Result<void> read_samples(const std::filesystem::path& file, SNDFILE* source, So
             return fail({file, 0, "takes more than 2 GiB of memory, which is the limit"});
         for (std::size_t i = 0; i < count; ++i)
             sound.samples.push_back(sane(block[i]));
+        if (!work)
+            continue;
+        if (work->is_cancelled)
+            return fail({file, 0, "was not read to its end"});
+        const auto done = static_cast<double>(sound.frame_count());
+        work->share = claimed > 0.0 ? std::min(done / claimed, 1.0) : 0.0;
     }
 }
 }  // namespace
 
-Result<Sound> load_sound(const std::filesystem::path& file) {
+Result<Sound> load_sound(const std::filesystem::path& file, Work* work) {
     // Also says what is not there or no file; opening a pipe would wait forever.
     const auto start = read_start(file, 1);
     if (!start)
@@ -83,7 +92,8 @@ Result<Sound> load_sound(const std::filesystem::path& file) {
 
     Sound sound{.rate = info.samplerate, .channels = info.channels, .samples = {}};
     try {
-        if (const auto read = read_samples(file, source.get(), sound); !read)
+        const auto claimed = static_cast<double>(info.frames);
+        if (const auto read = read_samples(file, source.get(), claimed, sound, work); !read)
             return fail(read.error());
     } catch (const std::bad_alloc&) {
         return fail({file, 0, "does not fit into memory"});

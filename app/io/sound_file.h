@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/diagnostic.h"
+#include "base/work.h"
 #include "model/sound.h"
 
 #include <filesystem>
@@ -11,5 +12,5 @@ inline constexpr std::size_t most_sound_samples = std::size_t{1} << 29;  // 2 Gi
 
 /// Decodes a WAV, FLAC, OGG or MP3 file (and what else libsndfile reads) as it is: no mixing, no
 /// other rate. Samples that are not finite become 0. At most 8 channels, 1 h and 2 GiB; of a file
-/// that breaks off, what is there.
-Result<Sound> load_sound(const std::filesystem::path& file);
+/// that breaks off, what is there. Fails when `work` is cancelled.
+Result<Sound> load_sound(const std::filesystem::path& file, Work* work = nullptr);

@@ -123,8 +123,8 @@ std::string SoundOutput::device_name() const {
     return m_device->name();
 }
 
-void SoundOutput::play(std::shared_ptr<const Sound> sound) {
-    m_device->player->play(std::move(sound));
+void SoundOutput::play(std::shared_ptr<const Sound> sound, double start_seconds) {
+    m_device->player->play(std::move(sound), start_seconds);
     m_device->clock.jumped(m_device->player->jump(), 0.0);
 }
 

@@ -17,8 +17,9 @@ public:
 
     std::string device_name() const;
 
-    /// From its beginning; null is silence. The sound has a rate and a channel.
-    void play(std::shared_ptr<const Sound> sound);
+    /// The part from `start_seconds` on: its time 0, and where it loops to. Null is silence. The
+    /// sound has a rate and a channel.
+    void play(std::shared_ptr<const Sound> sound, double start_seconds = 0.0);
     /// Goes on after pause().
     void play();
     void pause();

@@ -10,11 +10,13 @@ double bounded(double value, double low, double high) {
 }
 }  // namespace
 
-void SoundPlayer::play(std::shared_ptr<const Sound> sound) {
+void SoundPlayer::play(std::shared_ptr<const Sound> sound, double start_seconds) {
     m_track = nullptr;  // the old sound is not heard from its beginning
     seek(0.0);
     if (sound) {
-        m_tracks.push_back(std::make_unique<const Track>(Track{std::move(sound)}));
+        const double start = bounded(start_seconds, 0.0, sound->seconds()) * sound->rate;
+        const std::size_t first = std::min(static_cast<std::size_t>(start), sound->frame_count());
+        m_tracks.push_back(std::make_unique<const Track>(Track{std::move(sound), first}));
         m_track = m_tracks.back().get();
     }
     drop_unused_tracks();
@@ -64,7 +66,7 @@ SoundPlayer::Mixed SoundPlayer::mix(std::span<float> stereo) noexcept {
     Mixed mixed;
     if (const Track* const track = begin_reading()) {
         const Sound& sound = *track->sound;
-        const auto length = static_cast<double>(sound.frame_count());
+        const auto length = static_cast<double>(track->frame_count());
         const bool loops = m_loops && length > 0.0;
         follow_seek(sound);
         if (!loops)
@@ -73,16 +75,18 @@ SoundPlayer::Mixed SoundPlayer::mix(std::span<float> stereo) noexcept {
         mixed = {m_position / sound.rate, is_still ? 0.0 : m_speed.load(), m_jump_followed};
         const double step = mixed.seconds_per_second * sound.rate / m_device_rate;
         if (!is_still)
-            add_sound(sound, {step, loops}, stereo);
+            add_sound(*track, {step, loops}, stereo);
     }
     m_in_use = nullptr;
     scale(stereo);
     return mixed;
 }
 
-void SoundPlayer::add_sound(const Sound& sound, const Pace& pace,
+void SoundPlayer::add_sound(const Track& track, const Pace& pace,
                             std::span<float> stereo) noexcept {
-    const std::size_t count = sound.frame_count();
+    const Sound& sound = *track.sound;
+    const std::size_t count = track.frame_count();
+    const float* const samples = track.samples();
     const auto length = static_cast<double>(count);
     const auto channels = static_cast<std::size_t>(sound.channels);
     const std::size_t right = channels > 1 ? 1 : 0;
@@ -90,8 +94,8 @@ void SoundPlayer::add_sound(const Sound& sound, const Pace& pace,
     for (std::size_t i = 0; i + 1 < stereo.size() && place < length; i += 2) {
         const auto below = static_cast<std::size_t>(place);
         const bool is_last = below + 1 == count;
-        const float* from = sound.samples.data() + below * channels;
-        const float* to = is_last ? sound.samples.data() : from + channels;
+        const float* from = samples + below * channels;
+        const float* to = is_last ? samples : from + channels;
         const auto part = static_cast<float>(place - static_cast<double>(below));
         const float weight = is_last && !pace.loops ? 0.0f : part;  // after the end comes silence
         stereo[i] = from[0] * (1.0f - part) + to[0] * weight;

@@ -14,8 +14,9 @@ class SoundPlayer {
 public:
     explicit SoundPlayer(int device_rate) : m_device_rate(device_rate) {}
 
-    /// From its beginning; null is silence. The sound has a rate and a channel.
-    void play(std::shared_ptr<const Sound> sound);
+    /// The part from `start_seconds` on: its time 0, and where it loops to. Null is silence. The
+    /// sound has a rate and a channel.
+    void play(std::shared_ptr<const Sound> sound, double start_seconds = 0.0);
     void set_paused(bool paused) { m_is_paused = paused; }
     /// Goes on at this time of the sound; when it loops, also one beyond its end.
     void seek(double seconds);
@@ -41,6 +42,12 @@ public:
 private:
     struct Track {
         std::shared_ptr<const Sound> sound;  // shared with the signal that draws it
+        std::size_t first = 0;               // frame that it starts with
+
+        std::size_t frame_count() const { return sound->frame_count() - first; }
+        const float* samples() const {
+            return sound->samples.data() + first * static_cast<std::size_t>(sound->channels);
+        }
     };
 
     struct Pace {
@@ -50,7 +57,7 @@ private:
 
     const Track* begin_reading() noexcept;
     void follow_seek(const Sound& sound) noexcept;
-    void add_sound(const Sound& sound, const Pace& pace, std::span<float> stereo) noexcept;
+    void add_sound(const Track& track, const Pace& pace, std::span<float> stereo) noexcept;
     void scale(std::span<float> stereo) noexcept;
     void drop_unused_tracks();
 

@@ -4,8 +4,8 @@
 #include "formats/manifest_edit.h"
 #include "formats/preset_format.h"
 #include "formats/share_line.h"
-#include "io/picture_file.h"
 #include "lab/editor.h"
+#include "lab/sharing.h"
 
 #include <fmt/format.h>
 
@@ -24,13 +24,8 @@ Extent PictureSize::extent(Extent view) const {
 
 Lab::Lab(Library library, std::unique_ptr<gpu::Context> worker)
     : m_library(std::move(library)),
+      m_drive(RecentMedia(m_library.roots())),
       m_reloader(std::move(worker), m_library.roots().shared_includes()) {}
-
-fs::path Lab::media_folder() const {
-    if (m_document && !m_document->preset_file().empty())
-        return m_document->preset_file().parent_path();
-    return fs::current_path();
-}
 
 void Lab::say(std::string text, bool is_problem) {
     m_notice = Notice{std::move(text), is_problem, is_problem ? 12.0 : 5.0};
@@ -47,25 +42,52 @@ void Lab::open(const OpenRequest& request) {
     m_reloader.open(request);
 }
 
+namespace {
+// The present setting with another file; other kinds of signal leave nothing to a sound.
+Spec playing(const fs::path& file, const Spec& present) {
+    Spec spec = present.kind == "audio" ? present : Spec{"audio", {{"mode", std::string("xy")}}};
+    spec.settings.erase("");
+    spec.settings["file"] = fs::absolute(file).string();
+    return spec;
+}
+}  // namespace
+
 void Lab::open_file(const fs::path& file) {
-    if (!is_sound_file(file)) {
+    const bool is_sound = is_sound_file(file);
+    if (!is_sound && !(is_picture_file(file) && !load_preset(file))) {
         open(file.string());
         return;
     }
-    if (!m_document || m_document->look().driven_by != Driver::signal) {
-        say("open a look that a signal drives first; then the sound will draw", true);
+    const Driver needed = is_sound ? Driver::signal : Driver::picture;
+    if (!m_document || m_document->look().driven_by != needed) {
+        say(is_sound
+                ? "open a look that a signal drives first; then the sound will draw"
+                : "open a look that works on a picture first; then the picture will show in it",
+            true);
         return;
     }
-    Spec spec{"audio", {{"file", fs::absolute(file).string()}, {"mode", std::string("xy")}}};
-    const Spec& present = m_document->state().signal;
-    if (present.kind == "audio") {
-        const auto file_setting = spec.settings["file"];
-        spec = present;
-        spec.settings["file"] = file_setting;
+    if (!is_sound) {
+        m_document->set_source(fs::absolute(file).string());
+        return;
     }
-    m_document->set_signal(std::move(spec));
-    m_player.restart();
+    m_document->set_signal(playing(file, m_document->state().signal));
+    m_drive.start_from_the_beginning();
     m_player.play();
+}
+
+void Lab::cancel_loading() {
+    const std::string name = m_drive.loading();
+    if (name.empty() || !m_document)
+        return;
+    m_drive.cancel();
+    say("'" + fs::path(name).filename().string() + "' was not read to its end");
+    const std::string& last = m_document->history().undo_name();
+    if (m_document->history().can_undo() && (last == "Signal" || last == "Source"))
+        m_document->undo();
+}
+
+Preset Lab::portable(const Preset& preset, const fs::path& folder) const {
+    return with_portable_media(preset, folder, m_drive.recent());
 }
 
 void Lab::edit(const std::function<void(Document&)>& change) {
@@ -103,8 +125,11 @@ void Lab::save_preset() {
         say("give the preset a name first", true);
         return;
     }
-    if (!succeeded(::save_preset(m_document->preset_file(), m_document->preset())))
+    const fs::path file = m_document->preset_file();
+    const Preset preset = portable(m_document->preset(), media_folder(file));
+    if (!succeeded(::save_preset(file, preset)))
         return;
+    m_document->set_identity(preset, file);
     m_document->mark_saved();
     say("Saved '" + m_document->preset_name() + "'");
 }
@@ -113,6 +138,10 @@ void Lab::save_preset_as(const std::string& name) {
     if (!m_document)
         return;
     Preset preset = m_document->preset();
+    const auto place = m_library.preset_path(m_document->look().id, name);
+    if (!succeeded(place))
+        return;
+    preset = portable(preset, place->parent_path());
     preset.name = name;
     const auto file = m_library.save_preset(preset, name);
     if (!succeeded(file))
@@ -157,7 +186,7 @@ void Lab::delete_preset() {
 }
 
 std::string Lab::share_line() const {
-    return m_document ? ::share_line(m_document->complete_preset()) : std::string();
+    return m_document ? share_line_of(*m_document, m_drive.recent()) : std::string();
 }
 
 void Lab::paste(const std::string& line) {
@@ -165,7 +194,7 @@ void Lab::paste(const std::string& line) {
     if (!succeeded(preset))
         return;
     if (m_document && preset->look == m_document->look().id) {
-        m_document->take(*preset, "Paste");
+        m_document->take(with_found_media(*preset, fs::current_path(), m_drive.recent()), "Paste");
         return;
     }
     open(line);

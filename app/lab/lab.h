@@ -1,8 +1,8 @@
 #pragma once
 
 #include "lab/document.h"
+#include "lab/drive.h"
 #include "lab/library.h"
-#include "lab/media.h"
 #include "lab/open.h"
 #include "lab/player.h"
 #include "lab/reloader.h"
@@ -54,13 +54,14 @@ public:
     bool is_loading() const { return m_reloader.is_busy(); }
     const PictureSize& picture_size() const { return m_picture_size; }
     Extent picture_extent() const { return m_picture_size.extent(m_view); }
-    /// Folder that a relative path in the signal or source is looked for in.
-    std::filesystem::path media_folder() const;
+    /// What drives the look: how far its file has been read.
+    const Drive& drive() const { return m_drive; }
 
     // Verbs. Each shows its failure as a notice.
     void open(const std::string& argument);
     void open(const OpenRequest& request);
-    void open_file(const std::filesystem::path& file);  // dropped: a look, a preset or a sound
+    /// A file that was dropped or chosen: a look, a preset, a sound or a picture.
+    void open_file(const std::filesystem::path& file);
     void edit(const std::function<void(Document&)>& change);
     Player& transport() { return m_player; }
     void restart();
@@ -79,6 +80,7 @@ public:
     void write_overrides();  // into look.json
     void open_in_editor(const Location& place);
     void cancel_replay();
+    void cancel_loading();  // of a sound or picture; what was there before comes back
     void say(std::string text, bool is_problem = false);
 
     /// One turn: takes reloads in, lets time flow, draws what must be drawn.
@@ -96,10 +98,11 @@ private:
     void take_reload();
     void apply(LoadedRequest loaded);
     void open_document(Look look, const OpenRequest& request);
-    void load_images();
+    void show_images(const LoadedImages& images);
     void show_problems(const Diagnostics& problems);
     void apply_document();
-    void apply_signal();
+    void update_drive();
+    Preset portable(const Preset& preset, const std::filesystem::path& folder) const;
     void want(const Redraw& redraw);
     void resize_picture();
     void draw_picture(double wall_seconds);
@@ -119,6 +122,8 @@ private:
     std::optional<Programs> m_programs;      // of the open look, as linked
     Player m_player{Player::Sounding::heard};
     std::unique_ptr<Renderer> m_renderer;
+    LoadedImages m_images;  // that the renderer has
+    Drive m_drive;
     Reloader m_reloader;
     std::vector<Problem> m_problems;
     std::optional<Notice> m_notice;

@@ -1,7 +1,6 @@
 // The part of Lab that runs every turn: reloads in, time on, picture drawn.
 #include "base/file.h"
 #include "formats/preset_format.h"
-#include "io/picture_file.h"
 #include "lab/lab.h"
 
 #include <algorithm>
@@ -18,12 +17,13 @@ void Lab::update(double wall_seconds) {
     if (!m_document || !m_renderer)
         return;
     apply_document();
+    update_drive();
     draw_picture(wall_seconds);
 }
 
 bool Lab::is_moving() const {
     return m_player.is_playing() || is_loading() || m_notice || m_wanted ||
-           (m_renderer && m_renderer->replay().is_running());
+           !m_drive.loading().empty() || (m_renderer && m_renderer->replay().is_running());
 }
 
 void Lab::take_reload() {
@@ -56,7 +56,7 @@ void Lab::apply(LoadedRequest loaded) {
     } else {
         open_document(std::move(*loaded.look), loaded.request);
     }
-    load_images();
+    show_images(loaded.images);
     m_applied.reset();
     if (m_when_opened)
         std::exchange(m_when_opened, {})(*this);
@@ -66,21 +66,28 @@ void Lab::open_document(Look look, const OpenRequest& request) {
     m_document.emplace(std::move(look));
     m_renderer = std::make_unique<Renderer>(m_document->drawn_look(), *m_programs);
     m_drawn_extent = {};
+    m_images.clear();
+    m_drive.forget();
     m_player.restart();
     m_player.play();
     m_reloader.watch_also({request.preset_file});
     if (!request.preset)
         return;
-    m_document->open_preset(*request.preset, request.preset_file);
+    const fs::path folder = media_folder(request.preset_file);
+    m_document->open_preset(with_found_media(*request.preset, folder, m_drive.recent()),
+                            request.preset_file);
     for (const Diagnostic& note :
          compare_with_look(*request.preset, m_document->look(), request.preset_file))
         m_problems.push_back({note, {}});
 }
 
-void Lab::load_images() {
-    for (const Image& image : m_document->look().images)
-        if (const auto picture = load_picture(image.file); succeeded(picture))
-            succeeded(m_renderer->set_image(image.name, *picture));
+// Each picture is uploaded when it is new, and not when a shader was edited.
+void Lab::show_images(const LoadedImages& images) {
+    for (const auto& [name, picture] : images)
+        if (const auto shown = m_images.find(name);
+            shown == m_images.end() || shown->second != picture)
+            succeeded(m_renderer->set_image(name, *picture));
+    m_images = images;
 }
 
 // Tells player and renderer what the person changed since last told.
@@ -96,8 +103,8 @@ void Lab::apply_document() {
     m_renderer->set_values(state.values);
     m_drawn_extent = {};  // sizes may depend on values
     Redraw redraw = redraw_after(m_document->look(), names);
-    if (is_first || m_applied->signal != state.signal) {
-        apply_signal();
+    if (is_first || m_applied->signal != state.signal || m_applied->source != state.source) {
+        succeeded(m_drive.follow(*m_document, m_player, *m_renderer));
         redraw.needs_replay = true;
     }
     if (!is_first && m_applied->overrides != state.overrides) {
@@ -108,14 +115,13 @@ void Lab::apply_document() {
     want(redraw);
 }
 
-void Lab::apply_signal() {
-    if (m_document->look().driven_by != Driver::signal)
+void Lab::update_drive() {
+    const auto taken = m_drive.update(*m_document, m_player, *m_renderer);
+    if (!taken)
         return;
-    if (succeeded(m_player.set_signal(m_document->state().signal, media_folder())))
-        return;
-    if (m_player.signal() || !m_document->look().default_signal)
-        return;  // the last good signal goes on
-    succeeded(m_player.set_signal(*m_document->look().default_signal, media_folder()));
+    succeeded(*taken);
+    m_drawn_extent = {};  // sizes may depend on the source
+    want({{}, true});
 }
 
 void Lab::want(const Redraw& redraw) {
@@ -134,7 +140,9 @@ void Lab::resize_picture() {
         return;
     m_drawn_extent = extent;
     const Plan before = m_renderer->executor().plan();
-    if (succeeded(m_renderer->resize(extent, extent)) && m_renderer->executor().plan() != before)
+    const Extent source = m_drive.source_extent();
+    if (succeeded(m_renderer->resize(extent, source.is_empty() ? extent : source)) &&
+        m_renderer->executor().plan() != before)
         want({{}, true});
 }
 
@@ -176,12 +184,13 @@ void Lab::extra_file_changed(const fs::path& file) {
     if (!m_document || file != m_document->preset_file())
         return;
     const auto preset = load_preset(file);
-    if (!succeeded(preset) || *preset == m_document->preset())
+    const fs::path folder = media_folder(file);
+    if (!succeeded(preset) || *preset == portable(m_document->preset(), folder))
         return;
     if (m_document->is_modified()) {
         say("'" + m_document->preset_name() + "' has changed on disk; your own changes stay", true);
         return;
     }
-    m_document->take(*preset, "Preset changed on disk");
+    m_document->take(with_found_media(*preset, folder, m_drive.recent()), "Preset changed on disk");
     m_document->mark_saved();
 }

@@ -5,7 +5,10 @@
 #include "formats/preset_format.h"
 #include "gpu/readback.h"
 #include "io/picture_file.h"
+#include "io/sound_file.h"
+#include "lab/media.h"
 #include "lab/source.h"
+#include "signals/kinds.h"
 
 #include <fmt/format.h>
 
@@ -51,6 +54,17 @@ Result<void> apply_drive(const RenderRequest& request, Document& document) {
 }
 }  // namespace
 
+namespace {
+void open_preset(OpenRequest request, const Library& library, Prepared& prepared) {
+    const auto folder = media_folder(request.preset_file);
+    const Preset preset =
+        with_found_media(std::move(*request.preset), folder, RecentMedia(library.roots()));
+    const auto notes = compare_with_media(preset);
+    prepared.warnings.insert(prepared.warnings.end(), notes.begin(), notes.end());
+    prepared.document.open_preset(preset, request.preset_file);
+}
+}  // namespace
+
 Result<Prepared> prepare(const RenderRequest& request, const Library& library) {
     const auto found = resolve(request.look, library);
     if (!found)
@@ -58,8 +72,7 @@ Result<Prepared> prepare(const RenderRequest& request, const Library& library) {
     LoadedLook loaded = load_requested(*found, library);
     if (!loaded.look)
         return fail(std::move(loaded.look.error()));
-    Prepared prepared{Document(std::move(*loaded.look)), std::move(loaded.warnings),
-                      std::filesystem::current_path()};
+    Prepared prepared{Document(std::move(*loaded.look)), std::move(loaded.warnings)};
     std::optional<OpenRequest> preset;
     if (!request.preset.empty()) {
         auto named = resolve_preset(request.preset, prepared.document.look().id, library);
@@ -81,9 +94,7 @@ Result<Prepared> prepare(const RenderRequest& request, const Library& library) {
         if (!values)
             return fail(values.error());
         preset->preset->values = std::move(*values);
-        prepared.document.open_preset(*preset->preset, preset->preset_file);
-        if (request.signal.empty() && !preset->preset_file.empty())
-            prepared.media_folder = std::filesystem::absolute(preset->preset_file).parent_path();
+        open_preset(std::move(*preset), library, prepared);
     }
     if (auto done = apply_values(request, prepared.document); !done)
         return fail(done.error());
@@ -123,20 +134,31 @@ Result<Offline> Offline::create(Prepared prepared, Extent size, double fps) {
     if (auto done = offline.m_renderer->resize(size, size); !done)
         return fail(done.error());
     offline.m_renderer->set_values(offline.m_document.values());
-    if (look.driven_by == Driver::signal)
-        if (auto done = offline.m_player->set_signal(offline.m_document.state().signal,
-                                                     prepared.media_folder);
-            !done)
-            return fail(done.error());
-    if (auto done = offline.load_pictures(prepared.media_folder, size); !done)
+    if (auto done = offline.load_signal(); !done)
+        return fail(done.error());
+    if (auto done = offline.load_pictures(size); !done)
         return fail(done.error());
     return offline;
 }
 
-Result<void> Offline::load_pictures(const std::filesystem::path& media_folder, Extent size) {
+Result<void> Offline::load_signal() {
+    const Spec& signal = m_document.state().signal;
+    if (executor().look().driven_by != Driver::signal)
+        return {};
+    PlayedSound sound{.file = file_of(signal), .sound = {}};
+    if (!sound.file.empty()) {
+        auto loaded = load_sound(sound.file);
+        if (!loaded)
+            return fail(loaded.error());
+        sound.sound = std::make_shared<const Sound>(std::move(*loaded));
+    }
+    return m_player->set_signal(signal, std::move(sound));
+}
+
+Result<void> Offline::load_pictures(Extent size) {
     const Look& look = executor().look();
     if (look.driven_by == Driver::picture) {
-        const auto source = load_source(m_document.state().source, media_folder);
+        const auto source = load_source(m_document.state().source);
         if (!source)
             return fail(source.error());
         if (auto done = m_renderer->resize(size, source->extent); !done)

@@ -26,7 +26,6 @@ struct RenderRequest {
 struct Prepared {
     Document document;
     Diagnostics warnings;
-    std::filesystem::path media_folder;
 };
 Result<Prepared> prepare(const RenderRequest& request, const Library& library);
 
@@ -59,7 +58,8 @@ public:
     }
 
 private:
-    Result<void> load_pictures(const std::filesystem::path& media_folder, Extent size);
+    Result<void> load_signal();
+    Result<void> load_pictures(Extent size);
     Offline(std::unique_ptr<gpu::Context> context, Document document, Programs programs,
             double fps);
 

@@ -1,61 +1,44 @@
 #include "lab/player.h"
 
-#include "io/sound_file.h"
 #include "signals/kinds.h"
 
 #include <algorithm>
 #include <utility>
 
-namespace fs = std::filesystem;
-
-namespace {
-/// The sound without its first seconds: what a signal that starts there draws, and loops over.
-std::shared_ptr<const Sound> part_from(const std::shared_ptr<const Sound>& sound, double seconds) {
-    const auto frames = static_cast<std::size_t>(std::max(0.0, seconds) * sound->rate);
-    if (frames == 0)
-        return sound;
-    const std::size_t first =
-        std::min(frames, sound->frame_count()) * static_cast<std::size_t>(sound->channels);
-    auto part = std::make_shared<Sound>(Sound{sound->rate, sound->channels, {}});
-    part->samples.assign(sound->samples.begin() + static_cast<std::ptrdiff_t>(first),
-                         sound->samples.end());
-    return part;
-}
-}  // namespace
-
-Result<void> Player::set_signal(const Spec& spec, const fs::path& folder) {
-    auto complete = completed(spec);
-    if (!complete)
-        return fail(complete.error());
-    const SignalKind& kind = *find_kind(complete->kind);
-    std::shared_ptr<const Sound> sound;
-    fs::path file;
-    if (!kind.file_setting.empty()) {
-        file = folder / std::get<std::string>(complete->settings.at(kind.file_setting));
-        sound = m_sound;
-        if (!sound || file != m_sound_file) {
-            auto loaded = load_sound(file);
-            if (!loaded)
-                return fail(loaded.error());
-            sound = std::make_shared<const Sound>(std::move(*loaded));
+Result<void> Player::set_signal(const Spec& spec, PlayedSound sound) {
+    std::unique_ptr<Signal> signal;
+    double start = 0.0;
+    bool loops = false;
+    if (!spec.kind.empty()) {
+        const auto complete = completed(spec);
+        if (!complete)
+            return fail(complete.error());
+        auto made = make_signal(*complete, {sound.sound});
+        if (!made)
+            return fail(made.error());
+        signal = std::move(*made);
+        if (sound.sound) {
+            start = std::get<double>(complete->settings.at("start"));
+            loops = complete->settings.at("loop") == Spec::Setting("on");
         }
     }
-    auto signal = make_signal(*complete, {sound});
-    if (!signal)
-        return fail(signal.error());
-    m_signal = std::move(*signal);
-    const bool is_new_sound = sound != m_sound;
+    const bool is_new_sound = sound.sound != m_sound.sound || start != m_start;
+    m_signal = std::move(signal);
     m_sound = std::move(sound);
-    m_sound_file = std::move(file);
+    m_start = start;
     if (m_is_heard)
-        play_sound(*complete, is_new_sound);
+        play_sound(loops, is_new_sound);
     return {};
 }
 
+double Player::sound_seconds() const {
+    return m_sound.sound ? std::max(0.0, m_sound.sound->seconds() - m_start) : 0.0;
+}
+
 // The loudspeaker follows the signal. Without a device the wall clock runs instead.
-void Player::play_sound(const Spec& spec, bool is_new_sound) {
+void Player::play_sound(bool loops, bool is_new_sound) {
     m_silence.clear();
-    if (m_sound && !m_output) {
+    if (m_sound.sound && !m_output) {
         auto output = SoundOutput::open();
         if (output)
             m_output = std::move(*output);
@@ -64,23 +47,20 @@ void Player::play_sound(const Spec& spec, bool is_new_sound) {
     }
     if (!m_output)
         return;
-    const double start = m_sound ? std::get<double>(spec.settings.at("start")) : 0.0;
-    const bool is_new = is_new_sound || start != m_heard_from;
-    m_heard_from = start;
-    if (is_new)
-        m_output->play(m_sound ? part_from(m_sound, start) : nullptr);
-    if (!m_sound)
+    if (is_new_sound)
+        m_output->play(m_sound.sound, m_start);
+    if (!m_sound.sound)
         return;
-    m_output->set_loop(spec.settings.at("loop") == Spec::Setting("on"));
+    m_output->set_loop(loops);
     m_output->set_level(m_level);
     m_output->set_speed(m_speed);
-    if (is_new)
+    if (is_new_sound)
         seek(m_time);
     m_is_playing ? m_output->play() : m_output->pause();
 }
 
 bool Player::is_sound_the_clock() const {
-    return m_sound && m_output && !m_output->has_stalled();
+    return m_sound.sound && m_output && !m_output->has_stalled();
 }
 
 void Player::play() {

@@ -19,6 +19,12 @@ struct PlayedFrame {
     TimeSpan span;
 };
 
+/// A sound that was read from a file.
+struct PlayedSound {
+    std::filesystem::path file;
+    std::shared_ptr<const Sound> sound;  // shared with the sound device's thread
+};
+
 /// The clock, and the signal that it runs over.
 class Player {
 public:
@@ -27,11 +33,13 @@ public:
     explicit Player(Sounding sounding = Sounding::silent)
         : m_is_heard(sounding == Sounding::heard) {}
 
-    /// Makes the signal of the spec the current one; a file that it names is read from `folder`
-    /// when its path is relative. On an error the old signal goes on.
-    Result<void> set_signal(const Spec& spec, const std::filesystem::path& folder);
+    /// Makes the signal of the spec the current one, over `sound` if its kind plays one; a spec
+    /// without a kind is no signal. On an error the old signal goes on.
+    Result<void> set_signal(const Spec& spec, PlayedSound sound = {});
     const Signal* signal() const { return m_signal.get(); }
-    const std::shared_ptr<const Sound>& sound() const { return m_sound; }
+    const PlayedSound& sound() const { return m_sound; }
+    /// How much of the sound is played, in seconds; 0 without a sound.
+    double sound_seconds() const;
     /// Why a sound that should be heard is not; "" when all is well.
     const std::string& silence() const { return m_silence; }
 
@@ -62,7 +70,7 @@ public:
     const std::deque<PlayedFrame>& past() const { return m_past; }
 
 private:
-    void play_sound(const Spec& spec, bool is_new_sound);
+    void play_sound(bool loops, bool is_new_sound);
     bool is_sound_the_clock() const;
     double played_seconds(double wall_seconds);
     PlayedFrame moved_to(double end);
@@ -70,16 +78,15 @@ private:
     static constexpr std::size_t frames_remembered = 1024;
 
     std::unique_ptr<Signal> m_signal;
-    std::shared_ptr<const Sound> m_sound;  // shared with the sound device's thread
-    std::filesystem::path m_sound_file;
+    PlayedSound m_sound;
     bool m_is_heard;
     std::unique_ptr<SoundOutput> m_output;
     std::string m_silence;
     double m_speed = 1.0;
     double m_level = 1.0;
     double m_time = 0.0;
-    double m_heard = 0.0;       // s of the output when last asked
-    double m_heard_from = 0.0;  // s into the file where the output's sound begins
+    double m_heard = 0.0;  // s of the output when last asked
+    double m_start = 0.0;  // s into the sound where time 0 is
     std::int64_t m_frame = 0;
     bool m_is_playing = true;
     bool m_is_stepping = false;

@@ -1,5 +1,7 @@
 #include "lab/reloader.h"
 
+#include "io/picture_file.h"
+
 #include <algorithm>
 
 namespace fs = std::filesystem;
@@ -107,8 +109,32 @@ void Reloader::run() {
     m_context->release();
 }
 
+Result<LoadedImages> Reloader::load_images(const Look& look) {
+    LoadedImages images;
+    std::map<fs::path, ReadImage> read;
+    Diagnostics problems;
+    for (const Image& image : look.images) {
+        std::error_code error;
+        const auto time = fs::last_write_time(image.file, error);
+        const auto before = m_read.find(image.file);
+        if (!error && before != m_read.end() && before->second.time == time) {
+            images[image.name] = before->second.picture;
+        } else if (auto picture = load_picture(image.file)) {
+            images[image.name] = std::make_shared<const Picture>(std::move(*picture));
+        } else {
+            problems.insert(problems.end(), picture.error().begin(), picture.error().end());
+            continue;
+        }
+        read[image.file] = {time, images[image.name]};
+    }
+    m_read = std::move(read);
+    if (!problems.empty())
+        return fail(std::move(problems));
+    return images;
+}
+
 LoadedRequest Reloader::load(const Job& job) {
-    LoadedRequest loaded{job.request, job.is_reload, {}, {}, {}, {}};
+    LoadedRequest loaded{job.request, job.is_reload, {}, {}, {}, {}, {}};
     LoadedLook read = load_look(job.request.look, m_shared_includes, &m_checks);
     loaded.files = std::move(read.files);
     loaded.problems = std::move(read.warnings);
@@ -117,6 +143,13 @@ LoadedRequest Reloader::load(const Job& job) {
                                read.look.error().end());
         return loaded;
     }
+    auto images = load_images(*read.look);
+    if (!images) {
+        loaded.problems.insert(loaded.problems.begin(), images.error().begin(),
+                               images.error().end());
+        return loaded;
+    }
+    loaded.images = std::move(*images);
     auto programs = build_programs(*read.look, m_linked ? &*m_linked : nullptr);
     if (!programs) {
         loaded.problems.insert(loaded.problems.begin(), programs.error().begin(),

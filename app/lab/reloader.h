@@ -6,13 +6,18 @@
 #include "graph/programs.h"
 #include "io/file_watcher.h"
 #include "lab/open.h"
+#include "model/picture.h"
 
 #include <condition_variable>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <thread>
+
+/// The pictures that a look names in "images", by name.
+using LoadedImages = std::map<std::string, std::shared_ptr<const Picture>>;
 
 /// What became of one reading of a look.
 struct LoadedRequest {
@@ -20,6 +25,7 @@ struct LoadedRequest {
     bool is_reload = false;  // of the look that is open already
     std::optional<Look> look;
     std::optional<Programs> programs;
+    LoadedImages images;   // a file that did not change is the same picture as before
     Diagnostics problems;  // errors when look or programs are missing, else warnings
     std::vector<std::filesystem::path> files;
 };
@@ -60,6 +66,7 @@ private:
     void watch(const std::vector<std::filesystem::path>& files);
     void run();
     LoadedRequest load(const Job& job);
+    Result<LoadedImages> load_images(const Look& look);
 
     std::filesystem::path m_shared_includes;
     std::unique_ptr<gpu::Context> m_context;
@@ -76,7 +83,13 @@ private:
     std::uint64_t m_completed = 0;
     bool m_is_ending = false;
 
-    CheckCache m_checks;               // the thread's
+    struct ReadImage {
+        std::filesystem::file_time_type time;
+        std::shared_ptr<const Picture> picture;
+    };
+
+    CheckCache m_checks;                                // the thread's
+    std::map<std::filesystem::path, ReadImage> m_read;  // the thread's
     std::optional<Programs> m_linked;  // the thread's: what the next reading may reuse
     std::thread m_thread;
 };

@@ -1,19 +1,22 @@
 #pragma once
 
 #include "lab/document.h"
+#include "lab/media.h"
 #include "model/picture.h"
 
 #include <filesystem>
 #include <string>
 
+// What leaves the machine names a person's sound or picture by its file name and digest alone.
+
 /// The document as one line of text that holds every value.
-std::string share_line_of(const Document& document);
+std::string share_line_of(const Document& document, const RecentMedia& recent);
 
 /// Writes the document as a preset; `name` "" keeps the present one, or takes the file's.
 /// Only .json is a preset's file; a PNG comes from save_picture_with_preset.
 Result<void> write_preset(const Document& document, const std::string& name,
-                          const std::filesystem::path& file);
+                          const std::filesystem::path& file, const RecentMedia& recent);
 
 /// Writes a picture; a PNG also carries the document as a preset, so that it opens as one.
 Result<void> save_picture_with_preset(const Picture& picture, const Document& document,
-                                      const std::filesystem::path& file);
+                                      const std::filesystem::path& file, const RecentMedia& recent);

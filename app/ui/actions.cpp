@@ -96,7 +96,9 @@ bool can_run(const Action& action, const Scene& scene) {
 
 // Escape goes through what is in the way, nearest first.
 void escape(const Scene& scene, Edits& edits) {
-    if (scene.lab.renderer() && scene.lab.renderer()->replay().is_running())
+    if (!scene.lab.drive().loading().empty())
+        edits.add([](Lab& lab) { lab.cancel_loading(); });
+    else if (scene.lab.renderer() && scene.lab.renderer()->replay().is_running())
         edits.add([](Lab& lab) { lab.cancel_replay(); });
     else if (scene.window.is_picture_only)
         edits.arrange([](WindowState& window) { window.is_picture_only = false; });

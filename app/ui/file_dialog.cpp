@@ -8,6 +8,8 @@
 
 #include <imgui/imgui_stdlib.h>
 
+#include <algorithm>
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -72,6 +74,12 @@ void draw_folder_line(const Dialog& dialog, Edits& edits) {
     edits.mark("dialog_folder");
 }
 
+bool is_listed(const Dialog& dialog, const std::string& name) {
+    return std::any_of(dialog.entries.begin(), dialog.entries.end(), [&](const FolderEntry& entry) {
+        return !entry.is_folder && (entry.name == name || entry.name == name + ".png");
+    });
+}
+
 // A look's folder opens as a look with a double click on its look.json.
 void draw_entries(const Scene& scene, Edits& edits) {
     const Dialog& dialog = scene.window.dialog;
@@ -95,7 +103,7 @@ void draw_entries(const Scene& scene, Edits& edits) {
         }
         edits.mark("file:" + entry.name);
     }
-    if (dialog.entries.empty())
+    if (dialog.entries.empty() && !dialog.is_new)
         dim_text("Nothing here that could be opened.");
     ImGui::EndChild();
 }
@@ -106,18 +114,22 @@ void draw_file_dialog(const Scene& scene, Edits& edits) {
     const DialogFrame frame(title_for(dialog.kind), 44.0f, scene, edits);
     if (!frame.is_open())
         return;
-    if (dialog.is_new) {
+    if (dialog.is_new)
         start(scene, edits);
-        return;
-    }
     draw_folder_line(dialog, edits);
     draw_entries(scene, edits);
     std::string name = dialog.text;
     ImGui::SetNextItemWidth(-1.0f);
+    if (dialog.is_new)
+        ImGui::SetKeyboardFocusHere();
     if (ImGui::InputTextWithHint("##file", "Name or path of a file", &name))
         edits.arrange([name](WindowState& window) { window.dialog.text = name; });
     edits.mark("dialog_file");
     const bool is_saving = dialog.kind == Dialog::Kind::save_picture;
-    if (draw_dialog_buttons(is_saving ? "Save" : "Open", !name.empty(), edits))
+    const bool replaces = is_saving && is_listed(dialog, name);
+    if (replaces)
+        dim_text("There is such a file; it will be replaced.");
+    const char* verb = replaces ? "Replace" : is_saving ? "Save" : "Open";
+    if (draw_dialog_buttons(verb, !name.empty(), edits))
         finish(dialog.folder / name, scene, edits);
 }

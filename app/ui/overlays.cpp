@@ -99,10 +99,22 @@ void draw_replay(const Scene& scene) {
                theme::dim, 1.0f},
               scene);
 }
+
+void draw_loading(const Scene& scene) {
+    const std::filesystem::path file = scene.lab.drive().loading();
+    if (file.empty())
+        return;
+    draw_pill({"##loading",
+               fmt::format("Reading {}: {:.0f} % · Esc stops", file.filename().string(),
+                           100.0 * scene.lab.drive().loaded_share()),
+               theme::dim, 2.0f},
+              scene);
+}
 }  // namespace
 
 void draw_overlays(const Scene& scene, Edits& edits) {
     draw_errors(scene, edits);
+    draw_loading(scene);
     draw_replay(scene);
     draw_notice(scene);
 }

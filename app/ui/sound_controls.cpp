@@ -42,8 +42,8 @@ void draw_volume(const Player& player, const Scene& scene, Edits& edits) {
 
 void draw_sound_controls(const Scene& scene, Edits& edits) {
     const Player& player = scene.lab.player();
-    if (player.sound())
-        draw_seek_bar(player.time(), player.sound()->seconds(), scene, edits);
+    if (player.sound().sound)
+        draw_seek_bar(player.time(), player.sound_seconds(), scene, edits);
     draw_volume(player, scene, edits);
     if (player.silence().empty())
         return;

@@ -1,10 +1,13 @@
 """Drives the window with mouse and keyboard: window_test.py PROGRAM [SCREENSHOTS]."""
 
+import array
 import json
+import math
 import os
 import sys
 import tempfile
 import unittest
+import wave
 from pathlib import Path
 
 from program import Program
@@ -18,6 +21,20 @@ PICTURES = Path(sys.argv[2] if len(sys.argv) > 2 else SOURCE / "build/window").r
 def kept_values(session):
     """The values that a session file holds; the program replaces the file, so it is always whole."""
     return json.loads(session.read_text())["current"]["preset"]["values"]
+
+
+def write_tones(file, seconds):
+    """A sound that draws an ellipse: 220 Hz on both sides, a quarter turn apart."""
+    rate = 8000
+    samples = array.array("h")
+    for i in range(rate * seconds):
+        turn = 2 * math.pi * 220 * i / rate
+        samples.extend((round(24000 * math.sin(turn)), round(16000 * math.cos(turn))))
+    with wave.open(str(file), "wb") as sound:
+        sound.setnchannels(2)
+        sound.setsampwidth(2)
+        sound.setframerate(rate)
+        sound.writeframes(samples.tobytes())
 
 
 class WindowTest(unittest.TestCase):
@@ -145,6 +162,26 @@ class WindowTest(unittest.TestCase):
         program.click("preset:overdriven")
         program.click("dialog_discard")
         program.wait("Discard opens the other", lambda s: s["preset"] != "" and not s["is_modified"])
+
+    def test_a_sound_is_opened_plays_and_can_be_sought(self):
+        program = self.program
+        self.start("phosphor")
+        song = program.folder / "two tones.wav"
+        write_tones(song, seconds=20)
+        program.key("ctrl+o")
+        program.place("dialog_file")
+        program.type(str(song))
+        program.key("Return")
+        program.wait("it draws", lambda s: s["signal"].startswith("audio:") and not s["reading"])
+        program.place("seek")
+        self.snapshot("sound")
+        left, top, right, bottom = program.place("seek")
+        self.screen.do("mousemove", (left + right) // 2, (top + bottom) // 2, "click", 1)
+        program.wait("its middle plays", lambda s: 9.5 < s["time"] < 15)
+        program.key("r")
+        program.wait("it begins again", lambda s: s["time"] < 3)
+        program.key("ctrl+z")
+        program.wait("undo gives the figure back", lambda s: s["signal"].startswith("lissajous:"))
 
     def test_an_edited_shader_shows_at_once(self):
         program = self.program

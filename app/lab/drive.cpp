@@ -1,0 +1,103 @@
+#include "lab/drive.h"
+
+#include "signals/kinds.h"
+
+#include <utility>
+
+namespace {
+// As a diagnostic says it to a person who opened a preset and not the file.
+Diagnostics told(Diagnostics reasons) {
+    std::error_code error;
+    for (Diagnostic& reason : reasons)
+        if (!reason.file.empty() && !std::filesystem::exists(reason.file, error))
+            reason.message += "; it is neither beside the preset nor among the files opened lately";
+    return reasons;
+}
+}  // namespace
+
+void Drive::forget() {
+    m_loader.cancel();
+    m_picture.reset();
+    m_picture_name.clear();
+    m_is_from_the_beginning = false;
+}
+
+Result<void> Drive::follow(const Document& document, Player& player, Renderer& renderer) {
+    switch (document.look().driven_by) {
+        case Driver::signal:
+            return follow_signal(document, player);
+        case Driver::picture:
+            return follow_source(document, renderer);
+        case Driver::nothing:
+            break;
+    }
+    m_loader.cancel();
+    return player.set_signal({});
+}
+
+Result<void> Drive::follow_signal(const Document& document, Player& player) {
+    const Spec& spec = document.state().signal;
+    const std::string file = file_of(spec);
+    if (!file.empty() && file != player.sound().file) {
+        if (file != m_loader.name())
+            m_loader.load(MediaLoader::Kind::sound, file);
+        return player.signal() ? Result<void>() : fall_back(document, player, {});
+    }
+    m_loader.cancel();
+    if (auto set = player.set_signal(spec, file.empty() ? PlayedSound{} : player.sound()); !set)
+        return fall_back(document, player, std::move(set.error()));
+    return {};
+}
+
+// With no reasons the fall-back is for the time of waiting.
+Result<void> Drive::fall_back(const Document& document, Player& player, Diagnostics reasons) const {
+    const auto& own = document.look().default_signal;
+    if (!player.signal() && own && file_of(*own).empty())
+        if (const auto set = player.set_signal(*own); !set)
+            reasons.insert(reasons.end(), set.error().begin(), set.error().end());
+    if (reasons.empty())
+        return {};
+    return fail(std::move(reasons));
+}
+
+Result<void> Drive::follow_source(const Document& document, Renderer& renderer) {
+    const std::string& name = document.state().source;
+    if (m_picture && name == m_picture_name)
+        return renderer.set_source(*m_picture);
+    if (name != m_loader.name())
+        m_loader.load(MediaLoader::Kind::picture, name);
+    return {};
+}
+
+std::optional<Result<void>> Drive::update(const Document& document, Player& player,
+                                          Renderer& renderer) {
+    auto loaded = m_loader.take_finished();
+    if (!loaded)
+        return std::nullopt;
+    return take(std::move(*loaded), document, player, renderer);
+}
+
+Result<void> Drive::take(LoadedMedia loaded, const Document& document, Player& player,
+                         Renderer& renderer) {
+    const bool is_from_the_beginning = std::exchange(m_is_from_the_beginning, false);
+    if (!loaded.problems.empty())
+        return fall_back(document, player, told(std::move(loaded.problems)));
+    if (!loaded.digest.empty())
+        m_recent.remember(loaded.name, loaded.digest);
+    if (loaded.picture) {
+        m_picture = std::move(loaded.picture);
+        m_picture_name = loaded.name;
+        return renderer.set_source(*m_picture);
+    }
+    if (auto set =
+            player.set_signal(document.state().signal, {loaded.name, std::move(loaded.sound)});
+        !set)
+        return fall_back(document, player, std::move(set.error()));
+    if (is_from_the_beginning)
+        player.restart();
+    const std::string& expected = document.identity().media_digest;
+    if (document.state().signal == document.saved().signal && !expected.empty() &&
+        expected != loaded.digest)
+        return fail({loaded.name, 0, "is not the file that the preset was made with"});
+    return {};
+}

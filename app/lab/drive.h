@@ -1,0 +1,53 @@
+#pragma once
+
+#include "lab/document.h"
+#include "lab/media.h"
+#include "lab/media_loader.h"
+#include "lab/player.h"
+#include "lab/renderer.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+
+/// Brings what drives the open look to where it is used: the signal to the player, the source
+/// picture to the renderer. Files are read on another thread; until then the last one goes on.
+class Drive {
+public:
+    explicit Drive(RecentMedia recent) : m_recent(std::move(recent)) {}
+
+    const RecentMedia& recent() const { return m_recent; }
+
+    /// Another look was opened: its renderer has no source yet, and no file is awaited for it.
+    void forget();
+    /// Follows the document's signal or source. An error says why it cannot; then the look's own
+    /// goes on if nothing did before.
+    Result<void> follow(const Document& document, Player& player, Renderer& renderer);
+    /// The file that is now being read is played from its beginning once it is there.
+    void start_from_the_beginning() { m_is_from_the_beginning = true; }
+
+    /// Takes in what has been read; nothing when there is nothing new.
+    std::optional<Result<void>> update(const Document& document, Player& player,
+                                       Renderer& renderer);
+
+    /// The file that is being read; "" for none.
+    std::string loading() const { return m_loader.name(); }
+    double loaded_share() const { return m_loader.share(); }
+    void cancel() { m_loader.cancel(); }
+
+    /// Of the picture that drives the look; empty when none does.
+    Extent source_extent() const { return m_picture ? m_picture->extent : Extent{}; }
+
+private:
+    Result<void> follow_signal(const Document& document, Player& player);
+    Result<void> follow_source(const Document& document, Renderer& renderer);
+    Result<void> take(LoadedMedia loaded, const Document& document, Player& player,
+                      Renderer& renderer);
+    Result<void> fall_back(const Document& document, Player& player, Diagnostics reasons) const;
+
+    RecentMedia m_recent;
+    MediaLoader m_loader;
+    std::shared_ptr<const Picture> m_picture;
+    std::string m_picture_name;
+    bool m_is_from_the_beginning = false;
+};

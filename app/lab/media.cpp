@@ -1,0 +1,142 @@
+#include "lab/media.h"
+
+#include "base/file.h"
+#include "base/text.h"
+#include "io/atomic_file.h"
+#include "io/file_digest.h"
+#include "signals/kinds.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+namespace fs = std::filesystem;
+
+namespace {
+bool has_extension(const fs::path& file, std::span<const std::string_view> extensions) {
+    const std::string extension = to_lower(file.extension().string());
+    return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
+}
+
+constexpr std::string_view pattern = "pattern:";
+
+// The file that a preset names, as it is written there; "" for none.
+std::string named_file(const Preset& preset) {
+    if (!preset.source.empty())
+        return preset.source.starts_with(pattern) ? std::string() : preset.source;
+    return preset.signal ? file_of(*preset.signal) : std::string();
+}
+
+Preset with_file(Preset preset, const std::string& file) {
+    if (!preset.source.empty()) {
+        preset.source = file;
+        return preset;
+    }
+    if (const auto complete = completed(*preset.signal)) {
+        const std::string& key = find_kind(complete->kind)->file_setting;
+        preset.signal->settings.erase("");  // a bare first word, which was the file
+        preset.signal->settings[key] = file;
+    }
+    return preset;
+}
+
+bool is_there(const fs::path& file) {
+    std::error_code error;
+    return fs::is_regular_file(file, error);
+}
+}  // namespace
+
+bool is_sound_file(const fs::path& file) {
+    constexpr std::array<std::string_view, 7> extensions{".wav", ".flac", ".ogg", ".oga",
+                                                         ".mp3", ".aif",  ".aiff"};
+    return has_extension(file, extensions);
+}
+
+bool is_picture_file(const fs::path& file) {
+    constexpr std::array<std::string_view, 6> extensions{".png", ".jpg", ".jpeg",
+                                                         ".exr", ".hdr", ".webp"};
+    return has_extension(file, extensions);
+}
+
+std::vector<MediaEntry> RecentMedia::entries() const {
+    if (!is_there(m_list))
+        return {};
+    const auto text = read_text(m_list);
+    auto entries = text ? parse_media(*text, m_list) : fail(text.error());
+    return entries ? std::move(*entries) : std::vector<MediaEntry>();
+}
+
+void RecentMedia::remember(const fs::path& file, const std::string& digest) const {
+    constexpr std::size_t most = 100;
+    std::vector<MediaEntry> list = entries();
+    const MediaEntry entry{fs::absolute(file).lexically_normal(), digest};
+    if (!list.empty() && list.front() == entry)
+        return;
+    std::erase_if(list, [&entry](const MediaEntry& old) { return old.file == entry.file; });
+    list.insert(list.begin(), entry);
+    list.resize(std::min(list.size(), most));
+    (void)write_atomically(m_list, media_to_json(list));
+}
+
+std::optional<fs::path> RecentMedia::find(const std::string& name,
+                                          const std::string& digest) const {
+    std::optional<fs::path> found;
+    for (const MediaEntry& entry : entries()) {
+        if (entry.file.filename() != fs::path(name).filename() || !is_there(entry.file))
+            continue;
+        if (!digest.empty() && entry.digest == digest)
+            return entry.file;
+        if (!found)
+            found = entry.file;
+    }
+    return found;
+}
+
+std::string RecentMedia::digest_of(const fs::path& file) const {
+    for (const MediaEntry& entry : entries())
+        if (entry.file == file)
+            return entry.digest;
+    return {};
+}
+
+fs::path media_folder(const fs::path& preset_file) {
+    return preset_file.empty() ? fs::current_path() : fs::absolute(preset_file).parent_path();
+}
+
+Preset with_found_media(Preset preset, const fs::path& folder, const RecentMedia& recent) {
+    const std::string file = named_file(preset);
+    if (file.empty())
+        return preset;
+    const fs::path beside = fs::absolute(folder / file).lexically_normal();
+    if (is_there(beside))
+        return with_file(std::move(preset), beside.string());
+    if (const auto found = recent.find(file, preset.media_digest))
+        return with_file(std::move(preset), found->string());
+    return preset;
+}
+
+Diagnostics compare_with_media(const Preset& preset) {
+    const fs::path file = named_file(preset);
+    if (file.empty() || preset.media_digest.empty())
+        return {};
+    const auto digest = file_digest(file);
+    if (!digest || *digest == preset.media_digest)
+        return {};
+    return {{file, 0, "is not the file that the preset was made with", Severity::warning}};
+}
+
+Preset with_portable_media(Preset preset, const fs::path& folder, const RecentMedia& recent) {
+    if (named_file(preset).empty()) {
+        preset.media_digest.clear();
+        return preset;
+    }
+    const fs::path file = fs::absolute(named_file(preset)).lexically_normal();
+    if (!is_there(file))
+        return preset;  // was not found where it was opened: goes on as it was written
+    preset.media_digest = recent.digest_of(file);
+    if (preset.media_digest.empty())
+        preset.media_digest = file_digest(file).value_or(std::string());
+    const fs::path inside = folder.empty() ? fs::path() : file.lexically_relative(folder);
+    const bool is_inside = !inside.empty() && *inside.begin() != "..";
+    return with_file(std::move(preset), (is_inside ? inside : file.filename()).string());
+}

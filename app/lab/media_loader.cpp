@@ -1,0 +1,97 @@
+#include "lab/media_loader.h"
+
+#include "io/file_digest.h"
+#include "io/sound_file.h"
+#include "lab/source.h"
+
+#include <utility>
+
+namespace {
+LoadedMedia read_sound(const std::string& name, Work& work) {
+    LoadedMedia loaded;
+    loaded.name = name;
+    auto sound = load_sound(name, &work);
+    if (!sound)
+        loaded.problems = std::move(sound.error());
+    else
+        loaded.sound = std::make_shared<const Sound>(std::move(*sound));
+    return loaded;
+}
+
+LoadedMedia read_picture(const std::string& name) {
+    LoadedMedia loaded;
+    loaded.name = name;
+    auto picture = load_source(name);
+    if (!picture)
+        loaded.problems = std::move(picture.error());
+    else
+        loaded.picture = std::make_shared<const Picture>(std::move(*picture));
+    return loaded;
+}
+}  // namespace
+
+MediaLoader::MediaLoader() : m_thread([this] { run(); }) {}
+
+MediaLoader::~MediaLoader() {
+    cancel();
+    {
+        const std::lock_guard lock(m_mutex);
+        m_is_ending = true;
+    }
+    m_wake.notify_all();
+    m_thread.join();
+}
+
+void MediaLoader::load(Kind kind, const std::string& name) {
+    cancel();
+    {
+        const std::lock_guard lock(m_mutex);
+        m_job = m_current = Job{kind, name, std::make_shared<Work>()};
+    }
+    m_wake.notify_all();
+}
+
+void MediaLoader::cancel() {
+    const std::lock_guard lock(m_mutex);
+    if (m_current)
+        m_current->work->is_cancelled = true;
+    m_job.reset();
+    m_current.reset();
+    m_finished.reset();
+}
+
+std::string MediaLoader::name() const {
+    const std::lock_guard lock(m_mutex);
+    return m_current ? m_current->name : std::string();
+}
+
+double MediaLoader::share() const {
+    const std::lock_guard lock(m_mutex);
+    return m_current ? m_current->work->share.load() : 0.0;
+}
+
+std::optional<LoadedMedia> MediaLoader::take_finished() {
+    const std::lock_guard lock(m_mutex);
+    if (m_finished)
+        m_current.reset();
+    return std::exchange(m_finished, std::nullopt);
+}
+
+void MediaLoader::run() {
+    std::unique_lock lock(m_mutex);
+    for (;;) {
+        m_wake.wait(lock, [this] { return m_is_ending || m_job; });
+        if (m_is_ending)
+            return;
+        const Job job = *std::exchange(m_job, std::nullopt);
+        lock.unlock();
+        LoadedMedia loaded =
+            job.kind == Kind::sound ? read_sound(job.name, *job.work) : read_picture(job.name);
+        if (loaded.problems.empty() && !job.name.starts_with("pattern:"))
+            if (const auto digest = file_digest(job.name, job.work.get()))
+                loaded.digest = *digest;
+        lock.lock();
+        if (!job.work->is_cancelled)
+            m_finished = std::move(loaded);
+    }
+}

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "base/diagnostic.h"
+#include "base/work.h"
+#include "model/picture.h"
+#include "model/sound.h"
+
+#include <condition_variable>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+/// A sound or picture that was asked for, read; or why it could not be.
+struct LoadedMedia {
+    std::string name;                    // as it was asked for
+    std::shared_ptr<const Sound> sound;  // one of both
+    std::shared_ptr<const Picture> picture;
+    std::string digest;  // of a file
+    Diagnostics problems;
+};
+
+/// Reads sounds and pictures on a thread of its own, one at a time; a new one replaces what is
+/// under way.
+class MediaLoader {
+public:
+    enum class Kind { sound, picture };
+
+    MediaLoader();
+    ~MediaLoader();
+    MediaLoader(const MediaLoader&) = delete;
+    MediaLoader& operator=(const MediaLoader&) = delete;
+
+    /// `name` is a file, or for a picture "pattern:NAME".
+    void load(Kind kind, const std::string& name);
+    void cancel();
+    /// What is under way; "" when nothing is.
+    std::string name() const;
+    double share() const;  // of it, 0..1
+    /// What has been read, once; what was cancelled or replaced never comes.
+    std::optional<LoadedMedia> take_finished();
+
+private:
+    struct Job {
+        Kind kind;
+        std::string name;
+        std::shared_ptr<Work> work;
+    };
+
+    void run();
+
+    mutable std::mutex m_mutex;
+    std::condition_variable m_wake;
+    std::optional<Job> m_job;      // waits for the thread
+    std::optional<Job> m_current;  // waiting or at work
+    std::optional<LoadedMedia> m_finished;
+    bool m_is_ending = false;
+    std::thread m_thread;
+};

@@ -1,0 +1,165 @@
+#include "io/picture_file.h"
+#include "lab/small_lab.h"
+
+namespace fs = std::filesystem;
+
+namespace {
+constexpr const char* on_a_picture = R"({
+  "format": "afterglow-look", "version": 1, "name": "Small", "driven_by": "picture",
+  "default_source": "pattern:white", "source_encoding": "linear", "settle_frames": 1,
+  "passes": [
+    { "name": "sum", "fragment": "sum.frag", "format": "rgba32f", "inputs": { "previous": "source" } },
+    { "name": "show", "fragment": "show.frag", "format": "rgba32f", "inputs": { "image": "sum" } }
+  ]
+})";
+constexpr const char* on_a_signal = R"({
+  "format": "afterglow-look", "version": 1, "name": "Small", "driven_by": "signal",
+  "default_signal": { "kind": "lissajous", "x": 3, "y": 2 }, "settle_frames": 1,
+  "passes": [
+    { "name": "sum", "fragment": "sum.frag", "format": "rgba32f", "inputs": { "previous": "sum@1" } },
+    { "name": "show", "fragment": "show.frag", "format": "rgba32f", "inputs": { "image": "sum" } }
+  ]
+})";
+constexpr const char* with_an_image = R"({
+  "format": "afterglow-look", "version": 1, "name": "Small", "driven_by": "nothing", "settle_frames": 1,
+  "images": { "grain": { "file": "grain.exr" } },
+  "passes": [
+    { "name": "sum", "fragment": "sum.frag", "format": "rgba32f", "inputs": { "previous": "grain" } },
+    { "name": "show", "fragment": "show.frag", "format": "rgba32f", "inputs": { "image": "sum" } }
+  ]
+})";
+
+// 16-bit stereo WAV of a constant: left a quarter, right minus a quarter of full scale.
+std::string wav(std::uint32_t frames, std::uint32_t rate = 8000) {
+    const auto number = [](std::uint32_t value, int bytes) {
+        std::string text;
+        for (int i = 0; i < bytes; ++i)
+            text += static_cast<char>(value >> (8 * i) & 0xff);
+        return text;
+    };
+    std::string data;
+    for (std::uint32_t i = 0; i < frames; ++i)
+        data += number(0x2000, 2) + number(0xe000, 2);
+    return "RIFF" + number(36 + 4 * frames, 4) + "WAVEfmt " + number(16, 4) + number(1, 2) +
+           number(2, 2) + number(rate, 4) + number(4 * rate, 4) + number(4, 2) + number(16, 2) +
+           "data" + number(4 * frames, 4) + data;
+}
+
+Picture grey(float level) {
+    return {{4, 4}, 3, Encoding::linear, std::vector<float>(48, level)};
+}
+
+bool has_sound(SmallLab& small) {
+    return small.turn_until([&] { return small.lab().player().sound().sound != nullptr; });
+}
+}  // namespace
+
+TEST_CASE("a sound that is opened draws and plays from its beginning; undo gives the figure back") {
+    SmallLab small(on_a_signal);
+    const fs::path song = small.folder() / "song.wav";
+    REQUIRE(write_atomically(song, wav(8000)).has_value());
+    small.lab().open_file(song);
+    CHECK(small.lab().player().signal() != nullptr);  // the figure goes on until then
+    REQUIRE(has_sound(small));
+    CHECK(small.lab().player().time() < 0.1);
+    CHECK(small.lab().player().sound_seconds() == doctest::Approx(1.0));
+    const Beam beam = small.lab().player().trace({0.25, 0.26});
+    REQUIRE_FALSE(beam.empty());
+    CHECK(beam[beam.size() / 2].x == doctest::Approx(0.25).epsilon(0.01));
+    CHECK(beam[beam.size() / 2].y == doctest::Approx(-0.25).epsilon(0.01));
+
+    small.lab().edit([](Document& document) { document.undo(); });
+    small.turn(1);
+    CHECK(small.lab().player().sound().sound == nullptr);
+    small.lab().edit([](Document& document) { document.redo(); });
+    CHECK(has_sound(small));
+}
+
+TEST_CASE("a preset finds its sound again where it was opened, and says when it is gone") {
+    SmallLab small(on_a_signal);
+    const fs::path song = small.folder() / "music" / "song.wav";
+    REQUIRE(write_atomically(song, wav(8000)).has_value());
+    small.lab().open_file(song);
+    REQUIRE(has_sound(small));
+    small.lab().save_preset_as("with song");
+    CHECK_FALSE(small.document().is_modified());
+    const fs::path file = small.document().preset_file();
+    CHECK(content_of(file).find("\"song.wav\"") != std::string::npos);
+    CHECK(content_of(file).find(small.folder().string()) == std::string::npos);
+
+    small.start();
+    small.lab().open(file.string());
+    REQUIRE(has_sound(small));
+    CHECK_FALSE(small.document().is_modified());
+
+    fs::remove(song);
+    small.start();
+    small.lab().open(file.string());
+    REQUIRE(small.turn_until([&] { return small.lab().notice().has_value(); }));
+    CHECK(small.lab().notice()->text.find("song.wav") != std::string::npos);
+    CHECK(small.lab().player().signal() != nullptr);  // the look's own
+    CHECK(small.document().state().signal.kind == "audio");
+    small.lab().save_preset();
+    CHECK(content_of(file).find("\"song.wav\"") != std::string::npos);  // nothing is lost
+}
+
+TEST_CASE("reading a sound can be stopped; what was there before comes back") {
+    SmallLab small(on_a_signal);
+    const fs::path song = small.folder() / "long.wav";
+    REQUIRE(write_atomically(song, wav(4000000)).has_value());
+    small.lab().open_file(song);
+    small.turn(1);
+    CHECK(small.lab().drive().loading() == song.string());
+    CHECK(small.lab().is_moving());
+    small.lab().cancel_loading();
+    CHECK(small.lab().drive().loading().empty());
+    CHECK(small.document().state().signal.kind == "lissajous");
+    small.turn(50);
+    CHECK(small.lab().player().sound().sound == nullptr);
+}
+
+TEST_CASE("a broken sound is told and the last signal goes on") {
+    SmallLab small(on_a_signal);
+    const fs::path song = small.folder() / "broken.wav";
+    REQUIRE(write_atomically(song, "RIFF and nothing more").has_value());
+    const Signal* before = small.lab().player().signal();
+    small.lab().open_file(song);
+    REQUIRE(small.turn_until([&] { return small.lab().notice().has_value(); }));
+    CHECK(small.lab().notice()->is_problem);
+    CHECK(small.lab().player().signal() == before);
+}
+
+TEST_CASE("a look on a picture shows its pattern, then the person's file") {
+    SmallLab small(on_a_picture);
+    REQUIRE(small.turn_until([&] { return small.shown() == 2.0f; }));  // 1 + step_size
+    const fs::path file = small.folder() / "grey.exr";
+    REQUIRE(save_picture(grey(0.25f), file).has_value());
+    small.lab().open_file(file);
+    REQUIRE(small.turn_until([&] { return small.shown() == 1.25f; }));
+    CHECK(small.lab().drive().source_extent() == Extent{4, 4});
+
+    small.lab().open_file(small.folder() / "none.exr");
+    REQUIRE(small.turn_until([&] { return small.lab().notice().has_value(); }));
+    small.turn(3);
+    CHECK(small.shown() == 1.25f);
+}
+
+TEST_CASE("an image of the look that is saved anew shows; a broken one is told") {
+    TemporaryFolder folder;
+    const fs::path grain = folder / "grain.exr";
+    REQUIRE(save_picture(grey(0.5f), grain).has_value());
+    SmallLab small;
+    small.write("grain.exr", content_of(grain));
+    small.write_by_rename("look.json", with_an_image);
+    REQUIRE(small.turn_until([&] { return small.shown() == 1.5f; }));
+    REQUIRE(save_picture(grey(4.0f), grain).has_value());
+    small.write("grain.exr", content_of(grain));
+    REQUIRE(small.turn_until([&] { return small.shown() == 5.0f; }));
+    small.write("grain.exr", "no picture");
+    REQUIRE(small.turn_until([&] { return !small.lab().problems().empty(); }));
+    CHECK(small.lab().problems().front().diagnostic.file.filename() == "grain.exr");
+    small.turn(3);
+    CHECK(small.shown() == 5.0f);
+    small.write("grain.exr", content_of(grain));
+    CHECK(small.turn_until([&] { return small.lab().problems().empty(); }));
+}

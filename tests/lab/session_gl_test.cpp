@@ -1,0 +1,79 @@
+#include "lab/session.h"
+#include "lab/small_lab.h"
+
+namespace fs = std::filesystem;
+
+namespace {
+const std::map<std::string, double> window{{"width", 1000.0}, {"scale", 1.25}};
+
+// As after the program's end, whether it was closed or killed.
+Session kept(SmallLab& small) {
+    REQUIRE(save_session(small.roots(), session_of(small.lab(), window)).has_value());
+    Diagnostics warnings;
+    Session session = load_session(small.roots(), warnings);
+    CHECK(warnings.empty());
+    return session;
+}
+
+void set_gain(SmallLab& small, double gain) {
+    small.lab().edit([gain](Document& document) { document.set_value("gain", Value(gain)); });
+}
+}  // namespace
+
+TEST_CASE("unsaved values, undo, redo, preset, time and picture size come back") {
+    SmallLab small;
+    set_gain(small, 2.0);
+    small.lab().save_preset_as("two");
+    set_gain(small, 3.0);
+    set_gain(small, 4.0);
+    small.lab().edit([](Document& document) { document.undo(); });
+    small.lab().set_picture_size({false, {16, 8}, 0.5});
+    small.turn(5);
+    small.lab().transport().pause();
+    const double time = small.lab().player().time();
+    const Session session = kept(small);
+    CHECK(session.window == window);
+
+    small.start();
+    restore(small.lab(), session);
+    REQUIRE(small.turn_until([&] { return small.lab().document() != nullptr; }));
+    CHECK(small.document().values().at("gain") == Value(3.0));
+    CHECK(small.document().preset_name() == "two");
+    CHECK(small.document().is_modified());
+    CHECK_FALSE(small.lab().player().is_playing());
+    CHECK(small.lab().player().time() == doctest::Approx(time).epsilon(0.02));
+    CHECK(small.lab().picture_extent() == Extent{8, 4});
+    small.lab().edit([](Document& document) { document.redo(); });
+    CHECK(small.document().values().at("gain") == Value(4.0));
+    for (int i = 0; i < 2; ++i)
+        small.lab().edit([](Document& document) { document.undo(); });
+    CHECK(small.document().values().at("gain") == Value(2.0));
+    CHECK_FALSE(small.document().is_modified());
+}
+
+TEST_CASE("values follow a look that was edited between two uses") {
+    SmallLab small;
+    set_gain(small, 3.0);
+    const Session session = kept(small);
+    small.write("gain.glsl", "uniform float strength = 1.0;  // @range 0 8 @was gain\n");
+    small.write("show.frag", replaced(small_look::show, "* gain", "* strength"));
+    small.start();
+    restore(small.lab(), session);
+    REQUIRE(small.turn_until([&] { return small.lab().document() != nullptr; }));
+    CHECK(small.document().values() == Values{{"strength", Value(3.0)}});
+}
+
+TEST_CASE("a damaged session is set aside and said; the program starts without it") {
+    const SmallLab small;
+    const fs::path file = small.roots().state / "session.json";
+    for (const std::string& text :
+         {std::string("{"), std::string(), std::string("[1, 2]"), std::string("\x00\xff", 2),
+          std::string(R"({"format": "x"})")}) {
+        REQUIRE(write_atomically(file, text).has_value());
+        Diagnostics warnings;
+        CHECK(load_session(small.roots(), warnings).look.empty());
+        CHECK_FALSE(warnings.empty());
+        CHECK_FALSE(fs::exists(file));
+        CHECK(content_of(file.string() + ".damaged") == text);
+    }
+}
