@@ -26,7 +26,15 @@ std::vector<const Problem*> errors_of(const Lab& lab) {
     return errors;
 }
 
-// As tall as its text, which is known from the frame before.
+// Of a problem as draw_problem() writes it: place and message in a row, the source line below.
+float height_of(const Problem& problem, float width) {
+    const std::string words =
+        problem.diagnostic.file.filename().string() + ":9999  " + problem.diagnostic.message;
+    const float message = ImGui::CalcTextSize(words.c_str(), nullptr, false, width).y;
+    const float line = ImGui::GetTextLineHeightWithSpacing();
+    return message + ImGui::GetStyle().ItemSpacing.y + (problem.source_line.empty() ? 0.0f : line);
+}
+
 void draw_errors(const Scene& scene, Edits& edits) {
     const std::vector<const Problem*> errors = errors_of(scene.lab);
     if (errors.empty())
@@ -35,10 +43,11 @@ void draw_errors(const Scene& scene, Edits& edits) {
     const float margin = ImGui::GetFontSize() * 0.7f;
     const float width = ImGui::GetWindowWidth() - 2.0f * margin;
     const float line = ImGui::GetTextLineHeightWithSpacing();
-    const auto shown = static_cast<float>(std::min(errors.size(), most));
-    const float height = std::min(ImGui::GetWindowHeight() * 0.6f,
-                                  line * (shown * 2.4f + (errors.size() > most ? 1.0f : 0.0f)) +
-                                      2.0f * ImGui::GetStyle().WindowPadding.y);
+    const ImGuiStyle& style = ImGui::GetStyle();
+    float height = 2.0f * style.WindowPadding.y + (errors.size() > most ? line : 0.0f);
+    for (std::size_t i = 0; i < std::min(errors.size(), most); ++i)
+        height += height_of(*errors[i], width - 2.0f * style.WindowPadding.x) + style.ItemSpacing.y;
+    height = std::min(height, ImGui::GetWindowHeight() * 0.6f);
     ImGui::SetCursorPos({margin, margin});
     const ScopedColor back(ImGuiCol_ChildBg, theme::problem_pane);
     const ScopedStyle<float> rounding(ImGuiStyleVar_ChildRounding, 5.0f * scene.scale);

@@ -48,18 +48,27 @@ void draw_words(const Cell& cell, const Scene& scene, const ImVec2& at, float wi
     const std::string time = time_text(cell.milliseconds);
     const float time_width = ImGui::CalcTextSize(time.c_str()).x;
     const float name_width = scene.fonts.text->CalcTextSizeA(line, 10000.0f, 0.0f, name.c_str()).x;
-    if (name_width + time_width + line * 0.5f < width)
+    if (name_width + time_width < width)
         list.AddText({at.x + width - time_width, at.y + 1.0f}, theme::packed(theme::dim),
                      time.c_str());
     const std::string facts = cut_to_fit(facts_text(cell), width);
     list.AddText({at.x, at.y + line * 1.2f}, theme::packed(theme::dim), facts.c_str());
 }
 
+// Wide enough for the picture, and for the name beside its time; it does not change with the time.
+float cell_width(const Cell& cell, const Scene& scene, float image_width) {
+    const float name = ImGui::CalcTextSize(cell.pass.name.c_str()).x;
+    const ScopedFont font(scene.fonts.numbers);
+    const float time = ImGui::CalcTextSize("00.00 ms").x;
+    const float facts = ImGui::CalcTextSize(facts_text(cell).c_str()).x;
+    return std::max({image_width, name + time + ImGui::GetFontSize() * 0.6f, facts});
+}
+
 void draw_cell(const Cell& cell, const Scene& scene, float image_height, Edits& edits) {
     const ScopedId id(static_cast<int>(cell.index));
     const Views::Image image = scene.views.thumbnail(cell.index);
-    const float least = ImGui::GetFontSize() * 8.2f;
-    const float width = std::max(least, static_cast<float>(image.extent.width) / scene.density);
+    const float width =
+        cell_width(cell, scene, static_cast<float>(image.extent.width) / scene.density);
     const float words = ImGui::GetFontSize() * 2.5f;
     const ImVec2 low = ImGui::GetCursorScreenPos();
     if (ImGui::InvisibleButton("##pass", {width, image_height + words}))
