@@ -139,6 +139,7 @@ void Lab::resize_picture() {
     if (extent == m_drawn_extent)
         return;
     m_drawn_extent = extent;
+    m_reloader.set_picture(extent);
     const Plan before = m_renderer->executor().plan();
     const Extent source = m_drive.source_extent();
     if (succeeded(m_renderer->resize(extent, source.is_empty() ? extent : source)) &&

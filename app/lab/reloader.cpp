@@ -1,5 +1,6 @@
 #include "lab/reloader.h"
 
+#include "graph/warm_up.h"
 #include "io/picture_file.h"
 
 #include <algorithm>
@@ -156,6 +157,7 @@ LoadedRequest Reloader::load(const Job& job) {
                                programs.error().end());
         return loaded;
     }
+    ::warm_up(*read.look, *programs, m_linked ? &*m_linked : nullptr, m_picture);
     m_linked = *programs;
     loaded.look = std::move(*read.look);
     loaded.programs = std::move(*programs);

@@ -8,6 +8,7 @@
 #include "lab/open.h"
 #include "model/picture.h"
 
+#include <atomic>
 #include <condition_variable>
 #include <cstdint>
 #include <map>
@@ -47,6 +48,8 @@ public:
     /// Looks at the watched files and submits the look again when one has changed.
     /// Gives the watched extra files that changed (the open preset, a sound).
     std::vector<std::filesystem::path> update();
+    /// How large the picture is, for which programs are made ready.
+    void set_picture(Extent picture) { m_picture = picture; }
     /// Files besides the look's own that update() reports.
     void watch_also(std::vector<std::filesystem::path> files);
     /// The newest result, once; a result older than the newest submission never comes.
@@ -74,6 +77,7 @@ private:
     std::vector<std::filesystem::path> m_look_files;
     std::vector<std::filesystem::path> m_extra_files;
     std::optional<OpenRequest> m_request;
+    std::atomic<Extent> m_picture = Extent{1280, 720};
 
     mutable std::mutex m_mutex;
     std::condition_variable m_wake;

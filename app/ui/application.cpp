@@ -78,6 +78,7 @@ private:
     std::string m_state_text;
     Clock::time_point m_last = Clock::now();
     Clock::time_point m_awake_until = Clock::now() + awake;
+    long m_turn = 0;
     bool m_is_quitting = false;
 };
 
@@ -123,8 +124,16 @@ void Application::draw() {
     gpu::clear_screen({back.red, back.green, back.blue, 1.0f});
     m_toolkit.begin(static_cast<float>(m_state.scale));
     Edits edits;
-    const Scene scene{m_lab,  m_state,           m_views,           m_shelf,
-                      m_pace, m_toolkit.fonts(), m_toolkit.scale(), m_toolkit.density()};
+    const Scene scene{m_lab,
+                      m_state,
+                      m_views,
+                      m_shelf,
+                      m_pace,
+                      m_toolkit.fonts(),
+                      ++m_turn,
+                      m_toolkit.is_behind(),
+                      m_toolkit.scale(),
+                      m_toolkit.density()};
     edits.arrange([](WindowState& state) { state.probe.reset(); });  // panels set it anew
     draw_window(scene, edits);
     for (const std::filesystem::path& file : m_window.take_dropped_files())

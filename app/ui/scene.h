@@ -15,8 +15,10 @@ struct Scene {
     const Shelf& shelf;
     const Pace& pace;
     const Fonts& fonts;
-    float scale = 1.0f;    // coordinates of the window a pixel of the layout
-    float density = 1.0f;  // device pixels a coordinate of the window
+    long turn = 0;           // frames of the window so far
+    bool is_behind = false;  // the person did more than this frame can answer
+    float scale = 1.0f;      // coordinates of the window a pixel of the layout
+    float density = 1.0f;    // device pixels a coordinate of the window
 
     Extent device_pixels(float width, float height) const {
         return {static_cast<int>(width * density), static_cast<int>(height * density)};

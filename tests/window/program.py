@@ -62,17 +62,18 @@ class Program:
         self.wait(what, lambda _: is_true())
 
     def place(self, widget):
-        """The rectangle of a widget that has stopped moving."""
-        last = None
-        still_since = 0.0
+        """The rectangle of a widget that stays where it is in frames that have seen all input."""
+        seen = {"place": None, "since": 0, "turn": 0, "time": 0.0}
 
         def is_still(state):
-            nonlocal last, still_since
-            now = time.monotonic()
-            place = state["widgets"].get(widget)
-            if place != last:
-                last, still_since = place, now
-            return place is not None and now - still_since > 0.2
+            place, turn = state["widgets"].get(widget), state["turn"]
+            if turn != seen["turn"]:
+                seen.update(turn=turn, time=time.monotonic())
+            if place != seen["place"] or state["is_behind"] or place is None:
+                seen.update(place=place, since=turn)
+                return False
+            is_asleep = time.monotonic() - seen["time"] > 1
+            return turn > seen["since"] + 2 or is_asleep
         return self.wait("a widget named '%s'" % widget, is_still)["widgets"][widget]
 
     def middle(self, widget):

@@ -1,0 +1,55 @@
+#include "gpu/error_log.h"
+#include "graph/looks.h"
+#include "graph/warm_up.h"
+
+namespace {
+const std::string shade = "uniform float k = 1.0;\nvoid main() { color = vec4(k); }\n";
+
+Look shading_look(std::vector<Pass> passes) {
+    return look_of(std::move(passes), {knob("k", {}, Value(1.0), {{0, "k"}})});
+}
+}  // namespace
+
+TEST_CASE_FIXTURE(Headless, "warming up leaves a program that is drawn with as it is") {
+    const Look look = shading_look({pass("a", shade)});
+    const Programs first = programs_of(look);
+    Executor executor(look, first);
+    REQUIRE(executor.resize({4, 4}, {}).has_value());
+    executor.set_values({{"k", Value(3.0)}});
+    executor.draw(frame(1));
+    CHECK(red(executor, 0) == 3.0f);
+
+    const Look edited = shading_look({pass("a", shade), pass("b", shade, {reads("image", "a")})});
+    const Programs second = programs_of(edited, &first);
+    gpu::ErrorLog errors;
+    warm_up(edited, second, &first, {1280, 720});
+    CHECK(errors.take().empty());
+    executor.draw(frame(2));
+    CHECK(red(executor, 0) == 3.0f);
+}
+
+TEST_CASE_FIXTURE(Headless, "every kind of pass can be warmed up, and draws the same as without") {
+    Pass points = pass("points", "void main() { color = vec4(1.0); }\n");
+    points.draw = Draw::points;
+    points.vertex.file = "test.vert";
+    points.vertex.text =
+        "#version 410 core\nin vec2 position;\nvoid main() { gl_Position = vec4(position, 0, 1); "
+        "}\n";
+    points.blend = Blend::add;
+    Pass sum = counter();
+    sum.repeat = 3;
+    const Look look = look_of({points, sum,
+                               pass("show",
+                                    "uniform sampler2D image;\nvoid main() { "
+                                    "color = texture(image, uv); }\n",
+                                    {reads("image", "counter")})});
+    const Programs programs = programs_of(look);
+    gpu::ErrorLog errors;
+    warm_up(look, programs, nullptr, {1024, 720});
+    CHECK(errors.take().empty());
+    Executor executor(look, programs);
+    REQUIRE(executor.resize({4, 4}, {}).has_value());
+    executor.draw(frame(1));
+    CHECK(red(executor, 2) == 3.0f);
+    CHECK(red(executor, 0) == 0.0f);  // no beam, no light
+}
