@@ -12,6 +12,10 @@ fs::path session_file(const Roots& roots) {
     return roots.state / "session.json";
 }
 
+fs::path aside_file(const Roots& roots) {
+    return roots.state / "session-before.json";
+}
+
 SessionState session_state(const DocumentState& state, const Look& look, std::string step) {
     SessionState saved{std::move(step), {}, state.overrides};
     saved.preset.look = look.id;
@@ -62,8 +66,8 @@ void restore_document(Document& document, const Session& session) {
 }
 }  // namespace
 
-Session load_session(const Roots& roots, Diagnostics& warnings) {
-    const fs::path file = session_file(roots);
+namespace {
+Session load_file(const fs::path& file, Diagnostics& warnings) {
     std::error_code error;
     if (!fs::exists(file, error))
         return {};
@@ -77,6 +81,43 @@ Session load_session(const Roots& roots, Diagnostics& warnings) {
     warnings.push_back(
         {aside, 0, "holds what could be kept of the last session", Severity::warning});
     return {};
+}
+}  // namespace
+
+Session load_session(const Roots& roots, Diagnostics& warnings) {
+    return load_file(session_file(roots), warnings);
+}
+
+bool has_unsaved(const Session& session) {
+    return session.current.preset.values != session.saved.preset.values ||
+           session.current.preset.signal != session.saved.preset.signal ||
+           session.current.preset.source != session.saved.preset.source ||
+           session.current.overrides != session.saved.overrides;
+}
+
+bool set_session_aside(const Roots& roots, const Session& session) {
+    return has_unsaved(session) &&
+           write_atomically(aside_file(roots), session_to_json(session)).has_value();
+}
+
+bool is_session_aside(const Roots& roots) {
+    std::error_code error;
+    return fs::exists(aside_file(roots), error);
+}
+
+void exchange_sessions(Lab& lab, const std::map<std::string, double>& window) {
+    const Roots& roots = lab.library().roots();
+    Diagnostics warnings;
+    const Session before = load_file(aside_file(roots), warnings);
+    if (!warnings.empty())
+        lab.say(to_string(warnings.front()), true);
+    if (before.look.empty())
+        return;
+    const Session now = session_of(lab, window);
+    std::error_code error;
+    if (!set_session_aside(roots, now))
+        fs::remove(aside_file(roots), error);
+    restore(lab, before);
 }
 
 Result<void> save_session(const Roots& roots, const Session& session) {

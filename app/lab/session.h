@@ -9,6 +9,16 @@ Session load_session(const Roots& roots, Diagnostics& warnings);
 
 Result<void> save_session(const Roots& roots, const Session& session);
 
+/// Whether closing without saving would have lost something.
+bool has_unsaved(const Session& session);
+
+/// Keeps the session of the last use under another name when it holds unsaved changes and another
+/// look is about to take its place; true if it did.
+bool set_session_aside(const Roots& roots, const Session& session);
+bool is_session_aside(const Roots& roots);
+/// Opens what was set aside; what is open now is set aside instead.
+void exchange_sessions(Lab& lab, const std::map<std::string, double>& window);
+
 /// What is open now; `window` is what the window remembers of itself.
 Session session_of(const Lab& lab, std::map<std::string, double> window);
 

@@ -122,6 +122,7 @@ struct WindowState {
     bool is_maximised = false;
     double scale = 1.0;  // of text and controls, on top of the display's own
 
+    bool has_session_before = false;  // another look took the place of unsaved changes
     PaneSizes panes;
     bool shows_library = true;
     bool shows_parameters = true;

@@ -9,6 +9,7 @@
 /// What a menu, a key or a button can do.
 enum class ActionId {
     open,
+    reopen_session,
     new_look,
     duplicate_look,
     save_preset,

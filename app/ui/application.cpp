@@ -38,7 +38,13 @@ public:
           m_state(std::move(state)),
           m_waker(m_lab.watch_descriptor(), [] { gpu::Window::wake(); }) {}
 
-    void start(const Session& session) {
+    void start(const Session& session, const Diagnostics& warnings) {
+        if (!warnings.empty())
+            m_lab.say(to_string(warnings.front()), true);
+        if (m_options.look && set_session_aside(m_options.roots, session))
+            m_lab.say(
+                "The unsaved changes of last time are kept: File, Back to the session before");
+        m_state.has_session_before = is_session_aside(m_options.roots);
         if (m_options.look)
             m_lab.open(*m_options.look);
         else if (session.look.empty())
@@ -197,7 +203,7 @@ Result<void> run_window(const WindowOptions& options) {
         return fail(views.error());
     Application application(options, **window, std::move(*worker), std::move(*views),
                             std::move(state));
-    application.start(session);
+    application.start(session, warnings);
     application.run();
     return {};
 }

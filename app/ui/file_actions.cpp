@@ -1,5 +1,8 @@
 #include "ui/file_actions.h"
 
+#include "lab/session.h"
+#include "lab/window_session.h"
+
 #include <imgui/imgui.h>
 
 namespace {
@@ -37,6 +40,14 @@ void paste_line(const Scene&, Edits& edits) {
     edits.add([line = std::string(text ? text : "")](Lab& lab) { lab.paste(line); });
 }
 
+void reopen_session(const Scene& scene, Edits& edits) {
+    edits.add([window = remembered(scene.window)](Lab& lab) { exchange_sessions(lab, window); });
+}
+
+bool has_session_before(const Scene& scene) {
+    return scene.window.has_session_before;
+}
+
 void quit(const Scene&, Edits& edits) {
     edits.quit();
 }
@@ -59,6 +70,13 @@ std::vector<Action> file_actions::list() {
     using Kind = Dialog::Kind;
     return {
         {ActionId::open, Menu::file, "Open…", {'O', true}, false, show<Kind::open_file>},
+        {ActionId::reopen_session,
+         Menu::file,
+         "Back to the session before",
+         {},
+         false,
+         reopen_session,
+         has_session_before},
         {ActionId::new_look, Menu::file, "New look…", {'N', true}, true, show<Kind::new_look>},
         {ActionId::duplicate_look,
          Menu::file,

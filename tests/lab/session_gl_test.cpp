@@ -63,6 +63,28 @@ TEST_CASE("values follow a look that was edited between two uses") {
     CHECK(small.document().values() == Values{{"strength", Value(3.0)}});
 }
 
+TEST_CASE("unsaved changes whose place another look takes are set aside, and come back") {
+    SmallLab small;
+    CHECK_FALSE(set_session_aside(small.roots(), kept(small)));  // nothing to lose
+    set_gain(small, 3.0);
+    const Session unsaved = kept(small);
+    CHECK(set_session_aside(small.roots(), unsaved));
+    CHECK(is_session_aside(small.roots()));
+
+    small.start();
+    small.lab().open("small");
+    small.wait_for_frames();
+    set_gain(small, 5.0);
+    exchange_sessions(small.lab(), window);
+    const auto has_gain = [&](double gain) {
+        const auto value = small.document().values().find("gain");
+        return value != small.document().values().end() && value->second == Value(gain);
+    };
+    REQUIRE(small.turn_until([&] { return has_gain(3.0); }));
+    exchange_sessions(small.lab(), window);
+    CHECK(small.turn_until([&] { return has_gain(5.0); }));
+}
+
 TEST_CASE("a damaged session is set aside and said; the program starts without it") {
     const SmallLab small;
     const fs::path file = small.roots().state / "session.json";
