@@ -52,12 +52,16 @@ Spec playing(const fs::path& file, const Spec& present) {
 }
 }  // namespace
 
+bool Lab::opens_document(const fs::path& file) const {
+    return !is_sound_file(file) && !(is_picture_file(file) && !load_preset(file));
+}
+
 void Lab::open_file(const fs::path& file) {
-    const bool is_sound = is_sound_file(file);
-    if (!is_sound && !(is_picture_file(file) && !load_preset(file))) {
+    if (opens_document(file)) {
         open(file.string());
         return;
     }
+    const bool is_sound = is_sound_file(file);
     const Driver needed = is_sound ? Driver::signal : Driver::picture;
     if (!m_document || m_document->look().driven_by != needed) {
         say(is_sound
@@ -169,8 +173,15 @@ void Lab::duplicate_preset() {
     if (!m_document || m_document->preset_file().empty())
         return;
     const auto file = m_library.duplicate_preset(m_document->preset_file());
-    if (succeeded(file))
-        open(file->string());
+    if (!succeeded(file))
+        return;
+    // Unsaved changes go on, now as changes to the copy.
+    Preset identity = m_document->identity();
+    if (const auto copy = load_preset(*file))
+        identity.name = copy->name;
+    m_document->set_identity(identity, *file);
+    m_reloader.watch_also({*file});
+    say("Duplicated as '" + file->stem().string() + "'");
 }
 
 void Lab::delete_preset() {

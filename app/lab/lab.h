@@ -62,6 +62,8 @@ public:
     void open(const OpenRequest& request);
     /// A file that was dropped or chosen: a look, a preset, a sound or a picture.
     void open_file(const std::filesystem::path& file);
+    /// Whether open_file() would open another look or preset, over unsaved changes.
+    bool opens_document(const std::filesystem::path& file) const;
     void edit(const std::function<void(Document&)>& change);
     Player& transport() { return m_player; }
     void restart();
@@ -92,6 +94,10 @@ public:
 
     /// Calls `then` once, when the look that is being opened has been read.
     void when_opened(std::function<void(Lab&)> then) { m_when_opened = std::move(then); }
+    /// Calls `then` each time before a look or preset takes the place of unsaved changes.
+    void before_losing_changes(std::function<void(const Lab&)> then) {
+        m_before_losing_changes = std::move(then);
+    }
     Document* mutable_document() { return m_document ? &*m_document : nullptr; }
 
 private:
@@ -132,4 +138,5 @@ private:
     Extent m_drawn_extent;
     std::optional<Redraw> m_wanted;  // what the paused picture still owes
     std::function<void(Lab&)> m_when_opened;
+    std::function<void(const Lab&)> m_before_losing_changes;
 };

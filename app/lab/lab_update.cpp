@@ -63,6 +63,8 @@ void Lab::apply(LoadedRequest loaded) {
 }
 
 void Lab::open_document(Look look, const OpenRequest& request) {
+    if (m_document && m_document->is_modified() && m_before_losing_changes)
+        m_before_losing_changes(*this);
     m_document.emplace(std::move(look));
     m_renderer = std::make_unique<Renderer>(m_document->drawn_look(), *m_programs);
     m_drawn_extent = {};
@@ -74,8 +76,13 @@ void Lab::open_document(Look look, const OpenRequest& request) {
     if (!request.preset)
         return;
     const fs::path folder = media_folder(request.preset_file);
-    m_document->open_preset(with_found_media(*request.preset, folder, m_drive.recent()),
-                            request.preset_file);
+    const Preset preset = with_found_media(*request.preset, folder, m_drive.recent());
+    if (request.preset_file.empty()) {  // a line of text: kept nowhere yet
+        m_document->set_identity(preset, {});
+        m_document->take(preset, "Opened values");
+    } else {
+        m_document->open_preset(preset, request.preset_file);
+    }
     for (const Diagnostic& note :
          compare_with_look(*request.preset, m_document->look(), request.preset_file))
         m_problems.push_back({note, {}});

@@ -3,6 +3,8 @@
 #include "formats/look_manifest.h"
 #include "formats/preset_format.h"
 
+#include <map>
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -17,6 +19,16 @@ Shelf::Words read_preset(const fs::path& file) {
     const auto preset = load_preset(file);
     return preset ? Shelf::Words{{}, preset->name, preset->about}
                   : Shelf::Words{{}, {}, to_string(preset.error().front())};
+}
+
+// A copied look has the name of the one that it was copied from.
+void tell_apart(std::vector<ShelfLook>& looks) {
+    std::map<std::string, int> count;
+    for (const ShelfLook& look : looks)
+        ++count[look.name];
+    for (ShelfLook& look : looks)
+        if (count[look.name] > 1)
+            look.name += " (" + look.entry.id + ")";
 }
 }  // namespace
 
@@ -47,4 +59,5 @@ void Shelf::update(const Library& library, double wall_seconds) {
         }
         m_looks.push_back(std::move(look));
     }
+    tell_apart(m_looks);
 }

@@ -36,6 +36,11 @@ void draw_name_dialog(const Question& question, const Scene& scene, Edits& edits
         return;
     close_dialog(edits);
     edits.add([text, answer = question.answer](Lab& lab) { (lab.*answer)(text); });
+    if (const std::string& next = scene.window.dialog.subject; !next.empty())
+        edits.add([next](Lab& lab) {
+            if (!lab.document()->is_modified())  // else it could not be saved
+                lab.open(next);
+        });
 }
 
 void draw_delete_dialog(const Scene& scene, Edits& edits) {
@@ -57,7 +62,7 @@ void open_next(const Scene& scene, Edits& edits) {
 
 void save_then_open(const Scene& scene, Edits& edits) {
     if (scene.lab.document()->preset_file().empty()) {
-        edits.show({.kind = Dialog::Kind::save_preset_as});
+        edits.show({.kind = Dialog::Kind::save_preset_as, .subject = scene.window.dialog.subject});
         return;
     }
     edits.add([](Lab& lab) { lab.save_preset(); });

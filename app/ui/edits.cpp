@@ -30,10 +30,10 @@ void Edits::open(const Lab& lab, const std::string& argument) {
 }
 
 void Edits::open_file(const Lab& lab, const std::filesystem::path& file) {
-    if (is_sound_file(file))
-        add([file](Lab& opening) { opening.open_file(file); });
-    else
+    if (lab.opens_document(file))
         open(lab, file.string());
+    else
+        add([file](Lab& opening) { opening.open_file(file); });
 }
 
 void Edits::mark(const std::string& name) {

@@ -44,6 +44,7 @@ void draw_title(const Pass& pass, const Scene& scene, Edits& edits) {
     if (icon_button("##edit", Icon::edit, "Open " + file.filename().string() + " in your editor",
                     theme::dim))
         edits.add([file](Lab& lab) { lab.open_in_editor({file, 1}); });
+    edits.mark("edit_pass");
 }
 
 void draw_channels(const Scene& scene, Edits& edits) {

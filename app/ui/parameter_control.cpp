@@ -154,6 +154,7 @@ void draw_parameter(const Knob& knob, const Fonts& fonts, Edits& edits) {
     const FormColumns columns = form_columns();
     if (form_label(parameter.label, columns, knob.is_changed))
         ImGui::OpenPopup("about");
+    edits.mark("label:" + parameter.name);
     draw_parameter_help(knob, fonts, edits);
     Value value = knob.value;
     form_control(columns);

@@ -93,8 +93,11 @@ void draw_parameter_help(const Knob& knob, const Fonts& fonts, Edits& edits) {
     draw_facts(knob, fonts);
     ImGui::Separator();
     const Location place = parameter.declared;
-    if (!place.file.empty() && ImGui::Selectable(("Open " + place_text(place)).c_str()))
-        edits.add([place](Lab& lab) { lab.open_in_editor(place); });
+    if (!place.file.empty()) {
+        if (ImGui::Selectable(("Open " + place_text(place)).c_str()))
+            edits.add([place](Lab& lab) { lab.open_in_editor(place); });
+        edits.mark("open_declared");
+    }
     if (knob.is_changed && ImGui::Selectable("Reset"))
         reset_parameter(parameter.name, edits);
     if (ImGui::Selectable("Copy the name"))

@@ -87,7 +87,9 @@ void draw_group_header_end(const Group& group, std::size_t changed, Edits& edits
     if (changed == 0)
         return;
     same_line_right(ImGui::GetFrameHeight());
-    if (!icon_button("##reset_group", Icon::reset, "Reset this group", theme::dim))
+    const bool is_asked = icon_button("##reset_group", Icon::reset, "Reset this group", theme::dim);
+    edits.mark("reset_group:" + group.name);
+    if (!is_asked)
         return;
     std::vector<std::string> names;
     for (const Parameter* parameter : group.parameters)
@@ -117,6 +119,21 @@ void draw_group(const Group& group, const Scene& scene, Edits& edits) {
     ImGui::Spacing();
 }
 
+void draw_nothing_to_show(const Document& document, const WindowState& window, Edits& edits) {
+    if (document.look().parameters.empty()) {
+        wrapped_dim_text(
+            "This look has no parameters: a uniform in one of its shaders becomes one.");
+        return;
+    }
+    dim_text(window.shows_only_changed ? "Nothing is changed." : "No parameter matches.");
+    if (quiet_button("Show all"))
+        edits.arrange([](WindowState& state) {
+            state.search.clear();
+            state.shows_only_changed = false;
+        });
+    edits.mark("show_all");
+}
+
 void draw_orphans(const Document& document) {
     const std::vector<std::string> names = orphans(document.look(), document.values());
     if (names.empty())
@@ -141,7 +158,7 @@ void draw_parameters_panel(const Scene& scene, Edits& edits) {
     for (const Group& group : groups)
         draw_group(group, scene, edits);
     if (groups.empty())
-        dim_text(scene.window.shows_only_changed ? "Nothing is changed." : "No parameter matches.");
+        draw_nothing_to_show(*document, scene.window, edits);
     draw_orphans(*document);
     ImGui::EndChild();
 }

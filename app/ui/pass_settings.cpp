@@ -49,11 +49,14 @@ void draw_scale(const Pass& drawn, PassOverride changed, float width, Edits& edi
 
 void draw_format(const Pass& drawn, PassOverride changed, float width, Edits& edits) {
     if (begin_combo("##format", std::string(facts_of(drawn.format).name), width)) {
-        for (const FormatFacts& facts : all_formats())
-            if (ImGui::Selectable(std::string(facts.name).c_str(), facts.format == drawn.format)) {
+        for (const FormatFacts& facts : all_formats()) {
+            const std::string name(facts.name);
+            if (ImGui::Selectable(name.c_str(), facts.format == drawn.format)) {
                 changed.format = facts.format;
                 set_override(drawn.name, changed, edits);
             }
+            edits.mark("format:" + name);
+        }
         ImGui::EndCombo();
     }
     tooltip("Format of this pass's target");

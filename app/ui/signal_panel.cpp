@@ -167,5 +167,5 @@ void draw_signal_panel(const Scene& scene, Edits& edits) {
     else if (document->look().driven_by == Driver::picture)
         draw_source(*document, edits);
     else
-        dim_text("This look needs neither a signal nor a source.");
+        wrapped_dim_text("This look needs neither a signal nor a picture.");
 }

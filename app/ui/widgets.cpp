@@ -34,6 +34,13 @@ void dim_text(const std::string& text) {
     ImGui::TextUnformatted(text.c_str());
 }
 
+void wrapped_dim_text(const std::string& text) {
+    const ScopedColor color(ImGuiCol_Text, theme::dim);
+    ImGui::PushTextWrapPos(0.0f);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+}
+
 std::string cut_to_fit(const std::string& text, float width) {
     const auto width_of = [](const std::string& part) {
         return ImGui::CalcTextSize(part.c_str()).x;

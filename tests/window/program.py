@@ -104,6 +104,23 @@ class Program:
                   lambda s: "parameter:" + name in s["widgets"])
         self.key("Return")
 
+    def choose(self, menu, action):
+        """Picks an action from a menu."""
+        self.click("menu:" + menu)
+        self.click("menu:" + action)
+
+    def answer(self, text):
+        """Types into the dialog that asks for a name."""
+        self.place("dialog_name")
+        self.key("ctrl+a")
+        self.type(text)
+        self.key("Return")
+        self.wait("the dialog is closed", lambda s: s["dialog"] == 0)
+
+    def edited_files(self):
+        """What the person's editor was started with, a line each time."""
+        return self.editor_log.read_text() if self.editor_log.exists() else ""
+
     def set(self, name, text):
         """Types a parameter's value."""
         self.reveal(name)

@@ -1,4 +1,4 @@
-"""Drives the window with mouse and keyboard: window_test.py PROGRAM [SCREENSHOTS]."""
+"""Drives the window with mouse and keyboard: window_test.py PROGRAM [WindowTest.NAME...]."""
 
 import array
 import json
@@ -15,7 +15,7 @@ from screen import Screen
 
 SOURCE = Path(__file__).resolve().parents[2]
 PROGRAM = Path(sys.argv[1]).resolve()
-PICTURES = Path(sys.argv[2] if len(sys.argv) > 2 else SOURCE / "build/window").resolve()
+PICTURES = SOURCE / "build/window"
 
 
 def kept_values(session):
@@ -150,6 +150,116 @@ class WindowTest(unittest.TestCase):
         program.wait("the saved values are back",
                      lambda s: s["preset"] == "Mine" and s["values"]["decay"][0] == 0.61)
 
+    def test_presets_are_renamed_duplicated_and_deleted(self):
+        program = self.program
+        self.start("phosphor")
+        folder = self.presets / "phosphor"
+        program.set("decay", "0.61")
+        program.wait("the value is taken", lambda s: s["values"]["decay"][0] == 0.61)
+        program.choose("File", "Save preset as…")
+        program.answer("First")
+        program.wait("it is saved", lambda s: s["preset"] == "First" and not s["is_modified"])
+        program.choose("File", "Rename preset…")
+        program.answer("Second")
+        program.wait("it is renamed", lambda s: s["preset"] == "Second")
+        self.assertFalse((folder / "First.json").exists())
+        program.set("decay", "0.62")
+        program.wait("the value is taken", lambda s: s["values"]["decay"][0] == 0.62)
+        program.key("ctrl+d")
+        state = program.wait("the copy is open", lambda s: s["preset"] == "Second 2")
+        self.assertTrue(state["is_modified"])  # what was not saved goes on in the copy
+        program.key("ctrl+s")
+        program.wait("it is saved", lambda s: not s["is_modified"])
+        self.assertIn('"decay": 0.61', (folder / "Second.json").read_text())
+        self.assertIn('"decay": 0.62', (folder / "Second 2.json").read_text())
+        program.choose("File", "Delete preset…")
+        program.click("dialog_ok")
+        program.wait("it is gone, its values stay",
+                     lambda s: s["preset"] == "" and s["values"]["decay"][0] == 0.62)
+        self.assertEqual([file.name for file in folder.glob("Second*")], ["Second.json"])
+
+    def test_a_preset_travels_as_a_line_of_text(self):
+        program = self.program
+        self.start("phosphor")
+        program.set("decay", "0.61")
+        program.wait("the value is taken", lambda s: s["values"]["decay"][0] == 0.61)
+        self.screen.do("mousemove", *program.middle("picture"))
+        program.key("ctrl+c")
+        program.wait("it is copied", lambda s: "Copied" in s["notice"])
+        program.key("ctrl+z")
+        program.wait("the value is gone", lambda s: s["values"]["decay"][0] != 0.61)
+        program.key("ctrl+v")
+        program.wait("the line brings it back, as one step",
+                     lambda s: s["values"]["decay"][0] == 0.61 and s["undo"] == "Paste")
+
+    def test_one_group_and_all_are_reset(self):
+        program = self.program
+        self.start("phosphor")
+        default = program.state()["values"]
+        for name in ("decay", "exposure"):
+            program.set(name, "0.61")
+            program.wait("the value is taken", lambda s: s["values"][name][0] == 0.61)
+        program.reveal("decay")
+        program.click("reset_group:Phosphor")
+        program.wait("the group is reset, another is not", lambda s: s["undo"] == "Reset group" and
+                     s["values"]["decay"] == default["decay"] and s["values"]["exposure"] == [0.61])
+        program.choose("Edit", "Reset all parameters")
+        program.wait("all are reset", lambda s: s["values"] == default)
+
+    def test_a_pass_is_changed_and_written_back(self):
+        program = self.program
+        self.start("phosphor")
+        manifest = self.looks / "phosphor/look.json"
+        before = json.loads(manifest.read_text())
+        program.click("pass:bloom_x")
+        program.wait("it is inspected", lambda s: s["inspected"] == "bloom_x")
+        program.click("pass_format")
+        program.place("format:rgba16f")
+        other = next(name for name in program.state()["widgets"]
+                     if name.startswith("format:") and name.endswith("f") and name != "format:rgba16f")
+        program.click(other)
+        program.wait("the change can be taken back", lambda s: s["undo"] == "Pass bloom_x")
+        program.click("write_overrides")
+        program.wait("it is written", lambda s: "Written" in s["notice"])
+        after = json.loads(manifest.read_text())
+        self.assertEqual(after["passes"][2]["format"], other.removeprefix("format:"))
+        after["passes"][2]["format"] = before["passes"][2]["format"]
+        self.assertEqual(after, before)
+
+    def test_a_parameter_and_a_pass_open_the_editor_at_their_line(self):
+        program = self.program
+        self.start("phosphor")
+        program.click("pass:persistence")
+        program.click("edit_pass")
+        program.wait_for("the pass opens", lambda: "persistence.frag" in program.edited_files())
+        program.reveal("exposure")
+        program.click("label:exposure")
+        program.click("open_declared")
+        text = (self.looks / "phosphor/composite.frag").read_text()
+        line = 1 + text[:text.index("uniform float exposure")].count("\n")
+        program.wait_for("the parameter opens at its line", lambda: "+%d %s" % (
+            line, self.looks / "phosphor/composite.frag") in program.edited_files())
+
+    def test_a_new_look_and_a_copy_of_one_are_the_persons_own(self):
+        program = self.program
+        self.start("phosphor")
+        program.set("decay", "0.61")
+        program.wait("the value is taken", lambda s: s["values"]["decay"][0] == 0.61)
+        program.choose("File", "Duplicate this look…")
+        program.answer("my-phosphor")
+        state = program.wait("the copy is open", lambda s: s["look"] == "my-phosphor")
+        self.assertEqual(state["values"]["decay"], [0.61])
+        self.assertTrue((self.looks / "my-phosphor/composite.frag").exists())
+        program.key("ctrl+n")
+        program.answer("fresh")
+        state = program.wait("the new look is open and drawn",
+                             lambda s: s["look"] == "fresh" and s["frame"] > 2)
+        self.assertEqual(state["problems"], [])
+        self.snapshot("new_look")
+        program.choose("File", "Back to the session before")
+        program.wait("what was not saved comes back",
+                     lambda s: s["look"] == "my-phosphor" and s["values"]["decay"] == [0.61])
+
     def test_changes_are_not_lost_without_a_question(self):
         program = self.program
         self.start("phosphor")
@@ -211,8 +321,7 @@ class WindowTest(unittest.TestCase):
         self.snapshot("broken")
         program.click("problem:composite.frag:%d" % line)
         program.wait_for("a click opens the editor at the line",
-                         lambda: program.editor_log.exists() and
-                         "+%d" % line in program.editor_log.read_text())
+                         lambda: "+%d" % line in program.edited_files())
         shader.write_text(text)
         program.wait("mending it clears the message", lambda s: not s["problems"])
 
@@ -249,4 +358,4 @@ class WindowTest(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1], verbosity=2)
+    unittest.main(argv=[sys.argv[0], *sys.argv[2:]], verbosity=2)
