@@ -4,7 +4,7 @@
 #include "ui/file_actions.h"
 #include "ui/view_actions.h"
 
-#include <imgui/imgui.h>
+#include <imgui/imgui_internal.h>
 
 #include <algorithm>
 
@@ -96,7 +96,9 @@ bool can_run(const Action& action, const Scene& scene) {
 
 // Escape goes through what is in the way, nearest first.
 void escape(const Scene& scene, Edits& edits) {
-    if (!scene.lab.drive().loading().empty())
+    if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup))
+        ImGui::ClosePopupToLevel(0, true);
+    else if (!scene.lab.drive().loading().empty())
         edits.add([](Lab& lab) { lab.cancel_loading(); });
     else if (scene.lab.renderer() && scene.lab.renderer()->replay().is_running())
         edits.add([](Lab& lab) { lab.cancel_replay(); });

@@ -67,8 +67,10 @@ void draw_bottom_panel(const Scene& scene, Edits& edits) {
     same_line_right(ImGui::GetFrameHeight());
     if (icon_button("##close", Icon::close, "Close", theme::dim))
         edits.arrange([](WindowState& window) { window.shows_bottom = false; });
-    const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
-    ImGui::BeginChild("##content");
+    {  // of this part alone: what pops up above it has its own
+        const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
+        ImGui::BeginChild("##content");
+    }
     if (scene.window.shows_timings)
         draw_timings_panel(scene);
     else

@@ -43,7 +43,7 @@ bool form_label(const std::string& label, const FormColumns& columns, bool is_ch
 }
 
 void form_control(const FormColumns& columns) {
-    ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + columns.label + gap());
+    ImGui::SameLine(ImGui::GetWindowContentRegionMin().x + columns.label + gap());
 }
 
 Turned form_slider(const char* id, double& value, const SliderFacts& facts,

@@ -92,11 +92,13 @@ Turned draw_matrix(const Knob& knob, Value& value, const FormColumns& columns, c
     const ScopedFont font(fonts.numbers);
     const float width = columns.control_and_number() / static_cast<float>(type.columns) - 2.0f;
     Turned turned;
-    for (int row = 0; row < type.rows; ++row) {
-        for (int column = 0; column < type.columns; ++column) {
+    const auto rows = static_cast<std::size_t>(type.rows);
+    const auto count = static_cast<std::size_t>(type.columns);
+    for (std::size_t row = 0; row < rows; ++row) {
+        for (std::size_t column = 0; column < count; ++column) {
             if (column > 0)
                 ImGui::SameLine(0.0f, 2.0f);
-            const auto place = static_cast<std::size_t>(column * type.rows + row);
+            const std::size_t place = column * rows + row;
             turned |= draw_number(fmt::format("##{}", place).c_str(), value.numbers[place], width,
                                   knob.is_changed);
         }

@@ -152,8 +152,10 @@ void draw_parameters_panel(const Scene& scene, Edits& edits) {
         return;
     draw_toolbar(*document, scene.window, edits);
     ImGui::Spacing();
-    const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
-    ImGui::BeginChild("##groups");
+    {  // of the list alone: what pops up above it has its own
+        const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
+        ImGui::BeginChild("##groups");
+    }
     const std::vector<Group> groups = groups_to_show(*document, scene.window);
     for (const Group& group : groups)
         draw_group(group, scene, edits);

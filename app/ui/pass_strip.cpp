@@ -102,8 +102,10 @@ void draw_pass_strip(const Scene& scene, Edits& edits) {
     const int wanted = static_cast<int>(image_height * scene.density);
     if (wanted != scene.window.views.thumbnail_height)
         edits.arrange([wanted](WindowState& window) { window.views.thumbnail_height = wanted; });
-    const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
-    ImGui::BeginChild("##cells", {0.0f, 0.0f}, false, ImGuiWindowFlags_HorizontalScrollbar);
+    {  // of the strip alone: what pops up above it has its own
+        const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
+        ImGui::BeginChild("##cells", {0.0f, 0.0f}, false, ImGuiWindowFlags_HorizontalScrollbar);
+    }
     for (std::size_t i = 0; i < std::min(look.passes.size(), targets.size()); ++i) {
         if (i > 0)
             ImGui::SameLine(0.0f, ImGui::GetFontSize() * 0.6f);

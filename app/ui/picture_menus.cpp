@@ -96,7 +96,7 @@ void draw_size_items(const Scene& scene, Edits& edits) {
     }
     ImGui::Separator();
     for (const double scale : scales) {
-        const std::string label = "of it, " + zoom_text(scale);
+        const std::string label = "Scaled " + zoom_text(scale);
         if (ImGui::MenuItem(label.c_str(), nullptr, present.scale == scale)) {
             PictureSize size = present;
             size.scale = scale;

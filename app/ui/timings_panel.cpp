@@ -70,8 +70,10 @@ void draw_timings_panel(const Scene& scene) {
     dim_text("wall time of a frame; lines at 60 and 30 a second");
     ImGui::EndGroup();
     ImGui::SameLine(0.0f, gap);
-    const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
-    ImGui::BeginChild("##passes");
+    {  // of this part alone: what pops up above it has its own
+        const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
+        ImGui::BeginChild("##passes");
+    }
     draw_pass_times(scene);
     ImGui::EndChild();
 }
