@@ -62,7 +62,7 @@ Turned form_slider(const char* id, double& value, const SliderFacts& facts,
 }
 
 bool form_reset(const std::string& help, bool is_changed, const FormColumns& columns) {
-    ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + columns.label + columns.control +
+    ImGui::SameLine(ImGui::GetWindowContentRegionMin().x + columns.label + columns.control +
                     columns.number + 3.0f * gap());
     if (is_changed)
         return icon_button("##reset", Icon::reset, help, theme::dim);
