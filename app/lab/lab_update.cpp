@@ -27,6 +27,8 @@ bool Lab::is_moving() const {
 }
 
 void Lab::take_reload() {
+    if (std::string problem = m_reloader.take_watch_problem(); !problem.empty())
+        say(std::move(problem), true);
     if (auto loaded = m_reloader.take_finished())
         apply(std::move(*loaded));
 }

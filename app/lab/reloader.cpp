@@ -11,6 +11,8 @@ Reloader::Reloader(std::unique_ptr<gpu::Context> context, fs::path shared_includ
     : m_shared_includes(std::move(shared_includes)), m_context(std::move(context)) {
     if (auto watcher = FileWatcher::start())
         m_watcher = std::make_unique<FileWatcher>(std::move(*watcher));
+    else
+        m_watch_problem = "edits will not be seen: " + to_string(watcher.error().front());
     m_thread = std::thread([this] { run(); });
 }
 
@@ -67,8 +69,10 @@ void Reloader::watch(const std::vector<fs::path>& files) {
     m_look_files = files;
     std::vector<fs::path> all = files;
     all.insert(all.end(), m_extra_files.begin(), m_extra_files.end());
-    if (m_watcher)
-        m_watcher->watch(all);
+    if (!m_watcher)
+        return;
+    if (const auto watched = m_watcher->watch(all); !watched)
+        m_watch_problem = "edits will not be seen: " + to_string(watched.error().front());
 }
 
 std::optional<LoadedRequest> Reloader::take_finished() {

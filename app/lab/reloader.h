@@ -15,7 +15,9 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <thread>
+#include <utility>
 
 /// The pictures that a look names in "images", by name.
 using LoadedImages = std::map<std::string, std::shared_ptr<const Picture>>;
@@ -55,6 +57,8 @@ public:
     /// The newest result, once; a result older than the newest submission never comes.
     std::optional<LoadedRequest> take_finished();
     bool is_busy() const;
+    /// Why edits cannot be seen, once each time that is found out; "" when they can.
+    std::string take_watch_problem() { return std::exchange(m_watch_problem, {}); }
     /// Becomes readable when update() has something to see; -1 where files cannot be watched.
     int descriptor() const { return m_watcher ? m_watcher->descriptor() : -1; }
 
@@ -74,6 +78,7 @@ private:
     std::filesystem::path m_shared_includes;
     std::unique_ptr<gpu::Context> m_context;
     std::unique_ptr<FileWatcher> m_watcher;
+    std::string m_watch_problem;
     std::vector<std::filesystem::path> m_look_files;
     std::vector<std::filesystem::path> m_extra_files;
     std::optional<OpenRequest> m_request;
