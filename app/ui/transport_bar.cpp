@@ -87,10 +87,14 @@ void draw_facts(const Scene& scene, float room) {
 void draw_transport_bar(const Scene& scene, Edits& edits) {
     ImGui::SetCursorPosY((ImGui::GetWindowHeight() - ImGui::GetFrameHeight()) * 0.5f);
     draw_buttons(scene, edits);
-    ImGui::SameLine(0.0f, ImGui::GetStyle().ItemSpacing.x * 2.0f);
-    draw_speed(scene, edits);
     const float menus = picture_menus_width(scene);
-    const float end = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x;
+    const auto end_of_last = [] { return ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x; };
+    const float speed = ImGui::GetFontSize() * 11.0f;
+    if (end_of_last() + speed + menus < ImGui::GetWindowContentRegionMax().x) {
+        ImGui::SameLine(0.0f, ImGui::GetStyle().ItemSpacing.x * 2.0f);
+        draw_speed(scene, edits);
+    }
+    const float end = end_of_last();
     draw_facts(scene, ImGui::GetWindowContentRegionMax().x - menus - end - ImGui::GetFontSize());
     same_line_right(menus);
     draw_picture_menus(scene, edits);
