@@ -52,7 +52,11 @@ Result<void> Drive::follow_signal(const Document& document, Player& player) {
 // With no reasons the fall-back is for the time of waiting.
 Result<void> Drive::fall_back(const Document& document, Player& player, Diagnostics reasons) const {
     const auto& own = document.look().default_signal;
-    if (!player.signal() && own && file_of(*own).empty())
+    // A preset whose file is gone opens on the look's own signal; what a person tried and could not
+    // be read leaves the last one.
+    const bool is_as_opened = document.state().signal == document.saved().signal;
+    const bool is_needed = !player.signal() || (is_as_opened && !reasons.empty());
+    if (is_needed && own && file_of(*own).empty())
         if (const auto set = player.set_signal(*own); !set)
             reasons.insert(reasons.end(), set.error().begin(), set.error().end());
     if (reasons.empty())

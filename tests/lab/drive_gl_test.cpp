@@ -94,8 +94,14 @@ TEST_CASE("a preset finds its sound again where it was opened, and says when it 
 
     fs::remove(song);
     small.start();
+    small.lab().open("small");
+    small.wait_for_frames();
+    small.lab().edit([](Document& document) { document.set_signal(Spec{"waveform", {}}); });
+    small.turn(1);
+    const Signal* of_another = small.lab().player().signal();
     small.lab().open(file.string());
     REQUIRE(small.turn_until([&] { return small.lab().notice().has_value(); }));
+    CHECK(small.lab().player().signal() != of_another);
     CHECK(small.lab().notice()->text.find("song.wav") != std::string::npos);
     CHECK(small.lab().player().signal() != nullptr);  // the look's own
     CHECK(small.document().state().signal.kind == "audio");

@@ -122,11 +122,12 @@ class Program:
         return self.editor_log.read_text() if self.editor_log.exists() else ""
 
     def set(self, name, text):
-        """Types a parameter's value."""
+        """Types a parameter's value and waits until it is taken."""
         self.reveal(name)
         self.click("number:" + name)
         self.type(text)
         self.key("Return")
+        self.wait("'%s' is %s" % (name, text), lambda s: s["values"][name][0] == float(text))
 
     def key(self, *keys):
         self.screen.do("key", *keys)

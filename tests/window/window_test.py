@@ -102,7 +102,6 @@ class WindowTest(unittest.TestCase):
         program = self.program
         self.start("phosphor")
         program.set("exposure", "20.5")
-        program.wait("the typed value is taken", lambda s: s["values"]["exposure"][0] == 20.5)
 
     def test_time_stops_steps_and_starts_again(self):
         program = self.program
@@ -133,7 +132,6 @@ class WindowTest(unittest.TestCase):
         program = self.program
         self.start("phosphor")
         program.set("decay", "0.61")
-        program.wait("the value is taken", lambda s: s["values"]["decay"][0] == 0.61)
         program.key("ctrl+s")
         program.place("dialog_name")
         program.type("Mine")
@@ -155,7 +153,6 @@ class WindowTest(unittest.TestCase):
         self.start("phosphor")
         folder = self.presets / "phosphor"
         program.set("decay", "0.61")
-        program.wait("the value is taken", lambda s: s["values"]["decay"][0] == 0.61)
         program.choose("File", "Save preset as…")
         program.answer("First")
         program.wait("it is saved", lambda s: s["preset"] == "First" and not s["is_modified"])
@@ -164,7 +161,6 @@ class WindowTest(unittest.TestCase):
         program.wait("it is renamed", lambda s: s["preset"] == "Second")
         self.assertFalse((folder / "First.json").exists())
         program.set("decay", "0.62")
-        program.wait("the value is taken", lambda s: s["values"]["decay"][0] == 0.62)
         program.key("ctrl+d")
         state = program.wait("the copy is open", lambda s: s["preset"] == "Second 2")
         self.assertTrue(state["is_modified"])  # what was not saved goes on in the copy
@@ -182,7 +178,6 @@ class WindowTest(unittest.TestCase):
         program = self.program
         self.start("phosphor")
         program.set("decay", "0.61")
-        program.wait("the value is taken", lambda s: s["values"]["decay"][0] == 0.61)
         self.screen.do("mousemove", *program.middle("picture"))
         program.key("ctrl+c")
         program.wait("it is copied", lambda s: "Copied" in s["notice"])
@@ -198,7 +193,6 @@ class WindowTest(unittest.TestCase):
         default = program.state()["values"]
         for name in ("decay", "exposure"):
             program.set(name, "0.61")
-            program.wait("the value is taken", lambda s: s["values"][name][0] == 0.61)
         program.reveal("decay")
         program.click("reset_group:Phosphor")
         program.wait("the group is reset, another is not", lambda s: s["undo"] == "Reset group" and
@@ -244,7 +238,6 @@ class WindowTest(unittest.TestCase):
         program = self.program
         self.start("phosphor")
         program.set("decay", "0.61")
-        program.wait("the value is taken", lambda s: s["values"]["decay"][0] == 0.61)
         program.choose("File", "Duplicate this look…")
         program.answer("my-phosphor")
         state = program.wait("the copy is open", lambda s: s["look"] == "my-phosphor")
@@ -264,7 +257,6 @@ class WindowTest(unittest.TestCase):
         program = self.program
         self.start("phosphor")
         program.set("decay", "0.61")
-        program.wait("the value is taken", lambda s: s["values"]["decay"][0] == 0.61)
         program.click("preset:overdriven")
         program.click("dialog_cancel")
         state = program.wait("Cancel keeps everything", lambda s: s["dialog"] == 0)
@@ -341,7 +333,6 @@ class WindowTest(unittest.TestCase):
         program = self.program
         self.start("phosphor")
         program.set("decay", "0.61")
-        program.wait("the value is taken", lambda s: s["values"]["decay"][0] == 0.61)
         program.quit()
         state = program.start()
         self.assertEqual((state["values"]["decay"], state["picture"]), ([0.61], [320, 240]))
