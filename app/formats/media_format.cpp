@@ -13,7 +13,9 @@ constexpr int newest_version = 1;
 std::string media_to_json(const std::vector<MediaEntry>& entries) {
     nlohmann::ordered_json files = nlohmann::ordered_json::array();
     for (const MediaEntry& entry : entries)
-        files.push_back({{"file", entry.file.string()}, {"digest", entry.digest}});
+        files.push_back({{"file", entry.file.string()},
+                         {"digest", entry.digest},
+                         {"stamp", entry.stamp}});
     return json_text({{"format", format_name}, {"version", newest_version}, {"files", files}});
 }
 
@@ -30,7 +32,7 @@ Result<std::vector<MediaEntry>> parse_media(std::string_view text,
             files && reader.expect(*files, JsonValue::Kind::array))
             for (const JsonValue& item : files->children) {
                 ObjectReader entry(item, file, problems);
-                entries.push_back({entry.text("file"), entry.text("digest")});
+                entries.push_back({entry.text("file"), entry.text("digest"), entry.text("stamp")});
             }
     if (!problems.empty())
         return fail(std::move(problems));

@@ -11,6 +11,7 @@
 struct MediaEntry {
     std::filesystem::path file;  // absolute
     std::string digest;          // file_digest() at that time
+    std::string stamp;           // size and time of change then; the digest holds while they do
 
     bool operator==(const MediaEntry&) const = default;
 };

@@ -44,6 +44,14 @@ bool is_there(const fs::path& file) {
     std::error_code error;
     return fs::is_regular_file(file, error);
 }
+
+// Changes when the file does; "" when it cannot be read.
+std::string stamp_of(const fs::path& file) {
+    std::error_code error;
+    const auto size = fs::file_size(file, error);
+    const auto time = fs::last_write_time(file, error).time_since_epoch().count();
+    return error ? std::string() : std::to_string(size) + " " + std::to_string(time);
+}
 }  // namespace
 
 bool is_sound_file(const fs::path& file) {
@@ -69,7 +77,7 @@ std::vector<MediaEntry> RecentMedia::entries() const {
 void RecentMedia::remember(const fs::path& file, const std::string& digest) const {
     constexpr std::size_t most = 100;
     std::vector<MediaEntry> list = entries();
-    const MediaEntry entry{fs::absolute(file).lexically_normal(), digest};
+    const MediaEntry entry{fs::absolute(file).lexically_normal(), digest, stamp_of(file)};
     if (!list.empty() && list.front() == entry)
         return;
     std::erase_if(list, [&entry](const MediaEntry& old) { return old.file == entry.file; });
@@ -95,7 +103,7 @@ std::optional<fs::path> RecentMedia::find(const std::string& name,
 std::string RecentMedia::digest_of(const fs::path& file) const {
     for (const MediaEntry& entry : entries())
         if (entry.file == file)
-            return entry.digest;
+            return entry.stamp == stamp_of(file) ? entry.digest : std::string();
     return {};
 }
 

@@ -26,7 +26,7 @@ public:
     /// The latest existing file of that name; one with that digest goes first.
     std::optional<std::filesystem::path> find(const std::string& name,
                                               const std::string& digest) const;
-    /// As remembered; "" when it is not.
+    /// As remembered; "" when it is not, or when the file has changed since.
     std::string digest_of(const std::filesystem::path& file) const;
 
 private:

@@ -6,6 +6,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/resource.h>
 
 namespace fs = std::filesystem;
 
@@ -198,6 +199,18 @@ TEST_CASE("when the system lost count of events, every file is told") {
     CHECK(changed_within(watcher, soon) == Paths{a, b});
     folder.write("a", "2");
     CHECK(changed_within(watcher, soon) == Paths{a});
+}
+
+TEST_CASE("a system that has no watch left says so") {
+    rlimit most = {};
+    REQUIRE(::getrlimit(RLIMIT_NOFILE, &most) == 0);
+    const rlimit none{0, most.rlim_max};
+    REQUIRE(::setrlimit(RLIMIT_NOFILE, &none) == 0);
+    const auto watcher = FileWatcher::start();
+    REQUIRE(::setrlimit(RLIMIT_NOFILE, &most) == 0);
+    REQUIRE_FALSE(watcher.has_value());
+    CHECK(watcher.error().front().message.find("cannot be watched: Too many open files") !=
+          std::string::npos);
 }
 
 TEST_CASE("names that lead nowhere do no harm") {

@@ -60,6 +60,17 @@ TEST_CASE("a saved preset names a person's file by its name and digest, not by w
     CHECK(file_in(beside) == "music/song.wav");
 }
 
+TEST_CASE("the digest of a file that changed since it was opened is made anew") {
+    const Home home;
+    home.recent.remember(home.song, "00000001");
+    CHECK(home.recent.digest_of(home.song) == "00000001");
+    Home::write(home.song, "1234567890");
+    CHECK(home.recent.digest_of(home.song).empty());
+    Home::write(home.song, "123456789");
+    const Preset saved = with_portable_media(preset_with(home.song), home.presets, home.recent);
+    CHECK(saved.media_digest == "cbf43926");
+}
+
 TEST_CASE("a file is found beside the preset") {
     const Home home;
     Preset preset = preset_with("song.wav");

@@ -40,6 +40,13 @@ class Screen:
         subprocess.run(["xdotool", *map(str, words)], check=True, stdout=subprocess.DEVNULL,
                        env={**os.environ, "DISPLAY": self.display})
 
+    def window(self):
+        """The X window of the program."""
+        found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "Afterglow"],
+                               check=True, capture_output=True, text=True,
+                               env={**os.environ, "DISPLAY": self.display})
+        return int(found.stdout.split()[0])
+
     def rows(self, left, top, right, bottom):
         """The pixels of a part, each row as bytes of blue, green, red, unused."""
         data = (self.folder / "Xvfb_screen0").read_bytes()

@@ -10,6 +10,7 @@ import unittest
 import wave
 from pathlib import Path
 
+from drag import Drag
 from program import Program
 from screen import Screen
 
@@ -284,6 +285,31 @@ class WindowTest(unittest.TestCase):
         program.wait("it begins again", lambda s: s["time"] < 3)
         program.key("ctrl+z")
         program.wait("undo gives the figure back", lambda s: s["signal"].startswith("lissajous:"))
+
+    def test_what_is_dropped_on_the_window_opens(self):
+        program = self.program
+        self.start("phosphor")
+        song = program.folder / "zwei Töne.wav"
+        write_tones(song, seconds=2)
+        program.set("decay", "0.61")
+        program.key("ctrl+s")
+        program.answer("Mine")
+        program.wait("it is saved", lambda s: not s["is_modified"])
+        program.set("decay", "0.62")
+        self.drop(song)
+        program.wait("the sound draws", lambda s: s["signal"].startswith("audio:") and not s["reading"])
+        program.key("ctrl+s")
+        program.wait("it is saved", lambda s: not s["is_modified"])
+        program.click("preset:overdriven")
+        program.wait("another preset opens", lambda s: s["preset"] not in ("", "Mine"))
+        self.drop(self.presets / "phosphor/Mine.json")
+        program.wait("the preset opens", lambda s: s["preset"] == "Mine" and
+                     s["values"]["decay"] == [0.62] and s["signal"].startswith("audio:"))
+
+    def drop(self, file):
+        drag = Drag(self.screen.display, [file])
+        self.assertTrue(drag.drop(self.screen.window(), *self.program.middle("picture")))
+        drag.close()
 
     def test_an_edited_shader_shows_at_once(self):
         program = self.program
