@@ -1,6 +1,5 @@
-// Draws Phosphor with each parameter at its low and its high end, at frames 1, 16 and 64, and
-// compares with the pictures kept beside this file. AFTERGLOW_UPDATE_GOLDEN=1 writes them anew:
-// look at each before it is kept.
+#include "golden/golden.h"
+
 #include "base/text.h"
 #include "io/picture_file.h"
 #include "lab/offline.h"
@@ -9,34 +8,18 @@
 #include <doctest/doctest.h>
 
 #include <cstdlib>
-#include <map>
 
 namespace fs = std::filesystem;
 
 namespace {
-constexpr Extent cell{160, 90};
-constexpr std::array frames{1, 16, 64};
-const fs::path folder = fs::path(AFTERGLOW_SOURCE_DIR) / "tests" / "golden" / "phosphor";
-
-using Settings = std::vector<std::pair<std::string, std::string>>;
-
-// What a parameter needs around it to show anything.
-const std::map<std::string, Settings> companions{
-    {"tone_map_every_frame", {{"ceiling", "20"}}},
-};
-
 Library library() {
     auto roots = find_roots(fs::path(AFTERGLOW_SOURCE_DIR));
     REQUIRE(roots.has_value());
     return Library(std::move(*roots));
 }
 
-/// The frames side by side.
-Picture strip(const std::string& look, const Settings& settings, Extent size = cell) {
-    RenderRequest request;
-    request.look = look;
-    request.values = {{"dither", "false"}};  // noise would hide small changes and swell the files
-    request.values.insert(request.values.end(), settings.begin(), settings.end());
+/// Frames side by side.
+Picture strip(const std::vector<int>& frames, Extent size, const RenderRequest& request) {
     auto prepared = prepare(request, library());
     REQUIRE_MESSAGE(prepared.has_value(), (prepared ? "" : to_string(prepared.error())));
     auto offline = Offline::create(std::move(*prepared), size, 60.0);
@@ -67,8 +50,9 @@ Picture stacked(const Picture& above, const Picture& below) {
     return both;
 }
 
-void compare_with_golden(const Picture& drawn, const std::string& name) {
-    const fs::path file = folder / (name + ".png");
+void compare_with_golden(const GoldenLook& look, const Picture& drawn, const std::string& name) {
+    const fs::path file =
+        fs::path(AFTERGLOW_SOURCE_DIR) / "tests" / "golden" / look.id / (name + ".png");
     if (std::getenv("AFTERGLOW_UPDATE_GOLDEN")) {
         const auto saved = save_picture(drawn, file);
         REQUIRE_MESSAGE(saved.has_value(), (saved ? "" : to_string(saved.error())));
@@ -101,47 +85,56 @@ std::array<std::string, 2> ends_of(const Parameter& parameter) {
     }
     return ends;
 }
+
+Picture swept(const GoldenLook& look, const GoldenSettings& settings) {
+    RenderRequest request{.look = look.id, .values = look.always};
+    request.values.insert(request.values.end(), settings.begin(), settings.end());
+    return strip(look.frames, look.cell, request);
+}
+
+void check_parameter(const GoldenLook& look, const Parameter& parameter, const Picture& plain) {
+    GoldenSettings around;
+    if (const auto found = look.companions.find(parameter.name); found != look.companions.end())
+        around = found->second;
+    const auto with = [&](const std::string& value) {
+        GoldenSettings settings = around;
+        settings.emplace_back(parameter.name, value);
+        return swept(look, settings);
+    };
+    const auto ends = ends_of(parameter);
+    const Picture low = with(ends[0]);
+    const Picture high = with(ends[1]);
+    compare_with_golden(look, stacked(low, high), parameter.name);
+
+    const Picture rest = around.empty() ? plain : swept(look, around);
+    const double moved =
+        difference_between(low, rest, 0)->largest + difference_between(high, rest, 0)->largest;
+    CHECK(moved > 0.9 / 255.0);
+}
 }  // namespace
 
-TEST_CASE(
-    "each parameter's low and high end look as they did, and one of them changes the picture") {
-    const auto look = prepare({.look = "phosphor"}, library());
-    REQUIRE(look.has_value());
-    const Picture plain = strip("phosphor", {});
-    compare_with_golden(plain, "default");
-    for (const Parameter& parameter : look->document.look().parameters) {
+void check_parameters(const GoldenLook& look) {
+    const auto prepared = prepare({.look = look.id}, library());
+    REQUIRE(prepared.has_value());
+    const Picture plain = swept(look, {});
+    compare_with_golden(look, plain, "default");
+    for (const Parameter& parameter : prepared->document.look().parameters) {
         CAPTURE(parameter.name);
-        Settings around;
-        if (const auto found = companions.find(parameter.name); found != companions.end())
-            around = found->second;
-        const auto with = [&](const std::string& value) {
-            Settings settings = around;
-            settings.emplace_back(parameter.name, value);
-            return strip("phosphor", settings);
-        };
-        const auto ends = ends_of(parameter);
-        const Picture low = with(ends[0]);
-        const Picture high = with(ends[1]);
-        compare_with_golden(stacked(low, high), parameter.name);
-
-        const Picture rest = around.empty() ? plain : strip("phosphor", around);
-        const double moved =
-            difference_between(low, rest, 0)->largest + difference_between(high, rest, 0)->largest;
-        CHECK(moved > 0.9 / 255.0);
+        check_parameter(look, parameter, plain);
     }
 }
 
-TEST_CASE("each preset looks as it did, and no two look the same") {
+void check_presets(const GoldenLook& look) {
     std::vector<std::pair<std::string, Picture>> seen;
-    for (const PresetEntry& preset : library().presets("phosphor")) {
+    for (const PresetEntry& preset : library().presets(look.id)) {
         CAPTURE(preset.name);
-        Picture drawn = strip(preset.file.string(), {}, {256, 144});
-        compare_with_golden(drawn, "preset " + preset.name);
+        Picture drawn = strip(look.frames, look.preset_cell, {.look = preset.file.string()});
+        compare_with_golden(look, drawn, "preset " + preset.name);
         for (const auto& other : seen) {
             INFO("like " << other.first);
             CHECK(difference_between(drawn, other.second, 0)->mean > 2.0 / 255.0);
         }
         seen.emplace_back(preset.name, std::move(drawn));
     }
-    CHECK(seen.size() >= 9);
+    CHECK(seen.size() >= look.fewest_presets);
 }

@@ -1,0 +1,20 @@
+#include "golden/golden.h"
+
+#include <doctest/doctest.h>
+
+namespace {
+const GoldenLook phosphor{
+    .id = "phosphor",
+    .always = {{"dither", "false"}},  // noise would hide small changes and swell the files
+    .companions = {{"tone_map_every_frame", {{"ceiling", "20"}}}},
+    .fewest_presets = 9,
+};
+}  // namespace
+
+TEST_CASE("phosphor: each parameter's ends look as they did, and one changes the picture") {
+    check_parameters(phosphor);
+}
+
+TEST_CASE("phosphor: each preset looks as it did, and no two look the same") {
+    check_presets(phosphor);
+}
