@@ -13,9 +13,8 @@ constexpr int newest_version = 1;
 std::string media_to_json(const std::vector<MediaEntry>& entries) {
     nlohmann::ordered_json files = nlohmann::ordered_json::array();
     for (const MediaEntry& entry : entries)
-        files.push_back({{"file", entry.file.string()},
-                         {"digest", entry.digest},
-                         {"stamp", entry.stamp}});
+        files.push_back(
+            {{"file", entry.file.string()}, {"digest", entry.digest}, {"stamp", entry.stamp}});
     return json_text({{"format", format_name}, {"version", newest_version}, {"files", files}});
 }
 
