@@ -50,3 +50,4 @@ Command add_describe(CLI::App& program);
 Command add_preset(CLI::App& program);
 Command add_compare(CLI::App& program);
 Command add_bench(CLI::App& program);
+Command add_sheet(CLI::App& program);

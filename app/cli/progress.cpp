@@ -5,8 +5,11 @@
 #include <iostream>
 #include <unistd.h>
 
-Progress::Progress(std::string what, int total)
-    : m_what(std::move(what)), m_total(total), m_is_shown(isatty(STDERR_FILENO) == 1) {}
+Progress::Progress(std::string what, int total, std::string unit)
+    : m_what(std::move(what)),
+      m_unit(std::move(unit)),
+      m_total(total),
+      m_is_shown(isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {
     if (m_has_shown)
@@ -21,6 +24,6 @@ void Progress::show(int done) {
     m_has_shown = true;
     const double gone = std::chrono::duration<double>(now - m_start).count();
     const double left = gone / done * (m_total - done);
-    std::cerr << fmt::format("\r{}  {} of {} frames, {:.0f} s left\033[K", m_what, done, m_total,
-                             left);
+    std::cerr << fmt::format("\r{}  {} of {} {}, {:.0f} s left\033[K", m_what, done, m_total,
+                             m_unit, left);
 }

@@ -6,7 +6,7 @@
 /// How far long work has come, on one line of a terminal's stderr; silent elsewhere.
 class Progress {
 public:
-    Progress(std::string what, int total);
+    Progress(std::string what, int total, std::string unit = "frames");
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
@@ -17,6 +17,7 @@ private:
     using Clock = std::chrono::steady_clock;
 
     std::string m_what;
+    std::string m_unit;
     int m_total;
     bool m_is_shown;
     bool m_has_shown = false;

@@ -1,10 +1,10 @@
 #include "ui/fonts.h"
 
+#include "base/font_file.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
-#include <initializer_list>
 #include <string>
 
 namespace {
@@ -17,25 +17,6 @@ const ImWchar* glyphs() {
                                                     0x2010, 0x2044, 0x2070, 0x209F, 0x2190, 0x21FF,
                                                     0x2200, 0x22FF, 0x2300, 0x23FF, 0};
     return ranges.data();
-}
-
-std::string find_font(std::initializer_list<const char*> names) {
-    const std::string home = std::getenv("HOME") ? std::getenv("HOME") : "";
-    const std::array folders{std::string("/usr/share/fonts/opentype/inter/"),
-                             std::string("/usr/share/fonts/truetype/inter/"),
-                             std::string("/usr/share/fonts/inter/"),
-                             std::string("/usr/share/fonts/truetype/dejavu/"),
-                             std::string("/usr/share/fonts/TTF/"),
-                             std::string("/usr/share/fonts/dejavu-sans-fonts/"),
-                             std::string("/usr/share/fonts/dejavu-sans-mono-fonts/"),
-                             std::string("/usr/share/fonts/dejavu/"),
-                             home + "/.local/share/fonts/",
-                             std::string("/System/Library/Fonts/")};
-    for (const char* name : names)
-        for (const std::string& folder : folders)
-            if (std::error_code error; std::filesystem::is_regular_file(folder + name, error))
-                return folder + name;
-    return {};
 }
 
 // ImGui's own face is a bitmap of 13 pixels; it stays sharp at whole multiples only.
@@ -59,10 +40,10 @@ ImFont* add(const std::string& file, float height, float scale) {
 
 Fonts load_fonts(float scale) {
     ImGui::GetIO().Fonts->Clear();
-    const auto text = find_font({"Inter-Regular.otf", "Inter-Regular.ttf", "DejaVuSans.ttf"});
+    const auto text = find_font_file({"Inter-Regular.otf", "Inter-Regular.ttf", "DejaVuSans.ttf"});
     const auto strong =
-        find_font({"Inter-SemiBold.otf", "Inter-SemiBold.ttf", "DejaVuSans-Bold.ttf"});
-    const auto numbers = find_font({"DejaVuSansMono.ttf", "Menlo.ttc"});
+        find_font_file({"Inter-SemiBold.otf", "Inter-SemiBold.ttf", "DejaVuSans-Bold.ttf"});
+    const auto numbers = find_font_file({"DejaVuSansMono.ttf", "Menlo.ttc"});
     return {.text = add(text, text_height, scale),
             .strong = add(strong, text_height, scale),
             .numbers = add(numbers, number_height, scale)};

@@ -21,7 +21,7 @@ class Listing(ProgramTest):
     def test_help_names_every_command(self):
         result = run("--help")
         self.assert_done(result)
-        for command in ("list", "render", "check", "describe", "preset", "compare", "bench"):
+        for command in ("list", "render", "check", "describe", "preset", "compare", "bench", "sheet"):
             self.assertIn(command, result.stdout)
 
 
@@ -71,6 +71,24 @@ class Rendering(ProgramTest):
         self.assert_done(run("render", "phosphor", *SMALL, "--signal", f"audio:{sound},mode=xy", "-o",
                              self.folder / "a.png"))
         self.assertGreater(max(max(row) for row in read_png(self.folder / "a.png")[2]), 100)
+
+    def test_a_sheet_shows_every_preset_of_a_look(self):
+        self.write("data/shaders/plain/look.json", json.dumps({
+            "format": "afterglow-look", "version": 1, "name": "Plain", "driven_by": "nothing",
+            "passes": [{"name": "picture", "fragment": "plain.frag"}]}))
+        self.write("data/shaders/plain/plain.frag", "#version 410 core\nuniform float grey = 0.0;\nout vec4 color;\n"
+                   "void main() { color = vec4(vec3(grey), 1.0); }\n")
+        for name, grey in (("dark", 0.4), ("light", 0.8)):
+            self.write(f"data/presets/plain/{name}.json", json.dumps({
+                "format": "afterglow-preset", "version": 1, "look": "plain", "name": name, "values": {"grey": grey}}))
+        sheet = self.folder / "sheet.png"
+        self.assert_done(run("sheet", "plain", "--data", self.folder / "data", "--size", "48x27", "--columns", "1",
+                             "-o", sheet))
+        _, _, rows = read_png(sheet)
+        greys = [max(row) for row in rows]
+        self.assertEqual((greys.count(102), greys.count(204)), (27, 27))
+        self.assertLess(greys.index(102), greys.index(204))
+        self.assert_refused(run("sheet", "phosphor", "-o", self.folder / "sheet.gif"), "sheet.gif", ".png or .exr")
 
     def test_mistakes_are_named(self):
         out = self.folder / "x.png"

@@ -1,0 +1,106 @@
+#include "lab/sheet.h"
+
+#include "base/text.h"
+#include "cli/common.h"
+#include "cli/progress.h"
+#include "io/picture_file.h"
+
+namespace {
+struct Arguments {
+    std::vector<std::string> looks;
+    std::string output;
+    int columns = 4;
+    std::string size = "480x270";
+    double fps = 60.0;
+};
+
+/// What is to be drawn: a preset itself, or all of a look's; a look without presets as it is.
+Result<std::vector<RenderRequest>> requests_of(const Arguments& arguments, const Library& library) {
+    std::vector<RenderRequest> requests;
+    const Extent size = parse_size(arguments.size);
+    for (const std::string& name : arguments.looks) {
+        const auto found = resolve(name, library);
+        if (!found)
+            return fail(found.error());
+        const std::string look = found->look.has_extension()
+                                     ? found->look.parent_path().filename().string()
+                                     : found->look.filename().string();
+        const auto presets = found->preset ? std::vector<PresetEntry>{} : library.presets(look);
+        for (const PresetEntry& preset : presets)
+            requests.push_back({.look = found->look.string(),
+                                .preset = preset.file.string(),
+                                .size = size,
+                                .fps = arguments.fps});
+        if (presets.empty())
+            requests.push_back({.look = name, .size = size, .fps = arguments.fps});
+    }
+    return requests;
+}
+
+Result<SheetCell> drawn(const RenderRequest& request, const Library& library) {
+    auto prepared = prepare(request, library);
+    if (!prepared)
+        return fail(prepared.error());
+    warn(prepared->warnings);
+    auto offline = Offline::create(std::move(*prepared), request.size, request.fps);
+    if (!offline)
+        return fail(offline.error());
+    const Document& document = offline->document();
+    const int frames = document.look().settle_frames;
+    for (int frame = 1; frame < frames; ++frame)
+        offline->advance_unseen();
+    offline->advance();
+    const std::string& preset = document.preset_name();
+    return SheetCell{document.look().name + (preset.empty() ? "" : ": " + preset),
+                     offline->picture()};
+}
+
+Result<void> make_sheet(const Arguments& arguments, const Library& library) {
+    const std::string ending =
+        to_lower(std::filesystem::path(arguments.output).extension().string());
+    if (ending != ".png" && ending != ".exr")
+        return fail({arguments.output, 0, "a picture is saved as .png or .exr"});
+    const auto requests = requests_of(arguments, library);
+    if (!requests)
+        return fail(requests.error());
+    std::vector<SheetCell> cells;
+    Progress progress("sheet", static_cast<int>(requests->size()), "pictures");
+    for (const RenderRequest& request : *requests) {
+        auto cell = drawn(request, library);
+        if (!cell)
+            return fail(cell.error());
+        cells.push_back(std::move(*cell));
+        progress.show(static_cast<int>(cells.size()));
+    }
+    const auto sheet = sheet_of(cells, arguments.columns);
+    if (!sheet)
+        return fail(sheet.error());
+    return save_picture(*sheet, arguments.output);
+}
+}  // namespace
+
+/// afterglow sheet LOOK... -o OUT
+Command add_sheet(CLI::App& program) {
+    auto* command = program.add_subcommand("sheet", "Draw all presets of looks as one picture");
+    auto arguments = std::make_shared<Arguments>();
+    command
+        ->add_option("LOOK", arguments->looks, "Looks, with all their presets, or single presets")
+        ->required();
+    command->add_option("-o,--output", arguments->output, "The sheet's file, .png or .exr")
+        ->required();
+    command->add_option("--columns", arguments->columns, "Pictures side by side")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 100));
+    command->add_option("--size", arguments->size, "Of each picture, in pixels")
+        ->capture_default_str();
+    command->add_option("--fps", arguments->fps, "Frames a second of the fixed clock")
+        ->capture_default_str()
+        ->check(CLI::Range(1.0, 1000.0));
+    return [arguments](const std::string& data) {
+        const auto library = open_library(data);
+        if (!library)
+            return report(library.error());
+        const auto done = make_sheet(*arguments, *library);
+        return done ? exit_done : report(done.error());
+    };
+}

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "base/diagnostic.h"
+#include "model/picture.h"
+
+#include <string>
+#include <vector>
+
+/// One picture of a contact sheet and what it is called.
+struct SheetCell {
+    std::string caption;
+    Picture picture;
+};
+
+/// The pictures in rows of `columns`, each with its caption below; RGB, display-encoded. Linear
+/// pictures are clamped and sRGB-encoded. All pictures are of one size. Fails where the sheet would
+/// be larger than a picture may be, or there is no font.
+Result<Picture> sheet_of(const std::vector<SheetCell>& cells, int columns);
