@@ -2,20 +2,9 @@
 #ifndef AFTERGLOW_GAUSSIAN
 #define AFTERGLOW_GAUSSIAN
 
-const float gaussian_pi = 3.14159265359;
+#include "erf.glsl"
 
-// The error function by Abramowitz and Stegun, 7.1.28: off by at most 3e-7, and by about 1e-6 in
-// the rounding of 32-bit floats.
-vec2 erf(vec2 x) {
-    vec2 a = abs(x);
-    vec2 sum = 1.0 + a * (0.0705230784 + a * (0.0422820123 + a * (0.0092705272 +
-               a * (0.0001520143 + a * (0.0002765672 + a * 0.0000430638)))));
-    vec2 power = sum * sum;
-    power *= power;
-    power *= power;
-    power *= power;
-    return sign(x) * (1.0 - 1.0 / power);
-}
+const float gaussian_pi = 3.14159265359;
 
 // What falls on a pixel (1 x 1) of exp(-sharpness |r|^2), its middle `offset` px from the pixel's.
 // A Gaussian is separable, so the integral is one of x times one of y; over all pixels the sum is

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "gpu/readback.h"
+#include "lab/offline.h"
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <memory>
+
+/// A look of a folder of the source tree with every target in 32-bit floats, fed by hand.
+class DrawnLook {
+public:
+    DrawnLook(const std::filesystem::path& folder, Extent extent, const Values& values = {}) {
+        const std::filesystem::path tree(AFTERGLOW_SOURCE_DIR);
+        auto context = gpu::Context::headless();
+        REQUIRE(context.has_value());
+        m_context = std::move(*context);
+        LoadedLook loaded = load_look(tree / folder, tree / "shaders" / "include");
+        REQUIRE_MESSAGE(loaded.look.has_value(),
+                        (loaded.look ? "" : to_string(loaded.look.error())));
+        for (Pass& pass : loaded.look->passes)
+            pass.format = Format::rgba32f;
+        auto programs = build_programs(*loaded.look);
+        REQUIRE_MESSAGE(programs.has_value(), (programs ? "" : to_string(programs.error())));
+        m_renderer = std::make_unique<Renderer>(std::move(*loaded.look), std::move(*programs));
+        REQUIRE(m_renderer->resize(extent, extent).has_value());
+        m_renderer->set_values(values);
+    }
+    ~DrawnLook() { m_context->make_current(); }
+    DrawnLook(const DrawnLook&) = delete;
+    DrawnLook& operator=(const DrawnLook&) = delete;
+
+    void set_values(const Values& values) {
+        m_context->make_current();
+        m_renderer->set_values(values);
+    }
+    /// The next frame is the first: nothing glows, and the beam comes from nowhere.
+    void restart() {
+        m_number = 0;
+        m_renderer->clear_history();
+    }
+
+    /// A frame of 1/fps with these points of the beam.
+    void draw(const Beam& beam = {}, double fps = 60.0) {
+        m_context->make_current();  // another look's may have been
+        ++m_number;
+        m_renderer->draw({m_number, frame_span(m_number, fps)}, beam);
+    }
+
+    Picture target(const char* pass) const {
+        m_context->make_current();
+        const Executor& executor = m_renderer->executor();
+        return gpu::read_picture(executor.target(*find_pass(executor.look(), pass)));
+    }
+
+private:
+    std::unique_ptr<gpu::Context> m_context;
+    std::unique_ptr<Renderer> m_renderer;
+    std::int64_t m_number = 0;
+};
+
+/// A channel summed over all pixels.
+inline double sum_of(const Picture& picture, std::size_t channel = 0) {
+    double sum = 0.0;
+    for (std::size_t i = channel; i < picture.pixels.size(); i += 4)
+        sum += static_cast<double>(picture.pixels[i]);
+    return sum;
+}
+
+inline double value_at(const Picture& picture, int x, int y, std::size_t channel = 0) {
+    return static_cast<double>(picture.pixels[picture.index(x, y) + channel]);
+}
