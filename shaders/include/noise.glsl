@@ -2,13 +2,18 @@
 #ifndef AFTERGLOW_NOISE
 #define AFTERGLOW_NOISE
 
+// Each part takes in what the one before it has become.
+uvec3 mixed(uvec3 key) {
+    key.x += key.y * key.z;
+    key.y += key.z * key.x;
+    key.z += key.x * key.y;
+    return key;
+}
+
 // PCG3D: M. Jarzynski and M. Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020.
 uvec3 hash(uvec3 key) {
-    key = key * 1664525u + 1013904223u;
-    key += key.yzx * key.zxy;
-    key ^= key >> 16u;
-    key += key.yzx * key.zxy;
-    return key;
+    key = mixed(key * 1664525u + 1013904223u);
+    return mixed(key ^ (key >> 16u));
 }
 
 // Three independent numbers, evenly spread over 0 <= n < 1.

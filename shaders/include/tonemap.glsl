@@ -7,6 +7,10 @@
 const int tone_map_clamp = 0;
 const int tone_map_reinhard = 1;
 const int tone_map_aces = 2;
+const int tone_map_reinhard_to_white = 3;
+const int tone_map_agx = 4;
+const int tone_map_neutral = 5;
+const int tone_map_none = 6;
 
 // Reinhard et al., "Photographic Tone Reproduction for Digital Images", SIGGRAPH 2002, equation 3.
 vec3 reinhard(vec3 light) {
@@ -23,13 +27,69 @@ vec3 aces(vec3 light) {
     return light * (2.51 * light + 0.03) / (light * (2.43 * light + 0.59) + 0.14);
 }
 
-// Each channel by itself: bright colours turn white, as in a camera. `white` is Reinhard's; 0: none.
+// One side of AgX's curve, from its pivot at (10 / 16.5, 0.5) with slope 2 to 0 or to 1. `reach` is
+// how far the side goes in x; the other way it goes 0.5.
+vec3 agx_side(vec3 away, float reach, float power) {
+    const float slope = 2.0;
+    float rise = pow(slope * reach / 0.5, power) - 1.0;
+    float scale = slope * reach * pow(rise, -1.0 / power);
+    vec3 x = slope * away / scale;
+    return scale * x * pow(1.0 + pow(x, vec3(power)), vec3(-1.0 / power));
+}
+
+// AgX by T. Sobotka (github.com/sobotka/AgX): a little of each channel leaks into the others, so that
+// bright colours lose their colour as film does; a curve over 16.5 stops around 0.18; and back. The
+// matrices are those of B. Wrensch, "Minimal AgX Implementation", 2024, for sRGB's primaries.
+vec3 agx(vec3 light) {
+    const mat3 inset = mat3(0.842479062253094, 0.0423282422610123, 0.0423756549057051,
+                            0.0784335999999992, 0.878468636469772, 0.0784336,
+                            0.0792237451477643, 0.0791661274605434, 0.879142973793104);
+    const mat3 outset = mat3(1.19687900512017, -0.0528968517574562, -0.0529716355144438,
+                             -0.0980208811401368, 1.15190312990417, -0.0980434501171241,
+                             -0.0990297440797205, -0.0989611768448433, 1.15107367264116);
+    const float darkest = -12.47393;  // stops
+    const float brightest = 4.026069;
+    const float pivot = 10.0 / 16.5;
+    vec3 stops = log2(max(inset * light, vec3(1e-10)));
+    vec3 x = clamp((stops - darkest) / (brightest - darkest), 0.0, 1.0);
+    vec3 toe = 0.5 - agx_side(max(pivot - x, 0.0), pivot, 3.0);
+    vec3 shoulder = 0.5 + agx_side(max(x - pivot, 0.0), 1.0 - pivot, 3.25);
+    vec3 shown = mix(toe, shoulder, greaterThan(x, vec3(pivot)));
+    return pow(max(outset * shown, vec3(0.0)), vec3(2.2));
+}
+
+// Khronos PBR Neutral: "Khronos PBR Neutral Tone Mapper", specification of 2024. Colours up to 0.8
+// stay as they are but for the 0.04 that glass and plastic reflect; brighter ones bend and pale.
+vec3 khronos_neutral(vec3 light) {
+    const float start = 0.8 - 0.04;
+    const float desaturation = 0.15;
+    float darkest = min(light.r, min(light.g, light.b));
+    light -= darkest < 0.08 ? darkest - 6.25 * darkest * darkest : 0.04;
+    float peak = brightest_channel(light);
+    if (peak < start)
+        return light;
+    float room = 1.0 - start;
+    float lowered = 1.0 - room * room / (peak + room - start);
+    float paled = 1.0 - 1.0 / (desaturation * (peak - lowered) + 1.0);
+    return mix(light * (lowered / peak), vec3(lowered), paled);
+}
+
+// Each channel by itself, but for AgX and Khronos: bright colours turn white, as in a camera. `white`
+// is Reinhard's; 0: none.
 vec3 tone_mapped(vec3 light, int curve, float white) {
     vec3 mapped = light;
-    if (curve == tone_map_reinhard)
-        mapped = white > 0.0 ? reinhard_to_white(light, white) : reinhard(light);
+    if (curve == tone_map_none)
+        return light;
+    if (curve == tone_map_reinhard_to_white || (curve == tone_map_reinhard && white > 0.0))
+        mapped = reinhard_to_white(light, max(white, 1e-3));
+    else if (curve == tone_map_reinhard)
+        mapped = reinhard(light);
     else if (curve == tone_map_aces)
         mapped = aces(light);
+    else if (curve == tone_map_agx)
+        mapped = agx(light);
+    else if (curve == tone_map_neutral)
+        mapped = khronos_neutral(light);
     return clamp(mapped, 0.0, 1.0);
 }
 

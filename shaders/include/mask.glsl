@@ -1,0 +1,136 @@
+// The masks of colour tubes: how much of the light of red, green and blue comes through at a place,
+// averaged over a pixel. Over whole cells the mean of each channel is 1, so that a mask moves light
+// and loses none; peaks lie above 1. All lengths are in px of the tube, from its bottom left.
+#ifndef AFTERGLOW_MASK
+#define AFTERGLOW_MASK
+
+const int mask_cells = 0;   // staggered cells of three stripes, dark towards their borders
+const int mask_grille = 1;  // aperture grille: stripes from top to bottom
+const int mask_slot = 2;    // stripes cut by bridges, every other column shifted by half a slot
+const int mask_dots = 3;    // triads of dots in a hexagonal lattice
+
+const float hexagon_row = 0.86602540378;  // from row to row of a hexagonal lattice, in pitches
+
+struct Mask {
+    int kind;
+    float pitch;       // from one red to the next along a line
+    float cell_height; // of cells and slots, in pitches
+    float border;      // how dark it is where two stripes meet, 0..1; of dots how small they are
+};
+
+// Light of a row of bumps 1 wide, one each `period`, from 0 up to x. A bump is 1 - border |v|^power
+// over its width -1..1, scaled to the sum 1.
+vec3 bumps_up_to(vec3 x, float period, float border, float power) {
+    vec3 whole = floor(x / period);
+    vec3 along = clamp(x - whole * period, 0.0, 1.0);
+    vec3 v = 2.0 * along - 1.0;
+    float ends = power + 1.0;
+    vec3 part = along - 0.5 * border / ends * (sign(v) * pow(abs(v), vec3(ends)) + 1.0);
+    return whole + part / (1.0 - border / ends);
+}
+
+// The mean of those bumps over `width` around x; the integral is exact, so no width makes a moire.
+vec3 bumps_over(vec3 x, float width, float period, float border, float power) {
+    vec3 near = x - floor(x / period) * period;  // small numbers keep their digits
+    vec3 low = bumps_up_to(near - 0.5 * width, period, border, power);
+    return (bumps_up_to(near + 0.5 * width, period, border, power) - low) / width;
+}
+
+// Stripes of the three channels side by side; y is cut into cells, and every other column of cells
+// lies `stagger` of a cell higher.
+vec3 striped_mask(Mask mask, vec2 at, float pixel, vec2 power, float stagger) {
+    const vec3 channel = vec3(0.0, 1.0, 2.0);
+    float x = 3.0 * at.x / mask.pitch;
+    float width = 3.0 * pixel / mask.pitch;
+    vec3 even = bumps_over(x - channel, width, 6.0, mask.border, power.x);
+    vec3 odd = bumps_over(x - channel - 3.0, width, 6.0, mask.border, power.x);
+    if (power.y == 0.0)
+        return 3.0 * (even + odd);
+    float height = mask.pitch * mask.cell_height;
+    vec3 rows = bumps_over(vec3(at.y / height, at.y / height + stagger, 0.0), pixel / height, 1.0,
+                           mask.border, power.y);
+    return 3.0 * (even * rows.x + odd * rows.y);
+}
+
+// As bumps_up_to, of bumps (1 - v^2)^2 whose middles lie at 0, period, ...
+vec3 dots_up_to(vec3 x, float period, float diameter) {
+    vec3 whole = floor(x / period + 0.5);
+    vec3 v = clamp(2.0 * (x - whole * period) / diameter, -1.0, 1.0);
+    vec3 square = v * v;
+    return whole + 0.5 + 0.9375 * v * (1.0 - square * (2.0 / 3.0 - 0.2 * square));
+}
+
+vec3 dots_over(vec3 x, float width, float period, float diameter) {
+    vec3 near = x - floor(x / period) * period;
+    return (dots_up_to(near + 0.5 * width, period, diameter) -
+            dots_up_to(near - 0.5 * width, period, diameter)) / width;
+}
+
+float dot_diameter(Mask mask) {
+    return mix(1.0, 0.6, mask.border);  // pitches
+}
+
+// Hexagons of round dots: one profile across times one up, so that its mean over a pixel is exact.
+vec3 dotted_mask(Mask mask, vec2 at, float pixel) {
+    vec2 place = at / mask.pitch;
+    float width = pixel / mask.pitch;
+    vec3 across = place.x - vec3(0.0, 0.5, 0.0);
+    vec3 up = place.y - hexagon_row * vec3(0.0, 1.0, 2.0) / 3.0;
+    float diameter = dot_diameter(mask);
+    float rows = 2.0 * hexagon_row;
+    vec3 even = dots_over(across, width, 1.0, diameter) * dots_over(up, width, rows, diameter);
+    vec3 odd = dots_over(across - 0.5, width, 1.0, diameter) *
+               dots_over(up - hexagon_row, width, rows, diameter);
+    return hexagon_row * (even + odd);
+}
+
+// A mask of less than 2 px cannot be shown: it fades to an even grey from 3 px down.
+float mask_visibility(float pitch, float pixel) {
+    return clamp(pitch / pixel - 2.0, 0.0, 1.0);
+}
+
+// What comes through at `at`; `pixel` is how wide the picture's pixel is there.
+vec3 mask_light(Mask mask, vec2 at, float pixel) {
+    vec3 light;
+    if (mask.kind == mask_cells)
+        light = striped_mask(mask, at, pixel, vec2(2.0), 0.5);
+    else if (mask.kind == mask_grille)
+        light = striped_mask(mask, at, pixel, vec2(4.0, 0.0), 0.0);
+    else if (mask.kind == mask_slot)
+        light = striped_mask(mask, at, pixel, vec2(4.0, 12.0), 0.5);
+    else
+        light = dotted_mask(mask, at, pixel);
+    return mix(vec3(1.0), light, mask_visibility(mask.pitch, pixel));
+}
+
+// The largest of any channel where a pixel is small; 1 over it is the mean of the bare mask.
+float mask_peak(Mask mask) {
+    float across = 3.0 / (1.0 - mask.border / (mask.kind == mask_cells ? 3.0 : 5.0));
+    if (mask.kind == mask_cells)
+        return across / (1.0 - mask.border / 3.0);
+    if (mask.kind == mask_slot)
+        return across / (1.0 - mask.border / 13.0);
+    if (mask.kind == mask_grille)
+        return across;
+    float side = dot_diameter(mask) * 8.0 / 15.0;
+    return hexagon_row / (side * side);
+}
+
+// The middle of the cell that `at` lies in. Stripes without cells have a middle across only.
+vec2 mask_cell_centre(Mask mask, vec2 at) {
+    vec2 cell = vec2(mask.pitch, mask.pitch * mask.cell_height);
+    float column = floor(at.x / mask.pitch);
+    float middle = (column + 0.5) * mask.pitch;
+    if (mask.kind == mask_grille)
+        return vec2(middle, at.y);
+    if (mask.kind == mask_dots) {
+        float row = floor(at.y / (hexagon_row * mask.pitch));
+        float shift = 0.5 * mod(row, 2.0);
+        return vec2(floor(at.x / mask.pitch - shift) + shift + 0.5, (row + 0.5) * hexagon_row) *
+               mask.pitch;
+    }
+    float lifted = 0.5 * mod(column, 2.0);  // as the mask's own columns
+    return vec2(middle, (floor(at.y / cell.y + lifted) + 0.5 - lifted) * cell.y);
+}
+
+#endif

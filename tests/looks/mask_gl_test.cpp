@@ -1,0 +1,115 @@
+// The masks of shaders/include/mask.glsl: over whole cells no light is lost, in any channel.
+#include "looks/glsl_function.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <span>
+
+namespace {
+/// x, y: a pixel's middle; z: the kind of mask; w: its pitch.
+constexpr const char* mask =
+    "#include \"mask.glsl\"\nvec4 f(vec4 x) { return vec4(mask_light("
+    "Mask(int(x.z), x.w, 1.0, 0.8), x.xy, 1.0), 1.0); }\n";
+
+std::vector<Vec4> pixels(int kind, double pitch, int width, int height) {
+    std::vector<Vec4> centres;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            centres.push_back({x + 0.5, y + 0.5, static_cast<double>(kind), pitch});
+    return centres;
+}
+
+Vec4 mean(std::span<const Vec4> values) {
+    Vec4 sum{};
+    for (const Vec4& value : values)
+        for (std::size_t c = 0; c < 4; ++c)
+            sum[c] += value[c] / static_cast<double>(values.size());
+    return sum;
+}
+
+/// A whole number of cells across and down; of the dots' hexagons as nearly as pixels allow.
+std::vector<Vec4> whole_cells(int kind, double pitch) {
+    if (kind != 3)
+        return pixels(kind, pitch, static_cast<int>(std::lround(pitch * 20.0)),
+                      static_cast<int>(std::lround(pitch * 10.0)));
+    // 15 rows of two dots are 25.981 pitches high, 26 of them 0.07 % more.
+    return pixels(kind, pitch, static_cast<int>(std::lround(pitch * 10.0)),
+                  static_cast<int>(std::lround(pitch * 15.0 * std::sqrt(3.0))));
+}
+}  // namespace
+
+TEST_CASE("each channel of each mask has the mean 1 over whole cells") {
+    std::vector<std::vector<Vec4>> areas;
+    std::vector<Vec4> inputs;
+    for (int kind = 0; kind < 4; ++kind)
+        for (const double pitch : {3.0, 4.3, 5.0, 7.7, 12.0, 18.0}) {
+            areas.push_back(whole_cells(kind, pitch));
+            inputs.insert(inputs.end(), areas.back().begin(), areas.back().end());
+        }
+    const auto drawn = run_glsl(mask, inputs);
+    std::span<const Vec4> rest(drawn);
+    for (const auto& area : areas) {
+        CAPTURE(area.front()[2]);
+        CAPTURE(area.front()[3]);
+        const Vec4 light = mean(rest.first(area.size()));
+        rest = rest.subspan(area.size());
+        for (std::size_t c = 0; c < 3; ++c)
+            CHECK(std::abs(light[c] - 1.0) < 0.005);
+        CHECK(std::abs(light[0] - light[1]) < 0.005);
+    }
+}
+
+TEST_CASE("stripes of the three channels do not overlap") {
+    for (int kind = 0; kind < 3; ++kind) {
+        int overlapping = 0;
+        for (const Vec4& light : run_glsl(mask, pixels(kind, 12.0, 48, 24)))
+            overlapping += (light[0] > 1e-4) + (light[1] > 1e-4) + (light[2] > 1e-4) == 1 ? 0 : 1;
+        CHECK(overlapping == 0);
+    }
+}
+
+TEST_CASE("a cell's pixel is the mean of the article's formula over it") {
+    // Pixel (5, 1) of 12 px cells: green, from 1/4 to 2/4 of its stripe and 1/12 to 2/12 up the
+    // cell.
+    const auto over = [](double low, double high) {
+        return 1.0 - 0.8 * (high * high * high - low * low * low) / 3.0 / (high - low);
+    };
+    const double expected =
+        3.0 * over(-0.5, 0.0) * over(-5.0 / 6.0, -4.0 / 6.0) / std::pow(1.0 - 0.8 / 3.0, 2.0);
+    // The next column lies half a cell higher: its pixel 6 further up is the same.
+    for (const Vec4& light :
+         run_glsl(mask, std::vector<Vec4>{{5.5, 1.5, 0, 12}, {17.5, 7.5, 0, 12}}))
+        CHECK(std::abs(light[1] - expected) < 1e-4);
+}
+
+TEST_CASE("a mask finer than 2 px is an even grey") {
+    for (int kind = 0; kind < 4; ++kind) {
+        std::size_t even = 0;
+        for (const Vec4& light : run_glsl(mask, pixels(kind, 1.9, 16, 16)))
+            even += light == Vec4{1.0, 1.0, 1.0, 1.0} ? 1u : 0u;
+        CHECK(even == 256);
+    }
+}
+
+TEST_CASE("a cell is read in its middle, whichever column it is in") {
+    for (int kind = 0; kind < 3; ++kind) {
+        CAPTURE(kind);
+        const auto pixel = pixels(kind, 12.0, 24, 24);
+        const auto centres = run_glsl(
+            "#include \"mask.glsl\"\nvec4 f(vec4 x) { return vec4(mask_cell_centre("
+            "Mask(int(x.z), x.w, 1.0, 0.8), x.xy), 0, 0); }\n",
+            pixel);
+        bool is_middle = true;
+        for (std::size_t i = 0; i < pixel.size(); ++i) {
+            const Vec4& centre = centres[i];
+            const double expected_y = kind == 1 ? pixel[i][1] : centre[0] < 12.0 ? 6.0 : 0.0;
+            is_middle = is_middle && std::abs(centre[0] - pixel[i][0]) <= 6.0 &&
+                        std::abs(centre[1] - pixel[i][1]) <= 6.0 &&
+                        std::fmod(centre[0], 12.0) == 6.0 &&
+                        (kind == 1 ? centre[1] == expected_y
+                                   : std::fmod(centre[1] + 12.0, 12.0) == expected_y);
+        }
+        CHECK(is_middle);
+    }
+}
