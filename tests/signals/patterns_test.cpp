@@ -49,8 +49,78 @@ TEST_CASE("a pattern's mistakes are named") {
 TEST_CASE("every pattern that is listed can be made, and no two are the same") {
     std::set<std::vector<float>> seen;
     for (const PatternFacts& facts : all_patterns()) {
+        CAPTURE(facts.name);
         const auto picture = make_pattern(facts.name + ",size=80x60");
         REQUIRE(picture.has_value());
+        CHECK(picture->extent == Extent{80, 60});
         CHECK(seen.insert(picture->pixels).second);
+        CHECK_FALSE(facts.help.empty());
     }
+}
+
+TEST_CASE("a moving pattern is the same at the same time, and another later; the others stand") {
+    for (const PatternFacts& facts : all_patterns()) {
+        CAPTURE(facts.name);
+        const std::string text = facts.name + ",size=96x72";
+        CHECK(is_moving_pattern(text) == facts.moves);
+        const auto now = make_pattern(text, 1.5);
+        CHECK(now->pixels == make_pattern(text, 1.5)->pixels);
+        CHECK((now->pixels != make_pattern(text, 2.5)->pixels) == facts.moves);
+    }
+    CHECK_FALSE(is_moving_pattern("glyph-rian"));
+}
+
+TEST_CASE("the glyph rain is linear light whose heads stand above 1") {
+    const auto rain = make_pattern("glyph-rain,size=320x180", 3.0);
+    REQUIRE(rain.has_value());
+    CHECK(rain->encoding == Encoding::linear);
+    const float brightest = *std::max_element(rain->pixels.begin(), rain->pixels.end());
+    CHECK(brightest > 1.1f);
+    CHECK(brightest < 2.0f);
+    CHECK(*std::min_element(rain->pixels.begin(), rain->pixels.end()) >= 0.0f);
+}
+
+TEST_CASE("the harbour has 320 x 240 pixels in sixteen colours, and grows by whole pixels") {
+    const auto harbour = make_pattern("harbour");
+    REQUIRE(harbour.has_value());
+    REQUIRE(harbour->extent == Extent{320, 240});
+    std::set<std::vector<float>> colors;
+    for (int y = 0; y < 240; ++y)
+        for (int x = 0; x < 320; ++x)
+            colors.insert(pixel(*harbour, x, y));
+    CHECK(colors.size() == 16);
+    const auto twice = make_pattern("harbour,size=640x480");
+    for (int i = 0; i < 200; ++i)
+        CHECK(pixel(*twice, 3 * i, 2 * i) == pixel(*harbour, 3 * i / 2, i));
+}
+
+TEST_CASE("the zone plate's rings are r / width periods a pixel, the finest at its sides") {
+    const auto plate = make_pattern("zone-plate,size=256x256");
+    REQUIRE(plate.has_value());
+    CHECK(pixel(*plate, 128, 128)[0] == doctest::Approx(1.0));
+    // pi r^2 / 256 is a whole number of half turns where r^2 is one of 256.
+    CHECK(pixel(*plate, 128 + 16, 128)[0] == doctest::Approx(0.0));
+    CHECK(pixel(*plate, 128 + 32, 128)[0] == doctest::Approx(1.0));
+    CHECK(pixel(*plate, 0, 128)[0] == doctest::Approx(1.0));
+    CHECK(pixel(*plate, 1, 128)[0] < 0.01f);
+}
+
+TEST_CASE("one dot is lit, and the circle of the grid touches top and bottom") {
+    const auto dot = make_pattern("dot,size=64x48");
+    CHECK(std::count(dot->pixels.begin(), dot->pixels.end(), 1.0f) == 3);
+    CHECK(pixel(*dot, 32, 24)[0] == 1.0f);
+    const auto grid = make_pattern("grid,size=640x480");
+    CHECK(pixel(*grid, 320, 1)[0] == doctest::Approx(1.0));
+    CHECK(pixel(*grid, 320, 478)[0] == doctest::Approx(1.0));
+    CHECK(pixel(*grid, 320 - 239, 240)[0] == doctest::Approx(1.0));
+}
+
+TEST_CASE("the terminal page has 80 x 25 characters of 8 x 16 pixels") {
+    const auto page = make_pattern("terminal");
+    REQUIRE(page.has_value());
+    CHECK(page->extent == Extent{640, 400});
+    // The 'A' of the first line, its bar four dots down: the font's own dots.
+    CHECK(pixel(*page, 2 * 8 + 1, 2 * 4)[1] > 0.8f);
+    CHECK(pixel(*page, 2 * 8 + 3, 0)[1] > 0.8f);
+    CHECK(pixel(*page, 0, 0)[1] == 0.0f);
 }
