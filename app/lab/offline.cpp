@@ -131,9 +131,9 @@ Result<Offline> Offline::create(Prepared prepared, Extent size, double fps) {
     if (!programs)
         return fail(programs.error());
     Offline offline(std::move(*context), std::move(prepared.document), std::move(*programs), fps);
+    offline.m_renderer->set_values(offline.m_document.values());  // first: sizes may depend on them
     if (auto done = offline.m_renderer->resize(size, size); !done)
         return fail(done.error());
-    offline.m_renderer->set_values(offline.m_document.values());
     if (auto done = offline.load_signal(); !done)
         return fail(done.error());
     if (auto done = offline.load_pictures(size); !done)

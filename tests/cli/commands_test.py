@@ -60,6 +60,21 @@ class Rendering(ProgramTest):
         self.assertEqual(files[1], "01_persistence.exr")
         self.assert_done(run("compare", self.folder / "all" / files[1], self.folder / "p.exr", "--fail-above", "max=0"))
 
+    def test_a_size_follows_the_parameter_that_it_is_told_by(self):
+        self.write("look.json", """{ "format": "afterglow-look", "version": 1, "name": "Blocks", "driven_by": "signal", "passes": [
+            { "name": "blocks", "fragment": "a.frag", "size": ["$blocks", "$HEIGHT"] },
+            { "name": "shown", "fragment": "b.frag", "inputs": { "image": "blocks" } }]}""")
+        self.write("a.frag", """#version 410 core
+            uniform float blocks = 4.0;  // @range 1 16
+            out vec4 color;
+            void main() { color = vec4(blocks / 16.0); }""")
+        self.write("b.frag", """#version 410 core
+            uniform sampler2D image;
+            out vec4 color;
+            void main() { color = vec4(float(textureSize(image, 0).x) / 16.0); }""")
+        self.assert_done(run("render", self.folder, "--size", "8x8", "--set", "blocks=12", "-o", self.folder / "a.png"))
+        self.assertEqual(read_png(self.folder / "a.png")[2][0][0], round(255 * 12 / 16))
+
     def test_a_sound_file_draws(self):
         sound = self.folder / "tone.wav"
         with wave.open(str(sound), "wb") as file:
