@@ -1,15 +1,18 @@
 #version 410 core
 // The beam: the light of one spot, added to that of all others in the frame. Linear light.
+// For a measured tube it is charge instead, without colour: red, green and blue are what the three
+// terms have given off of it by the frame's end, alpha is all of it.
 // Energy of a point, summed over all pixels (px^2), wherever it lies between them:
 //   beam_gain * intensity * width^2 * pi * (1 / core_sharpness + glow_weight / glow_sharpness)
-// with width = beam_width * height / 512 px, and times beam_color for each channel.
+// with width = beam_width * height / 512 px, and times beam_color for each channel where the tube is custom.
 #include "spot.glsl"
 #include "as_written.glsl"
 #include "gaussian.glsl"
+#include "tube.glsl"
 
 flat in vec2 middle;
 flat in float width;
-flat in vec3 charge;
+flat in vec4 charge;
 out vec4 color;
 
 float spot() {
@@ -27,6 +30,6 @@ float spot_as_written() {
 }
 
 void main() {
-    vec3 brightness = beam_gain * charge * (as_written ? spot_as_written() : spot());
-    color = vec4(beam_color * brightness, 1.0);
+    vec4 brightness = beam_gain * charge * (as_written ? spot_as_written() : spot());
+    color = has_tube() ? brightness : vec4(beam_color * brightness.rgb, 1.0);
 }

@@ -1,6 +1,7 @@
 #version 410 core
 // The beam: one square for each instant at which the beam was somewhere, large enough for its spot.
 #include "spot.glsl"
+#include "tube.glsl"
 #include "decay.glsl"
 #include "fit.glsl"
 #include "as_written.glsl"
@@ -14,7 +15,15 @@ in float age_seconds;   // before the frame's end
 
 flat out vec2 middle;   // px from the bottom left
 flat out float width;   // px
-flat out vec3 charge;   // intensity, less what has faded since, of each channel
+flat out vec4 charge;   // custom: intensity, less what has faded since, of each channel; a measured
+                        // tube: what each term has given off of it since, and all of it
+
+vec4 charge_at_the_end() {
+    if (as_written)
+        return vec4(intensity);
+    vec3 parts = has_tube() ? spent_after(age_seconds / term_seconds()) : left_after(age_seconds);
+    return intensity * vec4(parts, 1.0);
+}
 
 // GL drops a point whose middle is off the picture, and with it the half of the spot that is not.
 // So the square is drawn around the nearest place inside, larger by as much as it was moved.
@@ -37,7 +46,7 @@ void main() {
     vec2 place = position * signal_size(u_resolution);
     middle = (0.5 + 0.5 * place) * u_resolution;
     width = beam_width * u_resolution.y / reference_height;
-    charge = intensity * (as_written ? vec3(1.0) : left_after(age_seconds));
+    charge = charge_at_the_end();
     if (as_written)
         place_as_written(place);
     else

@@ -4,7 +4,7 @@
 #define PHOSPHOR_SPOT
 
 uniform vec3 beam_color = vec3(0.2, 1.0, 0.3);  // @color  @label "Colour"  @group "Beam"
-                                                // @help "The colour in which the phosphor glows."
+                                                // @help "The colour in which the phosphor glows. A measured tube has a colour of its own unless Tube colour says otherwise."
 uniform float beam_gain = 0.7;                  // @range 0.01 4  @limit 0 1000  @scale log  @label "Beam strength"  @group "Beam"
                                                 // @help "How much light the beam leaves behind. More makes crowded and slow parts of the trace brighter, up to the ceiling."
 uniform float beam_width = 2.0;  // @range 0.5 12  @limit 0.05 64  @scale log  @label "Beam width"  @unit "px at 512 lines"  @group "Beam"

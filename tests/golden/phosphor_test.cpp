@@ -6,7 +6,11 @@ namespace {
 const GoldenLook phosphor{
     .id = "phosphor",
     .always = {{"dither", "false"}},  // noise would hide small changes and swell the files
-    .companions = {{"tone_map_every_frame", {{"ceiling", "20"}}}},
+    .companions = {{"tone_map_every_frame", {{"ceiling", "20"}}},
+                   {"time_scale", {{"tube", "P31"}}},
+                   {"tail_gain", {{"tube", "P7"}}},
+                   {"tube_color", {{"tube", "P7"}}},
+                   {"afterglow_color", {{"tube", "P7"}, {"tube_color", "2"}}}},
     .fewest_presets = 9,
 };
 }  // namespace

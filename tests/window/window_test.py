@@ -217,8 +217,9 @@ class WindowTest(unittest.TestCase):
         program.click("write_overrides")
         program.wait("it is written", lambda s: "Written" in s["notice"])
         after = json.loads(manifest.read_text())
-        self.assertEqual(after["passes"][2]["format"], other.removeprefix("format:"))
-        after["passes"][2]["format"] = before["passes"][2]["format"]
+        bloom = [one["name"] for one in before["passes"]].index("bloom_x")
+        self.assertEqual(after["passes"][bloom]["format"], other.removeprefix("format:"))
+        after["passes"][bloom]["format"] = before["passes"][bloom]["format"]
         self.assertEqual(after, before)
 
     def test_a_parameter_and_a_pass_open_the_editor_at_their_line(self):

@@ -1,0 +1,296 @@
+// Phosphor's measured tubes against the Tektronix decay table and closed forms.
+#include "looks/tube.h"
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <numeric>
+
+namespace {
+/// A line of Tektronix, "CRT Data", phosphor decay table, rev. A, 1966: milliseconds to 10, 1 and
+/// 0.1 %, and the luminance where P31's is 100.
+struct Measured {
+    const char* name;
+    double item;
+    std::array<double, 3> milliseconds;
+    double luminance;
+};
+
+constexpr std::array<Measured, 10> measured{{{"P1", 1, {27, 60, 95}, 45},
+                                             {"P2", 2, {0.37, 4.7, 51}, 60},
+                                             {"P3", 3, {19, 45, 74}, 45},
+                                             {"P4", 4, {0.32, 3.3, 20}, 50},
+                                             {"P7", 5, {0.305, 5.7, 66}, 45},
+                                             {"P11", 6, {0.274, 2.6, 17}, 25},
+                                             {"P14", 7, {0.44, 6.7, 55}, 40},
+                                             {"P28", 8, {0.39, 17, 132.5}, 50},
+                                             {"P31", 9, {0.34, 4.5, 32}, 100},
+                                             {"P32", 10, {1, 18, 235}, 25}}};
+constexpr const Measured& p7 = measured[4];
+constexpr const Measured& p31 = measured[8];
+constexpr const Measured& p32 = measured[9];
+
+/// I(t) = sum of weight e^(-t / seconds).
+struct Decay {
+    std::array<double, 3> weights{};
+    std::array<double, 3> seconds{1, 1, 1};
+
+    double light() const { return light_until(1e9); }
+    double light_until(double time) const {
+        double sum = 0;
+        for (std::size_t i = 0; i < 3; ++i)
+            sum += weights[i] * seconds[i] * -std::expm1(-time / seconds[i]);
+        return sum;
+    }
+};
+
+// Two terms through the three points; the fast one is nearly gone at the second.
+Decay solved_for_silicate(const std::array<double, 3>& times) {
+    Decay d{{0.5, 0.5, 0}, {times[0] / 3.6, times[2] / 7, 1}};
+    for (int i = 0; i < 1000; ++i) {
+        const double one = 0.01 - d.weights[0] * std::exp(-times[1] / d.seconds[0]);
+        const double tenth = 0.001 - d.weights[0] * std::exp(-times[2] / d.seconds[0]);
+        d.seconds[1] = (times[2] - times[1]) / std::log(one / tenth);
+        d.weights[1] = one * std::exp(times[1] / d.seconds[1]);
+        d.weights[0] = 1 - d.weights[1];
+        d.seconds[0] =
+            -times[0] /
+            std::log((0.1 - d.weights[1] * std::exp(-times[0] / d.seconds[1])) / d.weights[0]);
+    }
+    return d;
+}
+
+// The slow terms' times are half of those to 1 and 0.1 %.
+Decay solved_for_sulphide(const std::array<double, 3>& times) {
+    Decay d{{0.96, 0.03, 0.007}, {times[0] / 2.4, times[1] / 2, times[2] / 2}};
+    const auto left = [&](std::size_t term, double time) {
+        return d.weights[term] * std::exp(-time / d.seconds[term]);
+    };
+    for (int i = 0; i < 1000; ++i) {
+        d.weights[2] = (0.001 - left(0, times[2]) - left(1, times[2])) * std::exp(2);
+        d.weights[1] = (0.01 - left(0, times[1]) - left(2, times[1])) * std::exp(2);
+        d.weights[0] = 1 - d.weights[1] - d.weights[2];
+        d.seconds[0] =
+            -times[0] / std::log((0.1 - left(1, times[0]) - left(2, times[0])) / d.weights[0]);
+    }
+    return d;
+}
+
+Decay solved(const Measured& tube) {
+    std::array<double, 3> seconds = tube.milliseconds;
+    for (double& time : seconds)
+        time *= 0.001;
+    const std::string name = tube.name;
+    return name == "P1" || name == "P3" ? solved_for_silicate(seconds)
+                                        : solved_for_sulphide(seconds);
+}
+
+constexpr std::array<int, 5> rates{24, 30, 60, 144, 240};
+constexpr Extent small{16, 16};
+
+/// All light is white, and far below the ceiling.
+Values white(const Measured& tube) {
+    return {{"tube", Value(tube.item)},
+            {"tube_color", Value(1.0)},
+            {"beam_color", Value(std::vector<double>{1, 1, 1})},
+            {"beam_gain", Value(0.001)}};
+}
+
+Beam flash(double age) {
+    return {{0.0f, 0.0f, 1.0f, static_cast<float>(age)}};
+}
+
+/// Light a second of one instant, some time after a flash.
+double brightness_after(Tube& tube, const Values& values, double seconds) {
+    constexpr double instant = 1e-7;
+    tube.restart(values);
+    if (seconds > 0)
+        tube.draw(flash(seconds), 1 / seconds);
+    tube.draw(seconds > 0 ? Beam{} : flash(instant), 1 / instant);
+    return tube.sum("persistence");
+}
+
+double luminance(const std::array<double, 3>& rgb) {
+    return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2];
+}
+
+std::array<double, 3> light_of(const Tube& tube) {
+    return {tube.sum("persistence", 0), tube.sum("persistence", 1), tube.sum("persistence", 2)};
+}
+
+std::array<double, 3> scaled_to_1(std::array<double, 3> rgb) {
+    const double most = *std::max_element(rgb.begin(), rgb.end());
+    for (double& channel : rgb)
+        channel /= most;
+    return rgb;
+}
+}  // namespace
+
+TEST_CASE("every tube is at 10, 1 and 0.1 % at the measured times") {
+    Tube tube({}, small);
+    for (const Measured& line : measured) {
+        CAPTURE(line.name);
+        const double full = brightness_after(tube, white(line), 0);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double expected = std::pow(0.1, static_cast<double>(i + 1));
+            const double left =
+                brightness_after(tube, white(line), 0.001 * line.milliseconds[i]) / full;
+            CHECK(std::abs(left / expected - 1) < 0.001);
+        }
+    }
+}
+
+TEST_CASE("the time scale stretches a tube's fading") {
+    Tube tube({}, small);
+    for (const double scale : {0.05, 100.0}) {
+        const Values values = with(white(p31), {{"time_scale", Value(scale)}});
+        const double left =
+            brightness_after(tube, values, scale * 0.0045) / brightness_after(tube, values, 0);
+        CHECK(std::abs(left / 0.01 - 1) < 0.01);
+    }
+}
+
+TEST_CASE("after a flash each frame shows the light that falls into it, at every frame rate") {
+    Tube tube({}, small);
+    for (const Measured& line : measured) {
+        const Decay decay = solved(line);
+        for (const int fps : rates) {
+            CAPTURE(line.name);
+            CAPTURE(fps);
+            tube.restart(white(line));
+            double peak = 0;
+            double apart = 0;
+            double scale = 0;
+            for (int k = 1; k <= 60; ++k) {
+                tube.draw(k == 1 ? flash(1.0 / fps) : Beam{}, fps);
+                if (k ==
+                    1)  // a charge of 1 gives in all what it would at a brightness of 12 for 1/60 s
+                    scale = tube.sum("beam", 3) * 12 / 60 / decay.light();
+                const double expected =
+                    (decay.light_until(k * 1.0 / fps) - decay.light_until((k - 1) * 1.0 / fps)) *
+                    fps;
+                peak = std::max(peak, expected);
+                apart = std::max(apart, std::abs(tube.sum("persistence") / scale - expected));
+            }
+            CHECK(apart < 0.0002 * peak);
+        }
+    }
+}
+
+TEST_CASE("the light of two seconds is the same at every frame rate") {
+    Tube tube({}, small);
+    for (const Measured* line : {&p7, &p31, &p32}) {
+        const Decay decay = solved(*line);
+        for (const int fps : rates) {
+            CAPTURE(line->name);
+            CAPTURE(fps);
+            tube.restart(white(*line));
+            double light = 0;
+            double charge = 0;
+            for (int k = 1; k <= 2 * fps; ++k) {
+                tube.draw(k == 1 ? flash(1.0 / fps) : Beam{}, fps);
+                charge += k == 1 ? tube.sum("beam", 3) : 0.0;
+                light += tube.sum("persistence") / fps;
+            }
+            const double expected = charge * 12 / 60 * decay.light_until(2) / decay.light();
+            CHECK(std::abs(light / expected - 1) < 0.0001);
+        }
+    }
+}
+
+TEST_CASE("a trace that stays is as bright at every frame rate") {
+    constexpr int points = 24;
+    Tube tube({}, small);
+    for (const int fps : rates) {
+        CAPTURE(fps);
+        Beam beam;
+        for (int i = 0; i < points; ++i)
+            beam.push_back({0.0f, 0.0f, 60.0f / static_cast<float>(fps) / points,
+                            (static_cast<float>(i) + 0.5f) / points / static_cast<float>(fps)});
+        tube.restart(white(p32));
+        for (int k = 1; k <= 2 * fps; ++k)
+            tube.draw(beam, fps);
+        const double charge_a_second = tube.sum("beam", 3) * fps;
+        CHECK(std::abs(tube.sum("persistence") / (charge_a_second * 12 / 60) - 1) < 0.001);
+    }
+}
+
+TEST_CASE("a tube's light has its colour, and its luminance next to P31's") {
+    // Linear sRGB of the emission chromaticities, mixed with neutral where outside; largest is 1.
+    const std::vector<std::pair<double, std::array<double, 3>>> published{
+        {1, {0, 1, 0.235}}, {3, {1, 0.42, 0}},  {4, {0.488, 0.781, 1}},
+        {6, {0, 0.353, 1}}, {9, {0, 1, 0.373}},
+    };
+    Tube tube({}, small);
+    const auto flashed = [&](double item) {
+        tube.restart({{"tube", Value(item)}, {"beam_gain", Value(0.001)}});
+        tube.draw(flash(2.0), 0.5);  // a frame of 2 s holds all light
+        return light_of(tube);
+    };
+    for (const auto& [item, color] : published) {
+        const auto shown = scaled_to_1(flashed(item));
+        CAPTURE(item);
+        for (std::size_t i = 0; i < 3; ++i)
+            CHECK(std::abs(shown[i] - color[i]) < 0.002);
+    }
+    const double reference = luminance(flashed(p31.item));
+    for (const Measured& line : measured) {
+        CAPTURE(line.name);
+        CHECK(std::abs(luminance(flashed(line.item)) / reference - line.luminance / 100) < 0.002);
+    }
+}
+
+TEST_CASE("P7 flashes blue and glows on yellow-green, P14 orange") {
+    Tube tube({}, small);
+    const auto after = [&](double item, double seconds) {
+        tube.restart({{"tube", Value(item)}, {"beam_gain", Value(0.001)}});
+        if (seconds > 0)
+            tube.draw(flash(seconds), 1 / seconds);
+        tube.draw(seconds > 0 ? Beam{} : flash(1e-6), 1e6);
+        return scaled_to_1(light_of(tube));
+    };
+    CHECK(after(5, 0)[2] == 1.0);
+    CHECK(after(5, 0)[1] < 0.01);
+    constexpr std::array<double, 3> yellow_green{0.418, 1, 0.034};
+    for (std::size_t i = 0; i < 3; ++i)
+        CHECK(std::abs(after(5, 0.02)[i] - yellow_green[i]) < 0.002);
+    CHECK(after(7, 0)[2] == 1.0);
+    CHECK(after(7, 0.02)[0] == 1.0);
+    CHECK(after(7, 0.02)[2] < 0.01);
+}
+
+TEST_CASE("the tail's gain scales what comes after the flash and leaves the flash") {
+    const Decay decay = solved(p31);
+    Tube tube({}, small);
+    for (const double gain : {0.0, 1.0, 4.0}) {
+        CAPTURE(gain);
+        tube.restart(with(white(p31), {{"tail_gain", Value(gain)}}));
+        tube.draw(flash(2.0), 0.5);
+        const double first = decay.weights[0] * decay.seconds[0];
+        const double expected = (first + gain * (decay.light() - first)) / decay.light();
+        const double light = tube.sum("persistence") * 2 / (tube.sum("beam", 3) * 12 / 60);
+        CHECK(std::abs(light - expected) < 0.002);
+    }
+}
+
+TEST_CASE("an overdriven tube is as bright as its ceiling and fades from there") {
+    Tube tube(with(white(p32), {{"ceiling", Value(2.5)}, {"beam_gain", Value(0.7)}}), {64, 64});
+    tube.draw(tube.flood());
+    tube.rest(1);
+    CHECK(std::abs(tube.at("persistence", 32, 32) - 2.5) < 1e-4);
+    tube.rest(60);  // a second later the slowest term alone is left
+    CHECK(std::abs(tube.at("persistence", 32, 32) / (2.5 * std::exp(-1 / 0.1175)) - 1) < 0.001);
+}
+
+TEST_CASE("the custom tube keeps no charges, and the article knows no tubes") {
+    Tube custom({}, small);
+    custom.draw(flash(0));
+    CHECK(custom.target("excitation").extent == Extent{1, 1});
+    Tube article({{"as_written", Value(1.0)}}, small);
+    article.draw(flash(0));
+    const double light = article.sum("persistence");
+    article.restart({{"as_written", Value(1.0)}, {"tube", Value(9.0)}});
+    article.draw(flash(0));
+    CHECK(light > 0.001);
+    CHECK(article.sum("persistence") == light);
+}

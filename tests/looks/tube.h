@@ -1,0 +1,109 @@
+#pragma once
+
+#include "base/text.h"
+#include "gpu/readback.h"
+#include "lab/offline.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+/// Phosphor with its targets in 32-bit floats, fed by hand.
+class Tube {
+public:
+    explicit Tube(const Values& values, Extent extent = {128, 128}) {
+        auto context = gpu::Context::headless();
+        REQUIRE(context.has_value());
+        m_context = std::move(*context);
+        LoadedLook loaded =
+            load_look(std::filesystem::path(AFTERGLOW_SOURCE_DIR) / "shaders" / "phosphor",
+                      std::filesystem::path(AFTERGLOW_SOURCE_DIR) / "shaders" / "include");
+        REQUIRE_MESSAGE(loaded.look.has_value(),
+                        (loaded.look ? "" : to_string(loaded.look.error())));
+        for (Pass& pass : loaded.look->passes)
+            pass.format = Format::rgba32f;
+        auto programs = build_programs(*loaded.look);
+        REQUIRE(programs.has_value());
+        m_renderer = std::make_unique<Renderer>(std::move(*loaded.look), std::move(*programs));
+        m_extent = extent;
+        restart(values);
+    }
+
+    /// From the first frame again, with other values.
+    void restart(const Values& values) {
+        m_context->make_current();  // another tube may have been
+        m_renderer->set_values(values);
+        REQUIRE(m_renderer->resize(m_extent, m_extent).has_value());
+        m_renderer->clear_history();
+        m_number = 0;
+    }
+
+    /// One frame of 1/fps that holds these points.
+    void draw(const Beam& beam, double fps = 60.0) {
+        m_context->make_current();
+        ++m_number;
+        m_renderer->draw({m_number, frame_span(m_number, fps)}, beam);
+    }
+    void rest(int count, double fps = 60.0) {
+        for (int i = 0; i < count; ++i)
+            draw({}, fps);
+    }
+
+    Picture target(const char* pass) const {
+        m_context->make_current();
+        const Executor& executor = m_renderer->executor();
+        return gpu::read_picture(executor.target(*find_pass(executor.look(), pass)));
+    }
+    /// A channel summed over all pixels.
+    double sum(const char* pass, std::size_t channel = 1) const {
+        const Picture picture = target(pass);
+        double sum = 0.0;
+        for (std::size_t i = channel; i < picture.pixels.size(); i += 4)
+            sum += static_cast<double>(picture.pixels[i]);
+        return sum;
+    }
+    double at(const char* pass, int x, int y, std::size_t channel = 1) const {
+        const Picture picture = target(pass);
+        return static_cast<double>(picture.pixels[picture.index(x, y) + channel]);
+    }
+
+    /// Enough of the beam everywhere that the phosphor is at its ceiling.
+    Beam flood() const {
+        Beam beam;
+        for (float y = -1.0f; y <= 1.0f; y += 0.04f)
+            for (float x = -1.0f; x <= 1.0f; x += 0.04f)
+                beam.push_back({x, y, 1e4f, 0.0f});
+        return beam;
+    }
+
+    Tube(const Tube&) = delete;
+    Tube& operator=(const Tube&) = delete;
+    ~Tube() { m_context->make_current(); }
+
+private:
+    std::unique_ptr<gpu::Context> m_context;
+    std::unique_ptr<Renderer> m_renderer;
+    Extent m_extent;
+    std::int64_t m_number = 0;
+};
+
+/// Everything off that would change a flat field in the composite.
+inline Values plain_glass() {
+    return {{"bloom_intensity", Value(0.0)},
+            {"scanline_strength", Value(0.0)},
+            {"graticule", Value(0.0)},
+            {"vignette", Value(0.0)},
+            {"curvature", Value(0.0)},
+            {"aberration", Value(0.0)},
+            {"corner_radius", Value(0.0)},
+            {"ambient_glass", Value(std::vector<double>{0, 0, 0})},
+            {"dither", Value(0.0)},
+            {"display_encode", Value(0.0)},
+            {"beam_color", Value(std::vector<double>{1, 1, 1})}};
+}
+
+inline Values with(Values values, const Values& more) {
+    for (const auto& [name, value] : more)
+        values[name] = value;
+    return values;
+}
