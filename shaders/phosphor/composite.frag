@@ -47,8 +47,15 @@ uniform vec3 ambient_glass = vec3(0.0, 0.003, 0.0);  // @color  @label "Ambient 
 in vec2 uv;
 out vec4 color;
 
+// Where nothing bends or shifts the picture each pixel is its own texel, to the last digit.
+bool is_straight() {
+    return curvature == 0.0 && aberration == 0.0 && textureSize(phosphor, 0) == ivec2(u_resolution);
+}
+
 vec3 light_at(vec2 at) {
-    return texture(phosphor, at).rgb + bloom_intensity * texture(bloom, at).rgb;
+    vec3 light = is_straight() ? texelFetch(phosphor, ivec2(gl_FragCoord.xy), 0).rgb
+                               : texture(phosphor, at).rgb;
+    return light + bloom_intensity * texture(bloom, at).rgb;
 }
 
 // Red and blue from either side: aberration / width of the picture, as a lens that bends them apart.
@@ -74,6 +81,8 @@ vec3 through_glass(vec2 place) {
     light *= scanline_factor(y_px, scanline_period, scanline_strength);
     light = with_graticule(light + ambient_glass, place, u_resolution);
     light *= vignette_factor(place, vignette);
+    if (curvature == 0.0 && corner_radius == 0.0)
+        return light;
     vec2 half_size = u_resolution / u_resolution.y;
     return light * glass_coverage(place, half_size, corner_radius);
 }

@@ -167,3 +167,62 @@ TEST_CASE("scanlines leave a mean of 1 - strength / 2 over whole periods") {
         CHECK(lined.at("composite", 64, 64) != doctest::Approx(lined.at("composite", 64, 66)));
     }
 }
+
+namespace {
+/// Also above 1.
+Beam trace_of_all_brightnesses() {
+    Beam beam{{0.99f, 0.99f, 20.0f, 0.0f}};  // in the corner
+    for (int i = 0; i < 200; ++i) {
+        const float turn = static_cast<float>(i) / 200.0f;
+        beam.push_back({0.9f * std::sin(6.2832f * 3 * turn), 0.8f * std::sin(6.2832f * 2 * turn),
+                        80.0f * turn, 0.0f});
+    }
+    return beam;
+}
+
+Values all_off() {
+    return with(plain_glass(), {{"beam_color", Value(std::vector<double>{0.2, 1, 0.6})},
+                                {"tone_map", Value(0.0)},
+                                {"exposure", Value(1.0)},
+                                {"keep_hue", Value(0.0)}});
+}
+
+/// How far the picture is from the phosphor's light, cut off at 1.
+double distance_from_copy(const Tube& tube) {
+    const Picture light = tube.target("persistence");
+    const Picture shown = tube.target("composite");
+    double apart = 0;
+    for (std::size_t i = 0; i < light.pixels.size(); ++i)
+        apart = std::max(apart, std::abs(static_cast<double>(std::min(light.pixels[i], 1.0f)) -
+                                         static_cast<double>(shown.pixels[i])));
+    return apart;
+}
+}  // namespace
+
+TEST_CASE("with every stage off the picture is the phosphor's light, at any size") {
+    for (const Extent extent : {Extent{128, 72}, Extent{149, 83}, Extent{50, 301}}) {
+        CAPTURE(extent.width);
+        Tube tube(all_off(), extent);
+        tube.draw(trace_of_all_brightnesses());
+        CHECK(tube.sum("persistence") > 10.0);
+        CHECK(distance_from_copy(tube) == 0.0);
+    }
+}
+
+TEST_CASE("each stage alone changes the picture, and its off value takes that back") {
+    const Values stages{
+        {"bloom_intensity", Value(0.6)}, {"scanline_strength", Value(0.3)},
+        {"graticule", Value(0.15)},      {"vignette", Value(0.3)},
+        {"curvature", Value(0.04)},      {"aberration", Value(1.0)},
+        {"corner_radius", Value(0.2)},   {"ambient_glass", Value(std::vector<double>{0, 0.003, 0})},
+        {"dither", Value(1.0)},          {"display_encode", Value(1.0)},
+        {"tone_map", Value(1.0)},        {"exposure", Value(1.5)},
+        {"keep_hue", Value(0.8)}};
+    Tube tube(all_off(), {149, 83});
+    for (const auto& [name, value] : stages) {
+        CAPTURE(name);
+        tube.restart(with(all_off(), {{name, value}}));
+        tube.draw(trace_of_all_brightnesses());
+        CHECK(distance_from_copy(tube) > 0.0005);
+    }
+}
