@@ -1,0 +1,58 @@
+#version 410 core
+// The beam: the light of one segment, added to that of all others in the frame. Linear light.
+// Red: what is still to come of it at the frame's end; green: all of it. Summed over all pixels green
+// is intensity * charge * (height / 512)^2, for any length, direction and width of the spot.
+#include "article.glsl"
+#include "as_written.glsl"
+#include "beam_segment.glsl"
+#include "decay.glsl"
+#include "reference_height.glsl"
+
+uniform vec2 u_resolution;
+uniform bool decay_by_place = false;  // @label "Approximate decay (f = 0)"  @group "Article"
+                                      // @help "The article's shortcut: light fades by where it lies along the segment and not by when the beam gave it. It looks the same unless segments are short or spots wide."
+
+flat in vec4 ends;
+flat in vec2 charges;
+flat in vec2 ages;
+flat in float sigma;
+flat in float seconds;
+out vec4 color;
+
+// Light at one place: still to come, and all.
+vec2 light_at(vec2 place, float segment_length) {
+    vec2 at = beam_segment_place(place, ends.xy, ends.zw);
+    float fade = ages.x - ages.y;
+    float whole = beam_segment_light(at, segment_length, sigma, 0.0, charges);
+    float left = decay_by_place
+                     ? light_with_decay_by_place(at, segment_length, sigma, fade, charges)
+                     : beam_segment_light(at, segment_length, sigma, fade, charges);
+    return vec2(left * exp(-ages.y), whole);
+}
+
+vec2 light_over_pixel(float segment_length) {
+    int n = beam_segment_readings(sigma);
+    vec2 sum = vec2(0.0);
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j)
+            sum += light_at(gl_FragCoord.xy + beam_segment_reading(i, j, n), segment_length);
+    return sum / float(n * n);
+}
+
+// Scaled so that at the look's defaults, 60 frames a second, a still picture is as bright as by the
+// right formulas: the spot's area is missing in the article's, and it shows what glows at the frame's
+// end instead of what the frame gave.
+vec2 article_light(float segment_length) {
+    const float default_sigma = 1.2;
+    float area = root_of_2_pi * default_sigma * u_resolution.y / reference_height;
+    float shown = 60.0 * 0.001 * default_decay_time;
+    vec2 at = beam_segment_place(gl_FragCoord.xy, ends.xy, ends.zw);
+    float light = light_as_written(at, segment_length, sigma, ages);
+    return vec2(charges.y * light / (area * shown), 0.0);
+}
+
+void main() {
+    float segment_length = distance(ends.xy, ends.zw);
+    vec2 light = as_written ? article_light(segment_length) : light_over_pixel(segment_length);
+    color = vec4(light, 0.0, 1.0);
+}

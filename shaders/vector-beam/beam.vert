@@ -1,0 +1,66 @@
+#version 410 core
+// The beam: a quad around each segment, large enough for its light.
+#include "as_written.glsl"
+#include "beam_segment.glsl"
+#include "decay.glsl"
+#include "reference_height.glsl"
+
+uniform vec2 u_resolution;
+uniform float intensity = 1.0;      // @range 0.05 10  @limit 0 1000  @scale log  @label "Intensity"  @group "Beam"
+                                    // @help "How much light the beam's current makes."
+uniform float spot_sigma = 1.2;     // @range 0.3 6  @limit 0.05 100  @scale log  @label "Spot size"  @unit "px at 512 lines"  @group "Beam"
+                                    // @help "Standard deviation of the spot, in pixels of a picture 512 pixels high; the line looks about 2.4 times as wide. The light stays the same: a wider spot is dimmer."
+uniform float spot_growth = 0.4;    // @range 0 1.5  @limit 0 20  @label "Growth with current"  @group "Beam"  @identity 0
+                                    // @help "A stronger current makes a wider spot, as electrons push each other apart: at full current the spot is 1 + this times as large."
+uniform float growth_power = 0.5;   // @range 0.3 1  @limit 0.05 4  @label "Growth curve"  @group "Beam"
+                                    // @help "How the spot grows between no and full current: 1 evenly, 0.5 like the square root, so that most of it comes early."
+uniform float quad_sigmas = 5.0;    // @range 2 8  @limit 1 16  @label "Drawn out to"  @unit "sigmas"  @group "Beam"
+                                    // @help "How far from the beam light is still drawn. The article's 5 shows no edge; below 4 bright lines end visibly."
+uniform float dwell = 1.0;          // @range 0 8  @limit 0 1000  @label "Dwell dots"  @group "Beam"  @identity 1
+                                    // @help "How bright the dots are that the beam leaves where it rests or creeps. 1 is what its light makes by itself, more marks corners and ends, 0 hides them."
+uniform float dwell_speed = 20.0;   // @range 1 1000  @limit 0.001 1000000  @scale log  @label "Dwell speed"  @unit "screen heights/s"  @group "Beam"
+                                    // @help "How slow the beam must be to count as resting, for Dwell dots."
+uniform int fit = 0;                // @items "Keep circles round" "Fill the picture"  @label "Fit"  @group "Screen"
+                                    // @help "Keep circles round draws both axes at the same scale; a wide picture has room at its sides. Fill stretches the signal over the whole picture."
+uniform float screen_size = 0.9;    // @range 0.5 1  @limit 0.05 4  @label "Size"  @unit "of the picture"  @group "Screen"
+                                    // @help "How much of the picture the signal's -1 to 1 takes."
+
+in vec4 segment;        // -1..1, y up: start, end
+in vec2 intensities;    // 1: full current for 1/4096 of 1/60 s
+in vec2 ages_seconds;   // before the frame's end
+
+flat out vec4 ends;     // px
+flat out vec2 charges;  // light of start and end, px^2 of the picture
+flat out vec2 ages;     // in decay times
+flat out float sigma;   // px
+flat out float seconds; // from start to end
+
+const float full_current = 4096.0 * 60.0;  // intensity a second
+
+float spot_at(float current) {
+    float px = spot_sigma * u_resolution.y / reference_height;
+    return as_written ? px : px * (1.0 + spot_growth * pow(current, growth_power));
+}
+
+// More, or less, of the light of a beam that is slower than dwell_speed.
+float dwell_gain(float way_px) {
+    float speed = way_px / max(seconds * dwell_speed * u_resolution.y, 1e-12);
+    return mix(1.0, dwell, exp(-speed * speed));
+}
+
+void main() {
+    vec2 shape = fit == 1 ? vec2(1.0) : min(u_resolution.x, u_resolution.y) / u_resolution;
+    ends = (0.5 + 0.5 * screen_size * shape.xyxy * segment) * u_resolution.xyxy;
+    seconds = max(ages_seconds.x - ages_seconds.y, 0.0);
+    ages = ages_seconds / decay_seconds();
+    float current = 0.5 * abs(intensities.x + intensities.y) / max(seconds * full_current, 1e-9);
+    sigma = spot_at(min(current, 4.0));
+    float unit = u_resolution.y / reference_height;
+    charges = intensity * unit * unit * intensities;
+    if (!as_written)
+        charges *= dwell_gain(distance(ends.xy, ends.zw));
+
+    float reach = quad_sigmas * sigma + 0.71;
+    vec2 corner = beam_segment_corner(ends.xy, ends.zw, reach, gl_VertexID);
+    gl_Position = vec4(2.0 * corner / u_resolution - 1.0, 0.0, 1.0);
+}

@@ -1,0 +1,50 @@
+#version 410 core
+// Screen: light and glow in the phosphor's colour, tone mapped once, display-encoded at the end.
+#include "as_written.glsl"
+#include "color.glsl"
+#include "noise.glsl"
+#include "tonemap.glsl"
+
+uniform sampler2D light;
+uniform sampler2D glow;  // red: narrow, green: wide
+uniform int u_frame;
+
+uniform vec3 beam_color = vec3(0.25, 1.0, 0.4);  // @color  @label "Colour"  @group "Beam"
+                                                 // @help "The colour in which the phosphor glows."
+uniform float glow_amount = 0.35;      // @range 0 2  @limit 0 100  @label "Amount"  @group "Glow"  @identity 0
+                                       // @help "How much of the light is scattered around the lines, besides the light itself."
+uniform float glow_wide = 0.4;         // @range 0 1  @limit 0 1  @label "Wide part"  @group "Glow"
+                                       // @help "How much of the glow lies in the wide haze; the rest hugs the lines."
+uniform vec3 glow_color = vec3(1.0);   // @color  @label "Tint"  @group "Glow"
+                                       // @help "Tints the glow against the beam's colour; white leaves it."
+uniform float exposure = 3.0;          // @range 0.1 16  @limit 0 1000  @scale log  @label "Exposure"  @group "Exposure"
+                                       // @help "Brightness of everything, like a camera's exposure."
+uniform int tone_map = 1;              // @items "Clamp" "Reinhard" "ACES"  @label "Tone map"  @group "Exposure"
+                                       // @help "How light brighter than the screen can show is brought back to it. Clamp cuts it off, the others bend it softly."
+uniform float keep_hue = 0.6;          // @range 0 1  @limit 0 1  @label "Keep hue"  @group "Exposure"
+                                       // @help "0: the brightest lines turn white, as on film. 1: they stay as coloured as the phosphor."
+uniform vec3 background = vec3(0.0, 0.001, 0.0005);  // @color  @label "Background"  @group "Screen"
+                                                     // @help "The dark screen's own light, so that its black is not quite black."
+uniform bool dither = true;            // @label "Dither"  @group "Exposure"  @identity 0
+                                       // @help "Noise of half a screen step, so that soft glows show no bands."
+
+in vec2 uv;
+out vec4 color;
+
+vec3 shown(vec3 light) {
+    return mix(tone_mapped(light, tone_map, 0.0), tone_mapped_keeping_hue(light, tone_map, 0.0),
+               keep_hue);
+}
+
+void main() {
+    float direct = texture(light, uv).r;
+    if (as_written) {
+        color = vec4(srgb_encode(direct * exposure * beam_color), 1.0);
+        return;
+    }
+    vec2 around = texture(glow, uv).rg;
+    float scattered = glow_amount * mix(around.x, around.y, glow_wide);
+    vec3 linear = exposure * beam_color * (direct + scattered * glow_color);
+    vec3 display = srgb_encode(shown(linear) + background);
+    color = vec4(dither ? dithered(display, uvec2(gl_FragCoord.xy), uint(u_frame)) : display, 1.0);
+}

@@ -1,0 +1,203 @@
+// Vector beam against closed forms: what its passes hold, in numbers.
+#include "looks/drawn_look.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+constexpr Extent square{128, 128};
+constexpr double unit = 128.0 / 512.0;  // px of the picture in one at 512 lines
+constexpr double frame = 1.0 / 60.0;
+
+class Monitor : public DrawnLook {
+public:
+    Monitor() : DrawnLook("shaders/vector-beam", square) {}
+
+    /// Dark, and with these values.
+    void start(const Values& values) {
+        set_values(values);
+        restart();
+    }
+};
+
+/// A segment that lies in the picture and begins `age` + `seconds` before the frame's end.
+Beam stroke(float length, double seconds, double age, float charge = 1.0f) {
+    return {{-length, 0.1f, charge, static_cast<float>(age + seconds)},
+            {length, 0.1f, charge, static_cast<float>(age)}};
+}
+
+/// Even light while the frame lasts, `charge` in all; the way to its start is blanked.
+Beam even_light(double seconds, double charge) {
+    constexpr int pieces = 16;
+    Beam beam;
+    for (int i = 0; i <= pieces; ++i) {
+        const double share = static_cast<double>(i) / pieces;
+        beam.push_back({static_cast<float>(0.8 * share - 0.4), 0.0f,
+                        i == 0 ? 0.0f : static_cast<float>(charge / pieces),
+                        static_cast<float>(seconds * (1.0 - share))});
+    }
+    return beam;
+}
+
+/// Standard deviation down the picture of what one channel holds, px.
+double deviation_down(const Picture& picture, std::size_t channel) {
+    double sum = 0.0;
+    double first = 0.0;
+    double second = 0.0;
+    for (int y = 0; y < picture.extent.height; ++y)
+        for (int x = 0; x < picture.extent.width; ++x) {
+            const double light = value_at(picture, x, y, channel);
+            sum += light;
+            first += light * y;
+            second += light * y * y;
+        }
+    return std::sqrt(second / sum - first * first / (sum * sum));
+}
+}  // namespace
+
+TEST_CASE("vector beam: the light is intensity * charge, however wide the spot and long the way") {
+    Monitor monitor;
+    for (const double sigma : {1.5, 8.0})
+        for (const float length : {0.0f, 0.1f, 0.6f}) {
+            CAPTURE(sigma);
+            CAPTURE(length);
+            monitor.start({{"spot_sigma", Value(sigma)}, {"intensity", Value(3.0)}});
+            monitor.draw(stroke(length, 1e-4, 0.0, 2.0f));
+            const double expected = 3.0 * 2.0 * unit * unit;
+            CHECK(std::abs(sum_of(monitor.target("beam"), 1) / expected - 1.0) < 0.001);
+        }
+}
+
+TEST_CASE("vector beam: what a light gives and what is still to come are all of it, at any rate") {
+    Monitor monitor;
+    for (const double decay_ms : {0.1, 80.0}) {
+        double given_at_24 = 0.0;
+        for (const int fps : {24, 60, 144}) {
+            CAPTURE(decay_ms);
+            CAPTURE(fps);
+            monitor.start({{"decay_time", Value(decay_ms)}});
+            const int frames = fps / 4;
+            double given = 0.0;
+            for (int i = 0; i < frames; ++i) {
+                // Lit for the first sixth of a second, dark for the rest.
+                const bool is_lit = 6 * i < fps;
+                monitor.draw(is_lit ? even_light(1.0 / fps, 1000.0 / fps) : Beam{}, fps);
+                given += sum_of(monitor.target("phosphor"), 1);
+            }
+            const double to_come = sum_of(monitor.target("phosphor"), 0);
+            const double laid_down = unit * unit * 1000.0 / 6.0;
+            CHECK(std::abs((given + to_come) / laid_down - 1.0) < 0.002);
+            if (fps == 24)
+                given_at_24 = given;
+            CHECK(std::abs(given / given_at_24 - 1.0) < 0.001);
+        }
+    }
+}
+
+TEST_CASE("vector beam: light fades as exp(-t / decay time) at every frame rate") {
+    Monitor monitor;
+    for (const int fps : {24, 60, 144}) {
+        CAPTURE(fps);
+        monitor.start({{"decay_time", Value(50.0)}});
+        monitor.draw(stroke(0.3f, 0.0, 0.0), fps);
+        const double fresh = sum_of(monitor.target("phosphor"), 0);
+        for (int i = 0; i < fps / 4; ++i)
+            monitor.draw({}, fps);
+        const double seconds = static_cast<double>(fps / 4) / fps;
+        const double left = sum_of(monitor.target("phosphor"), 0) / fresh;
+        CHECK(std::abs(left / std::exp(-seconds / 0.05) - 1.0) < 0.001);
+    }
+}
+
+TEST_CASE("vector beam: a still picture is as bright with a short decay as with a long one") {
+    Monitor monitor;
+    double brightness[2];
+    for (const int i : {0, 1}) {
+        monitor.start({{"decay_time", Value(i == 0 ? 0.05 : 40.0)}});
+        for (int n = 0; n < 30; ++n)
+            monitor.draw(even_light(frame, 100.0));
+        brightness[i] = sum_of(monitor.target("light"));
+    }
+    CHECK(std::abs(brightness[0] / brightness[1] - 1.0) < 0.005);
+}
+
+TEST_CASE("vector beam: the spot is s (1 + k c^q) wide at current c") {
+    Monitor monitor;
+    // Intensity 1 in 1 / (4096 * 60) s is full current.
+    for (const double current : {0.0, 0.25, 1.0}) {
+        CAPTURE(current);
+        monitor.start({{"spot_sigma", Value(8.0)},
+                       {"spot_growth", Value(0.8)},
+                       {"growth_power", Value(0.5)},
+                       {"quad_sigmas", Value(6.0)}});
+        const double seconds = 1e-3;
+        monitor.draw(stroke(0.2f, seconds, 0.0,
+                            static_cast<float>(std::max(current, 1e-9) * seconds * 4096 * 60)));
+        const double expected = 8.0 * unit * (1.0 + 0.8 * std::sqrt(current));
+        CHECK(std::abs(deviation_down(monitor.target("beam"), 1) / expected - 1.0) < 0.005);
+    }
+}
+
+TEST_CASE("vector beam: dwell changes what rests and leaves what moves") {
+    Monitor monitor;
+    const auto light = [&monitor](double dwell, float length) {
+        monitor.start({{"dwell", Value(dwell)}, {"dwell_speed", Value(20.0)}});
+        monitor.draw(stroke(length, 1e-4, 0.0));
+        return sum_of(monitor.target("beam"), 1);
+    };
+    CHECK(std::abs(light(5.0, 0.0f) / light(1.0, 0.0f) - 5.0) < 0.001);
+    CHECK(light(0.0, 0.0f) < 1e-6);
+    CHECK(std::abs(light(5.0, 0.4f) / light(1.0, 0.4f) - 1.0) < 0.001);  // 3600 heights a second
+}
+
+TEST_CASE("vector beam: the shortcut f = 0 is right on long ways and too bright on short ones") {
+    Monitor monitor;
+    const auto left = [&monitor](bool is_short_cut, float length) {
+        monitor.start({{"decay_by_place", Value(is_short_cut ? 1.0 : 0.0)},
+                       {"decay_time", Value(10.0)},
+                       {"spot_sigma", Value(8.0)},
+                       {"quad_sigmas", Value(8.0)},
+                       {"spot_growth", Value(0.0)}});
+        monitor.draw(stroke(length, 0.01, 0.0));
+        return sum_of(monitor.target("beam"), 0);
+    };
+    CHECK(std::abs(left(true, 0.9f) / left(false, 0.9f) - 1.0) < 0.002);
+    // A Gaussian of sigma carries each light to where it counts as e^(x / length) times as old; the
+    // mean of that is e^((sigma / length)^2 / 2). Here the segment is two sigmas long.
+    const auto two_sigmas = static_cast<float>(2.0 * 8.0 * unit / (0.9 * 128.0));
+    CHECK(std::abs(left(true, two_sigmas) / left(false, two_sigmas) - std::exp(0.125)) < 0.003);
+}
+
+TEST_CASE("vector beam: the picture is lit where the beam is") {
+    Monitor monitor;
+    monitor.draw({{-0.5f, 0.5f, 2000.0f, 0.004f}, {0.5f, 0.5f, 2000.0f, 0.0f}});
+    const Picture picture = monitor.target("screen");
+    // 0.9 of the picture's half height up from its middle, times 0.5.
+    const int row = static_cast<int>(64.0 - 0.45 * 64.0);
+    CHECK(value_at(picture, 64, row, 1) > 0.5);
+    CHECK(value_at(picture, 64, 127 - row, 1) < 0.1);
+    CHECK(value_at(picture, 4, row, 1) < 0.1);
+}
+
+TEST_CASE("vector beam as written: errata 10, 11 and 14 of the article are there") {
+    Monitor monitor;
+    const auto light = [&monitor](double sigma, const Beam& beam, double decay_ms, double fps) {
+        monitor.start({{"as_written", Value(1.0)},
+                       {"spot_sigma", Value(sigma)},
+                       {"decay_time", Value(decay_ms)}});
+        monitor.draw(beam, fps);
+        const double fresh = sum_of(monitor.target("phosphor"), 0);
+        monitor.draw({}, fps);
+        return std::pair{fresh, sum_of(monitor.target("phosphor"), 0) / fresh};
+    };
+    const Beam moving = stroke(0.5f, 1e-4, 0.0);
+    const Beam resting = stroke(0.0f, 1e-4, 0.01);
+    // 10: twice the spot, twice the light.
+    CHECK(std::abs(light(8.0, moving, 30.0, 60).first / light(4.0, moving, 30.0, 60).first - 2.0) <
+          0.01);
+    // 11: a resting spot is as bright however long ago it was lit.
+    CHECK(std::abs(light(8.0, resting, 5.0, 60).first / light(8.0, resting, 500.0, 60).first -
+                   1.0) < 0.001);
+    // 14: the same share is left after a frame, however long it was.
+    CHECK(std::abs(light(4.0, moving, 30.0, 24).second - std::exp(-1.0 / 1.8)) < 0.001);
+}
