@@ -1,6 +1,7 @@
 #include "io/sound_file.h"
 
 #include "base/file.h"
+#include "base/text.h"
 #include "io/descriptor.h"
 
 #include <fmt/format.h>
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <fcntl.h>
 #include <memory>
 #include <new>
@@ -70,9 +72,50 @@ Result<void> read_samples(const std::filesystem::path& file, SNDFILE* source, do
         work->share = claimed > 0.0 ? std::min(done / claimed, 1.0) : 0.0;
     }
 }
+// The library cuts what a WAV or AIFF file announces to what is there, and tells only in its log:
+// "data : 320000 (should be 99956)". A header that was written before the length was known holds
+// none, or the largest number that fits.
+double announced_share(std::string_view log) {
+    constexpr double unknown = 2147483647.0;
+    for (const std::string_view line : split_lines(log)) {
+        const bool is_data = line.starts_with("data :") || line.starts_with(" SSND :");
+        const auto mark = line.find("(should be ");
+        if (!is_data || mark == std::string_view::npos)
+            continue;
+        const auto start = line.find(':') + 1;
+        const auto announced = parse_number(trim(line.substr(start, mark - start)));
+        const std::string_view rest = line.substr(mark + std::strlen("(should be "));
+        const auto there = parse_number(rest.substr(0, rest.find(')')));
+        if (announced && there && *there > 0.0 && *announced > *there && *announced < unknown)
+            return *announced / *there;
+    }
+    return 1.0;
+}
+
+// What a file that breaks off holds of what it announces; nothing for one that is whole.
+std::optional<Diagnostic> find_break(const std::filesystem::path& file, SNDFILE* source,
+                                     sf_count_t announced, const Sound& sound) {
+    std::array<char, 16384> text{};
+    sf_command(source, SFC_GET_LOG_INFO, text.data(), static_cast<int>(text.size()) - 1);
+    const std::string_view log(text.data());
+    const auto read = static_cast<double>(sound.frame_count());
+    const auto note = [&file](std::string message) {
+        return Diagnostic{file, 0, std::move(message), Severity::warning};
+    };
+    constexpr double slack = 1.01;  // encoders pad
+    if (announced == SF_COUNT_MAX)  // of an OGG, which tells its length in its last page
+        return note(fmt::format("breaks off: {:.2f} s are there, then the file ends too early",
+                                sound.seconds()));
+    const double whole =
+        std::max(static_cast<double>(announced), read * announced_share(log)) / sound.rate;
+    if (whole > slack * sound.seconds())
+        return note(fmt::format("breaks off: {:.2f} of {:.2f} s are there, the rest is missing",
+                                sound.seconds(), whole));
+    return std::nullopt;
+}
 }  // namespace
 
-Result<Sound> load_sound(const std::filesystem::path& file, Work* work) {
+Result<Sound> load_sound(const std::filesystem::path& file, Work* work, Diagnostics* notes) {
     // Also says what is not there or no file; opening a pipe would wait forever.
     const auto start = read_start(file, 1);
     if (!start)
@@ -99,6 +142,8 @@ Result<Sound> load_sound(const std::filesystem::path& file, Work* work) {
         return fail({file, 0, "does not fit into memory"});
     }
     if (sound.samples.empty())
-        return fail({file, 0, "holds no sound"});
+        return fail({file, 0, "holds no sound: there is a header and nothing behind it"});
+    if (const auto broken = find_break(file, source.get(), info.frames, sound); broken && notes)
+        notes->push_back(*broken);
     return sound;
 }

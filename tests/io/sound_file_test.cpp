@@ -4,6 +4,7 @@
 #include "io/temporary_folder.h"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 #include <sndfile.h>
 
 #include <cmath>
@@ -109,19 +110,37 @@ TEST_CASE("FLAC is met to a 16-bit step, OGG and MP3 to what they throw away") {
     }
 }
 
-TEST_CASE("of a file that breaks off, what is there is played") {
+TEST_CASE("of a file that breaks off, what is there is played, and how much that is is told") {
     const TemporaryFolder folder;
-    for (const int format : {SF_FORMAT_WAV | SF_FORMAT_PCM_16, SF_FORMAT_FLAC | SF_FORMAT_PCM_16}) {
+    for (const int format : {SF_FORMAT_WAV | SF_FORMAT_PCM_16, SF_FORMAT_AIFF | SF_FORMAT_PCM_16,
+                             SF_FORMAT_FLAC | SF_FORMAT_PCM_16}) {
         REQUIRE(save(sines(44100, 2, 44100), folder / "a.sound", format));
+        Diagnostics notes;
+        REQUIRE(load_sound(folder / "a.sound", nullptr, &notes));
+        CHECK(notes.empty());
         fs::resize_file(folder / "a.sound", fs::file_size(folder / "a.sound") / 2);
-        const auto loaded = load_sound(folder / "a.sound");
+        const auto loaded = load_sound(folder / "a.sound", nullptr, &notes);
         REQUIRE(loaded.has_value());
+        REQUIRE(notes.size() == 1);
+        CHECK(notes.front().severity == Severity::warning);
+        CHECK(notes.front().message.starts_with(
+            fmt::format("breaks off: {:.2f} of 1.00 s are there", loaded->seconds())));
         CHECK(loaded->frame_count() > 10000);
         CHECK(loaded->frame_count() < 30000);
     }
+    Diagnostics notes;  // an OGG tells its length in its last page
+    REQUIRE(save(sines(8000, 2, 80000), folder / "a.ogg", SF_FORMAT_OGG | SF_FORMAT_VORBIS));
+    REQUIRE(load_sound(folder / "a.ogg", nullptr, &notes));
+    CHECK(notes.empty());
+    fs::resize_file(folder / "a.ogg", fs::file_size(folder / "a.ogg") / 2);
+    REQUIRE(load_sound(folder / "a.ogg", nullptr, &notes));
+    REQUIRE(notes.size() == 1);
+    CHECK(notes.front().message.find("s are there, then the file ends too early") !=
+          std::string::npos);
+
     REQUIRE(save(sines(44100, 2, 44100), folder / "a.wav", SF_FORMAT_WAV | SF_FORMAT_PCM_16));
     fs::resize_file(folder / "a.wav", 44);
-    CHECK(refusal(folder / "a.wav") == "holds no sound");
+    CHECK(refusal(folder / "a.wav") == "holds no sound: there is a header and nothing behind it");
 }
 
 TEST_CASE("what is no sound file is refused with its reason") {
