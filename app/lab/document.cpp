@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 DocumentState initial_state(const Look& look) {
-    return {{}, look.default_signal.value_or(Spec{}), look.default_source, {}};
+    return {{}, look.default_signal.value_or(Spec{}), look.default_source, {}, 0};
 }
 
 Document::Document(Look look)
-    : m_look(std::move(look)), m_undo(initial_state(m_look)), m_saved(m_undo.current()) {}
+    : m_look(std::move(look)),
+      m_undo(initial_state(m_look)),
+      m_origins{Origin{{}, {}, m_undo.current()}} {}
 
 bool Document::is_changed(const Parameter& parameter) const {
     return value(parameter) != parameter.initial;
@@ -85,6 +87,7 @@ DocumentState Document::state_of(const Preset& preset) const {
 void Document::take(const Preset& preset, const std::string& step_name) {
     DocumentState next = state_of(preset);
     next.overrides = state().overrides;
+    next.origin = state().origin;
     change(std::move(next), step_name);
 }
 
@@ -94,28 +97,49 @@ void Document::replace_look(Look look) {
         state.values = changed_values(m_look, renamed_values(m_look, state.values));
     };
     m_undo.rewrite(follow);
-    follow(m_saved);
+    for (Origin& origin : m_origins)
+        follow(origin.saved);
+}
+
+void Document::restore_history(Undo<DocumentState> history) {
+    history.rewrite([](DocumentState& state) { state.origin = 0; });
+    m_undo = std::move(history);
+    m_origins.resize(1);
+}
+
+void Document::open(DocumentState next, Origin from, std::string step_name) {
+    next.overrides = state().overrides;
+    next.origin = state().origin;
+    if (from.file == origin().file && next == state() && !is_modified())
+        return;  // it is open already, as it is
+    next.origin = m_origins.size();
+    from.saved = next;
+    m_origins.push_back(std::move(from));
+    change(std::move(next), std::move(step_name));
 }
 
 void Document::open_preset(const Preset& preset, std::filesystem::path file) {
-    m_undo = Undo<DocumentState>(state_of(preset));
-    m_saved = m_undo.current();
-    set_identity(preset, std::move(file));
+    open(state_of(preset), {preset, std::move(file), {}}, "Open " + preset.name);
+}
+
+void Document::open_defaults() {
+    open(initial_state(m_look), {}, "Open " + m_look.name);
 }
 
 void Document::set_identity(Preset identity, std::filesystem::path file) {
-    m_identity = std::move(identity);
-    m_preset_file = std::move(file);
+    origin().identity = std::move(identity);
+    origin().file = std::move(file);
 }
 
 bool Document::is_modified() const {
     DocumentState now = state();
-    now.overrides = m_saved.overrides;  // passes belong to the look, not to the preset
-    return now != m_saved;
+    now.overrides = saved().overrides;  // passes belong to the look, not to the preset
+    now.origin = saved().origin;
+    return now != saved();
 }
 
 Preset Document::preset() const {
-    Preset preset = m_identity;
+    Preset preset = identity();
     preset.look = m_look.id;
     preset.digest = look_digest(m_look);
     preset.values = changed_values(m_look, values());

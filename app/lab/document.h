@@ -14,6 +14,7 @@ struct DocumentState {
     Spec signal;
     std::string source;
     PassOverrides overrides;
+    std::size_t origin = 0;  // of the document's origins: the preset that was open
 
     bool operator==(const DocumentState&) const = default;
 };
@@ -49,21 +50,27 @@ public:
     void undo() { m_undo.undo(); }
     void redo() { m_undo.redo(); }
     const Undo<DocumentState>& history() const { return m_undo; }
-    void restore_history(Undo<DocumentState> history) { m_undo = std::move(history); }
+    /// What is open now is the first that undo knows.
+    void forget_past() { m_undo = Undo<DocumentState>(DocumentState(state())); }
+    /// All of it counts as come from the preset that is open.
+    void restore_history(Undo<DocumentState> history);
 
     /// The look was edited: values stay, under their new names where `@was` says so.
     void replace_look(Look look);
 
-    /// Opens a preset of this look: the state becomes the preset's and counts as saved.
+    /// Opens a preset of this look: the state becomes the preset's and counts as saved. One step:
+    /// undo gives back the values, and the preset, that were open before.
     void open_preset(const Preset& preset, std::filesystem::path file);
+    /// The same with every parameter at its default and no preset.
+    void open_defaults();
     /// The open preset and what differs from it.
-    const std::filesystem::path& preset_file() const { return m_preset_file; }
-    const std::string& preset_name() const { return m_identity.name; }
-    const Preset& identity() const { return m_identity; }
+    const std::filesystem::path& preset_file() const { return origin().file; }
+    const std::string& preset_name() const { return identity().name; }
+    const Preset& identity() const { return origin().identity; }
     void set_identity(Preset identity, std::filesystem::path file);
-    void mark_saved() { m_saved = state(); }
-    void mark_saved(DocumentState saved) { m_saved = std::move(saved); }
-    const DocumentState& saved() const { return m_saved; }
+    void mark_saved() { mark_saved(state()); }
+    void mark_saved(DocumentState saved) { origin().saved = std::move(saved); }
+    const DocumentState& saved() const { return origin().saved; }
     bool is_modified() const;
 
     /// The present state as a preset: only changed values, or all of them for sharing.
@@ -71,14 +78,22 @@ public:
     Preset complete_preset() const;
 
 private:
+    // What states of the history came from: a preset's file and what it holds.
+    struct Origin {
+        Preset identity;  // name, about, author; its values are of no account
+        std::filesystem::path file;
+        DocumentState saved;
+    };
+
     void change(DocumentState next, std::string step_name, bool goes_on = false);
     DocumentState state_of(const Preset& preset) const;
+    void open(DocumentState next, Origin from, std::string step_name);
+    Origin& origin() { return m_origins[state().origin]; }
+    const Origin& origin() const { return m_origins[state().origin]; }
 
     Look m_look;
     Undo<DocumentState> m_undo;
-    DocumentState m_saved;
-    Preset m_identity;  // name, about, author; its values are of no account
-    std::filesystem::path m_preset_file;
+    std::vector<Origin> m_origins;  // never empty
 };
 
 /// The state in which a look opens.

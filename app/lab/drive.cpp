@@ -13,6 +13,12 @@ Diagnostics told(Diagnostics reasons) {
             reason.message += "; it is neither beside the preset nor among the files opened lately";
     return reasons;
 }
+
+// As the document names it; "" for none.
+std::string driving_file(const Document& document) {
+    const bool is_picture = document.look().driven_by == Driver::picture;
+    return is_picture ? document.state().source : file_of(document.state().signal);
+}
 }  // namespace
 
 void Drive::forget() {
@@ -20,9 +26,19 @@ void Drive::forget() {
     m_picture.reset();
     m_picture_name.clear();
     m_is_from_the_beginning = false;
+    note({}, {});
+}
+
+void Drive::note(const std::string& file, Diagnostics problems) {
+    m_problem_file = file;
+    m_problems = std::move(problems);
+    for (Diagnostic& problem : m_problems)
+        problem.severity = Severity::warning;
 }
 
 Result<void> Drive::follow(const Document& document, Player& player, Renderer& renderer) {
+    if (m_problem_file != driving_file(document))
+        note({}, {});
     switch (document.look().driven_by) {
         case Driver::signal:
             return follow_signal(document, player);
@@ -78,7 +94,15 @@ std::optional<Result<void>> Drive::update(const Document& document, Player& play
     auto loaded = m_loader.take_finished();
     if (!loaded)
         return std::nullopt;
-    return take(std::move(*loaded), document, player, renderer);
+    const std::string name = loaded->name;
+    Diagnostics notes = std::move(loaded->notes);
+    auto taken = take(std::move(*loaded), document, player, renderer);
+    if (!taken)
+        notes.insert(notes.end(), taken.error().begin(), taken.error().end());
+    note(name, std::move(notes));
+    if (taken && !m_problems.empty())
+        return fail(m_problems);  // to be said once; the sound is drawn as far as it goes
+    return taken;
 }
 
 Result<void> Drive::take(LoadedMedia loaded, const Document& document, Player& player,

@@ -35,6 +35,10 @@ public:
     double loaded_share() const { return m_loader.share(); }
     void cancel() { m_loader.cancel(); }
 
+    /// What is wrong with the file that the document names, for as long as it names it: it is
+    /// missing, cannot be read or breaks off. Warnings: the look itself runs.
+    const Diagnostics& problems() const { return m_problems; }
+
     /// Of the picture that drives the look; empty when none does.
     Extent source_extent() const { return m_picture ? m_picture->extent : Extent{}; }
 
@@ -45,7 +49,11 @@ private:
                       Renderer& renderer);
     Result<void> fall_back(const Document& document, Player& player, Diagnostics reasons) const;
 
+    void note(const std::string& file, Diagnostics problems);
+
     RecentMedia m_recent;
+    std::string m_problem_file;
+    Diagnostics m_problems;
     MediaLoader m_loader;
     std::shared_ptr<const Picture> m_picture;
     std::string m_picture_name;

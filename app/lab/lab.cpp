@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace fs = std::filesystem;
@@ -28,7 +29,16 @@ Lab::Lab(Library library, std::unique_ptr<gpu::Context> worker)
       m_reloader(std::move(worker), m_library.roots().shared_includes()) {}
 
 void Lab::say(std::string text, bool is_problem) {
+    if (is_problem && !text.empty() && text.find(": ") == std::string::npos)
+        text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
     m_notice = Notice{std::move(text), is_problem, is_problem ? 12.0 : 5.0};
+}
+
+void Lab::say(const Diagnostic& problem) {
+    const std::string name = problem.file.filename().string();
+    const std::string line = problem.line > 0 ? fmt::format(":{}", problem.line) : std::string();
+    say(name.empty() ? problem.message : fmt::format("{}{}: {}", name, line, problem.message),
+        true);
 }
 
 void Lab::open(const std::string& argument) {
@@ -56,6 +66,19 @@ bool Lab::opens_document(const fs::path& file) const {
     return !is_sound_file(file) && !(is_picture_file(file) && !load_preset(file));
 }
 
+bool Lab::would_lose_changes(const std::string& argument) const {
+    if (!m_document || !m_document->is_modified())
+        return false;
+    const auto request = resolve(argument, m_library);
+    if (!request)
+        return false;  // nothing will open
+    std::error_code error;
+    const fs::path present = m_document->look().manifest;
+    const fs::path manifest =
+        fs::is_directory(request->look, error) ? request->look / present.filename() : request->look;
+    return !fs::equivalent(manifest, present, error);
+}
+
 void Lab::open_file(const fs::path& file) {
     if (opens_document(file)) {
         open(file.string());
@@ -65,8 +88,9 @@ void Lab::open_file(const fs::path& file) {
     const Driver needed = is_sound ? Driver::signal : Driver::picture;
     if (!m_document || m_document->look().driven_by != needed) {
         say(is_sound
-                ? "open a look that a signal drives first; then the sound will draw"
-                : "open a look that works on a picture first; then the picture will show in it",
+                ? "This look is not driven by a sound: open one that is, then the sound will draw"
+                : "This look does not work on a picture: open one that does, then the picture will "
+                  "show",
             true);
         return;
     }
@@ -126,7 +150,7 @@ void Lab::save_preset() {
     if (!m_document)
         return;
     if (m_document->preset_file().empty()) {
-        say("give the preset a name first", true);
+        say("Give the preset a name first", true);
         return;
     }
     const fs::path file = m_document->preset_file();
@@ -141,18 +165,27 @@ void Lab::save_preset() {
 void Lab::save_preset_as(const std::string& name) {
     if (!m_document)
         return;
-    Preset preset = m_document->preset();
-    const auto place = m_library.preset_path(m_document->look().id, name);
-    if (!succeeded(place))
+    const auto file = m_library.new_preset_path(m_document->look().id, name);
+    if (succeeded(file))
+        save_preset_to(*file, name);
+}
+
+void Lab::replace_preset(const std::string& name) {
+    if (!m_document)
         return;
-    preset = portable(preset, place->parent_path());
+    const auto file = m_library.preset_path(m_document->look().id, name);
+    if (succeeded(file))
+        save_preset_to(*file, name);
+}
+
+void Lab::save_preset_to(const fs::path& file, const std::string& name) {
+    Preset preset = portable(m_document->preset(), file.parent_path());
     preset.name = name;
-    const auto file = m_library.save_preset(preset, name);
-    if (!succeeded(file))
+    if (!succeeded(::save_preset(file, preset)))
         return;
-    m_document->set_identity(preset, *file);
+    m_document->set_identity(preset, file);
     m_document->mark_saved();
-    m_reloader.watch_also({*file});
+    m_reloader.watch_also({file});
     say("Saved '" + name + "'");
 }
 

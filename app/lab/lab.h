@@ -62,16 +62,20 @@ public:
     void open(const OpenRequest& request);
     /// A file that was dropped or chosen: a look, a preset, a sound or a picture.
     void open_file(const std::filesystem::path& file);
-    /// Whether open_file() would open another look or preset, over unsaved changes.
+    /// Whether open_file() would open a look or preset.
     bool opens_document(const std::filesystem::path& file) const;
+    /// Whether open() would put another look in the place of unsaved changes. A preset of the open
+    /// look does not: undo brings them back.
+    bool would_lose_changes(const std::string& argument) const;
     void edit(const std::function<void(Document&)>& change);
     Player& transport() { return m_player; }
     void restart();
     void set_picture_size(const PictureSize& size);
     void set_view(Extent view_pixels) { m_view = view_pixels; }
     void set_mouse(double x, double y);
-    void save_preset();  // over the open one
-    void save_preset_as(const std::string& name);
+    void save_preset();                            // over the open one
+    void save_preset_as(const std::string& name);  // refused where there is one of that name
+    void replace_preset(const std::string& name);  // as save_preset_as, over the one there is
     void rename_preset(const std::string& name);
     void duplicate_preset();
     void delete_preset();
@@ -84,6 +88,8 @@ public:
     void cancel_replay();
     void cancel_loading();  // of a sound or picture; what was there before comes back
     void say(std::string text, bool is_problem = false);
+    /// As a notice has room for it: the file's name and what is wrong with it.
+    void say(const Diagnostic& problem);
 
     /// One turn: takes reloads in, lets time flow, draws what must be drawn.
     void update(double wall_seconds);
@@ -106,11 +112,15 @@ private:
     void open_document(Look look, const OpenRequest& request);
     void show_images(const LoadedImages& images);
     void show_problems(const Diagnostics& problems);
+    void gather_problems();
+    void open_values(const OpenRequest& request);
+    void save_preset_to(const std::filesystem::path& file, const std::string& name);
     void apply_document();
     void update_drive();
     Preset portable(const Preset& preset, const std::filesystem::path& folder) const;
     void want(const Redraw& redraw);
     void resize_picture();
+    void limit_frame(double wall_seconds);
     void draw_picture(double wall_seconds);
     void start_replay();
     void extra_file_changed(const std::filesystem::path& file);
@@ -118,7 +128,7 @@ private:
     template <class T>
     bool succeeded(const Result<T>& result) {
         if (!result)
-            say(to_string(result.error().front()), true);
+            say(result.error().front());
         return result.has_value();
     }
 
@@ -131,7 +141,8 @@ private:
     LoadedImages m_images;  // that the renderer has
     Drive m_drive;
     Reloader m_reloader;
-    std::vector<Problem> m_problems;
+    std::vector<Problem> m_look_problems;
+    std::vector<Problem> m_problems;  // with those of the signal or source
     std::optional<Notice> m_notice;
     PictureSize m_picture_size;
     Extent m_view{1280, 720};

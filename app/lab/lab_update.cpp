@@ -1,6 +1,8 @@
 // The part of Lab that runs every turn: reloads in, time on, picture drawn.
 #include "base/file.h"
 #include "formats/preset_format.h"
+#include "lab/chosen_images.h"
+#include "lab/frame_limit.h"
 #include "lab/lab.h"
 
 #include <algorithm>
@@ -34,7 +36,7 @@ void Lab::take_reload() {
 }
 
 void Lab::show_problems(const Diagnostics& problems) {
-    m_problems.clear();
+    m_look_problems.clear();
     for (const Diagnostic& diagnostic : problems) {
         Problem problem{diagnostic, {}};
         if (diagnostic.line > 0)
@@ -43,8 +45,20 @@ void Lab::show_problems(const Diagnostics& problems) {
                 if (static_cast<std::size_t>(diagnostic.line) <= lines.size())
                     problem.source_line = lines[static_cast<std::size_t>(diagnostic.line) - 1];
             }
-        m_problems.push_back(std::move(problem));
+        m_look_problems.push_back(std::move(problem));
     }
+    gather_problems();
+}
+
+// Those of the look, then those of the files that a person chose.
+void Lab::gather_problems() {
+    m_problems = m_look_problems;
+    for (const Diagnostic& problem : m_drive.problems())
+        m_problems.push_back({problem, {}});
+    if (!m_document)
+        return;
+    for (const Diagnostic& problem : missing_images(m_document->look(), m_document->values()))
+        m_problems.push_back({problem, {}});
 }
 
 void Lab::apply(LoadedRequest loaded) {
@@ -65,9 +79,14 @@ void Lab::apply(LoadedRequest loaded) {
 }
 
 void Lab::open_document(Look look, const OpenRequest& request) {
-    if (m_document && m_document->is_modified() && m_before_losing_changes)
+    const bool is_same = m_document && m_document->look().manifest == look.manifest;
+    const bool had_changes = m_document && m_document->is_modified();
+    if (!is_same && had_changes && m_before_losing_changes)
         m_before_losing_changes(*this);
-    m_document.emplace(std::move(look));
+    if (is_same)
+        m_document->replace_look(std::move(look));
+    else
+        m_document.emplace(std::move(look));
     m_renderer = std::make_unique<Renderer>(m_document->drawn_look(), *m_programs);
     m_drawn_extent = {};
     m_images.clear();
@@ -75,8 +94,18 @@ void Lab::open_document(Look look, const OpenRequest& request) {
     m_player.restart();
     m_player.play();
     m_reloader.watch_also({request.preset_file});
-    if (!request.preset)
+    open_values(request);
+    if (!is_same && (!request.preset || !request.preset_file.empty()))
+        m_document->forget_past();
+    if (is_same && had_changes && !m_when_opened)
+        say("What was not saved comes back with Ctrl+Z");
+}
+
+void Lab::open_values(const OpenRequest& request) {
+    if (!request.preset) {
+        m_document->open_defaults();
         return;
+    }
     const fs::path folder = media_folder(request.preset_file);
     const Preset preset = with_found_media(*request.preset, folder, m_drive.recent());
     if (request.preset_file.empty()) {  // a line of text: kept nowhere yet
@@ -87,7 +116,8 @@ void Lab::open_document(Look look, const OpenRequest& request) {
     }
     for (const Diagnostic& note :
          compare_with_look(*request.preset, m_document->look(), request.preset_file))
-        m_problems.push_back({note, {}});
+        m_look_problems.push_back({note, {}});
+    gather_problems();
 }
 
 // Each picture is uploaded when it is new, and not when a shader was edited.
@@ -110,6 +140,8 @@ void Lab::apply_document() {
         if (is_first || value_of(parameter, m_applied->values) != m_document->value(parameter))
             names.push_back(parameter.name);
     m_renderer->set_values(state.values);
+    succeeded(show_chosen_images(m_document->look(), is_first ? Values() : m_applied->values,
+                                 state.values, *m_renderer));
     m_drawn_extent = {};  // sizes may depend on values
     Redraw redraw = redraw_after(m_document->look(), names);
     if (is_first || m_applied->signal != state.signal || m_applied->source != state.source) {
@@ -121,6 +153,7 @@ void Lab::apply_document() {
         redraw.needs_replay = true;
     }
     m_applied = state;
+    gather_problems();
     want(redraw);
 }
 
@@ -129,6 +162,7 @@ void Lab::update_drive() {
     if (!taken)
         return;
     succeeded(*taken);
+    gather_problems();
     m_drawn_extent = {};  // sizes may depend on the source
     want({{}, true});
 }
@@ -156,8 +190,20 @@ void Lab::resize_picture() {
         want({{}, true});
 }
 
+// While a machine is slow, time is shown more slowly and not in ever longer frames.
+void Lab::limit_frame(double wall_seconds) {
+    if (m_player.past().empty())
+        return;
+    const double span = m_player.past().back().span.seconds();
+    m_player.set_longest_frame(
+        longest_frame({.wall_seconds = wall_seconds,
+                       .beam_seconds = m_renderer->beam_seconds_a_second() * span,
+                       .span_seconds = span}));
+}
+
 void Lab::draw_picture(double wall_seconds) {
     resize_picture();
+    limit_frame(wall_seconds);
     if (const auto frame = m_player.advance(wall_seconds)) {
         m_wanted.reset();
         m_renderer->cancel_replay();

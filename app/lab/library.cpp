@@ -90,8 +90,18 @@ Result<fs::path> Library::preset_path(std::string_view look, std::string_view na
     return m_roots.writable() / "presets" / look / (std::string(name) + ".json");
 }
 
+Result<fs::path> Library::new_preset_path(std::string_view look, std::string_view name) const {
+    auto file = preset_path(look, name);
+    if (!file)
+        return file;
+    std::error_code error;
+    if (fs::exists(*file, error) || find_preset(look, name))
+        return fail({{}, 0, fmt::format("there is a preset called '{}' already", name)});
+    return file;
+}
+
 Result<fs::path> Library::save_preset(Preset preset, const std::string& name) const {
-    auto file = preset_path(preset.look, name);
+    auto file = new_preset_path(preset.look, name);
     if (!file)
         return file;
     if (preset.name.empty())
@@ -109,7 +119,7 @@ Result<fs::path> Library::rename_preset(const fs::path& file, const std::string&
     if (renamed == file)
         return file;
     if (fs::exists(renamed, error))
-        return fail({renamed, 0, "there is a preset of that name already"});
+        return fail({{}, 0, fmt::format("there is a preset called '{}' already", name)});
     auto preset = load_preset(file);
     if (!preset)
         return fail(preset.error());
@@ -129,8 +139,7 @@ Result<fs::path> Library::duplicate_preset(const fs::path& file) const {
     for (int n = 2;; ++n) {
         const std::string name = fmt::format("{} {}", file.stem().string(), n);
         const auto copy = preset_path(preset->look, name);
-        std::error_code error;
-        if (copy && fs::exists(*copy, error))
+        if (copy && !new_preset_path(preset->look, name))
             continue;
         preset->name = name;
         return save_preset(std::move(*preset), name);

@@ -38,6 +38,10 @@ public:
     /// Where a preset of that name would be written. The name may hold letters, digits, spaces and
     /// -_.()+ only, so that it is a file's name everywhere.
     Result<std::filesystem::path> preset_path(std::string_view look, std::string_view name) const;
+    /// The same, refused where there is a preset of that name: in the folder, or one of the
+    /// program's that it would hide.
+    Result<std::filesystem::path> new_preset_path(std::string_view look,
+                                                  std::string_view name) const;
     /// Each returns the file that is there afterwards; none overwrites another preset.
     Result<std::filesystem::path> save_preset(Preset preset, const std::string& name) const;
     Result<std::filesystem::path> rename_preset(const std::filesystem::path& file,

@@ -10,7 +10,7 @@ namespace {
 LoadedMedia read_sound(const std::string& name, Work& work) {
     LoadedMedia loaded;
     loaded.name = name;
-    auto sound = load_sound(name, &work);
+    auto sound = load_sound(name, &work, &loaded.notes);
     if (!sound)
         loaded.problems = std::move(sound.error());
     else

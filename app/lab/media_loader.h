@@ -18,8 +18,9 @@ struct LoadedMedia {
     std::string name;                    // as it was asked for
     std::shared_ptr<const Sound> sound;  // one of both
     std::shared_ptr<const Picture> picture;
-    std::string digest;  // of a file
-    Diagnostics problems;
+    std::string digest;    // of a file
+    Diagnostics problems;  // why nothing was read
+    Diagnostics notes;     // what is not as it should be in what was read
 };
 
 /// Reads sounds and pictures on a thread of its own, one at a time; a new one replaces what is

@@ -6,6 +6,7 @@
 #include "gpu/readback.h"
 #include "io/picture_file.h"
 #include "io/sound_file.h"
+#include "lab/chosen_images.h"
 #include "lab/media.h"
 #include "lab/source.h"
 #include "signals/kinds.h"
@@ -173,7 +174,7 @@ Result<void> Offline::load_pictures(Extent size) {
         if (auto done = m_renderer->set_image(image.name, *picture); !done)
             return done;
     }
-    return {};
+    return show_chosen_images(look, {}, m_document.values(), *m_renderer);
 }
 
 void Offline::advance() {

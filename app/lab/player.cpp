@@ -118,9 +118,6 @@ PlayedFrame Player::moved_to(double end) {
 }
 
 std::optional<PlayedFrame> Player::advance(double wall_seconds) {
-    // A window that was held up does not ask for more than this at once; time is then lost, not
-    // light.
-    constexpr double longest_frame = 0.25;
     if (m_is_stepping) {
         m_is_stepping = false;
         const PlayedFrame frame = moved_to(m_time + 1.0 / 60.0);
@@ -131,10 +128,26 @@ std::optional<PlayedFrame> Player::advance(double wall_seconds) {
     }
     if (!m_is_playing)
         return std::nullopt;
-    const double played = std::min(played_seconds(wall_seconds), longest_frame);
+    const double played = shown_seconds(played_seconds(wall_seconds));
     if (played <= 0.0)
         return std::nullopt;
     return moved_to(m_time + played);
+}
+
+void Player::set_longest_frame(double seconds) {
+    m_longest_frame = std::clamp(seconds, 1.0 / 240.0, longest_frame);
+}
+
+// Time that a frame cannot cover is lost, not light. A sound that is heard goes on meanwhile.
+double Player::shown_seconds(double played) {
+    if (played <= 0.0)
+        return 0.0;
+    const double shown = std::min(played, m_longest_frame);
+    constexpr double smoothing = 0.1;
+    m_shown_share += smoothing * (shown / played - m_shown_share);
+    if (is_sound_the_clock())
+        m_time += played - shown;
+    return shown;
 }
 
 PlayedFrame Player::advance_fixed(double fps) {

@@ -64,6 +64,14 @@ public:
     /// The frame of a fixed clock; time need not flow.
     PlayedFrame advance_fixed(double fps);
 
+    /// The longest time that one frame may cover, 1/240 .. 1/4 s: a machine that takes longer shows
+    /// time more slowly, or only a part of a sound that is heard; no frame holds light of two.
+    void set_longest_frame(double seconds);
+    /// How much of the time that goes by is shown, lately: 1 where the machine keeps up.
+    double shown_share() const { return m_shown_share; }
+    /// Whether what is not shown is left out, because a sound that is heard waits for nobody.
+    bool leaves_out() const { return is_sound_the_clock(); }
+
     Beam trace(const TimeSpan& span) const;
 
     /// The latest frames, oldest first, for showing again what led to the present picture.
@@ -73,9 +81,11 @@ private:
     void play_sound(bool loops, bool is_new_sound);
     bool is_sound_the_clock() const;
     double played_seconds(double wall_seconds);
+    double shown_seconds(double played);
     PlayedFrame moved_to(double end);
 
     static constexpr std::size_t frames_remembered = 1024;
+    static constexpr double longest_frame = 0.25;  // s
 
     std::unique_ptr<Signal> m_signal;
     PlayedSound m_sound;
@@ -87,6 +97,8 @@ private:
     double m_time = 0.0;
     double m_heard = 0.0;  // s of the output when last asked
     double m_start = 0.0;  // s into the sound where time 0 is
+    double m_longest_frame = longest_frame;
+    double m_shown_share = 1.0;
     std::int64_t m_frame = 0;
     bool m_is_playing = true;
     bool m_is_stepping = false;

@@ -26,8 +26,20 @@ void Renderer::draw(const PlayedFrame& played, const Beam& beam) {
     m_executor.draw(frame_of(played, beam));
     m_point_count = beam.size();
     m_pass_milliseconds = m_executor.pass_milliseconds();
+    note_beam_cost(played);
     constexpr double smoothing = 0.1;
     m_frame_seconds += smoothing * (seconds_since(start) - m_frame_seconds);
+}
+
+void Renderer::note_beam_cost(const PlayedFrame& played) {
+    const std::vector<Pass>& passes = m_executor.look().passes;
+    double milliseconds = 0.0;
+    for (std::size_t i = 0; i < std::min(passes.size(), m_pass_milliseconds.size()); ++i)
+        if (passes[i].draw != Draw::fullscreen)
+            milliseconds += m_pass_milliseconds[i];
+    const double cost = milliseconds / 1000.0 / std::max(played.span.seconds(), 1e-6);
+    constexpr double smoothing = 0.2;  // the driver's times are of some frames ago
+    m_beam_cost = m_beam_cost == 0.0 ? cost : m_beam_cost + smoothing * (cost - m_beam_cost);
 }
 
 void Renderer::draw_unseen(const PlayedFrame& played, const Beam& beam) {

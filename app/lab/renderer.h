@@ -53,11 +53,15 @@ public:
     const std::vector<double>& latest_pass_milliseconds() const { return m_pass_milliseconds; }
     /// Points of the beam in the last frame.
     std::size_t point_count() const { return m_point_count; }
+    /// Of the latest frames, smoothed: how long the passes that draw points take for each second of
+    /// the signal; 0 where the driver tells no times.
+    double beam_seconds_a_second() const { return m_beam_cost; }
     const Executor& executor() const { return m_executor; }
     /// Smoothed wall time of a frame's drawing calls, in seconds.
     double frame_seconds() const { return m_frame_seconds; }
 
 private:
+    void note_beam_cost(const PlayedFrame& played);
     Frame frame_of(const PlayedFrame& played, const Beam& beam) const;
 
     Executor m_executor;
@@ -65,6 +69,7 @@ private:
     int m_samples = 0;
     std::vector<double> m_pass_milliseconds;
     std::size_t m_point_count = 0;
+    double m_beam_cost = 0.0;
     Replay m_replay;
     std::size_t m_replay_first = 0;
     double m_frame_seconds = 1.0 / 60.0;

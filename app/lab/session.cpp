@@ -110,7 +110,7 @@ void exchange_sessions(Lab& lab, const std::map<std::string, double>& window) {
     Diagnostics warnings;
     const Session before = load_file(aside_file(roots), warnings);
     if (!warnings.empty())
-        lab.say(to_string(warnings.front()), true);
+        lab.say(warnings.front());
     if (before.look.empty())
         return;
     const Session now = session_of(lab, window);

@@ -5,8 +5,13 @@
 void SessionKeeper::update(Lab& lab, const WindowState& window) {
     constexpr auto pause = std::chrono::seconds(1);
     const auto now = std::chrono::steady_clock::now();
-    if (now - m_looked < pause || lab.is_loading())
+    const Document* document = lab.document();
+    const bool is_done = document && !document->history().is_in_gesture();
+    const bool is_new = is_done && m_seen != document->state();
+    if (lab.is_loading() || (!is_new && now - m_looked < pause))
         return;
+    if (is_new)
+        m_seen = document->state();
     m_looked = now;
     save(lab, window);
 }
@@ -21,7 +26,7 @@ void SessionKeeper::save(Lab& lab, const WindowState& window) {
         return;
     const auto saved = save_session(m_roots, session);
     if (!saved && !m_has_failed)
-        lab.say(to_string(saved.error().front()), true);
+        lab.say(saved.error().front());
     m_has_failed = !saved;
     m_saved = std::move(session);
 }

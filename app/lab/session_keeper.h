@@ -5,7 +5,8 @@
 
 #include <chrono>
 
-/// Writes what is open a second after it last changed, so that a crash loses next to nothing.
+/// Writes what is open as soon as a change is done (a drag when the hand lets go), and all else
+/// about once a second, so that a crash loses next to nothing.
 class SessionKeeper {
 public:
     explicit SessionKeeper(Roots roots) : m_roots(std::move(roots)) {}
@@ -17,6 +18,7 @@ public:
 private:
     Roots m_roots;
     Session m_saved;
+    std::optional<DocumentState> m_seen;
     std::chrono::steady_clock::time_point m_looked = std::chrono::steady_clock::now();
     bool m_has_failed = false;  // said once
 };

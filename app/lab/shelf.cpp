@@ -21,14 +21,23 @@ Shelf::Words read_preset(const fs::path& file) {
                   : Shelf::Words{{}, {}, to_string(preset.error().front())};
 }
 
-// A copied look has the name of the one that it was copied from.
-void tell_apart(std::vector<ShelfLook>& looks) {
+const std::string& file_name(const ShelfLook& look) {
+    return look.entry.id;
+}
+
+const std::string& file_name(const ShelfPreset& preset) {
+    return preset.entry.name;
+}
+
+// A copy may have the name of what it was copied from; its file has another.
+template <class Entry>
+void tell_apart(std::vector<Entry>& entries) {
     std::map<std::string, int> count;
-    for (const ShelfLook& look : looks)
-        ++count[look.name];
-    for (ShelfLook& look : looks)
-        if (count[look.name] > 1)
-            look.name += " (" + look.entry.id + ")";
+    for (const Entry& entry : entries)
+        ++count[entry.name];
+    for (Entry& entry : entries)
+        if (count[entry.name] > 1)
+            entry.name += " (" + file_name(entry) + ")";
 }
 }  // namespace
 
@@ -57,6 +66,7 @@ void Shelf::update(const Library& library, double wall_seconds) {
             look.presets.push_back(
                 {preset, told.name.empty() ? preset.name : told.name, told.about});
         }
+        tell_apart(look.presets);
         m_looks.push_back(std::move(look));
     }
     tell_apart(m_looks);

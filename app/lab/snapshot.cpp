@@ -17,5 +17,5 @@ void save_snapshot(Lab& lab, std::filesystem::path file) {
     if (saved)
         lab.say("Saved the picture as '" + file.filename().string() + "'");
     else
-        lab.say(to_string(saved.error().front()), true);
+        lab.say(saved.error().front());
 }

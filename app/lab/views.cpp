@@ -78,6 +78,18 @@ void Views::probe(const Executor& executor, const std::optional<Probe>& probe) {
         m_probed = gpu::read_pixel(target, probe->x, probe->y);
 }
 
+namespace {
+ViewOptions options_for(const PassView& view, const Executor& executor, int pass) {
+    return {.exposure_stops = view.exposure,
+            .channels = static_cast<ChannelChoice>(view.channels),
+            .encoding = encoding_of(executor.look(), pass)};
+}
+}  // namespace
+
+PictureView inspector_view(const WindowState& window) {
+    return window.shows_pass_large ? PictureView{PictureView::Fit::all} : window.inspected.view;
+}
+
 void Views::update(const Lab& lab, const WindowState& window) {
     if (!lab.renderer() || lab.renderer()->executor().plan().targets.empty()) {
         m_picture.reset();
@@ -89,20 +101,25 @@ void Views::update(const Lab& lab, const WindowState& window) {
     if (lab.renderer()->replay().is_running())
         return;  // what was shown stays until the past has been drawn again
     const Executor& executor = lab.renderer()->executor();
-    const Look& look = executor.look();
-    const int last = static_cast<int>(look.passes.size()) - 1;
-    draw_part(executor.target(last), m_picture, window.views.picture, window.picture,
-              {.encoding = encoding_of(look, last)});
+    const auto inspected = find_pass(executor.look(), window.inspected.pass);
+    draw_picture(executor, inspected, window);
     const bool is_whole = !window.is_picture_only;
     draw_thumbnails(executor, is_whole && window.shows_strip ? window.views.thumbnail_height : 0);
-    const auto inspected = find_pass(look, window.inspected.pass);
     if (inspected && is_whole && window.shows_inspector)
         draw_part(executor.target(*inspected), m_inspected, window.views.inspector,
-                  window.inspected.view,
-                  {.exposure_stops = window.inspected.exposure,
-                   .channels = static_cast<ChannelChoice>(window.inspected.channels),
-                   .encoding = encoding_of(look, *inspected)});
+                  inspector_view(window), options_for(window.inspected, executor, *inspected));
     else
         m_inspected.reset();
     probe(executor, window.probe);
+}
+
+void Views::draw_picture(const Executor& executor, std::optional<int> inspected,
+                         const WindowState& window) {
+    const int last = static_cast<int>(executor.look().passes.size()) - 1;
+    if (inspected && window.shows_pass_large)
+        draw_part(executor.target(*inspected), m_picture, window.views.picture,
+                  window.inspected.view, options_for(window.inspected, executor, *inspected));
+    else
+        draw_part(executor.target(last), m_picture, window.views.picture, window.picture,
+                  {.encoding = encoding_of(executor.look(), last)});
 }

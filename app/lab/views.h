@@ -36,6 +36,8 @@ private:
     bool fit(std::optional<gpu::Canvas>& canvas, Extent extent);
     void draw_part(const gpu::Texture& from, std::optional<gpu::Canvas>& to, Extent size,
                    const PictureView& view, ViewOptions options);
+    void draw_picture(const Executor& executor, std::optional<int> inspected,
+                      const WindowState& window);
     void draw_thumbnails(const Executor& executor, int height);
     void probe(const Executor& executor, const std::optional<Probe>& probe);
 
@@ -45,6 +47,9 @@ private:
     std::vector<std::optional<gpu::Canvas>> m_thumbnails;
     std::optional<std::array<float, 4>> m_probed;
 };
+
+/// How the small view of the inspected pass lies: all of it while the large one is moved about in.
+PictureView inspector_view(const WindowState& window);
 
 /// The encoding that a pass's texels have.
 Encoding encoding_of(const Look& look, int pass);

@@ -78,7 +78,7 @@ struct ViewSizes {
 
 /// Widths and heights of the panes in pixels at a scale of 1.
 struct PaneSizes {
-    float left = 236.0f;
+    float left = 252.0f;
     float right = 344.0f;
     float strip = 118.0f;
     float bottom = 150.0f;
@@ -134,6 +134,7 @@ struct WindowState {
 
     PictureView picture;
     PassView inspected;
+    bool shows_pass_large = false;  // the inspected pass, in the picture's place
     std::optional<Probe> probe;
     ViewSizes views;
     std::string search;         // among the parameters
@@ -141,4 +142,8 @@ struct WindowState {
     bool shows_only_changed = false;
     Dialog dialog;
     std::filesystem::path last_folder;
+
+    /// How what lies in the picture's place is seen.
+    PictureView& large_view() { return shows_pass_large ? inspected.view : picture; }
+    const PictureView& large_view() const { return shows_pass_large ? inspected.view : picture; }
 };

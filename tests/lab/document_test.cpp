@@ -112,6 +112,55 @@ TEST_CASE("a preset opens unmodified, is marked once changed and keeps its name 
     CHECK(document.complete_preset().values.size() == 3);
 }
 
+TEST_CASE("opening a preset is one step: undo gives back the unsaved values and what was open") {
+    Document document(small_look());
+    Preset night;
+    night.name = "Night";
+    night.values = {{"decay", Value(0.99)}};
+    document.open_preset(night, "night.json");
+    document.set_value("exposure", Value(2.0));
+    Preset day;
+    day.name = "Day";
+    day.values = {{"decay", Value(0.5)}};
+    document.open_preset(day, "day.json");
+    CHECK(document.history().undo_name() == "Open Day");
+    CHECK_FALSE(document.is_modified());
+
+    document.undo();
+    CHECK(document.values() == Values{{"decay", Value(0.99)}, {"exposure", Value(2.0)}});
+    CHECK(document.preset_name() == "Night");
+    CHECK(document.preset_file() == "night.json");
+    CHECK(document.is_modified());  // against the night again, not the day
+    document.redo();
+    CHECK(document.preset_file() == "day.json");
+    CHECK_FALSE(document.is_modified());
+    document.open_defaults();
+    CHECK(document.values().empty());
+    CHECK(document.preset_file().empty());
+    document.undo();
+    CHECK(document.preset_name() == "Day");
+}
+
+TEST_CASE("a preset that is renamed or saved has its new name in all of undo") {
+    Document document(small_look());
+    Preset preset;
+    preset.name = "Night";
+    document.open_preset(preset, "night.json");
+    document.set_value("decay", Value(0.5));
+    preset.name = "Dawn";
+    document.set_identity(preset, "dawn.json");
+    document.mark_saved();
+    document.undo();
+    CHECK(document.preset_file() == "dawn.json");
+    CHECK(document.is_modified());
+}
+
+TEST_CASE("opening what is open already, unchanged, is no step") {
+    Document document(small_look());
+    document.open_defaults();
+    CHECK_FALSE(document.history().can_undo());
+}
+
 TEST_CASE("what a person overrode of a pass belongs to the look and not to the preset") {
     Look look = small_look();
     look.passes.resize(1);

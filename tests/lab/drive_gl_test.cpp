@@ -100,13 +100,52 @@ TEST_CASE("a preset finds its sound again where it was opened, and says when it 
     small.turn(1);
     const Signal* of_another = small.lab().player().signal();
     small.lab().open(file.string());
-    REQUIRE(small.turn_until([&] { return small.lab().notice().has_value(); }));
+    REQUIRE(small.turn_until([&] { return !small.lab().problems().empty(); }));
     CHECK(small.lab().player().signal() != of_another);
     CHECK(small.lab().notice()->text.find("song.wav") != std::string::npos);
     CHECK(small.lab().player().signal() != nullptr);  // the look's own
     CHECK(small.document().state().signal.kind == "audio");
     small.lab().save_preset();
     CHECK(content_of(file).find("\"song.wav\"") != std::string::npos);  // nothing is lost
+}
+
+TEST_CASE("a file that is missing keeps its mark for as long as it is named") {
+    for (const char* manifest : {on_a_signal, on_a_picture}) {
+        SmallLab small(manifest);
+        const bool is_sound = manifest == on_a_signal;
+        const fs::path file = small.folder() / (is_sound ? "gone.wav" : "gone.exr");
+        small.lab().open_file(file);
+        REQUIRE(small.turn_until([&] { return !small.lab().problems().empty(); }));
+        small.lab().update(60.0);  // the notice has gone by
+        small.lab().edit([](Document& document) { document.set_value("gain", Value(2.0)); });
+        small.turn(3);
+        CHECK_FALSE(small.lab().notice().has_value());
+        REQUIRE(small.lab().problems().size() == 1);
+        CHECK(small.lab().problems().front().diagnostic.file == file);
+        CHECK(small.lab().problems().front().diagnostic.severity == Severity::warning);
+        small.write("gain.glsl", "uniform float gain = 3.0;\n");  // a reload is no mending
+        REQUIRE(small.turn_until(
+            [&] { return small.document().look().parameters.back().initial == Value(3.0); }));
+        CHECK(small.lab().problems().size() == 1);
+        small.lab().edit([](Document& document) { document.undo(); });
+        small.lab().edit([](Document& document) { document.undo(); });
+        small.turn(1);
+        CHECK(small.lab().problems().empty());
+    }
+}
+
+TEST_CASE("a sound that breaks off draws as far as it goes, and keeps a mark") {
+    SmallLab small(on_a_signal);
+    const fs::path song = small.folder() / "cut.wav";
+    const std::string whole = wav(8000);
+    REQUIRE(write_atomically(song, whole.substr(0, 44 + 4 * 2000)).has_value());
+    small.lab().open_file(song);
+    REQUIRE(has_sound(small));
+    CHECK(small.lab().player().sound_seconds() == doctest::Approx(0.25));
+    REQUIRE(small.lab().problems().size() == 1);
+    CHECK(small.lab().problems().front().diagnostic.message ==
+          "breaks off: 0.25 of 1.00 s are there, the rest is missing");
+    CHECK(small.lab().notice()->is_problem);
 }
 
 TEST_CASE("reading a sound can be stopped; what was there before comes back") {
@@ -148,6 +187,32 @@ TEST_CASE("a look on a picture shows its pattern, then the person's file") {
     REQUIRE(small.turn_until([&] { return small.lab().notice().has_value(); }));
     small.turn(3);
     CHECK(small.shown() == 1.25f);
+}
+
+TEST_CASE("a picture that a person chose for a sampler is read, and black where it is gone") {
+    SmallLab small;
+    small.write(
+        "show.frag",
+        replaced(replaced(small_look::show, "uv) * gain", "uv) * gain + texture(extra, uv)"),
+                 "uniform sampler2D image;", "uniform sampler2D image;\nuniform sampler2D extra;"));
+    REQUIRE(small.turn_until([&] { return find_parameter(small.document().look(), "extra"); }));
+    const fs::path file = small.folder() / "extra.exr";
+    REQUIRE(save_picture(grey(0.25f), file).has_value());
+    const auto choose = [&](const fs::path& path) {
+        small.lab().edit([path](Document& document) {
+            document.set_value("extra", Value::of_path(path.string()));
+        });
+        small.turn(2);
+    };
+    choose(file);
+    CHECK(small.shown() - small.frames() == 0.25f);
+    small.lab().edit([](Document& document) { document.undo(); });
+    small.turn(2);
+    CHECK(small.shown() - small.frames() == 0.0f);
+    choose(small.folder() / "gone.exr");
+    CHECK(small.shown() - small.frames() == 0.0f);
+    REQUIRE(small.lab().problems().size() == 1);
+    CHECK(small.lab().problems().front().diagnostic.file.filename() == "gone.exr");
 }
 
 TEST_CASE("an image of the look that is saved anew shows; a broken one is told") {

@@ -1,6 +1,7 @@
 #include "lab/library.h"
 
 #include "formats/preset_format.h"
+#include "lab/shelf.h"
 
 #include <doctest/doctest.h>
 
@@ -55,6 +56,41 @@ TEST_CASE("a preset is saved under its look, listed, renamed, duplicated and del
     CHECK(library.delete_preset(*copy).has_value());
     CHECK_FALSE(library.delete_preset(*copy).has_value());
     CHECK(library.presets("phosphor").size() == 1);
+}
+
+TEST_CASE("no preset is saved over another, nor hides one of the program's, unless that is asked") {
+    const TemporaryRoots folder;
+    const Library library(folder.roots());
+    const auto file = library.save_preset(night(), "Night");
+    REQUIRE(file.has_value());
+    const auto again = library.save_preset(night(), "Night");
+    REQUIRE_FALSE(again.has_value());
+    CHECK(again.error().front().message.find("'Night' already") != std::string::npos);
+    CHECK_FALSE(library.new_preset_path("phosphor", "Night").has_value());
+    CHECK(library.preset_path("phosphor", "Night") == *file);
+
+    Roots roots = folder.roots();
+    roots.user = roots.program;
+    roots.program = roots.user / "shaders";  // what was saved now belongs to the person
+    CHECK_FALSE(Library(roots).save_preset(night(), "Night").has_value());
+}
+
+TEST_CASE("presets that say the same name of themselves are told apart by their files") {
+    const TemporaryRoots folder;
+    const Library library(folder.roots());
+    Preset preset = night();
+    preset.name = "Night";
+    for (const char* file : {"one", "two"})
+        REQUIRE(library.save_preset(preset, file).has_value());
+    preset.name = "Day";
+    REQUIRE(library.save_preset(preset, "three").has_value());
+    Shelf shelf;
+    shelf.update(library, 1.0);
+    REQUIRE(shelf.looks().size() == 1);
+    std::vector<std::string> names;
+    for (const ShelfPreset& shown : shelf.looks().front().presets)
+        names.push_back(shown.name);
+    CHECK(names == std::vector<std::string>{"Night (one)", "Day", "Night (two)"});
 }
 
 TEST_CASE("a name that is no file's name is refused") {

@@ -65,6 +65,25 @@ TEST_CASE("a window that was held up loses time rather than drawing it in one fr
     CHECK(player.advance(100.0)->span.seconds() == doctest::Approx(0.25));
 }
 
+TEST_CASE("where a frame may cover only so much, time is shown more slowly, and it is told") {
+    Player player;
+    CHECK(player.shown_share() == 1.0);
+    player.set_longest_frame(0.05);
+    double end = 0.0;
+    for (int i = 0; i < 60; ++i) {
+        const auto frame = player.advance(0.6);  // what a frame takes on a slow machine
+        CHECK(frame->span.start == end);         // nothing is left out
+        CHECK(frame->span.seconds() == doctest::Approx(0.05));
+        end = frame->span.end;
+    }
+    CHECK(player.shown_share() == doctest::Approx(0.05 / 0.6).epsilon(0.01));
+    player.set_longest_frame(1.0);  // no more than a quarter of a second in any case
+    CHECK(player.advance(0.6)->span.seconds() == doctest::Approx(0.25));
+    for (int i = 0; i < 60; ++i)
+        player.advance(sixtieth);
+    CHECK(player.shown_share() == doctest::Approx(1.0).epsilon(0.01));
+}
+
 TEST_CASE("the fixed clock shows N/fps in frame N") {
     Player player;
     for (int n = 1; n <= 3; ++n) {

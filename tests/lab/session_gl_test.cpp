@@ -1,4 +1,5 @@
 #include "lab/session.h"
+#include "lab/session_keeper.h"
 #include "lab/small_lab.h"
 
 namespace fs = std::filesystem;
@@ -49,6 +50,26 @@ TEST_CASE("unsaved values, undo, redo, preset, time and picture size come back")
         small.lab().edit([](Document& document) { document.undo(); });
     CHECK(small.document().values().at("gain") == Value(2.0));
     CHECK_FALSE(small.document().is_modified());
+}
+
+TEST_CASE("a change is kept as soon as it is done, a drag when the hand lets go") {
+    SmallLab small;
+    SessionKeeper keeper(small.roots());
+    const WindowState arrangement;
+    const auto kept_gain = [&] {
+        Diagnostics warnings;
+        const Values values = load_session(small.roots(), warnings).current.preset.values;
+        return values.count("gain") ? values.at("gain").number() : 0.0;
+    };
+    set_gain(small, 2.0);
+    keeper.update(small.lab(), arrangement);
+    CHECK(kept_gain() == 2.0);
+    small.lab().edit([](Document& document) { document.set_value("gain", Value(3.0), true); });
+    keeper.update(small.lab(), arrangement);
+    CHECK(kept_gain() == 2.0);
+    small.lab().edit([](Document& document) { document.finish(); });
+    keeper.update(small.lab(), arrangement);
+    CHECK(kept_gain() == 3.0);
 }
 
 TEST_CASE("values follow a look that was edited between two uses") {
