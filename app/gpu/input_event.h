@@ -9,6 +9,7 @@ namespace gpu {
 namespace key {
 constexpr int escape = 256;
 constexpr int enter = 257;
+constexpr int del = 261;
 constexpr int first_function = 290;  // F1
 constexpr int last_function = 301;   // F12
 constexpr int pad_enter = 335;

@@ -2,11 +2,13 @@
 
 #include "gpu/input_event.h"
 #include "ui/file_actions.h"
+#include "ui/pass_actions.h"
 #include "ui/view_actions.h"
 
 #include <imgui/imgui_internal.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace {
 bool can_undo(const Scene& scene) {
@@ -42,29 +44,50 @@ void step(const Scene&, Edits& edits) {
 void restart(const Scene&, Edits& edits) {
     edits.add([](Lab& lab) { lab.restart(); });
 }
+template <int octaves>
+void change_speed(const Scene& scene, Edits& edits) {
+    const double speed = scene.lab.player().speed() * std::exp2(octaves);
+    edits.add([speed](Lab& lab) { lab.transport().set_speed(speed); });
+}
 void set_normal_speed(const Scene&, Edits& edits) {
     edits.add([](Lab& lab) { lab.transport().set_speed(1.0); });
 }
 
 std::vector<Action> edit_actions() {
-    return {
-        {ActionId::undo, Menu::edit, "Undo", {'Z', true}, false, undo, can_undo},
-        {ActionId::redo, Menu::edit, "Redo", {'Z', true, true}, false, redo, can_redo},
-        {ActionId::reset_all, Menu::edit, "Reset all parameters", {}, true, reset_all, has_values},
-        {ActionId::search,
-         Menu::edit,
-         "Find a parameter",
-         {'F', true},
-         true,
-         view_actions::search,
-         file_actions::has_document}};
+    return {{ActionId::undo, Menu::edit, "Undo", {'Z', true}, false, undo, can_undo},
+            {ActionId::redo, Menu::edit, "Redo", {'Z', true, true}, false, redo, can_redo},
+            {ActionId::reset_all,
+             Menu::edit,
+             "Reset all parameters",
+             {'R', true, true},
+             true,
+             reset_all,
+             has_values},
+            {ActionId::search,
+             Menu::edit,
+             "Find a parameter",
+             {'F', true},
+             true,
+             view_actions::search,
+             file_actions::has_document},
+            {ActionId::show_changed,
+             Menu::edit,
+             "Show only changed parameters",
+             {'F', true, true},
+             false,
+             view_actions::toggle_changed,
+             file_actions::has_document,
+             view_actions::shows_only_changed}};
 }
 
 std::vector<Action> playback_actions() {
-    return {{ActionId::play_pause, Menu::playback, "Play or pause", {' '}, false, play_pause},
-            {ActionId::step, Menu::playback, "One frame on", {'.'}, false, step},
-            {ActionId::restart, Menu::playback, "Restart", {'R'}, false, restart},
-            {ActionId::normal_speed, Menu::playback, "Normal speed", {}, true, set_normal_speed}};
+    return {
+        {ActionId::play_pause, Menu::playback, "Play or pause", {' '}, false, play_pause},
+        {ActionId::step, Menu::playback, "One frame on", {'.'}, false, step},
+        {ActionId::restart, Menu::playback, "Restart", {'R'}, false, restart},
+        {ActionId::slower, Menu::playback, "Half as fast", {'['}, true, change_speed<-1>},
+        {ActionId::faster, Menu::playback, "Twice as fast", {']'}, false, change_speed<1>},
+        {ActionId::normal_speed, Menu::playback, "Normal speed", {'\\'}, false, set_normal_speed}};
 }
 
 std::vector<Action> help_actions() {
@@ -73,13 +96,18 @@ std::vector<Action> help_actions() {
         edits.show({.kind = Dialog::Kind::about});
     };
     return {{ActionId::keys, Menu::help, "Keys", {gpu::key::first_function}, false, keys},
-            {ActionId::about, Menu::help, "About Afterglow", {}, false, about}};
+            {ActionId::about,
+             Menu::help,
+             "About Afterglow",
+             {gpu::key::first_function, false, true},
+             false,
+             about}};
 }
 
 std::vector<Action> make_actions() {
     std::vector<Action> actions;
     for (const auto& part : {file_actions::list(), edit_actions(), view_actions::list(),
-                             playback_actions(), help_actions()})
+                             pass_actions::list(), playback_actions(), help_actions()})
         actions.insert(actions.end(), part.begin(), part.end());
     return actions;
 }
@@ -102,6 +130,8 @@ void escape(const Scene& scene, Edits& edits) {
         edits.add([](Lab& lab) { lab.cancel_loading(); });
     else if (scene.lab.renderer() && scene.lab.renderer()->replay().is_running())
         edits.add([](Lab& lab) { lab.cancel_replay(); });
+    else if (scene.window.shows_pass_large)
+        edits.arrange([](WindowState& window) { window.shows_pass_large = false; });
     else if (scene.window.is_picture_only)
         edits.arrange([](WindowState& window) { window.is_picture_only = false; });
 }
@@ -124,6 +154,8 @@ std::string chord_text(const Chord& chord) {
     std::string text = std::string(chord.control ? "Ctrl+" : "") + (chord.shift ? "Shift+" : "");
     if (chord.key == ' ')
         return text + "Space";
+    if (chord.key == gpu::key::del)
+        return text + "Delete";
     if (chord.key >= gpu::key::first_function && chord.key <= gpu::key::last_function)
         return text + "F" + std::to_string(chord.key - gpu::key::first_function + 1);
     return text + static_cast<char>(chord.key);

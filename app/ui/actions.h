@@ -35,18 +35,30 @@ enum class ActionId {
     show_strip,
     show_problems,
     show_timings,
+    show_changed,
     picture_only,
+    next_pass,
+    previous_pass,
+    pass_large,
+    next_channels,
+    brighter,
+    darker,
+    edit_pass,
+    write_passes,
+    passes_as_written,
     larger_text,
     smaller_text,
     play_pause,
     step,
     restart,
+    slower,
+    faster,
     normal_speed,
     keys,
     about,
 };
 
-enum class Menu { file, edit, view, playback, help };
+enum class Menu { file, edit, view, pass, playback, help };
 
 /// A key with what is held down with it.
 struct Chord {

@@ -40,7 +40,7 @@ public:
 
     void start(const Session& session, const Diagnostics& warnings) {
         if (!warnings.empty())
-            m_lab.say(to_string(warnings.front()), true);
+            m_lab.say(warnings.front());
         if (m_options.look && set_session_aside(m_options.roots, session))
             m_lab.say(
                 "The unsaved changes of last time are kept: File, Back to the session before");
@@ -149,6 +149,8 @@ void Application::draw() {
     for (const std::filesystem::path& file : m_window.take_dropped_files())
         edits.open_file(m_lab, file);
     m_toolkit.end();
+    if (std::string complaint = m_toolkit.take_complaint(); !complaint.empty())
+        m_lab.say(std::move(complaint), true);
     m_window.swap();
     if (!m_options.state_file.empty())
         if (std::string text = state_text(scene, edits); text != m_state_text)

@@ -27,6 +27,30 @@ std::string pace_text(const Scene& scene) {
                                                          : "resting";
 }
 
+// What a machine too slow for the picture does about it; "" where it keeps up.
+std::string lag_text(const Player& player) {
+    constexpr double hardly_seen = 0.93;
+    const double share = player.shown_share();
+    if (!player.is_playing() || share > hardly_seen)
+        return {};
+    return player.leaves_out() ? fmt::format("{:.0f} % of the sound drawn", 100.0 * share)
+                               : fmt::format("time slowed to {:.2f}×", share);
+}
+
+void draw_lag(const Scene& scene, Edits& edits) {
+    const std::string text = lag_text(scene.lab.player());
+    if (text.empty())
+        return;
+    ImGui::SameLine();
+    const ScopedColor color(ImGuiCol_Text, theme::warning);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(text.c_str());
+    edits.mark("lag");
+    tooltip(
+        "This machine cannot draw frames of this size as fast as time goes by. A smaller "
+        "picture or fewer points help.");
+}
+
 std::string cost_text(const Scene& scene) {
     const Renderer* renderer = scene.lab.renderer();
     if (!renderer || renderer->executor().plan().targets.empty())
@@ -50,7 +74,7 @@ std::string pointer_text(const Scene& scene) {
 
 void draw_problems(const Scene& scene, Edits& edits) {
     if (scene.lab.problems().empty())
-        dim_text("Nothing is wrong with the open look.");
+        dim_text("Nothing is wrong with the open look and what drives it.");
     for (const Problem& problem : scene.lab.problems()) {
         draw_problem(problem, scene.fonts, edits);
         ImGui::Spacing();
@@ -99,6 +123,7 @@ void draw_status_bar(const Scene& scene, Edits& edits) {
             run(ActionId::show_timings, scene, edits);
         tooltip(help_of(ActionId::show_timings));
     }
+    draw_lag(scene, edits);
     const std::string pointer = pointer_text(scene);
     if (pointer.empty())
         return;

@@ -43,7 +43,8 @@ Turned draw_linear_numbers(Value& value, const Fonts& fonts) {
     const float width = ImGui::GetFontSize() * 4.5f;
     for (std::size_t i = 0; i < value.numbers.size(); ++i) {
         ImGui::SameLine();
-        turned |= draw_number(fmt::format("##{}", i).c_str(), value.numbers[i], width, false);
+        turned |=
+            draw_number(fmt::format("##{}", i).c_str(), value.numbers[i], width, NumberFacts{});
     }
     return turned;
 }

@@ -13,7 +13,8 @@ DialogFrame::DialogFrame(const char* title, float width, const Scene& scene, Edi
     if (!ImGui::IsPopupOpen(title))
         ImGui::OpenPopup(title);
     const ImVec2 room = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({room.x * 0.5f, room.y * 0.45f}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowPos({room.x * 0.5f, room.y * 0.5f}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {room.x * 0.94f, room.y * 0.96f});
     ImGui::SetNextWindowSize({std::min(width * ImGui::GetFontSize(), room.x * 0.94f), 0.0f});
     const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding,
                                       ImVec2(18.0f * scene.scale, 14.0f * scene.scale));

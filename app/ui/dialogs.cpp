@@ -9,13 +9,38 @@
 
 #include <imgui/imgui_stdlib.h>
 
+#include <algorithm>
+
 namespace {
 struct Question {
     const char* title;
     const char* help;
     const char* label;
     void (Lab::*answer)(const std::string&);
+    bool (*is_taken)(const Scene& scene, const std::string& name);
+    void (Lab::*replace)(const std::string&) = nullptr;  // null: a taken name is refused
 };
+
+bool is_look(const Scene& scene, const std::string& name) {
+    const auto& looks = scene.shelf.looks();
+    return std::any_of(looks.begin(), looks.end(),
+                       [&](const ShelfLook& look) { return look.entry.id == name; });
+}
+
+// A preset of the open look has that name, in its file or in the list.
+bool is_preset(const Scene& scene, const std::string& name) {
+    for (const ShelfLook& look : scene.shelf.looks())
+        for (const ShelfPreset& preset : look.presets)
+            if (scene.lab.document() && look.entry.id == scene.lab.document()->look().id &&
+                preset.entry.name == name)
+                return true;
+    return false;
+}
+
+bool is_other_preset(const Scene& scene, const std::string& name) {
+    return scene.lab.document() && scene.lab.document()->preset_file().stem() != name &&
+           is_preset(scene, name);
+}
 
 // A dialog that asks for one name.
 void draw_name_dialog(const Question& question, const Scene& scene, Edits& edits) {
@@ -32,10 +57,22 @@ void draw_name_dialog(const Question& question, const Scene& scene, Edits& edits
     if (ImGui::InputText("##name", &text, ImGuiInputTextFlags_AutoSelectAll))
         edits.arrange([text](WindowState& window) { window.dialog.text = text; });
     edits.mark("dialog_name");
-    if (!draw_dialog_buttons(question.label, !text.empty(), edits))
+    const bool is_taken = question.is_taken(scene, text);
+    const bool replaces = is_taken && question.replace;
+    if (is_taken) {
+        const ScopedColor color(ImGuiCol_Text, theme::warning);
+        ImGui::TextWrapped(replaces ? "'%s' is there already; it will be replaced."
+                                    : "'%s' is there already; choose another name.",
+                           text.c_str());
+        edits.mark("dialog_taken");
+    }
+    if (!draw_dialog_buttons(replaces ? "Replace" : question.label,
+                             !text.empty() && (!is_taken || replaces), edits))
         return;
     close_dialog(edits);
-    edits.add([text, answer = question.answer](Lab& lab) { (lab.*answer)(text); });
+    edits.add([text, answer = replaces ? question.replace : question.answer](Lab& lab) {
+        (lab.*answer)(text);
+    });
     if (const std::string& next = scene.window.dialog.subject; !next.empty())
         edits.add([next](Lab& lab) {
             if (!lab.document()->is_modified())  // else it could not be saved
@@ -75,7 +112,7 @@ void draw_unsaved_dialog(const Scene& scene, Edits& edits) {
         return;
     const std::string& preset = scene.lab.document()->preset_name();
     ImGui::TextWrapped(
-        "The changes to %s would be lost when another look or preset opens.",
+        "The changes to %s would be lost when another look opens.",
         preset.empty() ? scene.lab.document()->look().name.c_str() : ("'" + preset + "'").c_str());
     ImGui::Spacing();
     const float width = ImGui::GetFontSize() * 6.5f;
@@ -107,22 +144,23 @@ void draw_dialogs(const Scene& scene, Edits& edits) {
             draw_file_dialog(scene, edits);
             return;
         case Kind::save_preset_as:
-            draw_name_dialog(
-                {"Save the preset as", "A name for these values", "Save", &Lab::save_preset_as},
-                scene, edits);
+            draw_name_dialog({"Save the preset as", "A name for these values", "Save",
+                              &Lab::save_preset_as, is_preset, &Lab::replace_preset},
+                             scene, edits);
             return;
         case Kind::rename_preset:
-            draw_name_dialog({"Rename the preset", "Its new name", "Rename", &Lab::rename_preset},
+            draw_name_dialog({"Rename the preset", "Its new name", "Rename", &Lab::rename_preset,
+                              is_other_preset},
                              scene, edits);
             return;
         case Kind::new_look:
             draw_name_dialog({"New look", "The name of its folder: small letters, digits, - and _",
-                              "Create", &Lab::new_look},
+                              "Create", &Lab::new_look, is_look},
                              scene, edits);
             return;
         case Kind::duplicate_look:
             draw_name_dialog({"Duplicate this look", "The name of the copy's folder", "Duplicate",
-                              &Lab::duplicate_look},
+                              &Lab::duplicate_look, is_look},
                              scene, edits);
             return;
         case Kind::delete_preset:

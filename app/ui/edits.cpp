@@ -23,7 +23,7 @@ void Edits::show(Dialog dialog) {
 }
 
 void Edits::open(const Lab& lab, const std::string& argument) {
-    if (lab.document() && lab.document()->is_modified())
+    if (lab.would_lose_changes(argument))
         show({.kind = Dialog::Kind::unsaved, .subject = argument});
     else
         add([argument](Lab& opening) { opening.open(argument); });

@@ -1,5 +1,6 @@
 #include "ui/file_actions.h"
 
+#include "gpu/input_event.h"
 #include "lab/session.h"
 #include "lab/window_session.h"
 
@@ -32,7 +33,7 @@ void duplicate_look(const Scene& scene, Edits& edits) {
 
 void copy_line(const Scene& scene, Edits& edits) {
     edits.copy(scene.lab.share_line());
-    edits.add([](Lab& lab) { lab.say("Copied: the preset as one line of text"); });
+    edits.add([](Lab& lab) { lab.say("Copied the preset as one line of text"); });
 }
 
 void paste_line(const Scene&, Edits& edits) {
@@ -66,25 +67,11 @@ bool file_actions::has_preset(const Scene& scene) {
     return scene.lab.document() && !scene.lab.document()->preset_file().empty();
 }
 
-std::vector<Action> file_actions::list() {
-    using Kind = Dialog::Kind;
+namespace {
+std::vector<Action> preset_actions() {
+    using file_actions::has_document;
+    using file_actions::has_preset;
     return {
-        {ActionId::open, Menu::file, "Open…", {'O', true}, false, show<Kind::open_file>},
-        {ActionId::reopen_session,
-         Menu::file,
-         "Back to the session before",
-         {},
-         false,
-         reopen_session,
-         has_session_before},
-        {ActionId::new_look, Menu::file, "New look…", {'N', true}, true, show<Kind::new_look>},
-        {ActionId::duplicate_look,
-         Menu::file,
-         "Duplicate this look…",
-         {},
-         false,
-         duplicate_look,
-         has_document},
         {ActionId::save_preset, Menu::file, "Save preset", {'S', true}, true, save, has_document},
         {ActionId::save_preset_as,
          Menu::file,
@@ -93,7 +80,13 @@ std::vector<Action> file_actions::list() {
          false,
          save_as,
          has_document},
-        {ActionId::rename_preset, Menu::file, "Rename preset…", {}, false, rename, has_preset},
+        {ActionId::rename_preset,
+         Menu::file,
+         "Rename preset…",
+         {gpu::key::first_function + 1},
+         false,
+         rename,
+         has_preset},
         {ActionId::duplicate_preset,
          Menu::file,
          "Duplicate preset",
@@ -104,18 +97,50 @@ std::vector<Action> file_actions::list() {
         {ActionId::delete_preset,
          Menu::file,
          "Delete preset…",
-         {},
+         {gpu::key::del, false, true},
          false,
-         show<Kind::delete_preset>,
+         show<Dialog::Kind::delete_preset>,
          has_preset},
+    };
+}
+}  // namespace
+
+std::vector<Action> file_actions::list() {
+    using Kind = Dialog::Kind;
+    std::vector<Action> actions{
+        {ActionId::open, Menu::file, "Open…", {'O', true}, false, show<Kind::open_file>},
+        {ActionId::reopen_session,
+         Menu::file,
+         "Back to the session before",
+         {'O', true, true},
+         false,
+         reopen_session,
+         has_session_before},
+        {ActionId::new_look, Menu::file, "New look…", {'N', true}, true, show<Kind::new_look>},
+        {ActionId::duplicate_look,
+         Menu::file,
+         "Duplicate this look…",
+         {'D', true, true},
+         false,
+         duplicate_look,
+         has_document},
+    };
+    const std::vector<Action> presets = preset_actions();
+    actions.insert(actions.end(), presets.begin(), presets.end());
+    const std::vector<Action> others{
         {ActionId::copy_line,
          Menu::file,
-         "Copy as a line of text",
+         "Copy the preset as text",
          {'C', true},
          true,
          copy_line,
          has_document},
-        {ActionId::paste_line, Menu::file, "Paste a line", {'V', true}, false, paste_line},
+        {ActionId::paste_line,
+         Menu::file,
+         "Paste a preset from text",
+         {'V', true},
+         false,
+         paste_line},
         {ActionId::save_picture,
          Menu::file,
          "Save the picture…",
@@ -125,4 +150,6 @@ std::vector<Action> file_actions::list() {
          has_document},
         {ActionId::quit, Menu::file, "Quit", {'Q', true}, true, quit},
     };
+    actions.insert(actions.end(), others.begin(), others.end());
+    return actions;
 }

@@ -22,14 +22,15 @@ FormColumns form_columns(bool has_button) {
     const float room = ImGui::GetContentRegionAvail().x;
     FormColumns columns;
     columns.button = has_button ? ImGui::GetFrameHeight() : -gap();
-    columns.number = std::round(ImGui::GetFontSize() * 3.9f);
+    columns.number = std::round(ImGui::GetFontSize() * 4.4f);
     const float rest = std::max(60.0f, room - columns.button - columns.number - 3.0f * gap());
     columns.label = std::floor(rest * 0.54f);
     columns.control = std::floor(rest - columns.label);
     return columns;
 }
 
-bool form_label(const std::string& label, const FormColumns& columns, bool is_changed) {
+bool form_label(const std::string& label, const std::string& unit, const FormColumns& columns,
+                bool is_changed) {
     const float height = ImGui::GetFrameHeight();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const bool is_clicked = ImGui::InvisibleButton(
@@ -39,6 +40,10 @@ bool form_label(const std::string& label, const FormColumns& columns, bool is_ch
     const std::string cut = cut_to_fit(label, columns.label);
     const float top = at.y + (height - ImGui::GetFontSize()) * 0.5f;
     ImGui::GetWindowDrawList()->AddText({at.x, top}, theme::packed(color), cut.c_str());
+    const float end = at.x + ImGui::CalcTextSize((label + " ").c_str()).x;
+    if (!unit.empty() && !is_short(unit) &&
+        end + ImGui::CalcTextSize(unit.c_str()).x <= at.x + columns.label)
+        ImGui::GetWindowDrawList()->AddText({end, top}, theme::packed(theme::dim), unit.c_str());
     return is_clicked;
 }
 
@@ -56,8 +61,9 @@ Turned form_slider(const char* id, double& value, const SliderFacts& facts,
                ImGui::GetStyle().FramePadding.y + (fonts.text->FontSize - fonts.numbers->FontSize) *
                                                       0.5f * ImGui::GetIO().FontGlobalScale));
     Turned turned = draw_slider("##slider", value, facts, columns.control);
+    tooltip(range_text(facts));
     ImGui::SameLine(0.0f, gap());
-    turned |= draw_number("##number", value, columns.number, facts.is_changed);
+    turned |= draw_number("##number", value, columns.number, facts.number());
     return turned;
 }
 

@@ -6,7 +6,9 @@
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
+#include <algorithm>
 #include <array>
+#include <string>
 #include <utility>
 
 namespace {
@@ -16,7 +18,7 @@ constexpr std::array<std::pair<const char*, const char*>, 7> mouse_habits{
      {"Click on a name", "what the parameter is, and where it is declared"},
      {"Wheel over a picture", "zoom about the pointer"},
      {"Drag a picture", "move it"},
-     {"Escape", "stop showing the past again, leave the picture, close a dialog"},
+     {"Escape", "stop what takes long, go back to the picture, close a dialog"},
      {"Ctrl+Y", "redo"}}};
 
 void line(const std::string& keys, const std::string& words, const Scene& scene) {
@@ -28,7 +30,7 @@ void line(const std::string& keys, const std::string& words, const Scene& scene)
         ImGui::TextUnformatted(keys.c_str());
     }
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted(words.c_str());
+    ImGui::TextWrapped("%s", words.c_str());
 }
 
 void draw_close(Edits& edits) {
@@ -44,30 +46,31 @@ template <class Lines>
 void draw_table(const char* id, const Lines& lines) {
     if (!ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingFixedFit))
         return;
+    ImGui::TableSetupColumn("keys");
+    ImGui::TableSetupColumn("words", ImGuiTableColumnFlags_WidthStretch);
     lines();
     ImGui::EndTable();
 }
 }  // namespace
 
 void draw_keys_dialog(const Scene& scene, Edits& edits) {
-    const DialogFrame frame("Keys", 62.0f, scene, edits);
+    const DialogFrame frame("Keys", 72.0f, scene, edits);
     if (!frame.is_open())
         return;
-    const std::vector<Action>& actions = all_actions();
     std::vector<const Action*> with_keys;
-    for (const Action& action : actions)
+    for (const Action& action : all_actions())
         if (action.chord.key != 0)
             with_keys.push_back(&action);
-    const std::size_t half = (with_keys.size() + 1) / 2;
-    const auto column = [&](std::size_t first, std::size_t end) {
-        for (std::size_t i = first; i < end; ++i)
-            line(chord_text(with_keys[i]->chord), with_keys[i]->label, scene);
-    };
-    if (ImGui::BeginTable("##halves", 2)) {
-        ImGui::TableNextColumn();
-        draw_table("##first", [&] { column(0, half); });
-        ImGui::TableNextColumn();
-        draw_table("##second", [&] { column(half, with_keys.size()); });
+    constexpr std::size_t columns = 3;
+    const std::size_t length = (with_keys.size() + columns - 1) / columns;
+    if (ImGui::BeginTable("##columns", static_cast<int>(columns))) {
+        for (std::size_t first = 0; first < with_keys.size(); first += length) {
+            ImGui::TableNextColumn();
+            draw_table(std::to_string(first).c_str(), [&] {
+                for (std::size_t i = first; i < std::min(first + length, with_keys.size()); ++i)
+                    line(chord_text(with_keys[i]->chord), with_keys[i]->label, scene);
+            });
+        }
         ImGui::EndTable();
     }
     ImGui::Separator();

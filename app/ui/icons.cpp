@@ -87,6 +87,13 @@ void draw_icon(Icon icon, const ImVec2& at, float size, ImU32 color) {
             pen.circle(0.43f, 0.43f, 0.27f);
             pen.line({0.62f, 0.62f}, {0.86f, 0.86f});
             break;
+        case Icon::large:
+            pen.line({0.14f, 0.4f}, {0.14f, 0.14f});
+            pen.line({0.14f, 0.14f}, {0.4f, 0.14f});
+            pen.line({0.86f, 0.6f}, {0.86f, 0.86f});
+            pen.line({0.86f, 0.86f}, {0.6f, 0.86f});
+            pen.line({0.2f, 0.2f}, {0.8f, 0.8f});
+            break;
         case Icon::stop:
             pen.box(0.2f, 0.2f, 0.8f, 0.8f);
             break;

@@ -1,5 +1,6 @@
 #include "ui/inspector_panel.h"
 
+#include "ui/actions.h"
 #include "ui/icons.h"
 #include "ui/pass_settings.h"
 #include "ui/picture_canvas.h"
@@ -29,7 +30,7 @@ void arrange(PassView view, Edits& edits) {
 void draw_title(const Pass& pass, const Scene& scene, Edits& edits) {
     const Look& look = scene.lab.renderer()->executor().look();
     const ScopedFont strong(scene.fonts.strong);
-    const float width = ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() - 4.0f;
+    const float width = ImGui::GetContentRegionAvail().x - 2.0f * ImGui::GetFrameHeight() - 6.0f;
     if (begin_combo("##pass", pass.name, width)) {
         const ScopedFont text(scene.fonts.text);
         for (const Pass& other : look.passes)
@@ -45,6 +46,11 @@ void draw_title(const Pass& pass, const Scene& scene, Edits& edits) {
                     theme::dim))
         edits.add([file](Lab& lab) { lab.open_in_editor({file, 1}); });
     edits.mark("edit_pass");
+    ImGui::SameLine(0.0f, 2.0f);
+    if (icon_button("##large", scene.window.shows_pass_large ? Icon::close : Icon::large,
+                    help_of(ActionId::pass_large), theme::dim))
+        run(ActionId::pass_large, scene, edits);
+    edits.mark("pass_large");
 }
 
 void draw_channels(const Scene& scene, Edits& edits) {
@@ -62,22 +68,22 @@ void draw_exposure(const Scene& scene, Edits& edits) {
     PassView view = scene.window.inspected;
     ImGui::AlignTextToFramePadding();
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetStyle().ItemSpacing.x);
-    dim_text("EV");
-    ImGui::SameLine(0.0f, 4.0f);
-    const float number = ImGui::GetFontSize() * 2.2f;
+    const float number = ImGui::GetFontSize() * 4.6f;
     const float room = ImGui::GetContentRegionAvail().x - number - 6.0f;
     const SliderFacts facts{.low = -10.0,
                             .high = 10.0,
                             .step = 0.1,
                             .initial = 0.0,
-                            .is_changed = view.exposure != 0.0};
+                            .is_changed = view.exposure != 0.0,
+                            .unit = "EV",
+                            .limit = Limit{-60.0, 60.0}};
     const ScopedFont font(scene.fonts.numbers);
     Turned turned = draw_slider("##exposure", view.exposure, facts, std::max(room, 30.0f));
     tooltip(
         "Exposure of this view, in stops. Double click to type; the pass itself stays as it is.");
     edits.mark("inspector_exposure");
     ImGui::SameLine(0.0f, 4.0f);
-    turned |= draw_number("##stops", view.exposure, number, facts.is_changed);
+    turned |= draw_number("##stops", view.exposure, number, facts.number());
     if (turned.is_changed)
         arrange(view, edits);
 }
@@ -89,15 +95,13 @@ std::string probe_text(const Scene& scene, const Pass& pass) {
         return {};
     std::string text = fmt::format("{}, {} ", probe->x, probe->y);
     for (int i = 0; i < facts_of(pass.format).channels; ++i)
-        text += fmt::format(
-            " {}", short_number(static_cast<double>((*rgba)[static_cast<std::size_t>(i)])));
+        text += fmt::format(" {:.6g}", static_cast<double>((*rgba)[static_cast<std::size_t>(i)]));
     return text;
 }
 
 void draw_facts_line(const Pass& pass, Extent extent, const Scene& scene, Edits& edits) {
-    const PassView& view = scene.window.inspected;
     const ScopedFont font(scene.fonts.numbers);
-    const double zoom = view.view.zoom_for(extent, scene.window.views.inspector);
+    const double zoom = inspector_view(scene.window).zoom_for(extent, scene.window.views.inspector);
     const std::string probe = probe_text(scene, pass);
     const float width = ImGui::GetContentRegionAvail().x;
     if (!probe.empty()) {
@@ -121,14 +125,14 @@ void draw_view(const Pass& pass, Extent extent, float height, const Scene& scene
     const CanvasInput input = draw_picture_canvas({.id = "##inspected",
                                                    .image = scene.views.inspected(),
                                                    .picture = extent,
-                                                   .view = scene.window.inspected.view,
+                                                   .view = inspector_view(scene.window),
                                                    .size = {width, height}},
                                                   scene);
     edits.mark("inspector");
-    if (input.moved)
+    if (input.moved && !scene.window.shows_pass_large)
         edits.arrange([view = *input.moved](WindowState& window) { window.inspected.view = view; });
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0))
-        edits.arrange([](WindowState& window) { window.inspected.view = {PictureView::Fit::all}; });
+        run(ActionId::pass_large, scene, edits);
     if (!input.hovered)
         return;
     const Probe probe{pass.name, static_cast<int>(std::floor((*input.hovered)[0])),

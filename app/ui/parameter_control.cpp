@@ -18,8 +18,11 @@ SliderFacts facts_for(const Knob& knob, std::size_t component) {
                       .high = parameter.range.high,
                       .step = parameter.range.step,
                       .is_logarithmic = parameter.scale == Scale::logarithmic,
-                      .is_changed = knob.is_changed};
-    if (parameter.type.scalar != Scalar::floating && facts.step <= 0.0)
+                      .is_changed = knob.is_changed,
+                      .unit = parameter.control == Control::angle ? "°" : parameter.unit,
+                      .limit = parameter.limit,
+                      .is_whole = parameter.type.scalar != Scalar::floating};
+    if (facts.is_whole && facts.step <= 0.0)
         facts.step = 1.0;
     if (component < parameter.initial.numbers.size())
         facts.initial = parameter.initial.numbers[component];
@@ -40,6 +43,8 @@ Turned draw_component(const Knob& knob, std::size_t component, Value& value,
     facts.step *= factor;
     if (facts.initial)
         *facts.initial *= factor;
+    if (facts.limit)
+        facts.limit = Limit{facts.limit->low * factor, facts.limit->high * factor};
     double shown = value.numbers[component] * factor;
     const std::string id = std::to_string(component);
     const Turned turned = form_slider(id.c_str(), shown, facts, columns, fonts);
@@ -100,7 +105,7 @@ Turned draw_matrix(const Knob& knob, Value& value, const FormColumns& columns, c
                 ImGui::SameLine(0.0f, 2.0f);
             const std::size_t place = column * rows + row;
             turned |= draw_number(fmt::format("##{}", place).c_str(), value.numbers[place], width,
-                                  knob.is_changed);
+                                  facts_for(knob, place).number());
         }
     }
     return turned;
@@ -132,7 +137,7 @@ Turned draw_control(const Knob& knob, Value& value, const FormColumns& columns, 
         case Control::color:
             return draw_color(parameter, value, columns, fonts);
         case Control::point:
-            return draw_point(parameter, value, knob.is_changed, columns, fonts);
+            return draw_point(parameter, value, facts_for(knob, 0).number(), columns, fonts);
         case Control::event:
             return draw_trigger(value, columns);
         case Control::image:
@@ -154,7 +159,7 @@ void draw_parameter(const Knob& knob, const Fonts& fonts, Edits& edits) {
     const Parameter& parameter = knob.parameter;
     const ScopedId scope(parameter.name);
     const FormColumns columns = form_columns();
-    if (form_label(parameter.label, columns, knob.is_changed))
+    if (form_label(parameter.label, parameter.unit, columns, knob.is_changed))
         ImGui::OpenPopup("about");
     edits.mark("label:" + parameter.name);
     draw_parameter_help(knob, fonts, edits);

@@ -78,7 +78,10 @@ void draw_cell(const Cell& cell, const Scene& scene, float image_height, Edits& 
         });
     edits.mark("pass:" + cell.pass.name);
     const bool is_hovered = ImGui::IsItemHovered();
-    tooltip(fmt::format("{}\n{}{}", cell.pass.name, facts_text(cell),
+    if (is_hovered && ImGui::IsMouseDoubleClicked(0))
+        edits.arrange([](WindowState& window) { window.shows_pass_large = true; });
+    tooltip(fmt::format("{}\n{}{}\nA double click shows it as large as the picture.",
+                        cell.pass.name, facts_text(cell),
                         cell.milliseconds > 0.0 ? "\n" + time_text(cell.milliseconds) : ""));
     draw_image(image, low, width, image_height, scene.density);
     if (cell.is_chosen || is_hovered)

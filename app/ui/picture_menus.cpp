@@ -20,7 +20,7 @@ std::string size_label(const Scene& scene) {
 }
 
 double present_zoom(const Scene& scene) {
-    return scene.window.picture.zoom_for(scene.lab.picture_extent(), scene.window.views.picture);
+    return scene.window.large_view().zoom_for(large_extent(scene), scene.window.views.picture);
 }
 
 // At whole zooms every pixel of the picture is a block of pixels of the screen.
@@ -50,6 +50,16 @@ void draw_button(const std::string& label, const char* popup, const std::string&
     }
 }
 }  // namespace
+
+Extent large_extent(const Scene& scene) {
+    if (scene.window.shows_pass_large && scene.lab.renderer()) {
+        const Executor& executor = scene.lab.renderer()->executor();
+        const auto pass = find_pass(executor.look(), scene.window.inspected.pass);
+        if (pass && !executor.plan().targets.empty())
+            return executor.target(*pass).extent();
+    }
+    return scene.lab.picture_extent();
+}
 
 std::string zoom_text(double zoom) {
     if (zoom < 1.0 && 1.0 / zoom == std::floor(1.0 / zoom))
@@ -106,10 +116,10 @@ void draw_size_items(const Scene& scene, Edits& edits) {
 }
 
 void draw_zoom_items(const Scene& scene, Edits& edits) {
-    const PictureView& present = scene.window.picture;
+    const PictureView& present = scene.window.large_view();
     const auto fit_item = [&](const char* label, const char* key, PictureView::Fit fit) {
         if (ImGui::MenuItem(label, key, present.fit == fit))
-            edits.arrange([fit](WindowState& window) { window.picture = {fit}; });
+            edits.arrange([fit](WindowState& window) { window.large_view() = {fit}; });
     };
     fit_item("Whole pixels, as large as fits", "", PictureView::Fit::whole);
     fit_item("All of it", "F", PictureView::Fit::all);
@@ -118,8 +128,8 @@ void draw_zoom_items(const Scene& scene, Edits& edits) {
         const bool is_chosen = present.fit == PictureView::Fit::free && present.zoom == zoom;
         if (ImGui::MenuItem(zoom_text(zoom).c_str(), zoom == 1.0 ? "1" : nullptr, is_chosen))
             edits.arrange([zoom](WindowState& window) {
-                window.picture.fit = PictureView::Fit::free;
-                window.picture.zoom = zoom;
+                window.large_view().fit = PictureView::Fit::free;
+                window.large_view().zoom = zoom;
             });
     }
 }

@@ -7,6 +7,9 @@
 void draw_picture_menus(const Scene& scene, Edits& edits);
 float picture_menus_width(const Scene& scene);
 
+/// Of what lies in the picture's place: the picture, or the pass that is shown large.
+Extent large_extent(const Scene& scene);
+
 /// The choices behind the buttons, also for the menu bar.
 void draw_size_items(const Scene& scene, Edits& edits);
 void draw_zoom_items(const Scene& scene, Edits& edits);

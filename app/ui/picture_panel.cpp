@@ -1,11 +1,20 @@
 #include "ui/picture_panel.h"
 
+#include "ui/actions.h"
 #include "ui/overlays.h"
 #include "ui/picture_canvas.h"
+#include "ui/picture_menus.h"
+#include "ui/scoped.h"
 
 #include <cmath>
 
 namespace {
+void probe(const std::string& pass, const std::array<double, 2>& pixel, Edits& edits) {
+    const Probe probe{pass, static_cast<int>(std::floor(pixel[0])),
+                      static_cast<int>(std::floor(pixel[1]))};
+    edits.arrange([probe](WindowState& window) { window.probe = probe; });
+}
+
 // The look gets the pointer in pixels from the bottom left; the status line what lies under it.
 void tell_pointer(const std::array<double, 2>& pixel, const Scene& scene, Edits& edits) {
     const Extent extent = scene.lab.picture_extent();
@@ -14,9 +23,24 @@ void tell_pointer(const std::array<double, 2>& pixel, const Scene& scene, Edits&
     if (x < 0.0 || y < 0.0 || x >= extent.width || y >= extent.height)
         return;
     edits.add([x, y, extent](Lab& lab) { lab.set_mouse(x, extent.height - y); });
-    const Probe probe{scene.lab.document()->look().passes.back().name,
-                      static_cast<int>(std::floor(x)), static_cast<int>(std::floor(y))};
-    edits.arrange([probe](WindowState& window) { window.probe = probe; });
+    probe(scene.lab.document()->look().passes.back().name, pixel, edits);
+}
+
+// Says that this is not the picture, and how to get it back.
+void draw_large_pass_words(const Scene& scene, Edits& edits) {
+    if (!scene.window.shows_pass_large)
+        return;
+    const float margin = ImGui::GetFontSize() * 0.5f;
+    const std::string label = "Pass " + scene.window.inspected.pass + " · back to the picture";
+    const float width =
+        ImGui::CalcTextSize(label.c_str()).x + 2.0f * ImGui::GetStyle().FramePadding.x;
+    ImGui::SetCursorPos({margin, margin});
+    const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
+    ImGui::BeginChild("##back", {width, ImGui::GetFrameHeight()});  // lies above the picture
+    if (ImGui::Button(label.c_str()))
+        run(ActionId::pass_large, scene, edits);
+    edits.mark("back_to_picture");
+    ImGui::EndChild();
 }
 }  // namespace
 
@@ -31,14 +55,17 @@ void draw_picture_panel(const Scene& scene, const Rect& place, Edits& edits) {
     }
     const CanvasInput input = draw_picture_canvas({.id = "##picture",
                                                    .image = scene.views.picture(),
-                                                   .picture = scene.lab.picture_extent(),
-                                                   .view = scene.window.picture,
+                                                   .picture = large_extent(scene),
+                                                   .view = scene.window.large_view(),
                                                    .size = {place.width, place.height}},
                                                   scene);
     edits.mark("picture");
     if (input.moved)
-        edits.arrange([view = *input.moved](WindowState& window) { window.picture = view; });
-    if (input.hovered)
+        edits.arrange([view = *input.moved](WindowState& window) { window.large_view() = view; });
+    if (input.hovered && scene.window.shows_pass_large)
+        probe(scene.window.inspected.pass, *input.hovered, edits);
+    else if (input.hovered)
         tell_pointer(*input.hovered, scene, edits);
+    draw_large_pass_words(scene, edits);
     draw_overlays(scene, edits);
 }

@@ -52,13 +52,13 @@ Turned draw_pad(const Range& range, double& x, double& y, bool is_changed, float
 }
 }  // namespace
 
-Turned draw_point(const Parameter& parameter, Value& value, bool is_changed,
+Turned draw_point(const Parameter& parameter, Value& value, const NumberFacts& facts,
                   const FormColumns& columns, const Fonts& fonts) {
     if (value.numbers.size() < 2)
         return {};
     const float width = columns.control_and_number();
     Turned turned =
-        draw_pad(parameter.range, value.numbers[0], value.numbers[1], is_changed, width);
+        draw_pad(parameter.range, value.numbers[0], value.numbers[1], facts.is_changed, width);
     const ScopedFont font(fonts.numbers);
     const float half = (width - 4.0f) * 0.5f;
     for (std::size_t i = 0; i < value.numbers.size(); ++i) {
@@ -67,7 +67,7 @@ Turned draw_point(const Parameter& parameter, Value& value, bool is_changed,
         turned |= draw_number(i == 0   ? "##x"
                               : i == 1 ? "##y"
                                        : "##z",
-                              value.numbers[i], half, is_changed);
+                              value.numbers[i], half, facts);
     }
     return turned;
 }

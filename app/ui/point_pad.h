@@ -4,5 +4,5 @@
 #include "ui/form.h"
 
 /// A pad for a point (x to the right, y up) with its two numbers below.
-Turned draw_point(const Parameter& parameter, Value& value, bool is_changed,
+Turned draw_point(const Parameter& parameter, Value& value, const NumberFacts& facts,
                   const FormColumns& columns, const Fonts& fonts);

@@ -17,26 +17,52 @@ void set_signal(const Spec& spec, Edits& edits) {
     edits.document([spec](Document& document) { document.set_signal(spec, true); });
 }
 
-SliderFacts facts_of(const SettingFacts& setting, double value) {
+// What a setting is when nobody has turned it: as the look or the preset has it.
+double usual_number(const SettingFacts& setting, const Document& document) {
+    const auto saved = completed(document.saved().signal);
+    if (!saved || saved->kind != document.state().signal.kind)
+        return setting.initial;
+    const auto found = saved->settings.find(setting.key);
+    const double* number =
+        found == saved->settings.end() ? nullptr : std::get_if<double>(&found->second);
+    return number ? *number : setting.initial;
+}
+
+SliderFacts facts_of(const SettingFacts& setting, double value, const Document& document) {
+    const double usual = usual_number(setting, document);
     return {.low = setting.low,
             .high = setting.high,
             .step = setting.step,
             .is_logarithmic = setting.logarithmic,
-            .initial = setting.initial,
-            .is_changed = value != setting.initial};
+            .initial = usual,
+            .is_changed = value != usual,
+            .unit = setting.unit,
+            .limit = setting.limit,
+            .is_whole = setting.step == 1.0};
 }
 
 void draw_number_setting(const SettingFacts& setting, Spec& spec, const FormColumns& columns,
                          const Scene& scene, Edits& edits) {
     double value = std::get<double>(spec.settings[setting.key]);
-    const Turned turned =
-        form_slider("##value", value, facts_of(setting, value), columns, scene.fonts);
+    const SliderFacts facts = facts_of(setting, value, *scene.lab.document());
+    const Turned turned = form_slider("##value", value, facts, columns, scene.fonts);
     if (turned.is_changed) {
         spec.settings[setting.key] = std::clamp(value, setting.limit.low, setting.limit.high);
         set_signal(spec, edits);
     }
     if (turned.is_finished)
         edits.finish();
+}
+
+void draw_reset(const SettingFacts& setting, Spec& spec, const FormColumns& columns,
+                const Scene& scene, Edits& edits) {
+    const double value = std::get<double>(spec.settings[setting.key]);
+    const SliderFacts facts = facts_of(setting, value, *scene.lab.document());
+    if (!form_reset("Back to " + short_number(*facts.initial), facts.is_changed, columns))
+        return;
+    spec.settings[setting.key] = *facts.initial;
+    set_signal(spec, edits);
+    edits.finish();
 }
 
 void draw_word_setting(const SettingFacts& setting, Spec& spec, const FormColumns& columns,
@@ -78,12 +104,25 @@ void draw_text_setting(const SettingFacts& setting, bool is_file, Spec& spec,
         edits.finish();
 }
 
+// What is wrong with the file stays here for as long as it is named.
+void draw_file_problems(const Scene& scene, Edits& edits) {
+    for (const Diagnostic& problem : scene.lab.drive().problems()) {
+        const ScopedColor color(ImGuiCol_Text, theme::warning);
+        ImGui::TextWrapped("%s %s", problem.file.filename().string().c_str(),
+                           problem.message.c_str());
+        edits.mark("media_problem");
+    }
+}
+
 void draw_setting(const SettingFacts& setting, const SignalKind& kind, Spec& spec,
                   const Scene& scene, Edits& edits) {
     const ScopedId id(setting.key);
-    const FormColumns columns = form_columns(false);
-    form_label(setting.label, columns, false);
-    tooltip(setting.help + (setting.unit.empty() ? "" : "\nIn " + setting.unit + "."));
+    const FormColumns columns = form_columns();
+    form_label(setting.label, setting.unit, columns, false);
+    tooltip(setting.type == SettingType::number
+                ? setting.help + "\n" +
+                      range_text(facts_of(setting, setting.initial, *scene.lab.document()))
+                : setting.help);
     form_control(columns);
     ImGui::BeginGroup();
     if (setting.type == SettingType::number)
@@ -94,6 +133,8 @@ void draw_setting(const SettingFacts& setting, const SignalKind& kind, Spec& spe
         draw_text_setting(setting, setting.key == kind.file_setting, spec, columns, edits);
     ImGui::EndGroup();
     edits.mark("signal:" + setting.key);
+    if (setting.type == SettingType::number)
+        draw_reset(setting, spec, columns, scene, edits);
 }
 
 // A kind that plays a file is chosen by choosing the file.
@@ -131,13 +172,14 @@ void draw_signal(const Document& document, const Scene& scene, Edits& edits) {
     auto spec = completed(document.state().signal);
     if (!kind || !spec)
         return;
+    draw_file_problems(scene, edits);
     if (!kind->file_setting.empty())
         draw_sound_controls(scene, edits);
     for (const SettingFacts& setting : kind->settings)
         draw_setting(setting, *kind, *spec, scene, edits);
 }
 
-void draw_source(const Document& document, Edits& edits) {
+void draw_source(const Document& document, const Scene& scene, Edits& edits) {
     heading("Source");
     const std::string present = document.state().source;
     const std::string label = present.starts_with("pattern:")
@@ -153,6 +195,7 @@ void draw_source(const Document& document, Edits& edits) {
         ImGui::EndCombo();
     }
     edits.mark("source");
+    draw_file_problems(scene, edits);
     if (ImGui::Button("Open a picture…"))
         edits.show({.kind = Dialog::Kind::open_file});
 }
@@ -165,7 +208,7 @@ void draw_signal_panel(const Scene& scene, Edits& edits) {
     if (document->look().driven_by == Driver::signal)
         draw_signal(*document, scene, edits);
     else if (document->look().driven_by == Driver::picture)
-        draw_source(*document, edits);
+        draw_source(*document, scene, edits);
     else
         wrapped_dim_text("This look needs neither a signal nor a picture.");
 }

@@ -1,6 +1,6 @@
 #include "ui/slider.h"
 
-#include "base/text.h"
+#include "gpu/input_event.h"
 #include "ui/theme.h"
 
 #include <fmt/format.h>
@@ -8,7 +8,9 @@
 #include <imgui/imgui_internal.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 double slider_place(double value, const SliderFacts& facts) {
     const double span = facts.high - facts.low;
@@ -65,17 +67,52 @@ bool wants_typing(const ImRect& box, bool is_hovered) {
            ((io.MouseClicked[0] && io.KeyCtrl) || io.MouseDoubleClicked[0]);
 }
 
+Typing& typing() {
+    return *static_cast<Typing*>(ImGui::GetIO().UserData);
+}
+
+// The field has been left, by whatever way: reads what is in it.
+Turned read_field(const TypedField& field, double& value, const NumberFacts& facts) {
+    if (field.text == field.before)
+        return {};
+    TypedNumber typed = read_typed_number(field.text, facts);
+    typing().complaint = std::move(typed.complaint);
+    if (!typed.value || *typed.value == value)
+        return {};
+    value = *typed.value;
+    return {true, true};
+}
+
 // `id_text` is what the id was made from: the text field takes its own from it.
-Turned type_number(const ImRect& box, ImGuiID id, const char* id_text, double& value) {
-    Turned turned;
-    double typed = value;
-    const bool is_edited =
-        ImGui::TempInputScalar(box, id, id_text, ImGuiDataType_Double, &typed, "%.7g");
-    turned.is_changed = is_edited && std::isfinite(typed);
-    if (turned.is_changed)
-        value = typed;
-    turned.is_finished = ImGui::IsItemDeactivatedAfterEdit();
-    return turned;
+Turned type_number(const ImRect& box, ImGuiID id, const char* id_text, double& value,
+                   const NumberFacts& facts) {
+    Typing& all = typing();
+    std::array<char, 64> text{};
+    const std::string present = fmt::format("{:.7g}", value);
+    present.copy(text.data(), text.size() - 1);
+    if (all.open.id != id) {
+        all.left = std::move(all.open);
+        all.open = {id, 0, present, present};
+    }
+    const bool is_cancelled = ImGui::IsKeyPressed(gpu::key::escape, false);
+    ImGui::TempInputText(box, id, id_text, text.data(), static_cast<int>(text.size()),
+                         ImGuiInputTextFlags_AutoSelectAll);
+    all.open.frame = ImGui::GetFrameCount();
+    all.open.text = is_cancelled ? all.open.before : text.data();
+    if (ImGui::TempInputIsActive(id))
+        return {};
+    return read_field(std::exchange(all.open, {}), value, facts);
+}
+
+// Reads a field that another widget took the keyboard from, in this frame or since the last.
+Turned read_if_left(ImGuiID id, double& value, const NumberFacts& facts) {
+    Typing& all = typing();
+    if (all.open.id == id)
+        all.left = std::exchange(all.open, {});
+    if (all.left.id != id)
+        return {};
+    const TypedField field = std::exchange(all.left, {});
+    return field.frame >= ImGui::GetFrameCount() - 1 ? read_field(field, value, facts) : Turned{};
 }
 
 void draw_bar(const ImRect& box, double value, const SliderFacts& facts, bool is_hot) {
@@ -127,28 +164,69 @@ Turned draw_slider(const char* id_text, double& value, const SliderFacts& facts,
     bool is_hovered = false;
     bool is_held = false;
     if (ImGui::TempInputIsActive(id))
-        return type_number(box, id, id_text, value);
+        return type_number(box, id, id_text, value, facts.number());
     if (wants_typing(box, ImGui::ItemHoverable(box, id))) {
         ImGui::ClearActiveID();
-        return type_number(box, id, id_text, value);
+        return type_number(box, id, id_text, value, facts.number());
     }
+    Turned turned = read_if_left(id, value, facts.number());
     ImGui::ButtonBehavior(box, id, &is_hovered, &is_held);
-    Turned turned;
     const ImGuiIO& io = ImGui::GetIO();
     const bool has_moved = io.MouseClicked[0] || io.MouseDelta.x != 0.0f;
     if (is_held && has_moved) {
         const double next = dragged(value, box, facts);
-        turned.is_changed = next != value;
+        turned.is_changed |= next != value;
         value = next;
         if (turned.is_changed)
             ImGui::MarkItemEdited(id);
     }
     draw_bar(box, value, facts, is_hovered || is_held);
-    turned.is_finished = ImGui::IsItemDeactivatedAfterEdit();
+    turned.is_finished |= ImGui::IsItemDeactivatedAfterEdit();
     return turned;
 }
 
-Turned draw_number(const char* id_text, double& value, float width, bool is_changed) {
+bool is_short(const std::string& unit) {
+    constexpr std::ptrdiff_t most_letters = 4;
+    return std::count_if(unit.begin(), unit.end(), [](char c) {
+               return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+           }) <= most_letters;
+}
+
+std::string range_text(const SliderFacts& facts) {
+    const std::string unit = facts.unit.empty() ? "" : " " + facts.unit;
+    std::string text =
+        fmt::format("{} to {}{}", short_number(facts.low), short_number(facts.high), unit);
+    const auto& limit = facts.limit;
+    constexpr double practically_none = 1e6;
+    if (limit && limit->high - limit->low < practically_none &&
+        (limit->low < facts.low || limit->high > facts.high))
+        text += fmt::format("; typed: {} to {}{}", short_number(limit->low),
+                            short_number(limit->high), unit);
+    return text;
+}
+
+namespace {
+void draw_number_text(const ImRect& box, double value, const NumberFacts& facts) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const std::string text = short_number(value);
+    const std::string unit =
+        facts.unit.empty() || !is_short(facts.unit) ? std::string() : " " + facts.unit;
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const float unit_width = ImGui::CalcTextSize(unit.c_str()).x;
+    const float end = box.Max.x - 3.0f;
+    const float top = box.Min.y + (box.GetHeight() - size.y) * 0.5f;
+    const bool has_room = end - unit_width - size.x >= box.Min.x;
+    const float start = std::max(box.Min.x, end - size.x - (has_room ? unit_width : 0.0f));
+    list.PushClipRect(box.Min, box.Max, true);
+    list.AddText({start, top}, theme::packed(facts.is_changed ? theme::accent : theme::text),
+                 text.c_str());
+    if (has_room)
+        list.AddText({end - unit_width, top}, theme::packed(theme::dim), unit.c_str());
+    list.PopClipRect();
+}
+}  // namespace
+
+Turned draw_number(const char* id_text, double& value, float width, const NumberFacts& facts) {
     ImGuiWindow* window = ImGui::GetCurrentWindow();
     const ImGuiID id = window->GetID(id_text);
     const ImRect box(window->DC.CursorPos,
@@ -162,18 +240,11 @@ Turned draw_number(const char* id_text, double& value, float width, bool is_chan
     const bool is_tabbed_to = (ImGui::GetCurrentContext()->LastItemData.StatusFlags &
                                ImGuiItemStatusFlags_FocusedByTabbing) != 0;
     if (ImGui::TempInputIsActive(id) || is_tabbed_to || (is_hovered && ImGui::IsMouseClicked(0)))
-        return type_number(box, id, id_text, value);
-
-    ImDrawList& list = *window->DrawList;
+        return type_number(box, id, id_text, value, facts);
+    const Turned turned = read_if_left(id, value, facts);
     if (is_hovered)
-        list.AddRectFilled(box.Min, box.Max, theme::packed(theme::field_hovered),
-                           ImGui::GetStyle().FrameRounding);
-    const std::string text = short_number(value);
-    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-    const ImVec2 place(std::max(box.Min.x, box.Max.x - size.x - 3.0f),
-                       box.Min.y + (box.GetHeight() - size.y) * 0.5f);
-    list.PushClipRect(box.Min, box.Max, true);
-    list.AddText(place, theme::packed(is_changed ? theme::accent : theme::text), text.c_str());
-    list.PopClipRect();
-    return {};
+        window->DrawList->AddRectFilled(box.Min, box.Max, theme::packed(theme::field_hovered),
+                                        ImGui::GetStyle().FrameRounding);
+    draw_number_text(box, value, facts);
+    return turned;
 }

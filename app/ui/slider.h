@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ui/typed_number.h"
+
 #include <optional>
 #include <string>
 
@@ -11,6 +13,11 @@ struct SliderFacts {
     bool is_logarithmic = false;
     std::optional<double> initial = {};  // gets a tick
     bool is_changed = false;
+    std::string unit = {};
+    std::optional<Limit> limit = {};  // of what is typed
+    bool is_whole = false;
+
+    NumberFacts number() const { return {is_changed, unit, limit, is_whole}; }
 };
 
 /// What a person just did to a control.
@@ -28,8 +35,15 @@ struct Turned {
 /// A bar that follows the mouse (ten times finer with Shift); Ctrl+click or a double click types.
 Turned draw_slider(const char* id, double& value, const SliderFacts& facts, float width);
 
-/// The number itself; a click types, also beyond the slider's ends.
-Turned draw_number(const char* id, double& value, float width, bool is_changed);
+/// The number itself, with its unit where that is short; a click types, also beyond the slider's
+/// ends. What was typed is read when the field is left.
+Turned draw_number(const char* id, double& value, float width, const NumberFacts& facts);
+
+/// Whether a unit is short enough to stand behind its number.
+bool is_short(const std::string& unit);
+
+/// "0.1 to 16 px; typed at most 64".
+std::string range_text(const SliderFacts& facts);
 
 /// A number as a control shows it: about four digits, no needless zeros.
 std::string short_number(double value);

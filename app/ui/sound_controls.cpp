@@ -17,7 +17,8 @@ std::string clock_text(double seconds) {
 namespace {
 void draw_seek_bar(double time, double length, const Scene& scene, Edits& edits) {
     double place = length > 0.0 ? std::fmod(time, length) : 0.0;
-    const SliderFacts facts{.low = 0.0, .high = length, .step = 0.01};
+    const SliderFacts facts{
+        .low = 0.0, .high = length, .step = 0.01, .unit = "s", .limit = Limit{0.0, length}};
     const Turned turned = draw_slider("##seek", place, facts, ImGui::GetContentRegionAvail().x);
     edits.mark("seek");
     if (turned.is_changed)
@@ -28,13 +29,15 @@ void draw_seek_bar(double time, double length, const Scene& scene, Edits& edits)
 
 void draw_volume(const Player& player, const Scene& scene, Edits& edits) {
     const ScopedId id(std::string("volume"));
-    const FormColumns columns = form_columns(false);
-    form_label("Volume", columns, false);
+    const FormColumns columns = form_columns();
+    form_label("Volume", {}, columns, false);
     tooltip("Of the loudspeaker; the trace stays as it is.");
     form_control(columns);
     double level = player.level();
-    if (form_slider("##value", level, {.low = 0.0, .high = 2.0, .initial = 1.0}, columns,
-                    scene.fonts)
+    if (form_slider(
+            "##value", level,
+            {.low = 0.0, .high = 2.0, .initial = 1.0, .unit = "×", .limit = Limit{0.0, 2.0}},
+            columns, scene.fonts)
             .is_changed)
         edits.add([level](Lab& lab) { lab.transport().set_level(level); });
 }

@@ -18,6 +18,7 @@ Toolkit::Toolkit(gpu::Window& window) : m_window(window) {
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;  // the session keeps the window's arrangement
     io.LogFilename = nullptr;
+    io.UserData = &m_typing;
     io.ConfigWindowsMoveFromTitleBarOnly = true;
     io.ConfigInputTextCursorBlink = false;  // a resting window draws nothing
     ImGui_ImplGlfw_InitForOpenGL(static_cast<GLFWwindow*>(window.native()), false);

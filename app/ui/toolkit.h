@@ -3,6 +3,10 @@
 #include "gpu/window.h"
 #include "ui/fonts.h"
 #include "ui/input_queue.h"
+#include "ui/typed_number.h"
+
+#include <string>
+#include <utility>
 
 /// ImGui in a window: its context, its fonts and the two backends. One at a time.
 class Toolkit {
@@ -19,6 +23,9 @@ public:
     /// Draws what was asked for since begin().
     void end();
 
+    /// What is wrong with the number that was typed last, once; "" when nothing is.
+    std::string take_complaint() { return std::exchange(m_typing.complaint, {}); }
+
     const Fonts& fonts() const { return m_fonts; }
     /// Coordinates of the window a pixel of the layout.
     float scale() const { return m_scale; }
@@ -32,6 +39,7 @@ private:
     gpu::Window& m_window;
     InputQueue m_input;
     Fonts m_fonts;
+    Typing m_typing;
     float m_scale = 0.0f;
     float m_density = 1.0f;
 };

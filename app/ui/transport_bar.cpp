@@ -35,18 +35,17 @@ void draw_speed(const Scene& scene, Edits& edits) {
                             .high = 4.0,
                             .is_logarithmic = true,
                             .initial = 1.0,
-                            .is_changed = speed != 1.0};
+                            .is_changed = speed != 1.0,
+                            .unit = "×",
+                            .limit = Limit{0.01, 4.0}};
     Turned turned = draw_slider("##speed", speed, facts, ImGui::GetFontSize() * 5.0f);
     edits.mark("speed");
     tooltip("Speed, 0.01 to 4 times");
     ImGui::SameLine(0.0f, 2.0f);
     {
         const ScopedFont font(scene.fonts.numbers);
-        turned |=
-            draw_number("##speed_number", speed, ImGui::GetFontSize() * 3.2f, facts.is_changed);
-        ImGui::SameLine(0.0f, 0.0f);
-        ImGui::AlignTextToFramePadding();
-        dim_text("×");
+        turned |= draw_number("##speed_number", speed, ImGui::GetFontSize() * 4.2f, facts.number());
+        edits.mark("number:speed");
     }
     if (facts.is_changed) {
         ImGui::SameLine(0.0f, 0.0f);

@@ -1,6 +1,7 @@
 #include "ui/view_actions.h"
 
 #include "gpu/input_event.h"
+#include "ui/picture_menus.h"
 
 #include <algorithm>
 
@@ -44,18 +45,18 @@ Action bottom(ActionId id, const char* label, Chord chord) {
 }
 
 void zoom_one(const Scene&, Edits& edits) {
-    edits.arrange([](WindowState& window) { window.picture = {PictureView::Fit::free, 1.0}; });
+    edits.arrange([](WindowState& window) { window.large_view() = {PictureView::Fit::free, 1.0}; });
 }
 
 void zoom_fit(const Scene&, Edits& edits) {
-    edits.arrange([](WindowState& window) { window.picture = {PictureView::Fit::all}; });
+    edits.arrange([](WindowState& window) { window.large_view() = {PictureView::Fit::all}; });
 }
 
 template <bool is_in>
 void zoom(const Scene& scene, Edits& edits) {
-    const Extent picture = scene.lab.picture_extent();
+    const Extent picture = large_extent(scene);
     edits.arrange([picture](WindowState& window) {
-        PictureView& view = window.picture;
+        PictureView& view = window.large_view();
         const double present = view.zoom_for(picture, window.views.picture);
         view.zoom_about(view.x, view.y, present, next_zoom(present, is_in));
     });
@@ -75,6 +76,17 @@ void view_actions::search(const Scene&, Edits& edits) {
         window.is_picture_only = false;
         window.is_searching = true;
     });
+}
+
+void view_actions::toggle_changed(const Scene&, Edits& edits) {
+    edits.arrange([](WindowState& window) {
+        window.shows_only_changed = !window.shows_only_changed;
+        window.shows_parameters = true;
+    });
+}
+
+bool view_actions::shows_only_changed(const Scene& scene) {
+    return scene.window.shows_only_changed;
 }
 
 std::vector<Action> view_actions::list() {

@@ -24,7 +24,8 @@ ImTextureID texture_id(std::uintptr_t handle);
 /// A pane of the window: drawn into until it ends.
 class Pane {
 public:
-    Pane(const char* id, const Rect& place, const ImVec4& background, bool is_padded = true);
+    Pane(const char* id, const Rect& place, const ImVec4& background, bool is_padded = true,
+         bool scrolls = true);
     ~Pane();
     Pane(const Pane&) = delete;
     Pane& operator=(const Pane&) = delete;

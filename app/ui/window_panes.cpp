@@ -47,7 +47,7 @@ void draw_left(const Scene& scene, const Rect& place, Edits& edits) {
 
 void draw_middle(const Scene& scene, const Layout& layout, Edits& edits) {
     if (is_shown(layout.transport)) {
-        const Pane pane("transport", layout.transport, theme::pane);
+        const Pane pane("transport", layout.transport, theme::pane, true, false);
         draw_transport_bar(scene, edits);
     }
     {
@@ -77,7 +77,7 @@ void draw_panes(const Scene& scene, const Layout& layout, Edits& edits) {
         draw_inspector_panel(scene, edits);
     }
     if (is_shown(layout.status)) {
-        const Pane pane("status", layout.status, theme::pane);
+        const Pane pane("status", layout.status, theme::pane, true, false);
         draw_status_bar(scene, edits);
     }
 }

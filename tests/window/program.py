@@ -26,6 +26,16 @@ class Program:
         editor.write_text('#!/bin/sh\necho "$@" >> "%s"\n' % self.editor_log)
         editor.chmod(0o755)
 
+    def arrange(self, width, height, picture):
+        """As if a person had used the program before: a window of that size, a small picture."""
+        session = self.folder / "state/afterglow/session.json"
+        session.parent.mkdir(parents=True, exist_ok=True)
+        session.write_text(json.dumps({
+            "format": "afterglow-session", "version": 1,
+            "look": str(self.folder / "data/shaders/phosphor/look.json"),
+            "follows_view": False, "width": picture[0], "height": picture[1],
+            "window": {"width": width, "height": height}}))
+
     def start(self, *arguments):
         self.state_file.unlink(missing_ok=True)
         environment = {**os.environ, "DISPLAY": self.screen.display, "HOME": str(self.folder),
@@ -128,6 +138,12 @@ class Program:
         self.type(text)
         self.key("Return")
         self.wait("'%s' is %s" % (name, text), lambda s: s["values"][name][0] == float(text))
+
+    def retype(self, name, text):
+        """Types into the number of a parameter that is in view."""
+        self.click("number:" + name)
+        self.type(text)
+        self.key("Return")
 
     def key(self, *keys):
         self.screen.do("key", *keys)

@@ -47,6 +47,10 @@ class Screen:
                                env={**os.environ, "DISPLAY": self.display})
         return int(found.stdout.split()[0])
 
+    def resize(self, width, height):
+        """Makes the program's window another size, as a person does at its corner."""
+        self.do("windowsize", self.window(), width, height)
+
     def rows(self, left, top, right, bottom):
         """The pixels of a part, each row as bytes of blue, green, red, unused."""
         data = (self.folder / "Xvfb_screen0").read_bytes()

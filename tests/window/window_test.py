@@ -1,81 +1,22 @@
 """Drives the window with mouse and keyboard: window_test.py PROGRAM [WindowTest.NAME...]."""
 
-import array
 import json
-import math
 import os
 import sys
-import tempfile
 import unittest
-import wave
 from pathlib import Path
 
-from drag import Drag
-from program import Program
-from screen import Screen
+from person import PICTURE, WINDOW, Person, write_tones
 
-SOURCE = Path(__file__).resolve().parents[2]
-PROGRAM = Path(sys.argv[1]).resolve()
-PICTURES = SOURCE / "build/window"
+Person.executable = Path(sys.argv[1]).resolve()
 
 
-def kept_values(session):
-    """The values that a session file holds; the program replaces the file, so it is always whole."""
-    return json.loads(session.read_text())["current"]["preset"]["values"]
-
-
-def write_tones(file, seconds):
-    """A sound that draws an ellipse: 220 Hz on both sides, a quarter turn apart."""
-    rate = 8000
-    samples = array.array("h")
-    for i in range(rate * seconds):
-        turn = 2 * math.pi * 220 * i / rate
-        samples.extend((round(24000 * math.sin(turn)), round(16000 * math.cos(turn))))
-    with wave.open(str(file), "wb") as sound:
-        sound.setnchannels(2)
-        sound.setsampwidth(2)
-        sound.setframerate(rate)
-        sound.writeframes(samples.tobytes())
-
-
-class WindowTest(unittest.TestCase):
-    """Each test is a person who starts with an empty home."""
-
-    def setUp(self):
-        self.screen = self.enterContext(Screen(1280, 720))
-        folder = Path(self.enterContext(tempfile.TemporaryDirectory(prefix="afterglow-window-")))
-        self.program = Program(PROGRAM, SOURCE, folder, self.screen)
-        self.addCleanup(self.program.stop)
-        self.looks = folder / "data/shaders"
-        self.presets = folder / "data/presets"
-
-    def enterContext(self, manager):
-        result = manager.__enter__()
-        self.addCleanup(manager.__exit__, None, None, None)
-        return result
-
-    def start(self, *arguments):
-        """A running look in a picture small enough for software GL."""
-        self.program.start(*arguments)
-        self.program.click("picture_size")
-        self.program.click("size:320x240")
-        return self.program.wait("the picture is small", lambda s: s["picture"] == [320, 240])
-
-    def snapshot(self, name):
-        self.screen.save(PICTURES / (name + ".png"))
-
-    def picture_place(self):
-        """Where the small picture lies: in the middle of its pane."""
-        left, top, right, bottom = self.program.place("picture")
-        x, y = (left + right) // 2, (top + bottom) // 2
-        return x - 150, y - 110, x + 150, y + 110
-
-    def brightness(self):
-        return self.screen.brightness(self.picture_place())
+class WindowTest(Person):
+    """Each test finds the look as it was first."""
 
     def test_a_knob_turns_the_picture_and_undo_turns_it_back(self):
         program = self.program
-        state = self.start("phosphor")
+        state = program.state()
         self.snapshot("started")
         default = state["values"]["exposure"][0]
         dark = self.brightness()
@@ -90,7 +31,8 @@ class WindowTest(unittest.TestCase):
 
         program.key("ctrl+z")
         program.wait("one step back is the default again",
-                     lambda s: s["values"]["exposure"][0] == default and s["undo"] == "")
+                     lambda s: s["values"]["exposure"][0] == default and
+                     s["undo"] == state["undo"])
         program.wait_for("the picture is as dark as before", lambda: self.brightness() < dark + 2)
         program.key("ctrl+shift+z")
         program.wait("redo turns it up again",
@@ -99,15 +41,28 @@ class WindowTest(unittest.TestCase):
         program.wait("its reset button gives the default",
                      lambda s: s["values"]["exposure"][0] == default)
 
-    def test_a_typed_value_may_go_beyond_the_slider(self):
+    def test_a_number_is_typed(self):
         program = self.program
-        self.start("phosphor")
-        program.set("exposure", "20.5")
+        program.set("exposure", "20.5")  # beyond the slider
+        program.retype("exposure", "0,75")
+        program.wait("a comma is a point", lambda s: s["values"]["exposure"] == [0.75])
+        program.retype("exposure", "much")
+        program.wait("what is no number is told", lambda s: "'much' is no number" in s["notice"])
+        program.retype("exposure", "4,096")
+        program.wait("what may be two numbers is told", lambda s: "may mean" in s["notice"])
+        self.assertEqual(program.state()["values"]["exposure"], [0.75])
+        program.set("decay", "0.5")
+        program.retype("decay", "7")
+        program.wait("it stops at the hard limit, which is told", lambda s:
+                     s["values"]["decay"] == [1] and "at most 1" in s["notice"].lower())
+        program.click("number:decay")
+        program.type("0.25")
+        program.click("label:decay")
+        program.wait("leaving the field takes it too", lambda s: s["values"]["decay"] == [0.25])
 
     def test_time_stops_steps_and_starts_again(self):
         program = self.program
-        self.start("phosphor")
-        self.screen.do("mousemove", *program.middle("picture"))
+        self.hover("picture")
         program.key("space")
         state = program.wait("it stops", lambda s: not s["is_playing"])
         frame = program.state()["frame"]
@@ -120,7 +75,6 @@ class WindowTest(unittest.TestCase):
 
     def test_a_paused_picture_follows_a_knob(self):
         program = self.program
-        self.start("phosphor")
         program.reveal("exposure")
         program.click("play")
         program.wait("it stops", lambda s: not s["is_playing"])
@@ -131,7 +85,6 @@ class WindowTest(unittest.TestCase):
 
     def test_presets_are_saved_and_loaded(self):
         program = self.program
-        self.start("phosphor")
         program.set("decay", "0.61")
         program.key("ctrl+s")
         program.place("dialog_name")
@@ -145,13 +98,21 @@ class WindowTest(unittest.TestCase):
         program.click("preset:overdriven")
         program.wait("another preset opens",
                      lambda s: s["preset"] != "Mine" and s["values"]["decay"][0] != 0.61)
+        program.key("ctrl+shift+s")
+        program.place("dialog_name")
+        program.key("ctrl+a")
+        program.type("Mine")
+        program.place("dialog_taken")
+        self.snapshot("taken")
+        program.click("dialog_cancel")
+        program.wait("nothing is replaced without being asked", lambda s: s["dialog"] == 0)
+        self.assertIn('"decay": 0.61', saved.read_text())
         program.click("preset:Mine")
         program.wait("the saved values are back",
                      lambda s: s["preset"] == "Mine" and s["values"]["decay"][0] == 0.61)
 
     def test_presets_are_renamed_duplicated_and_deleted(self):
         program = self.program
-        self.start("phosphor")
         folder = self.presets / "phosphor"
         program.set("decay", "0.61")
         program.choose("File", "Save preset as…")
@@ -161,6 +122,14 @@ class WindowTest(unittest.TestCase):
         program.answer("Second")
         program.wait("it is renamed", lambda s: s["preset"] == "Second")
         self.assertFalse((folder / "First.json").exists())
+        program.key("F2")
+        program.place("dialog_name")
+        program.key("ctrl+a")
+        program.type("overdriven")
+        program.place("dialog_taken")
+        program.key("Return", "Escape")
+        program.wait("a name that is taken is refused",
+                     lambda s: s["dialog"] == 0 and s["preset"] == "Second")
         program.set("decay", "0.62")
         program.key("ctrl+d")
         state = program.wait("the copy is open", lambda s: s["preset"] == "Second 2")
@@ -177,9 +146,8 @@ class WindowTest(unittest.TestCase):
 
     def test_a_preset_travels_as_a_line_of_text(self):
         program = self.program
-        self.start("phosphor")
         program.set("decay", "0.61")
-        self.screen.do("mousemove", *program.middle("picture"))
+        self.hover("picture")
         program.key("ctrl+c")
         program.wait("it is copied", lambda s: "Copied" in s["notice"])
         program.key("ctrl+z")
@@ -190,7 +158,6 @@ class WindowTest(unittest.TestCase):
 
     def test_one_group_and_all_are_reset(self):
         program = self.program
-        self.start("phosphor")
         default = program.state()["values"]
         for name in ("decay", "exposure"):
             program.set(name, "0.61")
@@ -203,7 +170,6 @@ class WindowTest(unittest.TestCase):
 
     def test_a_pass_is_changed_and_written_back(self):
         program = self.program
-        self.start("phosphor")
         manifest = self.looks / "phosphor/look.json"
         before = json.loads(manifest.read_text())
         program.click("pass:bloom_x")
@@ -224,7 +190,6 @@ class WindowTest(unittest.TestCase):
 
     def test_a_parameter_and_a_pass_open_the_editor_at_their_line(self):
         program = self.program
-        self.start("phosphor")
         program.click("pass:persistence")
         program.click("edit_pass")
         program.wait_for("the pass opens", lambda: "persistence.frag" in program.edited_files())
@@ -238,7 +203,6 @@ class WindowTest(unittest.TestCase):
 
     def test_a_new_look_and_a_copy_of_one_are_the_persons_own(self):
         program = self.program
-        self.start("phosphor")
         program.set("decay", "0.61")
         program.choose("File", "Duplicate this look…")
         program.answer("my-phosphor")
@@ -254,28 +218,27 @@ class WindowTest(unittest.TestCase):
         program.choose("File", "Back to the session before")
         program.wait("what was not saved comes back",
                      lambda s: s["look"] == "my-phosphor" and s["values"]["decay"] == [0.61])
-
-    def test_changes_are_not_lost_without_a_question(self):
-        program = self.program
-        self.start("phosphor")
-        program.set("decay", "0.61")
-        program.click("preset:overdriven")
+        program.click("look:phosphor")
         program.click("dialog_cancel")
         state = program.wait("Cancel keeps everything", lambda s: s["dialog"] == 0)
-        self.assertEqual(state["values"]["decay"], [0.61])
+        self.assertEqual((state["look"], state["values"]["decay"]), ("my-phosphor", [0.61]))
+
+    def test_a_preset_opens_in_one_step_and_nothing_unsaved_is_lost(self):
+        program = self.program
+        program.set("decay", "0.61")
         program.click("preset:overdriven")
-        program.click("dialog_discard")
-        program.wait("Discard opens the other", lambda s: s["preset"] != "" and not s["is_modified"])
+        program.wait("it opens at once", lambda s: s["preset"] == "Overdriven" and
+                     s["undo"] == "Open Overdriven" and "Ctrl+Z" in s["notice"])
+        program.key("ctrl+z")
+        program.wait("one step back are the values before, still unsaved",
+                     lambda s: s["preset"] == "" and s["is_modified"] and
+                     s["values"]["decay"] == [0.61])
 
     def test_a_sound_is_opened_plays_and_can_be_sought(self):
         program = self.program
-        self.start("phosphor")
         song = program.folder / "two tones.wav"
         write_tones(song, seconds=20)
-        program.key("ctrl+o")
-        program.place("dialog_file")
-        program.type(str(song))
-        program.key("Return")
+        self.open_by_name(song)
         program.wait("it draws", lambda s: s["signal"].startswith("audio:") and not s["reading"])
         program.place("seek")
         self.snapshot("sound")
@@ -287,9 +250,27 @@ class WindowTest(unittest.TestCase):
         program.key("ctrl+z")
         program.wait("undo gives the figure back", lambda s: s["signal"].startswith("lissajous:"))
 
+    def test_a_file_that_is_missing_or_cut_off_keeps_a_mark(self):
+        program = self.program
+        gone = program.folder / "gone.wav"
+        self.open_by_name(gone)
+        program.wait("it is said, listed and marked at the signal", lambda s:
+                     "gone.wav" in s["notice"] and "media_problem" in s["widgets"] and
+                     [problem["file"] for problem in s["problems"]] == [str(gone)])
+        self.snapshot("missing")
+        cut = program.folder / "cut.wav"
+        write_tones(cut, seconds=4)
+        os.truncate(cut, 8044)
+        self.open_by_name(cut)
+        program.wait("what is there draws, and how much that is is told", lambda s: not s["reading"] and
+                     ["breaks off: 0.25 of 4.00 s are there, the rest is missing"] ==
+                     [problem["message"] for problem in s["problems"]])
+        program.key("ctrl+z", "ctrl+z")
+        program.wait("without the file there is no mark", lambda s: not s["problems"] and
+                     "media_problem" not in s["widgets"])
+
     def test_what_is_dropped_on_the_window_opens(self):
         program = self.program
-        self.start("phosphor")
         song = program.folder / "zwei Töne.wav"
         write_tones(song, seconds=2)
         program.set("decay", "0.61")
@@ -307,14 +288,8 @@ class WindowTest(unittest.TestCase):
         program.wait("the preset opens", lambda s: s["preset"] == "Mine" and
                      s["values"]["decay"] == [0.62] and s["signal"].startswith("audio:"))
 
-    def drop(self, file):
-        drag = Drag(self.screen.display, [file])
-        self.assertTrue(drag.drop(self.screen.window(), *self.program.middle("picture")))
-        drag.close()
-
     def test_an_edited_shader_shows_at_once(self):
         program = self.program
-        self.start("phosphor")
         shader = self.looks / "phosphor/composite.frag"
         text = shader.read_text()
         white = text[:text.rindex("}")] + "    color = vec4(1.0);\n}\n"
@@ -346,32 +321,61 @@ class WindowTest(unittest.TestCase):
 
     def test_a_pass_can_be_looked_into(self):
         program = self.program
-        self.start("phosphor")
         program.click("pass:persistence")
         program.wait("it is inspected", lambda s: s["inspected"] == "persistence")
         program.click("channels:G")
-        self.screen.do("mousemove", *program.middle("inspector"))
+        self.hover("inspector")
         program.wait("the value under the pointer is told",
                      lambda s: s["probe"] and s["probe"]["pass"] == "persistence" and
                      len(s["probe"]["rgba"]) == 4)
         self.snapshot("inspector")
+        program.key("p")
+        program.place("back_to_picture")
+        self.hover("picture")
+        state = program.wait("it is as large as the picture, and its values are told",
+                             lambda s: s["probe"] and s["probe"]["pass"] == "persistence")
+        self.assertEqual((state["probe"]["x"], state["probe"]["y"]), (160, 120))
+        program.click("channels:RGB")
+        before = self.brightness()
+        program.key("e", "e", "e")
+        program.wait_for("three stops brighten it", lambda: self.brightness() > before + 3)
+        self.snapshot("large_pass")
+        program.key("shift+e", "shift+e", "shift+e", "Escape")
+        program.wait("Escape goes back to the picture",
+                     lambda s: "back_to_picture" not in s["widgets"])
+
+    def test_everything_fits_a_small_window(self):
+        program = self.program
+        width, height = 900, 600
+        self.screen.resize(width, height)
+        program.wait("the panes give way", lambda s: 0 < s["widgets"]["search"][2] <= width)
+        program.key("F1")
+        program.place("dialog_cancel")
+        self.snapshot("small_keys")
+        for key in ("Escape", "ctrl+o", "Escape"):
+            state = program.wait("what is drawn is within the window", lambda s: all(
+                0 <= place[0] and 0 <= place[1] and place[2] <= width and place[3] <= height
+                for name, place in s["widgets"].items() if name.startswith("dialog")))
+            program.key(key)
+            program.wait("a dialog opens or closes", lambda s, then=state: s["dialog"] != then["dialog"])
+        self.snapshot("small")
+        row = [program.place(name) for name in ("restart", "play", "step", "picture_size", "zoom")]
+        for left, right in zip(row, row[1:]):
+            self.assertLessEqual(left[2], right[0])
+        self.screen.resize(*WINDOW)
 
     def test_everything_comes_back_after_a_quit_and_after_a_crash(self):
         program = self.program
-        self.start("phosphor")
         program.set("decay", "0.61")
         program.quit()
         state = program.start()
-        self.assertEqual((state["values"]["decay"], state["picture"]), ([0.61], [320, 240]))
+        self.assertEqual((state["values"]["decay"], state["picture"]), ([0.61], PICTURE))
         self.assertTrue(state["is_modified"])
         program.key("ctrl+z")
         program.wait("undo reaches back over the quit", lambda s: s["values"]["decay"] != [0.61])
-
-        session = program.folder / "state/afterglow/session.json"
-        program.wait_for("the session is kept", lambda: "decay" not in kept_values(session))
         program.key("ctrl+shift+z")
-        program.wait_for("the session is kept", lambda: kept_values(session).get("decay") == 0.61)
-        program.kill()
+        program.wait("it is there again", lambda s: s["values"]["decay"] == [0.61])
+        program.kill()  # at once: a change is kept when it is done
         self.assertEqual(program.start()["values"]["decay"], [0.61])
 
 

@@ -1,0 +1,94 @@
+#include "ui/pass_actions.h"
+
+#include "gpu/input_event.h"
+
+#include <algorithm>
+
+namespace {
+bool has_passes(const Scene& scene) {
+    return scene.lab.document() && scene.lab.renderer();
+}
+
+bool has_overrides(const Scene& scene) {
+    return scene.lab.document() && !scene.lab.document()->state().overrides.empty();
+}
+
+bool is_large(const Scene& scene) {
+    return scene.window.shows_pass_large;
+}
+
+// Past the last pass comes the first.
+template <int by>
+void choose_next(const Scene& scene, Edits& edits) {
+    const std::vector<Pass>& passes = scene.lab.document()->look().passes;
+    const int count = static_cast<int>(passes.size());
+    const int present =
+        find_pass(scene.lab.document()->look(), scene.window.inspected.pass).value_or(count - 1);
+    const auto next = static_cast<std::size_t>((present + by + count) % count);
+    edits.arrange([name = passes[next].name](WindowState& window) {
+        window.inspected.pass = name;
+        window.shows_inspector = true;
+    });
+}
+
+void toggle_large(const Scene&, Edits& edits) {
+    edits.arrange([](WindowState& window) { window.shows_pass_large = !window.shows_pass_large; });
+}
+
+void choose_channels(const Scene&, Edits& edits) {
+    constexpr int count = static_cast<int>(Channels::luminance) + 1;
+    edits.arrange([](WindowState& window) {
+        window.inspected.channels =
+            static_cast<Channels>((static_cast<int>(window.inspected.channels) + 1) % count);
+    });
+}
+
+template <int stops>
+void expose(const Scene&, Edits& edits) {
+    edits.arrange([](WindowState& window) {
+        window.inspected.exposure = std::clamp(window.inspected.exposure + stops, -60.0, 60.0);
+    });
+}
+
+void edit_shader(const Scene& scene, Edits& edits) {
+    const Look& look = scene.lab.document()->look();
+    const int last = static_cast<int>(look.passes.size()) - 1;
+    const int pass = find_pass(look, scene.window.inspected.pass).value_or(last);
+    const Location place{look.passes[static_cast<std::size_t>(pass)].fragment.file, 1};
+    edits.add([place](Lab& lab) { lab.open_in_editor(place); });
+}
+
+void write(const Scene&, Edits& edits) {
+    edits.add([](Lab& lab) { lab.write_overrides(); });
+}
+
+void take_back(const Scene&, Edits& edits) {
+    edits.document([](Document& document) { document.clear_overrides(); });
+}
+}  // namespace
+
+std::vector<Action> pass_actions::list() {
+    const auto action = [](ActionId id, const char* label, Chord chord, bool is_first,
+                           void (*act)(const Scene&, Edits&)) {
+        return Action{id, Menu::pass, label, chord, is_first, act, has_passes};
+    };
+    Action large =
+        action(ActionId::pass_large, "As large as the picture", {'P'}, true, toggle_large);
+    large.is_on = is_large;
+    Action written = action(ActionId::write_passes, "Write the settings to look.json",
+                            {'W', true, true}, false, write);
+    Action back = action(ActionId::passes_as_written, "Settings as look.json has them",
+                         {'L', true, true}, false, take_back);
+    written.is_enabled = back.is_enabled = has_overrides;
+    return {action(ActionId::next_pass, "Next pass", {'N'}, false, choose_next<1>),
+            action(ActionId::previous_pass, "Previous pass", {'N', false, true}, false,
+                   choose_next<-1>),
+            large,
+            action(ActionId::next_channels, "Next channels", {'C'}, false, choose_channels),
+            action(ActionId::brighter, "One stop brighter", {'E'}, false, expose<1>),
+            action(ActionId::darker, "One stop darker", {'E', false, true}, false, expose<-1>),
+            action(ActionId::edit_pass, "Open the shader in your editor",
+                   {gpu::key::first_function + 3}, true, edit_shader),
+            written,
+            back};
+}

@@ -1,0 +1,128 @@
+"""What the tests of the window have in common: one program that they share, put in order between
+them, and what a person sees of it."""
+
+import array
+import math
+import tempfile
+import unittest
+import wave
+from pathlib import Path
+
+from drag import Drag
+from program import Program
+from screen import Screen
+
+SOURCE = Path(__file__).resolve().parents[2]
+PICTURES = SOURCE / "build/window"
+WINDOW = (1024, 640)
+PICTURE = [320, 240]
+
+
+def write_tones(file, seconds):
+    """A sound that draws an ellipse: 220 Hz on both sides, a quarter turn apart."""
+    rate = 8000
+    samples = array.array("h")
+    for i in range(rate * seconds):
+        turn = 2 * math.pi * 220 * i / rate
+        samples.extend((round(24000 * math.sin(turn)), round(16000 * math.cos(turn))))
+    with wave.open(str(file), "wb") as sound:
+        sound.setnchannels(2)
+        sound.setsampwidth(2)
+        sound.setframerate(rate)
+        sound.writeframes(samples.tobytes())
+
+
+class Person(unittest.TestCase):
+    """Somebody with a home of their own, a small window and a small picture, as software GL likes
+    them. A test that fails leaves its program behind; the next one gets a new."""
+
+    executable = None  # set by who runs the tests
+    cleanups = None
+
+    @classmethod
+    def setUpClass(cls):
+        cls.cleanups = []
+        cls.program = None
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.leave()
+
+    @classmethod
+    def leave(cls):
+        if cls.program:
+            cls.program.stop()
+        cls.program = None
+        for cleanup in reversed(cls.cleanups):
+            cleanup(None, None, None)
+        cls.cleanups = []
+
+    @classmethod
+    def enter(cls, manager):
+        result = manager.__enter__()
+        cls.cleanups.append(manager.__exit__)
+        return result
+
+    @classmethod
+    def sit_down(cls):
+        """Starts the program in an empty home, arranged as it would be at the second use."""
+        cls.screen = cls.enter(Screen(*WINDOW))
+        folder = Path(cls.enter(tempfile.TemporaryDirectory(prefix="afterglow-window-")))
+        cls.program = Program(cls.executable, SOURCE, folder, cls.screen)
+        cls.program.arrange(*WINDOW, PICTURE)
+        cls.fresh = cls.program.start()
+        cls.looks = folder / "data/shaders"
+        cls.presets = folder / "data/presets"
+
+    def setUp(self):
+        if not self.program:
+            self.sit_down()
+        self.tidy_up()
+
+    def run(self, result=None):
+        bad = len(result.failures) + len(result.errors)
+        super().run(result)
+        if len(result.failures) + len(result.errors) > bad:
+            self.leave()
+
+    def tidy_up(self):
+        """The look as it was first: its own values and signal, running."""
+        program = self.program
+        if program.state()["look"] != "phosphor":
+            program.click("look:phosphor")
+            state = program.wait("it opens, or asks",
+                                 lambda s: s["dialog"] or s["look"] == "phosphor")
+            if state["dialog"]:
+                program.click("dialog_discard")
+            program.wait("the look is open", lambda s: s["look"] == "phosphor")
+        program.click("preset:")
+        return program.wait("all is as the look has it", self.is_tidy)
+
+    def is_tidy(self, state):
+        same = ("look", "preset", "values", "signal", "picture", "is_modified", "dialog")
+        return (all(state.get(key) == self.fresh[key] for key in same) and
+                state["is_playing"] and not state["reading"] and 2 < state["frame"] < 10000)
+
+    def snapshot(self, name):
+        self.screen.save(PICTURES / (name + ".png"))
+
+    def brightness(self):
+        """Of the small picture, in the middle of its pane."""
+        left, top, right, bottom = self.program.place("picture")
+        x, y = (left + right) // 2, (top + bottom) // 2
+        return self.screen.brightness((x - 150, y - 110, x + 150, y + 110))
+
+    def hover(self, widget):
+        self.screen.do("mousemove", *self.program.middle(widget))
+
+    def open_by_name(self, file):
+        """Types a path into the dialog that opens files."""
+        self.program.key("ctrl+o")
+        self.program.place("dialog_file")
+        self.program.type(str(file))
+        self.program.key("Return")
+
+    def drop(self, file):
+        drag = Drag(self.screen.display, [file])
+        self.assertTrue(drag.drop(self.screen.window(), *self.program.middle("picture")))
+        drag.close()
