@@ -1,3 +1,4 @@
+#include "about.h"
 #include "graph/looks.h"
 
 namespace {
@@ -38,7 +39,7 @@ TEST_CASE_FIXTURE(Headless, "the source is converted to what the look reads") {
     Executor linear = executor_of(look);
     REQUIRE(linear.set_source(half).has_value());
     linear.draw(frame(1));
-    CHECK(red(linear, 0) == doctest::Approx(0.214041).epsilon(1e-5));  // sRGB 0.5
+    CHECK(red(linear, 0) == about(0.214041, 1e-5));  // sRGB 0.5
     look.source_encoding = Encoding::display;
     Executor display = executor_of(look);
     REQUIRE(display.set_source(half).has_value());
@@ -94,9 +95,9 @@ TEST_CASE_FIXTURE(Headless, "images come by name: colours as the look reads them
     for (const char* name : {"lut", "noise", "choice"})
         REQUIRE(executor.set_image(name, half).has_value());
     executor.draw(frame(1));
-    CHECK(red(executor, 0) == doctest::Approx(0.214041).epsilon(1e-5));
+    CHECK(red(executor, 0) == about(0.214041, 1e-5));
     CHECK(red(executor, 1) == 0.5f);
-    CHECK(red(executor, 2) == doctest::Approx(0.214041).epsilon(1e-5));
+    CHECK(red(executor, 2) == about(0.214041, 1e-5));
 }
 
 TEST_CASE_FIXTURE(Headless, "each input wraps in its own way") {
@@ -186,8 +187,8 @@ TEST_CASE_FIXTURE(Headless,
     Executor executor = executor_of(look);
     executor.draw(frame(1));
     CHECK(red(executor, 1) == static_cast<float>(0x5678));
-    CHECK(red(executor, 2) == doctest::Approx(0.735357).epsilon(1.0 / 255.0));  // sRGB of 0.5
-    CHECK(red(executor, 3) == doctest::Approx(0.5).epsilon(0.005));
+    CHECK(red(executor, 2) == about(0.735357, 0.005));  // sRGB of 0.5
+    CHECK(red(executor, 3) == about(0.5, 0.01));
 }
 
 TEST_CASE_FIXTURE(Headless,

@@ -1,5 +1,6 @@
 #include "io/picture_file.h"
 
+#include "about.h"
 #include "io/temporary_folder.h"
 #include "model/color.h"
 
@@ -121,7 +122,7 @@ TEST_CASE("an EXR holds the stored values, also with an alpha that is data") {
     REQUIRE(half.has_value());
     CHECK(half->channels == 1);
     CHECK(half->pixels[0] != 0.1f);
-    CHECK(half->pixels[0] == doctest::Approx(0.1f).epsilon(1.0 / 2048));
+    CHECK(half->pixels[0] == about(0.1f, 1.0 / 2048));
     CHECK(half->pixels[1] == 1000.0f);
 }
 
@@ -177,7 +178,7 @@ TEST_CASE("a JPEG is display-encoded and turned upright, an HDR is linear") {
     const auto hdr = load_picture(folder / "a.hdr");
     REQUIRE(hdr.has_value());
     CHECK(hdr->encoding == Encoding::linear);
-    CHECK(hdr->pixels[0] == doctest::Approx(8.0).epsilon(0.02));
+    CHECK(hdr->pixels[0] == about(8.0, 0.02));
 }
 
 TEST_CASE("what is no picture is one clear message") {

@@ -1,5 +1,7 @@
 #include "io/sound_clock.h"
 
+#include "about.h"
+
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -31,7 +33,7 @@ TEST_CASE(
                                 start + bursts * 40ms);
         const double heard = clock.heard_seconds(now, 0.04);
         if (n > 120) {
-            REQUIRE(heard - last == doctest::Approx(0.016667).epsilon(0.02));
+            REQUIRE(heard - last == about(0.016667, 0.02));
             REQUIRE(std::abs(heard - (static_cast<double>(n) * 0.016667 * 1.001 - 0.04)) < 0.002);
         }
         last = heard;

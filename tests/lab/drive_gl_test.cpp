@@ -1,3 +1,4 @@
+#include "about.h"
 #include "io/picture_file.h"
 #include "lab/small_lab.h"
 
@@ -65,8 +66,8 @@ TEST_CASE("a sound that is opened draws and plays from its beginning; undo gives
     CHECK(small.lab().player().sound_seconds() == doctest::Approx(1.0));
     const Beam beam = small.lab().player().trace({0.25, 0.26});
     REQUIRE_FALSE(beam.empty());
-    CHECK(beam[beam.size() / 2].x == doctest::Approx(0.25).epsilon(0.01));
-    CHECK(beam[beam.size() / 2].y == doctest::Approx(-0.25).epsilon(0.01));
+    CHECK(beam[beam.size() / 2].x == about(0.25, 0.01));
+    CHECK(beam[beam.size() / 2].y == about(-0.25, 0.01));
 
     small.lab().edit([](Document& document) { document.undo(); });
     small.turn(1);

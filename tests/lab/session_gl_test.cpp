@@ -42,7 +42,7 @@ TEST_CASE("unsaved values, undo, redo, preset, time and picture size come back")
     CHECK(small.document().preset_name() == "two");
     CHECK(small.document().is_modified());
     CHECK_FALSE(small.lab().player().is_playing());
-    CHECK(small.lab().player().time() == doctest::Approx(time).epsilon(0.02));
+    CHECK(std::abs(small.lab().player().time() - time) < 1.5 / 60.0);  // a frame may go by
     CHECK(small.lab().picture_extent() == Extent{8, 4});
     small.lab().edit([](Document& document) { document.redo(); });
     CHECK(small.document().values().at("gain") == Value(4.0));

@@ -1,5 +1,6 @@
 #include "signals/audio.h"
 
+#include "about.h"
 #include "signals/signal_making.h"
 
 #include <algorithm>
@@ -20,13 +21,13 @@ TEST_CASE("xy: left goes across, right goes up, and a frame holds the samples of
     REQUIRE(beam.size() == 800);
     CHECK(beam.front().x == sound->samples[48000]);
     CHECK(beam.back().y == sound->samples[49599]);
-    CHECK(beam.back().age_seconds == doctest::Approx(0.0));
+    CHECK(std::abs(beam.back().age_seconds) < 1e-6);
 }
 
 TEST_CASE("xy: a constant level is not taken away, and one channel draws the diagonal") {
     auto mono = std::make_shared<Sound>(Sound{48000, 1, std::vector<float>(4800, 0.4f)});
     for (const BeamPoint& point : beam_of(*signal_of("audio:a.wav", mono), frame_span(2, 60.0))) {
-        REQUIRE(point.x == doctest::Approx(0.4).epsilon(1e-6));
+        REQUIRE(point.x == about(0.4, 1e-6));
         REQUIRE(point.y == point.x);
     }
 }
@@ -57,7 +58,7 @@ TEST_CASE("the path goes on from the end of a loop to its start") {
     const Beam beam = beam_of(*signal, {0.0, 1.0});
     REQUIRE(beam.size() == 192000);
     for (const BeamPoint& point : beam)
-        REQUIRE(std::hypot(point.x, point.y) == doctest::Approx(0.5).epsilon(1e-3));
+        REQUIRE(std::hypot(point.x, point.y) == about(0.5, 1e-3));
 }
 
 TEST_CASE("start is where time 0 is and where the loop begins again") {
@@ -76,9 +77,9 @@ TEST_CASE("automatic gain: the peak of the last second just fits, at most 40 dB 
             [](int) { return 0.0; });
     };
     const auto quiet = signal_of("audio:a.wav,auto_gain=on", loudness(0.1));
-    CHECK(widest(beam_of(*quiet, {1.0, 3.0})) == doctest::Approx(1.0).epsilon(0.01));
+    CHECK(widest(beam_of(*quiet, {1.0, 3.0})) == about(1.0, 0.01));
     const auto hushed = signal_of("audio:a.wav,auto_gain=on", loudness(0.001));
-    CHECK(widest(beam_of(*hushed, {1.0, 3.0})) == doctest::Approx(0.1).epsilon(0.01));
+    CHECK(widest(beam_of(*hushed, {1.0, 3.0})) == about(0.1, 0.01));
 }
 
 TEST_CASE("automatic gain: a burst fits from its first sample and is forgotten after a second") {
@@ -87,9 +88,9 @@ TEST_CASE("automatic gain: a burst fits from its first sample and is forgotten a
         [](int) { return 0.0; });
     const auto signal = signal_of("audio:a.wav,auto_gain=on,upsample=1", sound);
     CHECK(widest(beam_of(*signal, {0.0, 5.0})) <= 1.0001f);
-    CHECK(widest(beam_of(*signal, {1.0, 2.0})) == doctest::Approx(1.0).epsilon(0.01));
-    CHECK(widest(beam_of(*signal, {2.2, 2.8})) == doctest::Approx(0.125).epsilon(0.02));
-    CHECK(widest(beam_of(*signal, {3.5, 4.5})) == doctest::Approx(1.0).epsilon(0.01));
+    CHECK(widest(beam_of(*signal, {1.0, 2.0})) == about(1.0, 0.01));
+    CHECK(widest(beam_of(*signal, {2.2, 2.8})) == about(0.125, 0.02));
+    CHECK(widest(beam_of(*signal, {3.5, 4.5})) == about(1.0, 0.01));
 }
 
 TEST_CASE("waveform: a window goes across the screen, the mean of both channels up") {
@@ -122,7 +123,7 @@ TEST_CASE("a rising trigger begins every sweep at the same place of a wave") {
         REQUIRE(beam[i].y < 2.1 * step);
     }
     // 0.02 s hold 2.6 periods: each sweep begins three periods after the last one.
-    CHECK(sweeps == doctest::Approx(1.9 * hertz / 3.0).epsilon(0.02));
+    CHECK(sweeps == about(1.9 * hertz / 3.0, 0.02));
 }
 
 TEST_CASE("a sound that never rises through 0 sweeps on without a trigger") {

@@ -1,5 +1,6 @@
 #include "signals/harmonics.h"
 
+#include "about.h"
 #include "signals/signal_making.h"
 
 #include <algorithm>
@@ -25,8 +26,7 @@ TEST_CASE("whatever the harmonics, the peak is the amplitude") {
     for (const char* text :
          {"harmonics:count=64,falloff=0,amplitude=0.7", "harmonics:count=2,amplitude=0.7",
           "harmonics:shape=square,amplitude=0.7"})
-        CHECK(peak(beam_of(*signal_of(text), frame_span(1, 60.0))) ==
-              doctest::Approx(0.7).epsilon(1e-3));
+        CHECK(peak(beam_of(*signal_of(text), frame_span(1, 60.0))) == about(0.7, 1e-3));
 }
 
 TEST_CASE("odd harmonics with signs in turn and fall-off 2 make the triangle's Fourier series") {

@@ -1,5 +1,6 @@
 #include "signals/modulation.h"
 
+#include "about.h"
 #include "signals/signal_making.h"
 
 #include <algorithm>
@@ -22,8 +23,8 @@ TEST_CASE("am: the envelope goes from (1 - d) / (1 + d) to 1 of the amplitude") 
             highest = std::max(highest, beam[i].y);
         return highest;
     };
-    CHECK(highest_around(1024) == doctest::Approx(0.9).epsilon(0.01));
-    CHECK(highest_around(3072) == doctest::Approx(0.9 / 3.0).epsilon(0.01));
+    CHECK(highest_around(1024) == about(0.9, 0.01));
+    CHECK(highest_around(3072) == about(0.9 / 3.0, 0.01));
 }
 
 TEST_CASE(
@@ -45,5 +46,5 @@ TEST_CASE("in xy a carrier alone is a circle") {
     const Beam beam = beam_of(*signal_of("am:carrier=8,modulator=1,depth=0,amplitude=0.5,mode=xy"),
                               frame_span(4, 60.0));
     for (const BeamPoint& point : beam)
-        REQUIRE(std::hypot(point.x, point.y) == doctest::Approx(0.5).epsilon(1e-6));
+        REQUIRE(std::hypot(point.x, point.y) == about(0.5, 1e-6));
 }

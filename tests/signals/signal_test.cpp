@@ -1,5 +1,6 @@
 #include "signals/signal.h"
 
+#include "about.h"
 #include "signals/kinds.h"
 #include "signals/signal_making.h"
 
@@ -88,7 +89,7 @@ TEST_CASE("a full current lays down the same light, however finely the path is c
         double light = 0.0;
         for (const BeamPoint& point : beam)
             light += point.intensity;
-        CHECK(light == doctest::Approx(4096.0 * 60.0).epsilon(1e-3));
+        CHECK(light == about(4096.0 * 60.0, 1e-3));
     }
 }
 

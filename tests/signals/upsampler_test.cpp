@@ -1,5 +1,6 @@
 #include "signals/upsampler.h"
 
+#include "about.h"
 #include "signals/signal_making.h"
 
 #include <random>
@@ -47,8 +48,8 @@ TEST_CASE("a level that never changes stays what it is") {
         44100, 500, [](int) { return 0.3; }, [](int) { return -0.7; });
     const Upsampler upsampler(sound, {.loops = true}, 7);
     for (const StereoSample& sample : read(upsampler, 0, 3500)) {
-        REQUIRE(sample.left == doctest::Approx(0.3).epsilon(1e-6));
-        REQUIRE(sample.right == doctest::Approx(-0.7).epsilon(1e-6));
+        REQUIRE(sample.left == about(0.3, 1e-6));
+        REQUIRE(sample.right == about(-0.7, 1e-6));
     }
 }
 

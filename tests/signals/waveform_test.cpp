@@ -1,5 +1,6 @@
 #include "signals/waveform.h"
 
+#include "about.h"
 #include "signals/shape.h"
 #include "signals/signal_making.h"
 
@@ -29,7 +30,7 @@ TEST_CASE("noise is even between -1 and 1, the same for the same seed and no oth
         squares += level * level;
     }
     CHECK(std::abs(sum / count) < 0.01);
-    CHECK(squares / count == doctest::Approx(1.0 / 3.0).epsilon(0.02));
+    CHECK(squares / count == about(1.0 / 3.0, 0.02));
     CHECK(wave(Shape::noise, 0.4, 7) == wave(Shape::noise, 0.4, 7));
     CHECK(wave(Shape::noise, 0.4, 7) != wave(Shape::noise, 0.4, 8));
 }
@@ -72,7 +73,7 @@ TEST_CASE("in xy channel 1 goes across and channel 2 up") {
         beam_of(*signal_of("waveform:mode=xy,ch1=sine,f1=1,a1=0.5,p1=0.25,ch2=sine,f2=1,a2=0.5"),
                 frame_span(1, 60.0));
     for (const BeamPoint& point : beam)
-        REQUIRE(std::hypot(point.x, point.y) == doctest::Approx(0.5).epsilon(1e-6));
+        REQUIRE(std::hypot(point.x, point.y) == about(0.5, 1e-6));
     CHECK(beam[1023].y == doctest::Approx(0.5));  // a quarter of the way through
 }
 
