@@ -12,7 +12,7 @@ using Color = std::array<float, 3>;
 
 constexpr int cell_width = 8;    // dots
 constexpr int cell_height = 10;  // dots
-constexpr Color head_color{0.82f, 1.0f, 0.86f};
+constexpr Color head_color{0.65f, 1.0f, 0.75f};
 constexpr Color trail_color{0.10f, 0.85f, 0.24f};
 constexpr int drops_in_a_column = 2;
 

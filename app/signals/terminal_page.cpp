@@ -28,8 +28,7 @@ constexpr std::array<Color, 8> palette{{
 }};
 
 constexpr std::array<std::string_view, lines> page{
-    "^6  AFTERGLOW OBSERVATORY   ^0night log, dome 2             ^3seeing 0.8\"   ^2*** LINK UP "
-    "***",
+    "^6  AFTERGLOW OBSERVATORY   ^0night log, dome 2        ^3seeing 0.8\"   ^2** LINK UP **",
     "^4 ------------------------------------------------------------------------------",
     "",
     "^7                 _    __ _                    _",

@@ -87,7 +87,7 @@ std::array<std::string, 2> ends_of(const Parameter& parameter) {
 }
 
 Picture swept(const GoldenLook& look, const GoldenSettings& settings) {
-    RenderRequest request{.look = look.id, .values = look.always};
+    RenderRequest request{.look = look.id, .values = look.always, .source = look.source};
     request.values.insert(request.values.end(), settings.begin(), settings.end());
     return strip(look.frames, look.cell, request);
 }

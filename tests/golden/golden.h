@@ -20,6 +20,7 @@ struct GoldenLook {
     std::map<std::string, GoldenSettings> companions =
         {};  // what a parameter needs to show anything
     std::size_t fewest_presets = 4;
+    std::string source = {};  // in the sweep, for a look on a picture; "": the look's own
 };
 
 /// Draws the look with each parameter at its low and its high end and compares with the pictures

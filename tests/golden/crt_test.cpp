@@ -1,0 +1,25 @@
+#include "golden/golden.h"
+
+#include <doctest/doctest.h>
+
+namespace {
+const GoldenLook crt{
+    .id = "crt",
+    .frames = {1, 16},
+    .always = {{"dither", "false"}},
+    .companions = {{"white", {{"tone_map", "3"}, {"exposure", "4"}}},
+                   {"keep_hue", {{"exposure", "6"}}},
+                   {"exposure", {{"tone_map", "1"}}},
+                   {"scanline_period", {{"scanline_strength", "1"}}},
+                   {"scanline_brightness", {{"scanline_strength", "1"}}}},
+    .source = "pattern:glyph-rain,size=160x90",
+};
+}  // namespace
+
+TEST_CASE("crt: each parameter's ends look as they did, and one changes the picture") {
+    check_parameters(crt);
+}
+
+TEST_CASE("crt: each preset looks as it did, and no two look the same") {
+    check_presets(crt);
+}

@@ -1,0 +1,119 @@
+// The crt look against closed forms: each stage alone, and all of them off.
+#include "looks/drawn_picture.h"
+#include "model/color.h"
+#include "signals/patterns.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+namespace {
+/// Every stage off by itself.
+Values stages_off() {
+    return {{"aberration", Value(0.0)},
+            {"tone_map", Value(6.0)},
+            {"scanline_strength", Value(0.0)},
+            {"dither", Value(0.0)}};
+}
+
+Values with(Values values, const Values& more) {
+    for (const auto& [name, value] : more)
+        values[name] = value;
+    return values;
+}
+
+int code(float display) {
+    return static_cast<int>(std::lround(std::clamp(display, 0.0f, 1.0f) * 255.0f));
+}
+
+int differing_codes(const Picture& drawn, const Picture& source) {
+    int count = 0;
+    for (int y = 0; y < source.extent.height; ++y)
+        for (int x = 0; x < source.extent.width; ++x)
+            for (std::size_t c = 0; c < 3; ++c)
+                count += code(drawn.pixels[drawn.index(x, y) + c]) !=
+                         code(source.pixels[source.index(x, y) + c]);
+    return count;
+}
+
+/// The light that a drawn pixel stands for.
+double light_at(const Picture& drawn, int x, int y, std::size_t channel = 1) {
+    return srgb_decode(static_cast<double>(drawn.pixels[drawn.index(x, y) + channel]));
+}
+
+double mean_light(const Picture& drawn) {
+    double sum = 0.0;
+    for (int y = 0; y < drawn.extent.height; ++y)
+        sum += light_at(drawn, 1, y) / drawn.extent.height;
+    return sum;
+}
+}  // namespace
+
+TEST_CASE("crt off is a plain copy, and so are all its stages off") {
+    for (const char* text : {"harbour", "checker,size=160x90"}) {
+        CAPTURE(text);
+        const auto source = make_pattern(text);
+        REQUIRE(source.has_value());
+        CHECK(differing_codes(drawn_look("crt", *source, {{"crt", Value(0.0)}}), *source) == 0);
+        CHECK(differing_codes(drawn_look("crt", *source, stages_off()), *source) == 0);
+    }
+}
+
+TEST_CASE("a white dot splits into red and blue, each at the aberration's distance") {
+    const auto source = make_pattern("dot,size=64x8");
+    const Picture drawn =
+        drawn_look("crt", *source, with(stages_off(), {{"aberration", Value(3.0)}}));
+    for (std::size_t c = 0; c < 3; ++c) {
+        const int expected = 32 + (static_cast<int>(c) - 1) * 3;
+        for (int x = 0; x < 64; ++x)
+            CHECK(std::abs(light_at(drawn, x, 4, c) - (x == expected ? 1.0 : 0.0)) < 1e-3);
+    }
+}
+
+TEST_CASE("scanlines keep the mean of the light at every period, or darken by half their depth") {
+    const Picture grey = flat_field({4, 72}, 0.4f, 0.4f, 0.4f);
+    for (const double period : {3.0, 4.0, 4.5, 7.2}) {
+        CAPTURE(period);
+        const Values lines = with(
+            stages_off(), {{"scanline_strength", Value(0.6)}, {"scanline_period", Value(period)}});
+        CHECK(std::abs(mean_light(drawn_look("crt", grey, lines)) - 0.4) < 0.4 * 0.005);
+        const Values dark = with(lines, {{"scanline_brightness", Value(0.0)}});
+        CHECK(std::abs(mean_light(drawn_look("crt", grey, dark)) - 0.28) < 0.28 * 0.005);
+    }
+}
+
+TEST_CASE("scanlines are the mean of the sine over each pixel") {
+    const Picture field = flat_field({4, 8}, 1.0f, 1.0f, 1.0f);
+    const Picture drawn = drawn_look("crt", field,
+                                     with(stages_off(), {{"scanline_strength", Value(0.3)},
+                                                         {"scanline_brightness", Value(0.0)}}));
+    const double quarter = std::acos(-1.0) / 2.0;
+    for (int y = 0; y < 8; ++y) {
+        const double mean = (std::cos(quarter * y) - std::cos(quarter * (y + 1))) / quarter;
+        CHECK(std::abs(light_at(drawn, 1, y) - (0.85 - 0.15 * mean)) < 1e-4);
+    }
+}
+
+TEST_CASE("as the article wrote it 4 px scanlines have two levels of the display value") {
+    const Picture field = flat_field({4, 8}, 2.0f, 2.0f, 2.0f);
+    const Picture drawn =
+        drawn_look("crt", field, {{"as_written", Value(1.0)}, {"aberration", Value(0.0)}});
+    const double wave = 0.15 * std::sqrt(0.5);  // 0.744 and 0.956
+    for (int y = 0; y < 8; ++y) {
+        const double expected = 0.85 + (y % 4 < 2 ? -wave : wave);
+        CHECK(std::abs(static_cast<double>(drawn.pixels[drawn.index(1, y)]) - expected) < 1e-4);
+    }
+}
+
+TEST_CASE("the tone map is the chosen one, after the exposure and before the scanlines") {
+    const Picture field = flat_field({4, 4}, 1.25f, 1.25f, 1.25f);
+    const Values reinhard = with(
+        stages_off(), {{"tone_map", Value(1.0)}, {"exposure", Value(3.0)}, {"white", Value(0.0)}});
+    const Values to_white = with(stages_off(), {{"tone_map", Value(3.0)}, {"white", Value(1.25)}});
+    CHECK(std::abs(light_at(drawn_look("crt", field, to_white), 1, 1) - 1.0) < 1e-4);
+    CHECK(std::abs(
+              light_at(drawn_look("crt", field, with(to_white, {{"tone_map", Value(0.0)}})), 1, 1) -
+              1.0) < 1e-4);
+    // 3.75 / 4.75; the white belongs to the extended form.
+    CHECK(std::abs(light_at(drawn_look("crt", field, reinhard), 1, 1) - 0.7895) < 1e-3);
+}

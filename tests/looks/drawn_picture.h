@@ -1,0 +1,17 @@
+#pragma once
+
+#include "model/look.h"
+#include "model/picture.h"
+
+#include <string>
+
+/// What one of the program's looks on pictures makes of `source` in its first frame, at the size
+/// of the source: the target of `pass` ("": the last one) with every target in 32-bit floats.
+Picture drawn_look(const std::string& look, const Picture& source, const Values& values,
+                   const std::string& pass = "");
+
+/// A picture of one colour in linear light.
+Picture flat_field(Extent extent, float red, float green, float blue);
+
+/// The mean of a channel over the pixels of a rectangle.
+double mean_of(const Picture& picture, std::size_t channel, int x, int y, Extent extent);
