@@ -82,24 +82,38 @@ vec2 beam_moments_by_erf(float start, float end, float fade) {
     return vec2(whole, clamp(slope, 0.0, whole));
 }
 
+// By whichever way is exact here.
+vec2 beam_segment_moments(float start, float end, float fade) {
+    float span = start - end;
+    if (span < 1e-3) {
+        vec2 rest = beam_rest_moments(fade);
+        float place = mix(start, end, rest.y);
+        return rest.x * exp(-place * place) / beam_root_pi * vec2(1.0, rest.y);
+    }
+    if (span <= 1.0 && fade <= 2.0)
+        return beam_moments_by_quadrature(start, end, fade);
+    return beam_moments_by_erf(start, end, fade);
+}
+
 // Light per px^2 at a place `at.x` px along the segment from its start and `at.y` px beside it.
 float beam_segment_light(vec2 at, float segment_length, float sigma, float fade, vec2 charges) {
     float scale = inversesqrt(2.0) / sigma;
-    vec2 ends = scale * vec2(at.x, at.x - segment_length);
-    float span = scale * segment_length;
-    vec2 moments;
-    if (span < 1e-3) {
-        vec2 rest = beam_rest_moments(fade);
-        float place = mix(ends.x, ends.y, rest.y);
-        moments = rest.x * exp(-place * place) / beam_root_pi * vec2(1.0, rest.y);
-    } else if (span <= 1.0 && fade <= 2.0) {
-        moments = beam_moments_by_quadrature(ends.x, ends.y, fade);
-    } else {
-        moments = beam_moments_by_erf(ends.x, ends.y, fade);
-    }
+    vec2 moments = beam_segment_moments(scale * at.x, scale * (at.x - segment_length), fade);
     float across = scale * at.y;
     float light = charges.x * moments.x + (charges.y - charges.x) * moments.y;
     return light * scale * scale * exp(-across * across) / beam_root_pi;
+}
+
+// The same of an even charge of 1: with its fading, and without. Where little fades inside the segment
+// both come from one integral: exp(-fade (1 - s)) is 1 - fade + fade s, off by at most 5e-7.
+vec2 beam_segment_left_and_whole(vec2 at, float segment_length, float sigma, float fade) {
+    float scale = inversesqrt(2.0) / sigma;
+    vec2 ends = scale * vec2(at.x, at.x - segment_length);
+    vec2 moments = beam_segment_moments(ends.x, ends.y, 0.0);
+    float left = fade < 1e-3 ? moments.x - fade * (moments.x - moments.y)
+                             : beam_segment_moments(ends.x, ends.y, fade).x;
+    float across = scale * at.y;
+    return vec2(left, moments.x) * scale * scale * exp(-across * across) / beam_root_pi;
 }
 
 // How many readings on each side of a pixel its mean needs: with spots narrower than 3/4 px the sum

@@ -3,8 +3,6 @@
 #ifndef VECTOR_BEAM_ARTICLE
 #define VECTOR_BEAM_ARTICLE
 
-#include "beam_segment.glsl"
-
 const float root_of_2 = 1.41421356237;
 const float root_of_2_pi = 2.50662827463;
 
@@ -28,15 +26,13 @@ float light_as_written(vec2 at, float segment_length, float sigma, vec2 ages) {
     return sides * exp(power) / (2.0 * segment_length);
 }
 
-// The article's f = 0: the light that the segment would leave without decay, faded by the time at
-// which the beam was nearest to this place. Right for long segments; beyond the ends of short ones
-// it counts times at which the beam was elsewhere, held here to what a float can show.
-float light_with_decay_by_place(vec2 at, float segment_length, float sigma, float fade,
-                                vec2 charges) {
-    float light = beam_segment_light(at, segment_length, sigma, 0.0, charges);
+// The article's f = 0: light is faded by the time at which the beam was nearest to this place. Right
+// for long segments; beyond the ends of short ones it counts times at which the beam was elsewhere,
+// held here to what a float can show.
+float decay_at_place(float along, float segment_length, float fade) {
     if (segment_length <= 1e-5)
-        return light;
-    return light * exp(clamp(fade * (at.x / segment_length - 1.0), -80.0, 20.0));
+        return 1.0;
+    return exp(clamp(fade * (along / segment_length - 1.0), -80.0, 20.0));
 }
 
 #endif

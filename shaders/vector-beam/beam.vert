@@ -7,13 +7,13 @@
 
 uniform vec2 u_resolution;
 uniform float intensity = 1.0;      // @range 0.05 10  @limit 0 1000  @scale log  @label "Intensity"  @group "Beam"
-                                    // @help "How much light the beam's current makes."
+                                    // @help "The beam's current. More is brighter, and with Growth with current wider too."
 uniform float spot_sigma = 1.2;     // @range 0.3 6  @limit 0.05 100  @scale log  @label "Spot size"  @unit "px at 512 lines"  @group "Beam"
                                     // @help "Standard deviation of the spot, in pixels of a picture 512 pixels high; the line looks about 2.4 times as wide. The light stays the same: a wider spot is dimmer."
 uniform float spot_growth = 0.4;    // @range 0 1.5  @limit 0 20  @label "Growth with current"  @group "Beam"  @identity 0
                                     // @help "A stronger current makes a wider spot, as electrons push each other apart: at full current the spot is 1 + this times as large."
 uniform float growth_power = 0.5;   // @range 0.3 1  @limit 0.05 4  @label "Growth curve"  @group "Beam"
-                                    // @help "How the spot grows between no and full current: 1 evenly, 0.5 like the square root, so that most of it comes early."
+                                    // @help "How the spot grows from no current to full current (1 x intensity): 1 evenly, 0.5 like the square root, so that most of it comes early."
 uniform float quad_sigmas = 5.0;    // @range 2 8  @limit 1 16  @label "Drawn out to"  @unit "sigmas"  @group "Beam"
                                     // @help "How far from the beam light is still drawn. The article's 5 shows no edge; below 4 bright lines end visibly."
 uniform float dwell = 1.0;          // @range 0 8  @limit 0 1000  @label "Dwell dots"  @group "Beam"  @identity 1
@@ -54,7 +54,7 @@ void main() {
     seconds = max(ages_seconds.x - ages_seconds.y, 0.0);
     ages = ages_seconds / decay_seconds();
     float current = 0.5 * abs(intensities.x + intensities.y) / max(seconds * full_current, 1e-9);
-    sigma = spot_at(min(current, 4.0));
+    sigma = spot_at(min(intensity * current, 16.0));
     float unit = u_resolution.y / reference_height;
     charges = intensity * unit * unit * intensities;
     if (!as_written)

@@ -61,7 +61,9 @@ TEST_CASE("vector beam: the light is intensity * charge, however wide the spot a
         for (const float length : {0.0f, 0.1f, 0.6f}) {
             CAPTURE(sigma);
             CAPTURE(length);
-            monitor.start({{"spot_sigma", Value(sigma)}, {"intensity", Value(3.0)}});
+            monitor.start({{"spot_sigma", Value(sigma)},
+                           {"intensity", Value(3.0)},
+                           {"spot_growth", Value(0.0)}});
             monitor.draw(stroke(length, 1e-4, 0.0, 2.0f));
             const double expected = 3.0 * 2.0 * unit * unit;
             CHECK(std::abs(sum_of(monitor.target("beam"), 1) / expected - 1.0) < 0.001);
