@@ -95,13 +95,19 @@ vec2 beam_segment_moments(float start, float end, float fade) {
     return beam_moments_by_erf(start, end, fade);
 }
 
-// Light per px^2 at a place `at.x` px along the segment from its start and `at.y` px beside it.
-float beam_segment_light(vec2 at, float segment_length, float sigma, float fade, vec2 charges) {
+// Light per px^2 at a place `at.x` px along the segment from its start and `at.y` px beside it: for a
+// charge of 1 all the way, and for one that goes from 0 to 1.
+vec2 beam_segment_shares(vec2 at, float segment_length, float sigma, float fade) {
     float scale = inversesqrt(2.0) / sigma;
     vec2 moments = beam_segment_moments(scale * at.x, scale * (at.x - segment_length), fade);
     float across = scale * at.y;
-    float light = charges.x * moments.x + (charges.y - charges.x) * moments.y;
-    return light * scale * scale * exp(-across * across) / beam_root_pi;
+    return moments * (scale * scale * exp(-across * across) / beam_root_pi);
+}
+
+// The same for a charge that goes from charges.x to charges.y.
+float beam_segment_light(vec2 at, float segment_length, float sigma, float fade, vec2 charges) {
+    vec2 shares = beam_segment_shares(at, segment_length, sigma, fade);
+    return charges.x * shares.x + (charges.y - charges.x) * shares.y;
 }
 
 // The same of an even charge of 1: with its fading, and without. Where little fades inside the segment

@@ -1,5 +1,6 @@
 #version 410 core
 // The beam: one square for each instant at which the beam was somewhere, large enough for its spot.
+#include "beam_kind.glsl"
 #include "spot.glsl"
 #include "tube.glsl"
 #include "decay.glsl"
@@ -43,6 +44,10 @@ void place_as_written(vec2 place) {
 }
 
 void main() {
+    gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+    gl_PointSize = 1.0;
+    if (draws_segments())
+        return;
     vec2 place = position * signal_size(u_resolution);
     middle = (0.5 + 0.5 * place) * u_resolution;
     width = beam_width * u_resolution.y / reference_height;

@@ -2,9 +2,9 @@
 // Excitation: the charge that each of a measured tube's three terms holds at the frame's end, in
 // red, green and blue. 32-bit floats, as for persistence. A single texel while the tube is custom.
 #include "ceiling.glsl"
+#include "fresh.glsl"
 #include "tube.glsl"
 
-uniform sampler2D current;   // the beam: what of its charge has been given off, and all of it in alpha
 uniform sampler2D previous;  // this pass, a frame ago
 uniform float u_time_delta;
 
@@ -23,7 +23,7 @@ void main() {
         color = vec4(0.0);
         return;
     }
-    vec4 fresh = texture(current, uv);
+    vec4 fresh = fresh_at(uv);  // what has been given off of the charge, and all of it in alpha
     vec3 kept = texture(previous, uv).rgb * exp(-u_time_delta / term_seconds());
     color = vec4(min(kept + max(fresh.a - fresh.rgb, 0.0), most_charge()), 1.0);
 }

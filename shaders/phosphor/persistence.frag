@@ -7,11 +7,11 @@
 #include "ceiling.glsl"
 #include "color.glsl"
 #include "decay.glsl"
+#include "fresh.glsl"
 #include "tone_map_every_frame.glsl"
 #include "tonemap.glsl"
 #include "tube_color.glsl"
 
-uniform sampler2D current;   // the beam of this frame: faded to its end, or what it has given off
 uniform sampler2D previous;  // this pass, a frame ago
 uniform sampler2D held;      // the charge that a measured tube held a frame ago
 uniform float u_time_delta;
@@ -26,7 +26,7 @@ vec3 saturated(vec3 light, float most) {
 
 vec3 custom_light() {
     vec3 kept = texture(previous, uv).rgb;
-    vec3 fresh = texture(current, uv).rgb;
+    vec3 fresh = fresh_at(uv).rgb;  // faded to the frame's end
     return as_written ? min(kept * decay + fresh, vec3(ceiling))
                       : saturated(kept * left_after(u_time_delta) + fresh, ceiling);
 }
@@ -35,7 +35,7 @@ vec3 custom_light() {
 // flash is brighter, as its light falls into less time, and so is the ceiling.
 vec3 tube_light() {
     vec3 spent = spent_after(u_time_delta / term_seconds());
-    vec3 given_off = spent * texture(held, uv).rgb + texture(current, uv).rgb;
+    vec3 given_off = spent * texture(held, uv).rgb + fresh_at(uv).rgb;
     vec3 light = term_colors() * (term_light() * given_off) * frame_brightness(u_time_delta);
     return saturated(light, ceiling * max(1.0, 1.0 / (60.0 * u_time_delta)));
 }

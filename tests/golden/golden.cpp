@@ -86,8 +86,12 @@ std::array<std::string, 2> ends_of(const Parameter& parameter) {
     return ends;
 }
 
-Picture swept(const GoldenLook& look, const GoldenSettings& settings) {
-    RenderRequest request{.look = look.id, .values = look.always, .source = look.source};
+Picture swept(const GoldenLook& look, const GoldenSettings& settings,
+              const std::string& signal = {}) {
+    RenderRequest request{.look = look.id,
+                          .values = look.always,
+                          .signal = signal,
+                          .source = look.source};
     request.values.insert(request.values.end(), settings.begin(), settings.end());
     return strip(look.frames, look.cell, request);
 }
@@ -96,17 +100,21 @@ void check_parameter(const GoldenLook& look, const Parameter& parameter, const P
     GoldenSettings around;
     if (const auto found = look.companions.find(parameter.name); found != look.companions.end())
         around = found->second;
+    std::string signal;
+    if (const auto found = look.signals.find(parameter.name); found != look.signals.end())
+        signal = found->second;
     const auto with = [&](const std::string& value) {
         GoldenSettings settings = around;
         settings.emplace_back(parameter.name, value);
-        return swept(look, settings);
+        return swept(look, settings, signal);
     };
     const auto ends = ends_of(parameter);
     const Picture low = with(ends[0]);
     const Picture high = with(ends[1]);
     compare_with_golden(look, stacked(low, high), parameter.name);
 
-    const Picture rest = around.empty() ? plain : swept(look, around);
+    const bool is_plain = around.empty() && signal.empty();
+    const Picture rest = is_plain ? plain : swept(look, around, signal);
     const double moved =
         difference_between(low, rest, 0)->largest + difference_between(high, rest, 0)->largest;
     CHECK(moved > 0.9 / 255.0);

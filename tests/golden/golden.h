@@ -19,6 +19,8 @@ struct GoldenLook {
     GoldenSettings always = {};          // in the sweep: what quietens noise
     std::map<std::string, GoldenSettings> companions =
         {};  // what a parameter needs to show anything
+    std::map<std::string, std::string> signals =
+        {};  // by parameter: another signal than the look's own
     std::size_t fewest_presets = 4;
     std::string source = {};  // in the sweep, for a look on a picture; "": the look's own
 };

@@ -11,6 +11,7 @@ const GoldenLook phosphor{
                    {"tail_gain", {{"tube", "P7"}}},
                    {"tube_color", {{"tube", "P7"}}},
                    {"afterglow_color", {{"tube", "P7"}, {"tube_color", "2"}}}},
+    .signals = {{"beam_kind", "lissajous:x=3,y=2,points=96"}},  // few enough to be told apart
     .fewest_presets = 9,
 };
 }  // namespace

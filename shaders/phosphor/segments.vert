@@ -1,0 +1,42 @@
+#version 410 core
+// The beam as segments: one rectangle around the way from each point to the next, with room for the
+// spot's width.
+#include "beam_kind.glsl"
+#include "beam_segment.glsl"
+#include "fit.glsl"
+#include "reference_height.glsl"
+#include "spot.glsl"
+
+uniform vec2 u_resolution;
+uniform float u_time_delta;
+
+in vec4 segment;        // -1..1, y up: start, end
+in vec2 intensities;    // 1: full current for 1/4096 of 1/60 s
+in vec2 ages_seconds;   // before the frame's end
+
+flat out vec4 ends;     // px from the bottom left
+flat out vec2 charges;  // of start and end; their mean is what the beam brings on the way
+flat out vec2 ages;     // s
+flat out vec2 sigmas;   // of core and glow, px
+flat out vec2 areas;    // what a charge of 1 makes of light, px^2
+
+// A spot narrower than this is lost in the pixel, and costs many readings to hit.
+const float least_sigma = 0.25;  // px
+
+const float pi = 3.14159265359;
+
+void main() {
+    gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+    if (!draws_segments())
+        return;
+    ends = (0.5 + 0.5 * segment * signal_size(u_resolution).xyxy) * u_resolution.xyxy;
+    charges = intensities;
+    ages = min(ages_seconds, u_time_delta);  // the way from the last frame's point is this frame's
+    float width = beam_width * u_resolution.y / reference_height;
+    vec2 sharpness = vec2(core_sharpness, glow_sharpness);
+    areas = pi * width * width * vec2(1.0, glow_weight) / sharpness;
+    sigmas = max(width * inversesqrt(2.0 * sharpness), least_sigma);
+    float widest = glow_weight > 0.0 ? max(sigmas.x, sigmas.y) : sigmas.x;
+    vec2 corner = beam_segment_corner(ends.xy, ends.zw, beam_segment_reach(widest), gl_VertexID);
+    gl_Position = vec4(2.0 * corner / u_resolution - 1.0, 0.0, 1.0);
+}
