@@ -28,6 +28,35 @@ const SettingFacts* find_setting(const SignalKind& kind, std::string_view key) {
     return found == kind.settings.end() ? nullptr : &*found;
 }
 
+bool is_used(const SettingFacts& setting, const Spec& completed_spec) {
+    const UsedWhile& condition = setting.used_while;
+    if (condition.key.empty())
+        return true;
+    const std::string_view word = Settings(completed_spec).word(condition.key);
+    return std::find(condition.words.begin(), condition.words.end(), word) != condition.words.end();
+}
+
+SettingFacts choice_setting(std::string key, std::string label, std::string help,
+                            std::vector<std::string> words) {
+    const std::string first = words.front();
+    return {.key = std::move(key),
+            .label = std::move(label),
+            .help = std::move(help),
+            .type = SettingType::word,
+            .words = std::move(words),
+            .initial_word = first};
+}
+
+std::vector<SettingFacts> in_group(const std::string& group, const UsedWhile& used_while,
+                                   std::vector<SettingFacts> settings) {
+    for (SettingFacts& setting : settings) {
+        setting.group = group;
+        if (setting.used_while.key.empty())
+            setting.used_while = used_while;
+    }
+    return settings;
+}
+
 std::string file_of(const Spec& spec) {
     const SignalKind* kind = find_kind(spec.kind);
     if (!kind || kind->file_setting.empty())

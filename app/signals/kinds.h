@@ -14,6 +14,12 @@ class Settings;
 
 enum class SettingType { number, word, text };
 
+/// When a setting has a say: while another one, a word, is one of these. No key: always.
+struct UsedWhile {
+    std::string key = {};
+    std::vector<std::string> words = {};
+};
+
 /// One setting of a kind of signal: what a list, a control and the manual say about it.
 struct SettingFacts {
     std::string key = {};
@@ -29,7 +35,16 @@ struct SettingFacts {
     Limit limit = {-1e6, 1e6};            // a number beyond it is refused
     std::vector<std::string> words = {};  // word: all that are allowed
     std::string initial_word = {};        // word and text; "" where a text must be given
+    std::string group = {};               // a heading that it stands under; "": none
+    UsedWhile used_while = {};
 };
+
+/// A setting with a few words to choose from, the first of them at the start.
+SettingFacts choice_setting(std::string key, std::string label, std::string help,
+                            std::vector<std::string> words);
+/// The settings under a heading, and only of use while `used_while` holds.
+std::vector<SettingFacts> in_group(const std::string& group, const UsedWhile& used_while,
+                                   std::vector<SettingFacts> settings);
 
 /// A kind of signal; everything about it that is not its formula.
 struct SignalKind {
@@ -50,6 +65,8 @@ const std::vector<SignalKind>& signal_kinds();
 /// Null when there is no such kind.
 const SignalKind* find_kind(std::string_view kind);
 const SettingFacts* find_setting(const SignalKind& kind, std::string_view key);
+/// Whether the setting has a say in a completed spec.
+bool is_used(const SettingFacts& setting, const Spec& completed_spec);
 
 /// Fills defaults in and turns the bare first setting (key "") into the kind's own key. Refuses
 /// unknown kinds, keys and words with a suggestion, and numbers that are not finite, not whole

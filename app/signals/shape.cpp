@@ -6,6 +6,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <numbers>
 
 namespace {
 struct NamedShape {
@@ -65,6 +66,27 @@ double wave(Shape shape, double turns, std::uint64_t seed) {
             return 2.0 * fraction(turns + 0.5) - 1.0;
         case Shape::noise:
             return noise(turns, seed);
+        case Shape::off:
+            break;
+    }
+    return 0.0;
+}
+
+std::optional<double> crossing(Shape shape, double level, bool is_rising) {
+    if (shape == Shape::off || std::abs(level) >= 1.0)
+        return std::nullopt;
+    switch (shape) {
+        case Shape::sine: {
+            const double turns = std::asin(level) / (2.0 * std::numbers::pi);
+            return fraction(is_rising ? turns : 0.5 - turns);
+        }
+        case Shape::triangle:
+            return fraction(is_rising ? 0.25 * level : 0.5 - 0.25 * level);
+        case Shape::square:
+            return is_rising ? 0.0 : 0.5;
+        case Shape::saw:
+            return is_rising ? fraction(0.5 * level) : 0.5;
+        case Shape::noise:
         case Shape::off:
             break;
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,3 +16,7 @@ Shape shape_named(std::string_view name);
 /// The wave at a phase in turns. Noise is 32 random levels a turn joined by straight lines; it
 /// never repeats and follows from phase and seed alone.
 double wave(Shape shape, double turns, std::uint64_t seed);
+
+/// The phase in turns, 0 .. 1, at which a wave goes through `level` on its way up (or down); none
+/// where it never does. Noise does so at no phase that could be told, hence at once: 0.
+std::optional<double> crossing(Shape shape, double level, bool is_rising);

@@ -1,20 +1,13 @@
 #pragma once
 
 #include "model/sound.h"
+#include "signals/stereo_sample.h"
 
 #include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
-
-/// Left and right at one instant.
-struct StereoSample {
-    float left = 0.0f;
-    float right = 0.0f;
-
-    bool operator==(const StereoSample&) const = default;
-};
 
 /// Which part of a sound is read, and how it goes on at its ends.
 struct SoundPart {

@@ -1,154 +1,204 @@
 #include "signals/waveform.h"
 
-#include "signals/points.h"
+#include "signals/scope.h"
 #include "signals/settings.h"
 #include "signals/shape.h"
 
+#include <cmath>
+#include <limits>
+#include <utility>
+
 namespace {
-struct Channel {
+struct Generator {
     Shape shape = Shape::off;
-    double periods = 0.0;  // in 1/60 s
-    double amplitude = 0.0;
-    double phase = 0.0;  // turns
+    double hertz = 0.0;
+    double amplitude = 0.0;  // V
+    double mean = 0.0;       // V
+    double phase = 0.0;      // turns
     std::uint64_t seed = 0;
+    Coupling coupling = Coupling::dc;  // of the channel that it is plugged into
 
     bool is_on() const { return shape != Shape::off; }
-    double at(double turns) const { return amplitude * wave(shape, turns + phase, seed); }
+    double added() const { return coupling == Coupling::dc ? mean : 0.0; }
+    float at(double seconds, double scrolled_turns) const {
+        if (coupling == Coupling::ground || !is_on())
+            return 0.0f;
+        const double turns = hertz * seconds + phase + scrolled_turns;
+        return static_cast<float>(added() + amplitude * wave(shape, turns, seed));
+    }
 };
 
-Channel channel_of(const Settings& settings, const std::string& number) {
+Generator generator_of(const Settings& settings, const std::string& number) {
+    const double unit = settings.is("per", "second") ? 1.0 : 60.0;
     return {.shape = shape_named(settings.word("ch" + number)),
-            .periods = settings.number("f" + number),
+            .hertz = settings.number("f" + number) * unit,
             .amplitude = settings.number("a" + number),
+            .mean = settings.number("d" + number),
             .phase = settings.number("p" + number),
             .seed = static_cast<std::uint64_t>(settings.whole("seed")) * 2 + (number == "2")};
+}
+
+// Seconds after time 0 at which the generator first fires the trigger; none where it never does.
+std::optional<double> first_trigger(const Generator& generator, const ScopeChannel& channel,
+                                    const Trigger& trigger) {
+    if (generator.coupling == Coupling::ground || generator.amplitude <= 0.0 ||
+        generator.hertz <= 0.0)
+        return std::nullopt;
+    const double volts = channel.is_inverted ? -trigger.level : trigger.level;
+    const double level = (volts - generator.added()) / generator.amplitude;
+    const auto turns = crossing(generator.shape, level, trigger.is_rising != channel.is_inverted);
+    if (!turns || generator.shape == Shape::noise)
+        return turns;
+    const double ahead = *turns - generator.phase;
+    return (ahead - std::floor(ahead)) / generator.hertz;
+}
+
+// A wave triggers once a period, so the sweeps come evenly: each begins at the first trigger that
+// finds the scope ready again.
+std::unique_ptr<Sweeps> sweeps_of(const ScopeKnobs& knobs, const std::array<Generator, 2>& inputs,
+                                  double rate) {
+    const Trigger& trigger = knobs.trigger;
+    const double sweep = knobs.sweep_seconds();
+    const double busy = sweep + trigger.holdoff_seconds;
+    if (trigger.mode == Trigger::Mode::off)
+        return std::make_unique<EvenSweeps>(0.0, sweep * rate, sweep * rate);
+    const std::size_t shown = inputs[0].is_on() ? 0 : 1;
+    const std::size_t watched =
+        trigger.source == 0 ? shown : static_cast<std::size_t>(trigger.source - 1);
+    const Generator& source = inputs[watched];
+    const auto first = first_trigger(source, knobs.channels[watched], trigger);
+    if (!first && trigger.mode == Trigger::Mode::automatic)
+        return std::make_unique<EvenSweeps>(0.0, busy * rate, sweep * rate);
+    if (!first)
+        return std::make_unique<NoSweeps>();
+    double period = busy;
+    if (source.shape != Shape::noise)
+        period = std::ceil(busy * source.hertz - 1e-6) / source.hertz;
+    if (trigger.mode == Trigger::Mode::single)
+        period = EvenSweeps::once;
+    return std::make_unique<EvenSweeps>(*first * rate, period * rate, sweep * rate);
 }
 
 class Waveform : public Signal {
 public:
     explicit Waveform(const Settings& settings)
-        : m_first(channel_of(settings, "1")),
-          m_second(channel_of(settings, "2")),
-          m_scroll(settings.number("speed") / 60.0),
-          m_points(settings.whole("points")),
-          m_charge(charge_of_point(static_cast<double>(m_points) * 60.0)),
-          m_is_xy(settings.is("mode", "xy")) {}
+        : Waveform(settings, scope_knobs(settings),
+                   {generator_of(settings, "1"), generator_of(settings, "2")}) {}
 
     void trace(const TimeSpan& span, Beam& beam) const override {
-        const PointStream stream{.rate = static_cast<double>(m_points) * 60.0};
-        if (m_is_xy)
-            trace_points(span, stream, beam, [this](std::int64_t k) { return across_and_up(k); });
-        else if (m_first.is_on() || m_second.is_on())
-            trace_points(span, stream, beam, [this](std::int64_t k) { return swept(k); });
+        constexpr auto endless = std::numeric_limits<std::int64_t>::max();
+        m_scope.trace(span, endless, *m_sweeps, beam, [this](std::int64_t sample, double start) {
+            const double seconds = static_cast<double>(sample + 1) / m_scope.rate();
+            const double drift = m_scroll * (m_is_xy ? seconds : start);
+            const double drift_up = m_is_xy ? 0.0 : drift;
+            return StereoSample{m_inputs[0].at(seconds, drift), m_inputs[1].at(seconds, drift_up)};
+        });
     }
 
 private:
-    BeamPoint across_and_up(std::int64_t k) const {
-        const double u = static_cast<double>(k + 1) / static_cast<double>(m_points);
-        return {static_cast<float>(m_first.at((m_first.periods + m_scroll) * u)),
-                static_cast<float>(m_second.at(m_second.periods * u)),
-                static_cast<float>(m_charge)};
+    Waveform(const Settings& settings, const ScopeKnobs& knobs, std::array<Generator, 2> inputs)
+        : m_inputs(plugged(knobs, std::move(inputs))),
+          m_scope(knobs, {m_inputs[0].is_on(), m_inputs[1].is_on()},
+                  settings.number("points") * 60.0 / traces(knobs, m_inputs)),
+          m_sweeps(sweeps_of(knobs, m_inputs, m_scope.rate())),
+          m_scroll(settings.number("speed")),
+          m_is_xy(knobs.is_xy) {}
+
+    static std::array<Generator, 2> plugged(const ScopeKnobs& knobs,
+                                            std::array<Generator, 2> inputs) {
+        if (knobs.is_swapped)
+            std::swap(inputs[0], inputs[1]);
+        for (std::size_t i = 0; i < 2; ++i)
+            inputs[i].coupling = knobs.channels[i].coupling;
+        return inputs;
+    }
+    static double traces(const ScopeKnobs& knobs, const std::array<Generator, 2>& inputs) {
+        return !knobs.is_xy && inputs[0].is_on() && inputs[1].is_on() ? 2.0 : 1.0;
     }
 
-    // With both channels on, the first half of each 1/60 s draws one and the second half the other.
-    BeamPoint swept(std::int64_t k) const {
-        const bool both = m_first.is_on() && m_second.is_on();
-        const std::int64_t frame = k / m_points;
-        const std::int64_t place = k % m_points;
-        const std::int64_t half = m_points / 2;
-        if (!both)
-            return on_sweep(m_first.is_on() ? m_first : m_second, frame, place, m_points, {});
-        if (place < half)
-            return on_sweep(m_first, frame, place, half, {0.45, 0.5});
-        return on_sweep(m_second, frame, place - half, m_points - half, {0.45, -0.5});
-    }
-
-    struct Band {
-        double scale = 1.0;
-        double center = 0.0;
-    };
-
-    // The trace stands still during a sweep; noise goes on from sweep to sweep.
-    BeamPoint on_sweep(const Channel& channel, std::int64_t frame, std::int64_t place,
-                       std::int64_t length, const Band& band) const {
-        const SweepPoint point = sweep_point(place, length, m_charge);
-        double turns = channel.periods * point.across + m_scroll * static_cast<double>(frame);
-        if (channel.shape == Shape::noise)
-            turns += channel.periods * static_cast<double>(frame);
-        const double y = band.center + band.scale * channel.at(turns);
-        return {point.x, static_cast<float>(y), point.intensity};
-    }
-
-    Channel m_first;
-    Channel m_second;
-    double m_scroll;  // turns per 1/60 s
-    std::int64_t m_points;
-    double m_charge;
+    std::array<Generator, 2> m_inputs;  // by the channel that they are plugged into
+    Scope m_scope;
+    std::unique_ptr<Sweeps> m_sweeps;
+    double m_scroll;  // turns a second
     bool m_is_xy;
 };
 
-std::vector<SettingFacts> channel_settings(const std::string& number, const std::string& shape,
-                                           double periods) {
-    const std::string name = "Channel " + number;
-    return {{.key = "ch" + number,
-             .label = name,
-             .help = "The shape of its wave.",
-             .type = SettingType::word,
-             .words = shape_names(),
-             .initial_word = shape},
+std::vector<SettingFacts> generator_settings(const std::string& number, const std::string& shape,
+                                             double frequency) {
+    const std::string name = "Wave " + number;
+    SettingFacts shapes =
+        choice_setting("ch" + number, name, "The shape of its wave.", shape_names());
+    shapes.initial_word = shape;
+    return {shapes,
             {.key = "f" + number,
-             .label = name + " periods",
-             .unit = "per 1/60 s",
-             .help = "Periods across the screen.",
+             .label = name + " frequency",
+             .help = "Periods in 1/60 s, or in a second: see Frequencies.",
              .low = 0.5,
              .high = 20,
-             .initial = periods,
-             .limit = {0, 10000}},
+             .initial = frequency,
+             .limit = {0, 100000}},
             {.key = "a" + number,
              .label = name + " amplitude",
-             .help = "1 fills the channel's part of the screen.",
+             .unit = "V",
+             .help = "From its middle to its crest.",
              .initial = 0.7,
-             .limit = {0, 1}},
+             .limit = {0, 1000}},
             {.key = "p" + number,
              .label = name + " phase",
              .unit = "turns",
-             .help = "Where in its period the wave starts."}};
+             .help = "Where in its period the wave is at time 0. A trigger on it hides that."},
+            {.key = "d" + number,
+             .label = name + " mean",
+             .unit = "V",
+             .help = "Added to the wave; ac coupling takes it away again.",
+             .low = -1,
+             .high = 1,
+             .limit = {-1000, 1000}}};
+}
+
+std::vector<SettingFacts> shared_settings() {
+    return {
+        choice_setting("per", "Frequencies",
+                       "frame: in periods per 1/60 s, which with whole numbers stand still in a "
+                       "picture; second: in Hz.",
+                       {"frame", "second"}),
+        {.key = "speed",
+         .label = "Scroll",
+         .unit = "periods/s",
+         .help = "How fast the traces move to the left; in xy channel 1 against 2.",
+         .low = -2,
+         .high = 2,
+         .limit = {-1000, 1000}},
+        {.key = "seed",
+         .label = "Noise seed",
+         .help = "Another number, another noise.",
+         .low = 1,
+         .high = 100,
+         .step = 1,
+         .initial = 1,
+         .limit = {0, 1e6}},
+        points_setting()};
+}
+
+std::vector<SettingFacts> all_settings() {
+    std::vector<SettingFacts> settings{
+        choice_setting("mode", "Shown as",
+                       "yt: traces over time. xy: channel 1 across, channel 2 up.", {"yt", "xy"})};
+    for (auto part : {in_group("Waves", {}, generator_settings("1", "sine", 2)),
+                      in_group("Waves", {}, generator_settings("2", "saw", 3)),
+                      in_group("Waves", {}, shared_settings()),
+                      scope_settings({.yt_words = {"yt"}, .scope_words = {"yt", "xy"}})})
+        settings.insert(settings.end(), part.begin(), part.end());
+    return settings;
 }
 }  // namespace
 
 SignalKind waveform_kind() {
-    std::vector<SettingFacts> settings = channel_settings("1", "sine", 2);
-    for (SettingFacts& setting : channel_settings("2", "saw", 3))
-        settings.push_back(std::move(setting));
-    settings.push_back({.key = "mode",
-                        .label = "Shown as",
-                        .help =
-                            "yt: traces over time, the channels one above the other. xy: channel 1 "
-                            "across, channel 2 up.",
-                        .type = SettingType::word,
-                        .words = {"yt", "xy"},
-                        .initial_word = "yt"});
-    settings.push_back({.key = "speed",
-                        .label = "Scroll",
-                        .unit = "periods/s",
-                        .help = "How fast the traces move to the left; in xy channel 1 against 2.",
-                        .low = -2,
-                        .high = 2,
-                        .limit = {-1000, 1000}});
-    settings.push_back({.key = "seed",
-                        .label = "Noise seed",
-                        .help = "Another number, another noise.",
-                        .low = 1,
-                        .high = 100,
-                        .step = 1,
-                        .initial = 1,
-                        .limit = {0, 1e6}});
-    settings.push_back(points_setting());
     return {
         .kind = "waveform",
         .label = "Two-channel waveform",
-        .help = "Two wave generators on a two-channel scope. A sweep takes 1/60 s.",
-        .settings = std::move(settings),
+        .help = "Two wave generators on a two-channel scope.",
+        .settings = all_settings(),
         .make = [](const Settings& chosen, const SignalMedia&) -> Result<std::unique_ptr<Signal>> {
             return std::make_unique<Waveform>(chosen);
         }};

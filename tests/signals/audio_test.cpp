@@ -97,12 +97,13 @@ TEST_CASE("waveform: a window goes across the screen, the mean of both channels 
     const auto sound = sound_of(
         8000, 8000, [](int) { return 0.2; }, [](int) { return 0.6; });
     const Beam beam =
-        beam_of(*signal_of("audio:a.wav,mode=waveform,window=0.1,upsample=1", sound), {0.0, 0.1});
+        beam_of(*signal_of("audio:a.wav,mode=waveform,trigger=off,sdiv=0.01,upsample=1", sound),
+                {0.0, 0.1});
     REQUIRE(beam.size() == 800);
     CHECK(beam[199].x == doctest::Approx(-0.5));
     CHECK(beam[799].x == 1.0f);
     CHECK(beam[400].y == doctest::Approx(0.4));
-    const auto right = signal_of("audio:a.wav,mode=waveform,channel=right", sound);
+    const auto right = signal_of("audio:a.wav,mode=waveform,trigger=off,channel=right", sound);
     CHECK(beam_of(*right, {0.1, 0.2})[100].y == doctest::Approx(0.6));
 }
 
@@ -112,7 +113,7 @@ TEST_CASE("a rising trigger begins every sweep at the same place of a wave") {
         48000, 96000, [](int i) { return 0.9 * sine_at(hertz, i / 48000.0 + 0.002); },
         [](int) { return 0.0; });
     const Beam beam = beam_of(
-        *signal_of("audio:a.wav,mode=waveform,trigger=rising,channel=left", sound), {0.0, 1.9});
+        *signal_of("audio:a.wav,mode=waveform,trigger=auto,channel=left", sound), {0.0, 1.9});
     const double step = 0.9 * 2.0 * std::numbers::pi * hertz / (48000.0 * 4.0);
     int sweeps = 0;
     for (std::size_t i = 1; i < beam.size(); ++i) {
@@ -130,7 +131,7 @@ TEST_CASE("a sound that never rises through 0 sweeps on without a trigger") {
     const auto sound = sound_of(
         8000, 8000, [](int) { return 0.5; }, [](int) { return 0.5; });
     const Beam beam =
-        beam_of(*signal_of("audio:a.wav,mode=waveform,trigger=rising", sound), {0.0, 1.0});
+        beam_of(*signal_of("audio:a.wav,mode=waveform,trigger=auto", sound), {0.0, 1.0});
     const auto dark = std::count_if(beam.begin(), beam.end(),
                                     [](const BeamPoint& point) { return point.intensity == 0.0f; });
     CHECK(dark == 50);  // the ways back

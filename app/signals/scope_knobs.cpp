@@ -1,0 +1,139 @@
+#include "signals/scope_knobs.h"
+
+#include "signals/settings.h"
+
+#include <algorithm>
+
+namespace {
+Coupling coupling_of(std::string_view word) {
+    if (word == "ac")
+        return Coupling::ac;
+    return word == "gnd" ? Coupling::ground : Coupling::dc;
+}
+
+ScopeChannel channel_of(const Settings& settings, const std::string& number) {
+    return {.volts_per_division = settings.number("v" + number),
+            .offset = settings.number("o" + number),
+            .coupling = coupling_of(settings.word("coupling" + number)),
+            .is_inverted = settings.is("invert" + number, "on")};
+}
+
+Trigger::Mode trigger_mode(std::string_view word) {
+    if (word == "off")
+        return Trigger::Mode::off;
+    if (word == "normal")
+        return Trigger::Mode::normal;
+    return word == "single" ? Trigger::Mode::single : Trigger::Mode::automatic;
+}
+
+int trigger_source(std::string_view word) {
+    if (word == "shown")
+        return 0;
+    return word == "1" ? 1 : 2;
+}
+
+std::vector<SettingFacts> channel_settings(const std::string& number) {
+    const std::string name = "Ch " + number + " ";
+    return {{.key = "v" + number,
+             .label = name + "V/div",
+             .unit = "V/div",
+             .help = "Volts a division, of which there are 8 up. Full scale of a sound and an "
+                     "amplitude of 1 are 1 V, so at 0.25 they reach the edge.",
+             .low = 0.002,
+             .high = 5,
+             .initial = 0.25,
+             .logarithmic = true,
+             .limit = {1e-5, 1000}},
+            {.key = "o" + number,
+             .label = name + "position",
+             .unit = "divisions",
+             .help = "Where 0 V lies, up from the middle; in xy, channel 1's to the right.",
+             .low = -4,
+             .high = 4,
+             .limit = {-1000, 1000}},
+            choice_setting("coupling" + number, name + "coupling",
+                           "dc: the whole input. ac: without what is slower than 5 Hz. gnd: 0 V.",
+                           {"dc", "ac", "gnd"}),
+            choice_setting("invert" + number, name + "invert", "on: upside down.", {"off", "on"})};
+}
+
+std::vector<SettingFacts> vertical_settings() {
+    std::vector<SettingFacts> settings = channel_settings("1");
+    for (SettingFacts& setting : channel_settings("2"))
+        settings.push_back(std::move(setting));
+    settings.push_back(choice_setting("swap", "Swap inputs",
+                                      "on: channel 1 gets the input of channel 2, and 2 that of 1.",
+                                      {"off", "on"}));
+    return settings;
+}
+
+std::vector<SettingFacts> horizontal_settings(const ScopeFacts& facts) {
+    return {{.key = "sdiv",
+             .label = "Time base",
+             .unit = "s/div",
+             .help = "Seconds a division; a sweep goes over 10 of them.",
+             .low = std::max(1e-5, facts.shortest_division),
+             .high = 1,
+             .initial = facts.seconds_per_division,
+             .logarithmic = true,
+             .limit = {facts.shortest_division, 100}},
+            choice_setting("layout", "Two traces",
+                           "split: two traces have a half of the screen each, so a division of "
+                           "the graticule counts twice. overlaid: both have all of it.",
+                           {"split", "overlaid"})};
+}
+
+std::vector<SettingFacts> trigger_settings(const ScopeFacts& facts) {
+    std::vector<SettingFacts> settings{
+        choice_setting(
+            "trigger", "Trigger",
+            "auto: a sweep waits for the trigger, but runs on where none came for 0.1 s. "
+            "normal: it waits, dark. single: the first trigger after a restart, then "
+            "never again. off: sweep follows sweep.",
+            {"auto", "normal", "single", "off"}),
+        choice_setting("trigger_source", "Source",
+                       "The channel that is watched; shown: the first one that is shown.",
+                       {"shown", "1", "2"}),
+        {.key = "trigger_level",
+         .label = "Level",
+         .unit = "V",
+         .help = "The voltage at which a sweep begins, behind coupling and invert.",
+         .low = -1,
+         .high = 1,
+         .limit = {-1000, 1000}},
+        choice_setting("slope", "Slope", "Which way the level is crossed.", {"rising", "falling"}),
+        {.key = "holdoff",
+         .label = "Hold-off",
+         .unit = "s",
+         .help = "Rest after a sweep, in which no trigger counts.",
+         .low = 0,
+         .high = 0.5,
+         .limit = {0, 100}}};
+    settings.front().initial_word = facts.first_trigger;
+    return settings;
+}
+}  // namespace
+
+ScopeKnobs scope_knobs(const Settings& settings) {
+    return {.channels = {channel_of(settings, "1"), channel_of(settings, "2")},
+            .is_swapped = settings.is("swap", "on"),
+            .is_xy = settings.is("mode", "xy"),
+            .is_split = settings.is("layout", "split"),
+            .seconds_per_division = settings.number("sdiv"),
+            .trigger = {.mode = trigger_mode(settings.word("trigger")),
+                        .source = trigger_source(settings.word("trigger_source")),
+                        .level = settings.number("trigger_level"),
+                        .is_rising = settings.is("slope", "rising"),
+                        .holdoff_seconds = settings.number("holdoff")}};
+}
+
+std::vector<SettingFacts> scope_settings(const ScopeFacts& facts) {
+    const UsedWhile on_a_scope{"mode", facts.scope_words};
+    const UsedWhile over_time{"mode", facts.yt_words};
+    std::vector<SettingFacts> all = in_group("Vertical", on_a_scope, vertical_settings());
+    for (SettingFacts& setting : in_group("Horizontal", over_time, horizontal_settings(facts)))
+        all.push_back(std::move(setting));
+    for (SettingFacts& setting : in_group("Trigger", over_time, trigger_settings(facts)))
+        all.push_back(std::move(setting));
+    return all;
+}

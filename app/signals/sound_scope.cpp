@@ -1,0 +1,46 @@
+#include "signals/sound_scope.h"
+
+#include "signals/triggered_sweeps.h"
+
+namespace {
+// By the channels of the scope.
+std::array<bool, 2> shown(const SoundPlug& plug) {
+    if (plug.is_swapped)
+        return {plug.shows_right(), plug.shows_left()};
+    return {plug.shows_left(), plug.shows_right()};
+}
+
+std::unique_ptr<Sweeps> sweeps_of(const SoundInput& input, const SoundPlug& plug,
+                                  const ScopeKnobs& knobs, double length) {
+    const Trigger& trigger = knobs.trigger;
+    if (trigger.mode == Trigger::Mode::off || knobs.is_xy)
+        return std::make_unique<EvenSweeps>(0.0, length, length);
+    std::size_t channel = shown(plug)[0] ? 0 : 1;
+    if (trigger.source != 0)
+        channel = static_cast<std::size_t>(trigger.source - 1);
+    return std::make_unique<TriggeredSweeps>(input, trigger, channel,
+                                             knobs.channels[channel].is_inverted, length);
+}
+}  // namespace
+
+SoundScope::SoundScope(const std::shared_ptr<const Sound>& sound, const SoundPart& part,
+                       const SoundPlug& plug, const ScopeKnobs& knobs)
+    : m_input(sound, part, plug),
+      m_scope(knobs, shown(plug), m_input.rate()),
+      m_sweeps(sweeps_of(m_input, plug, knobs, m_scope.sweep_samples())) {}
+
+double SoundScope::seconds() const {
+    return m_input.loops() ? Signal::seconds()
+                           : static_cast<double>(m_input.length()) / m_input.rate();
+}
+
+void SoundScope::trace(const TimeSpan& span, Beam& beam) const {
+    std::int64_t count = std::numeric_limits<std::int64_t>::max();
+    if (!m_input.loops())
+        count = m_input.length();
+    // A sweep with two traces may go on a little beyond the span.
+    const auto ahead = static_cast<std::int64_t>(m_input.rate() / 60.0) + 2;
+    SoundReader reader(m_input, instants_in(span, m_input.rate()).end + ahead);
+    m_scope.trace(span, count, *m_sweeps, beam,
+                  [&](std::int64_t sample, double) { return reader.at(sample); });
+}
