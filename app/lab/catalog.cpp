@@ -6,6 +6,8 @@
 #include "signals/kinds.h"
 #include "signals/patterns.h"
 
+#include <algorithm>
+
 std::vector<CatalogEntry> list_looks(const Library& library) {
     std::vector<CatalogEntry> entries;
     for (const LookEntry& look : library.looks()) {
@@ -33,15 +35,31 @@ std::vector<CatalogEntry> list_presets(const Library& library) {
     return entries;
 }
 
+namespace {
+// "  v1=0.25          V/div. Volts a division..."
+std::string setting_line(const SettingFacts& setting) {
+    std::string shown = "  " + setting.key + '=';
+    if (setting.type == SettingType::number)
+        shown += format_number(setting.initial);
+    else if (setting.type == SettingType::word)
+        shown += setting.initial_word;
+    constexpr std::size_t width = 26;
+    shown.resize(std::max(shown.size() + 1, width), ' ');
+    for (const std::string& word : setting.words)
+        shown += word + (&word == &setting.words.back() ? ". " : "|");
+    if (!setting.unit.empty())
+        shown += setting.unit + ". ";
+    return shown + setting.help;
+}
+}  // namespace
+
 std::vector<CatalogEntry> list_signals() {
     std::vector<CatalogEntry> entries;
     for (const SignalKind& kind : signal_kinds()) {
-        std::string settings;
+        std::string about = kind.help;
         for (const SettingFacts& setting : kind.settings)
-            settings += (settings.empty() ? "" : ",") + setting.key + '=' +
-                        (setting.type == SettingType::number ? format_number(setting.initial)
-                                                             : setting.initial_word);
-        entries.push_back({kind.kind, kind.label, kind.help + " [" + settings + "]", {}, {}});
+            about += '\n' + setting_line(setting);
+        entries.push_back({kind.kind, kind.label, std::move(about), {}, {}});
     }
     return entries;
 }

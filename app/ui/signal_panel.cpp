@@ -137,6 +137,25 @@ void draw_setting(const SettingFacts& setting, const SignalKind& kind, Spec& spe
         draw_reset(setting, spec, columns, scene, edits);
 }
 
+// Settings without a group come first; of the groups the first one is open at the start.
+void draw_settings(const SignalKind& kind, Spec& spec, const Scene& scene, Edits& edits) {
+    std::string group;
+    bool is_open = true;
+    int groups = 0;
+    for (const SettingFacts& setting : kind.settings) {
+        if (!is_used(setting, spec))
+            continue;
+        if (setting.group != group) {
+            group = setting.group;
+            const ScopedFont strong(scene.fonts.strong);
+            is_open = section(group, ++groups == 1);
+            edits.mark("signal_group:" + group);
+        }
+        if (is_open)
+            draw_setting(setting, kind, spec, scene, edits);
+    }
+}
+
 // A kind that plays a file is chosen by choosing the file.
 void choose_kind(const SignalKind& kind, Edits& edits) {
     if (!kind.file_setting.empty()) {
@@ -175,8 +194,7 @@ void draw_signal(const Document& document, const Scene& scene, Edits& edits) {
     draw_file_problems(scene, edits);
     if (!kind->file_setting.empty())
         draw_sound_controls(scene, edits);
-    for (const SettingFacts& setting : kind->settings)
-        draw_setting(setting, *kind, *spec, scene, edits);
+    draw_settings(*kind, *spec, scene, edits);
 }
 
 void draw_source(const Document& document, const Scene& scene, Edits& edits) {
