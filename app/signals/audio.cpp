@@ -3,6 +3,7 @@
 #include "base/text.h"
 #include "signals/settings.h"
 #include "signals/sound_scope.h"
+#include "signals/sound_spectrum.h"
 
 #include <cmath>
 
@@ -24,6 +25,38 @@ SoundPlug plug_of(const Settings& settings, const ScopeKnobs& knobs) {
             .upsample = settings.whole("upsample")};
 }
 
+SpectrumKnobs spectrum_knobs(const Settings& settings) {
+    return {.size = std::stoi(std::string(settings.word("fft"))),
+            .smoothing_seconds = settings.number("smoothing"),
+            .low_hertz = settings.number("low"),
+            .high_hertz = settings.number("high"),
+            .floor_decibels = settings.number("floor"),
+            .ceiling_decibels = settings.number("ceiling"),
+            .is_radial = settings.is("mode", "radial"),
+            .radius = settings.number("radius"),
+            .pulse = settings.number("pulse"),
+            .beat_threshold = settings.number("beat_threshold"),
+            .beat_decay_seconds = settings.number("beat_decay")};
+}
+
+Result<std::unique_ptr<Signal>> make_spectrum(const Settings& settings,
+                                              const std::shared_ptr<const Sound>& sound,
+                                              const SoundPart& part) {
+    const SpectrumKnobs knobs = spectrum_knobs(settings);
+    if (knobs.low_hertz >= knobs.high_hertz)
+        return fail({{}, 0, "audio: high must be above low"});
+    if (knobs.floor_decibels >= knobs.ceiling_decibels)
+        return fail({{}, 0, "audio: ceiling must be above floor"});
+    SoundPlug plug{.channels = channels_of(settings),
+                   .is_swapped = settings.is("channel", "right"),
+                   .level = settings.number("level"),
+                   .has_auto_gain = settings.is("auto_gain", "on"),
+                   .upsample = 1};
+    if (settings.is("channel", "both"))
+        plug.channels = SoundChannels::mean;
+    return std::make_unique<SoundSpectrum>(sound, part, plug, knobs);
+}
+
 Result<std::unique_ptr<Signal>> make_audio(const Settings& settings, const SignalMedia& media) {
     const auto& sound = media.sound;
     if (!sound || sound->rate <= 0 || sound->frame_count() == 0)
@@ -37,6 +70,8 @@ Result<std::unique_ptr<Signal>> make_audio(const Settings& settings, const Signa
                          " s long"});
     const SoundPart part{static_cast<std::int64_t>(start), settings.is("loop", "on")};
     const ScopeKnobs knobs = scope_knobs(settings);
+    if (settings.is("mode", "spectrum") || settings.is("mode", "radial"))
+        return make_spectrum(settings, sound, part);
     return std::make_unique<SoundScope>(sound, part, plug_of(settings, knobs), knobs);
 }
 
@@ -48,8 +83,9 @@ std::vector<SettingFacts> settings_of_all_modes() {
             choice_setting(
                 "mode", "Shown as",
                 "xy: left across, right up, and nothing taken away from it; one channel alone "
-                "draws the diagonal. waveform: over time.",
-                {"xy", "waveform"}),
+                "draws the diagonal. waveform: over time. spectrum: how loud each frequency "
+                "is. radial: the spectrum around a ring that jumps on each beat.",
+                {"xy", "waveform", "spectrum", "radial"}),
             {.key = "level",
              .label = "Level",
              .help = "1: full scale reaches the edge.",
@@ -78,20 +114,105 @@ std::vector<SettingFacts> settings_of_all_modes() {
              .high = 600,
              .limit = {0, 86400}}};
 }
+std::vector<SettingFacts> spectrum_settings() {
+    SettingFacts size =
+        choice_setting("fft", "FFT size",
+                       "Samples a spectrum is made of: more tell tones apart, fewer are quicker.",
+                       {"256", "512", "1024", "2048", "4096", "8192", "16384", "32768"});
+    size.initial_word = "2048";
+    return in_group("Spectrum", {"mode", {"spectrum", "radial"}},
+                    {size,
+                     {.key = "smoothing",
+                      .label = "Smoothing",
+                      .unit = "s",
+                      .help = "Time constant with which the levels follow the sound.",
+                      .low = 0,
+                      .high = 1,
+                      .initial = 0.08,
+                      .limit = {0, 5}},
+                     {.key = "floor",
+                      .label = "Floor",
+                      .unit = "dB",
+                      .help = "The level at the bottom, 0 dB being a sine of full scale.",
+                      .low = -120,
+                      .high = -20,
+                      .initial = -80,
+                      .limit = {-200, 100}},
+                     {.key = "ceiling",
+                      .label = "Ceiling",
+                      .unit = "dB",
+                      .help = "The level at the top.",
+                      .low = -60,
+                      .high = 12,
+                      .limit = {-200, 100}},
+                     {.key = "low",
+                      .label = "Lowest",
+                      .unit = "Hz",
+                      .help = "The frequency at the left; the scale is logarithmic.",
+                      .low = 10,
+                      .high = 1000,
+                      .initial = 20,
+                      .logarithmic = true,
+                      .limit = {1, 100000}},
+                     {.key = "high",
+                      .label = "Highest",
+                      .unit = "Hz",
+                      .help = "The frequency at the right.",
+                      .low = 1000,
+                      .high = 24000,
+                      .initial = 20000,
+                      .logarithmic = true,
+                      .limit = {1, 100000}}});
+}
+
+std::vector<SettingFacts> ring_settings() {
+    return in_group("Ring", {"mode", {"radial"}},
+                    {{.key = "radius",
+                      .label = "Radius",
+                      .help = "Of the ring where the level is at the floor; 1 reaches the edge.",
+                      .initial = 0.4,
+                      .limit = {0, 1}},
+                     {.key = "pulse",
+                      .label = "Beat pulse",
+                      .unit = "radii",
+                      .help = "How far a beat throws the ring out.",
+                      .initial = 0.3,
+                      .limit = {0, 4}},
+                     {.key = "beat_threshold",
+                      .label = "Beat threshold",
+                      .unit = "times the mean",
+                      .help = "A beat is bass with so many times the energy of the last second's.",
+                      .low = 1,
+                      .high = 8,
+                      .initial = 2,
+                      .limit = {0.1, 1000}},
+                     {.key = "beat_decay",
+                      .label = "Beat decay",
+                      .unit = "s",
+                      .help = "Time constant with which the ring comes back.",
+                      .low = 0.02,
+                      .high = 1,
+                      .initial = 0.2,
+                      .logarithmic = true,
+                      .limit = {0.001, 10}}});
+}
 }  // namespace
 
 SignalKind audio_kind() {
     std::vector<SettingFacts> settings = settings_of_all_modes();
-    settings.push_back(choice_setting("channel", "Channel",
-                                      "What is drawn over time: one trace, or both channels, left "
-                                      "as channel 1 and right as channel 2.",
-                                      {"mean", "left", "right", "both"}));
-    settings.back().used_while = {"mode", {"waveform"}};
+    settings.push_back(
+        choice_setting("channel", "Channel",
+                       "What is drawn; both: two traces over time, left as channel 1 "
+                       "and right as channel 2, and the mean in a spectrum.",
+                       {"mean", "left", "right", "both"}));
+    settings.back().used_while = {"mode", {"waveform", "spectrum", "radial"}};
     for (SettingFacts& setting : scope_settings({.yt_words = {"waveform"},
                                  .scope_words = {"xy", "waveform"},
                                  .seconds_per_division = 0.002,
                                  .shortest_division = 1e-4}))
         settings.push_back(std::move(setting));
+    for (auto part : {spectrum_settings(), ring_settings()})
+        settings.insert(settings.end(), part.begin(), part.end());
     return {.kind = "audio",
             .label = "Sound file",
             .help = "A sound on the screen, every sample drawn exactly once.",

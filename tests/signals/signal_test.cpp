@@ -29,6 +29,8 @@ const std::vector<std::string> every_way_to_draw{
     "audio:a.wav,mode=waveform,channel=both,trigger_source=2,upsample=3,swap=on,invert1=on",
     "audio:a.wav,mode=waveform,channel=right,coupling2=ac,holdoff=0.01,trigger=normal",
     "audio:a.wav,mode=waveform,sdiv=0.05,trigger=single,slope=falling,trigger_level=0.2",
+    "audio:a.wav,mode=spectrum,fft=1024,loop=off",
+    "audio:a.wav,mode=radial,smoothing=0.02",
     "audio:a.wav,coupling1=ac,coupling2=gnd,v1=0.5,o2=-1",
 };
 
