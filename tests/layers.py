@@ -41,7 +41,7 @@ def read_layers(cmake_text):
     layers = {}
     cmake_text = re.sub(r"#[^\n]*", "", cmake_text)
     for name, rest in re.findall(r"^add_layer\(\s*(\w+)([^)]*)\)", cmake_text, re.MULTILINE):
-        uses = re.search(r"\bUSES\b(.*?)(\b(LINKS|SOURCES|PRECOMPILES)\b|$)", rest, re.DOTALL)
+        uses = re.search(r"\bUSES\b(.*?)(\b(LINKS|PRECOMPILES)\b|$)", rest, re.DOTALL)
         layers[name] = set(uses.group(1).split()) if uses else set()
     return layers
 

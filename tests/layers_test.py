@@ -8,11 +8,11 @@ import layers
 
 CMAKE = """
 # add_layer(commented USES out)
-add_layer(base SOURCES text.cpp LINKS fmt)
+add_layer(base LINKS fmt)
 add_layer(model USES base
-    SOURCES look.cpp)
-add_layer(gpu USES base model SOURCES texture.cpp)
-add_layer(ui USES gpu SOURCES panel.cpp)
+    LINKS fmt)
+add_layer(gpu USES base model)
+add_layer(ui USES gpu)
 """
 
 
