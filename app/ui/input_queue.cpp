@@ -84,7 +84,7 @@ bool InputQueue::fits(const gpu::InputEvent& event, const Seen& seen) const {
                    },
                    [&](const gpu::ButtonEvent& button) {
                        return seen.buttons.count(button.button) == 0 && !seen.has_turned_wheel &&
-                              !seen.has_text && !(button.is_down && seen.has_moved);
+                              !seen.has_text && !seen.has_moved;
                    },
                    [&](const gpu::PointerEvent& place) {
                        return seen.buttons.empty() &&
