@@ -72,7 +72,7 @@ std::vector<Action> edit_actions() {
              file_actions::has_document},
             {ActionId::show_changed,
              Menu::edit,
-             "Show only changed parameters",
+             "Show only what is changed",
              {'F', true, true},
              false,
              view_actions::toggle_changed,

@@ -68,8 +68,8 @@ std::string pointer_text(const Scene& scene) {
         return {};
     const Probe& probe = *scene.window.probe;
     const auto& rgba = *scene.views.probed();
-    return fmt::format("{}  {}, {}   {:.4f}  {:.4f}  {:.4f}  {:.4f}", probe.pass, probe.x, probe.y,
-                       rgba[0], rgba[1], rgba[2], rgba[3]);
+    return fmt::format("{}  {}, {}   {}  {}  {}  {}", probe.pass, probe.x, probe.y, rgba[0],
+                       rgba[1], rgba[2], rgba[3]);  // as exactly as they are stored
 }
 
 void draw_problems(const Scene& scene, Edits& edits) {

@@ -12,14 +12,13 @@
 #include <utility>
 
 namespace {
-constexpr std::array<std::pair<const char*, const char*>, 7> mouse_habits{
+constexpr std::array<std::pair<const char*, const char*>, 6> mouse_habits{
     {{"Drag on a slider", "turn it; with Shift ten times finer"},
      {"Ctrl+click or double click", "type a value, also beyond the slider's ends"},
      {"Click on a name", "what the parameter is, and where it is declared"},
      {"Wheel over a picture", "zoom about the pointer"},
      {"Drag a picture", "move it"},
-     {"Escape", "stop what takes long, go back to the picture, close a dialog"},
-     {"Ctrl+Y", "redo"}}};
+     {"Escape", "stop what takes long, go back to the picture, close a dialog"}}};
 
 void line(const std::string& keys, const std::string& words, const Scene& scene) {
     ImGui::TableNextRow();
@@ -57,6 +56,8 @@ void draw_keys_dialog(const Scene& scene, Edits& edits) {
     const DialogFrame frame("Keys", 72.0f, scene, edits);
     if (!frame.is_open())
         return;
+    const ScopedStyle<ImVec2> padding(ImGuiStyleVar_CellPadding,
+                                      ImVec2(4.0f * scene.scale, 0.5f * scene.scale));
     std::vector<const Action*> with_keys;
     for (const Action& action : all_actions())
         if (action.chord.key != 0)

@@ -75,9 +75,9 @@ std::vector<Action> pass_actions::list() {
     Action large =
         action(ActionId::pass_large, "As large as the picture", {'P'}, true, toggle_large);
     large.is_on = is_large;
-    Action written = action(ActionId::write_passes, "Write the settings to look.json",
-                            {'W', true, true}, false, write);
-    Action back = action(ActionId::passes_as_written, "Settings as look.json has them",
+    Action written =
+        action(ActionId::write_passes, "Write into look.json", {'W', true, true}, false, write);
+    Action back = action(ActionId::passes_as_written, "Back to what look.json says",
                          {'L', true, true}, false, take_back);
     written.is_enabled = back.is_enabled = has_overrides;
     return {action(ActionId::next_pass, "Next pass", {'N'}, false, choose_next<1>),
@@ -87,8 +87,8 @@ std::vector<Action> pass_actions::list() {
             action(ActionId::next_channels, "Next channels", {'C'}, false, choose_channels),
             action(ActionId::brighter, "One stop brighter", {'E'}, false, expose<1>),
             action(ActionId::darker, "One stop darker", {'E', false, true}, false, expose<-1>),
-            action(ActionId::edit_pass, "Open the shader in your editor",
-                   {gpu::key::first_function + 3}, true, edit_shader),
+            action(ActionId::edit_pass, "Edit the shader", {gpu::key::first_function + 3}, true,
+                   edit_shader),
             written,
             back};
 }

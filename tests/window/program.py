@@ -27,7 +27,12 @@ class Program:
         editor.chmod(0o755)
 
     def arrange(self, width, height, picture):
-        """As if a person had used the program before: a window of that size, a small picture."""
+        """As if a person had used the program before: a window of that size, a small picture, and a
+        look whose figure has few points, as software GL likes it."""
+        manifest = self.folder / "data/shaders/phosphor/look.json"
+        look = json.loads(manifest.read_text())
+        look["default_signal"]["points"] = 512
+        manifest.write_text(json.dumps(look, indent=2))
         session = self.folder / "state/afterglow/session.json"
         session.parent.mkdir(parents=True, exist_ok=True)
         session.write_text(json.dumps({
@@ -63,7 +68,7 @@ class Program:
             state = self.state()
             if state and is_true(state):
                 return state
-            time.sleep(0.05)
+            time.sleep(0.02)
         shown = {key: state.get(key) for key in state if key not in ("widgets", "values")}
         raise AssertionError("never happened: %s\nlast state: %s" % (what, shown))
 
@@ -83,7 +88,7 @@ class Program:
                 seen.update(place=place, since=turn)
                 return False
             is_asleep = time.monotonic() - seen["time"] > 1
-            return turn > seen["since"] + 2 or is_asleep
+            return turn > seen["since"] + 1 or is_asleep
         return self.wait("a widget named '%s'" % widget, is_still)["widgets"][widget]
 
     def middle(self, widget):
@@ -133,7 +138,8 @@ class Program:
 
     def set(self, name, text):
         """Types a parameter's value and waits until it is taken."""
-        self.reveal(name)
+        if "number:" + name not in self.state()["widgets"]:
+            self.reveal(name)
         self.click("number:" + name)
         self.type(text)
         self.key("Return")
