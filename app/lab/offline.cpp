@@ -177,6 +177,13 @@ Result<void> Offline::load_pictures(Extent size) {
     return show_chosen_images(look, {}, m_document.values(), *m_renderer);
 }
 
+void Offline::start_again(Document document) {
+    m_document = std::move(document);
+    m_renderer->set_values(m_document.values());
+    m_renderer->clear_history();
+    m_player->restart();
+}
+
 void Offline::advance() {
     const PlayedFrame frame = m_player->advance_fixed(m_fps);
     m_renderer->draw(frame, m_player->trace(frame.span));

@@ -8,6 +8,7 @@
 #include <doctest/doctest.h>
 
 #include <cstdlib>
+#include <optional>
 
 namespace fs = std::filesystem;
 
@@ -18,21 +19,24 @@ Library library() {
     return Library(std::move(*roots));
 }
 
-/// Frames side by side.
-Picture strip(const std::vector<int>& frames, Extent size, const RenderRequest& request) {
+Offline offline_from(const RenderRequest& request, Extent size) {
     auto prepared = prepare(request, library());
     REQUIRE_MESSAGE(prepared.has_value(), (prepared ? "" : to_string(prepared.error())));
     auto offline = Offline::create(std::move(*prepared), size, 60.0);
     REQUIRE_MESSAGE(offline.has_value(), (offline ? "" : to_string(offline.error())));
+    return std::move(*offline);
+}
 
+/// Frames side by side, from a fresh start.
+Picture strip(const std::vector<int>& frames, Extent size, Offline& offline) {
     Picture strip{
         {size.width * static_cast<int>(frames.size()), size.height}, 3, Encoding::display, {}};
     strip.pixels.resize(strip.index(0, size.height));
     for (std::size_t column = 0; column < frames.size(); ++column) {
-        while (offline->frame_number() + 1 < frames[column])
-            offline->advance_unseen();
-        offline->advance();
-        const Picture picture = offline->picture();
+        while (offline.frame_number() + 1 < frames[column])
+            offline.advance_unseen();
+        offline.advance();
+        const Picture picture = offline.picture();
         for (int y = 0; y < size.height; ++y)
             for (int x = 0; x < size.width; ++x)
                 for (std::size_t channel = 0; channel < 3; ++channel)
@@ -86,14 +90,41 @@ std::array<std::string, 2> ends_of(const Parameter& parameter) {
     return ends;
 }
 
+/// A look on its way through the sweep. Making its programs takes longer than all its frames, so it
+/// is kept from value to value.
+struct Sweep {
+    std::string id;
+    std::string signal;
+    Document base;
+    Offline offline;
+};
+
+std::optional<Sweep> kept;
+
+Sweep make_sweep(const GoldenLook& look, const std::string& signal) {
+    Offline offline = offline_from({.look = look.id,
+                                    .values = look.always,
+                                    .signal = signal,
+                                    .source = look.source},
+                                   look.cell);
+    Document base = offline.document();
+    return {look.id, signal, std::move(base), std::move(offline)};
+}
+
 Picture swept(const GoldenLook& look, const GoldenSettings& settings,
               const std::string& signal = {}) {
-    RenderRequest request{.look = look.id,
-                          .values = look.always,
-                          .signal = signal,
-                          .source = look.source};
-    request.values.insert(request.values.end(), settings.begin(), settings.end());
-    return strip(look.frames, look.cell, request);
+    if (!kept || kept->id != look.id || kept->signal != signal)
+        kept.emplace(make_sweep(look, signal));
+    Document changed = kept->base;
+    for (const auto& [name, text] : settings) {
+        const Parameter* parameter = find_parameter(changed.look(), name);
+        REQUIRE(parameter);
+        auto value = parse_value(*parameter, text);
+        REQUIRE(value.has_value());
+        changed.set_value(name, std::move(*value));
+    }
+    kept->offline.start_again(std::move(changed));
+    return strip(look.frames, look.cell, kept->offline);
 }
 
 void check_parameter(const GoldenLook& look, const Parameter& parameter, const Picture& plain) {
@@ -130,13 +161,15 @@ void check_parameters(const GoldenLook& look) {
         CAPTURE(parameter.name);
         check_parameter(look, parameter, plain);
     }
+    kept.reset();  // while its context is still the current one
 }
 
 void check_presets(const GoldenLook& look) {
     std::vector<std::pair<std::string, Picture>> seen;
     for (const PresetEntry& preset : library().presets(look.id)) {
         CAPTURE(preset.name);
-        Picture drawn = strip(look.frames, look.preset_cell, {.look = preset.file.string()});
+        Offline offline = offline_from({.look = preset.file.string()}, look.preset_cell);
+        Picture drawn = strip(look.frames, look.preset_cell, offline);
         compare_with_golden(look, drawn, "preset " + preset.name);
         for (const auto& other : seen) {
             INFO("like " << other.first);

@@ -7,18 +7,44 @@
 
 #include <doctest/doctest.h>
 
-Picture drawn_look(const std::string& look, const Picture& source, const Values& values,
-                   const std::string& pass) {
+namespace {
+/// A look ready to draw. Its programs take most of a test's time, so the last one is kept.
+struct ReadyLook {
+    std::string id;
+    std::unique_ptr<gpu::Context> context;
+    std::unique_ptr<Renderer> renderer;
+};
+
+ReadyLook make_ready(const std::string& id) {
     const auto shaders = std::filesystem::path(AFTERGLOW_SOURCE_DIR) / "shaders";
-    LoadedLook loaded = load_look(shaders / look, shaders / "include");
+    LoadedLook loaded = load_look(shaders / id, shaders / "include");
     REQUIRE_MESSAGE(loaded.look.has_value(), (loaded.look ? "" : to_string(loaded.look.error())));
     for (Pass& target : loaded.look->passes)
         target.format = Format::rgba32f;
-    const auto context = gpu::Context::headless();
+    auto context = gpu::Context::headless();
     REQUIRE(context.has_value());
     auto programs = build_programs(*loaded.look);
     REQUIRE_MESSAGE(programs.has_value(), (programs ? "" : to_string(programs.error())));
-    Renderer renderer(std::move(*loaded.look), std::move(*programs));
+    return {id, std::move(*context),
+            std::make_unique<Renderer>(std::move(*loaded.look), std::move(*programs))};
+}
+
+Renderer& ready(const std::string& id) {
+    static ReadyLook kept;
+    if (kept.id != id) {
+        if (kept.context)
+            kept.context->make_current();
+        kept.renderer.reset();
+        kept = make_ready(id);
+    }
+    kept.context->make_current();
+    return *kept.renderer;
+}
+}  // namespace
+
+Picture drawn_look(const std::string& look, const Picture& source, const Values& values,
+                   const std::string& pass) {
+    Renderer& renderer = ready(look);
     REQUIRE(renderer.resize(source.extent, source.extent).has_value());
     renderer.set_values(values);
     REQUIRE(renderer.set_source(source).has_value());
