@@ -1,0 +1,18 @@
+#version 410 core
+// Bloom, one direction, at half the picture's size.
+#include "blur.glsl"
+#include "reference_height.glsl"
+
+uniform sampler2D image;
+uniform vec2 direction;  // (1, 0) or (0, 1)
+uniform vec2 u_resolution;
+uniform float bloom_radius = 6.0;  // @range 0.5 30  @limit 0.1 100  @label "Radius"  @unit "px at 512 lines"  @group "Bloom"
+                                   // @help "How far the light spreads: one standard deviation, in pixels of a picture 512 pixels high."
+
+in vec2 uv;
+out vec4 color;
+
+void main() {
+    float sigma = 0.5 * bloom_radius * u_resolution.y / (0.5 * reference_height);
+    color = vec4(gaussian_blur(image, uv, direction / u_resolution, max(sigma, 0.1)), 1.0);
+}

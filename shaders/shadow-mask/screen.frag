@@ -1,0 +1,46 @@
+#version 410 core
+// Screen: the tube and its bloom, tone mapped once, inside the frame of the glass. Display values.
+#include "as_written.glsl"
+#include "barrel.glsl"
+#include "color.glsl"
+#include "glass.glsl"
+#include "glass_settings.glsl"
+#include "noise.glsl"
+#include "tonemap.glsl"
+
+uniform sampler2D tube;
+uniform sampler2D bloom;
+uniform vec2 u_resolution;
+uniform int u_frame;
+
+uniform float bloom_intensity = 0.35;  // @range 0 2  @limit 0 100  @label "Intensity"  @group "Bloom"  @identity 0
+                                       // @help "How much of the spread light is added. It also fills what the mask leaves dark."
+uniform float exposure = 1.0;          // @range 0.1 16  @limit 0 1000  @scale log  @label "Exposure"  @group "Output"  @identity 1
+                                       // @help "Brightness before the tone map: twice as much doubles the light."
+uniform int tone_map = 0;              // @items "Clamp" "Reinhard" "ACES" "Extended Reinhard" "AgX" "Khronos neutral" "None"  @label "Tone map"  @group "Output"  @identity 6
+                                       // @help "How light brighter than the screen is brought back to it. A mask that keeps brightness has stripes five times as bright as the picture."
+uniform float white = 4.0;             // @range 0.5 16  @limit 0.001 1000  @scale log  @label "White"  @group "Output"
+                                       // @help "The light that Extended Reinhard turns to full white."
+uniform float corner_radius = 0.04;    // @range 0 0.5  @limit 0 1  @label "Corner radius"  @unit "half heights"  @group "Glass"  @identity 0
+                                       // @help "How round the corners of the glass are."
+uniform vec3 border_color = vec3(0.0); // @color  @label "Frame"  @group "Glass"
+                                       // @help "What is seen beyond the glass."
+uniform bool dither = true;            // @label "Dither"  @group "Output"  @identity 0
+                                       // @help "Noise of half a screen step, so that soft glows show no bands."
+
+in vec2 uv;
+out vec4 color;
+
+void main() {
+    vec3 light = texture(tube, uv).rgb + bloom_intensity * texture(bloom, uv).rgb;
+    if (as_written) {
+        color = vec4(clamp(light, 0.0, 1.0), 1.0);
+        return;
+    }
+    vec2 place = barrel_radial(2.0 * uv - 1.0, curvature);
+    float glass = glass_coverage(place, u_resolution / u_resolution.y, corner_radius);
+    float peak = tone_map == tone_map_reinhard_to_white ? white : 0.0;
+    vec3 shown = mix(border_color, tone_mapped(light * exposure, tone_map, peak), glass);
+    vec3 display = srgb_encode(shown);
+    color = vec4(dither ? dithered(display, uvec2(gl_FragCoord.xy), uint(u_frame)) : display, 1.0);
+}

@@ -1,0 +1,136 @@
+#version 410 core
+// Tube: what shines through the mask. Reads and writes linear light; as the article wrote it, display
+// values. Lengths in px of the tube, from its bottom left.
+#include "as_written.glsl"
+#include "barrel.glsl"
+#include "color.glsl"
+#include "glass.glsl"
+#include "glass_settings.glsl"
+#include "mask.glsl"
+#include "tube_as_written.glsl"
+
+uniform sampler2D scene;
+uniform vec2 u_resolution;
+uniform vec2 u_source_resolution;
+uniform float u_time;
+uniform float u_time_delta;
+
+uniform int mask_type = 0;          // @items "Staggered cells" "Aperture grille" "Slot mask" "Dot triads"  @label "Type"  @group "Mask"
+                                    // @help "Staggered cells are the article's. An aperture grille has stripes from top to bottom, a slot mask cuts them with bridges, dot triads are what computer monitors had."
+uniform float mask_size = 6.0;      // @range 2 32  @limit 0.5 256  @label "Size"  @unit "px"  @group "Mask"
+                                    // @help "From one red stripe or dot to the next. What is finer than 3 px fades, and under 2 px is an even grey, as no screen could show it."
+uniform float cell_height = 1.0;    // @range 0.5 4  @limit 0.1 20  @label "Cell height"  @unit "sizes"  @group "Mask"
+                                    // @help "Height of cells and slots, as a multiple of the size. Grilles have none, and dots their own."
+uniform float mask_border = 0.8;    // @range 0 1  @limit 0 1  @label "Border"  @group "Mask"
+                                    // @help "How dark it is between stripes; of dots, how small they are."
+uniform float mask_strength = 1.0;  // @range 0 1  @limit 0 1  @label "Strength"  @group "Mask"  @identity 0
+                                    // @help "0: no mask. 1: each stripe shows its own colour and nothing of the others."
+uniform float brightness_kept = 1.0;  // @range 0 1  @limit 0 1  @label "Brightness kept"  @group "Mask"
+                                      // @help "1: stripes shine so much brighter that the mean is what it was; what is brighter than the screen is cut off. 0: the mask only takes light away."
+uniform int subpixel_order = 0;     // @items "Red, green, blue" "Blue, green, red"  @label "Order"  @group "Mask"
+                                    // @help "The colours of a cell from left to right."
+uniform int sampling = 1;           // @items "Middle of the cell" "Mean of the cell" "Unbroken"  @label "Picture"  @group "Mask"
+                                    // @help "Each cell shows one colour of the picture, that in its middle or the mean over it; or the picture goes on unbroken behind the mask."
+
+uniform vec2 red_offset = vec2(-2.0, 0.0);   // @range -8 8  @limit -64 64  @label "Red read at"  @unit "px"  @group "Convergence"  @identity 0
+                                             // @help "Where red is read from, to the right and up."
+uniform vec2 green_offset = vec2(2.0, 0.0);  // @range -8 8  @limit -64 64  @label "Green read at"  @unit "px"  @group "Convergence"  @identity 0
+                                             // @help "Where green is read from, to the right and up. Against the other two it gives green and magenta fringes."
+uniform vec2 blue_offset = vec2(-2.0, 0.0);  // @range -8 8  @limit -64 64  @label "Blue read at"  @unit "px"  @group "Convergence"  @identity 0
+                                             // @help "Where blue is read from, to the right and up."
+
+uniform float monochrome = 0.0;              // @range 0 1  @limit 0 1  @label "Monochrome"  @group "Tint"  @identity 0
+                                             // @help "1: only brightness is left, and the mask no longer parts colours, as on a tube with one phosphor."
+uniform vec3 tint = vec3(1.0);               // @color  @label "Tint"  @group "Tint"  @identity 1
+                                             // @help "Colour of the phosphor: the light is multiplied by it."
+
+uniform float scanline_strength = 0.0;  // @range 0 1  @limit 0 1  @label "Strength"  @group "Scanlines"  @identity 0
+                                        // @help "Depth of the stripes: between them this share of the light is lost."
+uniform float scanline_period = 4.0;    // @range 2 16  @limit 1 1000  @label "Period"  @unit "px"  @group "Scanlines"
+                                        // @help "From stripe to stripe."
+uniform int scanline_axis = 0;          // @items "Across" "Up and down"  @label "Direction"  @group "Scanlines"
+                                        // @help "Which way the lines run."
+
+uniform float vignette = 0.4;        // @range 0.05 2  @limit 0.01 10  @label "Exponent"  @group "Vignette"
+                                     // @help "Shape of the dark sides: small keeps all but the rim bright, large darkens far into the picture."
+uniform float vignette_depth = 0.6;  // @range 0 1  @limit 0 1  @label "Depth"  @group "Vignette"  @identity 0
+                                     // @help "How much light is lost at the very sides. 1 is the article's: black at every side."
+
+uniform float pulse_intensity = 0.03;  // @range 0 0.05  @limit 0 0.05  @label "Intensity"  @group "Pulse"  @identity 0
+                                       // @help "Waves of brightness that run over the screen. Faster than three a second large ones can harm people who are sensitive to flicker, so they stay small."
+uniform float pulse_width = 60.0;      // @range 10 400  @limit 1 10000  @label "Width"  @unit "px a radian"  @group "Pulse"
+                                       // @help "A wave is 6.28 times as long."
+uniform float pulse_rate = 20.0;       // @range 0 40  @limit 0 200  @label "Rate"  @unit "radians/s"  @group "Pulse"
+                                       // @help "20 is 3.2 waves a second."
+
+in vec2 uv;
+out vec4 color;
+
+// Through the tube's own point into the picture; `level` is of its smaller copies.
+vec3 scene_light(vec2 px, float level) {
+    return vec3(textureLod(scene, (px + red_offset) / u_resolution, level).r,
+                textureLod(scene, (px + green_offset) / u_resolution, level).g,
+                textureLod(scene, (px + blue_offset) / u_resolution, level).b);
+}
+
+vec3 picture_light(Mask mask, vec2 px) {
+    vec3 light;
+    if (sampling == 2) {
+        light = scene_light(px, 0.0);
+    } else {
+        float texels = mask_size * u_source_resolution.x / u_resolution.x;
+        light = scene_light(mask_cell_centre(mask, px), sampling == 1 ? log2(max(texels, 1.0)) : 0.0);
+    }
+    return mix(light, vec3(luminance(light)), monochrome) * tint;
+}
+
+// The mask and what makes up for it. One phosphor has no stripes of its own, only their borders.
+vec3 through_mask(Mask mask, vec2 px, float pixel) {
+    vec3 open = mask_light(mask, px, pixel);
+    if (subpixel_order == 1)
+        open = open.bgr;
+    open = mix(open, vec3((open.r + open.g + open.b) / 3.0), monochrome);
+    float visible = mask_strength * mask_visibility(mask.pitch, pixel);
+    float peak = mask_peak(mask) * mix(1.0, 1.0 / 3.0, monochrome);
+    float bare = 1.0 / mix(1.0, max(peak, 1.0), visible);
+    return mix(vec3(1.0), open, mask_strength) * mix(bare, 1.0, brightness_kept);
+}
+
+float scanlines(vec2 px) {
+    float across = scanline_axis == 0 ? px.y : px.x;
+    return scanline_factor(across, scanline_period, scanline_strength) /
+           mix(1.0, 1.0 - 0.5 * scanline_strength, brightness_kept);
+}
+
+float vignette_left(vec2 place) {
+    vec2 edge = max(1.0 - place * place, 0.0);
+    return mix(1.0, pow(edge.x * edge.y, vignette), vignette_depth);
+}
+
+// The wave averaged over the frame, which ends at u_time.
+float pulse(float x) {
+    float turns = pulse_rate * u_time_delta / 6.28318530718;
+    float angle = x / pulse_width + pulse_rate * (u_time - 0.5 * u_time_delta);
+    return 1.0 + pulse_intensity * cos(angle) * sinc(turns);
+}
+
+void main() {
+    vec2 place = barrel_radial(2.0 * uv - 1.0, curvature);
+    vec2 px = (0.5 * place + 0.5) * u_resolution;
+    if (as_written) {
+        CellsAsWritten cells = cells_as_written(px, mask_size, mask_border);
+        vec3 light = vec3(texture(scene, (cells.corner + red_offset) / u_resolution).r,
+                          texture(scene, (cells.corner + green_offset) / u_resolution).g,
+                          texture(scene, (cells.corner + blue_offset) / u_resolution).b);
+        light = srgb_encode_unbounded(light) * cells.mask;
+        vec2 edge = max(1.0 - place * place, 0.0);
+        light *= pow(edge.x * edge.y, vignette);
+        light *= 1.0 + pulse_intensity * cos(px.x / pulse_width + u_time * pulse_rate);
+        color = vec4(light, 1.0);
+        return;
+    }
+    float pixel = 0.5 * (abs(dFdx(px.x)) + abs(dFdy(px.y)));
+    Mask mask = Mask(mask_type, mask_size, cell_height, mask_border);
+    vec3 light = picture_light(mask, px) * through_mask(mask, px, pixel);
+    color = vec4(light * scanlines(px) * vignette_left(place) * pulse(px.x), 1.0);
+}

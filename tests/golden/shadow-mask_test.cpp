@@ -1,0 +1,27 @@
+#include "golden/golden.h"
+
+#include <doctest/doctest.h>
+
+namespace {
+const GoldenLook shadow_mask{
+    .id = "shadow-mask",
+    .frames = {1},
+    .cell = {128, 72},
+    .always = {{"dither", "false"}, {"mask_size", "12"}},
+    .companions = {{"white", {{"tone_map", "3"}}},
+                   {"cell_height", {{"mask_type", "2"}}},
+                   {"scanline_period", {{"scanline_strength", "1"}}},
+                   {"scanline_axis", {{"scanline_strength", "1"}}},
+                   {"pulse_width", {{"pulse_intensity", "0.05"}}},
+                   {"pulse_rate", {{"pulse_intensity", "0.05"}}}},
+    .source = "pattern:smpte,size=128x72",
+};
+}  // namespace
+
+TEST_CASE("shadow-mask: each parameter's ends look as they did, and one changes the picture") {
+    check_parameters(shadow_mask);
+}
+
+TEST_CASE("shadow-mask: each preset looks as it did, and no two look the same") {
+    check_presets(shadow_mask);
+}

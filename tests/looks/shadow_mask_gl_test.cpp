@@ -1,0 +1,205 @@
+// The shadow mask against closed forms: what comes through, where it is read, and what is lost.
+#include "looks/drawn_look.h"
+#include "model/color.h"
+#include "signals/patterns.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+namespace {
+Value point(double x, double y) {
+    return Value(std::vector<double>{x, y});
+}
+
+/// Every stage off by itself: a plain copy.
+Values stages_off() {
+    return {{"mask_strength", Value(0.0)},   {"sampling", Value(2.0)},
+            {"red_offset", point(0, 0)},     {"green_offset", point(0, 0)},
+            {"blue_offset", point(0, 0)},    {"curvature", Value(0.0)},
+            {"vignette_depth", Value(0.0)},  {"pulse_intensity", Value(0.0)},
+            {"bloom_intensity", Value(0.0)}, {"tone_map", Value(6.0)},
+            {"corner_radius", Value(0.0)},   {"dither", Value(0.0)}};
+}
+
+Values with(Values values, const Values& more) {
+    for (const auto& [name, value] : more)
+        values[name] = value;
+    return values;
+}
+
+double number(const Picture& picture, int x, int y, std::size_t channel = 1) {
+    return static_cast<double>(picture.pixels[picture.index(x, y) + channel]);
+}
+
+/// `count` lit pixels of linear light 1 in the middle of a dark picture.
+Picture lit_dot(Extent extent) {
+    Picture picture = flat_field(extent, 0.0f, 0.0f, 0.0f);
+    const auto middle = picture.index(extent.width / 2, extent.height / 2);
+    for (std::size_t c = 0; c < 3; ++c)
+        picture.pixels[middle + c] = 1.0f;
+    return picture;
+}
+}  // namespace
+
+TEST_CASE("shadow-mask with all its stages off is a plain copy") {
+    const auto source = make_pattern("harbour");
+    const Picture drawn = drawn_look("shadow-mask", *source, stages_off());
+    int different = 0;
+    for (int y = 0; y < 240; ++y)
+        for (int x = 0; x < 320; ++x)
+            for (std::size_t c = 0; c < 3; ++c)
+                different += std::lround(255.0 * number(drawn, x, y, c)) !=
+                             std::lround(255.0 * number(*source, x, y, c));
+    CHECK(different == 0);
+}
+
+TEST_CASE("the mean over whole cells is that of the picture, in every channel of every mask") {
+    const Picture grey = flat_field({120, 104}, 0.2f, 0.2f, 0.2f);
+    for (const double type : {0.0, 1.0, 2.0, 3.0}) {
+        CAPTURE(type);
+        const Picture light = drawn_look("shadow-mask", grey,
+                                         with(stages_off(), {{"mask_strength", Value(1.0)},
+                                                             {"mask_type", Value(type)},
+                                                             {"mask_size", Value(12.0)}}),
+                                         "tube");
+        // 104 px are ten half rows of dots and 8 2/3 cells; the cells take 96.
+        for (std::size_t c = 0; c < 3; ++c)
+            CHECK(std::abs(mean_of(light, c, 0, 0, {120, type == 3.0 ? 104 : 96}) - 0.2) <
+                  0.2 * 0.005);
+    }
+}
+
+TEST_CASE("a mask that keeps no brightness takes light away and adds none") {
+    const Picture white = flat_field({48, 48}, 1.0f, 1.0f, 1.0f);
+    for (const double type : {0.0, 1.0, 2.0, 3.0}) {
+        CAPTURE(type);
+        const Picture light = drawn_look("shadow-mask", white,
+                                         with(stages_off(), {{"mask_strength", Value(1.0)},
+                                                             {"mask_type", Value(type)},
+                                                             {"mask_size", Value(24.0)},
+                                                             {"brightness_kept", Value(0.0)}}),
+                                         "tube");
+        double brightest = 0.0;
+        for (int y = 0; y < 48; ++y)
+            for (int x = 0; x < 48; ++x)
+                brightest = std::max(brightest, number(light, x, y));
+        CHECK(brightest <= 1.0 + 1e-4);
+        CHECK(brightest > 0.9);
+    }
+}
+
+TEST_CASE("every cell shows the picture in its middle, staggered columns too") {
+    // A ramp up the picture: light is height, row 0 on top.
+    Picture ramp = flat_field({24, 48}, 0.0f, 0.0f, 0.0f);
+    for (int y = 0; y < 48; ++y)
+        for (int x = 0; x < 24; ++x)
+            for (std::size_t c = 0; c < 3; ++c)
+                ramp.pixels[ramp.index(x, y) + c] = (48.0f - static_cast<float>(y) - 0.5f) / 48.0f;
+    const Picture cells = drawn_look(
+        "shadow-mask", ramp,
+        with(stages_off(), {{"sampling", Value(0.0)}, {"mask_size", Value(12.0)}}), "tube");
+    for (int y = 0; y < 48; ++y) {
+        const double up = 48 - y - 0.5;
+        CHECK(std::abs(number(cells, 5, y) - (std::floor(up / 12.0) + 0.5) / 4.0) < 1e-4);
+        if (y >= 6 && y < 42)
+            CHECK(std::abs(number(cells, 17, y) - std::floor(up / 12.0 + 0.5) / 4.0) < 1e-4);
+    }
+}
+
+TEST_CASE("each channel is read at its own place, to the right and up") {
+    const Picture light = drawn_look("shadow-mask", lit_dot({32, 16}),
+                                     with(stages_off(), {{"red_offset", point(3, 0)},
+                                                         {"green_offset", point(-2, 1)},
+                                                         {"blue_offset", point(0, -4)}}),
+                                     "tube");
+    CHECK(std::abs(number(light, 16 - 3, 8, 0) - 1.0) < 1e-3);
+    CHECK(std::abs(number(light, 16 + 2, 8 + 1, 1) - 1.0) < 1e-3);
+    CHECK(std::abs(number(light, 16, 8 - 4, 2) - 1.0) < 1e-3);
+    CHECK(number(light, 16, 8, 1) < 1e-3);
+}
+
+TEST_CASE("the bloom of a dot has the dot's energy") {
+    const Picture bloom = drawn_look("shadow-mask", lit_dot({192, 192}), stages_off(), "bloom_y");
+    double sum = 0.0;
+    for (int y = 0; y < bloom.extent.height; ++y)
+        for (int x = 0; x < bloom.extent.width; ++x)
+            sum += 4.0 * number(bloom, x, y);  // four pixels of the picture each
+    CHECK(std::abs(sum - 1.0) < 0.01);
+}
+
+TEST_CASE("a curved screen shows the frame's colour beyond its corners, and is symmetric") {
+    const Picture white = flat_field({96, 54}, 1.0f, 1.0f, 1.0f);
+    const Picture drawn = drawn_look(
+        "shadow-mask", white,
+        with(stages_off(), {{"curvature", Value(0.2)},
+                            {"vignette_depth", Value(1.0)},
+                            {"border_color", Value(std::vector<double>{0.25, 0.5, 0.125})}}));
+    for (const int x : {0, 95})
+        for (const int y : {0, 53}) {
+            CHECK(std::abs(number(drawn, x, y, 0) - srgb_encode(0.25)) < 1e-4);
+            CHECK(std::abs(number(drawn, x, y, 2) - srgb_encode(0.125)) < 1e-4);
+        }
+    double worst = 0.0;
+    for (int y = 0; y < 54; ++y)
+        for (int x = 0; x < 96; ++x) {
+            worst = std::max(worst, std::abs(number(drawn, x, y) - number(drawn, 95 - x, y)));
+            worst = std::max(worst, std::abs(number(drawn, x, y) - number(drawn, x, 53 - y)));
+        }
+    CHECK(worst < 1e-3);
+}
+
+TEST_CASE("vignette and pulse follow their formulas") {
+    const Picture white = flat_field({64, 36}, 1.0f, 1.0f, 1.0f);
+    const Picture light = drawn_look(
+        "shadow-mask", white,
+        with(stages_off(), {{"vignette_depth", Value(0.5)}, {"pulse_intensity", Value(0.05)}}),
+        "tube");
+    for (const int x : {0, 20, 50})
+        for (const int y : {3, 18}) {
+            const double u = (x + 0.5) / 32.0 - 1.0;
+            const double v = (y + 0.5) / 18.0 - 1.0;
+            const double dark = std::pow((1.0 - u * u) * (1.0 - v * v), 0.4);
+            const double expected = (0.5 + 0.5 * dark) * (1.0 + 0.05 * std::cos((x + 0.5) / 60.0));
+            CHECK(std::abs(number(light, x, y) - expected) < 1e-4);
+        }
+}
+
+TEST_CASE("one phosphor has one colour") {
+    const Picture field = flat_field({48, 48}, 0.9f, 0.2f, 0.4f);
+    const Picture light =
+        drawn_look("shadow-mask", field,
+                   with(stages_off(), {{"mask_strength", Value(1.0)},
+                                       {"mask_size", Value(12.0)},
+                                       {"monochrome", Value(1.0)},
+                                       {"tint", Value(std::vector<double>{0.25, 1.0, 0.5})}}),
+                   "tube");
+    const double luminance = 0.2126 * 0.9 + 0.7152 * 0.2 + 0.0722 * 0.4;
+    CHECK(std::abs(mean_of(light, 1, 0, 0, {48, 48}) - luminance) < 0.005 * luminance);
+    for (int x = 0; x < 48; ++x) {
+        CHECK(std::abs(number(light, x, 7, 0) - 0.25 * number(light, x, 7, 1)) < 1e-5);
+        CHECK(std::abs(number(light, x, 7, 2) - 0.5 * number(light, x, 7, 1)) < 1e-5);
+    }
+}
+
+TEST_CASE("as the article wrote it the cells' borders cost light that nothing makes up for") {
+    const Picture white = flat_field({48, 48}, 1.0f, 1.0f, 1.0f);
+    const Picture tube = drawn_look(
+        "shadow-mask", white,
+        with(stages_off(),
+             {{"as_written", Value(1.0)}, {"mask_size", Value(12.0)}, {"vignette", Value(0.01)}}),
+        "tube");
+    // Sampled in the middle of pixels: 4 across a stripe, 12 up a cell, each with its own 1 - b
+    // v^2.
+    const auto sampled = [](int count) {
+        double sum = 0.0;
+        for (int i = 0; i < count; ++i)
+            sum += 1.0 - 0.8 * std::pow((2.0 * i + 1.0) / count - 1.0, 2.0);
+        return sum / count;
+    };
+    const double vignette = 0.97;  // of the exponent 0.01, roughly
+    const double expected = sampled(4) * sampled(12) * vignette;
+    CHECK(std::abs(mean_of(tube, 1, 0, 0, {48, 48}) - expected) < 0.03);
+    CHECK(std::abs(std::pow(1.0 - 0.8 / 3.0, 2.0) - 0.538) < 1e-3);
+    CHECK(std::abs(sampled(4) * sampled(12) - 0.538) < 0.02);
+}
