@@ -40,13 +40,12 @@ SpectrumKnobs spectrum_knobs(const Settings& settings) {
 }
 
 Result<std::unique_ptr<Signal>> make_spectrum(const Settings& settings,
-                                              const std::shared_ptr<const Sound>& sound,
-                                              const SoundPart& part) {
+                                              std::shared_ptr<const SampleStream> sound) {
     const SpectrumKnobs knobs = spectrum_knobs(settings);
     if (knobs.low_hertz >= knobs.high_hertz)
-        return fail({{}, 0, "audio: high must be above low"});
+        return fail({{}, 0, "high must be above low"});
     if (knobs.floor_decibels >= knobs.ceiling_decibels)
-        return fail({{}, 0, "audio: ceiling must be above floor"});
+        return fail({{}, 0, "ceiling must be above floor"});
     SoundPlug plug{.channels = channels_of(settings),
                    .is_swapped = settings.is("channel", "right"),
                    .level = settings.number("level"),
@@ -54,7 +53,15 @@ Result<std::unique_ptr<Signal>> make_spectrum(const Settings& settings,
                    .upsample = 1};
     if (settings.is("channel", "both"))
         plug.channels = SoundChannels::mean;
-    return std::make_unique<SoundSpectrum>(sound, part, plug, knobs);
+    return std::make_unique<SoundSpectrum>(std::move(sound), plug, knobs);
+}
+
+Result<std::unique_ptr<Signal>> make_shown(const Settings& settings,
+                                           std::shared_ptr<const SampleStream> sound) {
+    if (settings.is("mode", "spectrum") || settings.is("mode", "radial"))
+        return make_spectrum(settings, std::move(sound));
+    const ScopeKnobs knobs = scope_knobs(settings);
+    return std::make_unique<SoundScope>(std::move(sound), plug_of(settings, knobs), knobs);
 }
 
 Result<std::unique_ptr<Signal>> make_audio(const Settings& settings, const SignalMedia& media) {
@@ -69,18 +76,19 @@ Result<std::unique_ptr<Signal>> make_audio(const Settings& settings, const Signa
                          " s, but the sound is only " + format_number(sound->seconds()) +
                          " s long"});
     const SoundPart part{static_cast<std::int64_t>(start), settings.is("loop", "on")};
-    const ScopeKnobs knobs = scope_knobs(settings);
-    if (settings.is("mode", "spectrum") || settings.is("mode", "radial"))
-        return make_spectrum(settings, sound, part);
-    return std::make_unique<SoundScope>(sound, part, plug_of(settings, knobs), knobs);
+    return make_shown(settings, stream_of(sound, part));
+}
+
+Result<std::unique_ptr<Signal>> make_microphone(const Settings& settings,
+                                                const SignalMedia& media) {
+    if (!media.live)
+        return fail(
+            {{}, 0, "microphone: there is no live sound here; audio:FILE shows a sound file"});
+    return make_shown(settings, stream_of(media.live, media.live_first));
 }
 
 std::vector<SettingFacts> settings_of_all_modes() {
-    return {{.key = "file",
-             .label = "File",
-             .help = "A sound: WAV, FLAC, OGG or MP3.",
-             .type = SettingType::text},
-            choice_setting(
+    return {choice_setting(
                 "mode", "Shown as",
                 "xy: left across, right up, and nothing taken away from it; one channel alone "
                 "draws the diagonal. waveform: over time. spectrum: how loud each frequency "
@@ -104,7 +112,23 @@ std::vector<SettingFacts> settings_of_all_modes() {
              .high = 16,
              .step = 1,
              .initial = 4,
-             .limit = {1, 16}},
+             .limit = {1, 16},
+             .used_while = {"mode", {"xy", "waveform"}}},
+            {.key = "channel",
+             .label = "Channel",
+             .help = "What is drawn; both: two traces over time, left as channel 1 and right as "
+                     "channel 2, and the mean in a spectrum.",
+             .type = SettingType::word,
+             .words = {"mean", "left", "right", "both"},
+             .initial_word = "mean",
+             .used_while = {"mode", {"waveform", "spectrum", "radial"}}}};
+}
+
+std::vector<SettingFacts> file_settings() {
+    return {{.key = "file",
+             .label = "File",
+             .help = "A sound: WAV, FLAC, OGG or MP3.",
+             .type = SettingType::text},
             choice_setting("loop", "Loop", "on: from the end on to the start.", {"on", "off"}),
             {.key = "start",
              .label = "Start",
@@ -114,6 +138,7 @@ std::vector<SettingFacts> settings_of_all_modes() {
              .high = 600,
              .limit = {0, 86400}}};
 }
+
 std::vector<SettingFacts> spectrum_settings() {
     SettingFacts size =
         choice_setting("fft", "FFT size",
@@ -196,23 +221,23 @@ std::vector<SettingFacts> ring_settings() {
                       .logarithmic = true,
                       .limit = {0.001, 10}}});
 }
+
+std::vector<SettingFacts> shown_settings() {
+    std::vector<SettingFacts> settings = settings_of_all_modes();
+    for (auto part : {scope_settings({.yt_words = {"waveform"},
+                     .scope_words = {"xy", "waveform"},
+                     .seconds_per_division = 0.002,
+                     .shortest_division = 1e-4}),
+                      spectrum_settings(), ring_settings()})
+        settings.insert(settings.end(), part.begin(), part.end());
+    return settings;
+}
 }  // namespace
 
 SignalKind audio_kind() {
-    std::vector<SettingFacts> settings = settings_of_all_modes();
-    settings.push_back(
-        choice_setting("channel", "Channel",
-                       "What is drawn; both: two traces over time, left as channel 1 "
-                       "and right as channel 2, and the mean in a spectrum.",
-                       {"mean", "left", "right", "both"}));
-    settings.back().used_while = {"mode", {"waveform", "spectrum", "radial"}};
-    for (SettingFacts& setting : scope_settings({.yt_words = {"waveform"},
-                                 .scope_words = {"xy", "waveform"},
-                                 .seconds_per_division = 0.002,
-                                 .shortest_division = 1e-4}))
+    std::vector<SettingFacts> settings = file_settings();
+    for (SettingFacts& setting : shown_settings())
         settings.push_back(std::move(setting));
-    for (auto part : {spectrum_settings(), ring_settings()})
-        settings.insert(settings.end(), part.begin(), part.end());
     return {.kind = "audio",
             .label = "Sound file",
             .help = "A sound on the screen, every sample drawn exactly once.",
@@ -220,4 +245,15 @@ SignalKind audio_kind() {
             .file_setting = "file",
             .bare_setting = "file",
             .make = make_audio};
+}
+
+SignalKind microphone_kind() {
+    return {.kind = "microphone",
+            .label = "Live sound",
+            .help =
+                "What comes in at the sound device, or what another program plays. Only in the "
+                "window.",
+            .settings = shown_settings(),
+            .is_live = true,
+            .make = make_microphone};
 }

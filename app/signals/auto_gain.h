@@ -1,24 +1,33 @@
 #pragma once
 
-#include "signals/upsampler.h"
+#include "signals/sample_stream.h"
 
+#include <array>
 #include <cstdint>
-#include <vector>
 
 /// The gain that lets the peak of the last second of a sound just fit, at most 40 dB. It follows
-/// from the sound and the place alone: peaks of blocks of 0.1 s are found ahead of time.
+/// from the sound and the place alone: peaks of blocks of 0.1 s are found ahead of time, those of a
+/// live sound as soon as they are whole, so that its first loud moment may stick out.
 class AutoGain {
 public:
-    AutoGain(const Upsampler& sound, const SoundPart& part, int rate);
+    /// Of a stream that must live on.
+    explicit AutoGain(const SampleStream& sound);
 
-    /// At a place in samples of the sound from the part's begin.
+    /// At a place in samples of the sound.
     float at(double place) const;
 
 private:
-    float peak_before(std::int64_t block) const;
+    struct Peak {
+        std::int64_t block = -1;
+        float value = 0.0f;
+    };
+    float peak_of(std::int64_t block) const;
+    float gain_at(std::int64_t block) const;
 
-    std::int64_t m_block;  // samples
-    bool m_loops;
-    std::vector<float> m_peaks;
-    std::vector<float> m_gains;  // at the begin of each block, and at the end of the last
+    const SampleStream& m_sound;
+    std::int64_t m_block;                    // samples
+    std::int64_t m_count;                    // of blocks
+    mutable std::array<Peak, 64> m_peaks;    // the latest ones, by their number
+    mutable std::int64_t m_below = -1;       // the block whose gains are known
+    mutable std::array<float, 2> m_gains{};  // at its begin and end
 };

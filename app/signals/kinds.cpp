@@ -11,7 +11,8 @@
 
 const std::vector<SignalKind>& signal_kinds() {
     static const std::vector<SignalKind> kinds{lissajous_kind(), waveform_kind(), harmonics_kind(),
-                                               am_kind(),        fm_kind(),       audio_kind()};
+                                               am_kind(),        fm_kind(),       audio_kind(),
+                                               microphone_kind()};
     return kinds;
 }
 

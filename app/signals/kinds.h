@@ -57,6 +57,7 @@ struct SignalKind {
     std::vector<SettingFacts> settings = {};
     std::string file_setting = {};  // the key that names a file; "": none
     std::string bare_setting = {};  // the key that a bare first word stands for; "": none
+    bool is_live = false;           // needs a sound that comes in from a device
     Make make = nullptr;
 };
 

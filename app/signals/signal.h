@@ -2,6 +2,7 @@
 
 #include "base/diagnostic.h"
 #include "model/beam.h"
+#include "model/live_sound.h"
 #include "model/sound.h"
 #include "model/spec.h"
 #include "signals/clock.h"
@@ -25,7 +26,9 @@ public:
 
 /// What a signal may need from outside: files are read by the caller.
 struct SignalMedia {
-    std::shared_ptr<const Sound> sound;  // shared with the sound device's thread
+    std::shared_ptr<const Sound> sound = nullptr;     // shared with the sound device's thread
+    std::shared_ptr<const LiveSound> live = nullptr;  // likewise
+    std::int64_t live_first = 0;                      // its frame at time 0
 };
 
 /// The signal of a spec. Errors name the kind and the setting, not a file.

@@ -2,29 +2,40 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace {
 constexpr double coupling_hertz = 5.0;  // of scopes' inputs: 10 Hz or less
 }  // namespace
 
-SoundInput::SoundInput(const std::shared_ptr<const Sound>& sound, const SoundPart& part,
-                       const SoundPlug& plug)
+SoundInput::SoundInput(std::shared_ptr<const SampleStream> sound, const SoundPlug& plug)
     : m_plug(plug),
-      m_samples(sound, part, plug.upsample),
-      m_rate(static_cast<double>(sound->rate) * plug.upsample),
-      m_loops(part.loops),
+      m_samples(std::move(sound), plug.upsample),
+      m_rate(static_cast<double>(m_samples.sound().rate()) * plug.upsample),
       m_is_ac(plug.coupling[0] == Coupling::ac || plug.coupling[1] == Coupling::ac),
-      m_slow(low_pass(sound->rate)),
-      m_slow_originals(low_pass(sound->rate)) {
+      m_slow(low_pass()),
+      m_slow_originals(low_pass()) {
     if (plug.has_auto_gain)
-        m_gain.emplace(m_samples, part, sound->rate);
+        m_gain.emplace(m_samples.sound());
 }
 
-LowPass SoundInput::low_pass(int rate) const {
-    return LowPass(rate, coupling_hertz,
+LowPass SoundInput::low_pass() const {
+    return LowPass(m_samples.sound().rate(), coupling_hertz,
                    [this](std::int64_t first, std::span<StereoSample> samples) {
                        read_plugged(first, samples);
                    });
+}
+
+std::int64_t SoundInput::count() const {
+    const SampleStream& sound = m_samples.sound();
+    return sound.loops() ? SampleStream::endless * factor() : sound.length() * factor();
+}
+
+double SoundInput::seconds() const {
+    const SampleStream& sound = m_samples.sound();
+    if (sound.loops() || sound.is_live())
+        return std::numeric_limits<double>::infinity();
+    return static_cast<double>(sound.length()) / sound.rate();
 }
 
 StereoSample SoundInput::plugged(StereoSample sample) const {
@@ -34,8 +45,9 @@ StereoSample SoundInput::plugged(StereoSample sample) const {
 }
 
 void SoundInput::read_plugged(std::int64_t first, std::span<StereoSample> samples) const {
+    m_samples.sound().read(first, samples);
     for (StereoSample& sample : samples)
-        sample = plugged(m_samples.original(first++));
+        sample = plugged(sample);
 }
 
 float SoundInput::gain_at(double place) const {
@@ -75,7 +87,8 @@ void SoundInput::read(std::int64_t first, std::span<StereoSample> volts) const {
         }
         sample = plugged(sample);
         couple(sample, away);
-        const float gain = gain_at(static_cast<double>(original % m_samples.length()) + between);
+        const float gain =
+            gain_at(static_cast<double>(original % m_samples.sound().length()) + between);
         sample = {sample.left * gain, sample.right * gain};
         ++first;
     }
@@ -88,7 +101,7 @@ void SoundInput::read_originals(std::int64_t first, std::span<StereoSample> volt
         m_slow_originals.read(first, slow);
     }
     read_plugged(first, volts);
-    const std::int64_t length = m_samples.length();
+    const std::int64_t length = m_samples.sound().length();
     for (std::size_t i = 0; i < volts.size(); ++i, ++first) {
         couple(volts[i], m_is_ac ? slow[i] : StereoSample{});
         const float gain = gain_at(static_cast<double>(((first % length) + length) % length));

@@ -28,16 +28,15 @@ struct SoundPlug {
 /// A sound as the two inputs of a scope, in volts behind gain and coupling.
 class SoundInput {
 public:
-    SoundInput(const std::shared_ptr<const Sound>& sound, const SoundPart& part,
-               const SoundPlug& plug);
+    SoundInput(std::shared_ptr<const SampleStream> sound, const SoundPlug& plug);
     SoundInput(const SoundInput&) = delete;
     SoundInput& operator=(const SoundInput&) = delete;
 
     int factor() const { return m_samples.factor(); }
     double rate() const { return m_rate; }  // up-sampled samples a second
-    bool loops() const { return m_loops; }
-    /// In up-sampled samples.
-    std::int64_t length() const { return m_samples.length() * factor(); }
+    /// Up-sampled samples until the sound ends; endless when it loops or is live.
+    std::int64_t count() const;
+    double seconds() const;  // infinite when it never ends
 
     /// Up-sampled.
     void read(std::int64_t first, std::span<StereoSample> volts) const;
@@ -49,12 +48,11 @@ private:
     void read_plugged(std::int64_t first, std::span<StereoSample> samples) const;
     float gain_at(double place) const;  // in samples of the sound
     void couple(StereoSample& sample, StereoSample slow) const;
-    LowPass low_pass(int rate) const;
+    LowPass low_pass() const;
 
     SoundPlug m_plug;
     Upsampler m_samples;
     double m_rate;
-    bool m_loops;
     bool m_is_ac;
     std::optional<AutoGain> m_gain;
     LowPass m_slow;            // for read(); a state each, as both go on where they were

@@ -23,24 +23,16 @@ std::unique_ptr<Sweeps> sweeps_of(const SoundInput& input, const SoundPlug& plug
 }
 }  // namespace
 
-SoundScope::SoundScope(const std::shared_ptr<const Sound>& sound, const SoundPart& part,
-                       const SoundPlug& plug, const ScopeKnobs& knobs)
-    : m_input(sound, part, plug),
+SoundScope::SoundScope(std::shared_ptr<const SampleStream> sound, const SoundPlug& plug,
+                       const ScopeKnobs& knobs)
+    : m_input(std::move(sound), plug),
       m_scope(knobs, shown(plug), m_input.rate()),
       m_sweeps(sweeps_of(m_input, plug, knobs, m_scope.sweep_samples())) {}
 
-double SoundScope::seconds() const {
-    return m_input.loops() ? Signal::seconds()
-                           : static_cast<double>(m_input.length()) / m_input.rate();
-}
-
 void SoundScope::trace(const TimeSpan& span, Beam& beam) const {
-    std::int64_t count = std::numeric_limits<std::int64_t>::max();
-    if (!m_input.loops())
-        count = m_input.length();
     // A sweep with two traces may go on a little beyond the span.
     const auto ahead = static_cast<std::int64_t>(m_input.rate() / 60.0) + 2;
     SoundReader reader(m_input, instants_in(span, m_input.rate()).end + ahead);
-    m_scope.trace(span, count, *m_sweeps, beam,
+    m_scope.trace(span, m_input.count(), *m_sweeps, beam,
                   [&](std::int64_t sample, double) { return reader.at(sample); });
 }

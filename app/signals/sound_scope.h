@@ -7,11 +7,11 @@
 /// A sound on a scope, over time or one channel against the other, every sample drawn once.
 class SoundScope : public Signal {
 public:
-    SoundScope(const std::shared_ptr<const Sound>& sound, const SoundPart& part,
-               const SoundPlug& plug, const ScopeKnobs& knobs);
+    SoundScope(std::shared_ptr<const SampleStream> sound, const SoundPlug& plug,
+               const ScopeKnobs& knobs);
 
     void trace(const TimeSpan& span, Beam& beam) const override;
-    double seconds() const override;
+    double seconds() const override { return m_input.seconds(); }
 
 private:
     SoundInput m_input;

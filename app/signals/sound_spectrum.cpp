@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-SoundSpectrum::SoundSpectrum(const std::shared_ptr<const Sound>& sound, const SoundPart& part,
-                             const SoundPlug& plug, const SpectrumKnobs& knobs)
-    : m_input(sound, part, plug),
+SoundSpectrum::SoundSpectrum(std::shared_ptr<const SampleStream> sound, const SoundPlug& plug,
+                             const SpectrumKnobs& knobs)
+    : m_input(std::move(sound), plug),
       m_knobs(knobs),
       m_spectrum(m_input, knobs.size, knobs.smoothing_seconds),
       m_beats(m_input, knobs.beat_threshold),
@@ -20,11 +20,6 @@ SoundSpectrum::SoundSpectrum(const std::shared_ptr<const Sound>& sound, const So
     };
     for (std::int64_t i = 0; i < points; ++i)
         m_columns.push_back({bin_at(i), bin_at(i + 1)});
-}
-
-double SoundSpectrum::seconds() const {
-    return m_input.loops() ? Signal::seconds()
-                           : static_cast<double>(m_input.length()) / m_input.rate();
 }
 
 // The loudest of a column's bins; between two bins a straight line from one to the other.
@@ -79,7 +74,7 @@ BeamPoint SoundSpectrum::on_ring(std::int64_t place) const {
 
 void SoundSpectrum::trace(const TimeSpan& span, Beam& beam) const {
     PointStream stream{.rate = points * Spectrum::hops_a_second};
-    if (!m_input.loops())
+    if (std::isfinite(seconds()))
         stream.count = static_cast<std::int64_t>(seconds() * stream.rate);
     trace_points(span, stream, beam, [this](std::int64_t point) {
         const std::int64_t hop = point / points;

@@ -23,11 +23,11 @@ struct SpectrumKnobs {
 /// ones at the bottom of both its sides. The frequency scale is logarithmic.
 class SoundSpectrum : public Signal {
 public:
-    SoundSpectrum(const std::shared_ptr<const Sound>& sound, const SoundPart& part,
-                  const SoundPlug& plug, const SpectrumKnobs& knobs);
+    SoundSpectrum(std::shared_ptr<const SampleStream> sound, const SoundPlug& plug,
+                  const SpectrumKnobs& knobs);
 
     void trace(const TimeSpan& span, Beam& beam) const override;
-    double seconds() const override;
+    double seconds() const override { return m_input.seconds(); }
 
 private:
     static constexpr std::int64_t points = 4096;  // a hop

@@ -29,12 +29,9 @@ double kaiser(double x) {
 }
 }  // namespace
 
-Upsampler::Upsampler(std::shared_ptr<const Sound> sound, const SoundPart& part, int factor)
-    : m_sound(std::move(sound)),
-      m_part(part),
-      m_length(static_cast<std::int64_t>(m_sound->frame_count()) - part.first),
-      m_factor(factor) {
-    assert(m_length > 0 && m_part.first >= 0 && factor >= 1);
+Upsampler::Upsampler(std::shared_ptr<const SampleStream> sound, int factor)
+    : m_sound(std::move(sound)), m_factor(factor) {
+    assert(m_sound->length() > 0 && factor >= 1);
     for (int phase = 0; phase < factor; ++phase)
         m_phases.push_back(phase_of(static_cast<double>(phase) / factor));
 }
@@ -52,23 +49,6 @@ Upsampler::Phase Upsampler::phase_of(double fraction) {
     for (std::size_t i = 0; i < phase.size(); ++i)
         phase[i] = static_cast<float>(weights[i / 2] / sum);
     return phase;
-}
-
-StereoSample Upsampler::original(std::int64_t place) const {
-    if (place < 0 || place >= m_length) {
-        if (!m_part.loops)
-            return {};
-        place = ((place % m_length) + m_length) % m_length;
-    }
-    const auto channels = static_cast<std::size_t>(m_sound->channels);
-    const float* frame =
-        m_sound->samples.data() + static_cast<std::size_t>(m_part.first + place) * channels;
-    return {frame[0], channels > 1 ? frame[1] : frame[0]};
-}
-
-void Upsampler::copy_originals(std::int64_t first, std::span<StereoSample> samples) const {
-    for (StereoSample& sample : samples)
-        sample = original(first++);
 }
 
 // Eight sums side by side: the compiler makes vector code of them, and the order never changes.
@@ -90,7 +70,7 @@ void Upsampler::read(std::int64_t first, std::span<StereoSample> samples) const 
     auto phase = static_cast<std::size_t>(first - place * m_factor);
     std::size_t written = 0;
     while (written < samples.size()) {
-        copy_originals(place - before, window);
+        m_sound->read(place - before, window);
         for (std::int64_t i = 0; i < block && written < samples.size(); ++i) {
             const StereoSample* at = window.data() + i;
             for (; phase < m_phases.size() && written < samples.size(); ++phase)

@@ -21,7 +21,7 @@ std::shared_ptr<const Sound> sines(double hertz, double amplitude, double other_
 }
 
 double level_at(const std::shared_ptr<const Sound>& sound, std::size_t at) {
-    const SoundInput input(sound, {}, {.channels = SoundChannels::left, .upsample = 1});
+    const SoundInput input(stream_of(sound, {}), {.channels = SoundChannels::left, .upsample = 1});
     return decibels(Spectrum(input, 2048, 0.0).amplitudes(60)[at]);
 }
 
@@ -61,7 +61,7 @@ TEST_CASE("smoothing: 63 % of the way after its time constant, whatever the fram
         rate, 3 * rate,
         [](int i) { return i < rate ? 0.0 : sine_at(100 * bin_hertz, i / 48000.0); },
         [](int) { return 0.0; });
-    const SoundInput input(sound, {}, {.channels = SoundChannels::left, .upsample = 1});
+    const SoundInput input(stream_of(sound, {}), {.channels = SoundChannels::left, .upsample = 1});
     const Spectrum spectrum(input, 256, 0.25);
     const std::size_t bin = 12;  // 12.5 bins: the tone lies between two
     const double settled = Spectrum(input, 256, 0.0).amplitudes(120)[bin];
@@ -109,7 +109,7 @@ TEST_CASE("what lies above half the sound's rate is at the floor, and a bad rang
 
 TEST_CASE("a click track of 120 beats a minute has a beat each half second, and no other") {
     const auto sound = clicks(0.5);
-    const SoundInput input(sound, {}, {.channels = SoundChannels::left, .upsample = 1});
+    const SoundInput input(stream_of(sound, {}), {.channels = SoundChannels::left, .upsample = 1});
     const BeatFinder beats(input, 2.0);
     std::vector<double> found;
     for (int i = 0; i < 450; ++i) {
@@ -129,7 +129,7 @@ TEST_CASE("a click track of 120 beats a minute has a beat each half second, and 
 TEST_CASE("silence and an even tone have no beat") {
     for (const double amplitude : {0.0, 0.5}) {
         const auto sound = sines(60.0, amplitude);
-        const SoundInput input(sound, {.loops = true},
+        const SoundInput input(stream_of(sound, {.loops = true}),
                                {.channels = SoundChannels::left, .upsample = 1});
         CHECK_FALSE(BeatFinder(input, 2.0).last_beat(3.0).has_value());
     }
