@@ -1,41 +1,14 @@
 #include "io/sound_output.h"
 
+#include "io/sound_api.h"
 #include "io/sound_clock.h"
 #include "io/sound_player.h"
 
-#include <RtAudio.h>
-
 #include <algorithm>
-#include <array>
-#include <dlfcn.h>
 #include <optional>
 
 namespace {
 using Clock = std::chrono::steady_clock;
-
-void say_nothing(const char*, int, const char*, int, const char*, ...) {}
-
-// ALSA tells of each device that it does not find on stderr. It is in the process only where
-// RtAudio was built with it, so its function is looked for by name.
-void silence_alsa() {
-    using SetHandler = int (*)(decltype(&say_nothing));
-    if (void* const found = dlsym(RTLD_DEFAULT, "snd_lib_error_set_handler"))
-        reinterpret_cast<SetHandler>(found)(say_nothing);
-}
-
-// What is there to try, sound servers first: they share the device with other programs.
-std::vector<RtAudio::Api> usable_apis() {
-    constexpr std::array wanted{RtAudio::LINUX_PULSE, RtAudio::LINUX_ALSA,  RtAudio::UNIX_JACK,
-                                RtAudio::LINUX_OSS,   RtAudio::MACOSX_CORE, RtAudio::WINDOWS_WASAPI,
-                                RtAudio::WINDOWS_DS};
-    std::vector<RtAudio::Api> compiled;
-    RtAudio::getCompiledApi(compiled);
-    std::vector<RtAudio::Api> usable;
-    std::copy_if(wanted.begin(), wanted.end(), std::back_inserter(usable), [&](RtAudio::Api api) {
-        return std::find(compiled.begin(), compiled.end(), api) != compiled.end();
-    });
-    return usable;
-}
 }  // namespace
 
 /// An open stream of the device: 32-bit stereo.
@@ -44,17 +17,19 @@ public:
     explicit Device(RtAudio::Api api) : m_stream(api) { m_stream.showWarnings(false); }
 
     /// Throws RtAudioError.
-    void start() {
-        const unsigned int device = m_stream.getDefaultOutputDevice();
+    void start(const SoundSettings& settings) {
+        const unsigned int device =
+            find_sound_device(m_stream, settings.output, SoundDirection::out);
         const RtAudio::DeviceInfo info = m_stream.getDeviceInfo(device);
-        const unsigned int rate = info.preferredSampleRate > 0 ? info.preferredSampleRate : 48000;
+        const unsigned int own = info.preferredSampleRate > 0 ? info.preferredSampleRate : 48000;
+        const unsigned int rate = settings.rate > 0 ? static_cast<unsigned>(settings.rate) : own;
         RtAudio::StreamParameters parameters;
         parameters.deviceId = device;
         parameters.nChannels = 2;
         RtAudio::StreamOptions options;
         options.streamName = "Afterglow";
         options.numberOfBuffers = 4;  // a sound server left to itself holds seconds
-        unsigned int frames = 512;
+        auto frames = static_cast<unsigned int>(settings.buffer);
         player.emplace(static_cast<int>(rate));
         m_stream.openStream(&parameters, nullptr, RTAUDIO_FLOAT32, rate, &frames, fill, this,
                             &options, error_while_running);
@@ -96,23 +71,21 @@ private:
     RtAudio m_stream;  // ends, and with it the thread, before what the thread uses
 };
 
-Result<std::unique_ptr<SoundOutput>> SoundOutput::open() {
-    silence_alsa();
-    std::string reason = "no sound device was found";
-    for (const RtAudio::Api api : usable_apis()) {
-        try {
-            auto device = std::make_unique<Device>(api);
-            if (!device->has_device())
-                continue;
-            device->start();
-            if (device->is_running())
-                return std::unique_ptr<SoundOutput>(new SoundOutput(std::move(device)));
-            reason = "the sound device does not start";
-        } catch (const RtAudioError& error) {
-            reason = "the sound device cannot be opened: " + error.getMessage();
-        }
-    }
-    return fail({{}, 0, reason + "; the picture runs without sound"});
+Result<std::unique_ptr<SoundOutput>> SoundOutput::open(const SoundSettings& settings) {
+    std::unique_ptr<SoundOutput> output;
+    const auto done = open_first_sound_device("device", [&](RtAudio::Api api) {
+        auto device = std::make_unique<Device>(api);
+        if (!device->has_device())
+            return false;
+        device->start(settings);
+        if (!device->is_running())
+            return false;
+        output.reset(new SoundOutput(std::move(device)));
+        return true;
+    });
+    if (!done)
+        return fail({{}, 0, done.error().front().message + "; the picture runs without sound"});
+    return output;
 }
 
 SoundOutput::SoundOutput(std::unique_ptr<Device> device) : m_device(std::move(device)) {}

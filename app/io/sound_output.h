@@ -2,6 +2,7 @@
 
 #include "base/diagnostic.h"
 #include "model/sound.h"
+#include "model/sound_settings.h"
 
 #include <memory>
 #include <string>
@@ -9,8 +10,8 @@
 /// The sound device of the machine, playing one sound.
 class SoundOutput {
 public:
-    /// The system's own choice of device. Says why none can be had; writes nothing to stderr.
-    static Result<std::unique_ptr<SoundOutput>> open();
+    /// Says why the device cannot be had; writes nothing to stderr.
+    static Result<std::unique_ptr<SoundOutput>> open(const SoundSettings& settings = {});
     ~SoundOutput();
     SoundOutput(const SoundOutput&) = delete;
     SoundOutput& operator=(const SoundOutput&) = delete;

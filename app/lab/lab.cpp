@@ -6,6 +6,7 @@
 #include "formats/share_line.h"
 #include "lab/editor.h"
 #include "lab/sharing.h"
+#include "lab/sound_store.h"
 
 #include <fmt/format.h>
 
@@ -26,7 +27,10 @@ Extent PictureSize::extent(Extent view) const {
 Lab::Lab(Library library, std::unique_ptr<gpu::Context> worker)
     : m_library(std::move(library)),
       m_drive(RecentMedia(m_library.roots())),
-      m_reloader(std::move(worker), m_library.roots().shared_includes()) {}
+      m_reloader(std::move(worker), m_library.roots().shared_includes()) {
+    if (const auto settings = load_sound_settings(m_library.roots()); succeeded(settings))
+        succeeded(m_player.set_sound_settings(*settings));
+}
 
 void Lab::say(std::string text, bool is_problem) {
     if (is_problem && !text.empty() && text.find(": ") == std::string::npos)
@@ -129,6 +133,11 @@ void Lab::restart() {
         m_renderer->clear_history();
     if (!m_player.is_playing())
         m_player.step();
+}
+
+void Lab::set_sound_settings(const SoundSettings& settings) {
+    succeeded(m_player.set_sound_settings(settings));
+    succeeded(save_sound_settings(m_library.roots(), settings));
 }
 
 void Lab::set_picture_size(const PictureSize& size) {

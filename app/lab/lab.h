@@ -70,6 +70,8 @@ public:
     void edit(const std::function<void(Document&)>& change);
     Player& transport() { return m_player; }
     void restart();
+    /// Opens the devices that the settings name, and keeps the settings.
+    void set_sound_settings(const SoundSettings& settings);
     void set_picture_size(const PictureSize& size);
     void set_view(Extent view_pixels) { m_view = view_pixels; }
     void set_mouse(double x, double y);
@@ -117,6 +119,7 @@ private:
     void save_preset_to(const std::filesystem::path& file, const std::string& name);
     void apply_document();
     void update_drive();
+    void tell_silence();
     Preset portable(const Preset& preset, const std::filesystem::path& folder) const;
     void want(const Redraw& redraw);
     void resize_picture();
@@ -136,7 +139,8 @@ private:
     std::optional<Document> m_document;
     std::optional<DocumentState> m_applied;  // what player and renderer were last told
     std::optional<Programs> m_programs;      // of the open look, as linked
-    Player m_player{Player::Sounding::heard};
+    Player m_player{machine_sound_devices()};
+    std::string m_told_silence;  // the player's, as last said
     std::unique_ptr<Renderer> m_renderer;
     LoadedImages m_images;  // that the renderer has
     Drive m_drive;

@@ -21,6 +21,16 @@ void Lab::update(double wall_seconds) {
     apply_document();
     update_drive();
     draw_picture(wall_seconds);
+    tell_silence();
+}
+
+// A device that is gone, once; the signal's panel goes on saying so.
+void Lab::tell_silence() {
+    if (m_player.silence() == m_told_silence)
+        return;
+    m_told_silence = m_player.silence();
+    if (!m_told_silence.empty())
+        say(m_told_silence, true);
 }
 
 bool Lab::is_moving() const {

@@ -3,32 +3,88 @@
 #include "signals/kinds.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
+
+namespace {
+// A window that was held up does not ask for more than this at once; time is then lost, not light.
+constexpr double longest_frame = 0.25;
+}  // namespace
 
 Result<void> Player::set_signal(const Spec& spec, PlayedSound sound) {
     std::unique_ptr<Signal> signal;
     double start = 0.0;
     bool loops = false;
+    Spec complete;
     if (!spec.kind.empty()) {
-        const auto complete = completed(spec);
-        if (!complete)
-            return fail(complete.error());
-        auto made = make_signal(*complete, {sound.sound});
+        auto checked = completed(spec);
+        if (!checked)
+            return fail(checked.error());
+        complete = std::move(*checked);
+        auto made = make(complete, sound);
         if (!made)
             return fail(made.error());
         signal = std::move(*made);
         if (sound.sound) {
-            start = std::get<double>(complete->settings.at("start"));
-            loops = complete->settings.at("loop") == Spec::Setting("on");
+            start = std::get<double>(complete.settings.at("start"));
+            loops = complete.settings.at("loop") == Spec::Setting("on");
         }
     }
+    if (spec.kind.empty() || !find_kind(spec.kind)->is_live)
+        m_capture.reset();  // nobody listens in for longer than is drawn
     const bool is_new_sound = sound.sound != m_sound.sound || start != m_start;
     m_signal = std::move(signal);
     m_sound = std::move(sound);
+    m_spec = std::move(complete);
     m_start = start;
-    if (m_is_heard)
+    m_silence.clear();
+    if (m_devices)
         play_sound(loops, is_new_sound);
     return {};
+}
+
+Result<std::unique_ptr<Signal>> Player::make(const Spec& complete, const PlayedSound& sound) {
+    SignalMedia media{.sound = sound.sound};
+    if (m_devices && find_kind(complete.kind)->is_live) {
+        if (const auto open = open_capture(); !open)
+            return fail(open.error());
+        media.live = m_capture->sound();
+        media.live_first = m_live_first;
+    }
+    return make_signal(complete, media);
+}
+
+Result<void> Player::open_capture() {
+    if (m_capture)
+        return {};
+    auto capture = m_devices->open_capture(m_settings);
+    if (!capture) {
+        m_silence = capture.error().front().message;
+        return fail(capture.error());
+    }
+    m_capture = std::move(*capture);
+    begin_live();
+    return {};
+}
+
+// The present moment of what comes in becomes the present time.
+void Player::begin_live() {
+    const double ahead = m_capture->position_seconds() - m_time;
+    m_live_first = std::llround(ahead * m_capture->sound()->rate());
+}
+
+Result<void> Player::set_sound_settings(const SoundSettings& settings) {
+    m_settings = settings;
+    if (!m_devices)
+        return {};
+    m_output.reset();
+    m_capture.reset();
+    PlayedSound sound = std::exchange(m_sound, {});  // it is new to the new device
+    return set_signal(m_spec, std::move(sound));
+}
+
+std::vector<SoundDevice> Player::sound_devices() const {
+    return m_devices ? m_devices->list() : std::vector<SoundDevice>();
 }
 
 double Player::sound_seconds() const {
@@ -37,9 +93,8 @@ double Player::sound_seconds() const {
 
 // The loudspeaker follows the signal. Without a device the wall clock runs instead.
 void Player::play_sound(bool loops, bool is_new_sound) {
-    m_silence.clear();
     if (m_sound.sound && !m_output) {
-        auto output = SoundOutput::open();
+        auto output = m_devices->open_output(m_settings);
         if (output)
             m_output = std::move(*output);
         else
@@ -86,6 +141,11 @@ void Player::seek(double seconds) {
     if (m_output)
         m_output->seek(m_time);
     m_heard = m_time;
+    if (!m_capture)
+        return;
+    begin_live();
+    if (auto made = make(m_spec, m_sound))
+        m_signal = std::move(*made);
 }
 
 void Player::set_speed(double speed) {
@@ -104,8 +164,33 @@ void Player::set_level(double level) {
 double Player::played_seconds(double wall_seconds) {
     if (!is_sound_the_clock())
         return wall_seconds * m_speed;
-    const double position = m_output->position_seconds();
-    return std::max(0.0, position - std::exchange(m_heard, position));
+    const double position = m_output->position_seconds() - 0.001 * m_settings.picture_delay_ms;
+    const double later = std::max(position, m_heard);  // it waits where the picture is to be later
+    return later - std::exchange(m_heard, later);
+}
+
+// A device that went away is told once; the picture goes on by the machine's own clock.
+void Player::notice_lost_devices() {
+    if (!m_silence.empty())
+        return;
+    if (m_capture && m_capture->has_stalled())
+        m_silence = "nothing comes in from '" + m_capture->device_name() + "' any more";
+    else if (m_sound.sound && m_output && m_output->has_stalled())
+        m_silence =
+            "'" + m_output->device_name() + "' plays no longer; the picture runs without sound";
+}
+
+// What came in while the player was paused or held up is passed over.
+std::optional<PlayedFrame> Player::advance_live(double wall_seconds) {
+    if (m_capture->has_stalled())
+        return moved_to(m_time + std::min(wall_seconds, m_longest_frame));
+    const double delay = std::max(0.001 * m_settings.picture_delay_ms, 0.0);
+    const double position = m_capture->position_seconds() - delay;
+    const double end = position - static_cast<double>(m_live_first) / m_capture->sound()->rate();
+    if (end <= m_time)
+        return std::nullopt;
+    m_time = std::max(m_time, end - m_longest_frame);
+    return moved_to(end);
 }
 
 PlayedFrame Player::moved_to(double end) {
@@ -118,6 +203,7 @@ PlayedFrame Player::moved_to(double end) {
 }
 
 std::optional<PlayedFrame> Player::advance(double wall_seconds) {
+    notice_lost_devices();
     if (m_is_stepping) {
         m_is_stepping = false;
         const PlayedFrame frame = moved_to(m_time + 1.0 / 60.0);
@@ -128,6 +214,8 @@ std::optional<PlayedFrame> Player::advance(double wall_seconds) {
     }
     if (!m_is_playing)
         return std::nullopt;
+    if (m_capture)
+        return advance_live(wall_seconds);
     const double played = shown_seconds(played_seconds(wall_seconds));
     if (played <= 0.0)
         return std::nullopt;

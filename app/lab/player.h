@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/diagnostic.h"
-#include "io/sound_output.h"
+#include "io/sound_devices.h"
 #include "model/beam.h"
 #include "model/spec.h"
 #include "signals/clock.h"
@@ -28,10 +28,9 @@ struct PlayedSound {
 /// The clock, and the signal that it runs over.
 class Player {
 public:
-    enum class Sounding { silent, heard };
-    /// Only where a person listens does a sound go to the machine's sound device.
-    explicit Player(Sounding sounding = Sounding::silent)
-        : m_is_heard(sounding == Sounding::heard) {}
+    /// Only where a person listens are there sound devices; null: none are used.
+    explicit Player(std::unique_ptr<SoundDevices> devices = nullptr)
+        : m_devices(std::move(devices)) {}
 
     /// Makes the signal of the spec the current one, over `sound` if its kind plays one; a spec
     /// without a kind is no signal. On an error the old signal goes on.
@@ -40,8 +39,15 @@ public:
     const PlayedSound& sound() const { return m_sound; }
     /// How much of the sound is played, in seconds; 0 without a sound.
     double sound_seconds() const;
-    /// Why a sound that should be heard is not; "" when all is well.
+    /// Why a sound that should be heard or come in does not; "" when all is well.
     const std::string& silence() const { return m_silence; }
+    /// The device that a live sound comes in from; "" when none does.
+    std::string live_device() const { return m_capture ? m_capture->device_name() : ""; }
+
+    const SoundSettings& sound_settings() const { return m_settings; }
+    /// Opens the devices anew that are in use.
+    Result<void> set_sound_settings(const SoundSettings& settings);
+    std::vector<SoundDevice> sound_devices() const;
 
     bool is_playing() const { return m_is_playing; }
     double speed() const { return m_speed; }
@@ -59,7 +65,7 @@ public:
     void step() { m_is_stepping = true; }
 
     /// The frame that `wall_seconds` since the last call bring; none while paused or at the
-    /// signal's end. While a sound is heard its device is the clock.
+    /// signal's end. While a sound is heard or comes in, its device is the clock.
     std::optional<PlayedFrame> advance(double wall_seconds);
     /// The frame of a fixed clock; time need not flow.
     PlayedFrame advance_fixed(double fps);
@@ -78,8 +84,13 @@ public:
     const std::deque<PlayedFrame>& past() const { return m_past; }
 
 private:
+    Result<std::unique_ptr<Signal>> make(const Spec& complete, const PlayedSound& sound);
+    Result<void> open_capture();
+    void begin_live();
     void play_sound(bool loops, bool is_new_sound);
     bool is_sound_the_clock() const;
+    void notice_lost_devices();
+    std::optional<PlayedFrame> advance_live(double wall_seconds);
     double played_seconds(double wall_seconds);
     double shown_seconds(double played);
     PlayedFrame moved_to(double end);
@@ -89,8 +100,12 @@ private:
 
     std::unique_ptr<Signal> m_signal;
     PlayedSound m_sound;
-    bool m_is_heard;
+    std::unique_ptr<SoundDevices> m_devices;
+    SoundSettings m_settings;
     std::unique_ptr<SoundOutput> m_output;
+    std::unique_ptr<SoundCapture> m_capture;  // while a live sound is drawn
+    std::int64_t m_live_first = 0;            // its frame at time 0
+    Spec m_spec;                              // of the signal, complete
     std::string m_silence;
     double m_speed = 1.0;
     double m_level = 1.0;

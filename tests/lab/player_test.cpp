@@ -1,9 +1,60 @@
 #include "lab/player.h"
 
+#include "io/sound_devices.h"
+
 #include <doctest/doctest.h>
 
 namespace {
 constexpr double sixtieth = 1.0 / 60.0;
+
+/// An input device in the hands of a test.
+class FakeCapture : public SoundCapture {
+public:
+    explicit FakeCapture(double& position, bool& has_stalled)
+        : m_position(position), m_has_stalled(has_stalled) {}
+
+    std::string device_name() const override { return "Line in"; }
+    std::shared_ptr<const LiveSound> sound() const override { return live; }
+    double position_seconds() override { return m_position; }
+    bool has_stalled() const override { return m_has_stalled; }
+
+    std::shared_ptr<LiveSound> live = std::make_shared<LiveSound>(1000);
+
+private:
+    double& m_position;
+    bool& m_has_stalled;
+};
+
+class FakeDevices : public SoundDevices {
+public:
+    std::vector<SoundDevice> list() override { return {{.name = "Line in", .has_input = true}}; }
+    Result<std::unique_ptr<SoundOutput>> open_output(const SoundSettings&) override {
+        return fail({{}, 0, "no sound device was found"});
+    }
+    Result<std::unique_ptr<SoundCapture>> open_capture(const SoundSettings& settings) override {
+        if (settings.input == "Gone")
+            return fail({{}, 0, "the sound input cannot be opened: 'Gone' is not there"});
+        ++captures;
+        auto capture = std::make_unique<FakeCapture>(position, has_stalled);
+        live = capture->live;
+        return capture;
+    }
+
+    double position = 5.0;
+    bool has_stalled = false;
+    int captures = 0;
+    std::shared_ptr<LiveSound> live;
+};
+
+/// A player with devices that the test holds.
+struct LivePlayer {
+    LivePlayer() : LivePlayer(std::make_unique<FakeDevices>()) {}
+    explicit LivePlayer(std::unique_ptr<FakeDevices> made)
+        : devices(*made), player(std::move(made)) {}
+
+    FakeDevices& devices;
+    Player player;
+};
 
 PlayedSound second_of_sound() {
     return {"a.wav", std::make_shared<const Sound>(Sound{1000, 2, std::vector<float>(2000, 0.5f)})};
@@ -110,4 +161,79 @@ TEST_CASE("a signal is set over its sound, and an unknown one leaves the last") 
     CHECK_FALSE(player.trace({0.0, sixtieth}).empty());
     REQUIRE(player.set_signal({}).has_value());
     CHECK(player.trace({0.0, sixtieth}).empty());
+}
+
+TEST_CASE("a live sound is the clock, and what came in is drawn at its time") {
+    LivePlayer live;
+    live.player.advance(0.1);
+    REQUIRE(live.player.set_signal(Spec{"microphone", {{"upsample", 1.0}}}).has_value());
+    CHECK(live.player.live_device() == "Line in");
+    CHECK_FALSE(live.player.advance(0.5).has_value());  // nothing has come in since
+    live.devices.live->write(std::vector<float>(2 * 5000, 0.0f), 2);
+    live.devices.live->write(std::vector<float>(2 * 100, 0.25f), 2);
+    live.devices.position = 5.1;
+    const auto frame = live.player.advance(0.0);
+    REQUIRE(frame.has_value());
+    CHECK(frame->span.start == doctest::Approx(0.1));
+    CHECK(frame->span.end == doctest::Approx(0.2));
+    const Beam beam = live.player.trace(frame->span);
+    REQUIRE(beam.size() == 100);
+    CHECK(beam.front().x == 0.25f);
+    CHECK(beam.back().y == 0.25f);
+}
+
+TEST_CASE("what came in during a pause is passed over, and a restart begins with now") {
+    LivePlayer live;
+    REQUIRE(live.player.set_signal(Spec{"microphone", {}}).has_value());
+    live.player.pause();
+    live.devices.position = 9.0;
+    CHECK_FALSE(live.player.advance(0.1).has_value());
+    live.player.play();
+    CHECK(live.player.advance(0.1)->span.seconds() == doctest::Approx(0.25));
+    live.player.restart();
+    live.devices.position = 9.1;
+    const auto frame = live.player.advance(0.1);
+    CHECK(frame->number == 1);
+    CHECK(frame->span.end == doctest::Approx(0.1));
+}
+
+TEST_CASE("the picture of a live sound is late by the delay that was asked for") {
+    LivePlayer live;
+    REQUIRE(live.player.set_signal(Spec{"microphone", {}}).has_value());
+    SoundSettings late;
+    late.picture_delay_ms = 100.0;
+    REQUIRE(live.player.set_sound_settings(late).has_value());
+    live.devices.position = 5.15;
+    const auto frame = live.player.advance(0.0);
+    REQUIRE(frame.has_value());
+    CHECK(frame->span.end == doctest::Approx(0.05));
+}
+
+TEST_CASE("an input that is not there is told, and the last signal goes on") {
+    LivePlayer live;
+    REQUIRE(live.player.set_signal(Spec{"lissajous", {}}).has_value());
+    SoundSettings gone;
+    gone.input = "Gone";
+    REQUIRE(live.player.set_sound_settings(gone).has_value());
+    const auto set = live.player.set_signal(Spec{"microphone", {}});
+    REQUIRE_FALSE(set.has_value());
+    CHECK(live.player.silence() == "the sound input cannot be opened: 'Gone' is not there");
+    CHECK_FALSE(live.player.trace(live.player.advance(0.1)->span).empty());
+}
+
+TEST_CASE("an input that goes away is told, and time goes on") {
+    LivePlayer live;
+    REQUIRE(live.player.set_signal(Spec{"microphone", {}}).has_value());
+    live.devices.has_stalled = true;
+    CHECK(live.player.advance(0.1)->span.seconds() == doctest::Approx(0.1));
+    CHECK(live.player.silence() == "nothing comes in from 'Line in' any more");
+}
+
+TEST_CASE("the input is open only while it is drawn, and not anew when a knob is turned") {
+    LivePlayer live;
+    REQUIRE(live.player.set_signal(Spec{"microphone", {}}).has_value());
+    REQUIRE(live.player.set_signal(Spec{"microphone", {{"level", 2.0}}}).has_value());
+    CHECK(live.devices.captures == 1);
+    REQUIRE(live.player.set_signal(Spec{"lissajous", {}}).has_value());
+    CHECK(live.player.live_device().empty());
 }

@@ -1,0 +1,42 @@
+#include "formats/sound_settings_format.h"
+
+#include "formats/json_text.h"
+#include "formats/object_reader.h"
+
+#include <nlohmann/json.hpp>
+
+namespace {
+constexpr std::string_view format_name = "afterglow-sound";
+constexpr int newest_version = 1;
+}  // namespace
+
+std::string sound_settings_to_json(const SoundSettings& settings) {
+    return json_text({{"format", format_name},
+                      {"version", newest_version},
+                      {"output", settings.output},
+                      {"input", settings.input},
+                      {"rate", settings.rate},
+                      {"buffer", settings.buffer},
+                      {"picture_delay_ms", settings.picture_delay_ms}});
+}
+
+Result<SoundSettings> parse_sound_settings(std::string_view text,
+                                           const std::filesystem::path& file) {
+    const auto document = parse_json(text, file);
+    if (!document)
+        return fail(document.error());
+    Diagnostics problems;
+    ObjectReader reader(*document, file, problems);
+    SoundSettings settings;
+    if (accept_header(reader, format_name, newest_version)) {
+        settings.output = reader.text("output");
+        settings.input = reader.text("input");
+        settings.rate = reader.whole("rate", 0, 0, 768000);
+        settings.buffer = reader.whole("buffer", settings.buffer, 16, 65536);
+        settings.picture_delay_ms = reader.number("picture_delay_ms", 0.0);
+        reader.refuse_unknown();
+    }
+    if (!problems.empty())
+        return fail(std::move(problems));
+    return settings;
+}

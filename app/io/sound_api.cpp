@@ -1,0 +1,57 @@
+#include "io/sound_api.h"
+
+#include <algorithm>
+#include <array>
+#include <dlfcn.h>
+
+namespace {
+void say_nothing(const char*, int, const char*, int, const char*, ...) {}
+
+// ALSA tells of each device that it does not find on stderr. It is in the process only where
+// RtAudio was built with it, so its function is looked for by name.
+void silence_alsa() {
+    using SetHandler = int (*)(decltype(&say_nothing));
+    if (void* const found = dlsym(RTLD_DEFAULT, "snd_lib_error_set_handler"))
+        reinterpret_cast<SetHandler>(found)(say_nothing);
+}
+}  // namespace
+
+std::vector<RtAudio::Api> usable_sound_apis() {
+    silence_alsa();
+    constexpr std::array wanted{RtAudio::LINUX_PULSE, RtAudio::LINUX_ALSA,  RtAudio::UNIX_JACK,
+                                RtAudio::LINUX_OSS,   RtAudio::MACOSX_CORE, RtAudio::WINDOWS_WASAPI,
+                                RtAudio::WINDOWS_DS};
+    std::vector<RtAudio::Api> compiled;
+    RtAudio::getCompiledApi(compiled);
+    std::vector<RtAudio::Api> usable;
+    std::copy_if(wanted.begin(), wanted.end(), std::back_inserter(usable), [&](RtAudio::Api api) {
+        return std::find(compiled.begin(), compiled.end(), api) != compiled.end();
+    });
+    return usable;
+}
+
+unsigned int find_sound_device(RtAudio& audio, const std::string& name, SoundDirection direction) {
+    const bool is_out = direction == SoundDirection::out;
+    if (name.empty())
+        return is_out ? audio.getDefaultOutputDevice() : audio.getDefaultInputDevice();
+    for (unsigned int device = 0; device < audio.getDeviceCount(); ++device) {
+        const RtAudio::DeviceInfo info = audio.getDeviceInfo(device);
+        if (info.name == name && (is_out ? info.outputChannels : info.inputChannels) > 0)
+            return device;
+    }
+    throw RtAudioError("'" + name + "' is not there");
+}
+
+Result<void> open_first_sound_device(const std::string& what,
+                                     const std::function<bool(RtAudio::Api)>& open) {
+    std::string reason = "no sound " + what + " was found";
+    for (const RtAudio::Api api : usable_sound_apis()) {
+        try {
+            if (open(api))
+                return {};
+        } catch (const RtAudioError& error) {
+            reason = "the sound " + what + " cannot be opened: " + error.getMessage();
+        }
+    }
+    return fail({{}, 0, std::move(reason)});
+}

@@ -1,0 +1,88 @@
+#include "io/sound_capture.h"
+
+#include "io/sound_api.h"
+#include "io/sound_clock.h"
+
+#include <algorithm>
+
+namespace {
+using Clock = std::chrono::steady_clock;
+
+/// An open stream of an input device: 32-bit, one or two channels.
+class Capture : public SoundCapture {
+public:
+    explicit Capture(RtAudio::Api api) : m_stream(api) { m_stream.showWarnings(false); }
+
+    bool has_device() { return m_stream.getDeviceCount() > 0; }
+    bool is_running() const { return m_stream.isStreamRunning(); }
+
+    /// Throws RtAudioError.
+    void start(const SoundSettings& settings) {
+        const unsigned int device = find_sound_device(m_stream, settings.input, SoundDirection::in);
+        const RtAudio::DeviceInfo info = m_stream.getDeviceInfo(device);
+        const unsigned int own = info.preferredSampleRate > 0 ? info.preferredSampleRate : 48000;
+        const unsigned int rate = settings.rate > 0 ? static_cast<unsigned>(settings.rate) : own;
+        RtAudio::StreamParameters parameters;
+        parameters.deviceId = device;
+        parameters.nChannels = std::clamp(info.inputChannels, 1U, 2U);
+        RtAudio::StreamOptions options;
+        options.streamName = "Afterglow";
+        auto frames = static_cast<unsigned int>(settings.buffer);
+        m_name = info.name;
+        m_channels = static_cast<int>(parameters.nChannels);
+        m_sound = std::make_shared<LiveSound>(static_cast<int>(rate));
+        m_stream.openStream(nullptr, &parameters, RTAUDIO_FLOAT32, rate, &frames, take, this,
+                            &options, error_while_running);
+        // A trigger looks a little ahead, and two traces take turns of 1/60 s.
+        constexpr double looked_ahead = 0.025;
+        m_behind = looked_ahead + 2.0 * frames / rate;
+        m_clock.buffer_filled({0.0, 1.0, 0}, Clock::now());
+        m_stream.startStream();
+    }
+
+    std::string device_name() const override { return m_name; }
+    std::shared_ptr<const LiveSound> sound() const override { return m_sound; }
+    double position_seconds() override { return m_clock.heard_seconds(Clock::now(), m_behind); }
+    bool has_stalled() const override { return m_clock.seconds_since_buffer(Clock::now()) > 1.0; }
+
+private:
+    static int take(void*, void* input, unsigned int frames, double, RtAudioStreamStatus,
+                    void* self) {
+        Capture& capture = *static_cast<Capture*>(self);
+        if (!input)
+            return 0;
+        const std::size_t count =
+            std::size_t{frames} * static_cast<std::size_t>(capture.m_channels);
+        capture.m_sound->write({static_cast<const float*>(input), count}, capture.m_channels);
+        capture.m_clock.buffer_filled({capture.m_sound->seconds(), 1.0, 0}, Clock::now());
+        return 0;
+    }
+
+    // Without it RtAudio throws in the device's thread. What fails there shows as has_stalled().
+    static void error_while_running(RtAudioError::Type, const std::string&) {}
+
+    std::string m_name;
+    int m_channels = 2;
+    double m_behind = 0.0;               // s
+    std::shared_ptr<LiveSound> m_sound;  // shared with the signals that draw it
+    SoundClock m_clock;
+    RtAudio m_stream;  // ends, and with it the thread, before what the thread uses
+};
+}  // namespace
+
+Result<std::unique_ptr<SoundCapture>> open_sound_capture(const SoundSettings& settings) {
+    std::unique_ptr<Capture> opened;
+    const auto done = open_first_sound_device("input", [&](RtAudio::Api api) {
+        auto capture = std::make_unique<Capture>(api);
+        if (!capture->has_device())
+            return false;
+        capture->start(settings);
+        if (!capture->is_running())
+            return false;
+        opened = std::move(capture);
+        return true;
+    });
+    if (!done)
+        return fail(done.error());
+    return opened;
+}

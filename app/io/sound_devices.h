@@ -1,0 +1,46 @@
+#pragma once
+
+#include "io/sound_output.h"
+#include "model/live_sound.h"
+#include "model/sound_settings.h"
+
+#include <vector>
+
+/// A device of the machine. What other programs play can be recorded from a monitor, an input.
+struct SoundDevice {
+    std::string name;
+    bool has_output = false;
+    bool has_input = false;
+    bool is_default_output = false;
+    bool is_default_input = false;
+
+    bool operator==(const SoundDevice&) const = default;
+};
+
+/// A sound that comes in from a device for as long as this lives.
+class SoundCapture {
+public:
+    virtual ~SoundCapture() = default;
+
+    virtual std::string device_name() const = 0;
+    virtual std::shared_ptr<const LiveSound> sound() const = 0;
+    /// How much of the sound may be shown by now: a clock that runs evenly, a little behind what
+    /// has come in.
+    virtual double position_seconds() = 0;
+    /// Whether nothing has come in for a second: it was pulled out, or its server died.
+    virtual bool has_stalled() const = 0;
+};
+
+/// The sound devices that there are. Tests have some of their own.
+class SoundDevices {
+public:
+    virtual ~SoundDevices() = default;
+
+    virtual std::vector<SoundDevice> list() = 0;
+    /// Each says why it cannot be had, and writes nothing to stderr.
+    virtual Result<std::unique_ptr<SoundOutput>> open_output(const SoundSettings& settings) = 0;
+    virtual Result<std::unique_ptr<SoundCapture>> open_capture(const SoundSettings& settings) = 0;
+};
+
+/// Those of this machine.
+std::unique_ptr<SoundDevices> machine_sound_devices();
