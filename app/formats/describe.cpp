@@ -3,6 +3,7 @@
 #include "formats/json_text.h"
 #include "formats/look_words.h"
 #include "formats/value_json.h"
+#include "model/orbit.h"
 
 #include <nlohmann/json.hpp>
 
@@ -43,11 +44,26 @@ void add_rarities(const Pass& pass, const Values& values, const Look& look, Json
         json["accumulate"] = true;
     if (pass.frame_modulo > 0)
         json["frame_modulo"] = pass.frame_modulo;
-    if (const int* count = std::get_if<int>(&pass.repeat); count && *count != 1)
-        json["repeat"] = *count;
-    if (const auto* name = std::get_if<std::string>(&pass.repeat))
-        if (const Parameter* parameter = find_parameter(look, *name))
-            json["repeat"] = value_of(*parameter, values).number();
+    if (pass.repeat != Count(1))
+        json["repeat"] = count_of(pass.repeat, look, values);
+    if (pass.converge)
+        json["converge"] = count_of(*pass.converge, look, values);
+}
+
+bool is_given(const Look& look, int pass, const char* uniform) {
+    return std::ranges::any_of(look.parameters, [&](const Parameter& parameter) {
+        return std::ranges::find(parameter.bindings, Binding{pass, uniform}) !=
+               parameter.bindings.end();
+    });
+}
+
+// What the orbit's parameters come to for the pass.
+void add_orbit(const Look& look, const Values& values, int pass, Json& set) {
+    const Orbit orbit = orbit_of(look, values, pass);
+    if (is_given(look, pass, "u_view"))
+        set["u_view"] = view_matrix(orbit);
+    if (is_given(look, pass, "u_camera"))
+        set["u_camera"] = camera_matrix(orbit);
 }
 
 Json described(const Image& image) {
@@ -94,6 +110,7 @@ std::string describe_json(const Look& look, const Plan& plan, const Values& valu
     for (std::size_t i = 0; i < look.passes.size(); ++i) {
         Json pass = described(look.passes[i], plan.targets[i]);
         add_rarities(look.passes[i], values, look, pass);
+        add_orbit(look, values, static_cast<int>(i), pass["set"]);
         json["passes"].push_back(std::move(pass));
     }
     for (const Image& image : look.images)

@@ -12,6 +12,7 @@ constexpr std::size_t most_passes = 256;
 constexpr double largest_scale = 64.0;
 constexpr int largest_side = 16384;
 constexpr int most_repeats = 1024;
+constexpr int most_samples = 1 << 24;
 constexpr int largest_modulo = 1 << 24;  // u_frame stays exact as a float
 
 bool is_scale(const JsonValue& value) {
@@ -101,12 +102,20 @@ void read_rename(ObjectReader& reader, Pass& pass) {
     }
 }
 
-void read_repeat(ObjectReader& reader, Pass& pass) {
-    const JsonValue* repeat = reader.find("repeat");
-    if (repeat && repeat->is(JsonValue::Kind::text))
-        pass.repeat = repeat->text;
-    else
-        pass.repeat = reader.whole("repeat", 1, 1, most_repeats);
+Count read_count(ObjectReader& reader, std::string_view key, int fallback, Limit limit) {
+    const JsonValue* count = reader.find(key);
+    if (count && count->is(JsonValue::Kind::text))
+        return count->text;
+    return reader.whole(key, fallback, static_cast<int>(limit.low), static_cast<int>(limit.high));
+}
+
+void read_converge(ObjectReader& reader, Pass& pass) {
+    const JsonValue* converge = reader.find("converge");
+    if (!converge)
+        return;
+    pass.converge = read_count(reader, "converge", 0, {0, most_samples});
+    if (!pass.accumulate)
+        reader.problem(*converge, "only a pass with \"accumulate\": true can converge");
 }
 
 void read_shaders(ObjectReader& reader, LookFolder& folder, const Look& look, Pass& pass) {
@@ -149,7 +158,8 @@ Pass read_pass(ObjectReader& reader, LookFolder& folder, const Look& look, bool 
     read_set(reader, pass);
     read_rename(reader, pass);
     pass.accumulate = reader.boolean("accumulate", false);
-    read_repeat(reader, pass);
+    pass.repeat = read_count(reader, "repeat", 1, {1, most_repeats});
+    read_converge(reader, pass);
     pass.frame_modulo = reader.whole("frame_modulo", 0, 0, largest_modulo);
     return pass;
 }

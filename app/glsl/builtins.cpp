@@ -12,7 +12,8 @@ const std::vector<BuiltinUniform>& builtin_uniforms() {
         {"u_source_resolution", {Scalar::floating, 2, 1}},  // pixels
         {"u_mouse", {Scalar::floating, 2, 1}},              // pixels from bottom left
         {"u_samples", {Scalar::integer, 1, 1}},             // accumulated so far
-        {"u_view", {Scalar::floating, 4, 4}},               // orbit
+        {"u_view", {Scalar::floating, 4, 4}},               // orbit: the object's turn
+        {"u_camera", {Scalar::floating, 4, 4}},             // orbit: the camera's
     };
     return all;
 }

@@ -5,6 +5,7 @@
 #include "glsl/include.h"
 #include "glsl/interface.h"
 #include "glsl/pass_uniforms.h"
+#include "model/orbit.h"
 
 #include <fmt/format.h>
 
@@ -70,18 +71,56 @@ Parameter parameter_from(const Candidate& candidate, Diagnostics& errors) {
     return parameter;
 }
 
-void check_repeats(const Look& look, const std::vector<Parameter>& parameters,
-                   Diagnostics& errors) {
+// `does` holds a {} for the parameter's name.
+void check_count(const Pass& pass, const Count& count, const char* does,
+                 const std::vector<std::string>& names, Diagnostics& errors) {
+    const auto* const name = std::get_if<std::string>(&count);
+    if (!name || std::ranges::find(names, *name) != names.end())
+        return;
+    const std::string what = fmt::format(fmt::runtime(does), *name);
+    errors.push_back({pass.declared.file, pass.declared.line,
+                      fmt::format("pass '{}' {}, which no shader declares{}", pass.name, what,
+                                  did_you_mean(*name, names))});
+}
+
+void check_counts(const Look& look, const std::vector<Parameter>& parameters, Diagnostics& errors) {
     std::vector<std::string> names;
     for (const Parameter& parameter : parameters)
         names.push_back(parameter.name);
     for (const Pass& pass : look.passes) {
-        const auto* const name = std::get_if<std::string>(&pass.repeat);
-        if (name && std::ranges::find(names, *name) == names.end())
-            errors.push_back(
-                {pass.declared.file, pass.declared.line,
-                 fmt::format("pass '{}' repeats '{}' times, which no shader declares{}", pass.name,
-                             *name, did_you_mean(*name, names))});
+        check_count(pass, pass.repeat, "repeats '{}' times", names, errors);
+        if (pass.converge)
+            check_count(pass, *pass.converge, "converges after '{}' samples", names, errors);
+    }
+}
+
+/// The passes whose shaders declare the orbit's matrices.
+struct OrbitPasses {
+    std::vector<int> view;
+    std::vector<int> camera;
+
+    void add(const PassUniforms& uniforms, int pass) {
+        if (std::ranges::find(uniforms.built_in, "u_view") != uniforms.built_in.end())
+            view.push_back(pass);
+        if (std::ranges::find(uniforms.built_in, "u_camera") != uniforms.built_in.end())
+            camera.push_back(pass);
+    }
+};
+
+void add_orbit(const Look& look, const OrbitPasses& passes, std::vector<Parameter>& parameters,
+               Diagnostics& errors) {
+    std::vector<Parameter> orbit = orbit_parameters(passes.view, passes.camera);
+    if (orbit.empty())
+        append(errors, {{look.manifest, 0,
+                         "the look has an \"orbit\", but no shader declares 'uniform mat4 u_view' "
+                         "or 'uniform mat4 u_camera'"}});
+    for (Parameter& part : orbit) {
+        const auto same = std::ranges::find(parameters, part.name, &Parameter::name);
+        if (same != parameters.end())
+            append(errors, {{same->declared.file, same->declared.line,
+                             fmt::format("'{}' is a parameter of the orbit", part.name)}});
+        part.declared = {look.manifest, 0};
+        parameters.push_back(std::move(part));
     }
 }
 }  // namespace
@@ -90,10 +129,12 @@ Result<std::vector<Parameter>> find_parameters(const Look& look, CheckCache* cac
                                                Diagnostics& warnings) {
     Diagnostics errors;
     std::vector<Candidate> candidates;
+    OrbitPasses orbit_passes;
     for (std::size_t i = 0; i < look.passes.size(); ++i) {
         PassUniforms pass = find_pass_uniforms(look.passes[i], static_cast<int>(i), cache);
         append(errors, pass.errors);
         append(warnings, pass.warnings);
+        orbit_passes.add(pass, static_cast<int>(i));
         for (FreeUniform& free : pass.free) {
             const auto same = std::ranges::find(candidates, free.parameter, &Candidate::name);
             if (same != candidates.end())
@@ -105,8 +146,10 @@ Result<std::vector<Parameter>> find_parameters(const Look& look, CheckCache* cac
     std::vector<Parameter> parameters;
     for (const Candidate& candidate : candidates)
         parameters.push_back(parameter_from(candidate, errors));
+    if (errors.empty() && look.has_orbit)
+        add_orbit(look, orbit_passes, parameters, errors);
     if (errors.empty())
-        check_repeats(look, parameters, errors);
+        check_counts(look, parameters, errors);
     if (!errors.empty())
         return fail(std::move(errors));
     return parameters;

@@ -117,6 +117,7 @@ private:
     }
 
     void check_builtin(const Uniform& uniform, const BuiltinUniform& builtin) {
+        m_result.built_in.push_back(uniform.name);
         const bool is_right = uniform.kind == Uniform::Kind::number && uniform.type == builtin.type;
         if (!is_right)
             error(uniform.declared.front(),

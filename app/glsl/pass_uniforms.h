@@ -17,6 +17,7 @@ struct FreeUniform {
 /// What the shaders of one pass leave for parameters.
 struct PassUniforms {
     std::vector<FreeUniform> free;
+    std::vector<std::string> built_in;  // that it declares
     Diagnostics errors;
     Diagnostics warnings;
 };

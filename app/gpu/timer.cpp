@@ -16,11 +16,13 @@ Timer::Timer()
     : m_queries{Name<delete_query>(new_query()), Name<delete_query>(new_query()),
                 Name<delete_query>(new_query()), Name<delete_query>(new_query())} {}
 
-void Timer::begin() {
+void Timer::begin(int parts) {
     collect();
     m_is_open = m_begun - m_read < ring;  // with all of them under way this frame is not measured
-    if (m_is_open)
-        glBeginQuery(GL_TIME_ELAPSED, m_queries[m_begun++ % ring].get());
+    if (!m_is_open)
+        return;
+    m_parts[m_begun % ring] = parts;
+    glBeginQuery(GL_TIME_ELAPSED, m_queries[m_begun++ % ring].get());
 }
 
 void Timer::end() {
@@ -39,6 +41,7 @@ void Timer::collect() {
         GLuint64 nanoseconds = 0;
         glGetQueryObjectui64v(query, GL_QUERY_RESULT, &nanoseconds);
         m_milliseconds = static_cast<double>(nanoseconds) * 1e-6;
+        m_measured_parts = m_parts[m_read % ring];
         ++m_read;
     }
 }
@@ -47,6 +50,13 @@ std::optional<double> Timer::milliseconds() {
     if (!m_is_open)
         collect();
     return m_milliseconds;
+}
+
+std::optional<double> Timer::milliseconds_a_part() {
+    const auto all = milliseconds();
+    if (!all)
+        return all;
+    return *all / m_measured_parts;
 }
 
 }  // namespace gpu

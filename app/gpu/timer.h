@@ -15,10 +15,12 @@ class Timer {
 public:
     Timer();
 
-    void begin();
+    /// `parts`: how many equal pieces of work follow.
+    void begin(int parts = 1);
     void end();
-    /// The newest measure that has arrived.
+    /// The newest measure that has arrived, of the whole and of one of its parts.
     std::optional<double> milliseconds();
+    std::optional<double> milliseconds_a_part();
 
 private:
     static constexpr std::size_t ring = 4;
@@ -29,8 +31,10 @@ private:
     std::array<Name<delete_query>, ring> m_queries;
     std::size_t m_begun = 0;  // so many queries were begun, from the first on
     std::size_t m_read = 0;   // so many of them were read
+    std::array<int, ring> m_parts{};
     bool m_is_open = false;
     std::optional<double> m_milliseconds;
+    int m_measured_parts = 1;
 };
 
 }  // namespace gpu

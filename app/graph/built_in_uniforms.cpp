@@ -10,8 +10,7 @@ BuiltInUniforms::BuiltInUniforms(const gpu::Program& program)
       m_output_resolution(program.find_uniform("u_output_resolution")),
       m_source_resolution(program.find_uniform("u_source_resolution")),
       m_mouse(program.find_uniform("u_mouse")),
-      m_samples(program.find_uniform("u_samples")),
-      m_view(program.find_uniform("u_view")) {}
+      m_samples(program.find_uniform("u_samples")) {}
 
 namespace {
 template <std::size_t Count>
@@ -35,7 +34,6 @@ void BuiltInUniforms::write(const gpu::Program& program, const Frame& frame, dou
     write_if(program, m_output_resolution, numbers_of(extents.output));
     write_if(program, m_source_resolution, numbers_of(extents.source));
     write_if(program, m_mouse, frame.mouse);
-    write_if(program, m_view, frame.view);
 }
 
 void BuiltInUniforms::write_samples(const gpu::Program& program, int samples) const {

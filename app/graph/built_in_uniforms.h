@@ -21,6 +21,9 @@ public:
     void write(const gpu::Program& program, const Frame& frame, double number,
                const PassExtents& extents) const;
     void write_samples(const gpu::Program& program, int samples) const;
+    /// Whether it draws another picture when only time goes on.
+    bool tell_time() const { return m_time || m_time_delta || m_frame; }
+    bool tell_mouse() const { return m_mouse; }
 
 private:
     const gpu::Uniform* m_time;
@@ -31,5 +34,4 @@ private:
     const gpu::Uniform* m_source_resolution;
     const gpu::Uniform* m_mouse;
     const gpu::Uniform* m_samples;
-    const gpu::Uniform* m_view;
 };

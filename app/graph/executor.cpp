@@ -106,6 +106,7 @@ Result<void> Executor::resize(Extent viewport, Extent source) {
         m_targets = std::move(*targets);
         m_plan = std::move(*plan);
         m_source.set_slots(m_plan.source_slots);
+        restart_samples();
     }
     m_viewport = viewport;
     m_source_extent = source;
@@ -113,11 +114,22 @@ Result<void> Executor::resize(Extent viewport, Extent source) {
 }
 
 void Executor::set_values(const Values& values) {
+    std::vector<std::string> changed;
+    for (const Parameter& parameter : m_look.parameters)
+        if (value_of(parameter, m_values) != value_of(parameter, values))
+            changed.push_back(parameter.name);
+    if (!changed.empty())
+        restart_samples(redraw_after(m_look, changed).passes);
     m_values = values;
     m_parameters.write(m_look, m_values);
 }
 
 Result<void> Executor::set_source(const Picture& picture) {
+    std::vector<bool> readers;
+    for (const Pass& pass : m_look.passes)
+        readers.push_back(std::ranges::any_of(
+            pass.inputs, [](const Input& input) { return input.from == Input::From::source; }));
+    restart_samples(readers);
     return m_source.set(picture, m_look.source_encoding,
                         reads_mipmaps(m_look, Input::From::source, {}));
 }
@@ -136,6 +148,7 @@ Result<void> Executor::set_image(const std::string& name, const Picture& picture
     texture->upload(texels);
     texture->generate_mipmaps();
     m_images.insert_or_assign(name, std::move(*texture));
+    restart_samples();
     return {};
 }
 
@@ -143,6 +156,7 @@ void Executor::clear_history() {
     m_targets.clear();
     m_source.clear();
     m_beam.clear();
+    restart_samples();
 }
 
 const gpu::Texture& Executor::target(int pass) const {
@@ -158,11 +172,5 @@ std::vector<double> Executor::pass_milliseconds() {
 
 int Executor::repeats_of(const Pass& pass) const {
     constexpr double most = 4096;
-    double count = 1;
-    if (const auto* number = std::get_if<int>(&pass.repeat))
-        count = *number;
-    else if (const Parameter* parameter =
-                 find_parameter(m_look, std::get<std::string>(pass.repeat)))
-        count = value_of(*parameter, m_values).number();
-    return static_cast<int>(std::clamp(count, 1.0, most));
+    return static_cast<int>(std::clamp(count_of(pass.repeat, m_look, m_values), 1.0, most));
 }

@@ -13,8 +13,17 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
+
+/// How far an accumulating pass has come.
+struct Samples {
+    int held = 0;
+    std::optional<int> enough = std::nullopt;  // 0: it starts anew with every frame
+
+    bool operator==(const Samples&) const = default;
+};
 
 /// A look on the GPU: its programs, targets, history and pictures. Draws frame after frame; belongs
 /// to the context that it was made in. resize() comes before the first draw.
@@ -43,9 +52,15 @@ public:
     /// One frame further: history moves on. With `passes` only these are drawn; the others keep an
     /// older picture.
     void draw(const Frame& frame, const std::vector<bool>* passes = nullptr);
-    /// The same frame again, only these passes; history does not move. Accumulating passes of one
-    /// slot go on top of what they hold unless frame.samples is 0.
+    /// The same frame again, only these passes; history does not move. Accumulating passes take no
+    /// further samples.
     void redraw(const Frame& frame, const std::vector<bool>& passes);
+    /// Accumulating passes forget their samples: all, or those that these passes reach. Values,
+    /// source, images, sizes and edits see to it themselves.
+    void restart_samples();
+    void restart_samples(const std::vector<bool>& changed_passes);
+    /// The mouse of the frames to come is elsewhere.
+    void note_mouse_moved();
     /// As before the first frame.
     void clear_history();
 
@@ -56,6 +71,10 @@ public:
     const Programs& programs() const { return m_programs; }
     /// The latest known GPU time of each pass, some frames old; 0 until one is known.
     std::vector<double> pass_milliseconds();
+    /// Of the last pass that accumulates; none when no pass does.
+    std::optional<Samples> samples() const;
+    /// Every accumulating pass has enough, and nothing else that is drawn goes on with time.
+    bool has_converged() const;
     /// Of the last draw or redraw.
     int draw_calls() const { return m_draw_calls; }
 
@@ -66,6 +85,7 @@ private:
         std::vector<BoundInput> inputs;
         gpu::VertexArray vertices;
         std::unique_ptr<gpu::Timer> timer;
+        int samples = 0;  // that an accumulating pass holds
         bool reads_itself = false;
         bool covers_target = false;  // leaves no texel of what was there
     };
@@ -77,6 +97,12 @@ private:
 
     void draw_passes(const Frame& frame, const std::vector<bool>* only, bool is_again);
     void draw_pass(std::size_t pass, const Frame& frame, bool is_again);
+    void draw_samples(std::size_t pass, const Frame& frame);
+    void draw_repetitions(std::size_t pass, bool is_again);
+    void write_built_ins(std::size_t pass, const Frame& frame) const;
+    std::optional<int> enough_of(const Pass& pass) const;
+    int samples_due(std::size_t pass, const Frame& frame) const;
+    int samples_before(std::size_t pass) const;
     void bind(const PassState& state);
     const gpu::Texture* texture_for(const BoundInput& input) const;
     void start_target(std::size_t pass, bool goes_on);

@@ -36,29 +36,44 @@ double frame_number(const Frame& frame, const Pass& pass) {
 }
 }  // namespace
 
+void Executor::draw_pass(std::size_t index, const Frame& frame, bool is_again) {
+    if (m_look.passes[index].accumulate && is_again)
+        return;
+    PassState& state = m_passes[index];
+    state.program->use();
+    write_built_ins(index, frame);
+    if (m_look.passes[index].accumulate)
+        draw_samples(index, frame);
+    else
+        draw_repetitions(index, is_again);
+    m_targets[index].canvas().texture().generate_mipmaps();
+}
+
+void Executor::write_built_ins(std::size_t index, const Frame& frame) const {
+    const PassState& state = m_passes[index];
+    const gpu::Texture* source = m_source.texture(0);
+    state.built_ins.write(
+        *state.program, frame, frame_number(frame, m_look.passes[index]),
+        {m_plan.targets[index].extent, m_viewport, source ? source->extent() : m_source_extent});
+}
+
 // A pass that reads its own history moves on with each repetition; all that is left of the former
 // ones when it is drawn again is what the last one read, so only that one is drawn.
-void Executor::draw_pass(std::size_t index, const Frame& frame, bool is_again) {
-    const Pass& pass = m_look.passes[index];
-    const PassState& state = m_passes[index];
-    const int repeats = repeats_of(pass);
-    const gpu::Texture* source = m_source.texture(0);
+void Executor::draw_repetitions(std::size_t index, bool is_again) {
+    PassState& state = m_passes[index];
+    const int repeats = repeats_of(m_look.passes[index]);
+    const int samples = samples_before(index);
     state.timer->begin();
-    state.program->use();
-    state.built_ins.write(
-        *state.program, frame, frame_number(frame, pass),
-        {m_plan.targets[index].extent, m_viewport, source ? source->extent() : m_source_extent});
     for (int i = is_again && state.reads_itself ? repeats - 1 : 0; i < repeats; ++i) {
         if (i > 0 && state.reads_itself && !is_again)
             m_targets[index].advance();
         if (i == 0 || state.reads_itself) {
-            start_target(index, pass.accumulate && (frame.samples > 0 || i > 0));
+            start_target(index, false);
             bind(state);
         }
-        state.built_ins.write_samples(*state.program, frame.samples * repeats + i);
+        state.built_ins.write_samples(*state.program, samples + i);
         draw_shape(index);
     }
-    m_targets[index].canvas().texture().generate_mipmaps();
     state.timer->end();
 }
 

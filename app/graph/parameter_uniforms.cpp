@@ -13,7 +13,11 @@ ParameterUniforms::ParameterUniforms(const Look& look, const Programs& programs)
         for (const auto& [uniform, value] : look.passes[i].set)
             programs.passes[i].program->write(uniform, value.numbers);
 
+    for (std::size_t i = 0; i < programs.passes.size(); ++i)
+        find_turned(static_cast<int>(i), *programs.passes[i].program);
     for (std::size_t i = 0; i < look.parameters.size(); ++i) {
+        if (look.parameters[i].orbit != OrbitPart::none)
+            continue;
         Driven driven{i, {}, {}};
         for (const Binding& binding : look.parameters[i].bindings) {
             const gpu::Program* program = program_of(programs, binding.pass);
@@ -27,7 +31,20 @@ ParameterUniforms::ParameterUniforms(const Look& look, const Programs& programs)
     }
 }
 
+void ParameterUniforms::find_turned(int pass, const gpu::Program& program) {
+    if (const gpu::Uniform* view = program.find_uniform("u_view"))
+        m_turned.push_back({pass, {&program, view}, view_matrix, {}});
+    if (const gpu::Uniform* camera = program.find_uniform("u_camera"))
+        m_turned.push_back({pass, {&program, camera}, camera_matrix, {}});
+}
+
 void ParameterUniforms::write(const Look& look, const Values& values) {
+    for (Turned& turned : m_turned) {
+        const Orbit orbit = orbit_of(look, values, turned.pass);
+        if (turned.written != orbit)
+            turned.place.program->write(*turned.place.uniform, turned.matrix(orbit));
+        turned.written = orbit;
+    }
     for (Driven& driven : m_driven) {
         const Parameter& parameter = look.parameters[driven.parameter];
         const Value& value = value_of(parameter, values);

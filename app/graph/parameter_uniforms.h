@@ -1,11 +1,13 @@
 #pragma once
 
 #include "graph/programs.h"
-#include "model/look.h"
+#include "model/orbit.h"
 
+#include <optional>
 #include <vector>
 
-/// Writes a look's values to the uniforms that they drive, and only those that changed.
+/// Writes a look's values to the uniforms that they drive, and only those that changed. Those of
+/// the orbit become matrices.
 class ParameterUniforms {
 public:
     ParameterUniforms() = default;
@@ -25,5 +27,15 @@ private:
         std::vector<Place> places;
         Value written;  // empty: nothing yet
     };
+    struct Turned {  // u_view or u_camera
+        int pass;
+        Place place;
+        Matrix (*matrix)(const Orbit&);
+        std::optional<Orbit> written;
+    };
+
+    void find_turned(int pass, const gpu::Program& program);
+
     std::vector<Driven> m_driven;
+    std::vector<Turned> m_turned;
 };

@@ -29,6 +29,12 @@ void Document::set_value(const std::string& name, Value value, bool goes_on) {
     change(std::move(next), parameter->label, goes_on);
 }
 
+void Document::set_orbit(const std::function<Orbit(const Orbit&)>& change) {
+    DocumentState next = state();
+    next.values = with_orbits_changed(m_look, std::move(next.values), change);
+    this->change(std::move(next), "View", true);
+}
+
 void Document::reset(const std::vector<std::string>& names) {
     DocumentState next = state();
     for (const std::string& name : names)

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "model/orbit.h"
 #include "model/plan.h"
 #include "model/preset.h"
 #include "model/undo.h"
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -37,6 +39,8 @@ public:
     /// Sets a parameter within its hard limit. `goes_on`: more of the same gesture will follow, up
     /// to finish().
     void set_value(const std::string& name, Value value, bool goes_on = false);
+    /// Turns what the mouse turns, up to finish() as one step.
+    void set_orbit(const std::function<Orbit(const Orbit&)>& change);
     void reset(const std::vector<std::string>& names);
     void reset_all();
     void set_signal(Spec signal, bool goes_on = false);

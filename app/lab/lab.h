@@ -52,6 +52,12 @@ public:
     const std::vector<Problem>& problems() const { return m_problems; }
     const std::optional<Notice>& notice() const { return m_notice; }
     bool is_loading() const { return m_reloader.is_busy(); }
+    /// How far the open look's accumulating has come; none when it does not accumulate.
+    std::optional<Samples> samples() const {
+        return m_renderer ? m_renderer->executor().samples() : std::nullopt;
+    }
+    /// The picture has all the samples it wants: it stays until something changes.
+    bool has_converged() const;
     const PictureSize& picture_size() const { return m_picture_size; }
     Extent picture_extent() const { return m_picture_size.extent(m_view); }
     /// What drives the look: how far its file has been read.

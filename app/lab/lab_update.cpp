@@ -34,8 +34,12 @@ void Lab::tell_silence() {
 }
 
 bool Lab::is_moving() const {
-    return m_player.is_playing() || is_loading() || m_notice || m_wanted ||
+    return (m_player.is_playing() && !has_converged()) || is_loading() || m_notice || m_wanted ||
            !m_drive.loading().empty() || (m_renderer && m_renderer->replay().is_running());
+}
+
+bool Lab::has_converged() const {
+    return m_renderer && m_renderer->executor().has_converged();
 }
 
 void Lab::take_reload() {
@@ -98,6 +102,8 @@ void Lab::open_document(Look look, const OpenRequest& request) {
     else
         m_document.emplace(std::move(look));
     m_renderer = std::make_unique<Renderer>(m_document->drawn_look(), *m_programs);
+    constexpr double patience_seconds = 0.05;
+    m_renderer->set_patience(patience_seconds);
     m_drawn_extent = {};
     m_images.clear();
     m_drive.forget();
@@ -156,6 +162,7 @@ void Lab::apply_document() {
     Redraw redraw = redraw_after(m_document->look(), names);
     if (is_first || m_applied->signal != state.signal || m_applied->source != state.source) {
         succeeded(m_drive.follow(*m_document, m_player, *m_renderer));
+        m_renderer->restart_samples();
         redraw.needs_replay = true;
     }
     if (!is_first && m_applied->overrides != state.overrides) {
@@ -173,6 +180,7 @@ void Lab::update_drive() {
         return;
     succeeded(*taken);
     gather_problems();
+    m_renderer->restart_samples();
     m_drawn_extent = {};  // sizes may depend on the source
     want({{}, true});
 }
@@ -214,7 +222,9 @@ void Lab::limit_frame(double wall_seconds) {
 void Lab::draw_picture(double wall_seconds) {
     resize_picture();
     limit_frame(wall_seconds);
-    if (const auto frame = m_player.advance(wall_seconds)) {
+    const bool rests = m_player.is_playing() && has_converged();
+    const auto frame = rests ? std::nullopt : m_player.advance(wall_seconds);
+    if (frame) {
         m_wanted.reset();
         m_renderer->cancel_replay();
         m_renderer->draw(*frame, m_player.trace(frame->span));
@@ -226,7 +236,7 @@ void Lab::draw_picture(double wall_seconds) {
         m_renderer->continue_replay(m_player, seconds_a_turn);
     else if (m_wanted && m_wanted->needs_replay)
         start_replay();
-    else if (m_wanted && !m_player.is_playing())
+    else if (m_wanted && (rests || !m_player.is_playing()))
         m_renderer->redraw(m_player, std::exchange(m_wanted, std::nullopt)->passes);
 }
 

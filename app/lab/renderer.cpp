@@ -15,14 +15,20 @@ Frame Renderer::frame_of(const PlayedFrame& played, const Beam& beam) const {
     frame.time_delta = played.span.seconds();
     frame.number = played.number;
     frame.mouse = m_mouse;
-    frame.samples = m_samples;
+    frame.patience_seconds = m_patience_seconds;
     frame.beam = beam;
     return frame;
 }
 
+void Renderer::set_mouse(double x, double y) {
+    const std::array<double, 2> mouse{x, y};
+    if (mouse != m_mouse)
+        m_executor.note_mouse_moved();
+    m_mouse = mouse;
+}
+
 void Renderer::draw(const PlayedFrame& played, const Beam& beam) {
     const auto start = std::chrono::steady_clock::now();
-    ++m_samples;
     m_executor.draw(frame_of(played, beam));
     m_point_count = beam.size();
     m_pass_milliseconds = m_executor.pass_milliseconds();
@@ -44,13 +50,7 @@ void Renderer::note_beam_cost(const PlayedFrame& played) {
 
 void Renderer::draw_unseen(const PlayedFrame& played, const Beam& beam) {
     const std::vector<bool> carried = carried_passes(m_executor.look());
-    ++m_samples;
     m_executor.draw(frame_of(played, beam), &carried);
-}
-
-void Renderer::clear_history() {
-    m_samples = 0;
-    m_executor.clear_history();
 }
 
 void Renderer::redraw(const Player& player, const std::vector<bool>& passes) {

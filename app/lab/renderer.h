@@ -31,12 +31,16 @@ public:
     Result<void> set_image(const std::string& name, const Picture& picture) {
         return m_executor.set_image(name, picture);
     }
-    void set_mouse(double x, double y) { m_mouse = {x, y}; }  // px from bottom left
+    void set_mouse(double x, double y);  // px from bottom left
+    /// How long a frame may take its accumulating passes; the rest is left to the next ones.
+    void set_patience(double seconds) { m_patience_seconds = seconds; }
+    /// What drives the look is another: accumulating passes start anew.
+    void restart_samples() { m_executor.restart_samples(); }
 
     void draw(const PlayedFrame& frame, const Beam& beam);
     /// A frame that nobody will look at: only what later frames are made of is drawn.
     void draw_unseen(const PlayedFrame& frame, const Beam& beam);
-    void clear_history();
+    void clear_history() { m_executor.clear_history(); }
 
     /// Draws the present frame again; only the passes that the change reaches.
     void redraw(const Player& player, const std::vector<bool>& passes);
@@ -66,7 +70,7 @@ private:
 
     Executor m_executor;
     std::array<double, 2> m_mouse{};
-    int m_samples = 0;
+    double m_patience_seconds = 0.0;
     std::vector<double> m_pass_milliseconds;
     std::size_t m_point_count = 0;
     double m_beam_cost = 0.0;

@@ -34,6 +34,13 @@ const Value& value_of(const Parameter& parameter, const Values& values) {
     return found == values.end() ? parameter.initial : found->second;
 }
 
+double count_of(const Count& count, const Look& look, const Values& values) {
+    if (const auto* number = std::get_if<int>(&count))
+        return *number;
+    const Parameter* parameter = find_parameter(look, std::get<std::string>(count));
+    return parameter ? value_of(*parameter, values).number() : 0.0;
+}
+
 Values changed_values(const Look& look, const Values& values) {
     Values changed = values;
     for (const Parameter& parameter : look.parameters) {

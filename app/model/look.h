@@ -61,6 +61,9 @@ struct Stage {
     bool operator==(const Stage&) const = default;
 };
 
+/// A whole number, or the parameter that says it.
+using Count = std::variant<int, std::string>;
+
 enum class Draw { fullscreen, points, segments };
 enum class Blend { replace, add, alpha, multiply, maximum };
 
@@ -77,9 +80,10 @@ struct Pass {
     Values set;                                 // uniforms with a fixed value
     std::map<std::string, std::string> rename;  // uniform -> parameter
     bool accumulate = false;  // goes on until anything changes, counted in u_samples
-    std::variant<int, std::string> repeat = 1;  // draws a frame, or the parameter that says so
-    int frame_modulo = 0;                       // u_frame counts modulo this; 0: never
-    Location declared;                          // in look.json
+    Count repeat = 1;         // draws a frame
+    std::optional<Count> converge = std::nullopt;  // samples that are enough to accumulate
+    int frame_modulo = 0;                          // u_frame counts modulo this; 0: never
+    Location declared;                             // in look.json
 
     bool operator==(const Pass&) const = default;
 };
@@ -127,6 +131,9 @@ std::vector<std::string> parameter_names(const Look& look);
 
 /// The value in force: the one that was set, else the default.
 const Value& value_of(const Parameter& parameter, const Values& values);
+
+/// The number, or what its parameter is set to; 0 when there is no such parameter.
+double count_of(const Count& count, const Look& look, const Values& values);
 
 /// Drops what equals its default; keeps names that the look does not know (orphans).
 Values changed_values(const Look& look, const Values& values);

@@ -52,6 +52,9 @@ struct Item {
     bool operator==(const Item&) const = default;
 };
 
+/// What a parameter is of a look's orbit; see model/orbit.h.
+enum class OrbitPart { none, turn, azimuth, elevation, distance };
+
 /// A uniform of a pass that a parameter drives.
 struct Binding {
     int pass = 0;  // index into Look::passes
@@ -77,6 +80,7 @@ struct Parameter {
     std::optional<Value> identity;  // the value that does nothing
     std::string was;                // a former name, "" when there is none
     bool is_hidden = false;
+    OrbitPart orbit = OrbitPart::none;  // its number becomes a part of a matrix
     std::vector<Binding> bindings;
     Location declared;
 

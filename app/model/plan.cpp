@@ -127,14 +127,17 @@ double bytes_per_pixel(const Look& look, const Plan& plan) {
 
 namespace {
 bool is_driven(const Look& look, std::size_t pass, const std::vector<std::string>& parameters) {
+    const Pass& read = look.passes[pass];
     for (const std::string& name : parameters) {
+        // How many samples there are does not change what they are samples of.
+        if (read.accumulate && (read.repeat == Count(name) || read.converge == Count(name)))
+            continue;
         const Parameter* parameter = find_parameter(look, name);
         if (parameter && std::any_of(parameter->bindings.begin(), parameter->bindings.end(),
                                      [&](const Binding& binding) {
                                          return static_cast<std::size_t>(binding.pass) == pass;
                                      }))
             return true;
-        const Pass& read = look.passes[pass];
         if (const auto* repeat = std::get_if<std::string>(&read.repeat); repeat && *repeat == name)
             return true;
         for (const Side& side : read.size)
@@ -146,18 +149,22 @@ bool is_driven(const Look& look, std::size_t pass, const std::vector<std::string
 }
 }  // namespace
 
-Redraw redraw_after(const Look& look, const std::vector<std::string>& parameters) {
-    Redraw redraw;
-    for (std::size_t i = 0; i < look.passes.size(); ++i) {
-        bool reached = is_driven(look, i, parameters);
+std::vector<bool> reached_from(const Look& look, std::vector<bool> changed) {
+    for (std::size_t i = 0; i < look.passes.size(); ++i)
         for (const Input& input : look.passes[i].inputs) {
             const auto read = find_pass(look, input.name);
             if (input.from == Input::From::pass && input.frames_ago == 0 && read &&
-                static_cast<std::size_t>(*read) < i)
-                reached = reached || redraw.passes[static_cast<std::size_t>(*read)];
+                static_cast<std::size_t>(*read) < i && changed[static_cast<std::size_t>(*read)])
+                changed[i] = true;
         }
-        redraw.passes.push_back(reached);
-    }
+    return changed;
+}
+
+Redraw redraw_after(const Look& look, const std::vector<std::string>& parameters) {
+    std::vector<bool> driven;
+    for (std::size_t i = 0; i < look.passes.size(); ++i)
+        driven.push_back(is_driven(look, i, parameters));
+    Redraw redraw{reached_from(look, std::move(driven))};
     for (std::size_t i = 0; i < look.passes.size(); ++i) {
         redraw.needs_replay =
             redraw.needs_replay || (redraw.passes[i] && look.passes[i].accumulate);

@@ -58,6 +58,9 @@ struct Redraw {
     bool needs_replay = false;  // it also reaches earlier frames that this one is made of
 };
 
+/// The passes that `changed` ones reach within a frame, these included.
+std::vector<bool> reached_from(const Look& look, std::vector<bool> changed);
+
 /// For a paused picture: what shows a change of these parameters.
 Redraw redraw_after(const Look& look, const std::vector<std::string>& parameters);
 

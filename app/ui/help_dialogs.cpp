@@ -12,12 +12,13 @@
 #include <utility>
 
 namespace {
-constexpr std::array<std::pair<const char*, const char*>, 6> mouse_habits{
+constexpr std::array<std::pair<const char*, const char*>, 7> mouse_habits{
     {{"Drag on a slider", "turn it; with Shift ten times finer"},
      {"Ctrl+click or double click", "type a value, also beyond the slider's ends"},
      {"Click on a name", "what the parameter is, and where it is declared"},
      {"Wheel over a picture", "zoom about the pointer"},
-     {"Drag a picture", "move it"},
+     {"Drag a picture", "move it; in a look that can be turned (Caffeine) turn the object"},
+     {"Right button, Ctrl + wheel", "there: move the camera around, nearer or farther"},
      {"Escape", "stop what takes long, go back to the picture, close a dialog"}}};
 
 void line(const std::string& keys, const std::string& words, const Scene& scene) {

@@ -4,6 +4,7 @@
 #include "ui/widgets.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace {
 PictureView zoomed(const PictureCanvas& canvas, const PicturePlace& place,
@@ -26,12 +27,43 @@ PictureView panned(const PictureCanvas& canvas, const PicturePlace& place, float
 }
 }  // namespace
 
+namespace {
+bool is_dragged() {
+    const ImVec2 delta = ImGui::GetIO().MouseDelta;
+    return ImGui::IsItemActive() && (delta.x != 0.0f || delta.y != 0.0f);
+}
+
+// Across the view is half a turn.
+std::function<Orbit(const Orbit&)> dragged_orbit(const PictureCanvas& canvas) {
+    const ImVec2 delta = ImGui::GetIO().MouseDelta;
+    const double degrees = 180.0 / std::max(std::min(canvas.size.x, canvas.size.y), 1.0f);
+    const double right = delta.x * degrees;
+    const double up = -delta.y * degrees;
+    if (ImGui::IsMouseDown(ImGuiMouseButton_Left))
+        return [right, up](const Orbit& orbit) { return with_object_turned(orbit, right, up); };
+    return [right, up](const Orbit& orbit) { return with_camera_moved(orbit, right, up); };
+}
+
+void turn_orbit(const PictureCanvas& canvas, CanvasInput& input) {
+    constexpr double factor_a_notch = 0.9;
+    const float wheel = ImGui::GetIO().MouseWheel;
+    if (wheel != 0.0f && ImGui::GetIO().KeyCtrl) {
+        const double factor = std::pow(factor_a_notch, wheel);
+        input.turned = [factor](const Orbit& orbit) { return with_distance_scaled(orbit, factor); };
+        input.is_turn_finished = true;
+    } else if (is_dragged() && !ImGui::IsMouseDown(ImGuiMouseButton_Middle)) {
+        input.turned = dragged_orbit(canvas);
+    }
+}
+}  // namespace
+
 CanvasInput draw_picture_canvas(const PictureCanvas& canvas, const Scene& scene) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const ImVec2 high(low.x + canvas.size.x, low.y + canvas.size.y);
     ImGui::InvisibleButton(canvas.id,
                            {std::max(canvas.size.x, 1.0f), std::max(canvas.size.y, 1.0f)},
-                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |
+                               (canvas.has_orbit ? ImGuiButtonFlags_MouseButtonRight : 0));
     if (canvas.image.handle != 0) {
         // The view's texture covers whole device pixels and has its row 0 at the bottom.
         const ImVec2 end(low.x + static_cast<float>(canvas.image.extent.width) / scene.density,
@@ -40,6 +72,7 @@ CanvasInput draw_picture_canvas(const PictureCanvas& canvas, const Scene& scene)
                                              {0.0f, 1.0f}, {1.0f, 0.0f});
     }
     CanvasInput input;
+    input.is_turn_finished = canvas.has_orbit && ImGui::IsItemDeactivated();
     if (canvas.picture.is_empty() || (!ImGui::IsItemHovered() && !ImGui::IsItemActive()))
         return input;
     const Extent room = scene.device_pixels(high.x - low.x, high.y - low.y);
@@ -48,11 +81,14 @@ CanvasInput draw_picture_canvas(const PictureCanvas& canvas, const Scene& scene)
     const auto pixel =
         place.pixel_at((mouse.x - low.x) * scene.density, (mouse.y - low.y) * scene.density);
     input.hovered = pixel;
+    if (canvas.has_orbit)
+        turn_orbit(canvas, input);
     const float wheel = ImGui::GetIO().MouseWheel;
+    if (input.turned)
+        return input;
     if (wheel != 0.0f)
         input.moved = zoomed(canvas, place, pixel, wheel > 0.0f);
-    else if (ImGui::IsItemActive() &&
-             (ImGui::GetIO().MouseDelta.x != 0.0f || ImGui::GetIO().MouseDelta.y != 0.0f))
+    else if (is_dragged())
         input.moved = panned(canvas, place, scene.density);
     return input;
 }

@@ -2,6 +2,7 @@
 
 #include "lab/views.h"
 #include "lab/window_state.h"
+#include "model/orbit.h"
 #include "ui/scene.h"
 
 #include <imgui/imgui.h>
@@ -9,19 +10,24 @@
 #include <functional>
 #include <optional>
 
-/// A picture in its view, that the wheel zooms and a drag moves.
+/// A picture in its view, that the wheel zooms and a drag moves. With an orbit the left button
+/// turns the object, the right one moves the camera, and the wheel with Ctrl brings it nearer; the
+/// middle one still moves the view.
 struct PictureCanvas {
     const char* id;
     Views::Image image;  // as it lies in the view
     Extent picture;      // the whole of it, px
     PictureView view;
     ImVec2 size;  // of the view, coordinates of the window
+    bool has_orbit = false;
 };
 
 /// What a person did to it.
 struct CanvasInput {
     std::optional<PictureView> moved;
     std::optional<std::array<double, 2>> hovered;  // pixel of the picture, from the top left
+    std::function<Orbit(const Orbit&)> turned;     // empty: not
+    bool is_turn_finished = false;
 };
 
 /// Draws it at the cursor. The picture is zoomed about the pointer.

@@ -53,15 +53,21 @@ void draw_picture_panel(const Scene& scene, const Rect& place, Edits& edits) {
         draw_overlays(scene, edits);
         return;
     }
+    const bool is_turned = !scene.window.shows_pass_large && scene.lab.document()->look().has_orbit;
     const CanvasInput input = draw_picture_canvas({.id = "##picture",
                                                    .image = scene.views.picture(),
                                                    .picture = large_extent(scene),
                                                    .view = scene.window.large_view(),
-                                                   .size = {place.width, place.height}},
+                                                   .size = {place.width, place.height},
+                                                   .has_orbit = is_turned},
                                                   scene);
     edits.mark("picture");
     if (input.moved)
         edits.arrange([view = *input.moved](WindowState& window) { window.large_view() = view; });
+    if (input.turned)
+        edits.document([turned = input.turned](Document& document) { document.set_orbit(turned); });
+    if (input.is_turn_finished)
+        edits.finish();
     if (input.hovered && scene.window.shows_pass_large)
         probe(scene.window.inspected.pass, *input.hovered, edits);
     else if (input.hovered)

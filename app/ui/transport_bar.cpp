@@ -58,6 +58,14 @@ void draw_speed(const Scene& scene, Edits& edits) {
         edits.add([speed](Lab& lab) { lab.transport().set_speed(speed); });
 }
 
+std::string samples_text(const Samples& samples) {
+    const int enough = samples.enough.value_or(0);
+    if (enough > 0 && samples.held >= enough)
+        return fmt::format("{} samples, done", samples.held);
+    return enough > 0 ? fmt::format("{}/{} samples", samples.held, enough)
+                      : fmt::format("{} samples", samples.held);
+}
+
 // Left out from the end where the pane is narrow.
 void draw_facts(const Scene& scene, float room) {
     const ScopedFont font(scene.fonts.numbers);
@@ -67,6 +75,8 @@ void draw_facts(const Scene& scene, float room) {
     if (scene.lab.renderer() && scene.lab.document() &&
         scene.lab.document()->look().driven_by == Driver::signal)
         facts.push_back(fmt::format("{} points", scene.lab.renderer()->point_count()));
+    if (const auto samples = scene.lab.samples())
+        facts.push_back(samples_text(*samples));
     if (scene.lab.renderer() && scene.lab.renderer()->replay().is_running())
         facts[1] = fmt::format("replay {}/{}", scene.lab.renderer()->replay().done,
                                scene.lab.renderer()->replay().total);

@@ -1,6 +1,7 @@
 #include "formats/describe.h"
 
 #include "formats/sample_preset.h"
+#include "model/orbit.h"
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
@@ -79,11 +80,25 @@ TEST_CASE("what few passes have is there only where they have it") {
     look.passes[0].rename = {{"radius", "beam_radius"}};
     look.passes[0].repeat = std::string("points");
     look.passes[1].accumulate = true;
+    look.passes[1].converge = Count("points");
     look.passes[1].frame_modulo = 60;
     const Json json = described(look, {{"points", 8.0}});
     CHECK(json["passes"][0]["rename"] == Json::parse(R"({"radius": "beam_radius"})"));
     CHECK(json["passes"][0]["repeat"] == 8.0);
     CHECK_FALSE(json["passes"][0].contains("accumulate"));
     CHECK(json["passes"][1]["accumulate"] == true);
+    CHECK(json["passes"][1]["converge"] == 8.0);
     CHECK(json["passes"][1]["frame_modulo"] == 60);
+}
+
+TEST_CASE("the orbit is told as the matrix that a pass gets") {
+    Look look = described_look();
+    for (Parameter& part : orbit_parameters({1}, {}))
+        look.parameters.push_back(std::move(part));
+    const Json json = described(look, {{"orbit_turn", std::vector<double>{0, 90, 0}}});
+    CHECK_FALSE(json["passes"][0]["set"].contains("u_view"));
+    const Json& view = json["passes"][1]["set"]["u_view"];
+    REQUIRE(view.size() == 16);
+    CHECK(view[2] == doctest::Approx(-1.0));  // x goes to -z
+    CHECK(view[8] == doctest::Approx(1.0));   // z to x
 }

@@ -122,8 +122,8 @@ TEST_CASE("every key of a pass, an input and an image is read") {
             R"("source_encoding": "display", "orbit": true, "images": {"lut": "lut.png", "noise": {"file": "lut.png", "filter": "nearest", "wrap": "repeat", "mipmap": true, "linear": true}}, )",
         R"json({"name": "a", "fragment": "blur.frag", "scale": [2, 0.5], "scale_of": "source",
             "inputs": {"s": "source@2", "l": {"from": "noise", "wrap": "mirror"}, "o": {"from": "a@64", "filter": "nearest", "wrap": "border", "mipmap": true}},
-            "rename": {"radius": "a_radius"}, "accumulate": true, "repeat": 8, "frame_modulo": 60, "set": {"x": true, "m": [1, 0, 0, 1]}},
-           {"name": "b", "fragment": "blur.frag", "size": [320, "$HEIGHT / floor($pixels)"], "repeat": "count"})json"));
+            "rename": {"radius": "a_radius"}, "accumulate": true, "converge": 500, "repeat": 8, "frame_modulo": 60, "set": {"x": true, "m": [1, 0, 0, 1]}},
+           {"name": "b", "fragment": "blur.frag", "size": [320, "$HEIGHT / floor($pixels)"], "repeat": "count", "accumulate": true, "converge": "enough"})json"));
     REQUIRE(look.has_value());
     CHECK(look->default_source == "pattern:smpte");
     CHECK(look->source_encoding == Encoding::display);
@@ -144,12 +144,14 @@ TEST_CASE("every key of a pass, an input and an image is read") {
     CHECK(a.rename.at("radius") == "a_radius");
     CHECK(a.accumulate);
     CHECK(std::get<int>(a.repeat) == 8);
+    CHECK(a.converge == Count(500));
     CHECK(a.frame_modulo == 60);
     CHECK(a.set == Values{{"x", 1.0}, {"m", Value({1.0, 0.0, 0.0, 1.0})}});
     const Pass& b = look->passes[1];
     CHECK(b.size[0] == Side{Side::By::pixels, 320.0, {}});
     CHECK(b.size[1] == Side{Side::By::expression, 1.0, "$HEIGHT / floor($pixels)"});
     CHECK(std::get<std::string>(b.repeat) == "count");
+    CHECK(b.converge == Count("enough"));
 }
 
 TEST_CASE("unknown keys are told with their line and the nearest known one") {
@@ -274,7 +276,7 @@ TEST_CASE("sizes, formats and counts are checked") {
 {"name": "d", "fragment": "blur.frag", "size": [0.5, ""]},
 {"name": "e", "fragment": "blur.frag", "size": 5},
 {"name": "f", "fragment": "blur.frag", "size": [5, 5], "scale": 1},
-{"name": "g", "fragment": "blur.frag", "repeat": 0},
+{"name": "g", "fragment": "blur.frag", "repeat": 0, "converge": 5},
 {"name": "h", "fragment": "blur.frag", "frame_modulo": -1},
 {"name": "i", "fragment": "blur.frag", "set": {"a": "text"}, "rename": {"a": "9"}},
 {"name": "j", "fragment": "blur.frag", "format": "r32ui", "blend": "add"},
@@ -293,6 +295,7 @@ TEST_CASE("sizes, formats and counts are checked") {
         "look.json:6: error: \"size\" must be a list of two: [width, height]\n"
         "look.json:7: error: a pass has a \"scale\" or a \"size\", not both\n"
         "look.json:8: error: \"repeat\" must be a whole number from 1 to 1024\n"
+        "look.json:8: error: only a pass with \"accumulate\": true can converge\n"
         "look.json:9: error: \"frame_modulo\" must be a whole number from 0 to 16777216\n"
         "look.json:10: error: \"a\" must be numbers\n"
         "look.json:10: error: '9' cannot be the name of a parameter: a name is 1 to 64 letters, "

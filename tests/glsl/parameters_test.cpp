@@ -151,6 +151,28 @@ TEST_CASE("look.json cannot name what no shader of the pass declares") {
     pass.repeat = "tims";
     CHECK(errors_of(look) ==
           "look.json:7: error: pass 'main' repeats 'tims' times, which no shader declares\n");
+    pass = good;
+    pass.converge = Count("enogh");
+    CHECK(errors_of(look) ==
+          "look.json:7: error: pass 'main' converges after 'enogh' samples, which no shader "
+          "declares\n");
+}
+
+TEST_CASE("the orbit is parameters of the matrices that shaders declare") {
+    Look look = look_with("uniform mat4 u_view;\nuniform mat4 u_camera;\nuniform float mine;");
+    CHECK(names_of(parameters_of(look)) == Names{"mine"});
+    look.has_orbit = true;
+    CHECK(names_of(parameters_of(look)) ==
+          Names{"mine", "orbit_turn", "orbit_azimuth", "orbit_elevation", "orbit_distance"});
+    look = look_with("uniform mat4 u_view;\nuniform float orbit_turn;");
+    look.has_orbit = true;
+    CHECK(errors_of(look) == "a.frag:3: error: 'orbit_turn' is a parameter of the orbit\n");
+    look = look_with("uniform float mine;");
+    look.has_orbit = true;
+    look.manifest = "look.json";
+    CHECK(errors_of(look) ==
+          "look.json: error: the look has an \"orbit\", but no shader declares 'uniform mat4 "
+          "u_view' or 'uniform mat4 u_camera'\n");
 }
 
 TEST_CASE("a sampler2D without an input is a picture to choose, any other sampler a mistake") {

@@ -173,3 +173,18 @@ TEST_CASE("what a person overrode of a pass belongs to the look and not to the p
     document.undo();
     CHECK(document.drawn_look() == look);
 }
+
+TEST_CASE("a drag that turns the view is one step of undo and goes into the preset") {
+    Look look = small_look();
+    for (Parameter& part : orbit_parameters({}, {0}))
+        look.parameters.push_back(std::move(part));
+    Document document(look);
+    for (int i = 0; i < 3; ++i)
+        document.set_orbit([](const Orbit& orbit) { return with_camera_moved(orbit, -10, -5); });
+    document.finish();
+    CHECK(document.preset().values ==
+          Values{{"orbit_azimuth", Value(30.0)}, {"orbit_elevation", Value(15.0)}});
+    CHECK(document.history().undo_name() == "View");
+    document.undo();
+    CHECK(document.values().empty());
+}

@@ -148,6 +148,19 @@ TEST_CASE("a knob that repeats or sizes a pass reaches it too") {
     CHECK(redraw_after(look, {"cell"}).passes == std::vector<bool>{false, false, false, true});
 }
 
+TEST_CASE("how many samples an accumulating pass takes changes nothing about them") {
+    Look look = scope();
+    look.passes[2].accumulate = true;
+    look.passes[2].repeat = "rounds";
+    look.passes[2].converge = Count("enough");
+    look.parameters.push_back(knob("rounds", 1, {{2, "rounds"}}));
+    look.parameters.push_back(knob("enough", 1, {{2, "enough"}}));
+    CHECK(redraw_after(look, {"rounds", "enough"}).passes == std::vector<bool>(4, false));
+    look.passes[2].accumulate = false;
+    look.passes[2].converge.reset();
+    CHECK(redraw_after(look, {"rounds"}).passes == std::vector<bool>{false, false, true, true});
+}
+
 TEST_CASE("what a pass needs is found through loops as well") {
     CHECK(needed_for(scope(), 3) == std::vector<bool>{true, true, true, true});
     CHECK(needed_for(scope(), 1) == std::vector<bool>{true, true, false, false});

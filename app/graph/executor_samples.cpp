@@ -1,0 +1,103 @@
+// The part of Executor for passes that accumulate: samples until there are enough.
+#include "graph/executor.h"
+
+#include <algorithm>
+
+void Executor::restart_samples() {
+    for (PassState& state : m_passes)
+        state.samples = 0;
+}
+
+void Executor::restart_samples(const std::vector<bool>& changed_passes) {
+    const std::vector<bool> reached = reached_from(m_look, changed_passes);
+    for (std::size_t i = 0; i < m_passes.size(); ++i)
+        if (reached[i])
+            m_passes[i].samples = 0;
+}
+
+void Executor::note_mouse_moved() {
+    std::vector<bool> readers;
+    for (const PassState& state : m_passes)
+        readers.push_back(state.built_ins.tell_mouse());
+    restart_samples(readers);
+}
+
+std::optional<int> Executor::enough_of(const Pass& pass) const {
+    constexpr double most = 1 << 30;
+    if (!pass.converge)
+        return std::nullopt;
+    return static_cast<int>(std::clamp(count_of(*pass.converge, m_look, m_values), 0.0, most));
+}
+
+std::optional<Samples> Executor::samples() const {
+    for (std::size_t i = m_passes.size(); i-- > 0;)
+        if (m_look.passes[i].accumulate)
+            return Samples{m_passes[i].samples, enough_of(m_look.passes[i])};
+    return std::nullopt;
+}
+
+// Of the accumulating pass that was drawn last before this one.
+int Executor::samples_before(std::size_t index) const {
+    while (index-- > 0)
+        if (m_look.passes[index].accumulate)
+            return m_passes[index].samples;
+    return 0;
+}
+
+bool Executor::has_converged() const {
+    if (m_look.driven_by == Driver::signal || m_targets.size() != m_passes.size() || !samples())
+        return false;
+    for (std::size_t i = 0; i < m_passes.size(); ++i) {
+        const Pass& pass = m_look.passes[i];
+        const auto enough = enough_of(pass);
+        const bool rests = pass.accumulate
+                               ? enough.value_or(0) > 0 && m_passes[i].samples >= *enough
+                               : !m_passes[i].built_ins.tell_time();
+        const bool has_history = std::ranges::any_of(
+            pass.inputs, [](const Input& input) { return input.frames_ago > 0; });
+        if (!rests || (has_history && !pass.accumulate))
+            return false;
+    }
+    return true;
+}
+
+// While somebody waits for the frame no more than fits into their patience: the time of one sample
+// is known once some have been drawn.
+int Executor::samples_due(std::size_t index, const Frame& frame) const {
+    const Pass& pass = m_look.passes[index];
+    const PassState& state = m_passes[index];
+    int due = repeats_of(pass);
+    if (const int enough = enough_of(pass).value_or(0); enough > 0)
+        due = std::min(due, std::max(0, enough - state.samples));
+    if (frame.patience_seconds <= 0.0 || due <= 1)
+        return due;
+    const double each = state.timer->milliseconds_a_part().value_or(0.0) / 1000.0;
+    if (each <= 0.0)
+        return 1;
+    const double most = due;
+    return static_cast<int>(std::clamp(frame.patience_seconds / each, 1.0, most));
+}
+
+void Executor::draw_samples(std::size_t index, const Frame& frame) {
+    PassState& state = m_passes[index];
+    Target& target = m_targets[index];
+    if (enough_of(m_look.passes[index]) == 0)
+        state.samples = 0;
+    const int due = samples_due(index, frame);
+    if (due == 0 && target.planned().slots > 1)
+        target.canvas(1).copy_to(target.canvas());
+    if (due == 0)
+        return;
+    state.timer->begin(due);
+    for (int i = 0; i < due; ++i) {
+        if (i > 0 && state.reads_itself)
+            target.advance();
+        if (i == 0 || state.reads_itself) {
+            start_target(index, state.samples > 0);
+            bind(state);
+        }
+        state.built_ins.write_samples(*state.program, state.samples++);
+        draw_shape(index);
+    }
+    state.timer->end();
+}

@@ -1,0 +1,95 @@
+// Looks that accumulate, as a person meets them in the window.
+#include "lab/small_lab.h"
+
+namespace {
+constexpr const char* manifest = R"({
+  "format": "afterglow-look", "version": 1, "name": "Small", "driven_by": "nothing", "settle_frames": 20, "orbit": true,
+  "passes": [
+    { "name": "sum", "fragment": "sum.frag", "format": "rgba32f", "blend": "add", "accumulate": true, "converge": 6 },
+    { "name": "show", "fragment": "show.frag", "format": "rgba32f", "inputs": { "image": "sum" } }
+  ]
+})";
+constexpr const char* sum = R"(#version 410 core
+uniform float step_size = 1.0;  // @range 0 4
+uniform mat4 u_camera;
+out vec4 color;
+void main() { color = vec4(step_size * u_camera[0].x); }
+)";
+
+class Accumulating : public SmallLab {
+public:
+    Accumulating() : SmallLab(replaced(manifest, R"(, "orbit": true)", "").c_str()) {
+        write("sum.frag", sum);
+        write("look.json", manifest);
+        REQUIRE(turn_until([&] { return lab().document()->look().has_orbit && held() >= 1; }));
+        REQUIRE(turn_until([&] { return lab().has_converged(); }));
+    }
+    int held() { return lab().samples().value_or(Samples{}).held; }
+    void set(const char* name, double value) {
+        lab().edit([&](Document& document) { document.set_value(name, Value(value)); });
+    }
+};
+}  // namespace
+
+TEST_CASE("with enough samples nothing is drawn any more, and time rests") {
+    Accumulating small;
+    CHECK(small.shown() == 6);
+    CHECK(small.turn_until([&] { return !small.lab().is_moving(); }));
+    const float frames = small.frames();
+    small.turn(5);
+    CHECK(small.frames() == frames);
+    CHECK(small.held() == 6);
+}
+
+TEST_CASE("a knob behind the samples shows at once and keeps them") {
+    Accumulating small;
+    small.set("gain", 2.0);
+    small.turn(1);
+    CHECK(small.shown() == 12);
+    CHECK(small.held() == 6);
+}
+
+TEST_CASE("a knob, the camera, a size and an edit begin anew") {
+    Accumulating small;
+    float shown = 6;
+    SUBCASE("a knob") {
+        small.set("step_size", 2.0);
+        shown = 12;
+    }
+    SUBCASE("the camera") {
+        small.lab().edit([](Document& document) {
+            document.set_orbit([](const Orbit& orbit) { return with_distance_scaled(orbit, 2); });
+        });
+        shown = 12;
+    }
+    SUBCASE("a size") {
+        small.lab().set_picture_size({false, {10, 8}, 1.0});
+    }
+    SUBCASE("restart") {
+        small.lab().restart();
+    }
+    SUBCASE("undo") {
+        small.set("step_size", 2.0);
+        small.turn(20);
+        small.lab().edit([](Document& document) { document.undo(); });
+    }
+    small.turn(1);
+    CHECK(small.held() == 1);
+    CHECK(small.lab().is_moving());
+    REQUIRE(small.turn_until([&] { return small.lab().has_converged(); }));
+    CHECK(small.shown() == shown);
+}
+
+TEST_CASE("an edited shader begins anew") {
+    Accumulating small;
+    small.write_by_rename("sum.frag", replaced(sum, "vec4(step_size", "vec4(3.0 * step_size"));
+    CHECK(small.turn_until([&] { return small.lab().has_converged() && small.shown() == 18; }));
+}
+
+TEST_CASE("while paused the samples are drawn again, as many as there were") {
+    Accumulating small;
+    small.lab().transport().pause();
+    small.set("step_size", 2.0);
+    REQUIRE(small.turn_until([&] { return !small.lab().is_moving(); }));
+    CHECK(small.shown() == 12);
+}
