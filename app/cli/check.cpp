@@ -26,7 +26,7 @@ bool is_good(const std::string& argument, const Library& library) {
 Command add_check(CLI::App& program) {
     auto* command = program.add_subcommand("check", "Validate manifests, annotations and shaders");
     auto looks = std::make_shared<std::vector<std::string>>();
-    command->add_option("LOOK", *looks, "Looks or presets")->required();
+    command->add_option("LOOK", *looks, "Looks, stacks or presets")->required();
     return [looks](const std::string& data) {
         const auto library = open_library(data);
         if (!library)

@@ -21,8 +21,8 @@ constexpr std::array verbs{
 constexpr const char* about =
     "The lab for the CRT, phosphor and oscilloscope look.\n\n"
     "afterglow [LOOK] opens the window; the commands work without a display.\n"
-    "LOOK is a look's folder or name, or a preset: a file, a PNG that holds one, or its line of "
-    "text.";
+    "LOOK is a look's folder or name, a stack of looks as in phosphor+crt, or a preset: a file,\n"
+    "a PNG that holds one, or its line of text.";
 
 /// Runs the command that was parsed, or opens the window when there was none.
 int run_parsed(const CLI::App& program, const std::vector<Command>& commands,

@@ -29,10 +29,12 @@ Extent parse_size(const std::string& text) {
 void LookOptions::add_to(CLI::App& command, Take take) {
     command
         .add_option("LOOK", m_request.look,
-                    "A look's folder or name, or a preset: file, PNG or line")
+                    "A look's folder or name, a stack a+b, or a preset: file, PNG or line")
         ->required();
     command.add_option("--preset", m_request.preset, "A preset of the look: file, name or line");
-    command.add_option("--set", m_set, "name=value; may be given again and again")
+    command
+        .add_option("--set", m_set,
+                    "name=value, in a stack also crt/name=value; may be given again and again")
         ->take_all()
         ->allow_extra_args(false);
     command.add_option("--signal", m_request.signal,

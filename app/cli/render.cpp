@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace {
 struct Arguments {
     LookOptions look;
@@ -19,11 +21,15 @@ struct Arguments {
 Result<int> chosen_pass(const Arguments& arguments, const Look& look) {
     if (arguments.pass.empty())
         return static_cast<int>(look.passes.size()) - 1;
-    if (const auto pass = find_pass(look, arguments.pass))
-        return *pass;
-    std::vector<std::string> names;
-    for (const Pass& pass : look.passes)
-        names.push_back(pass.name);
+    std::vector<std::string> candidates;
+    const std::vector<std::string> names = pass_names(look);
+    if (const auto name = meant_name(names, arguments.pass, candidates))
+        return *find_pass(look, *name);
+    if (!candidates.empty())
+        return fail({{},
+                     0,
+                     fmt::format("'{}' is a pass of several looks; write one of: {}",
+                                 arguments.pass, fmt::join(candidates, ", "))});
     return fail({{},
                  0,
                  fmt::format("'{}' has no pass '{}'{}", look.id, arguments.pass,
@@ -33,7 +39,9 @@ Result<int> chosen_pass(const Arguments& arguments, const Look& look) {
 Result<void> save_all_passes(const Offline& offline, const std::filesystem::path& folder) {
     const Look& look = offline.executor().look();
     for (std::size_t i = 0; i < look.passes.size(); ++i) {
-        const auto file = folder / fmt::format("{:02}_{}.exr", i, look.passes[i].name);
+        std::string name = look.passes[i].name;
+        std::replace(name.begin(), name.end(), '/', '-');
+        const auto file = folder / fmt::format("{:02}_{}.exr", i, name);
         if (auto saved = save_picture(offline.picture(static_cast<int>(i)), file); !saved)
             return saved;
     }

@@ -72,11 +72,15 @@ Result<Look> read_look(const fs::path& manifest, const fs::path& shared, CheckCa
 }
 }  // namespace
 
+fs::path manifest_of(const fs::path& folder_or_manifest) {
+    std::error_code error;
+    return fs::is_directory(folder_or_manifest, error) ? folder_or_manifest / "look.json"
+                                                       : folder_or_manifest;
+}
+
 LoadedLook load_look(const fs::path& folder_or_manifest, const fs::path& shared_includes,
                      CheckCache* cache) {
-    std::error_code error;
-    const bool is_folder = fs::is_directory(folder_or_manifest, error);
-    const fs::path manifest = is_folder ? folder_or_manifest / "look.json" : folder_or_manifest;
+    const fs::path manifest = manifest_of(folder_or_manifest);
     LoadedLook loaded;
     loaded.look = read_look(manifest, shared_includes, cache, loaded);
     if (loaded.look)

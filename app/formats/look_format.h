@@ -16,6 +16,9 @@ struct LoadedLook {
     Diagnostics warnings;
 };
 
+/// The look.json of a look that is named by its folder or by that file.
+std::filesystem::path manifest_of(const std::filesystem::path& folder_or_manifest);
+
 /// Reads a look: its manifest, its shaders with their includes, and its parameters, all checked.
 /// `folder_or_manifest` is the look's folder or its look.json; `shared_includes` the program's
 /// shaders/include. With a cache, shaders that did not change are not checked again.

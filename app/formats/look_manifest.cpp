@@ -108,12 +108,13 @@ void read_look(ObjectReader& reader, LookFolder& folder, Look& look) {
     reader.refuse_unknown();
 }
 
-// The folder's own name, also when it is given as "." or through a link's name.
-std::string id_of(const fs::path& manifest) {
+}  // namespace
+
+// Also when the folder is given as "." or through a link's name.
+std::string look_id_of(const fs::path& manifest) {
     std::error_code error;
     return fs::absolute(manifest, error).lexically_normal().parent_path().filename().string();
 }
-}  // namespace
 
 Result<Look> load_manifest(const fs::path& manifest, std::vector<fs::path>& files) {
     files.push_back(manifest);
@@ -124,7 +125,7 @@ Result<Look> load_manifest(const fs::path& manifest, std::vector<fs::path>& file
     if (!document)
         return fail(document.error());
     Look look;
-    look.id = id_of(manifest);
+    look.id = look_id_of(manifest);
     look.manifest = manifest;
     Diagnostics problems;
     ObjectReader reader(*document, manifest, problems);

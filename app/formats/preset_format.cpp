@@ -31,6 +31,25 @@ Values read_values(ObjectReader& reader) {
     return values;
 }
 
+// The looks of a stack that draw nothing, each by its key.
+std::vector<std::string> read_bypass(ObjectReader& reader, const std::string& look) {
+    std::vector<std::string> bypass;
+    const JsonValue* list = reader.find("bypass");
+    if (!list || !reader.expect(*list, JsonValue::Kind::array))
+        return bypass;
+    const std::vector<std::string> keys = stack_keys(look_ids(look));
+    for (const JsonValue& item : list->children) {
+        if (!reader.expect(item, JsonValue::Kind::text))
+            continue;
+        if (std::ranges::find(keys, item.text) == keys.end())
+            reader.problem(
+                item, fmt::format("there is no '{}' in '{}'{}; its looks are: {}", item.text, look,
+                                  did_you_mean(item.text, keys), fmt::join(keys, ", ")));
+        bypass.push_back(item.text);
+    }
+    return bypass;
+}
+
 // The lines of a preset's values, by name; none where the file is no JSON.
 std::map<std::string, int> lines_of_values(const std::filesystem::path& file) {
     std::map<std::string, int> lines;
@@ -84,6 +103,7 @@ Result<Preset> parse_preset(std::string_view text, const std::filesystem::path& 
         preset.signal = read_spec(*signal, file, problems);
     preset.source = reader.text("source");
     preset.media_digest = reader.text("media_digest");
+    preset.bypass = read_bypass(reader, preset.look);
     preset.values = read_values(reader);
     reader.refuse_unknown();
     if (!problems.empty())
@@ -121,6 +141,8 @@ nlohmann::ordered_json preset_json(const Preset& preset, const Look* look) {
         json["source"] = preset.source;
     if (!preset.media_digest.empty())
         json["media_digest"] = preset.media_digest;
+    if (!preset.bypass.empty())
+        json["bypass"] = preset.bypass;
     json["values"] = Json::object();
     for (const auto& [name, value] : preset.values)
         json["values"][name] = json_of(value, look ? find_parameter(*look, name) : nullptr);

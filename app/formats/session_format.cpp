@@ -76,6 +76,9 @@ public:
 private:
     void read_session(ObjectReader& reader, Session& session) {
         session.look = reader.text("look");
+        if (const JsonValue* looks = reader.find("looks"))
+            for (const JsonValue& place : looks->children)
+                session.looks[place.key] = place.text;
         session.preset_file = reader.text("preset_file");
         session.saved = state(reader.find("saved"));
         session.current = state(reader.find("current"));
@@ -140,6 +143,7 @@ std::string session_to_json(const Session& session) {
     return json_text({{"format", format_name},
                       {"version", newest_version},
                       {"look", session.look},
+                      {"looks", session.looks},
                       {"preset_file", session.preset_file},
                       {"saved", json_of(session.saved)},
                       {"current", json_of(session.current)},

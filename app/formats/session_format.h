@@ -20,9 +20,10 @@ struct SessionState {
 
 /// What was open when the program was last used, unsaved changes and undo included.
 struct Session {
-    std::string look;         // folder or manifest; "": none was open
-    std::string preset_file;  // "": none was open
-    SessionState saved;       // as the preset's file holds it; its preset also says name and author
+    std::string look;                          // folder or manifest; "": none was open
+    std::map<std::string, std::string> looks;  // folder or manifest of each look of a stack, by id
+    std::string preset_file;                   // "": none was open
+    SessionState saved;  // as the preset's file holds it; its preset also says name and author
     SessionState current;
     std::vector<SessionState> past;    // oldest first
     std::vector<SessionState> future;  // the next redo last

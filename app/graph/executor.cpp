@@ -144,7 +144,8 @@ Result<void> Executor::set_image(const std::string& name, const Picture& picture
     const Image* image = find_image(m_look, name);
     const bool is_data = image && image->is_linear;
     std::vector<float> texels;
-    gpu::fill_texels(picture, is_data ? picture.encoding : m_look.source_encoding, texels);
+    const Encoding wanted = image && image->encoding ? *image->encoding : m_look.source_encoding;
+    gpu::fill_texels(picture, is_data ? picture.encoding : wanted, texels);
     texture->upload(texels);
     texture->generate_mipmaps();
     m_images.insert_or_assign(name, std::move(*texture));

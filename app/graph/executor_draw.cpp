@@ -51,10 +51,11 @@ void Executor::draw_pass(std::size_t index, const Frame& frame, bool is_again) {
 
 void Executor::write_built_ins(std::size_t index, const Frame& frame) const {
     const PassState& state = m_passes[index];
-    const gpu::Texture* source = m_source.texture(0);
-    state.built_ins.write(
-        *state.program, frame, frame_number(frame, m_look.passes[index]),
-        {m_plan.targets[index].extent, m_viewport, source ? source->extent() : m_source_extent});
+    const gpu::Texture* texture = m_source.texture(0);
+    const Extent source = source_extent_of(m_look, m_look.passes[index], m_plan,
+                                           texture ? texture->extent() : m_source_extent);
+    state.built_ins.write(*state.program, frame, frame_number(frame, m_look.passes[index]),
+                          {m_plan.targets[index].extent, m_viewport, source});
 }
 
 // A pass that reads its own history moves on with each repetition; all that is left of the former

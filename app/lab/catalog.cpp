@@ -23,14 +23,18 @@ std::vector<CatalogEntry> list_looks(const Library& library) {
 
 std::vector<CatalogEntry> list_presets(const Library& library) {
     std::vector<CatalogEntry> entries;
+    std::vector<std::string> looks = library.stacks();
     for (const LookEntry& look : library.looks())
-        for (const PresetEntry& entry : library.presets(look.id)) {
+        looks.push_back(look.id);
+    std::sort(looks.begin(), looks.end());
+    for (const std::string& look : looks)
+        for (const PresetEntry& entry : library.presets(look)) {
             const auto preset = load_preset(entry.file);
             if (preset)
-                entries.push_back({entry.name, preset->name, preset->about, look.id, entry.file});
+                entries.push_back({entry.name, preset->name, preset->about, look, entry.file});
             else
-                entries.push_back({entry.name, entry.name, to_string(preset.error().front()),
-                                   look.id, entry.file});
+                entries.push_back(
+                    {entry.name, entry.name, to_string(preset.error().front()), look, entry.file});
         }
     return entries;
 }

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 DocumentState initial_state(const Look& look) {
-    return {{}, look.default_signal.value_or(Spec{}), look.default_source, {}, 0};
+    return {{}, look.default_signal.value_or(Spec{}), look.default_source, {}, 0, look.stack};
 }
 
 Document::Document(Look look)
@@ -16,16 +16,53 @@ bool Document::is_changed(const Parameter& parameter) const {
 }
 
 void Document::change(DocumentState next, std::string step_name, bool goes_on) {
-    next.values = changed_values(m_look, next.values);
+    if (stack_id(next.stack) == stack_id(m_look.stack))
+        next.values = changed_values(m_look, next.values);
     m_undo.change(std::move(next), std::move(step_name), goes_on);
+    follow_stack();
+}
+
+// While another stack is being read its names are already the state's.
+std::optional<std::string> Document::present_name(const std::string& name) const {
+    return is_restacking() ? moved_name(name, m_look.stack, state().stack) : name;
+}
+
+void Document::follow_stack() {
+    if (is_restacking())
+        m_drawn_values = moved(state().values, state().stack, m_look.stack);
+}
+
+void Document::set_stack(Stack stack, const std::string& step_name) {
+    DocumentState next = state();
+    next.values = moved(next.values, next.stack, stack);
+    next.overrides = moved(next.overrides, next.stack, stack);
+    next.stack = std::move(stack);
+    change(std::move(next), step_name);
+}
+
+void Document::undo() {
+    m_undo.undo();
+    follow_stack();
+}
+
+void Document::redo() {
+    m_undo.redo();
+    follow_stack();
+}
+
+const std::filesystem::path& Document::preset_file() const {
+    static const std::filesystem::path none;
+    const std::string& look = identity().look;
+    return look.empty() || look == stack_id(state().stack) ? origin().file : none;
 }
 
 void Document::set_value(const std::string& name, Value value, bool goes_on) {
     const Parameter* parameter = find_parameter(m_look, name);
-    if (!parameter)
+    const auto present = present_name(name);
+    if (!parameter || !present)
         return;
     DocumentState next = state();
-    next.values[name] = clamped(*parameter, std::move(value));
+    next.values[*present] = clamped(*parameter, std::move(value));
     change(std::move(next), parameter->label, goes_on);
 }
 
@@ -38,7 +75,8 @@ void Document::set_orbit(const std::function<Orbit(const Orbit&)>& change) {
 void Document::reset(const std::vector<std::string>& names) {
     DocumentState next = state();
     for (const std::string& name : names)
-        next.values.erase(name);
+        if (const auto present = present_name(name))
+            next.values.erase(*present);
     const Parameter* first = names.size() == 1 ? find_parameter(m_look, names.front()) : nullptr;
     change(std::move(next), first ? "Reset " + first->label : "Reset group");
 }
@@ -62,11 +100,14 @@ void Document::set_source(std::string source) {
 }
 
 void Document::set_override(const std::string& pass, PassOverride override) {
+    const auto present = present_name(pass);
+    if (!present)
+        return;
     DocumentState next = state();
     if (override.is_empty())
-        next.overrides.erase(pass);
+        next.overrides.erase(*present);
     else
-        next.overrides[pass] = override;
+        next.overrides[*present] = override;
     change(std::move(next), "Pass " + pass);
 }
 
@@ -78,6 +119,7 @@ void Document::clear_overrides() {
 
 DocumentState Document::state_of(const Preset& preset) const {
     DocumentState state = initial_state(m_look);
+    state.stack = with_bypass(m_undo.current().stack, preset.bypass);
     state.values = renamed_values(m_look, preset.values);
     for (auto& [name, value] : state.values)
         if (const Parameter* parameter = find_parameter(m_look, name))
@@ -100,17 +142,25 @@ void Document::take(const Preset& preset, const std::string& step_name) {
 void Document::replace_look(Look look) {
     m_look = std::move(look);
     const auto follow = [this](DocumentState& state) {
+        if (stack_id(state.stack) != stack_id(m_look.stack))
+            return;  // names of another stack
         state.values = changed_values(m_look, renamed_values(m_look, state.values));
+        if (state.signal.kind.empty())
+            state.signal = m_look.default_signal.value_or(Spec{});
+        if (state.source.empty())
+            state.source = m_look.default_source;
     };
     m_undo.rewrite(follow);
     for (Origin& origin : m_origins)
         follow(origin.saved);
+    follow_stack();
 }
 
 void Document::restore_history(Undo<DocumentState> history) {
     history.rewrite([](DocumentState& state) { state.origin = 0; });
     m_undo = std::move(history);
     m_origins.resize(1);
+    follow_stack();
 }
 
 void Document::open(DocumentState next, Origin from, std::string step_name) {
@@ -149,6 +199,7 @@ Preset Document::preset() const {
     preset.look = m_look.id;
     preset.digest = look_digest(m_look);
     preset.values = changed_values(m_look, values());
+    preset.bypass = bypassed_keys(m_look.stack);
     preset.signal.reset();
     preset.source.clear();
     if (m_look.driven_by == Driver::signal)

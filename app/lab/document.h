@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@ struct DocumentState {
     std::string source;
     PassOverrides overrides;
     std::size_t origin = 0;  // of the document's origins: the preset that was open
+    Stack stack = {};        // which looks, in which order; values and overrides have its names
 
     bool operator==(const DocumentState&) const = default;
 };
@@ -32,7 +34,8 @@ public:
     /// With the passes as the person overrode them: what is drawn.
     Look drawn_look() const { return with_overrides(m_look, state().overrides); }
     const DocumentState& state() const { return m_undo.current(); }
-    const Values& values() const { return state().values; }
+    /// Of the look that is drawn; while another stack is being read not yet the state's.
+    const Values& values() const { return is_restacking() ? m_drawn_values : state().values; }
     const Value& value(const Parameter& parameter) const { return value_of(parameter, values()); }
     bool is_changed(const Parameter& parameter) const;
 
@@ -45,14 +48,19 @@ public:
     void reset_all();
     void set_signal(Spec signal, bool goes_on = false);
     void set_source(std::string source);
+    /// Other looks, or another order; every value goes with its look.
+    void set_stack(Stack stack, const std::string& step_name);
+    /// Whether the person asked for another stack than look() is: it is to be read and given to
+    /// replace_look().
+    bool is_restacking() const { return state().stack != m_look.stack; }
     void set_override(const std::string& pass, PassOverride override);
     void clear_overrides();
     /// Values and signal of a preset's text or of another preset, as one step.
     void take(const Preset& preset, const std::string& step_name);
     void finish() { m_undo.finish(); }
 
-    void undo() { m_undo.undo(); }
-    void redo() { m_undo.redo(); }
+    void undo();
+    void redo();
     const Undo<DocumentState>& history() const { return m_undo; }
     /// What is open now is the first that undo knows.
     void forget_past() { m_undo = Undo<DocumentState>(DocumentState(state())); }
@@ -67,8 +75,9 @@ public:
     void open_preset(const Preset& preset, std::filesystem::path file);
     /// The same with every parameter at its default and no preset.
     void open_defaults();
-    /// The open preset and what differs from it.
-    const std::filesystem::path& preset_file() const { return origin().file; }
+    /// The open preset and what differs from it; no file when looks have come or gone, or changed
+    /// places, since it was opened.
+    const std::filesystem::path& preset_file() const;
     const std::string& preset_name() const { return identity().name; }
     const Preset& identity() const { return origin().identity; }
     void set_identity(Preset identity, std::filesystem::path file);
@@ -94,8 +103,11 @@ private:
     void open(DocumentState next, Origin from, std::string step_name);
     Origin& origin() { return m_origins[state().origin]; }
     const Origin& origin() const { return m_origins[state().origin]; }
+    std::optional<std::string> present_name(const std::string& name) const;
+    void follow_stack();
 
     Look m_look;
+    Values m_drawn_values;  // the state's, under the names of m_look
     Undo<DocumentState> m_undo;
     std::vector<Origin> m_origins;  // never empty
 };

@@ -43,6 +43,9 @@ Result<void> Drive::follow(const Document& document, Player& player, Renderer& r
         case Driver::signal:
             return follow_signal(document, player);
         case Driver::picture:
+            if (player.signal())
+                if (auto silent = player.set_signal({}); !silent)
+                    return silent;
             return follow_source(document, renderer);
         case Driver::nothing:
             break;

@@ -262,6 +262,8 @@ void Lab::new_look(const std::string& id) {
 void Lab::duplicate_look(const std::string& id) {
     if (!m_document)
         return;
+    if (m_document->look().stack.size() > 1)
+        return say("a stack is not one look; open one of its looks to duplicate it", true);
     const auto folder = m_library.duplicate_look(m_document->look().manifest.parent_path(), id);
     if (!succeeded(folder))
         return;
@@ -273,10 +275,18 @@ void Lab::duplicate_look(const std::string& id) {
 void Lab::write_overrides() {
     if (!m_document || m_document->state().overrides.empty())
         return;
-    if (succeeded(::write_overrides(m_document->look().manifest, m_document->state().overrides))) {
-        m_document->clear_overrides();
-        say("Written to " + m_document->look().manifest.filename().string());
+    const Stack& stack = m_document->look().stack;
+    for (std::size_t i = 0; i < stack.size(); ++i) {
+        PassOverrides own;
+        const std::string scope = scope_of(stack, i);
+        for (const auto& [pass, override] : m_document->state().overrides)
+            if (pass.starts_with(scope))
+                own.emplace(pass.substr(scope.size()), override);
+        if (!own.empty() && !succeeded(::write_overrides(manifest_of(stack[i].place), own)))
+            return;
     }
+    m_document->clear_overrides();
+    say("Written to look.json");
 }
 
 void Lab::open_in_editor(const Location& place) {

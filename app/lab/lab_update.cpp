@@ -18,7 +18,10 @@ void Lab::update(double wall_seconds) {
     take_reload();
     if (!m_document || !m_renderer)
         return;
-    apply_document();
+    if (m_document->is_restacking())
+        m_reloader.restack(m_document->state().stack);  // the last picture goes on meanwhile
+    else
+        apply_document();
     update_drive();
     draw_picture(wall_seconds);
     tell_silence();

@@ -69,6 +69,19 @@ std::vector<PresetEntry> Library::presets(std::string_view look) const {
     return presets;
 }
 
+std::vector<std::string> Library::stacks() const {
+    std::vector<std::string> stacks;
+    std::error_code error;
+    for (const fs::path& root : m_roots.all())
+        for (const fs::path& folder : sorted_entries(root / "presets")) {
+            const std::string id = folder.filename().string();
+            if (id.find('+') != std::string::npos && fs::is_directory(folder, error) &&
+                std::find(stacks.begin(), stacks.end(), id) == stacks.end())
+                stacks.push_back(id);
+        }
+    return stacks;
+}
+
 std::optional<LookEntry> Library::find_look(std::string_view id) const {
     for (LookEntry& look : looks())
         if (look.id == id)
@@ -156,6 +169,8 @@ Result<void> Library::delete_preset(const fs::path& file) const {
 Result<fs::path> Library::new_look_folder(const std::string& id) const {
     if (auto fine = check_name(id, "look"); !fine)
         return fail(fine.error());
+    if (id.find('+') != std::string::npos)
+        return fail({{}, 0, "the name of a look holds no '+', which joins looks to a stack"});
     if (find_look(id))
         return fail({{}, 0, "there is a look called '" + id + "' already"});
     const fs::path folder = m_roots.writable() / "shaders" / id;

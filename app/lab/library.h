@@ -32,6 +32,8 @@ public:
     const Roots& roots() const { return m_roots; }
     std::vector<LookEntry> looks() const;                           // by id; the program's first
     std::vector<PresetEntry> presets(std::string_view look) const;  // by name; own ones shadow
+    /// Ids of the stacks ("phosphor+crt") that have a folder of presets.
+    std::vector<std::string> stacks() const;
     std::optional<LookEntry> find_look(std::string_view id) const;
     std::optional<PresetEntry> find_preset(std::string_view look, std::string_view name) const;
 

@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 #include "formats/describe.h"
+#include "formats/look_manifest.h"
 #include "formats/preset_format.h"
 #include "gpu/readback.h"
 #include "io/picture_file.h"
@@ -14,21 +15,30 @@
 #include <fmt/format.h>
 
 namespace {
+// The parameter that a name means: its own, or in a stack the last part of one name alone.
+Result<const Parameter*> meant_parameter(const std::string& name, const Look& look) {
+    std::vector<std::string> candidates;
+    const std::vector<std::string> names = parameter_names(look);
+    if (const auto meant = meant_name(names, name, candidates))
+        return find_parameter(look, *meant);
+    if (!candidates.empty())
+        return fail({{},
+                     0,
+                     fmt::format("'{}' is a parameter of several looks; write one of: {}", name,
+                                 fmt::join(candidates, ", "))});
+    return fail(
+        {{},
+         0,
+         fmt::format("'{}' has no parameter '{}'{}", look.id, name, did_you_mean(name, names))});
+}
+
 Result<void> apply_values(const RenderRequest& request, Document& document) {
     Diagnostics problems;
     for (const auto& [name, text] : request.values) {
-        const Parameter* parameter = find_parameter(document.look(), name);
-        if (!parameter) {
-            problems.push_back(
-                {{},
-                 0,
-                 fmt::format("'{}' has no parameter '{}'{}", document.look().id, name,
-                             did_you_mean(name, parameter_names(document.look())))});
-            continue;
-        }
-        auto value = parse_value(*parameter, text);
+        const auto parameter = meant_parameter(name, document.look());
+        auto value = parameter ? parse_value(**parameter, text) : fail(parameter.error());
         if (value)
-            document.set_value(name, std::move(*value));
+            document.set_value((*parameter)->name, std::move(*value));
         else
             problems.insert(problems.end(), value.error().begin(), value.error().end());
     }
@@ -66,24 +76,36 @@ void open_preset(OpenRequest request, const Library& library, Prepared& prepared
 }
 }  // namespace
 
+namespace {
+// The request with the preset that is to be applied to its look; a preset says what of a stack is
+// bypassed.
+Result<OpenRequest> requested(const RenderRequest& request, const Library& library) {
+    auto found = resolve(request.look, library);
+    if (!found || request.preset.empty())
+        return found;
+    found->stack = stack_of(*found);
+    for (StackPart& part : found->stack)
+        if (part.look.empty())
+            part.look = look_id_of(manifest_of(part.place));
+    auto named = resolve_preset(request.preset, stack_id(found->stack), library);
+    if (!named)
+        return named;
+    found->preset = std::move(named->preset);
+    found->preset_file = std::move(named->preset_file);
+    found->stack = with_bypass(std::move(found->stack), found->preset->bypass);
+    return found;
+}
+}  // namespace
+
 Result<Prepared> prepare(const RenderRequest& request, const Library& library) {
-    const auto found = resolve(request.look, library);
-    if (!found)
-        return fail(found.error());
-    LoadedLook loaded = load_requested(*found, library);
+    auto preset = requested(request, library);
+    if (!preset)
+        return fail(preset.error());
+    LoadedLook loaded = load_requested(*preset, library);
     if (!loaded.look)
         return fail(std::move(loaded.look.error()));
     Prepared prepared{Document(std::move(*loaded.look)), std::move(loaded.warnings)};
-    std::optional<OpenRequest> preset;
-    if (!request.preset.empty()) {
-        auto named = resolve_preset(request.preset, prepared.document.look().id, library);
-        if (!named)
-            return fail(named.error());
-        preset = std::move(*named);
-    } else if (found->preset) {
-        preset = *found;
-    }
-    if (preset) {
+    if (preset->preset) {
         const Look& look = prepared.document.look();
         if (preset->preset->look != look.id)
             return fail({preset->preset_file, 0,
@@ -196,7 +218,6 @@ void Offline::advance_unseen() {
 
 Picture Offline::picture(int pass) const {
     Picture picture = gpu::read_picture(executor().target(pass));
-    const bool is_last = pass + 1 == static_cast<int>(executor().look().passes.size());
-    picture.encoding = is_last ? executor().look().output : Encoding::linear;
+    picture.encoding = encoding_of(executor().look(), pass);
     return picture;
 }

@@ -5,6 +5,7 @@
 #include "formats/json_document.h"
 #include "formats/preset_format.h"
 #include "formats/share_line.h"
+#include "formats/stack_format.h"
 
 #include <fmt/format.h>
 
@@ -13,7 +14,7 @@
 namespace fs = std::filesystem;
 
 namespace {
-std::vector<std::string> look_ids(const Library& library) {
+std::vector<std::string> known_looks(const Library& library) {
     std::vector<std::string> ids;
     for (const LookEntry& look : library.looks())
         ids.push_back(look.id);
@@ -30,12 +31,18 @@ bool is_look_manifest(const fs::path& file) {
 }
 
 Result<OpenRequest> request_of_preset(Preset preset, fs::path file, const Library& library) {
-    const auto look = library.find_look(preset.look);
-    if (!look)
-        return fail({file, 0,
-                     fmt::format("this preset is for the look '{}', which is not here{}",
-                                 preset.look, did_you_mean(preset.look, look_ids(library)))});
-    return OpenRequest{look->folder, std::move(preset), std::move(file)};
+    Stack stack;
+    for (const std::string& id : look_ids(preset.look)) {
+        const auto look = library.find_look(id);
+        if (!look)
+            return fail({file, 0,
+                         fmt::format("this preset is for the look '{}', which is not here{}", id,
+                                     did_you_mean(id, known_looks(library)))});
+        stack.push_back({id, look->folder, free_tag(stack, id)});
+    }
+    stack = with_bypass(std::move(stack), preset.bypass);
+    const fs::path first = stack.front().place;
+    return OpenRequest{first, std::move(preset), std::move(file), std::move(stack)};
 }
 
 Result<OpenRequest> request_of_file(const fs::path& file, const Library& library) {
@@ -49,7 +56,44 @@ Result<OpenRequest> request_of_file(const fs::path& file, const Library& library
     return fail(
         {file, 0, "is neither a look's folder, a look.json, a preset nor a PNG that holds one"});
 }
+// A name goes before a folder, as for a look alone.
+Result<StackPart> resolve_part(const std::string& argument, const Library& library) {
+    const fs::path path(argument);
+    std::error_code error;
+    if (argument.empty())
+        return fail({{}, 0, "a stack is written as LOOK+LOOK, without blanks"});
+    if (const auto look = library.find_look(argument))
+        return StackPart{look->id, look->folder, {}};
+    if (fs::is_directory(path, error) || path.filename() == "look.json")
+        return StackPart{{}, path, {}};
+    if (fs::exists(path, error))
+        return fail({path, 0, "is not a look's folder; a stack is made of looks"});
+    return fail({{},
+                 0,
+                 fmt::format("there is no look called '{}'{}", argument,
+                             did_you_mean(argument, known_looks(library)))});
+}
+
+Result<OpenRequest> resolve_stack(const std::string& argument, const Library& library) {
+    Stack stack;
+    Diagnostics problems;
+    for (const std::string& piece : look_ids(argument)) {
+        auto part = resolve_part(piece, library);
+        if (part)
+            stack.push_back(std::move(*part));
+        else
+            problems.insert(problems.end(), part.error().begin(), part.error().end());
+    }
+    if (!problems.empty())
+        return fail(std::move(problems));
+    const fs::path first = stack.front().place;
+    return OpenRequest{first, {}, {}, std::move(stack)};
+}
 }  // namespace
+
+Stack stack_of(const OpenRequest& request) {
+    return request.stack.empty() ? Stack{{{}, request.look, {}}} : request.stack;
+}
 
 Result<OpenRequest> resolve(const std::string& argument, const Library& library) {
     if (argument.starts_with("afterglow:")) {
@@ -65,12 +109,14 @@ Result<OpenRequest> resolve(const std::string& argument, const Library& library)
         return OpenRequest{path, {}, {}};
     if (fs::exists(path, error))
         return request_of_file(path, library);
+    if (argument.find('+') != std::string::npos)
+        return resolve_stack(argument, library);
     if (is_path)
         return fail({path, 0, "there is no such file or folder"});
     return fail({{},
                  0,
                  fmt::format("there is no look called '{}'{}", argument,
-                             did_you_mean(argument, look_ids(library)))});
+                             did_you_mean(argument, known_looks(library)))});
 }
 
 Result<OpenRequest> resolve_preset(const std::string& argument, const std::string& look,
@@ -97,5 +143,5 @@ Result<OpenRequest> resolve_preset(const std::string& argument, const std::strin
 }
 
 LoadedLook load_requested(const OpenRequest& request, const Library& library) {
-    return load_look(request.look, library.roots().shared_includes());
+    return load_stack(stack_of(request), library.roots().shared_includes());
 }

@@ -14,11 +14,16 @@ struct OpenRequest {
     std::filesystem::path look;    // folder or manifest
     std::optional<Preset> preset;  // to be applied to it
     std::filesystem::path preset_file;
+    Stack stack = {};  // instead of `look`: several looks, or one with its settings
 
     bool operator==(const OpenRequest&) const = default;
 };
 
-/// Finds what `argument` means: a look's folder, manifest or name; a preset's file, PNG or line.
+/// The looks that a request names.
+Stack stack_of(const OpenRequest& request);
+
+/// Finds what `argument` means: a look's folder, manifest or name, or several joined by '+'; a
+/// preset's file, PNG or line.
 /// Errors say what was looked for and what is nearest.
 Result<OpenRequest> resolve(const std::string& argument, const Library& library);
 
@@ -26,5 +31,5 @@ Result<OpenRequest> resolve(const std::string& argument, const Library& library)
 Result<OpenRequest> resolve_preset(const std::string& argument, const std::string& look,
                                    const Library& library);
 
-/// Reads the look that a request names.
+/// Reads the look or stack that a request names.
 LoadedLook load_requested(const OpenRequest& request, const Library& library);

@@ -1,5 +1,6 @@
 #include "lab/reloader.h"
 
+#include "formats/stack_format.h"
 #include "graph/warm_up.h"
 #include "io/picture_file.h"
 
@@ -32,6 +33,14 @@ void Reloader::open(const OpenRequest& request) {
 void Reloader::reload() {
     if (m_request)
         submit(*m_request, true);
+}
+
+void Reloader::restack(const Stack& stack) {
+    if (!m_request || m_request->stack == stack)
+        return;
+    OpenRequest request = *m_request;
+    request.stack = stack;
+    submit(std::move(request), true);
 }
 
 void Reloader::submit(OpenRequest request, bool is_reload) {
@@ -140,7 +149,7 @@ Result<LoadedImages> Reloader::load_images(const Look& look) {
 
 LoadedRequest Reloader::load(const Job& job) {
     LoadedRequest loaded{job.request, job.is_reload, {}, {}, {}, {}, {}};
-    LoadedLook read = load_look(job.request.look, m_shared_includes, &m_checks);
+    LoadedLook read = load_stack(stack_of(job.request), m_shared_includes, &m_checks);
     loaded.files = std::move(read.files);
     loaded.problems = std::move(read.warnings);
     if (!read.look) {

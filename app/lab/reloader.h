@@ -47,6 +47,8 @@ public:
     void open(const OpenRequest& request);
     /// Reads the open look again although no file changed.
     void reload();
+    /// Reads the looks of another stack in place of the open ones, once.
+    void restack(const Stack& stack);
     /// Looks at the watched files and submits the look again when one has changed.
     /// Gives the watched extra files that changed (the open preset, a sound).
     std::vector<std::filesystem::path> update();

@@ -18,7 +18,8 @@ fs::path aside_file(const Roots& roots) {
 
 SessionState session_state(const DocumentState& state, const Look& look, std::string step) {
     SessionState saved{std::move(step), {}, state.overrides};
-    saved.preset.look = look.id;
+    saved.preset.look = state.stack.empty() ? look.id : stack_id(state.stack);
+    saved.preset.bypass = bypassed_keys(state.stack);
     saved.preset.values = state.values;
     if (!state.signal.kind.empty())
         saved.preset.signal = state.signal;
@@ -26,12 +27,38 @@ SessionState session_state(const DocumentState& state, const Look& look, std::st
     return saved;
 }
 
-DocumentState document_state(const SessionState& saved, const Look& look) {
+using Places = std::map<std::string, std::string>;
+
+// The looks of a state; none where the session does not say where one of them lies.
+Stack stack_in(const Preset& preset, const Places& places) {
+    Stack stack;
+    for (const std::string& id : look_ids(preset.look)) {
+        const auto place = places.find(id);
+        if (place == places.end())
+            return {};
+        stack.push_back({id, place->second, free_tag(stack, id)});
+    }
+    return with_bypass(std::move(stack), preset.bypass);
+}
+
+// What a session says of the looks in it, and where they lie.
+struct Ground {
+    const Look& look;
+    const Places& places;
+};
+
+DocumentState document_state(const SessionState& saved, const Ground& ground) {
+    const Look& look = ground.look;
     DocumentState state = initial_state(look);
-    state.values = changed_values(look, renamed_values(look, saved.preset.values));
-    for (auto& [name, value] : state.values)
-        if (const Parameter* parameter = find_parameter(look, name))
-            value = clamped(*parameter, value);
+    if (Stack stack = stack_in(saved.preset, ground.places); !stack.empty())
+        state.stack = std::move(stack);
+    state.values = saved.preset.values;
+    if (stack_id(state.stack) == look.id) {
+        state.values = changed_values(look, renamed_values(look, state.values));
+        for (auto& [name, value] : state.values)
+            if (const Parameter* parameter = find_parameter(look, name))
+                value = clamped(*parameter, value);
+    }
     if (saved.preset.signal)
         state.signal = *saved.preset.signal;
     if (!saved.preset.source.empty())
@@ -49,20 +76,36 @@ std::vector<SessionState> session_states(const Steps& steps, const Look& look) {
     return states;
 }
 
-Steps document_steps(const std::vector<SessionState>& states, const Look& look) {
+Steps document_steps(const std::vector<SessionState>& states, const Ground& ground) {
     Steps steps;
     for (const SessionState& state : states)
-        steps.push_back({document_state(state, look), state.step});
+        steps.push_back({document_state(state, ground), state.step});
     return steps;
 }
 
 void restore_document(Document& document, const Session& session) {
-    const Look& look = document.look();
-    document.restore_history(Undo<DocumentState>::restored(document_steps(session.past, look),
-                                                           document_state(session.current, look),
-                                                           document_steps(session.future, look)));
+    const Look look = document.look();
+    const Ground ground{look, session.looks};
+    document.restore_history(Undo<DocumentState>::restored(document_steps(session.past, ground),
+                                                           document_state(session.current, ground),
+                                                           document_steps(session.future, ground)));
     document.set_identity(session.saved.preset, session.preset_file);
-    document.mark_saved(document_state(session.saved, look));
+    document.mark_saved(document_state(session.saved, ground));
+}
+
+void note_places(const DocumentState& state, Places& places) {
+    for (const StackPart& part : state.stack)
+        places[part.look] = part.place.string();
+}
+
+Places places_of(const Document& document) {
+    Places places;
+    note_places(document.saved(), places);
+    for (const auto* steps : {&document.history().past(), &document.history().future()})
+        for (const auto& step : *steps)
+            note_places(step.state, places);
+    note_places(document.state(), places);
+    return places;
 }
 }  // namespace
 
@@ -140,6 +183,7 @@ Session session_of(const Lab& lab, std::map<std::string, double> window) {
         return session;
     const Look& look = document->look();
     session.look = look.manifest.string();
+    session.looks = places_of(*document);
     session.preset_file = document->preset_file().string();
     session.saved = session_state(document->saved(), look, {});
     session.saved.preset.name = document->identity().name;
@@ -157,7 +201,7 @@ void restore(Lab& lab, const Session& session) {
     lab.transport().set_level(session.level);
     if (session.look.empty())
         return;
-    lab.open(OpenRequest{session.look, {}, {}});
+    lab.open(OpenRequest{session.look, {}, {}, stack_in(session.current.preset, session.looks)});
     lab.when_opened([session](Lab& opened) {
         restore_document(*opened.mutable_document(), session);
         opened.transport().seek(session.time);

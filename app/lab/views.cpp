@@ -4,10 +4,6 @@
 
 #include <algorithm>
 
-Encoding encoding_of(const Look& look, int pass) {
-    return pass + 1 == static_cast<int>(look.passes.size()) ? look.output : Encoding::linear;
-}
-
 Result<Views> Views::make() {
     auto viewer = Viewer::make();
     if (!viewer)

@@ -50,6 +50,3 @@ private:
 
 /// How the small view of the inspected pass lies: all of it while the large one is moved about in.
 PictureView inspector_view(const WindowState& window);
-
-/// The encoding that a pass's texels have.
-Encoding encoding_of(const Look& look, int pass);

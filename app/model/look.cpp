@@ -29,6 +29,18 @@ std::vector<std::string> parameter_names(const Look& look) {
     return names;
 }
 
+std::vector<std::string> pass_names(const Look& look) {
+    std::vector<std::string> names;
+    for (const Pass& pass : look.passes)
+        names.push_back(pass.name);
+    return names;
+}
+
+Encoding encoding_of(const Look& look, int pass) {
+    const auto index = static_cast<std::size_t>(pass);
+    return index + 1 == look.passes.size() ? look.output : look.passes[index].output;
+}
+
 const Value& value_of(const Parameter& parameter, const Values& values) {
     const auto found = values.find(parameter.name);
     return found == values.end() ? parameter.initial : found->second;

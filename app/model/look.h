@@ -6,6 +6,7 @@
 #include "model/parameter.h"
 #include "model/picture.h"
 #include "model/spec.h"
+#include "model/stack.h"
 
 #include <array>
 #include <map>
@@ -84,6 +85,10 @@ struct Pass {
     std::optional<Count> converge = std::nullopt;  // samples that are enough to accumulate
     int frame_modulo = 0;                          // u_frame counts modulo this; 0: never
     Location declared;                             // in look.json
+    // Of a pass in a stack:
+    std::string scope;   // stands before the names of its look's parameters, "crt/"
+    std::string source;  // the pass that its look reads as the source; "": the source itself
+    Encoding output = Encoding::linear;  // of what it writes, where it is not the last pass
 
     bool operator==(const Pass&) const = default;
 };
@@ -93,7 +98,8 @@ struct Image {
     std::string name;
     std::filesystem::path file;
     Sampler sampler;
-    bool is_linear = false;  // data, not display-encoded colours
+    bool is_linear = false;                 // data, not display-encoded colours
+    std::optional<Encoding> encoding = {};  // that its look reads; none: as the source
 
     bool operator==(const Image&) const = default;
 };
@@ -120,6 +126,7 @@ struct Look {
     std::vector<Parameter> parameters;         // in the order of their declaration
     std::filesystem::path manifest;            // look.json, or the foreign file
     std::vector<std::filesystem::path> files;  // everything that it was read from, for the watcher
+    Stack stack;                               // the looks that it is made of
 
     bool operator==(const Look&) const = default;
 };
@@ -128,6 +135,10 @@ struct Look {
 std::optional<int> find_pass(const Look& look, std::string_view name);
 const Parameter* find_parameter(const Look& look, std::string_view name);
 std::vector<std::string> parameter_names(const Look& look);
+std::vector<std::string> pass_names(const Look& look);
+
+/// What the texels of a pass hold.
+Encoding encoding_of(const Look& look, int pass);
 
 /// The value in force: the one that was set, else the default.
 const Value& value_of(const Parameter& parameter, const Values& values);

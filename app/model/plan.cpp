@@ -28,10 +28,20 @@ namespace {
 struct Measures {
     Extent viewport;
     Extent source;
-    std::map<std::string, double> names;
+    std::map<std::string, double> values;  // of all parameters
+
+    // What an expression of a pass may speak of: in a stack the parameters of its own look.
+    std::map<std::string, double> names_for(const Pass& pass) const {
+        std::map<std::string, double> names{{"WIDTH", viewport.width}, {"HEIGHT", viewport.height}};
+        for (const auto& [name, value] : values)
+            if (name.starts_with(pass.scope))
+                names[name.substr(pass.scope.size())] = value;
+        return names;
+    }
 };
 
-Result<double> length_of(const Side& side, int viewport, int source, const Measures& measures) {
+Result<double> length_of(const Side& side, int viewport, int source, const Pass& pass,
+                         const Measures& measures) {
     switch (side.by) {
         case Side::By::viewport:
             return viewport * side.factor;
@@ -40,16 +50,17 @@ Result<double> length_of(const Side& side, int viewport, int source, const Measu
         case Side::By::pixels:
             return side.factor;
         case Side::By::expression:
-            return evaluate(side.expression, measures.names);
+            return evaluate(side.expression, measures.names_for(pass));
     }
     return 0.0;
 }
 
-Result<Extent> extent_of(const Pass& pass, const Measures& measures, int largest_side) {
+Result<Extent> extent_of(const Pass& pass, const Extent& source, const Measures& measures,
+                         int largest_side) {
     const auto width =
-        length_of(pass.size[0], measures.viewport.width, measures.source.width, measures);
+        length_of(pass.size[0], measures.viewport.width, source.width, pass, measures);
     const auto height =
-        length_of(pass.size[1], measures.viewport.height, measures.source.height, measures);
+        length_of(pass.size[1], measures.viewport.height, source.height, pass, measures);
     for (const auto* length : {&width, &height})
         if (!*length)
             return fail(
@@ -65,19 +76,26 @@ Result<Extent> extent_of(const Pass& pass, const Measures& measures, int largest
 }
 
 Measures measures_of(const Look& look, Extent viewport, Extent source, const Values& values) {
-    Measures measures{viewport, source, {{"WIDTH", viewport.width}, {"HEIGHT", viewport.height}}};
+    Measures measures{viewport, source, {}};
     for (const Parameter& parameter : look.parameters)
-        measures.names[parameter.name] = value_of(parameter, values).number();
+        measures.values[parameter.name] = value_of(parameter, values).number();
     return measures;
 }
 }  // namespace
+
+Extent source_extent_of(const Look& look, const Pass& pass, const Plan& plan, Extent source) {
+    const auto read = pass.source.empty() ? std::nullopt : find_pass(look, pass.source);
+    const bool is_planned = read && static_cast<std::size_t>(*read) < plan.targets.size();
+    return is_planned ? plan.targets[static_cast<std::size_t>(*read)].extent : source;
+}
 
 Result<Plan> plan_targets(const Look& look, Extent viewport, Extent source, const Values& values,
                           int largest_side) {
     Plan plan;
     const Measures measures = measures_of(look, viewport, source, values);
     for (const Pass& pass : look.passes) {
-        const auto extent = extent_of(pass, measures, largest_side);
+        const auto extent =
+            extent_of(pass, source_extent_of(look, pass, plan, source), measures, largest_side);
         if (!extent)
             return fail(extent.error());
         plan.targets.push_back({*extent, pass.format});
@@ -141,8 +159,8 @@ bool is_driven(const Look& look, std::size_t pass, const std::vector<std::string
         if (const auto* repeat = std::get_if<std::string>(&read.repeat); repeat && *repeat == name)
             return true;
         for (const Side& side : read.size)
-            if (side.by == Side::By::expression &&
-                side.expression.find('$' + name) != std::string::npos)
+            if (side.by == Side::By::expression && name.starts_with(read.scope) &&
+                side.expression.find('$' + name.substr(read.scope.size())) != std::string::npos)
                 return true;
     }
     return false;

@@ -45,6 +45,10 @@ struct Plan {
 Result<Plan> plan_targets(const Look& look, Extent viewport, Extent source, const Values& values,
                           int largest_side = 16384);
 
+/// The size of what a pass's look reads as the source: of the picture `source`, or in a stack of
+/// the target of the look before.
+Extent source_extent_of(const Look& look, const Pass& pass, const Plan& plan, Extent source);
+
 /// Bytes that the targets hold.
 std::size_t memory_of(const Plan& plan);
 

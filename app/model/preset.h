@@ -16,6 +16,7 @@ struct Preset {
     std::string source;        // "pattern:smpte", a picture's path, or "": the look's own
     std::string media_digest;  // of the person's file that signal or source names; "": none
     Values values;             // what differs from the defaults, orphans included
+    std::vector<std::string> bypass = {};  // keys of the looks of a stack that draw nothing
 
     bool operator==(const Preset&) const = default;
 };

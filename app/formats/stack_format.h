@@ -1,0 +1,8 @@
+#pragma once
+
+#include "formats/look_format.h"
+
+/// Reads the looks of a stack, each once, and makes them one; a look alone stays as it is. Parts
+/// get the id and tag that they lack; all else of `stack` is Look::stack. As load_look.
+LoadedLook load_stack(Stack stack, const std::filesystem::path& shared_includes,
+                      CheckCache* cache = nullptr);
