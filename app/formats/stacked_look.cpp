@@ -186,6 +186,9 @@ private:
             parameter = scope + parameter;
         if (auto* repeat = std::get_if<std::string>(&pass.repeat))
             *repeat = scope + *repeat;
+        if (pass.converge)
+            if (auto* converge = std::get_if<std::string>(&*pass.converge))
+                *converge = scope + *converge;
         return pass;
     }
 

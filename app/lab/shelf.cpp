@@ -2,7 +2,9 @@
 
 #include "formats/look_manifest.h"
 #include "formats/preset_format.h"
+#include "model/stack.h"
 
+#include <algorithm>
 #include <map>
 
 namespace fs = std::filesystem;
@@ -52,6 +54,33 @@ const Shelf::Words& Shelf::words_of(const fs::path& file, bool is_look) {
     return m_words[file] = words;
 }
 
+void Shelf::add_presets(ShelfLook& look, const Library& library) {
+    for (const PresetEntry& preset : library.presets(look.entry.id)) {
+        const Words& told = words_of(preset.file, false);
+        look.presets.push_back({preset, told.name.empty() ? preset.name : told.name, told.about});
+    }
+    tell_apart(look.presets);
+}
+
+// Those of which every look is there; called after all looks are listed.
+void Shelf::add_stacks(const Library& library) {
+    const std::vector<ShelfLook> looks = m_looks;
+    for (const std::string& id : library.stacks()) {
+        ShelfLook stack{{id, {}, false}, {}, "A stack of looks.", {}};
+        bool is_whole = true;
+        for (const std::string& part : look_ids(id)) {
+            const auto look = std::ranges::find_if(
+                looks, [&](const ShelfLook& known) { return known.entry.id == part; });
+            is_whole = is_whole && look != looks.end();
+            if (is_whole)
+                stack.name += (stack.name.empty() ? "" : " + ") + look->name;
+        }
+        add_presets(stack, library);
+        if (is_whole && !stack.presets.empty())
+            m_looks.push_back(std::move(stack));
+    }
+}
+
 void Shelf::update(const Library& library, double wall_seconds) {
     m_seconds_left -= wall_seconds;
     if (m_seconds_left > 0.0)
@@ -61,13 +90,9 @@ void Shelf::update(const Library& library, double wall_seconds) {
     for (const LookEntry& entry : library.looks()) {
         const Words& words = words_of(entry.folder / "look.json", true);
         ShelfLook look{entry, words.name.empty() ? entry.id : words.name, words.about, {}};
-        for (const PresetEntry& preset : library.presets(entry.id)) {
-            const Words& told = words_of(preset.file, false);
-            look.presets.push_back(
-                {preset, told.name.empty() ? preset.name : told.name, told.about});
-        }
-        tell_apart(look.presets);
+        add_presets(look, library);
         m_looks.push_back(std::move(look));
     }
     tell_apart(m_looks);
+    add_stacks(library);
 }

@@ -20,6 +20,11 @@ struct ShelfLook {
     std::string name;
     std::string about;
     std::vector<ShelfPreset> presets;
+
+    /// Looks one after the other that have presets; it has no folder of its own.
+    bool is_stack() const { return entry.folder.empty(); }
+    /// What opens it.
+    std::string argument() const { return is_stack() ? entry.id : entry.folder.string(); }
 };
 
 /// The library as the window lists it: read about once a second, and only files that changed.
@@ -38,6 +43,8 @@ public:
     };
 
 private:
+    void add_presets(ShelfLook& look, const Library& library);
+    void add_stacks(const Library& library);
     const Words& words_of(const std::filesystem::path& file, bool is_look);
 
     double m_seconds_left = 0.0;

@@ -97,6 +97,14 @@ void draw_icon(Icon icon, const ImVec2& at, float size, ImU32 color) {
         case Icon::stop:
             pen.box(0.2f, 0.2f, 0.8f, 0.8f);
             break;
+        case Icon::up:
+            pen.line({0.2f, 0.66f}, {0.5f, 0.34f});
+            pen.line({0.5f, 0.34f}, {0.8f, 0.66f});
+            break;
+        case Icon::down:
+            pen.line({0.2f, 0.34f}, {0.5f, 0.66f});
+            pen.line({0.5f, 0.66f}, {0.8f, 0.34f});
+            break;
     }
 }
 

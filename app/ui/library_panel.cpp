@@ -1,6 +1,7 @@
 #include "ui/library_panel.h"
 
 #include "ui/scoped.h"
+#include "ui/stack_panel.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
@@ -60,7 +61,7 @@ void draw_presets(const ShelfLook& look, const Scene& scene, Edits& edits) {
                    .about = "Every parameter at its default.",
                    .is_open = has_none,
                    .is_modified = has_none && document.is_modified()}))
-        edits.open(scene.lab, look.entry.folder.string());
+        edits.open(scene.lab, look.argument());
     edits.mark("preset:");
     for (const ShelfPreset& preset : look.presets) {
         const bool is_open = is_open_preset(document, preset);
@@ -79,23 +80,41 @@ void draw_presets(const ShelfLook& look, const Scene& scene, Edits& edits) {
     }
     ImGui::Unindent(indent);
 }
+
+bool is_open_look(const Document& document, const ShelfLook& look) {
+    if (look.is_stack() || document.look().stack.size() > 1)
+        return document.look().id == look.entry.id;
+    return document.look().manifest.parent_path() == look.entry.folder;
+}
+
+void draw_look_menu(const ShelfLook& look, const Scene& scene, Edits& edits) {
+    if (!ImGui::BeginPopupContextItem("##look_menu"))
+        return;
+    if (ImGui::MenuItem("Open"))
+        edits.open(scene.lab, look.argument());
+    if (!look.is_stack() && scene.lab.document() && ImGui::MenuItem("Add behind the open look"))
+        add_to_stack(look, edits);
+    ImGui::EndPopup();
+}
 }  // namespace
 
 void draw_library_panel(const Scene& scene, Edits& edits) {
     const Document* document = scene.lab.document();
     heading("Looks");
     for (const ShelfLook& look : scene.shelf.looks()) {
-        const ScopedId id(look.entry.folder.string());
-        const bool is_open =
-            document && document->look().manifest.parent_path() == look.entry.folder;
+        const ScopedId id(look.argument());
+        const bool is_open = document && is_open_look(*document, look);
         bool is_clicked = false;
         {
             const ScopedFont font(is_open ? scene.fonts.strong : scene.fonts.text);
+            ImGui::BeginGroup();
             is_clicked = draw_line({.label = look.name, .about = look.about});
+            ImGui::EndGroup();
             edits.mark("look:" + look.entry.id);
         }
+        draw_look_menu(look, scene, edits);
         if (is_clicked && !is_open)
-            edits.open(scene.lab, look.entry.folder.string());
+            edits.open(scene.lab, look.argument());
         if (is_open)
             draw_presets(look, scene, edits);
     }

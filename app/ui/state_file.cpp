@@ -64,10 +64,11 @@ std::string probe_text(const Scene& scene) {
 
 std::string document_text(const Document& document) {
     return fmt::format(
-        R"("look":{},"preset":{},"is_modified":{},"undo":{},"redo":{},"signal":{},"values":{},)",
-        json_string(document.look().id), json_string(document.preset_name()),
-        document.is_modified(), json_string(document.history().undo_name()),
-        json_string(document.history().redo_name()),
+        R"("look":{},"bypass":{},"preset":{},"is_modified":{},"undo":{},"redo":{},"signal":{},"values":{},)",
+        json_string(document.look().id),
+        json_string(fmt::format("{}", fmt::join(bypassed_keys(document.look().stack), ","))),
+        json_string(document.preset_name()), document.is_modified(),
+        json_string(document.history().undo_name()), json_string(document.history().redo_name()),
         json_string(to_string(document.state().signal)), values_text(document));
 }
 }  // namespace

@@ -12,6 +12,7 @@
 #include "ui/picture_panel.h"
 #include "ui/scoped.h"
 #include "ui/signal_panel.h"
+#include "ui/stack_panel.h"
 #include "ui/theme.h"
 #include "ui/transport_bar.h"
 
@@ -42,6 +43,7 @@ void draw_left(const Scene& scene, const Rect& place, Edits& edits) {
         draw_library_panel(scene, edits);
     }
     const Pane pane("signal", lower, theme::pane);
+    draw_stack_panel(scene, edits);
     draw_signal_panel(scene, edits);
 }
 
