@@ -1,0 +1,130 @@
+#include "io/child_process.h"
+
+#include "base/text.h"
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <utility>
+
+extern char** environ;
+
+namespace {
+// What is given to posix_spawn, and taken back.
+class FileActions {
+public:
+    FileActions() { posix_spawn_file_actions_init(&m_actions); }
+    ~FileActions() { posix_spawn_file_actions_destroy(&m_actions); }
+    FileActions(const FileActions&) = delete;
+    FileActions& operator=(const FileActions&) = delete;
+
+    void use(int descriptor, int as) {
+        posix_spawn_file_actions_adddup2(&m_actions, descriptor, as);
+    }
+    const posix_spawn_file_actions_t* get() const { return &m_actions; }
+
+private:
+    posix_spawn_file_actions_t m_actions{};
+};
+
+int wait_for(pid_t process) {
+    int status = 0;
+    while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
+    }
+    return status;
+}
+}  // namespace
+
+Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& command) {
+    std::array<int, 2> ends{};
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0)
+        return fail({{}, 0, std::string("cannot be started: ") + std::strerror(errno)});
+    Descriptor output(ends[0]);
+    const Descriptor input(ends[1]);
+    Descriptor complaints(::memfd_create("complaints", MFD_CLOEXEC));
+    const Descriptor nothing(::open("/dev/null", O_RDWR | O_CLOEXEC));
+    FileActions actions;
+    actions.use(nothing.get(), STDIN_FILENO);
+    actions.use(input.get(), STDOUT_FILENO);
+    actions.use(complaints.is_open() ? complaints.get() : nothing.get(), STDERR_FILENO);
+    std::vector<std::string> words = command;
+    std::vector<char*> arguments;
+    for (std::string& word : words)
+        arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    pid_t process = -1;
+    const int error = ::posix_spawnp(&process, arguments.front(), actions.get(), nullptr,
+                                     arguments.data(), environ);
+    if (error == ENOENT)
+        return fail({{}, 0, "the program '" + command.front() + "' is not installed"});
+    if (error != 0)
+        return fail(
+            {{}, 0, "'" + command.front() + "' cannot be started: " + std::strerror(error)});
+    return ChildProcess(process, std::move(output), std::move(complaints));
+}
+
+ChildProcess::ChildProcess(ChildProcess&& other) noexcept
+    : m_process(std::exchange(other.m_process, -1)),
+      m_output(std::move(other.m_output)),
+      m_complaints(std::move(other.m_complaints)) {}
+
+ChildProcess& ChildProcess::operator=(ChildProcess&& other) noexcept {
+    std::swap(m_process, other.m_process);
+    m_output = std::move(other.m_output);
+    m_complaints = std::move(other.m_complaints);
+    return *this;
+}
+
+ChildProcess::~ChildProcess() {
+    end();
+}
+
+void ChildProcess::end() {
+    if (m_process < 0)
+        return;
+    ::kill(m_process, SIGKILL);
+    wait_for(std::exchange(m_process, -1));
+}
+
+std::size_t ChildProcess::read(char* bytes, std::size_t size) {
+    std::size_t done = 0;
+    while (done < size) {
+        const ssize_t got = ::read(m_output.get(), bytes + done, size - done);
+        if (got < 0 && errno == EINTR)
+            continue;
+        if (got <= 0)
+            break;
+        done += static_cast<std::size_t>(got);
+    }
+    return done;
+}
+
+std::string ChildProcess::read_all(std::size_t most) {
+    std::string text(most, '\0');
+    text.resize(read(text.data(), most));
+    return text;
+}
+
+bool ChildProcess::finish() {
+    if (m_process < 0)
+        return false;
+    const int status = wait_for(std::exchange(m_process, -1));
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+std::string ChildProcess::complaint() const {
+    std::array<char, 512> start{};
+    const ssize_t got = ::pread(m_complaints.get(), start.data(), start.size(), 0);
+    const std::string_view text(start.data(), got > 0 ? static_cast<std::size_t>(got) : 0);
+    const auto lines = split_lines(text);
+    std::string line(lines.empty() ? std::string_view() : trim(lines.front()));
+    for (char& letter : line)
+        if (static_cast<unsigned char>(letter) < ' ')
+            letter = ' ';
+    return line;
+}

@@ -1,0 +1,64 @@
+#include "model/placing.h"
+
+#include <doctest/doctest.h>
+
+namespace {
+// Each pixel holds its place: 1 + x + 10 y.
+Picture numbered(int width, int height) {
+    Picture picture{{width, height}, 1, Encoding::linear, {}};
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            picture.pixels.push_back(static_cast<float>(1 + x + 10 * y));
+    return picture;
+}
+
+SourceSpec spec(Fit fit, double aspect = 1.0) {
+    return {"a.png", fit, aspect};
+}
+}  // namespace
+
+TEST_CASE("a stretched source stays as it is") {
+    const Picture picture = numbered(3, 2);
+    CHECK(placed(picture, spec(Fit::stretch, 2.0), {640, 480}) == picture);
+}
+
+TEST_CASE("a whole source gets black beside it until it has the picture's shape") {
+    // 4 x 2 into a square: two rows more, half of them above.
+    const Picture tall = placed(numbered(4, 2), spec(Fit::whole), {100, 100});
+    REQUIRE(tall.extent == Extent{4, 4});
+    CHECK(tall.pixels == std::vector<float>{0, 0, 0, 0, 1, 2, 3, 4, 11, 12, 13, 14, 0, 0, 0, 0});
+    // Pixels twice as wide as high: 2 x 2 of them are 2 : 1, in a picture of 4 : 1.
+    const Picture wide = placed(numbered(2, 2), spec(Fit::whole, 2.0), {400, 100});
+    REQUIRE(wide.extent == Extent{4, 2});
+    CHECK(wide.pixels == std::vector<float>{0, 1, 2, 0, 0, 11, 12, 0});
+}
+
+TEST_CASE("a cropped source loses what sticks out") {
+    const Picture square = placed(numbered(4, 2), spec(Fit::crop), {100, 100});
+    REQUIRE(square.extent == Extent{2, 2});
+    CHECK(square.pixels == std::vector<float>{2, 3, 12, 13});
+    CHECK(placed_extent({320, 240}, spec(Fit::crop), {1280, 720}) == Extent{320, 180});
+    CHECK(placed_extent({320, 240}, spec(Fit::whole), {1280, 720}) == Extent{427, 240});
+}
+
+TEST_CASE("whole pixels are as large as the picture has room for, with black around") {
+    const Picture doubled = placed(numbered(2, 1), spec(Fit::integer), {5, 4});
+    REQUIRE(doubled.extent == Extent{5, 4});
+    CHECK(doubled.pixels ==
+          std::vector<float>{0, 0, 0, 0, 0, 1, 1, 2, 2, 0, 1, 1, 2, 2, 0, 0, 0, 0, 0, 0});
+    // Twice as wide as high: 2 x 1 times, as the width has no room for 4 x 2.
+    const Picture wide = placed(numbered(2, 1), spec(Fit::integer, 2.0), {5, 4});
+    CHECK(std::vector<float>(wide.pixels.begin() + 5, wide.pixels.begin() + 10) ==
+          std::vector<float>{1, 1, 2, 2, 0});
+    CHECK(wide.pixels[10] == 0.0f);
+    // Too large even at 1: the middle is seen.
+    const Picture cut = placed(numbered(4, 1), spec(Fit::integer), {2, 1});
+    CHECK(cut.pixels == std::vector<float>{2, 3});
+}
+
+TEST_CASE("what is beside a source with alpha is black, not clear") {
+    const Picture picture{{1, 1}, 4, Encoding::display, {0.5f, 0.5f, 0.5f, 0.25f}};
+    const Picture made = placed(picture, spec(Fit::whole), {30, 10});
+    REQUIRE(made.extent == Extent{3, 1});
+    CHECK(made.pixels == std::vector<float>{0, 0, 0, 1, 0.5f, 0.5f, 0.5f, 0.25f, 0, 0, 0, 1});
+}
