@@ -61,7 +61,7 @@ Command add_bench(CLI::App& program) {
     arguments->look.add_to(*command, LookOptions::Take::drawing);
     command->add_option("--frames", arguments->frames, "Frames to measure, after warm-up")
         ->capture_default_str()
-        ->check(CLI::Range(1, 100000));
+        ->check(whole_number_between(1, 100000));
     command->add_flag("--json", arguments->as_json, "One JSON document");
     return [arguments](const std::string& data) { return bench(*arguments, data); };
 }

@@ -1,23 +1,25 @@
 #include "cli/common.h"
+#include "lab/look_media.h"
 
 #include <iostream>
 
 namespace {
-/// Validates one look; prints what is wrong.
+/// Validates one look or preset; prints what is wrong.
 bool is_good(const std::string& argument, const Library& library) {
-    const auto request = resolve(argument, library);
-    if (!request) {
-        report(request.error());
+    const auto prepared = prepare({.look = argument}, library);
+    if (!prepared) {
+        report(prepared.error());
         return false;
     }
-    const LoadedLook loaded = load_requested(*request, library);
-    warn(loaded.warnings);
-    if (!loaded.look) {
-        report(loaded.look.error());
+    warn(prepared->warnings);
+    const Look& look = prepared->document.look();
+    const Diagnostics media = check_media(look);
+    if (!media.empty()) {
+        report(media);
         return false;
     }
-    std::cout << argument << ": good, " << loaded.look->passes.size() << " passes, "
-              << loaded.look->parameters.size() << " parameters\n";
+    std::cout << argument << ": good, " << look.passes.size() << " passes, "
+              << look.parameters.size() << " parameters\n";
     return true;
 }
 }  // namespace

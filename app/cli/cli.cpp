@@ -1,8 +1,11 @@
 #include "cli/cli.h"
 
+#include "base/text.h"
 #include "cli/common.h"
 
 #include <array>
+#include <cerrno>
+#include <cstring>
 #include <exception>
 #include <iostream>
 
@@ -24,6 +27,29 @@ constexpr const char* about =
     "LOOK is a look's folder or name, a stack of looks as in phosphor+crt, or a preset: a file,\n"
     "a PNG that holds one, or its line of text.";
 
+// A misspelt command reads like the name of a look, and would open a window.
+void check_is_no_command(const std::string& look, const std::string& data) {
+    std::vector<std::string> names;
+    for (const Verb& verb : verbs)
+        names.emplace_back(verb.name);
+    const auto library = open_library(data);
+    const bool may_be_look = look.find_first_of("/.:+") != std::string::npos || !library ||
+                             library->find_look(look).has_value();
+    const std::string guess = did_you_mean(look, names);
+    if (!may_be_look && !guess.empty() && !std::filesystem::exists(look))
+        throw CLI::ValidationError("there is no look and no command '" + look + "'" + guess);
+}
+
+// What was printed must have arrived: a full disk is told here.
+int with_output_written(int code) {
+    errno = 0;
+    std::cout.flush();
+    if (std::cout)
+        return code;
+    const std::string reason = errno ? std::strerror(errno) : "nobody reads it";
+    return report({{{}, 0, "the output cannot be written: " + reason}});
+}
+
 /// Runs the command that was parsed, or opens the window when there was none.
 int run_parsed(const CLI::App& program, const std::vector<Command>& commands,
                const std::string& look, const std::string& data, const OpenWindow& open_window) {
@@ -32,8 +58,9 @@ int run_parsed(const CLI::App& program, const std::vector<Command>& commands,
             continue;
         if (!look.empty())
             throw CLI::ExtrasError(verbs[i].name, {look});
-        return commands[i](data);
+        return with_output_written(commands[i](data));
     }
+    check_is_no_command(look, data);
     return open_window(look, data);
 }
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include "base/text.h"
 
+#include <fmt/format.h>
+
 #include <iostream>
 
 int report(const Diagnostics& reasons) {
@@ -26,6 +28,37 @@ Extent parse_size(const std::string& text) {
     return {*width, *height};
 }
 
+CLI::Validator number_between(double low, double high) {
+    return CLI::Validator(
+        [=](const std::string& text) {
+            const auto number = parse_number(text);
+            const bool is_good = number && *number >= low && *number <= high;
+            return is_good ? std::string()
+                           : fmt::format("'{}' is not a number from {} to {}", text, low, high);
+        },
+        "");
+}
+
+CLI::Validator whole_number_between(int low, int high) {
+    return CLI::Validator(
+        [=](const std::string& text) {
+            const auto number = parse_integer(text);
+            const bool is_good = number && *number >= low && *number <= high;
+            return is_good
+                       ? std::string()
+                       : fmt::format("'{}' is not a whole number from {} to {}", text, low, high);
+        },
+        "");
+}
+
+void check_ending(const std::string& option, const std::string& file,
+                  const std::vector<std::string>& endings) {
+    const std::string ending = to_lower(std::filesystem::path(file).extension().string());
+    if (std::find(endings.begin(), endings.end(), ending) == endings.end())
+        throw CLI::ValidationError(
+            option, fmt::format("'{}' does not end in {}", file, fmt::join(endings, " or ")));
+}
+
 void LookOptions::add_to(CLI::App& command, Take take) {
     command
         .add_option("LOOK", m_request.look,
@@ -44,7 +77,7 @@ void LookOptions::add_to(CLI::App& command, Take take) {
     if (take == Take::drawing)
         command.add_option("--fps", m_request.fps, "Frames a second of the fixed clock")
             ->capture_default_str()
-            ->check(CLI::Range(1.0, 1000.0));
+            ->check(number_between(1.0, 1000.0));
 }
 
 RenderRequest LookOptions::request() const {

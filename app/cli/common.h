@@ -23,6 +23,14 @@ void warn(const Diagnostics& warnings);
 /// "1280x720"; throws CLI::ValidationError.
 Extent parse_size(const std::string& text);
 
+/// Takes numbers from `low` to `high`, whole ones or all; says so in plain words.
+CLI::Validator number_between(double low, double high);
+CLI::Validator whole_number_between(int low, int high);
+
+/// Throws CLI::ValidationError where a file's name has none of these endings.
+void check_ending(const std::string& option, const std::string& file,
+                  const std::vector<std::string>& endings);
+
 /// The options that name a look and how to drive it, shared by render, describe, preset and bench.
 class LookOptions {
 public:

@@ -87,7 +87,8 @@ Command add_compare(CLI::App& program) {
     command
         ->add_option("--tolerance", arguments->tolerance,
                      "The difference from which a pixel counts in 'share'")
-        ->capture_default_str();
+        ->capture_default_str()
+        ->check(number_between(0.0, 1e9));
     command->add_option("--fail-above", arguments->fail_above,
                         "mean=V, rms=V, max=V or share=V: exit code 1 beyond it");
     command->add_flag("--json", arguments->as_json, "One JSON document");

@@ -20,6 +20,10 @@ Result<FrameNames> parse_frame_names(const std::string& text) {
     const auto digits = width.empty() ? std::optional<int>(1) : parse_integer(width);
     if (end == std::string::npos || !digits || *digits < 1 || *digits > 9 ||
         text.find('%', percent + 1) != std::string::npos)
-        return fail({text, 0, "a sequence's name holds one %04d for the frame's number"});
+        return fail(
+            {{},
+             0,
+             "'" + text +
+                 "': a sequence's name holds one %04d or the like, for the frame's number"});
     return FrameNames(text.substr(0, percent), *digits, text.substr(end + 1));
 }

@@ -15,14 +15,15 @@ Command add_preset(CLI::App& program) {
     auto arguments = std::make_shared<Arguments>();
     arguments->look.add_to(*command, LookOptions::Take::values);
     auto* output =
-        command->add_option("-o,--output", arguments->output,
-                            "The file to write: .json, or .png for a picture that holds it");
+        command->add_option("-o,--output", arguments->output, "The file to write, .json");
     command->add_option("--name", arguments->name, "What the preset is called");
     auto* line = command->add_flag("--line", arguments->as_line, "Print it as one line of text");
     line->excludes(output);
     return [arguments](const std::string& data) {
         if (!arguments->as_line && arguments->output.empty())
             throw CLI::RequiredError("-o F.json or --line");
+        if (!arguments->as_line)
+            check_ending("--output", arguments->output, {".json"});
         const auto library = open_library(data);
         if (!library)
             return report(library.error());

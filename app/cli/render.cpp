@@ -2,6 +2,7 @@
 #include "cli/common.h"
 #include "cli/frame_names.h"
 #include "cli/progress.h"
+#include "io/atomic_file.h"
 #include "io/picture_file.h"
 #include "lab/sharing.h"
 
@@ -48,24 +49,37 @@ Result<void> save_all_passes(const Offline& offline, const std::filesystem::path
     return {};
 }
 
+// What cannot become a file is told before anything is drawn.
+FrameNames output_names(const std::string& output) {
+    auto names = parse_frame_names(output);
+    if (!names)
+        throw CLI::ValidationError("--output", names.error().front().message);
+    check_ending("--output", output, {".png", ".exr"});
+    return std::move(*names);
+}
+
+Result<void> check_outputs(const Arguments& arguments, const FrameNames& names) {
+    if (auto good = check_writable(names.name(0)); !good || arguments.all_passes.empty())
+        return good;
+    return check_writable(std::filesystem::path(arguments.all_passes) / "pass.exr");
+}
+
 /// Draws every frame; writes those that the output's name asks for.
-Result<void> draw(const Arguments& arguments, Offline& offline, const RecentMedia& recent) {
+Result<void> draw(const Arguments& arguments, const FrameNames& names, Offline& offline,
+                  const RecentMedia& recent) {
     const auto pass = chosen_pass(arguments, offline.executor().look());
     if (!pass)
         return fail(pass.error());
-    const auto names = parse_frame_names(arguments.output);
-    if (!names)
-        return fail(names.error());
     const int frames =
         arguments.frames > 0 ? arguments.frames : offline.document().look().settle_frames;
     Progress progress("render", frames);
     for (int frame = 0; frame < frames; ++frame) {
-        const bool is_seen = names->is_sequence() || frame + 1 == frames;
+        const bool is_seen = names.is_sequence() || frame + 1 == frames;
         is_seen ? offline.advance() : offline.advance_unseen();
         if (is_seen) {
             const Picture picture = offline.picture(*pass);
-            const auto file = names->name(frame);
-            auto saved = names->is_sequence()
+            const auto file = names.name(frame);
+            auto saved = names.is_sequence()
                              ? save_picture(picture, file)
                              : save_picture_with_preset(picture, offline.document(), file, recent);
             if (!saved)
@@ -80,6 +94,7 @@ Result<void> draw(const Arguments& arguments, Offline& offline, const RecentMedi
 
 int render(const Arguments& arguments, const std::string& data) {
     const RenderRequest request = arguments.look.request();
+    const FrameNames names = output_names(arguments.output);
     const auto library = open_library(data);
     if (!library)
         return report(library.error());
@@ -87,10 +102,12 @@ int render(const Arguments& arguments, const std::string& data) {
     if (!prepared)
         return report(prepared.error());
     warn(prepared->warnings);
+    if (const auto good = check_outputs(arguments, names); !good)
+        return report(good.error());
     auto offline = Offline::create(std::move(*prepared), request.size, request.fps);
     if (!offline)
         return report(offline.error());
-    const auto done = draw(arguments, *offline, RecentMedia(library->roots()));
+    const auto done = draw(arguments, names, *offline, RecentMedia(library->roots()));
     return done ? exit_done : report(done.error());
 }
 }  // namespace
@@ -110,7 +127,7 @@ Command add_render(CLI::App& program) {
         ->add_option(
             "--frames", arguments->frames,
             "Frames to draw; the last is the picture (default: what the look needs to settle)")
-        ->check(CLI::Range(1, 10000000));
+        ->check(whole_number_between(1, 10000000));
     command->add_option("--pass", arguments->pass, "This pass's target instead of the picture");
     command->add_option("--all-passes", arguments->all_passes,
                         "A folder for every pass's target as EXR, after the last frame");

@@ -99,6 +99,23 @@ Result<std::optional<mode_t>> mode_to_keep(const fs::path& file, const fs::path&
 }
 }  // namespace
 
+Result<void> check_writable(const fs::path& file) {
+    const auto target = target_of(file);
+    if (!target)
+        return fail(target.error());
+    if (const auto mode = mode_to_keep(file, *target); !mode)
+        return fail(mode.error());
+    fs::path folder = fs::absolute(*target).parent_path();
+    std::error_code error;
+    while (!fs::exists(folder, error) && folder.has_relative_path())
+        folder = folder.parent_path();
+    if (!fs::is_directory(folder, error))
+        return fail({file, 0, "cannot be written: '" + folder.string() + "' is not a folder"});
+    if (::access(folder.c_str(), W_OK | X_OK) != 0)
+        return fail({file, 0, "cannot be written: " + system_reason()});
+    return {};
+}
+
 Result<void> write_atomically(const fs::path& file, std::string_view bytes) {
     if (!file.has_filename())
         return fail({file, 0, "cannot be written: it has no file name"});

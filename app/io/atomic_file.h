@@ -9,3 +9,7 @@
 /// file is the old one or the new one. Missing folders are made; a link's target is replaced and
 /// the link stays; permissions stay. Refuses what is not a regular file and what is read-only.
 Result<void> write_atomically(const std::filesystem::path& file, std::string_view bytes);
+
+/// Whether write_atomically could write `file`, as far as that can be told beforehand: before long
+/// work whose result it is to hold.
+Result<void> check_writable(const std::filesystem::path& file);

@@ -3,6 +3,7 @@
 #include "base/file.h"
 #include "base/text.h"
 #include "io/atomic_file.h"
+#include "io/picture_kind.h"
 #include "io/png_chunks.h"
 #include "model/color.h"
 
@@ -117,10 +118,20 @@ void turn_upright(Picture& picture, const OIIO::ImageSpec& spec) {
 Result<Picture> read_picture(const fs::path& file) {
     OIIO::ImageSpec wishes;
     wishes.attribute("oiio:UnassociatedAlpha", 1);
-    const auto input = OIIO::ImageInput::open(file.string(), &wishes);
-    if (!input)
-        return fail({file, 0, "cannot be read as a picture: " + cleaned(OIIO::geterror())});
-    const OIIO::ImageSpec& spec = input->spec();
+    const auto start = read_start(file, picture_start);
+    if (!start)
+        return fail(start.error());
+    const std::string kind = picture_kind(*start, file);
+    if (kind.empty())
+        return fail({file, 0,
+                     "cannot be read as a picture: it is no PNG, JPEG, EXR, TIFF, HDR, GIF, WebP, "
+                     "HEIF, PSD, DDS, JPEG 2000, BMP, PNM or TGA"});
+    const auto input = OIIO::ImageInput::create(kind);
+    OIIO::ImageSpec spec;
+    if (!input || !input->open(file.string(), spec, wishes))
+        return fail({file, 0,
+                     "cannot be read as a picture: " +
+                         cleaned(input ? input->geterror() : OIIO::geterror())});
     if (const auto good = check_spec(spec, file); !good)
         return fail(good.error());
 

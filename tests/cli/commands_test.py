@@ -1,9 +1,11 @@
 """The command line as a person's script sees it."""
 
 import json
+import os
+import subprocess
 import wave
 
-from program import ProgramTest, main, read_png, run
+from program import PROGRAM, ProgramTest, main, read_png, run
 
 SMALL = ("--size", "96x64", "--frames", "4")
 
@@ -113,12 +115,28 @@ class Rendering(ProgramTest):
         self.assert_refused(run("render", "phosphor", "-o", out, "--set", "decay=fast"), "decay")
         self.assert_refused(run("render", "phosphor", "-o", out, "--pass", "bloom"), "has no pass 'bloom'")
         self.assert_refused(run("render", "phosphor", "-o", out, "--signal", "lisajous"), "did you mean 'lissajous'")
-        self.assert_refused(run("render", "phosphor", "-o", self.folder / "x.gif", *SMALL), "x.gif")
-        for wrong in (("--size", "big"), ("--size", "0x5"), ("--fps", "0"), ("--frames", "-1"), ("--sett", "a=1")):
+        self.assert_refused(run("render", "phosphor", "-o", out, "--set", "decay=7", "--set", "tone_map=9"),
+                            "'decay' must lie between 0 and 1", "'tone_map' takes")
+        for wrong in (("--size", "big"), ("--size", "0x5"), ("--fps", "0"), ("--fps", "nan"), ("--frames", "-1"),
+                      ("--sett", "a=1")):
             self.assert_refused(run("render", "phosphor", "-o", out, *wrong), code=2)
+        for name in ("x", "x.gif", "x_%f.png", "x_%d_%d.png", "/dev/full"):
+            self.assert_refused(run("render", "phosphor", "-o", name), name, code=2)
+        (self.folder / "taken").write_text("")
+        self.assert_refused(run("render", "phosphor", "-o", self.folder / "taken/x.png"), "taken")
         self.assert_refused(run("render", "phosphor"), code=2)
         self.assert_refused(run("rendr", "phosphor", "-o", out), code=2)
+        self.assert_refused(run("rendr"), "did you mean 'render'", code=2)
         self.assertFalse(out.exists())
+
+
+class Output(ProgramTest):
+    def test_a_full_disk_is_told(self):
+        if not os.path.exists("/dev/full"):
+            self.skipTest("this system has no /dev/full")
+        with open("/dev/full", "w", encoding="utf-8") as full:
+            done = subprocess.run([PROGRAM, "list", "signals"], stdout=full, stderr=subprocess.PIPE, text=True, check=False)
+        self.assert_refused(done, "cannot be written")
 
 
 class Presets(ProgramTest):
@@ -191,6 +209,7 @@ class Comparing(ProgramTest):
         self.assert_done(run("compare", a, b, "--fail-above", "max=0.21"))
         self.assert_refused(run("compare", a, b, "--fail-above", "max=0.19"))
         self.assert_refused(run("compare", a, b, "--fail-above", "loud=1"), code=2)
+        self.assert_refused(run("compare", a, b, "--tolerance", "nan"), code=2)
 
     def test_other_sizes_and_missing_files_are_not_good(self):
         a, b = self.ppm("a.ppm", (0, 0, 0)), self.ppm("b.ppm", (0, 0, 0), (0, 0, 0))

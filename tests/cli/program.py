@@ -73,7 +73,7 @@ class ProgramTest(unittest.TestCase):
         self.addCleanup(self._folder.cleanup)
 
     def write(self, name, text):
-        file = self.folder / name
+        file = self.folder / name  # an absolute name stays as it is
         file.parent.mkdir(parents=True, exist_ok=True)
         if isinstance(text, bytes):
             file.write_bytes(text)
@@ -85,7 +85,7 @@ class ProgramTest(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stderr)
 
     def assert_refused(self, result, *words, code=1):
-        self.assertEqual(result.returncode, code, result.stdout + result.stderr)
+        self.assertEqual(result.returncode, code, f"{result.stdout}{result.stderr}")
         for word in words:
             self.assertIn(word, result.stderr)
 

@@ -196,6 +196,29 @@ TEST_CASE("what is no picture is one clear message") {
     CHECK(error_of(folder / "five.exr").starts_with("has 5 channels"));
 }
 
+TEST_CASE("a picture's format is told by its first bytes, whatever its name says") {
+    const TemporaryFolder folder;
+    for (const char* format : {"png", "jpg", "exr", "tif", "bmp", "gif", "webp", "ppm", "hdr"}) {
+        CAPTURE(format);
+        const fs::path named = folder / (std::string("a.") + format);
+        const bool is_light = std::string_view("exr hdr").find(format) != std::string_view::npos;
+        store(named,
+              OIIO::ImageSpec(8, 8, 3, is_light ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8),
+              std::vector<float>(8 * 8 * 3, 1.0f));
+        fs::rename(named, folder / "picture");
+        const auto loaded = load_picture(folder / "picture");
+        REQUIRE_MESSAGE(loaded.has_value(), (loaded ? "" : to_string(loaded.error())));
+        CHECK(loaded->pixels[0] > 0.98f);
+    }
+}
+
+TEST_CASE("a huge file of nothing is refused at its start") {
+    const TemporaryFolder folder;
+    const fs::path file = folder.write("huge.png", "");
+    fs::resize_file(file, std::uintmax_t{1} << 30);
+    CHECK(error_of(file).starts_with("cannot be read as a picture"));
+}
+
 TEST_CASE("an absurd size is refused before memory is asked for") {
     const TemporaryFolder folder;
     std::string png = "\x89PNG\r\n\x1a\n";

@@ -1,0 +1,29 @@
+#include "lab/look_media.h"
+
+#include "io/picture_file.h"
+#include "io/sound_file.h"
+#include "lab/source.h"
+#include "signals/kinds.h"
+
+namespace {
+template <class T>
+void append_faults(const Result<T>& read, Diagnostics& problems) {
+    if (!read)
+        problems.insert(problems.end(), read.error().begin(), read.error().end());
+}
+}  // namespace
+
+Diagnostics check_media(const Look& look) {
+    Diagnostics problems;
+    for (const Image& image : look.images)
+        append_faults(load_picture(image.file), problems);
+    if (look.driven_by == Driver::picture)
+        append_faults(load_source(look.default_source), problems);
+    if (look.default_signal)
+        if (const std::string file = file_of(*look.default_signal); !file.empty())
+            append_faults(load_sound(file), problems);
+    for (Diagnostic& problem : problems)
+        if (problem.file.empty())  // a test pattern's
+            problem.file = look.manifest;
+    return problems;
+}
