@@ -152,19 +152,19 @@ class Presets(ProgramTest):
         line = run("preset", file, "--line").stdout.strip()
         self.assertTrue(line.startswith("afterglow:1:") and "\n" not in line)
         self.assert_done(run("render", file, *SMALL, "-o", picture))
+        self.assert_done(run("render", "phosphor", *SMALL, "--set", "decay=0.97", "--set", "beam_color=1,0.5,0.25",
+                             "--signal", "lissajous:x=5,y=4", "-o", self.folder / "direct.exr"))
         for source in (file, line, picture):
             self.assert_done(run("render", source, *SMALL, "-o", self.folder / "again.exr"))
-            self.assert_done(run("render", "phosphor", *SMALL, "--set", "decay=0.97", "--set",
-                                 "beam_color=1,0.5,0.25", "--signal", "lissajous:x=5,y=4", "-o",
-                                 self.folder / "direct.exr"))
             self.assert_done(run("compare", self.folder / "again.exr", self.folder / "direct.exr",
                                  "--fail-above", "max=0"))
 
     def test_every_shipped_preset_opens_without_a_warning(self):
-        for entry in json.loads(run("list", "presets", "--json").stdout):
-            result = run("describe", entry["file"], "--json")
-            self.assert_done(result)
-            self.assertEqual(result.stderr, "", entry["id"])
+        files = [entry["file"] for entry in json.loads(run("list", "presets", "--json").stdout)]
+        result = run("check", *files)
+        self.assert_done(result)
+        self.assertEqual(result.stderr, "")
+        self.assertEqual(result.stdout.count(": good"), len(files))
 
     def test_values_of_parameters_that_are_gone_are_kept_and_told(self):
         file = self.write("old.json", json.dumps({"format": "afterglow-preset", "version": 1, "look": "phosphor",
