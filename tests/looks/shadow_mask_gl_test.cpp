@@ -1,5 +1,5 @@
 // The shadow mask against closed forms: what comes through, where it is read, and what is lost.
-#include "looks/drawn_look.h"
+#include "looks/drawn_picture.h"
 #include "model/color.h"
 #include "signals/patterns.h"
 
