@@ -22,7 +22,8 @@ constexpr std::array kinds{
 };
 
 bool is_pnm(std::string_view start) {
-    return start.size() > 1 && start[0] == 'P' && "123456fF"sv.find(start[1]) != start.npos;
+    return start.size() > 1 && start[0] == 'P' &&
+           "123456fF"sv.find(start[1]) != std::string_view::npos;
 }
 }  // namespace
 
