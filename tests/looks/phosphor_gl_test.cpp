@@ -209,7 +209,7 @@ TEST_CASE("with every stage off the picture is the phosphor's light, at any size
     }
 }
 
-TEST_CASE("each stage alone changes the picture, and its off value takes that back") {
+TEST_CASE("each stage changes the picture by itself") {
     const Values stages{
         {"bloom_intensity", Value(0.6)}, {"scanline_strength", Value(0.3)},
         {"graticule", Value(0.15)},      {"vignette", Value(0.3)},
@@ -219,9 +219,9 @@ TEST_CASE("each stage alone changes the picture, and its off value takes that ba
         {"tone_map", Value(1.0)},        {"exposure", Value(1.5)},
         {"keep_hue", Value(0.8)}};
     Tube tube(all_off(), {149, 83});
-    for (const auto& [name, value] : stages) {
-        CAPTURE(name);
-        tube.restart(with(all_off(), {{name, value}}));
+    for (const auto& stage : stages) {
+        CAPTURE(stage.first);
+        tube.restart(with(all_off(), {stage}));
         tube.draw(trace_of_all_brightnesses());
         CHECK(distance_from_copy(tube) > 0.0005);
     }

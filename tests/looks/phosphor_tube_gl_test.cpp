@@ -227,11 +227,11 @@ TEST_CASE("a tube's light has its colour, and its luminance next to P31's") {
         tube.draw(flash(2.0), 0.5);  // a frame of 2 s holds all light
         return light_of(tube);
     };
-    for (const auto& [item, color] : published) {
-        const auto shown = scaled_to_1(flashed(item));
-        CAPTURE(item);
+    for (const auto& line : published) {
+        CAPTURE(line.first);
+        const auto shown = scaled_to_1(flashed(line.first));
         for (std::size_t i = 0; i < 3; ++i)
-            CHECK(std::abs(shown[i] - color[i]) < 0.002);
+            CHECK(std::abs(shown[i] - line.second[i]) < 0.002);
     }
     const double reference = luminance(flashed(p31.item));
     for (const Measured& line : measured) {
