@@ -1,0 +1,22 @@
+// The lamp as the article has it.
+#ifndef CAFFEINE_ARTICLE_SCENE
+#define CAFFEINE_ARTICLE_SCENE
+
+#include "material.glsl"
+
+vec3 lamp_color() {
+    return light_color * article_radiance;
+}
+
+// A point anywhere on the lamp, also on its far side; the lamp's size in the sky as the square of an
+// angle, where 2 (1 - cos) is meant.
+vec3 shadow_ray_as_written(Surface surface, vec3 on_lamp) {
+    vec3 direction = normalize(lamp_center() + light_radius * on_lamp - surface.place);
+    if (first_hit(Ray(surface.place, direction)).what != lamp)
+        return vec3(0.0);
+    float angle = asin(min(light_radius / distance(surface.place, lamp_center()), 1.0));
+    float slant = clamp(dot(surface.normal, direction), 0.0, 1.0);
+    return lamp_color() * (slant * angle * angle * light_intensity);
+}
+
+#endif

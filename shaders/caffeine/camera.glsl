@@ -1,0 +1,60 @@
+// The camera: a thin lens, moved by the mouse around what it looks at.
+#ifndef CAFFEINE_CAMERA
+#define CAFFEINE_CAMERA
+
+#include "molecule.glsl"
+
+uniform vec2 u_resolution;
+uniform mat4 u_camera;
+
+uniform vec3 camera_place = vec3(0.0, 0.0, 10.0);  // @range -20 20  @limit -1000 1000  @label "Camera place"  @unit "Å"  @group "Camera"
+                                                   // @help "Where the camera rests: right, up, and towards you from the middle of the molecule. The right mouse button moves it from there."
+uniform vec3 camera_target = vec3(0.0, 0.0, 0.0);  // @range -5 5  @limit -1000 1000  @label "Looks at"  @unit "Å"  @group "Camera"
+uniform float field_of_view = 60.0;  // @range 10 120  @limit 1 170  @label "Field of view"  @unit "°"  @group "Camera"
+                                     // @help "From the top to the bottom of the picture."
+uniform float focal_plane = 3.0;     // @range -5 5  @limit -1000 1000  @label "Focal plane"  @unit "Å"  @group "Camera"
+                                     // @help "Where the picture is sharp: so far in front of what the camera looks at. Below 0 is behind it."
+uniform float aperture = 0.1;        // @range 0 1  @limit 0 100  @label "Aperture"  @unit "Å"  @group "Camera"  @identity 0  @was focal_length
+                                     // @help "Radius of the lens. The wider it is, the sooner things in front of and behind the focal plane blur. 0: everything is sharp."
+uniform bool antialias = true;       // @label "Antialias"  @group "Sampling"  @identity 0
+                                     // @help "Each sample goes through another place of its pixel, so that edges become smooth."
+
+struct Camera {
+    vec3 eye;
+    vec3 right;
+    vec3 up;
+    vec3 forward;
+};
+
+Camera camera() {
+    vec3 eye = camera_target + mat3(u_camera) * (camera_place - camera_target);
+    vec3 forward = normalize(camera_target - eye);
+    vec3 right = normalize(cross(forward, mat3(u_camera) * vec3(0.0, 1.0, 0.0)));
+    return Camera(eye, right, cross(right, forward), forward);
+}
+
+// Evenly spread over the disk of radius 1 (P. Shirley and K. Chiu, "A Low Distortion Map Between Disk
+// and Square", JGT 2(3), 1997).
+vec2 disk_point(vec2 square) {
+    vec2 place = 2.0 * square - 1.0;
+    bool is_wide = abs(place.x) > abs(place.y);
+    float radius = is_wide ? place.x : place.y;
+    float ratio = radius == 0.0 ? 0.0 : (is_wide ? place.y : place.x) / radius;
+    float angle = 0.78539816339 * ratio;
+    vec2 on_axis = radius * vec2(cos(angle), sin(angle));
+    return is_wide ? on_axis : on_axis.yx;
+}
+
+// Through a place of a pixel, as seen from the lens: `from_middle` and `on_lens` are -0.5..0.5 px and
+// within a disk of radius 1.
+Ray camera_ray(vec2 pixel, vec2 from_middle, vec2 on_lens) {
+    Camera view = camera();
+    vec2 place = (2.0 * (pixel + (antialias ? from_middle : vec2(0.0))) - u_resolution) / u_resolution.y;
+    place *= tan(radians(0.5 * field_of_view));
+    vec3 towards = view.forward + place.x * view.right + place.y * view.up;
+    float depth = max(dot(camera_target - view.eye, view.forward) - focal_plane, 0.01);
+    vec3 origin = view.eye + aperture * (on_lens.x * view.right + on_lens.y * view.up);
+    return Ray(origin, normalize(view.eye + depth * towards - origin));
+}
+
+#endif

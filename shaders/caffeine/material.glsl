@@ -1,0 +1,101 @@
+// Surfaces: where light goes that falls on them. A share of it is scattered evenly (Lambert), the
+// rest into a lobe about the mirrored ray that is the wider the rougher the surface is.
+#ifndef CAFFEINE_MATERIAL
+#define CAFFEINE_MATERIAL
+
+#include "scene.glsl"
+
+uniform float atom_roughness = 0.0;    // @range 0 1  @limit 0 1  @label "Atom roughness"  @group "Surfaces"
+                                       // @help "How blurred the atoms' mirror image is: 0 is polished, 1 is chalk."
+uniform float coffee_roughness = 0.0;  // @range 0 1  @limit 0 1  @label "Coffee roughness"  @group "Surfaces"
+uniform float atom_matt = 0.5;         // @range 0 1  @limit 0 1  @label "Atoms matt"  @group "Surfaces"
+                                       // @help "The share of the light that the atoms scatter in all directions. The rest is mirrored, as their roughness says: 0 is metal, 1 is chalk."
+uniform float coffee_matt = 0.5;       // @range 0 1  @limit 0 1  @label "Coffee matt"  @group "Surfaces"
+
+const float pi = 3.14159265359;
+const float smoothest = 0.005;  // what is smoother is a mirror
+const float off_surface = 1e-3;  // Å: a ray starts so far away, not to meet the surface it leaves
+
+struct Surface {
+    vec3 place;
+    vec3 normal;
+    vec3 mirrored;  // the direction of a mirror's ray
+    vec3 color;
+    float roughness;
+    float matt;
+};
+
+Surface surface_at(Ray ray, Hit hit) {
+    vec3 place = ray.origin + hit.away * ray.direction;
+    bool is_coffee = hit.what == coffee;
+    vec3 normal = is_coffee ? vec3(0.0, ray.direction.y < 0.0 ? 1.0 : -1.0, 0.0)
+                            : normalize(place - hit.center);
+    return Surface(place + off_surface * normal, normal, reflect(ray.direction, normal),
+                   is_coffee ? coffee_color : color_of_atom(hit.what),
+                   is_coffee ? coffee_roughness : atom_roughness,
+                   is_coffee ? coffee_matt : atom_matt);
+}
+
+// Evenly spread over the sphere of radius 1 (Archimedes' hat box).
+vec3 sphere_point(vec2 square) {
+    float z = 1.0 - 2.0 * square.x;
+    float around = 2.0 * pi * square.y;
+    return vec3(sqrt(max(0.0, 1.0 - z * z)) * vec2(cos(around), sin(around)), z);
+}
+
+// The lobe's directions go to the points of a sphere that has moved from the mirrored ray's end to
+// that of the normal and has grown from nothing to radius 1 on the way. At roughness 1 it touches the
+// surface, and the directions are those of Lambert's law.
+vec3 lobe_direction(Surface surface, float roughness, vec3 on_sphere) {
+    vec3 towards = mix(surface.mirrored, surface.normal + on_sphere, roughness);
+    float size = length(towards);
+    return size > 1e-6 ? towards / size : surface.normal;
+}
+
+// How densely lobe_direction() goes to a direction, a steradian. A sphere's surface of even density
+// 1 / (4 pi r^2) is seen at distances t1 and t2 along the direction, under the cosine `slant` / r:
+// each adds density t^2 / cosine.
+float lobe_density(Surface surface, float roughness, vec3 direction) {
+    vec3 center = mix(surface.mirrored, surface.normal, roughness);
+    float along = dot(center, direction);
+    // |center|^2 - r^2, written so that nothing cancels
+    float outside = (1.0 - roughness) * (1.0 - roughness)
+                  + 2.0 * roughness * (1.0 - roughness) * dot(surface.mirrored, surface.normal);
+    float slant_squared = along * along - outside;
+    if (along <= 0.0 || slant_squared <= 0.0 || dot(direction, surface.normal) <= 0.0)
+        return 0.0;
+    float slant = sqrt(slant_squared);
+    float near = max(along - slant, 0.0);
+    float far = along + slant;
+    return (near * near + far * far) / (4.0 * pi * roughness * slant);
+}
+
+// How densely light is scattered to a direction, without the share that a mirror sends one way.
+float scattered_density(Surface surface, vec3 direction) {
+    float even = max(dot(surface.normal, direction), 0.0) / pi;
+    float lobe = surface.roughness < smoothest
+                     ? 0.0
+                     : lobe_density(surface, surface.roughness, direction);
+    return surface.matt * even + (1.0 - surface.matt) * lobe;
+}
+
+struct Bounce {
+    vec3 direction;
+    float density;  // of all ways there, a steradian; below 0 off a mirror, where it has none
+};
+
+// Goes each way as densely as the surface scatters light there, so that what comes back only wants
+// the surface's colour.
+Bounce bounced(Surface surface, vec2 square) {
+    bool is_even = square.x < surface.matt;
+    // The choice leaves an even number again.
+    square.x = is_even ? square.x / surface.matt
+                       : (square.x - surface.matt) / (1.0 - surface.matt);
+    if (!is_even && surface.roughness < smoothest)
+        return Bounce(surface.mirrored, -1.0);
+    vec3 direction =
+        lobe_direction(surface, is_even ? 1.0 : surface.roughness, sphere_point(square));
+    return Bounce(direction, scattered_density(surface, direction));
+}
+
+#endif

@@ -1,0 +1,70 @@
+#version 410 core
+// One path of light through each pixel, added to those before. Linear light; alpha counts the paths.
+// Nothing in it leans to one side: the mean over ever more paths is the picture (path tracing: J. T.
+// Kajiya, "The Rendering Equation", SIGGRAPH 1986).
+#include "camera.glsl"
+#include "lamp.glsl"
+#include "sobol.glsl"
+
+uniform sampler2D points;
+uniform int u_samples;
+
+uniform int bounces = 3;              // @range 0 10  @limit 0 32  @label "Bounces"  @group "Sampling"  @identity 0
+                                      // @help "How often light goes from thing to thing before it comes to the one that you see. 0 is direct light only."
+uniform int samples_per_frame = 1;    // @range 1 64  @limit 1 1024  @label "Samples a frame"  @group "Sampling"
+                                      // @help "In the window a frame takes no more than fit into a twentieth of a second."
+uniform int converge = 4096;          // @range 0 16384  @limit 0 16777216  @label "Enough samples"  @group "Sampling"
+                                      // @help "When there are so many the picture is done and rests. 0: it never converges, each frame shows its own samples alone."
+uniform int seed = 0;                 // @range 0 100 1  @limit 0 1000000  @label "Seed"  @group "Sampling"
+                                      // @help "Another one gives another noise, and the same picture in the end."
+
+out vec4 color;
+
+// Four numbers, 0 <= n < 1. Blocks 0 to 4 are the 20 dimensions of one sequence; deeper bounces take
+// those of the first four in another order.
+vec4 sample_numbers(int block) {
+    uint index = uint(u_samples) & ((1u << sobol_bits) - 1u);
+    uint round = uint(u_samples) >> sobol_bits;
+    uvec4 seeds = seeds_of(uvec3(gl_FragCoord.xy, uint(block) + 64u * (round + 1024u * uint(seed))));
+    int column = block;
+    if (block > 4) {
+        column = 1 + (block - 1) % 4;
+        index = shuffled_index(index, seeds.x ^ 0x9e3779b9u);
+    }
+    vec4 fraction = texelFetch(points, ivec2(column, int(index)), 0);
+    return fractions(owen_scrambled(uvec4(fraction * 16777216.0) << 8u, seeds));
+}
+
+vec3 light_along(Ray ray) {
+    vec3 light = vec3(0.0);
+    vec3 carried = vec3(1.0);
+    float bounce_density = -1.0;
+    for (int bounce = 0; bounce <= bounces + 1; ++bounce) {
+        Hit hit = first_hit(ray);
+        if (hit.what == nothing) {
+            light += carried * ambient;
+            break;
+        }
+        if (hit.what == lamp) {
+            light += bounce == 0 ? lamp_shown()
+                                 : carried * lamp_light() * met_lamp_weight(ray.origin, bounce_density);
+            break;
+        }
+        if (bounce > bounces)
+            break;
+        Surface surface = surface_at(ray, hit);
+        vec4 numbers = sample_numbers(1 + bounce);
+        carried *= surface.color;
+        light += carried * sampled_lamp(surface, numbers.xy);
+        Bounce next = bounced(surface, numbers.zw);
+        bounce_density = next.density;
+        ray = Ray(surface.place, next.direction);
+    }
+    return light;
+}
+
+void main() {
+    vec4 numbers = sample_numbers(0);
+    Ray ray = camera_ray(gl_FragCoord.xy, numbers.xy - 0.5, disk_point(numbers.zw));
+    color = vec4(light_along(ray), 1.0);
+}

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "lab/offline.h"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+/// The look "caffeine" without a window: its samples as linear light. One at a time: it draws in
+/// the context that was made last.
+class PathTracer {
+public:
+    using Settings = std::vector<std::pair<std::string, std::string>>;
+
+    /// `batch` samples are drawn at once; `settings` as `--set` takes them.
+    static Result<PathTracer> create(Settings settings, Extent size, int batch) {
+        auto roots = find_roots(std::filesystem::path(AFTERGLOW_SOURCE_DIR));
+        if (!roots)
+            return fail(roots.error());
+        settings.emplace_back("samples_per_frame", std::to_string(batch));
+        settings.emplace_back("converge", "1000000");
+        auto prepared = prepare({.look = "caffeine", .values = std::move(settings)},
+                                Library(std::move(*roots)));
+        if (!prepared)
+            return fail(prepared.error());
+        auto offline = Offline::create(std::move(*prepared), size, 60.0);
+        if (!offline)
+            return fail(offline.error());
+        return PathTracer(std::move(*offline), batch);
+    }
+
+    /// Goes on to `samples` in all, a multiple of the batch. The mean light of each pixel, r g b.
+    std::vector<double> light_after(int samples, const char* pass = "trace") {
+        while (m_offline.frame_number() * m_batch < samples)
+            m_offline.advance();
+        const Picture sum = target(pass);
+        std::vector<double> light;
+        for (std::size_t i = 0; i < sum.pixels.size(); i += 4)
+            for (std::size_t channel = 0; channel < 3; ++channel)
+                light.push_back(static_cast<double>(sum.pixels[i + channel]) /
+                                static_cast<double>(sum.pixels[i + 3]));
+        return light;
+    }
+
+    Picture target(const char* pass) const {
+        return m_offline.picture(*find_pass(m_offline.executor().look(), pass));
+    }
+
+private:
+    PathTracer(Offline offline, int batch) : m_offline(std::move(offline)), m_batch(batch) {}
+
+    Offline m_offline;
+    int m_batch;
+};
+
+/// Of two pictures' light.
+inline double root_mean_square_error(const std::vector<double>& a, const std::vector<double>& b) {
+    double squares = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        squares += (a[i] - b[i]) * (a[i] - b[i]);
+    return std::sqrt(squares / static_cast<double>(a.size()));
+}
