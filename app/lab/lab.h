@@ -78,6 +78,9 @@ public:
     void restart();
     /// Opens the devices that the settings name, and keeps the settings.
     void set_sound_settings(const SoundSettings& settings);
+    /// As the machine had them when last looked.
+    const std::vector<SoundDevice>& sound_devices() const { return m_sound_devices; }
+    void look_for_sound_devices() { m_sound_devices = m_player.sound_devices(); }
     void set_picture_size(const PictureSize& size);
     void set_view(Extent view_pixels) { m_view = view_pixels; }
     void set_mouse(double x, double y);
@@ -146,6 +149,7 @@ private:
     std::optional<DocumentState> m_applied;  // what player and renderer were last told
     std::optional<Programs> m_programs;      // of the open look, as linked
     Player m_player{machine_sound_devices()};
+    std::vector<SoundDevice> m_sound_devices;
     std::string m_told_silence;  // the player's, as last said
     std::unique_ptr<Renderer> m_renderer;
     LoadedImages m_images;  // that the renderer has

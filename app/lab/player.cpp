@@ -74,8 +74,11 @@ void Player::begin_live() {
 }
 
 Result<void> Player::set_sound_settings(const SoundSettings& settings) {
+    SoundSettings as_they_are = settings;
+    as_they_are.picture_delay_ms = m_settings.picture_delay_ms;
+    const bool needs_devices = m_devices && as_they_are != m_settings;
     m_settings = settings;
-    if (!m_devices)
+    if (!needs_devices)
         return {};
     m_output.reset();
     m_capture.reset();

@@ -192,9 +192,11 @@ void draw_signal(const Document& document, const Scene& scene, Edits& edits) {
     if (!kind || !spec)
         return;
     draw_file_problems(scene, edits);
-    if (!kind->file_setting.empty())
-        draw_sound_controls(scene, edits);
+    if (!kind->file_setting.empty() || kind->is_live)
+        draw_sound_controls(kind->is_live, scene, edits);
     draw_settings(*kind, *spec, scene, edits);
+    if (!kind->file_setting.empty() || kind->is_live)
+        draw_sound_devices(kind->is_live, scene, edits);
 }
 
 void draw_source(const Document& document, const Scene& scene, Edits& edits) {

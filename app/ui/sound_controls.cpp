@@ -41,15 +41,119 @@ void draw_volume(const Player& player, const Scene& scene, Edits& edits) {
             .is_changed)
         edits.add([level](Lab& lab) { lab.transport().set_level(level); });
 }
+
+void apply(const SoundSettings& settings, Edits& edits) {
+    edits.add([settings](Lab& lab) { lab.set_sound_settings(settings); });
+}
+
+void begin_line(const std::string& label, const std::string& help, const FormColumns& columns) {
+    form_label(label, columns, false);
+    tooltip(help);
+    form_control(columns);
+}
+
+enum class Way { out, in };
+
+// The list is made anew when it opens; until then it holds what was there when last looked.
+void draw_device(Way way, const Scene& scene, Edits& edits) {
+    const bool is_out = way == Way::out;
+    const ScopedId id(std::string(is_out ? "output" : "input"));
+    const FormColumns columns = form_columns(false);
+    begin_line(is_out ? "Output" : "Input",
+               is_out ? "Where a sound is heard."
+                      : "Where a live sound comes in. A monitor is what other programs play.",
+               columns);
+    SoundSettings settings = scene.lab.player().sound_settings();
+    std::string& chosen = is_out ? settings.output : settings.input;
+    const bool is_open = begin_combo("##device", chosen.empty() ? "System's choice" : chosen,
+                                     columns.control_and_number());
+    edits.mark(is_out ? "sound:output" : "sound:input");
+    if (!is_open)
+        return;
+    if (ImGui::IsWindowAppearing())
+        edits.add([](Lab& lab) { lab.look_for_sound_devices(); });
+    const auto offer = [&](const std::string& name, const std::string& label) {
+        if (!ImGui::Selectable(label.c_str(), name == chosen))
+            return;
+        chosen = name;
+        apply(settings, edits);
+    };
+    offer("", "System's choice");
+    for (const SoundDevice& device : scene.lab.sound_devices())
+        if (is_out ? device.has_output : device.has_input)
+            offer(device.name, device.name);
+    ImGui::EndCombo();
+}
+
+void draw_number_choice(const char* label, const char* help, int SoundSettings::*setting,
+                        const std::vector<int>& numbers, const Scene& scene, Edits& edits) {
+    const ScopedId id{std::string(label)};
+    const FormColumns columns = form_columns(false);
+    begin_line(label, help, columns);
+    SoundSettings settings = scene.lab.player().sound_settings();
+    std::vector<std::string> words;
+    std::vector<const char*> labels;
+    int chosen = -1;
+    for (const int number : numbers) {
+        if (number == settings.*setting)
+            chosen = static_cast<int>(words.size());
+        words.push_back(number == 0 ? "Device's own" : std::to_string(number));
+    }
+    for (const std::string& word : words)
+        labels.push_back(word.c_str());
+    if (form_list("##value", labels.data(), static_cast<int>(labels.size()), chosen,
+                  columns.control_and_number())) {
+        settings.*setting = numbers[static_cast<std::size_t>(chosen)];
+        apply(settings, edits);
+    }
+    edits.mark("sound:" + std::string(label));
+}
+
+void draw_delay(const Scene& scene, Edits& edits) {
+    const ScopedId id(std::string("delay"));
+    const FormColumns columns = form_columns(false);
+    begin_line("Picture delay",
+               "How much later the picture comes, to meet what is heard from slow loudspeakers.\n"
+               "In ms.",
+               columns);
+    SoundSettings settings = scene.lab.player().sound_settings();
+    const Turned turned =
+        form_slider("##value", settings.picture_delay_ms,
+                    {.low = -200.0, .high = 500.0, .step = 1.0}, columns, scene.fonts);
+    edits.mark("sound:delay");
+    if (turned.is_finished)
+        apply(settings, edits);
+    else if (turned.is_changed)
+        edits.add([settings](Lab& lab) { (void)lab.transport().set_sound_settings(settings); });
+}
 }  // namespace
 
-void draw_sound_controls(const Scene& scene, Edits& edits) {
+void draw_sound_devices(bool is_live, const Scene& scene, Edits& edits) {
+    {
+        const ScopedFont strong(scene.fonts.strong);
+        const bool is_open = section("Sound devices", false);
+        edits.mark("signal_group:Sound devices");
+        if (!is_open)
+            return;
+    }
+    draw_device(is_live ? Way::in : Way::out, scene, edits);
+    draw_number_choice("Rate", "Samples a second.", &SoundSettings::rate,
+                       {0, 44100, 48000, 96000, 192000}, scene, edits);
+    draw_number_choice("Buffer", "Samples at once. Fewer come sooner, more never stutter.",
+                       &SoundSettings::buffer, {128, 256, 512, 1024, 2048, 4096}, scene, edits);
+    draw_delay(scene, edits);
+}
+
+void draw_sound_controls(bool is_live, const Scene& scene, Edits& edits) {
     const Player& player = scene.lab.player();
     if (player.sound().sound)
         draw_seek_bar(player.time(), player.sound_seconds(), scene, edits);
-    draw_volume(player, scene, edits);
-    if (player.silence().empty())
-        return;
-    const ScopedColor color(ImGuiCol_Text, theme::dim);
-    ImGui::TextWrapped("%s", player.silence().c_str());
+    if (!is_live)
+        draw_volume(player, scene, edits);
+    else if (!player.live_device().empty())
+        fitted_text("From " + player.live_device(), ImGui::GetContentRegionAvail().x, theme::dim);
+    if (!player.silence().empty()) {
+        const ScopedColor color(ImGuiCol_Text, theme::dim);
+        ImGui::TextWrapped("%s", player.silence().c_str());
+    }
 }

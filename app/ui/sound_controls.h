@@ -3,8 +3,11 @@
 #include "ui/edits.h"
 #include "ui/scene.h"
 
-/// Where the sound is, with a bar to seek in, and how loud it plays.
-void draw_sound_controls(const Scene& scene, Edits& edits);
+/// Where the sound is, with a bar to seek in, how loud it plays; of a live sound what it comes
+/// in from.
+void draw_sound_controls(bool is_live, const Scene& scene, Edits& edits);
+/// The devices that a person may choose among.
+void draw_sound_devices(bool is_live, const Scene& scene, Edits& edits);
 
 /// "1:02.34".
 std::string clock_text(double seconds);
