@@ -8,9 +8,16 @@ bool is_finite(const BeamPoint& point) {
            std::isfinite(point.age_seconds);
 }
 
-Segment join(const BeamPoint& from, const BeamPoint& to) {
-    const float start = from.intensity == 0.0f ? to.intensity : from.intensity;
-    return {from.x, from.y, to.x, to.y, start, to.intensity, from.age_seconds, to.age_seconds};
+// The charge at the start, were it laid down as long as on this way: that of `from` was laid down
+// on its own way, `seconds_before` long, and charges of points that come unevenly cannot be
+// compared.
+float start_charge(const BeamPoint& from, const BeamPoint& to, float seconds_before) {
+    const float seconds = from.age_seconds - to.age_seconds;
+    if (from.intensity == 0.0f || !(seconds_before > 0.0f) || !(seconds > 0.0f))
+        return to.intensity;
+    constexpr float nearly = 1e-3f;  // ages are rounded
+    const float times = seconds / seconds_before;
+    return from.intensity * (std::abs(times - 1.0f) < nearly ? 1.0f : times);
 }
 }  // namespace
 
@@ -18,10 +25,14 @@ void make_segments(std::span<const BeamPoint> beam, const std::optional<BeamPoin
                    std::vector<Segment>& segments) {
     segments.clear();
     const BeamPoint* last = before ? &*before : nullptr;
+    float seconds_before = 0.0f;  // from the point before the last one to it; 0: not known
     for (const BeamPoint& point : beam) {
         const bool is_good = is_finite(point);
         if (is_good && last && point.intensity != 0.0f)
-            segments.push_back(join(*last, point));
+            segments.push_back({last->x, last->y, point.x, point.y,
+                                start_charge(*last, point, seconds_before), point.intensity,
+                                last->age_seconds, point.age_seconds});
+        seconds_before = is_good && last ? last->age_seconds - point.age_seconds : 0.0f;
         last = is_good ? &point : nullptr;
     }
 }

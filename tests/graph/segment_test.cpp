@@ -15,12 +15,24 @@ std::vector<Segment> segments(const Beam& beam, std::optional<BeamPoint> before 
 TEST_CASE("n points make n - 1 segments, and one more to the frame before") {
     const Beam beam{{0, 0, 1, 0.3f}, {1, 0, 2, 0.2f}, {1, 1, 3, 0.1f}};
     CHECK(segments(beam) ==
-          std::vector<Segment>{{0, 0, 1, 0, 1, 2, 0.3f, 0.2f}, {1, 0, 1, 1, 2, 3, 0.2f, 0.1f}});
+          std::vector<Segment>{{0, 0, 1, 0, 2, 2, 0.3f, 0.2f}, {1, 0, 1, 1, 2, 3, 0.2f, 0.1f}});
     const auto joined = segments(beam, BeamPoint{-1, 0, 4, 0.4f});
     REQUIRE(joined.size() == 3);
-    CHECK(joined.front() == Segment{-1, 0, 0, 0, 4, 1, 0.4f, 0.3f});
+    CHECK(joined.front() == Segment{-1, 0, 0, 0, 1, 1, 0.4f, 0.3f});
     CHECK(segments({}, BeamPoint{}).empty());
     CHECK(segments({{0, 0, 1, 0}}).empty());
+}
+
+TEST_CASE("a steady current is steady also where points come unevenly") {
+    // A charge of 8 a second.
+    const auto made =
+        segments({{0, 0, 8, 4}, {1, 0, 8, 3}, {2, 0, 4, 2.5f}, {3, 0, 4, 2}, {4, 0, 16, 0}});
+    REQUIRE(made.size() == 4);
+    for (const Segment& segment : made) {
+        const float charge = 8.0f * (segment.start_age - segment.end_age);
+        CHECK(segment.start_intensity == charge);
+        CHECK(segment.end_intensity == charge);
+    }
 }
 
 TEST_CASE("the way to a blanked point is not drawn, the way on from it is fully lit") {
