@@ -59,7 +59,7 @@ Result<void> Drive::follow_signal(const Document& document, Player& player) {
     const std::string file = file_of(spec);
     if (!file.empty() && file != player.sound().file) {
         if (file != m_loader.name())
-            m_loader.load(MediaLoader::Kind::sound, file);
+            m_loader.load(MediaLoader::Kind::signal, file);
         return player.signal() ? Result<void>() : fall_back(document, player, {});
     }
     m_loader.cancel();
@@ -120,8 +120,8 @@ Result<void> Drive::take(LoadedMedia loaded, const Document& document, Player& p
         m_picture_name = loaded.name;
         return renderer.set_source(*m_picture);
     }
-    if (auto set =
-            player.set_signal(document.state().signal, {loaded.name, std::move(loaded.sound)});
+    if (auto set = player.set_signal(document.state().signal, {loaded.name, std::move(loaded.sound),
+                                                               std::move(loaded.scene)});
         !set)
         return fall_back(document, player, std::move(set.error()));
     if (is_from_the_beginning)

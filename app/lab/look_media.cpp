@@ -1,7 +1,7 @@
 #include "lab/look_media.h"
 
 #include "io/picture_file.h"
-#include "io/sound_file.h"
+#include "lab/signal_file.h"
 #include "lab/source.h"
 #include "signals/kinds.h"
 
@@ -21,7 +21,7 @@ Diagnostics check_media(const Look& look) {
         append_faults(load_source(look.default_source), problems);
     if (look.default_signal)
         if (const std::string file = file_of(*look.default_signal); !file.empty())
-            append_faults(load_sound(file), problems);
+            append_faults(load_signal_media(file), problems);
     for (Diagnostic& problem : problems)
         if (problem.file.empty())  // a test pattern's
             problem.file = look.manifest;

@@ -1,20 +1,22 @@
 #include "lab/media_loader.h"
 
 #include "io/file_digest.h"
-#include "io/sound_file.h"
+#include "lab/signal_file.h"
 #include "lab/source.h"
 
 #include <utility>
 
 namespace {
-LoadedMedia read_sound(const std::string& name, Work& work) {
+LoadedMedia read_signal(const std::string& name, Work& work) {
     LoadedMedia loaded;
     loaded.name = name;
-    auto sound = load_sound(name, &work, &loaded.notes);
-    if (!sound)
-        loaded.problems = std::move(sound.error());
-    else
-        loaded.sound = std::make_shared<const Sound>(std::move(*sound));
+    auto media = load_signal_media(name, &work, &loaded.notes);
+    if (!media) {
+        loaded.problems = std::move(media.error());
+        return loaded;
+    }
+    loaded.sound = std::move(media->sound);
+    loaded.scene = std::move(media->scene);
     return loaded;
 }
 
@@ -86,7 +88,7 @@ void MediaLoader::run() {
         const Job job = *std::exchange(m_job, std::nullopt);
         lock.unlock();
         LoadedMedia loaded =
-            job.kind == Kind::sound ? read_sound(job.name, *job.work) : read_picture(job.name);
+            job.kind == Kind::signal ? read_signal(job.name, *job.work) : read_picture(job.name);
         if (loaded.problems.empty() && !job.name.starts_with("pattern:"))
             if (const auto digest = file_digest(job.name, job.work.get()))
                 loaded.digest = *digest;

@@ -4,6 +4,7 @@
 #include "base/work.h"
 #include "model/picture.h"
 #include "model/sound.h"
+#include "signals/scene.h"
 
 #include <condition_variable>
 #include <filesystem>
@@ -16,7 +17,8 @@
 /// A sound or picture that was asked for, read; or why it could not be.
 struct LoadedMedia {
     std::string name;                    // as it was asked for
-    std::shared_ptr<const Sound> sound;  // one of both
+    std::shared_ptr<const Sound> sound;  // one of these
+    std::shared_ptr<const BeamScene> scene;
     std::shared_ptr<const Picture> picture;
     std::string digest;    // of a file
     Diagnostics problems;  // why nothing was read
@@ -27,7 +29,8 @@ struct LoadedMedia {
 /// under way.
 class MediaLoader {
 public:
-    enum class Kind { sound, picture };
+    /// A signal's file is a sound, or a scene or drawing by its name.
+    enum class Kind { signal, picture };
 
     MediaLoader();
     ~MediaLoader();

@@ -6,9 +6,9 @@
 #include "formats/preset_format.h"
 #include "gpu/readback.h"
 #include "io/picture_file.h"
-#include "io/sound_file.h"
 #include "lab/chosen_images.h"
 #include "lab/media.h"
+#include "lab/signal_file.h"
 #include "lab/source.h"
 #include "signals/kinds.h"
 
@@ -170,10 +170,11 @@ Result<void> Offline::load_signal() {
         return {};
     PlayedSound sound{.file = file_of(signal), .sound = {}};
     if (!sound.file.empty()) {
-        auto loaded = load_sound(sound.file);
+        auto loaded = load_signal_media(sound.file);
         if (!loaded)
             return fail(loaded.error());
-        sound.sound = std::make_shared<const Sound>(std::move(*loaded));
+        sound.sound = std::move(loaded->sound);
+        sound.scene = std::move(loaded->scene);
     }
     return m_player->set_signal(signal, std::move(sound));
 }

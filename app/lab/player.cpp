@@ -44,7 +44,7 @@ Result<void> Player::set_signal(const Spec& spec, PlayedSound sound) {
 }
 
 Result<std::unique_ptr<Signal>> Player::make(const Spec& complete, const PlayedSound& sound) {
-    SignalMedia media{.sound = sound.sound};
+    SignalMedia media{.sound = sound.sound, .scene = sound.scene};
     if (m_devices && find_kind(complete.kind)->is_live) {
         if (const auto open = open_capture(); !open)
             return fail(open.error());

@@ -19,10 +19,11 @@ struct PlayedFrame {
     TimeSpan span;
 };
 
-/// A sound that was read from a file.
+/// A sound, or a scene to draw, that was read from a file.
 struct PlayedSound {
     std::filesystem::path file;
-    std::shared_ptr<const Sound> sound;  // shared with the sound device's thread
+    std::shared_ptr<const Sound> sound;           // shared with the sound device's thread
+    std::shared_ptr<const BeamScene> scene = {};  // shared with the reading thread
 };
 
 /// The clock, and the signal that it runs over.

@@ -1,6 +1,7 @@
 #include "signals/kinds.h"
 
 #include "signals/audio.h"
+#include "signals/drawn.h"
 #include "signals/harmonics.h"
 #include "signals/lissajous.h"
 #include "signals/modulation.h"
@@ -10,9 +11,9 @@
 #include <algorithm>
 
 const std::vector<SignalKind>& signal_kinds() {
-    static const std::vector<SignalKind> kinds{lissajous_kind(), waveform_kind(), harmonics_kind(),
-                                               am_kind(),        fm_kind(),       audio_kind(),
-                                               microphone_kind()};
+    static const std::vector<SignalKind> kinds{
+        lissajous_kind(), waveform_kind(),   harmonics_kind(), am_kind(),   fm_kind(),
+        audio_kind(),     microphone_kind(), scene_kind(),     text_kind(), drawing_kind()};
     return kinds;
 }
 

@@ -24,11 +24,14 @@ public:
     virtual double seconds() const { return std::numeric_limits<double>::infinity(); }
 };
 
+struct BeamScene;
+
 /// What a signal may need from outside: files are read by the caller.
 struct SignalMedia {
-    std::shared_ptr<const Sound> sound = nullptr;     // shared with the sound device's thread
-    std::shared_ptr<const LiveSound> live = nullptr;  // likewise
-    std::int64_t live_first = 0;                      // its frame at time 0
+    std::shared_ptr<const Sound> sound = nullptr;      // shared with the sound device's thread
+    std::shared_ptr<const BeamScene> scene = nullptr;  // with the reading thread; never changed
+    std::shared_ptr<const LiveSound> live = nullptr;   // with the sound device's thread
+    std::int64_t live_first = 0;                       // its frame at time 0
 };
 
 /// The signal of a spec. Errors name the kind and the setting, not a file.

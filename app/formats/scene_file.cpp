@@ -1,0 +1,88 @@
+#include "formats/scene_file.h"
+
+#include "base/file.h"
+#include "base/text.h"
+#include "formats/object_reader.h"
+#include "formats/scene_items.h"
+#include "formats/svg_file.h"
+
+#include <fmt/format.h>
+
+namespace {
+constexpr std::string_view format_name = "afterglow-scene";
+constexpr int newest_version = 1;
+
+double positive(ObjectReader& reader, std::string_view key, double fallback, bool may_be_zero) {
+    const double value = reader.number(key, fallback);
+    if (value > 0.0 || (may_be_zero && value == 0.0))
+        return value;
+    if (const JsonValue* given = reader.find(key))
+        reader.problem(*given, fmt::format("'{}' must be above 0", key));
+    return fallback;
+}
+
+BeamScene read_scene(ObjectReader& reader) {
+    const BeamScene defaults;
+    BeamScene scene;
+    reader.text("name");
+    reader.text("about");
+    scene.beam_speed = positive(reader, "beam_speed", defaults.beam_speed, false);
+    scene.move_speed = positive(reader, "move_speed", defaults.move_speed, false);
+    scene.refresh = positive(reader, "refresh", defaults.refresh, true);
+    const bool is_visible =
+        reader.choice<bool>("moves", {{"blanked", false}, {"visible", true}}, false);
+    const double intensity = positive(reader, "move_intensity", 0.15, true);
+    scene.move_current = is_visible ? intensity : 0.0;
+    const JsonValue* items = reader.require("items");
+    if (items && reader.expect(*items, JsonValue::Kind::array))
+        for (const JsonValue& value : items->children) {
+            ObjectReader item(value, reader.file(), reader.problems());
+            scene.items.push_back(read_scene_item(item));
+        }
+    if (point_count(scene) > most_scene_points)
+        reader.problem(reader.object(),
+                       fmt::format("the scene has {} points; at most {} can be drawn",
+                                   point_count(scene), most_scene_points));
+    else if (items && items->children.empty())
+        reader.problem(*items, "there is nothing to draw");
+    reader.refuse_unknown();
+    return scene;
+}
+}  // namespace
+
+Result<BeamScene> parse_scene(std::string_view text, const std::filesystem::path& file) {
+    const auto document = parse_json(text, file);
+    if (!document)
+        return fail(document.error());
+    Diagnostics problems;
+    ObjectReader reader(*document, file, problems);
+    BeamScene scene;
+    if (accept_header(reader, format_name, newest_version))
+        scene = read_scene(reader);
+    if (!problems.empty())
+        return fail(std::move(problems));
+    return scene;
+}
+
+Result<BeamScene> load_scene(const std::filesystem::path& file) {
+    const auto text = read_text(file);
+    if (!text)
+        return fail(text.error());
+    return parse_scene(*text, file);
+}
+
+Result<BeamScene> load_drawn_file(const std::filesystem::path& file) {
+    if (to_lower(file.extension().string()) != ".svg")
+        return load_scene(file);
+    auto paths = load_svg(file);
+    if (!paths)
+        return fail(paths.error());
+    BeamScene scene;
+    scene.items.push_back({.paths = std::move(*paths)});
+    return scene;
+}
+
+bool is_drawn_file(const std::filesystem::path& file) {
+    const std::string extension = to_lower(file.extension().string());
+    return extension == ".json" || extension == ".svg";
+}

@@ -1,0 +1,178 @@
+#include "formats/svg_file.h"
+
+#include "base/file.h"
+#include "base/text.h"
+#include "formats/svg_path.h"
+#include "formats/svg_transform.h"
+#include "formats/xml_tags.h"
+#include "signals/shapes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+class SvgReader {
+public:
+    explicit SvgReader(const std::filesystem::path& file) : m_file(file) {}
+
+    Result<std::vector<ScenePath>> read(const std::vector<XmlTag>& tags) {
+        for (const XmlTag& tag : tags)
+            tag.is_closing ? leave(tag) : enter(tag);
+        if (!m_is_svg)
+            m_problems.insert(m_problems.begin(), {m_file, 1, "is no SVG: it has no <svg> tag"});
+        else if (m_problems.empty() && m_paths.empty())
+            m_problems.push_back({m_file, 1, "has no paths, lines or shapes to draw"});
+        if (m_count > most_scene_points)
+            m_problems.push_back({m_file, 0, "has too many points for a beam to draw"});
+        if (!m_problems.empty())
+            return fail(std::move(m_problems));
+        return std::move(m_paths);
+    }
+
+private:
+    struct Level {
+        std::string name;
+        SvgTransform transform;
+        bool is_hidden = false;
+    };
+
+    void problem(const XmlTag& tag, const std::string& message) {
+        constexpr std::size_t most_problems = 20;
+        if (m_problems.size() < most_problems)
+            m_problems.push_back({m_file, tag.line, message});
+    }
+
+    void leave(const XmlTag& tag) {
+        const auto open = std::find_if(m_levels.rbegin(), m_levels.rend(),
+                                       [&](const Level& level) { return level.name == tag.name; });
+        if (open != m_levels.rend())
+            m_levels.erase(std::prev(open.base()), m_levels.end());
+    }
+
+    void enter(const XmlTag& tag) {
+        constexpr std::string_view hidden[] = {"defs",   "clipPath", "mask",  "symbol",
+                                               "marker", "pattern",  "style", "script"};
+        Level level = m_levels.empty() ? Level{} : m_levels.back();
+        level.name = tag.name;
+        m_is_svg = m_is_svg || tag.name == "svg";
+        level.is_hidden = level.is_hidden || std::find(std::begin(hidden), std::end(hidden),
+                                                       tag.name) != std::end(hidden);
+        if (const auto found = tag.attributes.find("transform"); found != tag.attributes.end()) {
+            const auto transform = parse_svg_transform(found->second);
+            if (!transform)
+                problem(tag, transform.error().front().message);
+            else
+                level.transform = level.transform * *transform;
+        }
+        if (!level.is_hidden)
+            for (ScenePath& path : outline_of(tag))
+                add(std::move(path), level.transform);
+        if (!tag.is_empty)
+            m_levels.push_back(std::move(level));
+    }
+
+    void add(ScenePath path, const SvgTransform& transform) {
+        for (ScenePoint& point : path.points) {
+            point = transform(point);
+            point.y = -point.y;
+        }
+        m_count += path.points.size();
+        if (m_count <= most_scene_points)
+            m_paths.push_back(std::move(path));
+    }
+
+    double number(const XmlTag& tag, const char* name, double fallback = 0.0) {
+        const auto found = tag.attributes.find(name);
+        if (found == tag.attributes.end())
+            return fallback;
+        std::string_view text = trim(found->second);
+        if (text.ends_with("px"))
+            text.remove_suffix(2);
+        const auto value = parse_number(text);
+        if (!value)
+            problem(tag, fmt::format("'{}' takes a number, not '{}'", name, found->second));
+        return value.value_or(fallback);
+    }
+
+    std::vector<ScenePath> outline_of(const XmlTag& tag) {
+        if (tag.name == "path")
+            return path_of(tag);
+        if (tag.name == "polyline" || tag.name == "polygon")
+            return corners_of(tag, tag.name == "polygon");
+        if (tag.name == "line")
+            return {
+                {{{number(tag, "x1"), number(tag, "y1")}, {number(tag, "x2"), number(tag, "y2")}}}};
+        if (tag.name == "rect")
+            return box_of(tag);
+        if (tag.name == "circle")
+            return oval_of(tag, number(tag, "r"), number(tag, "r"));
+        if (tag.name == "ellipse")
+            return oval_of(tag, number(tag, "rx"), number(tag, "ry"));
+        return {};
+    }
+
+    std::vector<ScenePath> path_of(const XmlTag& tag) {
+        const auto found = tag.attributes.find("d");
+        if (found == tag.attributes.end())
+            return {};
+        auto paths = parse_svg_path(found->second);
+        if (paths)
+            return std::move(*paths);
+        problem(tag, paths.error().front().message);
+        return {};
+    }
+
+    std::vector<ScenePath> corners_of(const XmlTag& tag, bool is_closed) {
+        const auto found = tag.attributes.find("points");
+        const auto numbers = parse_svg_numbers(found == tag.attributes.end() ? "" : found->second);
+        if (!numbers || numbers->size() < 4 || numbers->size() % 2 != 0) {
+            problem(tag, "'points' takes pairs of numbers, at least two");
+            return {};
+        }
+        ScenePath path;
+        for (std::size_t i = 0; i < numbers->size(); i += 2)
+            path.points.push_back({(*numbers)[i], (*numbers)[i + 1]});
+        if (is_closed)
+            path.points.push_back(path.points.front());
+        return {path};
+    }
+
+    std::vector<ScenePath> box_of(const XmlTag& tag) {
+        const double x = number(tag, "x");
+        const double y = number(tag, "y");
+        const double w = number(tag, "width");
+        const double h = number(tag, "height");
+        return {{{{x, y}, {x + w, y}, {x + w, y + h}, {x, y + h}, {x, y}}}};
+    }
+
+    std::vector<ScenePath> oval_of(const XmlTag& tag, double rx, double ry) {
+        ScenePath path = arc_path(1.0, 0.0, 360.0);
+        for (ScenePoint& point : path.points)
+            point = {number(tag, "cx") + rx * point.x, number(tag, "cy") + ry * point.y};
+        return {path};
+    }
+
+    const std::filesystem::path& m_file;
+    bool m_is_svg = false;
+    std::vector<Level> m_levels;
+    std::vector<ScenePath> m_paths;
+    std::size_t m_count = 0;
+    Diagnostics m_problems;
+};
+}  // namespace
+
+Result<std::vector<ScenePath>> parse_svg(std::string_view text, const std::filesystem::path& file) {
+    const auto tags = parse_xml_tags(text, file);
+    if (!tags)
+        return fail(tags.error());
+    return SvgReader(file).read(*tags);
+}
+
+Result<std::vector<ScenePath>> load_svg(const std::filesystem::path& file) {
+    const auto text = read_text(file);
+    if (!text)
+        return fail(text.error());
+    return parse_svg(*text, file);
+}

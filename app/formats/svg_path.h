@@ -1,0 +1,14 @@
+#pragma once
+
+#include "base/diagnostic.h"
+#include "signals/scene.h"
+
+#include <string_view>
+#include <vector>
+
+/// The numbers of an SVG list, between spaces and commas; nothing when it holds anything else.
+std::optional<std::vector<double>> parse_svg_numbers(std::string_view text);
+
+/// A path's `d` (SVG 1.1, chapter 8) as polylines in its own coordinates, y down. Errors say what
+/// is wrong without a file.
+Result<std::vector<ScenePath>> parse_svg_path(std::string_view text);

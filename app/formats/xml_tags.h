@@ -1,0 +1,22 @@
+#pragma once
+
+#include "base/diagnostic.h"
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// A tag of an XML text. What stands between tags is no part of it.
+struct XmlTag {
+    std::string name;  // without its prefix
+    bool is_closing = false;
+    bool is_empty = false;                          // "<path ... />"
+    std::map<std::string, std::string> attributes;  // entities resolved
+    int line = 0;
+};
+
+/// The tags of an XML text in order; comments, declarations and CDATA are passed over, nothing
+/// outside the text is ever read. Errors have `file` and the line.
+Result<std::vector<XmlTag>> parse_xml_tags(std::string_view text,
+                                           const std::filesystem::path& file);

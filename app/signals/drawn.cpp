@@ -1,0 +1,161 @@
+// Signals that draw paths: a text, a scene of a file, the paths of an SVG.
+#include "signals/drawn.h"
+
+#include "signals/points.h"
+#include "signals/scene.h"
+#include "signals/settings.h"
+#include "signals/shapes.h"
+#include "signals/stroke_font.h"
+
+#include <fmt/format.h>
+
+namespace {
+SettingFacts size_setting(double initial, std::string help) {
+    return {.key = "size",
+            .label = "Size",
+            .unit = "half screens",
+            .help = std::move(help),
+            .low = 0.05,
+            .high = 2,
+            .initial = initial,
+            .limit = {0.001, 100}};
+}
+
+SettingFacts spin_setting() {
+    return {.key = "spin",
+            .label = "Spin",
+            .unit = "degrees/s",
+            .help = "How fast it turns around its upright axis; 0 stands still.",
+            .low = -180,
+            .high = 180,
+            .limit = {-100000, 100000}};
+}
+
+SettingFacts speed_setting() {
+    return {.key = "beam_speed",
+            .label = "Beam speed",
+            .unit = "half screens/s",
+            .help =
+                "How fast the beam draws. Slower is brighter, and flickers when it takes more "
+                "than 1/60 s.",
+            .low = 50,
+            .high = 10000,
+            .initial = 1000,
+            .logarithmic = true,
+            .limit = {1, 1e6}};
+}
+
+double rate_of(const Settings& settings) {
+    return settings.number("points") * 60.0;
+}
+
+Result<std::unique_ptr<Signal>> signal_of(BeamScene scene, const Settings& settings,
+                                          std::string_view what) {
+    auto made =
+        make_scene_signal(std::make_shared<const BeamScene>(std::move(scene)), rate_of(settings));
+    if (!made)
+        for (Diagnostic& reason : made.error())
+            reason.message = fmt::format("{}: {}", what, reason.message);
+    return made;
+}
+
+// "\n" as a person types it in a line of its own.
+std::string with_line_ends(std::string_view text) {
+    std::string lines;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool is_end = text[i] == '\\' && i + 1 < text.size() && text[i + 1] == 'n';
+        lines += is_end ? '\n' : text[i];
+        i += is_end ? 1 : 0;
+    }
+    return lines;
+}
+
+Result<std::unique_ptr<Signal>> make_text(const Settings& settings, const SignalMedia&) {
+    SceneItem item;
+    item.paths = text_paths(with_line_ends(settings.word("text")), settings.number("size"),
+                            TextAlign::middle);
+    item.spin[1] = settings.number("spin");
+    item.perspective = 3.0;
+    return signal_of({.items = {std::move(item)}, .beam_speed = settings.number("beam_speed")},
+                     settings, "text");
+}
+
+Result<std::unique_ptr<Signal>> make_scene(const Settings& settings, const SignalMedia& media) {
+    if (!media.scene)
+        return fail({{}, 0, "scene: there is no scene to draw"});
+    BeamScene scene = *media.scene;
+    scene.beam_speed *= settings.number("speed");
+    scene.move_speed *= settings.number("speed");
+    return signal_of(std::move(scene), settings, "scene");
+}
+
+Result<std::unique_ptr<Signal>> make_drawing(const Settings& settings, const SignalMedia& media) {
+    if (!media.scene)
+        return fail({{}, 0, "drawing: there is nothing to draw"});
+    BeamScene scene = *media.scene;
+    scene.beam_speed = settings.number("beam_speed");
+    for (SceneItem& item : scene.items) {
+        item.paths = fitted_paths(std::move(item.paths), settings.number("size"));
+        item.spin[1] = settings.number("spin");
+        item.perspective = 3.0;
+    }
+    return signal_of(std::move(scene), settings, "drawing");
+}
+}  // namespace
+
+SignalKind text_kind() {
+    return {.kind = "text",
+            .label = "Text",
+            .help = "A text in the lab's own stroke font, drawn 60 times a second.",
+            .settings = {{.key = "text",
+                          .label = "Text",
+                          .help = "What is written; \\n begins a new line.",
+                          .type = SettingType::text,
+                          .initial_word = "AFTERGLOW"},
+                         size_setting(0.2, "How high a capital letter is."),
+                         spin_setting(),
+                         speed_setting(),
+                         points_setting()},
+            .bare_setting = "text",
+            .make = make_text};
+}
+
+SignalKind scene_kind() {
+    return {.kind = "scene",
+            .label = "Scene",
+            .help = "Shapes, text, drawings and wireframes that a JSON file puts together.",
+            .settings = {{.key = "file",
+                          .label = "File",
+                          .help = "A scene: JSON, see docs/scenes.md.",
+                          .type = SettingType::text},
+                         {.key = "speed",
+                          .label = "Speed",
+                          .unit = "times",
+                          .help = "The beam's speed against what the scene says.",
+                          .low = 0.1,
+                          .high = 10,
+                          .initial = 1,
+                          .logarithmic = true,
+                          .limit = {0.001, 1000}},
+                         points_setting()},
+            .file_setting = "file",
+            .bare_setting = "file",
+            .make = make_scene};
+}
+
+SignalKind drawing_kind() {
+    return {.kind = "drawing",
+            .label = "Drawing",
+            .help = "The lines of an SVG file, drawn 60 times a second.",
+            .settings = {{.key = "file",
+                          .label = "File",
+                          .help = "An SVG; its paths, lines and shapes are followed.",
+                          .type = SettingType::text},
+                         size_setting(1.6, "How large the longer side is."),
+                         spin_setting(),
+                         speed_setting(),
+                         points_setting()},
+            .file_setting = "file",
+            .bare_setting = "file",
+            .make = make_drawing};
+}

@@ -1,0 +1,155 @@
+#include "formats/scene_file.h"
+
+#include "formats/obj_file.h"
+#include "formats/svg_file.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+namespace {
+std::string scene_text(const std::string& items) {
+    return "{ \"format\": \"afterglow-scene\", \"version\": 1, \"items\": [\n" + items + "\n] }\n";
+}
+
+std::string refusal(const std::string& text) {
+    const auto scene = parse_scene(text, "scenes/s.json");
+    REQUIRE_FALSE(scene.has_value());
+    return to_string(scene.error());
+}
+
+std::string svg_refusal(const std::string& text) {
+    const auto paths = parse_svg(text, "d.svg");
+    REQUIRE_FALSE(paths.has_value());
+    return to_string(paths.error());
+}
+
+std::string obj_refusal(const std::string& text) {
+    const auto paths = parse_obj(text, "m.obj");
+    REQUIRE_FALSE(paths.has_value());
+    return to_string(paths.error());
+}
+
+std::vector<ScenePoint> only_path(const std::string& shape) {
+    const auto paths = parse_svg("<svg xmlns=\"x\">" + shape + "</svg>", "d.svg");
+    REQUIRE(paths.has_value());
+    REQUIRE(paths->size() == 1);
+    return paths->front().points;
+}
+
+bool is_at(const ScenePoint& point, double x, double y) {
+    return std::hypot(point.x - x, point.y - y) < 1e-9;
+}
+}  // namespace
+
+TEST_CASE("every shape of a scene is read with its place, turn and beam") {
+    const auto scene = parse_scene(
+        "{ \"format\": \"afterglow-scene\", \"version\": 1, \"beam_speed\": 300, \"refresh\": 30,\n"
+        "\"moves\": \"visible\", \"move_intensity\": 0.2, \"items\": [\n"
+        "{ \"shape\": \"line\", \"from\": [0, 0], \"to\": [1, 0.5], \"at\": [0.1, 0.2] },\n"
+        "{ \"shape\": \"polyline\", \"points\": [[0, 0], [1, 0], [1, 1]], \"closed\": true },\n"
+        "{ \"shape\": \"polygon\", \"sides\": 3, \"turn\": 30, \"spin\": [0, 90, 0] },\n"
+        "{ \"shape\": \"circle\", \"radius\": 0.25, \"intensity\": 2, \"speed\": 0.5 },\n"
+        "{ \"shape\": \"arc\", \"from\": 0, \"to\": 180, \"dwell\": 50 },\n"
+        "{ \"shape\": \"text\", \"text\": \"HI\", \"align\": \"left\", \"perspective\": 2 },\n"
+        "{ \"shape\": \"dot\" }, { \"shape\": \"grid\", \"columns\": 2, \"rows\": 2 } ] }",
+        "s.json");
+    REQUIRE(scene.has_value());
+    REQUIRE(scene->items.size() == 8);
+    CHECK(scene->beam_speed == 300.0);
+    CHECK(scene->refresh == 30.0);
+    CHECK(scene->move_current == 0.2);
+    CHECK(scene->items[0].at == std::array<double, 2>{0.1, 0.2});
+    CHECK(scene->items[1].paths[0].points.size() == 4);
+    CHECK(scene->items[2].turn == std::array<double, 3>{0, 0, 30});
+    CHECK(scene->items[2].spin == std::array<double, 3>{0, 90, 0});
+    CHECK(scene->items[3].current == 2.0);
+    CHECK(scene->items[3].speed == 0.5);
+    CHECK(std::abs(scene->items[4].dwell_seconds - 50e-6) < 1e-12);
+    CHECK(scene->items[6].dwell_seconds > 0.0);
+    CHECK(scene->items[7].paths.size() == 6);
+}
+
+TEST_CASE("mistakes in a scene are told with their lines, all at once") {
+    const std::string told =
+        refusal(scene_text("{ \"shape\": \"circle\", \"radus\": 1 },\n"
+                           "{ \"shape\": \"cirlce\" },\n"
+                           "{ \"shape\": \"line\", \"from\": [0], \"to\": [1, 1] },\n"
+                           "{ \"shape\": \"arc\", \"radius\": -1 }"));
+    CHECK(told.find("s.json:2: error: ") != std::string::npos);
+    CHECK(told.find("radus") != std::string::npos);
+    CHECK(told.find("s.json:3: error: ") != std::string::npos);
+    CHECK(told.find("circle") != std::string::npos);
+    CHECK(told.find("s.json:4: error: takes a list of 2 or 3 numbers") != std::string::npos);
+    CHECK(told.find("s.json:5: error: 'radius' must lie between") != std::string::npos);
+    CHECK(refusal("{ \"format\": \"afterglow-look\" }").find("afterglow-scene") !=
+          std::string::npos);
+    CHECK(refusal(scene_text("")).find("nothing to draw") != std::string::npos);
+    CHECK(refusal("{ \"format\": \"afterglow-scene\", \"version\": 1,\n\"beam_speed\": 0,"
+                  " \"items\": [{ \"shape\": \"dot\" }] }")
+              .find("s.json:2: error: 'beam_speed' must be above 0") != std::string::npos);
+    CHECK(refusal("{ \"x\": NaN }").find("s.json:1") != std::string::npos);
+    CHECK(refusal(scene_text("{ \"shape\": \"svg\", \"file\": \"../a.svg\" }"))
+              .find("beside the scene") != std::string::npos);
+    CHECK(refusal(scene_text("{ \"shape\": \"svg\", \"file\": \"no-such.svg\" }"))
+              .find("no-such.svg") != std::string::npos);
+}
+
+TEST_CASE("an SVG's commands lead where the standard says") {
+    CHECK(is_at(only_path("<path d='M1 2L3,4'/>").back(), 3, -4));
+    CHECK(is_at(only_path("<path d='m1 2 3 4-1.5.5'/>").back(), 2.5, -6.5));
+    CHECK(is_at(only_path("<path d='M1 2h3v4H0z'/>").back(), 1, -2));
+    CHECK(is_at(only_path("<path d='M0 0C0 1 1 1 1 0S2-1 2 0'/>").back(), 2, 0));
+    // Halfway along a cubic: (p0 + 3 p1 + 3 p2 + p3) / 8.
+    CHECK(is_at(only_path("<path d='M0 0C0 1 1 1 1 0'/>")[8], 0.5, -0.75));
+    CHECK(is_at(only_path("<path d='M0 0Q1 2 2 0'/>")[8], 1, -1));
+    // Half a circle from (0, 0) to (2, 0): its middle point is (1, -1) or (1, 1), y down.
+    const auto over = only_path("<path d='M0 0A1 1 0 012 0'/>");
+    CHECK(is_at(over[over.size() / 2], 1, 1));
+    const auto under = only_path("<path d='M0 0A1 1 0 0 0 2 0'/>");
+    CHECK(is_at(under[under.size() / 2], 1, -1));
+    CHECK(is_at(only_path("<g transform='translate(10 0) scale(2)'><line x1='1' y1='1' x2='2' "
+                          "y2='1'/></g>")[0],
+                12, -2));
+    CHECK(is_at(only_path("<rect x='1' y='1' width='2' height='3' transform='rotate(90)'/>")[0], -1,
+                -1));
+    CHECK(is_at(only_path("<polygon points='0,0 1,0 1,1'/>").back(), 0, 0));
+    CHECK(is_at(only_path("<defs><circle r='9'/></defs><circle cx='1' cy='1' r='2'/>")[0], 3, -1));
+}
+
+TEST_CASE("an SVG without paths, or a broken one, is told") {
+    CHECK(svg_refusal("<svg><text>hello</text></svg>").find("no paths") != std::string::npos);
+    CHECK(svg_refusal("<html></html>").find("no <svg> tag") != std::string::npos);
+    CHECK(svg_refusal("").find("no tags") != std::string::npos);
+    CHECK(svg_refusal("<svg>\n\n<path d='M0 0 L nan 1'/></svg>").find("d.svg:3: error: ") !=
+          std::string::npos);
+    CHECK(svg_refusal("<svg>\n<path d='L").find("d.svg:2: error: ") != std::string::npos);
+    CHECK(svg_refusal("<svg><path d='M0 0 1'/></svg>").find("lacks numbers") != std::string::npos);
+    CHECK(svg_refusal("<svg><g transform='spin(3)'><path d='M0 0L1 1'/></g></svg>").find("spin") !=
+          std::string::npos);
+}
+
+TEST_CASE("an OBJ's edges are drawn once, by faces and lines, counted from either end") {
+    const auto paths = parse_obj(
+        "# two triangles with a side in common\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0.5\n"
+        "f 1/1/1 2//1 3\nf -4 -2 -1\nl 2 4\nusemtl none\n",
+        "m.obj");
+    REQUIRE(paths.has_value());
+    std::size_t edges = 0;
+    for (const ScenePath& path : *paths)
+        edges += path.points.size() - 1;
+    CHECK(edges == 6);
+}
+
+TEST_CASE("an OBJ with bad corners is told, with its lines") {
+    const std::string told = obj_refusal("v 0 0 0\nv 1 0 0\nv 1 nan 0\nf 1 2 9\nf 1 0 2\nf 1\n");
+    CHECK(told.find("m.obj:3: error: a corner is") != std::string::npos);
+    CHECK(told.find("m.obj:4: error: there is no corner 9") != std::string::npos);
+    CHECK(told.find("m.obj:5: error: there is no corner 0") != std::string::npos);
+    CHECK(told.find("m.obj:6: error: 'f' joins") != std::string::npos);
+    CHECK(obj_refusal("v 0 0 0\n").find("no edges") != std::string::npos);
+    std::string huge = "v 0 0 0\n";
+    for (int i = 2; i < 100010; ++i)
+        huge += "v " + std::to_string(i) + " 0 0\nl -1 -2\n";
+    CHECK(obj_refusal(huge).find("more than 100000 edges") != std::string::npos);
+}
