@@ -6,7 +6,9 @@
 #include "signals/shapes.h"
 #include "signals/stroke_font.h"
 
+#include <array>
 #include <cmath>
+#include <optional>
 
 namespace {
 constexpr double largest_number = 1e6;

@@ -3,6 +3,7 @@
 #include "base/diagnostic.h"
 #include "signals/scene.h"
 
+#include <optional>
 #include <string_view>
 #include <vector>
 

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 SvgTransform SvgTransform::operator*(const SvgTransform& inner) const {
     return {a * inner.a + c * inner.b,     b * inner.a + d * inner.b,

@@ -3,7 +3,7 @@
 #include "model/picture.h"
 #include "signals/scene.h"
 
-#include <string_view>
+#include <array>
 #include <vector>
 
 /// Circular arc around 0,0; degrees counter-clockwise from the right.
