@@ -59,3 +59,4 @@ Command add_preset(CLI::App& program);
 Command add_compare(CLI::App& program);
 Command add_bench(CLI::App& program);
 Command add_sheet(CLI::App& program);
+Command add_signal(CLI::App& program);

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "model/sound.h"
+#include "signals/beam_sound.h"
+
+#include <string>
+
+/// The sound of a signal's text, such as "scene:ship.json"; its file is read from the working
+/// folder.
+Result<Sound> play_beam(const std::string& signal, const BeamSoundFormat& format);
