@@ -33,9 +33,8 @@ int trigger_source(std::string_view word) {
 }
 
 std::vector<SettingFacts> channel_settings(const std::string& number) {
-    const std::string name = "Ch " + number + " ";
     return {{.key = "v" + number,
-             .label = name + "V/div",
+             .label = "V/div",
              .unit = "V/div",
              .help = "Volts a division, of which there are 8 up. Full scale of a sound and an "
                      "amplitude of 1 are 1 V, so at 0.25 they reach the edge.",
@@ -45,25 +44,26 @@ std::vector<SettingFacts> channel_settings(const std::string& number) {
              .logarithmic = true,
              .limit = {1e-5, 1000}},
             {.key = "o" + number,
-             .label = name + "position",
+             .label = "Position",
              .unit = "divisions",
              .help = "Where 0 V lies, up from the middle; in xy, channel 1's to the right.",
              .low = -4,
              .high = 4,
              .limit = {-1000, 1000}},
-            choice_setting("coupling" + number, name + "coupling",
+            choice_setting("coupling" + number, "Coupling",
                            "dc: the whole input. ac: without what is slower than 5 Hz. gnd: 0 V.",
                            {"dc", "ac", "gnd"}),
-            choice_setting("invert" + number, name + "invert", "on: upside down.", {"off", "on"})};
+            choice_setting("invert" + number, "Invert", "on: upside down.", {"off", "on"})};
 }
 
-std::vector<SettingFacts> vertical_settings() {
-    std::vector<SettingFacts> settings = channel_settings("1");
-    for (SettingFacts& setting : channel_settings("2"))
+std::vector<SettingFacts> vertical_settings(const UsedWhile& on_a_scope) {
+    std::vector<SettingFacts> settings = in_group("Channel 1", on_a_scope, channel_settings("1"));
+    std::vector<SettingFacts> second = channel_settings("2");
+    second.push_back(choice_setting("swap", "Swap inputs",
+                                    "on: channel 1 gets the input of channel 2, and 2 that of 1.",
+                                    {"off", "on"}));
+    for (SettingFacts& setting : in_group("Channel 2", on_a_scope, std::move(second)))
         settings.push_back(std::move(setting));
-    settings.push_back(choice_setting("swap", "Swap inputs",
-                                      "on: channel 1 gets the input of channel 2, and 2 that of 1.",
-                                      {"off", "on"}));
     return settings;
 }
 
@@ -130,7 +130,7 @@ ScopeKnobs scope_knobs(const Settings& settings) {
 std::vector<SettingFacts> scope_settings(const ScopeFacts& facts) {
     const UsedWhile on_a_scope{"mode", facts.scope_words};
     const UsedWhile over_time{"mode", facts.yt_words};
-    std::vector<SettingFacts> all = in_group("Vertical", on_a_scope, vertical_settings());
+    std::vector<SettingFacts> all = vertical_settings(on_a_scope);
     for (SettingFacts& setting : in_group("Horizontal", over_time, horizontal_settings(facts)))
         all.push_back(std::move(setting));
     for (SettingFacts& setting : in_group("Trigger", over_time, trigger_settings(facts)))

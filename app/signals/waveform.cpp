@@ -125,30 +125,29 @@ private:
 
 std::vector<SettingFacts> generator_settings(const std::string& number, const std::string& shape,
                                              double frequency) {
-    const std::string name = "Wave " + number;
     SettingFacts shapes =
-        choice_setting("ch" + number, name, "The shape of its wave.", shape_names());
+        choice_setting("ch" + number, "Shape", "The shape of its wave.", shape_names());
     shapes.initial_word = shape;
     return {shapes,
             {.key = "f" + number,
-             .label = name + " frequency",
+             .label = "Frequency",
              .help = "Periods in 1/60 s, or in a second: see Frequencies.",
              .low = 0.5,
              .high = 20,
              .initial = frequency,
              .limit = {0, 100000}},
             {.key = "a" + number,
-             .label = name + " amplitude",
+             .label = "Amplitude",
              .unit = "V",
              .help = "From its middle to its crest.",
              .initial = 0.7,
              .limit = {0, 1000}},
             {.key = "p" + number,
-             .label = name + " phase",
+             .label = "Phase",
              .unit = "turns",
              .help = "Where in its period the wave is at time 0. A trigger on it hides that."},
             {.key = "d" + number,
-             .label = name + " mean",
+             .label = "Mean",
              .unit = "V",
              .help = "Added to the wave; ac coupling takes it away again.",
              .low = -1,
@@ -184,9 +183,9 @@ std::vector<SettingFacts> all_settings() {
     std::vector<SettingFacts> settings{
         choice_setting("mode", "Shown as",
                        "yt: traces over time. xy: channel 1 across, channel 2 up.", {"yt", "xy"})};
-    for (auto part : {in_group("Waves", {}, generator_settings("1", "sine", 2)),
-                      in_group("Waves", {}, generator_settings("2", "saw", 3)),
-                      in_group("Waves", {}, shared_settings()),
+    for (auto part : {in_group("Wave 1", {}, generator_settings("1", "sine", 2)),
+                      in_group("Wave 2", {}, generator_settings("2", "saw", 3)),
+                      in_group("Both waves", {}, shared_settings()),
                       scope_settings({.yt_words = {"yt"}, .scope_words = {"yt", "xy"}})})
         settings.insert(settings.end(), part.begin(), part.end());
     return settings;
