@@ -47,7 +47,7 @@ void apply(const SoundSettings& settings, Edits& edits) {
 }
 
 void begin_line(const std::string& label, const std::string& help, const FormColumns& columns) {
-    form_label(label, columns, false);
+    form_label(label, {}, columns, false);
     tooltip(help);
     form_control(columns);
 }
