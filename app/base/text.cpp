@@ -119,13 +119,21 @@ std::optional<std::string> find_similar(std::string_view name,
     std::optional<std::string> best;
     std::size_t best_distance = std::max<std::size_t>(name.size() / 3, 1) + 1;
     for (const std::string& candidate : candidates) {
+        if (candidate == name)
+            continue;
         const std::size_t distance = edit_distance(to_lower(name), to_lower(candidate));
         if (distance < best_distance) {
             best_distance = distance;
             best = candidate;
         }
     }
-    return best;
+    constexpr std::size_t shortest_beginning = 3;
+    if (best || name.size() < shortest_beginning)
+        return best;
+    const auto longer = std::find_if(candidates.begin(), candidates.end(), [&](const auto& other) {
+        return other != name && to_lower(other).starts_with(to_lower(name));
+    });
+    return longer == candidates.end() ? best : *longer;
 }
 
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& candidates) {

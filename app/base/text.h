@@ -40,7 +40,8 @@ std::string to_lower(std::string_view text);
 /// "scanline_strength" as a person reads it: "Scanline strength".
 std::string label_from_name(std::string_view name);
 
-/// Of the candidates, the one that is at most a third of its letters away; to say "did you mean".
+/// Of the other candidates, the one that is at most a third of its letters away, else the first
+/// that begins with the name; to say "did you mean".
 std::optional<std::string> find_similar(std::string_view name,
                                         const std::vector<std::string>& candidates);
 

@@ -76,8 +76,8 @@ Result<Value> fitted_value(const Parameter& parameter, const Value& value) {
     if (value.numbers.size() != size)
         return fail({{},
                      0,
-                     fmt::format("'{}' takes {} numbers, not {}", parameter.name, size,
-                                 value.numbers.size())});
+                     fmt::format("'{}' takes {} number{}, not {}", parameter.name, size,
+                                 size == 1 ? "" : "s", value.numbers.size())});
     return clamped(parameter, value);
 }
 }  // namespace

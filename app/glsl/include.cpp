@@ -41,7 +41,7 @@ public:
 
     Result<Stage> assemble() {
         remember(m_stage.file);
-        add_file(m_stage.file, {m_stage.file, 0});
+        add_file(m_stage.file, {});
         if (!m_errors.empty())
             return fail(std::move(m_errors));
         return std::move(m_stage);
@@ -60,20 +60,29 @@ private:
 
     void add_file(const fs::path& file, const Location& from) {
         if (!m_paths.is_allowed(file))
-            return error(from, fmt::format("'{}' leads out of the look's folder and of the shared "
-                                           "includes",
-                                           file.string()));
+            return error(from.line > 0 ? from : Location{file, 0},
+                         fmt::format("'{}' leads out of the look's folder and of the shared "
+                                     "includes",
+                                     file.string()));
         auto text = read_text(file);
-        if (!text) {
-            m_errors.insert(m_errors.end(), text.error().begin(), text.error().end());
-            return;
-        }
+        if (!text)
+            return refuse(file, from, text.error());
         if (text->size() > most_bytes)
             return error({file, 1}, too_large);
         std::error_code unknown;
         m_open.push_back({file, fs::canonical(file, unknown)});
         add_text(with_plain_line_ends(*text));
         m_open.pop_back();
+    }
+
+    // What is wrong with a whole file is told where it is included.
+    void refuse(const fs::path& file, const Location& from, const Diagnostics& reasons) {
+        for (const Diagnostic& reason : reasons) {
+            if (reason.line > 0 || from.line == 0)
+                error({reason.file, reason.line}, reason.message);
+            else
+                error(from, fmt::format("'{}' {}", file.string(), reason.message));
+        }
     }
 
     void add_text(std::string text) {

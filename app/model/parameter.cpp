@@ -87,6 +87,42 @@ std::optional<double> number_from(const Parameter& parameter, std::string_view t
     }
     return parse_number(text);
 }
+
+// What a person may write for it.
+std::string expected_text(const Parameter& parameter) {
+    std::vector<std::string> labels;
+    for (const Item& item : parameter.items)
+        labels.push_back('"' + item.label + '"');
+    if (!labels.empty())
+        return fmt::format("takes {}", fmt::join(labels, ", "));
+    if (parameter.control == Control::color)
+        return fmt::format("takes a colour: #rrggbb or {} numbers", parameter.type.size());
+    if (parameter.type.scalar == Scalar::boolean && parameter.type.size() == 1)
+        return "takes true or false";
+    const int size = parameter.type.size();
+    return size == 1 ? "takes a number" : fmt::format("takes {} numbers", size);
+}
+
+bool is_item(const Parameter& parameter, double number) {
+    return std::ranges::any_of(parameter.items,
+                               [&](const Item& item) { return item.value == number; });
+}
+
+Result<double> parse_component(const Parameter& parameter, std::string_view text) {
+    const auto number = number_from(parameter, text);
+    if (!number || (!parameter.items.empty() && !is_item(parameter, *number)))
+        return fail(
+            {{},
+             0,
+             fmt::format("'{}' {}, not '{}'", parameter.name, expected_text(parameter), text)});
+    if (parameter.limit && (*number < parameter.limit->low || *number > parameter.limit->high))
+        return fail({{},
+                     0,
+                     fmt::format("'{}' must lie between {} and {}, and is {}", parameter.name,
+                                 format_number(parameter.limit->low),
+                                 format_number(parameter.limit->high), format_number(*number))});
+    return *number;
+}
 }  // namespace
 
 Value clamped(const Parameter& parameter, Value value) {
@@ -115,18 +151,15 @@ Result<Value> parse_value(const Parameter& parameter, std::string_view text) {
 
     std::vector<double> numbers;
     for (const std::string_view piece : split(text, ',')) {
-        const auto number = number_from(parameter, trim(piece));
+        const auto number = parse_component(parameter, trim(piece));
         if (!number)
-            return fail({{},
-                         0,
-                         fmt::format("'{}' is no value for '{}', which is a {}", text,
-                                     parameter.name, type_name(parameter))});
+            return fail(number.error());
         numbers.push_back(*number);
     }
     if (numbers.size() != size)
-        return fail(
-            {{},
-             0,
-             fmt::format("'{}' takes {} numbers, not {}", parameter.name, size, numbers.size())});
+        return fail({{},
+                     0,
+                     fmt::format("'{}' takes {} number{}, not {}", parameter.name, size,
+                                 size == 1 ? "" : "s", numbers.size())});
     return clamped(parameter, Value(std::move(numbers)));
 }

@@ -29,6 +29,8 @@ TEST_CASE("a name is suggested only when it is near") {
     const std::vector<std::string> names{"decay", "exposure"};
     CHECK(did_you_mean("dacay", names) == " (did you mean 'decay'?)");
     CHECK(did_you_mean("vignette", names).empty());
+    CHECK(did_you_mean("exp", names) == " (did you mean 'exposure'?)");
+    CHECK(did_you_mean("decay", names).empty());
 }
 
 TEST_CASE("a diagnostic reads like a compiler's") {

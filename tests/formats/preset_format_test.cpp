@@ -216,8 +216,8 @@ TEST_CASE("values that do not fit are told at their lines of the preset") {
     const std::string place = file.string();
     CHECK(to_string(values.error()) ==
           place + ":3: error: 'beam_color' takes 3 numbers, not 2\n" + place +
-              ":5: error: 'bloom_intensity' takes 1 numbers, not 2\n" + place +
-              ":2: error: 'much' is no value for 'decay', which is a float\n" + place +
+              ":5: error: 'bloom_intensity' takes 1 number, not 2\n" + place +
+              ":2: error: 'decay' takes a number, not 'much'\n" + place +
               ":4: error: 'noise' takes the path of a file, not numbers\n");
 }
 
