@@ -40,6 +40,7 @@ public:
     /// nothing differs. Also to be called when a parameter that a size depends on has changed. On
     /// failure (no memory, a size out of bounds) all is as before.
     Result<void> resize(Extent viewport, Extent source);
+    Result<void> resize_again() { return resize(m_viewport, m_source_extent); }
 
     /// The values in force; a parameter without one takes its default. Uploads what changed.
     void set_values(const Values& values);

@@ -200,11 +200,12 @@ Result<void> Offline::load_pictures(Extent size) {
     return show_chosen_images(look, {}, m_document.values(), *m_renderer);
 }
 
-void Offline::start_again(Document document) {
+Result<void> Offline::start_again(Document document) {
     m_document = std::move(document);
     m_renderer->set_values(m_document.values());
     m_renderer->clear_history();
     m_player->restart();
+    return m_renderer->resize_again();
 }
 
 void Offline::advance() {

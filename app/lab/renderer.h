@@ -27,6 +27,8 @@ public:
     Result<void> resize(Extent picture, Extent source) {
         return m_executor.resize(picture, source);
     }
+    /// As it was last asked for, with sizes that depend on values as these are now.
+    Result<void> resize_again() { return m_executor.resize_again(); }
     Result<void> set_source(const Picture& picture) { return m_executor.set_source(picture); }
     Result<void> set_image(const std::string& name, const Picture& picture) {
         return m_executor.set_image(name, picture);

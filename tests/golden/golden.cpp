@@ -123,7 +123,8 @@ Picture swept(const GoldenLook& look, const GoldenSettings& settings,
         REQUIRE(value.has_value());
         changed.set_value(name, std::move(*value));
     }
-    kept->offline.start_again(std::move(changed));
+    const auto again = kept->offline.start_again(std::move(changed));
+    REQUIRE_MESSAGE(again.has_value(), (again ? "" : to_string(again.error())));
     return strip(look.frames, look.cell, kept->offline);
 }
 

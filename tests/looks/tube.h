@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-/// Phosphor with its targets in 32-bit floats, fed by hand.
+/// Phosphor fed by hand, what it shows kept in 32-bit floats.
 class Tube {
 public:
     explicit Tube(const Values& values, Extent extent = {128, 128}) {
@@ -21,7 +21,8 @@ public:
         REQUIRE_MESSAGE(loaded.look.has_value(),
                         (loaded.look ? "" : to_string(loaded.look.error())));
         for (Pass& pass : loaded.look->passes)
-            pass.format = Format::rgba32f;
+            if (pass.name != "persistence")  // whose own must do
+                pass.format = Format::rgba32f;
         auto programs = build_programs(*loaded.look);
         REQUIRE(programs.has_value());
         m_renderer = std::make_unique<Renderer>(std::move(*loaded.look), std::move(*programs));
@@ -87,9 +88,11 @@ private:
     std::int64_t m_number = 0;
 };
 
-/// Everything off that would change a flat field in the composite.
+/// Everything off that would change a flat field in the composite; the beam is so wide that flood()
+/// makes one.
 inline Values plain_glass() {
-    return {{"bloom_intensity", Value(0.0)},
+    return {{"beam_width", Value(16.0)},
+            {"bloom_intensity", Value(0.0)},
             {"scanline_strength", Value(0.0)},
             {"graticule", Value(0.0)},
             {"vignette", Value(0.0)},
