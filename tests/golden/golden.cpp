@@ -113,8 +113,10 @@ Sweep make_sweep(const GoldenLook& look, const std::string& signal) {
 
 Picture swept(const GoldenLook& look, const GoldenSettings& settings,
               const std::string& signal = {}) {
-    if (!kept || kept->id != look.id || kept->signal != signal)
+    if (!kept || kept->id != look.id || kept->signal != signal) {
+        kept.reset();  // while its context is still the current one
         kept.emplace(make_sweep(look, signal));
+    }
     Document changed = kept->base;
     for (const auto& [name, text] : settings) {
         const Parameter* parameter = find_parameter(changed.look(), name);

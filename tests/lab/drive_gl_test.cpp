@@ -130,7 +130,10 @@ TEST_CASE("a file that is missing keeps its mark for as long as it is named") {
         CHECK(small.lab().problems().size() == 1);
         small.lab().edit([](Document& document) { document.undo(); });
         small.lab().edit([](Document& document) { document.undo(); });
+        INFO(is_sound);
         CHECK(small.turn_until([&] { return small.lab().problems().empty(); }));
+        for (const Problem& problem : small.lab().problems())
+            FAIL_CHECK(to_string(problem.diagnostic));
     }
 }
 
