@@ -49,6 +49,7 @@ int bench(const Arguments& arguments, const std::string& data) {
     if (!offline)
         return report(offline.error());
     const Measurement measured = measure(*offline, arguments.frames);
+    warn(offline->take_problems());
     arguments.as_json ? print_json(measured) : print_table(measured);
     return exit_done;
 }

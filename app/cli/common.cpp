@@ -72,7 +72,10 @@ void LookOptions::add_to(CLI::App& command, Take take) {
         ->allow_extra_args(false);
     command.add_option("--signal", m_request.signal,
                        "What drives a scope, as in lissajous:x=3,y=2 or audio:song.wav,mode=xy");
-    command.add_option("--source", m_request.source, "The picture that a CRT look works on");
+    command.add_option(
+        "--source", m_request.source,
+        "The picture that a CRT look works on: a file, frame_%04d.png, a video or pattern:NAME; "
+        "behind it ,fit= ,aspect= ,rate= ,loop=");
     command.add_option("--size", m_size, "Of the picture, in pixels")->capture_default_str();
     if (take == Take::drawing)
         command.add_option("--fps", m_request.fps, "Frames a second of the fixed clock")

@@ -108,7 +108,11 @@ int render(const Arguments& arguments, const std::string& data) {
     if (!offline)
         return report(offline.error());
     const auto done = draw(arguments, names, *offline, RecentMedia(library->roots()));
-    return done ? exit_done : report(done.error());
+    const Diagnostics problems = offline->take_problems();
+    warn(problems);
+    if (!done)
+        return report(done.error());
+    return has_errors(problems) ? exit_not_good : exit_done;
 }
 }  // namespace
 

@@ -5,6 +5,7 @@
 #include "formats/look_passes.h"
 #include "formats/look_words.h"
 #include "formats/spec_json.h"
+#include "model/source_spec.h"
 #include "signals/kinds.h"
 #include "signals/patterns.h"
 
@@ -56,10 +57,15 @@ void read_default_source(ObjectReader& reader, LookFolder& folder, Look& look) {
         reader.problem(*member, "\"default_source\" is for a look with \"driven_by\": \"picture\"");
     constexpr std::string_view pattern = "pattern:";
     look.default_source = member->text;
-    if (look.default_source.starts_with(pattern))
-        check_pattern(std::string_view(member->text).substr(pattern.size()), *member, reader);
-    else if (const auto found = folder.find(member->text, *member, reader))
-        look.default_source = found->string();
+    auto source = parse_source(member->text);
+    if (!source)
+        return reader.problem(*member, source.error().front().message);
+    if (source->is_pattern()) {
+        check_pattern(std::string_view(source->picture).substr(pattern.size()), *member, reader);
+    } else if (const auto found = folder.find(source->picture, *member, reader)) {
+        source->picture = found->string();
+        look.default_source = to_string(*source);
+    }
 }
 
 std::optional<Image> read_image(const JsonValue& member, ObjectReader& parent, LookFolder& folder) {

@@ -93,10 +93,10 @@ void Document::set_signal(Spec signal, bool goes_on) {
     change(std::move(next), "Signal", goes_on);
 }
 
-void Document::set_source(std::string source) {
+void Document::set_source(std::string source, bool goes_on) {
     DocumentState next = state();
     next.source = std::move(source);
-    change(std::move(next), "Source");
+    change(std::move(next), "Source", goes_on);
 }
 
 void Document::set_override(const std::string& pass, PassOverride override) {

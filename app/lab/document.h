@@ -47,7 +47,7 @@ public:
     void reset(const std::vector<std::string>& names);
     void reset_all();
     void set_signal(Spec signal, bool goes_on = false);
-    void set_source(std::string source);
+    void set_source(std::string source, bool goes_on = false);
     /// Other looks, or another order; every value goes with its look.
     void set_stack(Stack stack, const std::string& step_name);
     /// Whether the person asked for another stack than look() is: it is to be read and given to

@@ -1,5 +1,6 @@
 #include "lab/drive.h"
 
+#include "model/placing.h"
 #include "signals/kinds.h"
 
 #include <utility>
@@ -14,17 +15,23 @@ Diagnostics told(Diagnostics reasons) {
     return reasons;
 }
 
+// Of a source, which may have settings behind it.
+std::string file_of_source(const std::string& source) {
+    const auto spec = parse_source(source);
+    return spec ? spec->picture : source;
+}
+
 // As the document names it; "" for none.
 std::string driving_file(const Document& document) {
     const bool is_picture = document.look().driven_by == Driver::picture;
-    return is_picture ? document.state().source : file_of(document.state().signal);
+    return is_picture ? file_of_source(document.state().source) : file_of(document.state().signal);
 }
 }  // namespace
 
 void Drive::forget() {
     m_loader.cancel();
-    m_picture.reset();
-    m_picture_name.clear();
+    m_source.reset();
+    m_shown.reset();
     m_is_from_the_beginning = false;
     note({}, {});
 }
@@ -38,7 +45,7 @@ void Drive::note(const std::string& file, Diagnostics problems) {
 
 Result<void> Drive::follow(const Document& document, Player& player, Renderer& renderer) {
     if (m_problem_file != driving_file(document))
-        note({}, {});
+        note(driving_file(document), {});
     switch (document.look().driven_by) {
         case Driver::signal:
             return follow_signal(document, player);
@@ -46,7 +53,7 @@ Result<void> Drive::follow(const Document& document, Player& player, Renderer& r
             if (player.signal())
                 if (auto silent = player.set_signal({}); !silent)
                     return silent;
-            return follow_source(document, renderer);
+            return follow_source(document, player, renderer);
         case Driver::nothing:
             break;
     }
@@ -83,13 +90,56 @@ Result<void> Drive::fall_back(const Document& document, Player& player, Diagnost
     return fail(std::move(reasons));
 }
 
-Result<void> Drive::follow_source(const Document& document, Renderer& renderer) {
+Result<void> Drive::follow_source(const Document& document, const Player& player,
+                                  Renderer& renderer) {
     const std::string& name = document.state().source;
-    if (m_picture && name == m_picture_name)
-        return renderer.set_source(*m_picture);
+    const auto spec = parse_source(name);
+    if (!spec)
+        return fail(spec.error());
+    if (m_source && m_source->spec().picture == spec->picture) {
+        m_loader.cancel();
+        m_source->set_spec(*spec);
+        return show_anew(player, renderer);
+    }
     if (name != m_loader.name())
-        m_loader.load(MediaLoader::Kind::picture, name);
+        m_loader.load(MediaLoader::Kind::source, name);
     return {};
+}
+
+Result<void> Drive::show_anew(const Player& player, Renderer& renderer) {
+    m_shown.reset();
+    const auto shown = show_source(player.time(), renderer);
+    return shown ? Result<void>() : fail(shown.error());
+}
+
+Extent Drive::source_extent() const {
+    return m_source ? placed_extent(m_source->extent(), m_source->spec(), m_viewport) : Extent{};
+}
+
+Result<bool> Drive::show_source(double seconds, Renderer& renderer) {
+    if (!m_source)
+        return false;
+    SharedPicture picture = m_source->picture_at(seconds);
+    const Extent extent = source_extent();
+    if (picture == m_shown && extent == m_shown_extent)
+        return false;
+    const bool is_whole = m_source->spec().fit == Fit::stretch;
+    const auto set =
+        renderer.set_source(is_whole ? *picture : placed(*picture, m_source->spec(), m_viewport));
+    m_shown = std::move(picture);
+    m_shown_extent = extent;
+    return set ? Result<bool>(true) : fail(set.error());
+}
+
+Diagnostics Drive::take_problems() {
+    constexpr std::size_t most_kept = 4;  // as many as a panel has room for
+    Diagnostics problems = m_source ? m_source->take_problems() : Diagnostics();
+    for (Diagnostic& problem : problems) {
+        problem.severity = Severity::warning;
+        if (m_source->spec().picture == m_problem_file && m_problems.size() < most_kept)
+            m_problems.push_back(problem);
+    }
+    return problems;
 }
 
 std::optional<Result<void>> Drive::update(const Document& document, Player& player,
@@ -97,12 +147,13 @@ std::optional<Result<void>> Drive::update(const Document& document, Player& play
     auto loaded = m_loader.take_finished();
     if (!loaded)
         return std::nullopt;
-    const std::string name = loaded->name;
+    const bool is_picture = document.look().driven_by == Driver::picture;
+    const std::string file = is_picture ? file_of_source(loaded->name) : loaded->name;
     Diagnostics notes = std::move(loaded->notes);
     auto taken = take(std::move(*loaded), document, player, renderer);
     if (!taken)
         notes.insert(notes.end(), taken.error().begin(), taken.error().end());
-    note(name, std::move(notes));
+    note(file, std::move(notes));
     if (taken && !m_problems.empty())
         return fail(m_problems);  // to be said once; the sound is drawn as far as it goes
     return taken;
@@ -113,12 +164,12 @@ Result<void> Drive::take(LoadedMedia loaded, const Document& document, Player& p
     const bool is_from_the_beginning = std::exchange(m_is_from_the_beginning, false);
     if (!loaded.problems.empty())
         return fall_back(document, player, told(std::move(loaded.problems)));
-    if (!loaded.digest.empty())
-        m_recent.remember(loaded.name, loaded.digest);
-    if (loaded.picture) {
-        m_picture = std::move(loaded.picture);
-        m_picture_name = loaded.name;
-        return renderer.set_source(*m_picture);
+    const std::string file = loaded.source ? loaded.source->spec().picture : loaded.name;
+    if (!loaded.source || !loaded.source->spec().is_pattern())
+        m_recent.remember(file, loaded.digest);
+    if (loaded.source) {
+        m_source = std::move(loaded.source);
+        return show_anew(player, renderer);
     }
     if (auto set = player.set_signal(document.state().signal, {loaded.name, std::move(loaded.sound),
                                                                std::move(loaded.scene)});

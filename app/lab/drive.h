@@ -39,12 +39,22 @@ public:
     /// missing, cannot be read or breaks off. Warnings: the look itself runs.
     const Diagnostics& problems() const { return m_problems; }
 
-    /// Of the picture that drives the look; empty when none does.
-    Extent source_extent() const { return m_picture ? m_picture->extent : Extent{}; }
+    /// The size that the look draws, in which the source lies.
+    void set_viewport(Extent viewport) { m_viewport = viewport; }
+    /// Of the source as the look reads it; empty when there is none.
+    Extent source_extent() const;
+    /// Gives the renderer the source as it is at a frame's end; true when it was another picture
+    /// than before. One that is still being read is late.
+    Result<bool> show_source(double seconds, Renderer& renderer);
+    bool is_source_late() const { return m_source && m_source->is_late(); }
+    const std::optional<Source>& source() const { return m_source; }
+    /// What of the source could not be read since last asked; problems() keeps it.
+    Diagnostics take_problems();
 
 private:
     Result<void> follow_signal(const Document& document, Player& player);
-    Result<void> follow_source(const Document& document, Renderer& renderer);
+    Result<void> follow_source(const Document& document, const Player& player, Renderer& renderer);
+    Result<void> show_anew(const Player& player, Renderer& renderer);
     Result<void> take(LoadedMedia loaded, const Document& document, Player& player,
                       Renderer& renderer);
     Result<void> fall_back(const Document& document, Player& player, Diagnostics reasons) const;
@@ -55,7 +65,9 @@ private:
     std::string m_problem_file;
     Diagnostics m_problems;
     MediaLoader m_loader;
-    std::shared_ptr<const Picture> m_picture;
-    std::string m_picture_name;
+    std::optional<Source> m_source;
+    Extent m_viewport;
+    SharedPicture m_shown;  // what the renderer has, and how it lies there
+    Extent m_shown_extent;
     bool m_is_from_the_beginning = false;
 };

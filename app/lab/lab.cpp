@@ -7,6 +7,7 @@
 #include "lab/editor.h"
 #include "lab/sharing.h"
 #include "lab/sound_store.h"
+#include "lab/source.h"
 
 #include <fmt/format.h>
 
@@ -67,7 +68,8 @@ Spec playing(const fs::path& file, const Spec& present) {
 }  // namespace
 
 bool Lab::opens_document(const fs::path& file) const {
-    return !is_sound_file(file) && !(is_picture_file(file) && !load_preset(file));
+    const bool is_source = is_source_file(file) && !(is_picture_file(file) && load_preset(file));
+    return !is_sound_file(file) && !is_source;
 }
 
 bool Lab::would_lose_changes(const std::string& argument) const {
@@ -99,7 +101,9 @@ void Lab::open_file(const fs::path& file) {
         return;
     }
     if (!is_sound) {
-        m_document->set_source(fs::absolute(file).string());
+        SourceSpec source = parse_source(m_document->state().source).value_or(SourceSpec{});
+        source.picture = fs::absolute(file).string();
+        m_document->set_source(to_string(source));
         return;
     }
     m_document->set_signal(playing(file, m_document->state().signal));

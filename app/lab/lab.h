@@ -129,6 +129,7 @@ private:
     void apply_document();
     void update_drive();
     void tell_silence();
+    void show_source(double seconds);
     Preset portable(const Preset& preset, const std::filesystem::path& folder) const;
     void want(const Redraw& redraw);
     void resize_picture();

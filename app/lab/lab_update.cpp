@@ -38,11 +38,13 @@ void Lab::tell_silence() {
 
 bool Lab::is_moving() const {
     return (m_player.is_playing() && !has_converged()) || is_loading() || m_notice || m_wanted ||
-           !m_drive.loading().empty() || (m_renderer && m_renderer->replay().is_running());
+           !m_drive.loading().empty() || m_drive.is_source_late() ||
+           (m_renderer && m_renderer->replay().is_running());
 }
 
 bool Lab::has_converged() const {
-    return m_renderer && m_renderer->executor().has_converged();
+    const bool is_source_moving = m_drive.source() && m_drive.source()->moves();
+    return m_renderer && !is_source_moving && m_renderer->executor().has_converged();
 }
 
 void Lab::take_reload() {
@@ -178,6 +180,13 @@ void Lab::apply_document() {
 }
 
 void Lab::update_drive() {
+    const Diagnostics problems = m_drive.take_problems();
+    for (const Diagnostic& problem : problems)
+        say(problem);
+    if (!problems.empty())
+        gather_problems();
+    if (m_drive.is_source_late())
+        show_source(m_player.time());
     const auto taken = m_drive.update(*m_document, m_player, *m_renderer);
     if (!taken)
         return;
@@ -186,6 +195,13 @@ void Lab::update_drive() {
     m_renderer->restart_samples();
     m_drawn_extent = {};  // sizes may depend on the source
     want({{}, true});
+}
+
+// A paused picture is owed what it reads.
+void Lab::show_source(double seconds) {
+    const auto is_new = m_drive.show_source(seconds, *m_renderer);
+    if (succeeded(is_new) && *is_new && !m_player.is_playing())
+        want({{}, true});
 }
 
 void Lab::want(const Redraw& redraw) {
@@ -204,6 +220,8 @@ void Lab::resize_picture() {
         return;
     m_drawn_extent = extent;
     m_reloader.set_picture(extent);
+    m_drive.set_viewport(extent);
+    show_source(m_player.time());
     const Plan before = m_renderer->executor().plan();
     const Extent source = m_drive.source_extent();
     if (succeeded(m_renderer->resize(extent, source.is_empty() ? extent : source)) &&
@@ -230,6 +248,7 @@ void Lab::draw_picture(double wall_seconds) {
     if (frame) {
         m_wanted.reset();
         m_renderer->cancel_replay();
+        succeeded(m_drive.show_source(frame->span.end, *m_renderer));
         m_renderer->draw(*frame, m_player.trace(frame->span));
         return;
     }

@@ -18,7 +18,7 @@ Diagnostics check_media(const Look& look) {
     for (const Image& image : look.images)
         append_faults(load_picture(image.file), problems);
     if (look.driven_by == Driver::picture)
-        append_faults(load_source(look.default_source), problems);
+        append_faults(Source::open(look.default_source), problems);
     if (look.default_signal)
         if (const std::string file = file_of(*look.default_signal); !file.empty())
             append_faults(load_signal_media(file), problems);

@@ -4,6 +4,9 @@
 #include "base/text.h"
 #include "io/atomic_file.h"
 #include "io/file_digest.h"
+#include "io/picture_sequence.h"
+#include "io/video_file.h"
+#include "model/source_spec.h"
 #include "signals/kinds.h"
 
 #include <algorithm>
@@ -18,18 +21,20 @@ bool has_extension(const fs::path& file, std::span<const std::string_view> exten
     return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
 }
 
-constexpr std::string_view pattern = "pattern:";
-
 // The file that a preset names, as it is written there; "" for none.
 std::string named_file(const Preset& preset) {
-    if (!preset.source.empty())
-        return preset.source.starts_with(pattern) ? std::string() : preset.source;
+    if (!preset.source.empty()) {
+        const auto source = parse_source(preset.source);
+        return !source || source->is_pattern() ? std::string() : source->picture;
+    }
     return preset.signal ? file_of(*preset.signal) : std::string();
 }
 
 Preset with_file(Preset preset, const std::string& file) {
     if (!preset.source.empty()) {
-        preset.source = file;
+        SourceSpec source = *parse_source(preset.source);
+        source.picture = file;
+        preset.source = to_string(source);
         return preset;
     }
     if (const auto complete = completed(*preset.signal)) {
@@ -42,7 +47,14 @@ Preset with_file(Preset preset, const std::string& file) {
 
 bool is_there(const fs::path& file) {
     std::error_code error;
-    return fs::is_regular_file(file, error);
+    return fs::is_regular_file(file, error) || (is_sequence_name(file) && open_sequence(file));
+}
+
+// What moves is told by its name alone: it may be too large to be read whole.
+std::string digest_of_media(const fs::path& file) {
+    if (is_video_file(file) || is_sequence_name(file))
+        return {};
+    return file_digest(file).value_or(std::string());
 }
 
 // Changes when the file does; "" when it cannot be read.
@@ -127,8 +139,8 @@ Diagnostics compare_with_media(const Preset& preset) {
     const fs::path file = named_file(preset);
     if (file.empty() || preset.media_digest.empty())
         return {};
-    const auto digest = file_digest(file);
-    if (!digest || *digest == preset.media_digest)
+    const std::string digest = digest_of_media(file);
+    if (digest.empty() || digest == preset.media_digest)
         return {};
     return {{file, 0, "is not the file that the preset was made with", Severity::warning}};
 }
@@ -143,7 +155,7 @@ Preset with_portable_media(Preset preset, const fs::path& folder, const RecentMe
         return preset;  // was not found where it was opened: goes on as it was written
     preset.media_digest = recent.digest_of(file);
     if (preset.media_digest.empty())
-        preset.media_digest = file_digest(file).value_or(std::string());
+        preset.media_digest = digest_of_media(file);
     const fs::path inside = folder.empty() ? fs::path() : file.lexically_relative(folder);
     const bool is_inside = !inside.empty() && *inside.begin() != "..";
     return with_file(std::move(preset), (is_inside ? inside : file.filename()).string());

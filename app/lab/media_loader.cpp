@@ -2,7 +2,6 @@
 
 #include "io/file_digest.h"
 #include "lab/signal_file.h"
-#include "lab/source.h"
 
 #include <utility>
 
@@ -20,15 +19,26 @@ LoadedMedia read_signal(const std::string& name, Work& work) {
     return loaded;
 }
 
-LoadedMedia read_picture(const std::string& name) {
+LoadedMedia read_source(const std::string& name) {
     LoadedMedia loaded;
     loaded.name = name;
-    auto picture = load_source(name);
-    if (!picture)
-        loaded.problems = std::move(picture.error());
+    auto source = Source::open(name);
+    if (!source)
+        loaded.problems = std::move(source.error());
     else
-        loaded.picture = std::make_shared<const Picture>(std::move(*picture));
+        loaded.source = std::move(*source);
     return loaded;
+}
+
+// The file that tells a preset's sound or picture from another of its name. What moves is too large
+// to be read whole.
+std::string file_to_digest(const LoadedMedia& loaded) {
+    if (!loaded.problems.empty())
+        return {};
+    if (!loaded.source)
+        return loaded.name;
+    const bool is_file = !loaded.source->moves() && !loaded.source->spec().is_pattern();
+    return is_file ? loaded.source->spec().picture : std::string();
 }
 }  // namespace
 
@@ -88,9 +98,9 @@ void MediaLoader::run() {
         const Job job = *std::exchange(m_job, std::nullopt);
         lock.unlock();
         LoadedMedia loaded =
-            job.kind == Kind::signal ? read_signal(job.name, *job.work) : read_picture(job.name);
-        if (loaded.problems.empty() && !job.name.starts_with("pattern:"))
-            if (const auto digest = file_digest(job.name, job.work.get()))
+            job.kind == Kind::signal ? read_signal(job.name, *job.work) : read_source(job.name);
+        if (const std::string file = file_to_digest(loaded); !file.empty())
+            if (const auto digest = file_digest(file, job.work.get()))
                 loaded.digest = *digest;
         lock.lock();
         if (!job.work->is_cancelled)

@@ -2,7 +2,7 @@
 
 #include "base/diagnostic.h"
 #include "base/work.h"
-#include "model/picture.h"
+#include "lab/source.h"
 #include "model/sound.h"
 #include "signals/scene.h"
 
@@ -14,12 +14,12 @@
 #include <string>
 #include <thread>
 
-/// A sound or picture that was asked for, read; or why it could not be.
+/// A sound or source that was asked for, read; or why it could not be.
 struct LoadedMedia {
     std::string name;                    // as it was asked for
     std::shared_ptr<const Sound> sound;  // one of these
     std::shared_ptr<const BeamScene> scene;
-    std::shared_ptr<const Picture> picture;
+    std::optional<Source> source;
     std::string digest;    // of a file
     Diagnostics problems;  // why nothing was read
     Diagnostics notes;     // what is not as it should be in what was read
@@ -30,14 +30,14 @@ struct LoadedMedia {
 class MediaLoader {
 public:
     /// A signal's file is a sound, or a scene or drawing by its name.
-    enum class Kind { signal, picture };
+    enum class Kind { signal, source };
 
     MediaLoader();
     ~MediaLoader();
     MediaLoader(const MediaLoader&) = delete;
     MediaLoader& operator=(const MediaLoader&) = delete;
 
-    /// `name` is a file, or for a picture "pattern:NAME".
+    /// `name` is a file, or a source as Source::open takes it.
     void load(Kind kind, const std::string& name);
     void cancel();
     /// What is under way; "" when nothing is.

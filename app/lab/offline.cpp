@@ -9,10 +9,12 @@
 #include "lab/chosen_images.h"
 #include "lab/media.h"
 #include "lab/signal_file.h"
-#include "lab/source.h"
+#include "model/placing.h"
 #include "signals/kinds.h"
 
 #include <fmt/format.h>
+
+#include <utility>
 
 namespace {
 // The parameter that a name means: its own, or in a stack the last part of one name alone.
@@ -138,11 +140,12 @@ Result<std::string> describe(const Prepared& prepared, Extent size) {
 }
 
 Offline::Offline(std::unique_ptr<gpu::Context> context, Document document, Programs programs,
-                 double fps)
+                 Extent size, double fps)
     : m_context(std::move(context)),
       m_document(std::move(document)),
       m_renderer(std::make_unique<Renderer>(m_document.drawn_look(), std::move(programs))),
       m_player(std::make_unique<Player>()),
+      m_size(size),
       m_fps(fps) {}
 
 Result<Offline> Offline::create(Prepared prepared, Extent size, double fps) {
@@ -153,13 +156,14 @@ Result<Offline> Offline::create(Prepared prepared, Extent size, double fps) {
     auto programs = build_programs(look);
     if (!programs)
         return fail(programs.error());
-    Offline offline(std::move(*context), std::move(prepared.document), std::move(*programs), fps);
+    Offline offline(std::move(*context), std::move(prepared.document), std::move(*programs), size,
+                    fps);
     offline.m_renderer->set_values(offline.m_document.values());  // first: sizes may depend on them
     if (auto done = offline.m_renderer->resize(size, size); !done)
         return fail(done.error());
     if (auto done = offline.load_signal(); !done)
         return fail(done.error());
-    if (auto done = offline.load_pictures(size); !done)
+    if (auto done = offline.load_pictures(); !done)
         return fail(done.error());
     return offline;
 }
@@ -179,15 +183,48 @@ Result<void> Offline::load_signal() {
     return m_player->set_signal(signal, std::move(sound));
 }
 
-Result<void> Offline::load_pictures(Extent size) {
+namespace {
+bool reads_source(const Look& look, const std::vector<bool>& passes) {
+    for (std::size_t i = 0; i < look.passes.size(); ++i)
+        for (const Input& input : look.passes[i].inputs)
+            if (input.from == Input::From::source && (passes[i] || input.frames_ago > 0))
+                return true;
+    return false;
+}
+}  // namespace
+
+Result<void> Offline::show_source(double seconds) {
+    if (!m_source)
+        return {};
+    SharedPicture picture = m_source->wait_for(seconds);
+    if (picture == m_shown)
+        return {};
+    m_shown = std::move(picture);
+    const bool is_whole = m_source->spec().fit == Fit::stretch;
+    return m_renderer->set_source(is_whole ? *m_shown : placed(*m_shown, m_source->spec(), m_size));
+}
+
+Diagnostics Offline::take_problems() {
+    Diagnostics problems = std::exchange(m_problems, {});
+    if (m_source) {
+        const Diagnostics more = m_source->take_problems();
+        problems.insert(problems.end(), more.begin(), more.end());
+    }
+    return problems;
+}
+
+Result<void> Offline::load_pictures() {
     const Look& look = executor().look();
     if (look.driven_by == Driver::picture) {
-        const auto source = load_source(m_document.state().source);
+        auto source = Source::open(m_document.state().source);
         if (!source)
             return fail(source.error());
-        if (auto done = m_renderer->resize(size, source->extent); !done)
+        m_source = std::move(*source);
+        m_source_is_carried = reads_source(look, carried_passes(look));
+        const Extent extent = placed_extent(m_source->extent(), m_source->spec(), m_size);
+        if (auto done = m_renderer->resize(m_size, extent); !done)
             return done;
-        if (auto done = m_renderer->set_source(*source); !done)
+        if (auto done = show_source(0.0); !done)
             return done;
     }
     for (const Image& image : look.images) {
@@ -210,11 +247,16 @@ Result<void> Offline::start_again(Document document) {
 
 void Offline::advance() {
     const PlayedFrame frame = m_player->advance_fixed(m_fps);
+    if (auto shown = show_source(frame.span.end); !shown)
+        m_problems.insert(m_problems.end(), shown.error().begin(), shown.error().end());
     m_renderer->draw(frame, m_player->trace(frame.span));
 }
 
 void Offline::advance_unseen() {
     const PlayedFrame frame = m_player->advance_fixed(m_fps);
+    if (m_source_is_carried)
+        if (auto shown = show_source(frame.span.end); !shown)
+            m_problems.insert(m_problems.end(), shown.error().begin(), shown.error().end());
     m_renderer->draw_unseen(frame, m_player->trace(frame.span));
 }
 

@@ -5,6 +5,7 @@
 #include "lab/open.h"
 #include "lab/player.h"
 #include "lab/renderer.h"
+#include "lab/source.h"
 
 #include <memory>
 #include <string>
@@ -54,6 +55,8 @@ public:
     const Executor& executor() const { return m_renderer->executor(); }
     const Document& document() const { return m_document; }
     const gpu::Context& context() const { return *m_context; }
+    /// What of the source could not be read, since last asked.
+    Diagnostics take_problems();
     /// The picture of a pass, row 0 on top; with the encoding that its values have.
     Picture picture(int pass) const;
     Picture picture() const {
@@ -62,13 +65,19 @@ public:
 
 private:
     Result<void> load_signal();
-    Result<void> load_pictures(Extent size);
+    Result<void> load_pictures();
+    Result<void> show_source(double seconds);
     Offline(std::unique_ptr<gpu::Context> context, Document document, Programs programs,
-            double fps);
+            Extent size, double fps);
 
     std::unique_ptr<gpu::Context> m_context;
     Document m_document;
     std::unique_ptr<Renderer> m_renderer;
     std::unique_ptr<Player> m_player;
+    Extent m_size;
     double m_fps;
+    std::optional<Source> m_source;
+    SharedPicture m_shown;
+    bool m_source_is_carried = false;  // frames that nobody looks at need it too
+    Diagnostics m_problems;
 };

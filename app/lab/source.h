@@ -1,9 +1,48 @@
 #pragma once
 
 #include "base/diagnostic.h"
+#include "lab/frame_stream.h"
 #include "model/picture.h"
+#include "model/source_spec.h"
 
+#include <memory>
 #include <string>
 
-/// The picture that a CRT look works on: "pattern:NAME[,size=WxH]", or a file.
-Result<Picture> load_source(const std::string& source);
+/// The picture that a CRT look works on: a pattern, a file, a numbered sequence or a video.
+class Source {
+public:
+    /// Opens what a source's text names and reads its first picture.
+    static Result<Source> open(const std::string& text);
+
+    const SourceSpec& spec() const { return m_spec; }
+    /// Other settings for the same picture.
+    void set_spec(const SourceSpec& spec);
+    /// Whether it looks different at other times.
+    bool moves() const { return m_stream != nullptr; }
+    double rate() const;      // pictures a second
+    double own_rate() const;  // without the person's
+    Extent extent() const { return m_picture->extent; }
+
+    /// The picture at a frame's end: its pictures, like frames, cover the time up to their end, so
+    /// that at equal rates frame N shows the N-th. Waits for it.
+    SharedPicture wait_for(double seconds);
+    /// The same without waiting: the last one until it is there.
+    SharedPicture picture_at(double seconds);
+    /// Whether picture_at() gave another one than it should.
+    bool is_late() const { return m_is_late; }
+    /// What could not be read, or not as it is, since last asked.
+    Diagnostics take_problems();
+
+private:
+    std::int64_t number_at(double seconds) const;
+
+    SourceSpec m_spec;
+    SharedPicture m_picture;
+    std::unique_ptr<FrameStream> m_stream;  // null: one picture for all times
+    double m_own_rate = 0.0;
+    bool m_is_late = false;
+    Diagnostics m_problems;
+};
+
+/// Whether a file can be a source: a picture, a video, or the name of a numbered sequence.
+bool is_source_file(const std::filesystem::path& file);

@@ -18,8 +18,9 @@ std::vector<std::string> endings_for(Dialog::Kind kind) {
         return {".png", ".exr"};
     if (kind == Dialog::Kind::choose_file)
         return {};
-    return {".json", ".png", ".exr", ".jpg", ".jpeg", ".txt", ".wav",
-            ".flac", ".ogg", ".oga", ".mp3", ".aif",  ".aiff"};
+    return {".json", ".png", ".exr", ".jpg", ".jpeg", ".txt", ".wav", ".flac",
+            ".ogg",  ".oga", ".mp3", ".aif", ".aiff", ".mp4", ".m4v", ".mkv",
+            ".webm", ".mov", ".avi", ".mpg", ".mpeg", ".ogv", ".gif"};
 }
 
 const char* title_for(Dialog::Kind kind) {

@@ -55,3 +55,12 @@ void draw_problem(const Problem& problem, const Fonts& fonts, Edits& edits) {
     if (!problem.source_line.empty())
         draw_source_line(problem.source_line, fonts);
 }
+
+void draw_file_problems(const Scene& scene, Edits& edits) {
+    for (const Diagnostic& problem : scene.lab.drive().problems()) {
+        const ScopedColor color(ImGuiCol_Text, theme::warning);
+        ImGui::TextWrapped("%s %s", problem.file.filename().string().c_str(),
+                           problem.message.c_str());
+        edits.mark("media_problem");
+    }
+}

@@ -1,10 +1,11 @@
 #include "ui/signal_panel.h"
 
 #include "signals/kinds.h"
-#include "signals/patterns.h"
 #include "ui/form.h"
+#include "ui/problem_list.h"
 #include "ui/scoped.h"
 #include "ui/sound_controls.h"
+#include "ui/source_panel.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
@@ -104,16 +105,6 @@ void draw_text_setting(const SettingFacts& setting, bool is_file, Spec& spec,
         edits.finish();
 }
 
-// What is wrong with the file stays here for as long as it is named.
-void draw_file_problems(const Scene& scene, Edits& edits) {
-    for (const Diagnostic& problem : scene.lab.drive().problems()) {
-        const ScopedColor color(ImGuiCol_Text, theme::warning);
-        ImGui::TextWrapped("%s %s", problem.file.filename().string().c_str(),
-                           problem.message.c_str());
-        edits.mark("media_problem");
-    }
-}
-
 void draw_setting(const SettingFacts& setting, const SignalKind& kind, Spec& spec,
                   const Scene& scene, Edits& edits) {
     const ScopedId id(setting.key);
@@ -198,27 +189,6 @@ void draw_signal(const Document& document, const Scene& scene, Edits& edits) {
     if (!kind->file_setting.empty() || kind->is_live)
         draw_sound_devices(kind->is_live, scene, edits);
 }
-
-void draw_source(const Document& document, const Scene& scene, Edits& edits) {
-    heading("Source");
-    const std::string present = document.state().source;
-    const std::string label = present.starts_with("pattern:")
-                                  ? present.substr(8)
-                                  : std::filesystem::path(present).filename().string();
-    if (begin_combo("##source", label, ImGui::GetContentRegionAvail().x)) {
-        for (const PatternFacts& pattern : all_patterns()) {
-            const std::string source = "pattern:" + pattern.name;
-            if (ImGui::Selectable(pattern.label.c_str(), source == present))
-                edits.document([source](Document& changed) { changed.set_source(source); });
-            tooltip(pattern.help);
-        }
-        ImGui::EndCombo();
-    }
-    edits.mark("source");
-    draw_file_problems(scene, edits);
-    if (ImGui::Button("Open a picture…"))
-        edits.show({.kind = Dialog::Kind::open_file});
-}
 }  // namespace
 
 void draw_signal_panel(const Scene& scene, Edits& edits) {
@@ -228,7 +198,7 @@ void draw_signal_panel(const Scene& scene, Edits& edits) {
     if (document->look().driven_by == Driver::signal)
         draw_signal(*document, scene, edits);
     else if (document->look().driven_by == Driver::picture)
-        draw_source(*document, scene, edits);
+        draw_source(scene, edits);
     else
         wrapped_dim_text("This look needs neither a signal nor a picture.");
 }

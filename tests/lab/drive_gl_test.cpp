@@ -218,6 +218,41 @@ TEST_CASE("a picture that a person chose for a sampler is read, and black where 
     CHECK(small.lab().problems().front().diagnostic.file.filename() == "gone.exr");
 }
 
+TEST_CASE("how a source lies in the picture is a step of its own") {
+    SmallLab small(on_a_picture);  // draws 8 x 8 px
+    const std::string file = (small.folder() / "grey.exr").string();
+    REQUIRE(save_picture(grey(0.25f), file).has_value());
+    small.lab().open_file(file);
+    REQUIRE(small.turn_until([&] { return small.shown() == 1.25f; }));
+    const auto lies_in = [&](Extent extent) {
+        return small.turn_until([&] { return small.lab().drive().source_extent() == extent; });
+    };
+    small.lab().edit([&](Document& document) {
+        document.set_source(file + ",fit=whole,aspect=2");
+        document.set_source(file + ",fit=integer");
+    });
+    CHECK(lies_in({8, 8}));
+    small.lab().edit([](Document& document) { document.undo(); });
+    CHECK(lies_in({4, 8}));
+    small.lab().edit([](Document& document) { document.undo(); });
+    CHECK(lies_in({4, 4}));
+    small.lab().edit([&](Document& document) { document.set_source(file + ",fit=tall"); });
+    CHECK(small.turn_until([&] { return small.lab().notice().has_value(); }));
+}
+
+TEST_CASE("numbered pictures follow each other; a gap is told and the lab goes on") {
+    SmallLab small(on_a_picture);
+    for (const int number : {1, 2, 4})
+        REQUIRE(save_picture(grey(static_cast<float>(number)),
+                             small.folder() / ("f_" + std::to_string(number) + ".exr"))
+                    .has_value());
+    small.lab().open_file(small.folder() / "f_%d.exr");
+    for (const float number : {1.0f, 2.0f, 4.0f, 1.0f})
+        CHECK(small.turn_until([&] { return small.shown() == 1.0f + number; }));
+    REQUIRE(small.lab().notice().has_value());
+    CHECK(small.lab().notice()->text.find("number 3 is missing") != std::string::npos);
+}
+
 TEST_CASE("an image of the look that is saved anew shows; a broken one is told") {
     TemporaryFolder folder;
     const fs::path grain = folder / "grain.exr";

@@ -60,6 +60,27 @@ TEST_CASE("a saved preset names a person's file by its name and digest, not by w
     CHECK(file_in(beside) == "music/song.wav");
 }
 
+TEST_CASE(
+    "a source is named by its file alone and keeps its settings; of a sequence there is no "
+    "digest") {
+    const Home home;
+    Preset preset;
+    preset.source = home.song.string() + ",fit=whole,rate=25";
+    const Preset saved = with_portable_media(preset, home.presets, home.recent);
+    CHECK(saved.source == "song.wav,fit=whole,rate=25");
+    CHECK(saved.media_digest == "cbf43926");
+    CHECK(with_found_media(saved, home.music, home.recent).source == preset.source);
+
+    Home::write(home.music / "f_07.exr", "x");
+    preset.source = (home.music / "f_%02d.exr").string() + ",loop=off";
+    const Preset numbered = with_portable_media(preset, home.presets, home.recent);
+    CHECK(numbered.source == "f_%02d.exr,loop=off");
+    CHECK(numbered.media_digest.empty());
+    CHECK(with_found_media(numbered, home.music, home.recent).source == preset.source);
+    preset.source = "pattern:smpte,fit=crop";
+    CHECK(with_portable_media(preset, home.presets, home.recent).source == preset.source);
+}
+
 TEST_CASE("the digest of a file that changed since it was opened is made anew") {
     const Home home;
     home.recent.remember(home.song, "00000001");

@@ -1,0 +1,22 @@
+#include "lab/mend.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+std::optional<Diagnostic> mend(Picture& picture, const std::filesystem::path& file) {
+    constexpr float largest = 65504.0f;
+    std::size_t mended = 0;
+    for (float& value : picture.pixels)
+        if (!std::isfinite(value)) {
+            value = std::isnan(value) ? 0.0f : std::copysign(largest, value);
+            ++mended;
+        }
+    if (mended == 0)
+        return std::nullopt;
+    return Diagnostic{file, 0,
+                      fmt::format("{} values are no numbers or infinite; they are read as 0 and "
+                                  "65504",
+                                  mended),
+                      Severity::warning};
+}

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "base/diagnostic.h"
+#include "model/picture.h"
+
+#include <optional>
+
+/// Makes 0 of what is no number and 65504, the largest 16-bit float, of what is infinite: either
+/// would spread over all that reads it, and stay in what remembers. Says so when there was any.
+std::optional<Diagnostic> mend(Picture& picture, const std::filesystem::path& file);

@@ -1,0 +1,132 @@
+#include "ui/source_panel.h"
+
+#include "model/source_spec.h"
+#include "signals/patterns.h"
+#include "ui/form.h"
+#include "ui/problem_list.h"
+#include "ui/scoped.h"
+#include "ui/widgets.h"
+
+#include <array>
+
+namespace {
+void set_source(const SourceSpec& source, Edits& edits, bool goes_on = false) {
+    edits.document([text = to_string(source), goes_on](Document& document) {
+        document.set_source(text, goes_on);
+    });
+}
+
+void draw_choice(SourceSpec source, const Scene& scene, Edits& edits) {
+    constexpr std::size_t prefix = 8;  // "pattern:"
+    const std::string label = source.is_pattern()
+                                  ? source.picture.substr(prefix)
+                                  : std::filesystem::path(source.picture).filename().string();
+    const std::string present = source.picture;
+    if (begin_combo("##source", label, ImGui::GetContentRegionAvail().x)) {
+        for (const PatternFacts& pattern : all_patterns()) {
+            source.picture = "pattern:" + pattern.name;
+            if (ImGui::Selectable(pattern.label.c_str(), source.picture == present))
+                set_source(source, edits);
+            edits.mark("pattern:" + pattern.name);
+            tooltip(pattern.help);
+        }
+        ImGui::EndCombo();
+    }
+    edits.mark("source");
+    draw_file_problems(scene, edits);
+    if (ImGui::Button("Open a picture or video…"))
+        edits.show({.kind = Dialog::Kind::open_file});
+    tooltip("For numbered pictures type their name with %04d for the number.");
+}
+
+void draw_fit(SourceSpec source, Edits& edits) {
+    constexpr std::array labels{"Stretched", "Whole", "Cropped", "Whole pixels"};
+    const FormColumns columns = form_columns();
+    form_label("Fit", {}, columns, source.fit != Fit::stretch);
+    tooltip(
+        "How the source lies in the picture.\nStretched: over all of it. Whole: with black beside "
+        "it. Cropped: without black. Whole pixels: each pixel of the source the same whole number "
+        "of pixels.");
+    form_control(columns);
+    int chosen = static_cast<int>(source.fit);
+    if (form_list("##fit", labels.data(), static_cast<int>(labels.size()), chosen,
+                  columns.control_and_number())) {
+        source.fit = static_cast<Fit>(chosen);
+        set_source(source, edits);
+    }
+    edits.mark("source_fit");
+}
+
+struct Setting {
+    const char* id;
+    const char* label;
+    const char* help;
+    double SourceSpec::*number;
+    SliderFacts facts;
+};
+
+void draw_setting(const Setting& setting, SourceSpec source, const Scene& scene, Edits& edits) {
+    const ScopedId id{std::string(setting.id)};
+    const FormColumns columns = form_columns();
+    form_label(setting.label, {}, columns, setting.facts.is_changed);
+    tooltip(setting.help);
+    form_control(columns);
+    const Turned turned =
+        form_slider("##value", source.*setting.number, setting.facts, columns, scene.fonts);
+    if (turned.is_changed)
+        set_source(source, edits, true);
+    if (turned.is_finished)
+        edits.finish();
+    edits.mark(setting.id);
+}
+
+void draw_loop(SourceSpec source, Edits& edits) {
+    const FormColumns columns = form_columns();
+    form_label("At the end", {}, columns, !source.loops);
+    form_control(columns);
+    constexpr std::array labels{"Loop", "Hold"};
+    int chosen = source.loops ? 0 : 1;
+    if (form_list("##loop", labels.data(), 2, chosen, columns.control_and_number())) {
+        source.loops = chosen == 0;
+        set_source(source, edits);
+    }
+    edits.mark("source_loop");
+}
+}  // namespace
+
+void draw_source(const Scene& scene, Edits& edits) {
+    heading("Source");
+    const SourceSpec source =
+        parse_source(scene.lab.document()->state().source).value_or(SourceSpec{});
+    draw_choice(source, scene, edits);
+    draw_fit(source, edits);
+    if (source.fit != Fit::stretch)
+        draw_setting({.id = "source_aspect",
+                      .label = "Pixel aspect",
+                      .help = "Width of a pixel of the source against its height.",
+                      .number = &SourceSpec::aspect,
+                      .facts = {.low = 0.5,
+                                .high = 2.0,
+                                .is_logarithmic = true,
+                                .initial = 1.0,
+                                .is_changed = source.aspect != 1.0,
+                                .limit = Limit{1.0 / 16.0, 16.0}}},
+                     source, scene, edits);
+    const auto& open = scene.lab.drive().source();
+    if (!open || !open->moves())
+        return;
+    SourceSpec with_rate = source;
+    with_rate.rate = open->rate();
+    draw_setting({.id = "source_rate",
+                  .label = "Rate",
+                  .help = "Pictures of the source in a second.",
+                  .number = &SourceSpec::rate,
+                  .facts = {.low = 1.0,
+                            .high = 120.0,
+                            .initial = open->own_rate(),
+                            .is_changed = source.rate != 0.0,
+                            .unit = "/s",
+                            .limit = Limit{0.125, 960.0}}},
+                 with_rate, scene, edits);
+    draw_loop(source, edits);
+}
