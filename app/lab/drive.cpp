@@ -131,6 +131,13 @@ Result<bool> Drive::show_source(double seconds, Renderer& renderer) {
     return set ? Result<bool>(true) : fail(set.error());
 }
 
+Result<void> Drive::show_past_source(double seconds, Renderer& renderer) {
+    if (!m_source || m_source->is_film())
+        return {};
+    const auto shown = show_source(seconds, renderer);
+    return shown ? Result<void>() : fail(shown.error());
+}
+
 Diagnostics Drive::take_problems() {
     constexpr std::size_t most_kept = 4;  // as many as a panel has room for
     Diagnostics problems = m_source ? m_source->take_problems() : Diagnostics();

@@ -46,6 +46,8 @@ public:
     /// Gives the renderer the source as it is at a frame's end; true when it was another picture
     /// than before. One that is still being read is late.
     Result<bool> show_source(double seconds, Renderer& renderer);
+    /// The same for a frame of the past that is drawn again. A film stays at its present picture.
+    Result<void> show_past_source(double seconds, Renderer& renderer);
     bool is_source_late() const { return m_source && m_source->is_late(); }
     const std::optional<Source>& source() const { return m_source; }
     /// What of the source could not be read since last asked; problems() keeps it.

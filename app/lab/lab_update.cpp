@@ -255,7 +255,9 @@ void Lab::draw_picture(double wall_seconds) {
     // Enough of each turn for a picture that follows the hand, and the window stays awake.
     constexpr double seconds_a_turn = 0.012;
     if (m_renderer->replay().is_running())
-        m_renderer->continue_replay(m_player, seconds_a_turn);
+        m_renderer->continue_replay(m_player, seconds_a_turn, [this](const PlayedFrame& past) {
+            succeeded(m_drive.show_past_source(past.span.end, *m_renderer));
+        });
     else if (m_wanted && m_wanted->needs_replay)
         start_replay();
     else if (m_wanted && (rests || !m_player.is_playing()))

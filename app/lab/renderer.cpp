@@ -68,11 +68,12 @@ void Renderer::start_replay(const Player& player, std::size_t frames) {
         clear_history();
 }
 
-bool Renderer::continue_replay(const Player& player, double seconds) {
+bool Renderer::continue_replay(const Player& player, double seconds, const BeforeFrame& before) {
     const auto start = std::chrono::steady_clock::now();
     while (m_replay.is_running() && seconds_since(start) < seconds) {
         const PlayedFrame& frame = player.past()[m_replay_first + m_replay.done];
         ++m_replay.done;
+        before(frame);
         if (m_replay.is_running()) {
             draw_unseen(frame, player.trace(frame.span));
             continue;

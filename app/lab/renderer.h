@@ -3,6 +3,7 @@
 #include "graph/executor.h"
 #include "lab/player.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -48,8 +49,10 @@ public:
     void redraw(const Player& player, const std::vector<bool>& passes);
     /// Begins to draw the latest `frames` frames of the player again from nothing.
     void start_replay(const Player& player, std::size_t frames);
+    /// Called before a frame of the past is drawn again, to bring what it shows.
+    using BeforeFrame = std::function<void(const PlayedFrame&)>;
     /// Goes on with the replay for about `seconds`; true when it has just ended.
-    bool continue_replay(const Player& player, double seconds);
+    bool continue_replay(const Player& player, double seconds, const BeforeFrame& before);
     void cancel_replay() { m_replay = {}; }
     const Replay& replay() const { return m_replay; }
 

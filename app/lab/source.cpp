@@ -9,14 +9,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace {
 constexpr double usual_rate = 60.0;
 
-Result<Picture> read_still(const SourceSpec& spec) {
+// Of a source that is one, with its size.
+std::string_view pattern_of(const SourceSpec& spec) {
     constexpr std::string_view prefix = "pattern:";
-    return spec.is_pattern() ? make_pattern(std::string_view(spec.picture).substr(prefix.size()))
-                             : load_picture(spec.picture);
+    return std::string_view(spec.picture).substr(prefix.size());
+}
+
+Result<Picture> read_still(const SourceSpec& spec) {
+    return spec.is_pattern() ? make_pattern(pattern_of(spec)) : load_picture(spec.picture);
 }
 }  // namespace
 
@@ -50,6 +55,7 @@ Result<Source> Source::open(const std::string& text) {
     if (auto mended = mend(*picture, file))
         source.m_problems.push_back(std::move(*mended));
     source.m_picture = std::make_shared<const Picture>(std::move(*picture));
+    source.m_is_moving_pattern = is_pattern && is_moving_pattern(pattern_of(source.m_spec));
     return source;
 }
 
@@ -73,7 +79,19 @@ std::int64_t Source::number_at(double seconds) const {
         static_cast<std::int64_t>(std::ceil(seconds * rate() - rounding)) - 1, 0);
 }
 
+// Drawn before with the same text, so that nothing can fail. The same picture stays the same one:
+// then nothing has to be uploaded.
+void Source::draw_pattern(double seconds) {
+    if (std::exchange(m_pattern_seconds, seconds) == seconds)
+        return;
+    if (auto picture = make_pattern(pattern_of(m_spec), seconds);
+        picture && picture->pixels != m_picture->pixels)
+        m_picture = std::make_shared<const Picture>(std::move(*picture));
+}
+
 SharedPicture Source::wait_for(double seconds) {
+    if (m_is_moving_pattern)
+        draw_pattern(seconds);
     if (m_stream)
         if (SharedPicture picture = m_stream->wait(number_at(seconds)))
             m_picture = std::move(picture);
@@ -83,7 +101,7 @@ SharedPicture Source::wait_for(double seconds) {
 
 SharedPicture Source::picture_at(double seconds) {
     if (!m_stream)
-        return m_picture;
+        return wait_for(seconds);
     SharedPicture picture = m_stream->peek(number_at(seconds));
     m_is_late = picture == nullptr;
     if (picture)

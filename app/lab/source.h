@@ -18,8 +18,10 @@ public:
     /// Other settings for the same picture.
     void set_spec(const SourceSpec& spec);
     /// Whether it looks different at other times.
-    bool moves() const { return m_stream != nullptr; }
-    double rate() const;      // pictures a second
+    bool moves() const { return is_film() || m_is_moving_pattern; }
+    /// A sequence or video: pictures at a rate, which takes time to read.
+    bool is_film() const { return m_stream != nullptr; }
+    double rate() const;      // of a film, pictures a second
     double own_rate() const;  // without the person's
     Extent extent() const { return m_picture->extent; }
 
@@ -35,10 +37,13 @@ public:
 
 private:
     std::int64_t number_at(double seconds) const;
+    void draw_pattern(double seconds);
 
     SourceSpec m_spec;
     SharedPicture m_picture;
-    std::unique_ptr<FrameStream> m_stream;  // null: one picture for all times
+    std::unique_ptr<FrameStream> m_stream;  // null: a still picture or a pattern
+    bool m_is_moving_pattern = false;
+    double m_pattern_seconds = 0.0;  // that m_picture shows
     double m_own_rate = 0.0;
     bool m_is_late = false;
     Diagnostics m_problems;

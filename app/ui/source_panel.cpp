@@ -113,7 +113,7 @@ void draw_source(const Scene& scene, Edits& edits) {
                                 .limit = Limit{1.0 / 16.0, 16.0}}},
                      source, scene, edits);
     const auto& open = scene.lab.drive().source();
-    if (!open || !open->moves())
+    if (!open || !open->is_film())
         return;
     SourceSpec with_rate = source;
     with_rate.rate = open->rate();

@@ -1,6 +1,7 @@
 #include "about.h"
 #include "io/picture_file.h"
 #include "lab/small_lab.h"
+#include "signals/patterns.h"
 
 namespace fs = std::filesystem;
 
@@ -10,6 +11,15 @@ constexpr const char* on_a_picture = R"({
   "default_source": "pattern:white", "source_encoding": "linear", "settle_frames": 1,
   "passes": [
     { "name": "sum", "fragment": "sum.frag", "format": "rgba32f", "inputs": { "previous": "source" } },
+    { "name": "show", "fragment": "show.frag", "format": "rgba32f", "inputs": { "image": "sum" } }
+  ]
+})";
+// Shows what its source was ten frames ago.
+constexpr const char* on_the_past = R"({
+  "format": "afterglow-look", "version": 1, "name": "Small", "driven_by": "picture",
+  "default_source": "pattern:harbour,size=64x48", "source_encoding": "linear", "settle_frames": 20,
+  "passes": [
+    { "name": "sum", "fragment": "sum.frag", "format": "rgba32f", "inputs": { "previous": "source@10" } },
     { "name": "show", "fragment": "show.frag", "format": "rgba32f", "inputs": { "image": "sum" } }
   ]
 })";
@@ -251,6 +261,32 @@ TEST_CASE("numbered pictures follow each other; a gap is told and the lab goes o
         CHECK(small.turn_until([&] { return small.shown() == 1.0f + number; }));
     REQUIRE(small.lab().notice().has_value());
     CHECK(small.lab().notice()->text.find("number 3 is missing") != std::string::npos);
+}
+
+TEST_CASE("a replay shows a pattern that moves as it was at each frame") {
+    SmallLab small(on_the_past);
+    small.lab().set_picture_size({false, {64, 48}, 1.0});
+    REQUIRE(small.turn_until(
+        [&] { return !small.lab().drive().source_extent().is_empty() && small.frames() > 40.0f; }));
+    // Ten frames are a step of the clock that the harbour moves by.
+    const double end = small.lab().player().time();
+    REQUIRE(make_pattern("harbour,size=64x48", end)->pixels !=
+            make_pattern("harbour,size=64x48", end - 10.0 / 60.0)->pixels);
+    small.lab().transport().pause();
+    small.turn(2);
+    const auto shown = [&] {
+        return gpu::read_picture(small.lab().renderer()->executor().target(1)).pixels;
+    };
+    const auto before = shown();
+    for (const double step_size : {2.0, 1.0}) {
+        small.lab().edit([=](Document& document) {
+            document.set_value("step_size", Value(step_size));
+            document.finish();
+        });
+        small.turn(1);
+        REQUIRE(small.turn_until([&] { return !small.lab().is_moving(); }));
+        CHECK((shown() == before) == (step_size == 1.0));
+    }
 }
 
 TEST_CASE("an image of the look that is saved anew shows; a broken one is told") {

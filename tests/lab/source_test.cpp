@@ -2,6 +2,7 @@
 
 #include "io/picture_file.h"
 #include "io/temporary_folder.h"
+#include "signals/patterns.h"
 
 #include <doctest/doctest.h>
 
@@ -104,4 +105,21 @@ TEST_CASE("what is no source is told") {
     const auto video = folder.write("v.mp4", "no video");
     CHECK(
         refused(video.string()).starts_with(video.string() + ": error: cannot be read as a video"));
+}
+
+TEST_CASE("a pattern that moves is drawn as it is at each time") {
+    Source source = opened("pattern:harbour,size=64x48,fit=integer");
+    CHECK(source.moves());
+    CHECK_FALSE(source.is_film());
+    for (const double seconds : {0.0, 4.0, 2.0}) {
+        const auto expected = make_pattern("harbour,size=64x48", seconds);
+        REQUIRE(expected.has_value());
+        CHECK(source.wait_for(seconds)->pixels == expected->pixels);
+        CHECK(source.picture_at(seconds)->pixels == expected->pixels);
+    }
+    CHECK(source.picture_at(1.0)->pixels != source.picture_at(3.0)->pixels);
+    const SharedPicture before = source.picture_at(1.001);  // of the same sixth of a second
+    CHECK(source.picture_at(1.002) == before);
+    CHECK_FALSE(source.is_late());
+    CHECK_FALSE(opened("pattern:white").moves());
 }

@@ -1,4 +1,5 @@
 // The crt look against closed forms: each stage alone, and all of them off.
+#include "lab/offline.h"
 #include "looks/drawn_picture.h"
 #include "model/color.h"
 #include "signals/patterns.h"
@@ -116,4 +117,20 @@ TEST_CASE("the tone map is the chosen one, after the exposure and before the sca
               1.0) < 1e-4);
     // 3.75 / 4.75; the white belongs to the extended form.
     CHECK(std::abs(light_at(drawn_look("crt", field, reinhard), 1, 1) - 0.7895) < 1e-3);
+}
+
+TEST_CASE("a moving pattern shows at each frame's end what it is at that time") {
+    auto roots = find_roots(std::filesystem::path(AFTERGLOW_SOURCE_DIR));
+    REQUIRE(roots.has_value());
+    const RenderRequest request{
+        .look = "crt", .values = {{"crt", "false"}}, .source = "pattern:harbour,size=64x48"};
+    auto prepared = prepare(request, Library(std::move(*roots)));
+    REQUIRE(prepared.has_value());
+    auto offline = Offline::create(std::move(*prepared), {64, 48}, 0.5);
+    REQUIRE(offline.has_value());
+    for (const double seconds : {2.0, 4.0}) {
+        offline->advance();
+        CHECK(differing_codes(offline->picture(), *make_pattern("harbour,size=64x48", seconds)) ==
+              0);
+    }
 }
