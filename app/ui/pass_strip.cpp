@@ -119,5 +119,9 @@ void draw_pass_strip(const Scene& scene, Edits& edits) {
                    .is_chosen = look.passes[i].name == scene.window.inspected.pass},
                   scene, image_height, edits);
     }
+    // It has no height to scroll, so the wheel goes along it.
+    constexpr float a_notch = 5.0f;  // letters
+    if (const float wheel = ImGui::GetIO().MouseWheel; wheel != 0.0f && ImGui::IsWindowHovered())
+        ImGui::SetScrollX(ImGui::GetScrollX() - wheel * a_notch * ImGui::GetFontSize());
     ImGui::EndChild();
 }

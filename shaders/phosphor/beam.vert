@@ -1,10 +1,10 @@
 #version 410 core
 // The beam: one square for each instant at which the beam was somewhere, large enough for its spot.
-#include "beam_kind.glsl"
 #include "spot.glsl"
 #include "tube.glsl"
 #include "decay.glsl"
 #include "fit.glsl"
+#include "beam_kind.glsl"
 #include "as_written.glsl"
 #include "reference_height.glsl"
 

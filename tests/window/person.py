@@ -14,7 +14,7 @@ from screen import Screen
 
 SOURCE = Path(__file__).resolve().parents[2]
 PICTURES = SOURCE / "build/window"
-WINDOW = (1024, 640)
+WINDOW = (1280, 860)
 PICTURE = [320, 240]
 
 
