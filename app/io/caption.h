@@ -13,5 +13,6 @@ struct CaptionPlace {
     int height = 0;  // of the letters
 };
 
-/// Writes a line of light grey text into a picture. Fails where the system has no font that we know.
+/// Writes a line of light grey text into a picture. Fails where the system has no font that we
+/// know.
 Result<void> draw_caption(Picture& picture, const CaptionPlace& place, std::string text);

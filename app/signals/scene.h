@@ -61,4 +61,5 @@ std::size_t point_count(const BeamScene& scene);
 /// its ends are always points. Things turn from one drawing to the next; how long each way takes is
 /// settled by its length in space, so that every drawing takes equally long. Refuses a scene that
 /// draws nothing.
-Result<std::unique_ptr<Signal>> make_scene_signal(std::shared_ptr<const BeamScene> scene, double rate);
+Result<std::unique_ptr<Signal>> make_scene_signal(std::shared_ptr<const BeamScene> scene,
+                                                  double rate);

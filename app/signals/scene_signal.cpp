@@ -201,7 +201,8 @@ std::size_t point_count(const BeamScene& scene) {
     return count;
 }
 
-Result<std::unique_ptr<Signal>> make_scene_signal(std::shared_ptr<const BeamScene> scene, double rate) {
+Result<std::unique_ptr<Signal>> make_scene_signal(std::shared_ptr<const BeamScene> scene,
+                                                  double rate) {
     if (point_count(*scene) > most_scene_points)
         return fail({{},
                      0,

@@ -65,16 +65,20 @@ struct Setting {
     SliderFacts facts;
 };
 
-void draw_setting(const Setting& setting, SourceSpec source, const Scene& scene, Edits& edits) {
+void draw_setting(const Setting& setting, const SourceSpec& present, const Scene& scene,
+                  Edits& edits) {
     const ScopedId id{std::string(setting.id)};
     const FormColumns columns = form_columns();
     form_label(setting.label, {}, columns, setting.facts.is_changed);
     tooltip(setting.help);
     form_control(columns);
-    const Turned turned =
-        form_slider("##value", source.*setting.number, setting.facts, columns, scene.fonts);
-    if (turned.is_changed)
+    double value = present.*setting.number;
+    const Turned turned = form_slider("##value", value, setting.facts, columns, scene.fonts);
+    if (turned.is_changed) {
+        SourceSpec source = present;
+        source.*setting.number = value;
         set_source(source, edits, true);
+    }
     if (turned.is_finished)
         edits.finish();
     edits.mark(setting.id);

@@ -102,11 +102,9 @@ struct Sweep {
 std::optional<Sweep> kept;
 
 Sweep make_sweep(const GoldenLook& look, const std::string& signal) {
-    Offline offline = offline_from({.look = look.id,
-                                    .values = look.always,
-                                    .signal = signal,
-                                    .source = look.source},
-                                   look.cell);
+    Offline offline = offline_from(
+        {.look = look.id, .values = look.always, .signal = signal, .source = look.source},
+        look.cell);
     Document base = offline.document();
     return {look.id, signal, std::move(base), std::move(offline)};
 }

@@ -81,9 +81,9 @@ TEST_CASE("a scene's points fall into adjoining spans exactly as into one") {
 
 TEST_CASE("between two paths the beam is blanked, or lit where moves are visible") {
     BeamScene scene{.items = {line({-0.5, 0.0}, {-0.4, 0.0}), line({0.4, 0.0}, {0.5, 0.0})},
-                .beam_speed = 100.0,
-                .move_speed = 100.0,
-                .refresh = 0.0};
+                    .beam_speed = 100.0,
+                    .move_speed = 100.0,
+                    .refresh = 0.0};
     // 0.1 + 0.1 are drawn, 0.8 and 1 back are moved.
     CHECK(std::abs(charge_of(traced(*signal_of(scene), 0.0, 0.02)) / (0.002 * rate) - 1.0) < 1e-4);
     scene.move_current = 0.5;
