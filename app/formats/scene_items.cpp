@@ -205,7 +205,7 @@ SceneItem read_scene_item(ObjectReader& reader) {
     item.current = bounded(reader, "intensity", 1.0, 0.0, 16.0);
     item.speed = bounded(reader, "speed", 1.0, 1e-3, 1e3);
     reader.require("shape");
-    const ReadShape read = reader.choice<ReadShape>("shape", shapes(), nullptr);
+    const auto read = reader.choice<ReadShape>("shape", shapes(), nullptr);
     // A dot is nothing but the beam's rest.
     const double dwell_us = read == read_dot ? 100.0 : 0.0;
     item.dwell_seconds = 1e-6 * bounded(reader, "dwell", dwell_us, 0.0, 1e6);

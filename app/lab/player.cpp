@@ -6,11 +6,6 @@
 #include <cmath>
 #include <utility>
 
-namespace {
-// A window that was held up does not ask for more than this at once; time is then lost, not light.
-constexpr double longest_frame = 0.25;
-}  // namespace
-
 Result<void> Player::set_signal(const Spec& spec, PlayedSound sound) {
     std::unique_ptr<Signal> signal;
     double start = 0.0;

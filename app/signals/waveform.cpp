@@ -97,7 +97,7 @@ public:
 
 private:
     Waveform(const Settings& settings, const ScopeKnobs& knobs, std::array<Generator, 2> inputs)
-        : m_inputs(plugged(knobs, std::move(inputs))),
+        : m_inputs(plugged(knobs, inputs)),
           m_scope(knobs, {m_inputs[0].is_on(), m_inputs[1].is_on()},
                   settings.number("points") * 60.0 / traces(knobs, m_inputs)),
           m_sweeps(sweeps_of(knobs, m_inputs, m_scope.rate())),
