@@ -14,7 +14,10 @@ TOOLS = "bash env dirname readlink awk sed grep tr wc tail tee paste fold nproc 
 # The packages of the stand-in system are files in $BOX/installed; what was called is in $BOX/log.
 STAND_INS = {
     "dpkg-query": '[ -e "$BOX/installed/${!#}" ] && echo installed',
-    "apt-cache": '[ -e "$BOX/known" ] && echo "Installed-Size: 1000"',
+    "apt-cache": """
+        [ -e "$BOX/known" ] || exit 100
+        for name in "${@:3}"; do echo "Package: $name"; echo "Installed-Size: 1000"; done
+    """,
     "apt-get": """
         case "$*" in
             *--print-uris*) echo "'x' a.deb 2000000 SHA"; echo "'y' b.deb 1000000 SHA" ;;
@@ -125,7 +128,7 @@ class RunTest(unittest.TestCase):
     def test_it_says_what_it_installs_and_how_much_before_it_does(self):
         said = self.run_it("build").stderr
         self.assertIn("g++", said)
-        self.assertIn("2 packages with what they need: 3 MB to download, 1 MB on disk", said)
+        self.assertIn("2 packages with what they need: 3 MB to download, 2 MB on disk", said)
         self.assertIn("apt-get install", self.log())
         self.assertIn("libopenimageio-dev", self.log())
         self.assertIn("--no-install-recommends", self.log())
