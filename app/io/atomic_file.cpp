@@ -10,6 +10,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <optional>
+#include <sys/file.h>
 #include <sys/stat.h>
 
 namespace fs = std::filesystem;
@@ -35,16 +36,59 @@ Result<fs::path> target_of(fs::path file) {
     return fail({asked, 0, "cannot be written: its links go round in a circle"});
 }
 
+constexpr std::string_view name_start = ".afterglow-";
+constexpr std::string_view name_end = ".tmp";
+
+// Whether a name is one of TemporaryFile's: ".afterglow-", a process, "-", a count, ".tmp".
+bool is_temporary_name(std::string_view name) {
+    if (name.size() <= name_start.size() + name_end.size() || !name.starts_with(name_start) ||
+        !name.ends_with(name_end))
+        return false;
+    name.remove_prefix(name_start.size());
+    name.remove_suffix(name_end.size());
+    const std::size_t dash = name.find('-');
+    const auto is_number = [](std::string_view digits) {
+        return !digits.empty() && digits.find_first_not_of("0123456789") == std::string_view::npos;
+    };
+    return dash != std::string_view::npos && is_number(name.substr(0, dash)) &&
+           is_number(name.substr(dash + 1));
+}
+
+// Whether `path` still names the file that was opened.
+bool is_still(const Descriptor& opened, const fs::path& path) {
+    struct stat own = {};
+    struct stat named = {};
+    return ::fstat(opened.get(), &own) == 0 && ::lstat(path.c_str(), &named) == 0 &&
+           own.st_dev == named.st_dev && own.st_ino == named.st_ino;
+}
+
+// What a program that was killed while it saved has left. Where the writer lives, in whichever
+// program or container, it holds the lock.
+void remove_leftovers(const fs::path& folder) {
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
+         entry.increment(error)) {
+        const fs::path& path = entry->path();
+        if (!is_temporary_name(path.filename().native()) ||
+            !fs::is_regular_file(entry->symlink_status(error)))
+            continue;
+        const Descriptor leftover(::open(path.c_str(), O_WRONLY | O_NOFOLLOW | O_CLOEXEC));
+        if (leftover.is_open() && ::flock(leftover.get(), LOCK_EX | LOCK_NB) == 0 &&
+            is_still(leftover, path))
+            ::unlink(path.c_str());
+    }
+}
+
 // A file beside the target that is removed unless it took the target's place.
 class TemporaryFile {
 public:
     explicit TemporaryFile(const fs::path& folder) {
         static std::atomic<unsigned> counter{0};
         do {
-            m_path = folder / fmt::format(".afterglow-{}-{}.tmp", ::getpid(), counter++);
+            m_path = folder / fmt::format("{}{}-{}{}", name_start, ::getpid(), counter++, name_end);
             m_descriptor =
                 Descriptor(::open(m_path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-        } while (!m_descriptor.is_open() && errno == EEXIST);
+        } while (m_descriptor.is_open() ? is_taken_away() : errno == EEXIST);
     }
     TemporaryFile(const TemporaryFile&) = delete;
     TemporaryFile& operator=(const TemporaryFile&) = delete;
@@ -63,7 +107,7 @@ public:
                 return false;
             bytes.remove_prefix(count < 0 ? 0 : static_cast<std::size_t>(count));
         }
-        return ::fsync(m_descriptor.get()) == 0 && m_descriptor.close();
+        return ::fsync(m_descriptor.get()) == 0;
     }
 
     bool take_place_of(const fs::path& target) {
@@ -74,6 +118,14 @@ public:
     }
 
 private:
+    // The lock says for as long as the file has this name that its writer lives. Another program
+    // may have come before it and have taken the file for a leftover.
+    bool is_taken_away() {
+        if (::flock(m_descriptor.get(), LOCK_EX | LOCK_NB) != 0)
+            return errno == EWOULDBLOCK;  // else there are no locks here, and nobody clears up
+        return !is_still(m_descriptor, m_path);
+    }
+
     fs::path m_path;
     Descriptor m_descriptor;
 };
@@ -132,6 +184,7 @@ Result<void> write_atomically(const fs::path& file, std::string_view bytes) {
         return fail({file, 0, "its folder cannot be made: " + error.message()});
 
     const auto refused = [&] { return fail({file, 0, "cannot be written: " + system_reason()}); };
+    remove_leftovers(folder);
     TemporaryFile temporary(folder);
     if (!temporary.is_open() || (*mode && !temporary.set_mode(**mode)))
         return refused();

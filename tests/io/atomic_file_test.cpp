@@ -115,4 +115,59 @@ TEST_CASE("killed at any moment of saving, the file is wholly the old or wholly 
         CHECK(after == text(after.front() - 'a'));
     }
     CHECK(changes > 10);  // the child did save
+    REQUIRE(write_atomically(file, "last"));
+    CHECK(count_of(folder.path()) == 1);
+}
+
+TEST_CASE("what a killed program left beside a file goes with the next save, and nothing else") {
+    const TemporaryFolder folder;
+    folder.write(".afterglow-4194301-7.tmp", "half of a pres");
+    folder.write(".afterglow-1-0.tmp", "of a process that has another's number now");
+    // Names that are not ours, and links and folders of our name, are the person's.
+    const std::vector<std::string> kept = {
+        ".afterglow-notes.tmp", ".afterglow-1-.tmp", ".afterglow--1.tmp", ".afterglow-1-2.tmp.bak",
+        "afterglow-1-2.tmp",    ".afterglow.tmp",    ".afterglow-1-x.tmp"};
+    for (const std::string& name : kept)
+        folder.write(name, "mine");
+    fs::create_directory(folder / ".afterglow-5-5.tmp");
+    fs::create_symlink("afterglow-1-2.tmp", folder / ".afterglow-6-6.tmp");
+    fs::create_directory(folder / "inside");
+    folder.write("inside/.afterglow-4194301-7.tmp", "of another folder");
+
+    REQUIRE(write_atomically(folder / "file", "new"));
+    CHECK_FALSE(fs::exists(folder / ".afterglow-4194301-7.tmp"));
+    CHECK_FALSE(fs::exists(folder / ".afterglow-1-0.tmp"));
+    for (const std::string& name : kept)
+        CHECK(content_of(folder / name) == "mine");
+    CHECK(fs::is_directory(folder / ".afterglow-5-5.tmp"));
+    CHECK(fs::is_symlink(folder / ".afterglow-6-6.tmp"));
+    CHECK(fs::exists(folder / "inside/.afterglow-4194301-7.tmp"));
+    CHECK(count_of(folder.path()) == kept.size() + 4);
+}
+
+TEST_CASE("programs that save into one folder at the same time take nothing from each other") {
+    const TemporaryFolder folder;
+    constexpr int writers = 4;
+    std::vector<pid_t> children;
+    for (int writer = 0; writer < writers; ++writer) {
+        const pid_t child = ::fork();
+        if (child == 0) {
+            const fs::path file = folder / std::to_string(writer);
+            for (int round = 0; round < 60; ++round)
+                if (!write_atomically(file, std::to_string(round)))
+                    ::_exit(1);
+            ::_exit(0);
+        }
+        REQUIRE(child > 0);
+        children.push_back(child);
+    }
+    for (const pid_t child : children) {
+        int status = 0;
+        REQUIRE(::waitpid(child, &status, 0) == child);
+        CHECK(WIFEXITED(status));
+        CHECK(WEXITSTATUS(status) == 0);
+    }
+    for (int writer = 0; writer < writers; ++writer)
+        CHECK(content_of(folder / std::to_string(writer)) == "59");
+    CHECK(count_of(folder.path()) == writers);
 }
