@@ -2,47 +2,86 @@
 
 #include "io/picture_file.h"
 
+namespace fs = std::filesystem;
+
 namespace {
-const std::string& chosen(const Parameter& parameter, const Values& values) {
-    return value_of(parameter, values).path;
+Result<void> show_black(const std::string& name, Renderer& renderer) {
+    return renderer.set_image(name, {{1, 1}, 4, Encoding::linear, {0.0f, 0.0f, 0.0f, 1.0f}});
 }
 
-Result<void> show(const Parameter& parameter, const std::string& file, Renderer& renderer) {
-    const Picture black{{1, 1}, 4, Encoding::linear, {0.0f, 0.0f, 0.0f, 1.0f}};
-    if (file.empty())
-        return renderer.set_image(parameter.name, black);
+Result<void> show_file(const std::string& name, const fs::path& file, Renderer& renderer) {
     const auto picture = load_picture(file);
     if (picture)
-        return renderer.set_image(parameter.name, *picture);
-    if (auto cleared = renderer.set_image(parameter.name, black); !cleared)
+        return renderer.set_image(name, *picture);
+    if (auto cleared = show_black(name, renderer); !cleared)
         return cleared;
     return fail(picture.error());
 }
+
+std::optional<fs::file_time_type> written_time(const fs::path& file) {
+    std::error_code error;
+    const auto time = fs::last_write_time(file, error);
+    return error ? std::nullopt : std::optional(time);
+}
+
+Diagnostics warnings(Diagnostics problems, const Parameter& parameter) {
+    for (Diagnostic& problem : problems) {
+        problem.message += "; '" + parameter.label + "' reads black";
+        problem.severity = Severity::warning;
+    }
+    return problems;
+}
 }  // namespace
 
-Result<void> show_chosen_images(const Look& look, const Values& before, const Values& now,
-                                Renderer& renderer) {
+Result<void> ChosenImages::show(const Look& look, const Values& values, Renderer& renderer) {
     Diagnostics problems;
+    std::map<std::string, Shown> shown;
     for (const Parameter& parameter : look.parameters) {
-        if (parameter.control != Control::image ||
-            chosen(parameter, before) == chosen(parameter, now))
+        if (parameter.control != Control::image)
             continue;
-        if (const auto shown = show(parameter, chosen(parameter, now), renderer); !shown)
-            problems.insert(problems.end(), shown.error().begin(), shown.error().end());
+        const fs::path file = value_of(parameter, values).path;
+        const auto before = m_shown.find(parameter.name);
+        if (file.empty() && before == m_shown.end())
+            continue;
+        const auto written = written_time(file);
+        if (before != m_shown.end() && before->second.file == file &&
+            before->second.written == written) {
+            shown.insert(*before);
+            continue;
+        }
+        const auto done = file.empty() ? show_black(parameter.name, renderer)
+                                       : show_file(parameter.name, file, renderer);
+        const Diagnostics reasons = done ? Diagnostics() : done.error();
+        problems.insert(problems.end(), reasons.begin(), reasons.end());
+        shown[parameter.name] = {file, written, warnings(reasons, parameter)};
     }
+    m_shown = std::move(shown);
     if (!problems.empty())
         return fail(std::move(problems));
     return {};
 }
 
-Diagnostics missing_images(const Look& look, const Values& values) {
-    Diagnostics missing;
-    std::error_code error;
-    for (const Parameter& parameter : look.parameters)
-        if (parameter.control == Control::image && !chosen(parameter, values).empty() &&
-            !std::filesystem::exists(chosen(parameter, values), error))
-            missing.push_back({chosen(parameter, values), 0,
-                               "there is no such file; '" + parameter.label + "' reads black",
-                               Severity::warning});
-    return missing;
+bool ChosenImages::forget(const fs::path& file) {
+    bool is_read = false;
+    for (auto& [name, shown] : m_shown)
+        if (shown.file == file) {
+            shown.file.clear();
+            is_read = true;
+        }
+    return is_read;
+}
+
+std::vector<fs::path> ChosenImages::files() const {
+    std::vector<fs::path> files;
+    for (const auto& [name, shown] : m_shown)
+        if (!shown.file.empty())
+            files.push_back(shown.file);
+    return files;
+}
+
+Diagnostics ChosenImages::problems() const {
+    Diagnostics problems;
+    for (const auto& [name, shown] : m_shown)
+        problems.insert(problems.end(), shown.problems.begin(), shown.problems.end());
+    return problems;
 }

@@ -33,17 +33,22 @@ Lab::Lab(Library library, std::unique_ptr<gpu::Context> worker)
         succeeded(m_player.set_sound_settings(*settings));
 }
 
-void Lab::say(std::string text, bool is_problem) {
+void Lab::say(std::string text, bool is_problem, std::string subject) {
     if (is_problem && !text.empty() && text.find(": ") == std::string::npos)
         text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
-    m_notice = Notice{std::move(text), is_problem, is_problem ? 12.0 : 5.0};
+    m_notice = Notice{std::move(text), is_problem, is_problem ? 12.0 : 5.0, std::move(subject)};
 }
 
 void Lab::say(const Diagnostic& problem) {
     const std::string name = problem.file.filename().string();
     const std::string line = problem.line > 0 ? fmt::format(":{}", problem.line) : std::string();
-    say(name.empty() ? problem.message : fmt::format("{}{}: {}", name, line, problem.message),
-        true);
+    say(name.empty() ? problem.message : fmt::format("{}{}: {}", name, line, problem.message), true,
+        problem.file.string());
+}
+
+void Lab::mended(const std::string& subject) {
+    if (m_notice && m_notice->is_problem && m_notice->subject == subject)
+        m_notice.reset();
 }
 
 void Lab::open(const std::string& argument) {
@@ -198,7 +203,7 @@ void Lab::save_preset_to(const fs::path& file, const std::string& name) {
         return;
     m_document->set_identity(preset, file);
     m_document->mark_saved();
-    m_reloader.watch_also({file});
+    watch_extra_files();
     say("Saved '" + name + "'");
 }
 
@@ -211,7 +216,7 @@ void Lab::rename_preset(const std::string& name) {
     Preset identity = m_document->identity();
     identity.name = name;
     m_document->set_identity(identity, *file);
-    m_reloader.watch_also({*file});
+    watch_extra_files();
     say("Renamed to '" + name + "'");
 }
 
@@ -226,7 +231,7 @@ void Lab::duplicate_preset() {
     if (const auto copy = load_preset(*file))
         identity.name = copy->name;
     m_document->set_identity(identity, *file);
-    m_reloader.watch_also({*file});
+    watch_extra_files();
     say("Duplicated as '" + file->stem().string() + "'");
 }
 

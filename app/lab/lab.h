@@ -1,5 +1,6 @@
 #pragma once
 
+#include "lab/chosen_images.h"
 #include "lab/document.h"
 #include "lab/drive.h"
 #include "lab/library.h"
@@ -35,6 +36,7 @@ struct Notice {
     std::string text;
     bool is_problem = false;
     double seconds_left = 6.0;
+    std::string subject;  // of a problem: the file or device, so that it goes when that is mended
 };
 
 /// All that a person has open. Owns the parts and lets each frame run through them.
@@ -98,7 +100,7 @@ public:
     void open_in_editor(const Location& place);
     void cancel_replay();
     void cancel_loading();  // of a sound or picture; what was there before comes back
-    void say(std::string text, bool is_problem = false);
+    void say(std::string text, bool is_problem = false, std::string subject = {});
     /// As a notice has room for it: the file's name and what is wrong with it.
     void say(const Diagnostic& problem);
 
@@ -136,7 +138,11 @@ private:
     void limit_frame(double wall_seconds);
     void draw_picture(double wall_seconds);
     void start_replay();
+    void watch_extra_files();
     void extra_file_changed(const std::filesystem::path& file);
+    void preset_file_changed(const std::filesystem::path& file);
+    /// Takes back the notice of a problem that is no more.
+    void mended(const std::string& subject);
     /// Says the first reason of a failure.
     template <class T>
     bool succeeded(const Result<T>& result) {
@@ -154,6 +160,7 @@ private:
     std::string m_told_silence;  // the player's, as last said
     std::unique_ptr<Renderer> m_renderer;
     LoadedImages m_images;  // that the renderer has
+    ChosenImages m_chosen_images;
     Drive m_drive;
     Reloader m_reloader;
     std::vector<Problem> m_look_problems;

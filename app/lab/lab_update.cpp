@@ -1,7 +1,6 @@
 // The part of Lab that runs every turn: reloads in, time on, picture drawn.
 #include "base/file.h"
 #include "formats/preset_format.h"
-#include "lab/chosen_images.h"
 #include "lab/frame_limit.h"
 #include "lab/lab.h"
 
@@ -31,9 +30,12 @@ void Lab::update(double wall_seconds) {
 void Lab::tell_silence() {
     if (m_player.silence() == m_told_silence)
         return;
+    constexpr const char* subject = "sound device";
     m_told_silence = m_player.silence();
-    if (!m_told_silence.empty())
-        say(m_told_silence, true);
+    if (m_told_silence.empty())
+        mended(subject);
+    else
+        say(m_told_silence, true, subject);
 }
 
 bool Lab::is_moving() const {
@@ -71,19 +73,38 @@ void Lab::show_problems(const Diagnostics& problems) {
 
 // Those of the look, then those of the files that a person chose.
 void Lab::gather_problems() {
+    const auto is_listed = [this](const std::string& subject) {
+        return std::ranges::any_of(m_problems, [&subject](const Problem& problem) {
+            return problem.diagnostic.file == subject;
+        });
+    };
+    const std::string subject = m_notice ? m_notice->subject : std::string();
+    const bool was_listed = !subject.empty() && is_listed(subject);
     m_problems = m_look_problems;
     for (const Diagnostic& problem : m_drive.problems())
         m_problems.push_back({problem, {}});
-    if (!m_document)
-        return;
-    for (const Diagnostic& problem : missing_images(m_document->look(), m_document->values()))
+    for (const Diagnostic& problem : m_chosen_images.problems())
         m_problems.push_back({problem, {}});
+    if (was_listed && !is_listed(subject))
+        mended(subject);
 }
+
+namespace {
+// Whether a picture that was uploaded for the one serves the other.
+bool reads_images_alike(const Look& one, const Look& other) {
+    return one.images == other.images && one.source_encoding == other.source_encoding &&
+           std::ranges::equal(one.passes, other.passes, {}, &Pass::inputs, &Pass::inputs);
+}
+}  // namespace
 
 void Lab::apply(LoadedRequest loaded) {
     show_problems(loaded.problems);
     if (!loaded.look || !loaded.programs)
         return;  // the last good picture goes on
+    if (m_document && !reads_images_alike(m_document->look(), *loaded.look)) {
+        m_images.clear();
+        m_chosen_images.forget();
+    }
     m_programs = std::move(*loaded.programs);
     if (loaded.is_reload && m_document) {
         m_document->replace_look(std::move(*loaded.look));
@@ -111,11 +132,12 @@ void Lab::open_document(Look look, const OpenRequest& request) {
     m_renderer->set_patience(patience_seconds);
     m_drawn_extent = {};
     m_images.clear();
+    m_chosen_images.forget();
     m_drive.forget();
     m_player.restart();
     m_player.play();
-    m_reloader.watch_also({request.preset_file});
     open_values(request);
+    watch_extra_files();
     if (!is_same && (!request.preset || !request.preset_file.empty()))
         m_document->forget_past();
     if (is_same && had_changes && !m_when_opened)
@@ -161,8 +183,10 @@ void Lab::apply_document() {
         if (is_first || value_of(parameter, m_applied->values) != m_document->value(parameter))
             names.push_back(parameter.name);
     m_renderer->set_values(state.values);
-    succeeded(show_chosen_images(m_document->look(), is_first ? Values() : m_applied->values,
-                                 state.values, *m_renderer));
+    const auto watched = m_chosen_images.files();
+    succeeded(m_chosen_images.show(m_document->look(), state.values, *m_renderer));
+    if (m_chosen_images.files() != watched)
+        watch_extra_files();
     m_drawn_extent = {};  // sizes may depend on values
     Redraw redraw = redraw_after(m_document->look(), names);
     if (is_first || m_applied->signal != state.signal || m_applied->source != state.source) {
@@ -279,13 +303,30 @@ void Lab::start_replay() {
         m_wanted.reset();  // else the rest is owed until the hand lets go
 }
 
-// The open preset was changed by another program.
+// Besides the look's own.
+void Lab::watch_extra_files() {
+    std::vector<fs::path> files = m_chosen_images.files();
+    if (!m_document->preset_file().empty())
+        files.push_back(m_document->preset_file());
+    m_reloader.watch_also(std::move(files));
+}
+
 void Lab::extra_file_changed(const fs::path& file) {
-    if (!m_document || file != m_document->preset_file())
+    if (!m_document)
         return;
+    if (file == m_document->preset_file())
+        preset_file_changed(file);
+    if (m_chosen_images.forget(file))
+        m_applied.reset();  // is read again, and a paused picture drawn again
+}
+
+void Lab::preset_file_changed(const fs::path& file) {
     const auto preset = load_preset(file);
+    if (!succeeded(preset))
+        return;
+    mended(file.string());
     const fs::path folder = media_folder(file);
-    if (!succeeded(preset) || *preset == portable(m_document->preset(), folder))
+    if (*preset == portable(m_document->preset(), folder))
         return;
     if (m_document->is_modified()) {
         say("'" + m_document->preset_name() + "' has changed on disk; your own changes stay", true);

@@ -234,7 +234,7 @@ Result<void> Offline::load_pictures() {
         if (auto done = m_renderer->set_image(image.name, *picture); !done)
             return done;
     }
-    return show_chosen_images(look, {}, m_document.values(), *m_renderer);
+    return ChosenImages().show(look, m_document.values(), *m_renderer);
 }
 
 Result<void> Offline::start_again(Document document) {

@@ -1,0 +1,165 @@
+#include "formats/look_format.h"
+#include "io/picture_file.h"
+#include "lab/chosen_images.h"
+#include "lab/small_lab.h"
+
+namespace fs = std::filesystem;
+
+namespace {
+// Reads a picture that the person picks, as `show` shows it.
+constexpr const char* with_a_picker = R"({
+  "format": "afterglow-look", "version": 1, "name": "Small", "driven_by": "nothing", "settle_frames": 1,
+  "source_encoding": "linear",
+  "passes": [
+    { "name": "sum", "fragment": "sum.frag", "format": "rgba32f" },
+    { "name": "show", "fragment": "show.frag", "format": "rgba32f", "inputs": { "image": "sum" } }
+  ]
+})";
+const std::string picker = replaced(replaced(small_look::sum, "previous;", "picked;"),
+                                    "texture(previous, uv) + step_size", "texture(picked, uv)");
+
+// EXR keeps the numbers as they are.
+fs::path save_grey(const fs::path& file, float level) {
+    const Picture grey{{4, 4}, 3, Encoding::linear, std::vector<float>(48, level)};
+    REQUIRE(save_picture(grey, file).has_value());
+    return file;
+}
+
+void pick(SmallLab& small, const fs::path& file) {
+    small.lab().edit([&file](Document& document) {
+        document.set_value("picked", Value::of_path(file.string()));
+    });
+}
+
+// A small lab on a look with a picker.
+struct PickerLab : SmallLab {
+    PickerLab() {
+        write("sum.frag", picker);
+        write("look.json", with_a_picker);
+        REQUIRE(turn_until(
+            [this] { return find_parameter(document().look(), "picked") && shown() == 0.0f; }));
+    }
+};
+}  // namespace
+
+TEST_CASE("a chosen picture is read when it was chosen and when its file has changed, else never") {
+    const TemporaryFolder folder;
+    folder.write("shaders/small/look.json", with_a_picker);
+    folder.write("shaders/small/sum.frag", picker);
+    folder.write("shaders/small/show.frag", small_look::show);
+    folder.write("shaders/small/gain.glsl", small_look::gain);
+    const auto context = gpu::Context::headless();
+    REQUIRE(context.has_value());
+    const LoadedLook loaded = load_look(folder / "shaders/small", folder / "shaders/include");
+    REQUIRE(loaded.look.has_value());
+    auto programs = build_programs(*loaded.look);
+    REQUIRE(programs.has_value());
+    Renderer renderer(*loaded.look, std::move(*programs));
+    REQUIRE(renderer.resize({8, 8}, {8, 8}).has_value());
+    ChosenImages images;
+    const auto shown = [&](const fs::path& file) {
+        const auto done =
+            images.show(*loaded.look, {{"picked", Value::of_path(file.string())}}, renderer);
+        renderer.draw({}, {});
+        CHECK(done.has_value());
+        return gpu::read_pixel(renderer.executor().target(1), 3, 3)[0];
+    };
+
+    const fs::path file = save_grey(folder / "one.exr", 0.25f);
+    const auto written = fs::last_write_time(file);
+    CHECK(shown(file) == 0.25f);
+    save_grey(file, 0.5f);
+    fs::last_write_time(file, written);
+    CHECK(shown(file) == 0.25f);  // its time has not changed: it was not read
+    fs::last_write_time(file, written + std::chrono::seconds(1));
+    CHECK(shown(file) == 0.5f);
+    CHECK(shown(save_grey(folder / "two.exr", 2.0f)) == 2.0f);
+    CHECK(shown({}) == 0.0f);
+    CHECK(images.files().empty());
+}
+
+TEST_CASE("a chosen picture that is painted over shows at once, without an edit of the look") {
+    PickerLab small;
+    const fs::path file = save_grey(small.folder() / "picked.exr", 0.25f);
+    pick(small, file);
+    REQUIRE(small.turn_until([&] { return small.shown() == 0.25f; }));
+    save_grey(file, 3.0f);
+    CHECK(small.turn_until([&] { return small.shown() == 3.0f; }));
+    small.lab().transport().pause();
+    small.turn(2);
+    save_grey(file, 0.125f);
+    CHECK(small.turn_until([&] { return small.shown() == 0.125f; }));
+}
+
+TEST_CASE("an image's encoding shows when look.json is edited, though its file is the same") {
+    SmallLab small;
+    // As PNG holds it: the sRGB curve turns 0.5 into ((0.5 + 0.055) / 1.055)^2.4 = 0.21404.
+    const Picture half{{1, 1}, 3, Encoding::display, {0.5f, 0.5f, 0.5f}};
+    REQUIRE(save_picture(half, small.look_folder() / "grain.png").has_value());
+    const double stored = std::round(0.5 * 255.0) / 255.0;
+    const double linear = std::pow((stored + 0.055) / 1.055, 2.4);
+    std::string manifest =
+        replaced(replaced(with_a_picker, R"("fragment": "sum.frag",)",
+                          R"("fragment": "sum.frag", "inputs": { "picked": "grain" },)"),
+                 R"("passes")", R"("images": { "grain": { "file": "grain.png" } }, "passes")");
+    small.write("sum.frag", picker);
+    small.write("look.json", manifest);
+    const auto shows = [&small](double level) {
+        return small.turn_until([&] { return std::abs(small.shown() - level) < 1e-4; });
+    };
+    REQUIRE(shows(linear));
+    small.write("look.json", replaced(manifest, R"("source_encoding": "linear")",
+                                      R"("source_encoding": "display")"));
+    CHECK(shows(stored));
+}
+
+TEST_CASE("the notice of a problem goes as soon as the problem does") {
+    PickerLab small;
+    const fs::path file = small.folder() / "picked.exr";
+    pick(small, file);
+    small.turn(1);
+    REQUIRE(small.lab().notice().has_value());
+    CHECK(small.lab().notice()->is_problem);
+    REQUIRE(small.lab().problems().size() == 1);
+    CHECK(small.lab().problems().front().diagnostic.file == file);
+
+    SUBCASE("the file comes to be") {
+        save_grey(file, 0.5f);
+        REQUIRE(small.turn_until([&] { return small.shown() == 0.5f; }));
+    }
+    SUBCASE("another is chosen") {
+        pick(small, save_grey(small.folder() / "other.exr", 0.5f));
+        small.turn(2);
+    }
+    SUBCASE("the choice is undone") {
+        small.lab().edit([](Document& document) { document.undo(); });
+        small.turn(2);
+    }
+    CHECK(small.lab().problems().empty());
+    CHECK_FALSE(small.lab().notice().has_value());
+}
+
+TEST_CASE("what is said meanwhile stays when a problem is mended") {
+    PickerLab small;
+    pick(small, small.folder() / "picked.exr");
+    small.turn(1);
+    small.lab().say("Saved");
+    small.lab().edit([](Document& document) { document.undo(); });
+    small.turn(2);
+    REQUIRE(small.lab().notice().has_value());
+    CHECK(small.lab().notice()->text == "Saved");
+}
+
+TEST_CASE("a preset that is broken and mended on disk leaves no notice") {
+    SmallLab small;
+    small.lab().edit([](Document& document) { document.set_value("gain", Value(2.0)); });
+    small.lab().save_preset_as("bright");
+    const fs::path file = small.document().preset_file();
+    const std::string good = content_of(file);
+    REQUIRE(write_atomically(file, "{ broken").has_value());
+    REQUIRE(
+        small.turn_until([&] { return small.lab().notice() && small.lab().notice()->is_problem; }));
+    REQUIRE(write_atomically(file, good).has_value());
+    CHECK(small.turn_until([&] { return !small.lab().notice().has_value(); }));
+    CHECK(small.document().values() == Values{{"gain", Value(2.0)}});
+}
