@@ -1,13 +1,10 @@
 #version 410 core
 // Tube: what shines through the mask. Reads and writes linear light; as the article wrote it, display
 // values. Lengths in px of the tube, from its bottom left.
-#include "as_written.glsl"
 #include "barrel.glsl"
 #include "color.glsl"
 #include "glass.glsl"
-#include "glass_settings.glsl"
 #include "mask.glsl"
-#include "tube_as_written.glsl"
 
 uniform sampler2D scene;
 uniform vec2 u_resolution;
@@ -62,6 +59,11 @@ uniform float pulse_width = 60.0;      // @range 10 400  @limit 1 10000  @label 
                                        // @help "A wave is 6.28 times as long."
 uniform float pulse_rate = 20.0;       // @range 0 40  @limit 0 200  @label "Rate"  @unit "radians/s"  @group "Pulse"
                                        // @help "20 is 3.2 waves a second."
+
+// Included here, as controls come in the order of their declaration: the mask's are wanted first.
+#include "glass_settings.glsl"
+#include "as_written.glsl"
+#include "tube_as_written.glsl"
 
 in vec2 uv;
 out vec4 color;

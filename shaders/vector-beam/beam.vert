@@ -1,8 +1,6 @@
 #version 410 core
 // The beam: a quad around each segment, large enough for its light.
-#include "as_written.glsl"
 #include "beam_segment.glsl"
-#include "decay.glsl"
 #include "reference_height.glsl"
 
 uniform vec2 u_resolution;
@@ -20,10 +18,13 @@ uniform float dwell = 1.0;          // @range 0 8  @limit 0 1000  @label "Dwell 
                                     // @help "How bright the dots are that the beam leaves where it rests or creeps. 1 is what its light makes by itself, more marks corners and ends, 0 hides them."
 uniform float dwell_speed = 20.0;   // @range 1 1000  @limit 0.001 1000000  @scale log  @label "Dwell speed"  @unit "screen heights/s"  @group "Beam"
                                     // @help "How slow the beam must be to count as resting, for Dwell dots."
+// Included here, as controls come in the order of their declaration: the beam's are wanted first.
+#include "decay.glsl"
 uniform int fit = 0;                // @items "Keep circles round" "Fill the picture"  @label "Fit"  @group "Screen"
                                     // @help "Keep circles round draws both axes at the same scale; a wide picture has room at its sides. Fill stretches the signal over the whole picture."
 uniform float screen_size = 0.9;    // @range 0.5 1  @limit 0.05 4  @label "Size"  @unit "of the picture"  @group "Screen"
                                     // @help "How much of the picture the signal's -1 to 1 takes."
+#include "as_written.glsl"
 
 in vec4 segment;        // -1..1, y up: start, end
 in vec2 intensities;    // 1: full current for 1/4096 of 1/60 s
