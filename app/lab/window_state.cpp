@@ -13,7 +13,7 @@ double PictureView::zoom_for(Extent picture, Extent view) const {
         return zoom;
     const double all = std::min(static_cast<double>(view.width) / picture.width,
                                 static_cast<double>(view.height) / picture.height);
-    return fit == Fit::all ? all : std::max(1.0, std::floor(all));
+    return fit == Fit::all || all < 1.0 ? all : std::floor(all);
 }
 
 void PictureView::zoom_about(double at_x, double at_y, double present, double next) {

@@ -16,7 +16,7 @@ struct PictureView {
         whole,
         all,
         free
-    };  // whole: the largest whole zoom that shows all, at least 1
+    };  // whole: the largest whole zoom that shows all; where 1 is too large, what shows all
 
     Fit fit = Fit::whole;
     double zoom = 1.0;  // when free

@@ -22,10 +22,20 @@ FormColumns form_columns(bool has_button) {
     const float room = ImGui::GetContentRegionAvail().x;
     FormColumns columns;
     columns.button = has_button ? ImGui::GetFrameHeight() : -gap();
-    columns.number = std::round(ImGui::GetFontSize() * 4.4f);
+    const bool is_narrow = room < ImGui::GetFontSize() * 18.0f;
+    columns.number = std::round(ImGui::GetFontSize() * (is_narrow ? 3.9f : 4.4f));
     const float rest = std::max(60.0f, room - columns.button - columns.number - 3.0f * gap());
-    columns.label = std::floor(rest * 0.54f);
+    columns.label = std::floor(rest * (is_narrow ? 0.6f : 0.54f));
     columns.control = std::floor(rest - columns.label);
+    return columns;
+}
+
+FormColumns check_box_columns() {
+    FormColumns columns = form_columns();
+    const float box = ImGui::GetFrameHeight();
+    columns.label += columns.control_and_number() - box;
+    columns.control = box;
+    columns.number = -gap();
     return columns;
 }
 

@@ -18,6 +18,8 @@ struct FormColumns {
 };
 /// For the present pane; `has_button`: with room for form_reset().
 FormColumns form_columns(bool has_button = true);
+/// A line with a check box where numbers end; the rest is left to its label.
+FormColumns check_box_columns();
 
 /// Begins a line of a form with its label; the control is drawn next. A unit too long to stand
 /// behind the number stands here where there is room. Gives whether the label was clicked, and

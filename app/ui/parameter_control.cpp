@@ -63,6 +63,10 @@ Turned draw_sliders(const Knob& knob, Value& value, const FormColumns& columns, 
     return turned;
 }
 
+bool is_check_box(const Parameter& parameter) {
+    return parameter.control == Control::slider && parameter.type == NumberType{Scalar::boolean};
+}
+
 Turned draw_check_boxes(Value& value) {
     Turned turned;
     for (std::size_t i = 0; i < value.numbers.size(); ++i) {
@@ -158,7 +162,7 @@ Turned draw_control(const Knob& knob, Value& value, const FormColumns& columns, 
 void draw_parameter(const Knob& knob, const Fonts& fonts, Edits& edits) {
     const Parameter& parameter = knob.parameter;
     const ScopedId scope(parameter.name);
-    const FormColumns columns = form_columns();
+    const FormColumns columns = is_check_box(parameter) ? check_box_columns() : form_columns();
     if (form_label(parameter.label, parameter.unit, columns, knob.is_changed))
         ImGui::OpenPopup("about");
     edits.mark("label:" + parameter.name);

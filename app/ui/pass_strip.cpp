@@ -23,7 +23,10 @@ std::string facts_text(const Cell& cell) {
 }
 
 std::string time_text(double milliseconds) {
-    return milliseconds > 0.0 ? fmt::format("{:.2f} ms", milliseconds) : std::string();
+    if (milliseconds <= 0.0)
+        return {};
+    const int decimals = milliseconds < 99.995 ? 2 : milliseconds < 999.95 ? 1 : 0;
+    return fmt::format("{:.{}f} ms", milliseconds, decimals);  // "00.00 ms" is room for all
 }
 
 void draw_image(const Views::Image& image, const ImVec2& low, float width, float height,

@@ -1,5 +1,6 @@
 #include "ui/signal_panel.h"
 
+#include "base/text.h"
 #include "signals/kinds.h"
 #include "ui/form.h"
 #include "ui/problem_list.h"
@@ -12,6 +13,7 @@
 #include <imgui/imgui_stdlib.h>
 
 #include <algorithm>
+#include <cctype>
 
 namespace {
 void set_signal(const Spec& spec, Edits& edits) {
@@ -66,15 +68,27 @@ void draw_reset(const SettingFacts& setting, Spec& spec, const FormColumns& colu
     edits.finish();
 }
 
+// "constant" as "Constant", "xy" as "XY".
+std::string label_of_word(std::string word) {
+    if (word.size() != 2)
+        return label_from_name(word);
+    for (char& letter : word)
+        letter = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
+    return word;
+}
+
 void draw_word_setting(const SettingFacts& setting, Spec& spec, const FormColumns& columns,
                        Edits& edits) {
     const std::string present = std::get<std::string>(spec.settings[setting.key]);
+    std::vector<std::string> shown;
+    for (const std::string& word : setting.words)
+        shown.push_back(label_of_word(word));
     std::vector<const char*> labels;
     int chosen = -1;
-    for (const std::string& word : setting.words) {
-        if (word == present)
-            chosen = static_cast<int>(labels.size());
-        labels.push_back(word.c_str());
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        if (setting.words[i] == present)
+            chosen = static_cast<int>(i);
+        labels.push_back(shown[i].c_str());
     }
     if (!form_list("##value", labels.data(), static_cast<int>(labels.size()), chosen,
                    columns.control_and_number()))

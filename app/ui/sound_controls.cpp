@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <cmath>
 
 std::string clock_text(double seconds) {
@@ -152,8 +153,10 @@ void draw_sound_controls(bool is_live, const Scene& scene, Edits& edits) {
         draw_volume(player, scene, edits);
     else if (!player.live_device().empty())
         fitted_text("From " + player.live_device(), ImGui::GetContentRegionAvail().x, theme::dim);
-    if (!player.silence().empty()) {
-        const ScopedColor color(ImGuiCol_Text, theme::dim);
-        ImGui::TextWrapped("%s", player.silence().c_str());
+    if (std::string reason = player.silence(); !reason.empty()) {
+        reason.front() =
+            static_cast<char>(std::toupper(static_cast<unsigned char>(reason.front())));
+        const ScopedColor color(ImGuiCol_Text, theme::label);
+        ImGui::TextWrapped("%s", reason.c_str());
     }
 }

@@ -16,11 +16,19 @@ void set_source(const SourceSpec& source, Edits& edits, bool goes_on = false) {
     });
 }
 
-void draw_choice(SourceSpec source, const Scene& scene, Edits& edits) {
+// The pattern's label, or its own words where it has settings; a file's name.
+std::string label_of(const SourceSpec& source) {
+    if (!source.is_pattern())
+        return std::filesystem::path(source.picture).filename().string();
+    for (const PatternFacts& pattern : all_patterns())
+        if (source.picture == "pattern:" + pattern.name)
+            return pattern.label;
     constexpr std::size_t prefix = 8;  // "pattern:"
-    const std::string label = source.is_pattern()
-                                  ? source.picture.substr(prefix)
-                                  : std::filesystem::path(source.picture).filename().string();
+    return source.picture.substr(prefix);
+}
+
+void draw_choice(SourceSpec source, const Scene& scene, Edits& edits) {
+    const std::string label = label_of(source);
     const std::string present = source.picture;
     if (begin_combo("##source", label, ImGui::GetContentRegionAvail().x)) {
         for (const PatternFacts& pattern : all_patterns()) {
