@@ -2,6 +2,8 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
+
 namespace gpu {
 
 DrawScope::DrawScope() {
@@ -16,11 +18,18 @@ DrawScope::DrawScope() {
 
 DrawScope::~DrawScope() {
     set_blend(Blend::replace);
+    glDisable(GL_SCISSOR_TEST);
     glDisable(GL_PROGRAM_POINT_SIZE);
     glDisable(GL_FRAMEBUFFER_SRGB);
     glUseProgram(0);
     glBindVertexArray(0);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+void limit_columns(int first, int end) {
+    constexpr int all_rows = 1 << 20;
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(first, 0, std::max(end - first, 0), all_rows);
 }
 
 void set_blend(Blend blend) {

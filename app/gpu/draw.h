@@ -16,6 +16,9 @@ public:
     DrawScope& operator=(const DrawScope&) = delete;
 };
 
+/// From here to the end of the scope draws reach only columns `first` to `end` - 1 of a target.
+void limit_columns(int first, int end);
+
 /// How what is drawn next meets what is there. Alpha is unassociated.
 void set_blend(Blend blend);
 

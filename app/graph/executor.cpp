@@ -124,6 +124,11 @@ void Executor::set_values(const Values& values) {
     m_parameters.write(m_look, m_values);
 }
 
+void Executor::claim_programs() {
+    m_parameters.forget_written();
+    m_parameters.write(m_look, m_values);
+}
+
 Result<void> Executor::set_source(const Picture& picture) {
     std::vector<bool> readers;
     for (const Pass& pass : m_look.passes)

@@ -44,6 +44,9 @@ public:
 
     /// The values in force; a parameter without one takes its default. Uploads what changed.
     void set_values(const Values& values);
+    /// Programs hold the values of whom they last drew for: to be called before each draw where two
+    /// executors have the same ones.
+    void claim_programs();
     /// Converted to the look's source_encoding. The source's size in a plan is resize's business.
     Result<void> set_source(const Picture& picture);
     /// For an image of the look, or an image parameter, by its name. Without it that reads

@@ -38,6 +38,13 @@ void ParameterUniforms::find_turned(int pass, const gpu::Program& program) {
         m_turned.push_back({pass, {&program, camera}, camera_matrix, {}});
 }
 
+void ParameterUniforms::forget_written() {
+    for (Turned& turned : m_turned)
+        turned.written.reset();
+    for (Driven& driven : m_driven)
+        driven.written = {};
+}
+
 void ParameterUniforms::write(const Look& look, const Values& values) {
     for (Turned& turned : m_turned) {
         const Orbit orbit = orbit_of(look, values, turned.pass);

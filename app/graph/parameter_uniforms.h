@@ -16,6 +16,8 @@ public:
     ParameterUniforms(const Look& look, const Programs& programs);
 
     void write(const Look& look, const Values& values);
+    /// Somebody else has written to the programs: the next write() writes all.
+    void forget_written();
 
 private:
     struct Place {

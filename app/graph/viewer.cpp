@@ -119,6 +119,8 @@ void Viewer::draw(const gpu::Texture& from, const gpu::Canvas& to, const ViewOpt
         options.encoding == Encoding::display && from.format() != Format::srgb8_alpha8;
 
     const gpu::DrawScope scope;
+    if (options.columns)
+        gpu::limit_columns((*options.columns)[0], (*options.columns)[1]);
     const gpu::Program& program = facts_of(from.format()).is_integer ? m_naturals : m_floats;
     program.write("region", region);
     program.write("texels_a_pixel", density);

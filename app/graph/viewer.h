@@ -6,6 +6,9 @@
 #include "gpu/vertex_array.h"
 #include "model/picture.h"
 
+#include <array>
+#include <optional>
+
 enum class ChannelChoice { rgb, red, green, blue, alpha, luminance };
 
 /// How a target is shown to a person.
@@ -21,6 +24,8 @@ struct ViewOptions {
     double bottom = 0;
     double width = 0;
     double height = 0;
+    // Columns of the view that are drawn, the others stay; none: all are.
+    std::optional<std::array<int, 2>> columns = std::nullopt;  // first, end
 };
 
 /// Draws targets as a person looks into them: thumbnails, and views with exposure, channels and

@@ -48,6 +48,8 @@ public:
     Result<bool> show_source(double seconds, Renderer& renderer);
     /// The same for a frame of the past that is drawn again. A film stays at its present picture.
     Result<void> show_past_source(double seconds, Renderer& renderer);
+    /// The same to a renderer that has lost it.
+    Result<void> show_anew(const Player& player, Renderer& renderer);
     bool is_source_late() const { return m_source && m_source->is_late(); }
     const std::optional<Source>& source() const { return m_source; }
     /// What of the source could not be read since last asked; problems() keeps it.
@@ -56,7 +58,6 @@ public:
 private:
     Result<void> follow_signal(const Document& document, Player& player);
     Result<void> follow_source(const Document& document, const Player& player, Renderer& renderer);
-    Result<void> show_anew(const Player& player, Renderer& renderer);
     Result<void> take(LoadedMedia loaded, const Document& document, Player& player,
                       Renderer& renderer);
     Result<void> fall_back(const Document& document, Player& player, Diagnostics reasons) const;

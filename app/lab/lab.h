@@ -8,6 +8,7 @@
 #include "lab/player.h"
 #include "lab/reloader.h"
 #include "lab/renderer.h"
+#include "lab/variant.h"
 
 #include <functional>
 #include <memory>
@@ -60,6 +61,8 @@ public:
     }
     /// The picture has all the samples it wants: it stays until something changes.
     bool has_converged() const;
+    /// What is seen beside the present picture; none: no wipe is shown.
+    const std::optional<Variant>& variant() const { return m_variant; }
     const PictureSize& picture_size() const { return m_picture_size; }
     Extent picture_extent() const { return m_picture_size.extent(m_view); }
     /// What drives the look: how far its file has been read.
@@ -98,6 +101,8 @@ public:
     void duplicate_look(const std::string& id);
     void write_overrides();  // into look.json
     void open_in_editor(const Location& place);
+    /// Shows the article's own picture and ours side by side, or the picture alone.
+    void set_wiping(bool is_wiping);
     void cancel_replay();
     void cancel_loading();  // of a sound or picture; what was there before comes back
     void say(std::string text, bool is_problem = false, std::string subject = {});
@@ -129,6 +134,8 @@ private:
     void open_values(const OpenRequest& request);
     void save_preset_to(const std::filesystem::path& file, const std::string& name);
     void apply_document();
+    void follow_variant();
+    void start_variant();
     void update_drive();
     void tell_silence();
     void show_source(double seconds);
@@ -159,7 +166,9 @@ private:
     std::vector<SoundDevice> m_sound_devices;
     std::string m_told_silence;  // the player's, as last said
     std::unique_ptr<Renderer> m_renderer;
-    LoadedImages m_images;  // that the renderer has
+    bool m_is_wiping = false;
+    std::optional<Variant> m_variant;  // that the renderer draws
+    LoadedImages m_images;             // that the renderer has
     ChosenImages m_chosen_images;
     Drive m_drive;
     Reloader m_reloader;

@@ -21,6 +21,7 @@ void Lab::update(double wall_seconds) {
         m_reloader.restack(m_document->state().stack);  // the last picture goes on meanwhile
     else
         apply_document();
+    follow_variant();
     update_drive();
     draw_picture(wall_seconds);
     tell_silence();
@@ -46,7 +47,7 @@ bool Lab::is_moving() const {
 
 bool Lab::has_converged() const {
     const bool is_source_moving = m_drive.source() && m_drive.source()->moves();
-    return m_renderer && !is_source_moving && m_renderer->executor().has_converged();
+    return m_renderer && !is_source_moving && m_renderer->has_converged();
 }
 
 void Lab::take_reload() {
@@ -130,6 +131,8 @@ void Lab::open_document(Look look, const OpenRequest& request) {
     m_renderer = std::make_unique<Renderer>(m_document->drawn_look(), *m_programs);
     constexpr double patience_seconds = 0.05;
     m_renderer->set_patience(patience_seconds);
+    m_variant.reset();
+    m_is_wiping = m_is_wiping && is_same;
     m_drawn_extent = {};
     m_images.clear();
     m_chosen_images.forget();
@@ -268,7 +271,8 @@ void Lab::draw_picture(double wall_seconds) {
     resize_picture();
     limit_frame(wall_seconds);
     const bool rests = m_player.is_playing() && has_converged();
-    const auto frame = rests ? std::nullopt : m_player.advance(wall_seconds);
+    const bool waits = rests || m_renderer->is_replaying_variant();
+    const auto frame = waits ? std::nullopt : m_player.advance(wall_seconds);
     if (frame) {
         m_wanted.reset();
         m_renderer->cancel_replay();

@@ -9,27 +9,122 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 }
 }  // namespace
 
+// A variant that cannot follow ends; the picture itself goes on.
+template <class Act>
+Result<void> Renderer::for_each(Act act) {
+    if (!m_is_variant_alone)
+        if (auto done = act(m_executor); !done)
+            return done;
+    if (!m_variant)
+        return {};
+    auto done = act(*m_variant);
+    if (!done)
+        end_variant();
+    return done;
+}
+
+Result<void> Renderer::replace(const Look& look, const Programs& programs) {
+    if (m_is_variant_alone)
+        cancel_replay();
+    return for_each([&](Executor& executor) { return executor.replace(look, programs); });
+}
+
+Result<void> Renderer::resize(Extent picture, Extent source) {
+    m_picture = picture;
+    m_source = source;
+    if (auto done = m_executor.resize(picture, source); !done || !m_variant)
+        return done;
+    auto done = m_variant->resize(picture, source);
+    if (!done)
+        end_variant();
+    return done;
+}
+
+Result<void> Renderer::set_source(const Picture& picture) {
+    return for_each([&](Executor& executor) { return executor.set_source(picture); });
+}
+
+Result<void> Renderer::set_image(const std::string& name, const Picture& picture) {
+    return for_each([&](Executor& executor) { return executor.set_image(name, picture); });
+}
+
+void Renderer::restart_samples() {
+    m_executor.restart_samples();
+    if (m_variant)
+        m_variant->restart_samples();
+}
+
+void Renderer::clear_history() {
+    if (!m_is_variant_alone)
+        m_executor.clear_history();
+    if (m_variant)
+        m_variant->clear_history();
+}
+
+Result<void> Renderer::start_variant(const Values& values) {
+    m_variant = std::make_unique<Executor>(m_executor.look(), m_executor.programs());
+    m_is_variant_alone = true;
+    m_variant->set_values(values);
+    auto sized = m_picture.is_empty() ? Result<void>() : m_variant->resize(m_picture, m_source);
+    if (!sized)
+        end_variant();
+    return sized;
+}
+
+void Renderer::set_variant_values(const Values& values) {
+    if (m_variant)
+        m_variant->set_values(values);
+}
+
+void Renderer::end_variant() {
+    if (m_is_variant_alone)
+        cancel_replay();
+    m_variant.reset();
+    m_executor.claim_programs();
+}
+
+void Renderer::replay_variant(const Player& player, std::size_t frames) {
+    m_is_variant_alone = m_variant != nullptr;
+    begin_replay(player, m_variant ? frames : 0);
+}
+
 Frame Renderer::frame_of(const PlayedFrame& played, const Beam& beam) const {
     Frame frame;
     frame.time = played.span.end;
     frame.time_delta = played.span.seconds();
     frame.number = played.number;
     frame.mouse = m_mouse;
-    frame.patience_seconds = m_patience_seconds;
+    frame.patience_seconds = m_variant ? m_patience_seconds / 2.0 : m_patience_seconds;
     frame.beam = beam;
     return frame;
 }
 
 void Renderer::set_mouse(double x, double y) {
     const std::array<double, 2> mouse{x, y};
-    if (mouse != m_mouse)
+    if (mouse != m_mouse) {
         m_executor.note_mouse_moved();
+        if (m_variant)
+            m_variant->note_mouse_moved();
+    }
     m_mouse = mouse;
+}
+
+void Renderer::draw_frame(const PlayedFrame& played, const Beam& beam,
+                          const std::vector<bool>* passes) {
+    const Frame frame = frame_of(played, beam);
+    if (m_variant && !m_is_variant_alone)
+        m_executor.claim_programs();
+    if (!m_is_variant_alone)
+        m_executor.draw(frame, passes);
+    if (!m_variant)
+        return;
+    m_variant->claim_programs();
+    m_variant->draw(frame, passes);
 }
 
 void Renderer::draw(const PlayedFrame& played, const Beam& beam) {
     const auto start = std::chrono::steady_clock::now();
-    m_executor.draw(frame_of(played, beam));
+    draw_frame(played, beam, nullptr);
     m_point_count = beam.size();
     m_pass_milliseconds = m_executor.pass_milliseconds();
     note_beam_cost(played);
@@ -43,6 +138,8 @@ void Renderer::note_beam_cost(const PlayedFrame& played) {
     for (std::size_t i = 0; i < std::min(passes.size(), m_pass_milliseconds.size()); ++i)
         if (passes[i].draw != Draw::fullscreen)
             milliseconds += m_pass_milliseconds[i];
+    if (m_variant)
+        milliseconds *= 2.0;
     const double cost = milliseconds / 1000.0 / std::max(played.span.seconds(), 1e-6);
     constexpr double smoothing = 0.2;  // the driver's times are of some frames ago
     m_beam_cost = m_beam_cost == 0.0 ? cost : m_beam_cost + smoothing * (cost - m_beam_cost);
@@ -50,22 +147,42 @@ void Renderer::note_beam_cost(const PlayedFrame& played) {
 
 void Renderer::draw_unseen(const PlayedFrame& played, const Beam& beam) {
     const std::vector<bool> carried = carried_passes(m_executor.look());
-    m_executor.draw(frame_of(played, beam), &carried);
+    draw_frame(played, beam, &carried);
 }
 
 void Renderer::redraw(const Player& player, const std::vector<bool>& passes) {
     if (player.past().empty())
         return;
     const PlayedFrame& present = player.past().back();
-    m_executor.redraw(frame_of(present, player.trace(present.span)), passes);
+    const Beam beam = player.trace(present.span);
+    const Frame frame = frame_of(present, beam);
+    if (m_variant)
+        m_executor.claim_programs();
+    m_executor.redraw(frame, passes);
+    if (!m_variant)
+        return;
+    m_variant->claim_programs();
+    m_variant->redraw(frame, passes);
 }
 
 void Renderer::start_replay(const Player& player, std::size_t frames) {
+    m_is_variant_alone = false;
+    begin_replay(player, frames);
+}
+
+void Renderer::begin_replay(const Player& player, std::size_t frames) {
     const std::size_t there = player.past().size();
     m_replay = {0, std::min(frames, there)};
     m_replay_first = there - m_replay.total;
     if (m_replay.is_running())
         clear_history();
+    else
+        m_is_variant_alone = false;
+}
+
+void Renderer::cancel_replay() {
+    m_replay = {};
+    m_is_variant_alone = false;
 }
 
 bool Renderer::continue_replay(const Player& player, double seconds, const BeforeFrame& before) {
@@ -79,6 +196,7 @@ bool Renderer::continue_replay(const Player& player, double seconds, const Befor
             continue;
         }
         draw(frame, player.trace(frame.span));
+        m_is_variant_alone = false;
         return true;
     }
     return false;

@@ -16,34 +16,29 @@ struct Replay {
 };
 
 /// Draws the open look: frame by frame while time flows, and again from its past while it rests.
+/// Beside it, where somebody compares, a variant: the same look and frames with other values.
 class Renderer {
 public:
     Renderer(Look look, Programs programs) : m_executor(std::move(look), std::move(programs)) {}
 
     /// An edited look; what drew a moment ago keeps its history.
-    Result<void> replace(Look look, Programs programs) {
-        return m_executor.replace(std::move(look), std::move(programs));
-    }
+    Result<void> replace(const Look& look, const Programs& programs);
     void set_values(const Values& values) { m_executor.set_values(values); }
-    Result<void> resize(Extent picture, Extent source) {
-        return m_executor.resize(picture, source);
-    }
+    Result<void> resize(Extent picture, Extent source);
     /// As it was last asked for, with sizes that depend on values as these are now.
-    Result<void> resize_again() { return m_executor.resize_again(); }
-    Result<void> set_source(const Picture& picture) { return m_executor.set_source(picture); }
-    Result<void> set_image(const std::string& name, const Picture& picture) {
-        return m_executor.set_image(name, picture);
-    }
+    Result<void> resize_again() { return resize(m_picture, m_source); }
+    Result<void> set_source(const Picture& picture);
+    Result<void> set_image(const std::string& name, const Picture& picture);
     void set_mouse(double x, double y);  // px from bottom left
     /// How long a frame may take its accumulating passes; the rest is left to the next ones.
     void set_patience(double seconds) { m_patience_seconds = seconds; }
     /// What drives the look is another: accumulating passes start anew.
-    void restart_samples() { m_executor.restart_samples(); }
+    void restart_samples();
 
     void draw(const PlayedFrame& frame, const Beam& beam);
     /// A frame that nobody will look at: only what later frames are made of is drawn.
     void draw_unseen(const PlayedFrame& frame, const Beam& beam);
-    void clear_history() { m_executor.clear_history(); }
+    void clear_history();
 
     /// Draws the present frame again; only the passes that the change reaches.
     void redraw(const Player& player, const std::vector<bool>& passes);
@@ -53,8 +48,20 @@ public:
     using BeforeFrame = std::function<void(const PlayedFrame&)>;
     /// Goes on with the replay for about `seconds`; true when it has just ended.
     bool continue_replay(const Player& player, double seconds, const BeforeFrame& before);
-    void cancel_replay() { m_replay = {}; }
+    void cancel_replay();
     const Replay& replay() const { return m_replay; }
+
+    /// From here on a variant is drawn too, of which nothing is known but its values: source and
+    /// images that are brought now are for it alone, until the replay of its past has ended. On
+    /// failure (no memory) there is none.
+    Result<void> start_variant(const Values& values);
+    void set_variant_values(const Values& values);
+    /// The latest `frames` frames for the variant alone; the picture itself stays as it is.
+    void replay_variant(const Player& player, std::size_t frames);
+    bool is_replaying_variant() const { return m_is_variant_alone && m_replay.is_running(); }
+    void end_variant();
+    /// Null where nobody compares; also after it could not be drawn any more.
+    const Executor* variant() const { return m_variant.get(); }
 
     /// Also lets it look whether the driver knows more pass times.
     std::vector<double> pass_milliseconds() { return m_executor.pass_milliseconds(); }
@@ -66,14 +73,25 @@ public:
     /// the signal; 0 where the driver tells no times.
     double beam_seconds_a_second() const { return m_beam_cost; }
     const Executor& executor() const { return m_executor; }
+    bool has_converged() const {
+        return m_executor.has_converged() && (!m_variant || m_variant->has_converged());
+    }
     /// Smoothed wall time of a frame's drawing calls, in seconds.
     double frame_seconds() const { return m_frame_seconds; }
 
 private:
+    template <class Act>
+    Result<void> for_each(Act act);
+    void begin_replay(const Player& player, std::size_t frames);
+    void draw_frame(const PlayedFrame& played, const Beam& beam, const std::vector<bool>* passes);
     void note_beam_cost(const PlayedFrame& played);
     Frame frame_of(const PlayedFrame& played, const Beam& beam) const;
 
     Executor m_executor;
+    std::unique_ptr<Executor> m_variant;
+    bool m_is_variant_alone = false;  // what is brought and replayed is for the variant
+    Extent m_picture;
+    Extent m_source;
     std::array<double, 2> m_mouse{};
     double m_patience_seconds = 0.0;
     std::vector<double> m_pass_milliseconds;

@@ -17,6 +17,10 @@ Views::Image Views::image_of(const std::optional<gpu::Canvas>& canvas) {
     return {canvas->texture().handle(), canvas->texture().extent()};
 }
 
+Picture Views::read_picture() const {
+    return m_picture ? gpu::read_picture(m_picture->texture()) : Picture();
+}
+
 Views::Image Views::thumbnail(std::size_t pass) const {
     return pass < m_thumbnails.size() ? image_of(m_thumbnails[pass]) : Image{};
 }
@@ -98,7 +102,7 @@ void Views::update(const Lab& lab, const WindowState& window) {
         return;  // what was shown stays until the past has been drawn again
     const Executor& executor = lab.renderer()->executor();
     const auto inspected = find_pass(executor.look(), window.inspected.pass);
-    draw_picture(executor, inspected, window);
+    draw_picture(*lab.renderer(), lab.variant(), window);
     const bool is_whole = !window.is_picture_only;
     draw_thumbnails(executor, is_whole && window.shows_strip ? window.views.thumbnail_height : 0);
     if (inspected && is_whole && window.shows_inspector)
@@ -106,16 +110,31 @@ void Views::update(const Lab& lab, const WindowState& window) {
                   inspector_view(window), options_for(window.inspected, executor, *inspected));
     else
         m_inspected.reset();
-    probe(executor, window.probe);
+    const Executor* variant = lab.renderer()->variant();
+    const bool is_of_variant = variant && window.probe && window.probe->is_of_variant;
+    probe(is_of_variant ? *variant : executor, window.probe);
 }
 
-void Views::draw_picture(const Executor& executor, std::optional<int> inspected,
-                         const WindowState& window) {
-    const int last = static_cast<int>(executor.look().passes.size()) - 1;
+Views::Part Views::large_part(const Executor& executor, const WindowState& window) {
+    const auto inspected = find_pass(executor.look(), window.inspected.pass);
     if (inspected && window.shows_pass_large)
-        draw_part(executor.target(*inspected), m_picture, window.views.picture,
-                  window.inspected.view, options_for(window.inspected, executor, *inspected));
-    else
-        draw_part(executor.target(last), m_picture, window.views.picture, window.picture,
-                  {.encoding = encoding_of(executor.look(), last)});
+        return {*inspected, window.inspected.view,
+                options_for(window.inspected, executor, *inspected)};
+    const int last = static_cast<int>(executor.look().passes.size()) - 1;
+    return {last, window.picture, {.encoding = encoding_of(executor.look(), last)}};
+}
+
+// The variant goes over its side of the picture.
+void Views::draw_picture(const Renderer& renderer, const std::optional<Variant>& variant,
+                         const WindowState& window) {
+    const Extent size = window.views.picture;
+    Part part = large_part(renderer.executor(), window);
+    const gpu::Texture& own = renderer.executor().target(part.pass);
+    draw_part(own, m_picture, size, part.view, part.options);
+    if (!variant || !renderer.variant() || renderer.variant()->plan().targets.empty())
+        return;
+    const PicturePlace place = place_of(part.view, own.extent(), size);
+    const int line = wipe_column(place, own.extent(), size, window.wipe_share);
+    part.options.columns = variant->is_left ? std::array{0, line} : std::array{line, size.width};
+    draw_part(renderer.variant()->target(part.pass), m_picture, size, part.view, part.options);
 }

@@ -25,6 +25,8 @@ public:
         Extent extent;
     };
     Image picture() const { return image_of(m_picture); }
+    /// What picture() shows, as numbers; empty when nothing. Waits for the GPU.
+    Picture read_picture() const;
     Image inspected() const { return image_of(m_inspected); }
     Image thumbnail(std::size_t pass) const;
     /// The stored numbers of WindowState::probe's pixel.
@@ -36,7 +38,13 @@ private:
     bool fit(std::optional<gpu::Canvas>& canvas, Extent extent);
     void draw_part(const gpu::Texture& from, std::optional<gpu::Canvas>& to, Extent size,
                    const PictureView& view, ViewOptions options);
-    void draw_picture(const Executor& executor, std::optional<int> inspected,
+    struct Part {
+        int pass = 0;
+        PictureView view;
+        ViewOptions options;
+    };
+    static Part large_part(const Executor& executor, const WindowState& window);
+    void draw_picture(const Renderer& renderer, const std::optional<Variant>& variant,
                       const WindowState& window);
     void draw_thumbnails(const Executor& executor, int height);
     void probe(const Executor& executor, const std::optional<Probe>& probe);

@@ -34,6 +34,28 @@ PicturePlace place_of(const PictureView& view, Extent picture, Extent size) {
             zoom};
 }
 
+namespace {
+struct Columns {
+    double left;
+    double right;
+};
+
+Columns seen_columns(const PicturePlace& place, Extent picture, Extent size) {
+    return {std::max(place.left, 0.0),
+            std::min(place.left + place.zoom * picture.width, static_cast<double>(size.width))};
+}
+}  // namespace
+
+int wipe_column(const PicturePlace& place, Extent picture, Extent size, double share) {
+    const Columns seen = seen_columns(place, picture, size);
+    return static_cast<int>(std::lround(seen.left + share * (seen.right - seen.left)));
+}
+
+double wipe_share(const PicturePlace& place, Extent picture, Extent size, double column) {
+    const Columns seen = seen_columns(place, picture, size);
+    return std::clamp((column - seen.left) / std::max(seen.right - seen.left, 1.0), 0.0, 1.0);
+}
+
 double next_zoom(double zoom, bool is_in) {
     constexpr double slack = 1e-6;
     if (is_in) {

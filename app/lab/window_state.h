@@ -47,6 +47,12 @@ struct PicturePlace {
 /// The picture's corner falls on a whole pixel of the view, so that 1:1 is 1:1.
 PicturePlace place_of(const PictureView& view, Extent picture, Extent size);
 
+/// Where the line of a wipe stands in a view, in device pixels from its left: `share` of the way
+/// over what of the picture can be seen.
+int wipe_column(const PicturePlace& place, Extent picture, Extent size, double share);
+/// The share at which the line stands there.
+double wipe_share(const PicturePlace& place, Extent picture, Extent size, double column);
+
 /// What of a pass's numbers is shown.
 enum class Channels { color, red, green, blue, alpha, luminance };
 
@@ -65,6 +71,7 @@ struct Probe {
     std::string pass;
     int x = 0;
     int y = 0;
+    bool is_of_variant = false;  // what the wipe shows on its other side
 
     bool operator==(const Probe&) const = default;
 };
@@ -135,6 +142,7 @@ struct WindowState {
     PictureView picture;
     PassView inspected;
     bool shows_pass_large = false;  // the inspected pass, in the picture's place
+    double wipe_share = 0.5;        // how far over the picture the line of a wipe stands
     std::optional<Probe> probe;
     ViewSizes views;
     std::string search;         // among the parameters

@@ -37,6 +37,7 @@ enum class ActionId {
     show_timings,
     show_changed,
     picture_only,
+    wipe,
     next_pass,
     previous_pass,
     pass_large,

@@ -5,25 +5,31 @@
 #include "ui/picture_canvas.h"
 #include "ui/picture_menus.h"
 #include "ui/scoped.h"
+#include "ui/wipe.h"
 
 #include <cmath>
 
 namespace {
-void probe(const std::string& pass, const std::array<double, 2>& pixel, Edits& edits) {
-    const Probe probe{pass, static_cast<int>(std::floor(pixel[0])),
-                      static_cast<int>(std::floor(pixel[1]))};
+struct Place {
+    std::array<double, 2> pixel;
+    bool is_of_variant;
+};
+
+void probe(const std::string& pass, const Place& place, Edits& edits) {
+    const Probe probe{pass, static_cast<int>(std::floor(place.pixel[0])),
+                      static_cast<int>(std::floor(place.pixel[1])), place.is_of_variant};
     edits.arrange([probe](WindowState& window) { window.probe = probe; });
 }
 
 // The look gets the pointer in pixels from the bottom left; the status line what lies under it.
-void tell_pointer(const std::array<double, 2>& pixel, const Scene& scene, Edits& edits) {
+void tell_pointer(const Place& place, const Scene& scene, Edits& edits) {
     const Extent extent = scene.lab.picture_extent();
-    const double x = pixel[0];
-    const double y = pixel[1];
+    const double x = place.pixel[0];
+    const double y = place.pixel[1];
     if (x < 0.0 || y < 0.0 || x >= extent.width || y >= extent.height)
         return;
     edits.add([x, y, extent](Lab& lab) { lab.set_mouse(x, extent.height - y); });
-    probe(scene.lab.document()->look().passes.back().name, pixel, edits);
+    probe(scene.lab.document()->look().passes.back().name, place, edits);
 }
 
 // Says that this is not the picture, and how to get it back.
@@ -53,6 +59,7 @@ void draw_picture_panel(const Scene& scene, const Rect& place, Edits& edits) {
         draw_overlays(scene, edits);
         return;
     }
+    const auto wipe = drag_wipe({place.width, place.height}, scene, edits);
     const bool is_turned = !scene.window.shows_pass_large && scene.lab.document()->look().has_orbit;
     const CanvasInput input = draw_picture_canvas({.id = "##picture",
                                                    .image = scene.views.picture(),
@@ -69,9 +76,11 @@ void draw_picture_panel(const Scene& scene, const Rect& place, Edits& edits) {
     if (input.is_turn_finished)
         edits.finish();
     if (input.hovered && scene.window.shows_pass_large)
-        probe(scene.window.inspected.pass, *input.hovered, edits);
+        probe(scene.window.inspected.pass, {*input.hovered, is_over_variant(wipe, scene)}, edits);
     else if (input.hovered)
-        tell_pointer(*input.hovered, scene, edits);
+        tell_pointer({*input.hovered, is_over_variant(wipe, scene)}, scene, edits);
+    if (wipe)
+        draw_wipe(*wipe, scene);
     draw_large_pass_words(scene, edits);
     draw_overlays(scene, edits);
 }

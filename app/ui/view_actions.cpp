@@ -1,6 +1,7 @@
 #include "ui/view_actions.h"
 
 #include "gpu/input_event.h"
+#include "ui/file_actions.h"
 #include "ui/picture_menus.h"
 
 #include <algorithm>
@@ -68,6 +69,15 @@ void scale_text(const Scene&, Edits& edits) {
         window.scale = std::clamp(window.scale + eighths / 8.0, 0.75, 3.0);
     });
 }
+
+void toggle_wipe(const Scene& scene, Edits& edits) {
+    const bool is_wiping = scene.lab.variant().has_value();
+    edits.add([is_wiping](Lab& lab) { lab.set_wiping(!is_wiping); });
+}
+
+bool has_wipe(const Scene& scene) {
+    return scene.lab.variant().has_value();
+}
 }  // namespace
 
 void view_actions::search(const Scene&, Edits& edits) {
@@ -96,6 +106,14 @@ std::vector<Action> view_actions::list() {
         {ActionId::zoom_fit, Menu::view, "Show all of the picture", {'F'}, false, zoom_fit},
         {ActionId::zoom_in, Menu::view, "Zoom in", {'='}, false, zoom<true>},
         {ActionId::zoom_out, Menu::view, "Zoom out", {'-'}, false, zoom<false>},
+        {ActionId::wipe,
+         Menu::view,
+         "Wipe to the article's own picture",
+         {'W'},
+         true,
+         toggle_wipe,
+         file_actions::has_document,
+         has_wipe},
         toggling<&State::shows_library>(ActionId::show_library, "Looks and signal", {'1', true},
                                         true),
         toggling<&State::shows_parameters>(ActionId::show_parameters, "Parameters", {'2', true}),

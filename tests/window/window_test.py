@@ -83,6 +83,31 @@ class WindowTest(Person):
         program.drag(((low + high) // 2, y), (high, y))
         program.wait_for("the resting picture is brighter", lambda: self.brightness() > dark + 3)
 
+    def test_one_key_wipes_to_the_articles_own_picture(self):
+        program = self.program
+        program.click("play")
+        program.wait("it stops", lambda s: not s["is_playing"])
+        program.key("w")
+        left, top, right, bottom = program.place("wipe")
+        self.snapshot("wipe")
+        place = program.place("picture")
+        y = bottom - 40
+        program.drag(((left + right) // 2, y), (place[2] - 20, y))
+        program.wait("the line goes with the hand", lambda s: s["wipe"] > 0.9)
+        self.hover("picture")
+        article = program.wait("the article's value is told", lambda s: s["probe"])["probe"]
+        left, top, right, bottom = program.place("wipe")
+        program.drag(((left + right) // 2, y), (place[0] + 20, y))
+        program.wait("and back", lambda s: s["wipe"] < 0.1)
+        self.hover("picture")
+        ours = program.wait("ours is told where ours is", lambda s: s["probe"] and
+                            s["probe"]["rgba"] != article["rgba"])["probe"]
+        self.assertEqual((ours["x"], ours["y"]), (article["x"], article["y"]))
+        program.key("w")
+        state = program.wait("the picture is alone again", lambda s: s["wipe"] is None)
+        self.assertNotIn("wipe", state["widgets"])
+        self.assertFalse(state["is_modified"])
+
     def test_presets_are_saved_and_loaded(self):
         program = self.program
         program.set("decay", "0.61")

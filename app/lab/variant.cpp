@@ -1,0 +1,29 @@
+#include "lab/variant.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace {
+bool is_article_switch(const Parameter& parameter) {
+    const std::string& name = parameter.name;  // in a stack "crt/as_written"
+    return name.substr(name.rfind('/') + 1) == "as_written";
+}
+}  // namespace
+
+std::optional<Variant> article_variant(const Look& look, const Values& values) {
+    std::vector<const Parameter*> switches;
+    for (const Parameter& parameter : look.parameters)
+        if (is_article_switch(parameter))
+            switches.push_back(&parameter);
+    if (switches.empty())
+        return std::nullopt;
+    const bool is_article = std::ranges::any_of(switches, [&](const Parameter* parameter) {
+        return value_of(*parameter, values).number() != 0.0;
+    });
+    Variant variant{values, "The article's own", "Corrected", !is_article};
+    if (is_article)
+        std::swap(variant.name, variant.present_name);
+    for (const Parameter* parameter : switches)
+        variant.values[parameter->name] = Value(is_article ? 0.0 : 1.0);
+    return variant;
+}
