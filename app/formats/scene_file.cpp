@@ -71,18 +71,10 @@ Result<BeamScene> load_scene(const std::filesystem::path& file) {
     return parse_scene(*text, file);
 }
 
-Result<BeamScene> load_drawn_file(const std::filesystem::path& file) {
-    if (to_lower(file.extension().string()) != ".svg")
-        return load_scene(file);
-    auto paths = load_svg(file);
-    if (!paths)
-        return fail(paths.error());
-    BeamScene scene;
-    scene.items.push_back({.paths = std::move(*paths)});
-    return scene;
+bool is_svg_file(const std::filesystem::path& file) {
+    return to_lower(file.extension().string()) == ".svg";
 }
 
 bool is_drawn_file(const std::filesystem::path& file) {
-    const std::string extension = to_lower(file.extension().string());
-    return extension == ".json" || extension == ".svg";
+    return is_svg_file(file) || to_lower(file.extension().string()) == ".json";
 }

@@ -10,7 +10,7 @@
 Result<BeamScene> parse_scene(std::string_view text, const std::filesystem::path& file);
 Result<BeamScene> load_scene(const std::filesystem::path& file);
 
-/// What a scene or drawing signal plays: a scene's JSON, or an SVG as a scene of one item.
-Result<BeamScene> load_drawn_file(const std::filesystem::path& file);
-/// Whether load_drawn_file reads a file of this name.
+/// Whether a file's name says that it is a drawing.
+bool is_svg_file(const std::filesystem::path& file);
+/// Whether it says that it is a drawing or a scene.
 bool is_drawn_file(const std::filesystem::path& file);

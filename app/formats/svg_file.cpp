@@ -6,6 +6,7 @@
 #include "formats/svg_transform.h"
 #include "formats/xml_tags.h"
 #include "signals/shapes.h"
+#include "signals/stroke_line.h"
 
 #include <fmt/format.h>
 
@@ -13,22 +14,38 @@
 #include <cmath>
 
 namespace {
+/// A path of an SVG, and what a drawing wants to know of it.
+struct SvgOutline {
+    ScenePath path;
+    std::size_t keyframe = 0;  // that it stands in
+    bool is_smooth = false;    // the path holds only the points of its curve
+};
+
+struct SvgOutlines {
+    std::vector<SvgOutline> outlines;
+    std::size_t keyframes = 0;  // groups that say to be one
+    bool is_own = false;        // the file is one of ours
+};
+
+/// What an SVG is read as: every keyframe of a drawing, or what a picture viewer shows.
+enum class SvgAs { drawing, picture };
+
 class SvgReader {
 public:
-    explicit SvgReader(const std::filesystem::path& file) : m_file(file) {}
+    SvgReader(const std::filesystem::path& file, SvgAs as) : m_file(file), m_as(as) {}
 
-    Result<std::vector<ScenePath>> read(const std::vector<XmlTag>& tags) {
+    Result<SvgOutlines> read(const std::vector<XmlTag>& tags) {
         for (const XmlTag& tag : tags)
             tag.is_closing ? leave(tag) : enter(tag);
         if (!m_is_svg)
             m_problems.insert(m_problems.begin(), {m_file, 1, "is no SVG: it has no <svg> tag"});
-        else if (m_problems.empty() && m_paths.empty())
+        else if (m_problems.empty() && m_found.outlines.empty())
             m_problems.push_back({m_file, 1, "has no paths, lines or shapes to draw"});
         if (m_count > most_scene_points)
             m_problems.push_back({m_file, 0, "has too many points for a beam to draw"});
         if (!m_problems.empty())
             return fail(std::move(m_problems));
-        return std::move(m_paths);
+        return std::move(m_found);
     }
 
 private:
@@ -36,6 +53,7 @@ private:
         std::string name;
         SvgTransform transform;
         bool is_hidden = false;
+        std::size_t keyframe = 0;
     };
 
     void problem(const XmlTag& tag, const std::string& message) {
@@ -51,12 +69,36 @@ private:
             m_levels.erase(std::prev(open.base()), m_levels.end());
     }
 
+    static std::string attribute(const XmlTag& tag, const char* name) {
+        const auto found = tag.attributes.find(name);
+        return found == tag.attributes.end() ? std::string() : found->second;
+    }
+
+    static bool is_displayed(const XmlTag& tag) {
+        std::string style = attribute(tag, "style");
+        std::erase(style, ' ');
+        return attribute(tag, "display") != "none" &&
+               style.find("display:none") == std::string::npos;
+    }
+
+    // A keyframe of a drawing is hidden only where the file is looked at as a picture.
+    void enter_keyframe(const XmlTag& tag, Level& level) {
+        const bool is_keyframe = m_found.is_own && tag.attributes.count("data-keyframe") != 0;
+        if (is_keyframe)
+            level.keyframe = m_found.keyframes++;
+        if (!is_displayed(tag) && !(is_keyframe && m_as == SvgAs::drawing))
+            level.is_hidden = true;
+        if (is_keyframe && m_found.keyframes == most_keyframes + 1)
+            problem(tag, fmt::format("has more than {} keyframes", most_keyframes));
+    }
+
     void enter(const XmlTag& tag) {
         constexpr std::string_view hidden[] = {"defs",   "clipPath", "mask",  "symbol",
                                                "marker", "pattern",  "style", "script"};
         Level level = m_levels.empty() ? Level{} : m_levels.back();
         level.name = tag.name;
         m_is_svg = m_is_svg || tag.name == "svg";
+        m_found.is_own = m_found.is_own || tag.attributes.count("data-afterglow-drawing") != 0;
         level.is_hidden = level.is_hidden || std::find(std::begin(hidden), std::end(hidden),
                                                        tag.name) != std::end(hidden);
         if (const auto found = tag.attributes.find("transform"); found != tag.attributes.end()) {
@@ -66,21 +108,26 @@ private:
             else
                 level.transform = level.transform * *transform;
         }
+        enter_keyframe(tag, level);
         if (!level.is_hidden)
             for (ScenePath& path : outline_of(tag))
-                add(std::move(path), level.transform);
+                add({std::move(path), level.keyframe, is_smooth(tag)}, level.transform);
         if (!tag.is_empty)
             m_levels.push_back(std::move(level));
     }
 
-    void add(ScenePath path, const SvgTransform& transform) {
-        for (ScenePoint& point : path.points) {
+    bool is_smooth(const XmlTag& tag) const {
+        return m_as == SvgAs::drawing && attribute(tag, "data-line") == "smooth";
+    }
+
+    void add(SvgOutline outline, const SvgTransform& transform) {
+        for (ScenePoint& point : outline.path.points) {
             point = transform(point);
             point.y = -point.y;
         }
-        m_count += path.points.size();
+        m_count += outline.path.points.size();
         if (m_count <= most_scene_points)
-            m_paths.push_back(std::move(path));
+            m_found.outlines.push_back(std::move(outline));
     }
 
     double number(const XmlTag& tag, const char* name, double fallback = 0.0) {
@@ -117,7 +164,8 @@ private:
         const auto found = tag.attributes.find("d");
         if (found == tag.attributes.end())
             return {};
-        auto paths = parse_svg_path(found->second);
+        constexpr int steps_a_curve = 16;
+        auto paths = parse_svg_path(found->second, is_smooth(tag) ? 1 : steps_a_curve);
         if (paths)
             return std::move(*paths);
         problem(tag, paths.error().front().message);
@@ -155,19 +203,48 @@ private:
     }
 
     const std::filesystem::path& m_file;
+    SvgAs m_as;
     bool m_is_svg = false;
     std::vector<Level> m_levels;
-    std::vector<ScenePath> m_paths;
+    SvgOutlines m_found;
     std::size_t m_count = 0;
     Diagnostics m_problems;
 };
-}  // namespace
 
-Result<std::vector<ScenePath>> parse_svg(std::string_view text, const std::filesystem::path& file) {
+Result<SvgOutlines> outlines_of(std::string_view text, const std::filesystem::path& file,
+                                SvgAs as) {
     const auto tags = parse_xml_tags(text, file);
     if (!tags)
         return fail(tags.error());
-    return SvgReader(file).read(*tags);
+    return SvgReader(file, as).read(*tags);
+}
+
+bool are_same(const BeamPlace& a, const BeamPlace& b) {
+    return distance(a, b) <= 1e-9 * (1.0 + std::abs(a[0]) + std::abs(a[1]));
+}
+
+// A path that ends where it began is closed.
+Stroke stroke_of(const SvgOutline& outline) {
+    Stroke stroke{.points = {}, .is_smooth = outline.is_smooth};
+    for (const ScenePoint& point : outline.path.points)
+        if (stroke.points.empty() || !are_same(stroke.points.back(), {point.x, point.y}))
+            stroke.points.push_back({point.x, point.y});
+    stroke.is_closed =
+        stroke.points.size() > 3 && are_same(stroke.points.front(), stroke.points.back());
+    if (stroke.is_closed)
+        stroke.points.pop_back();
+    return stroke;
+}
+}  // namespace
+
+Result<std::vector<ScenePath>> parse_svg(std::string_view text, const std::filesystem::path& file) {
+    auto found = outlines_of(text, file, SvgAs::picture);
+    if (!found)
+        return fail(found.error());
+    std::vector<ScenePath> paths;
+    for (SvgOutline& outline : found->outlines)
+        paths.push_back(std::move(outline.path));
+    return paths;
 }
 
 Result<std::vector<ScenePath>> load_svg(const std::filesystem::path& file) {
@@ -175,4 +252,22 @@ Result<std::vector<ScenePath>> load_svg(const std::filesystem::path& file) {
     if (!text)
         return fail(text.error());
     return parse_svg(*text, file);
+}
+
+Result<Drawing> parse_svg_drawing(std::string_view text, const std::filesystem::path& file) {
+    const auto found = outlines_of(text, file, SvgAs::drawing);
+    if (!found)
+        return fail(found.error());
+    Drawing drawing{.keyframes = {}, .is_to_scale = found->is_own};
+    drawing.keyframes.resize(std::max<std::size_t>(found->keyframes, 1));
+    for (const SvgOutline& outline : found->outlines)
+        drawing.keyframes[outline.keyframe].push_back(stroke_of(outline));
+    return drawing;
+}
+
+Result<Drawing> load_svg_drawing(const std::filesystem::path& file) {
+    const auto text = read_text(file);
+    if (!text)
+        return fail(text.error());
+    return parse_svg_drawing(*text, file);
 }

@@ -84,11 +84,10 @@ private:
     std::size_t m_at = 0;
 };
 
-constexpr int steps_a_curve = 16;
-
 class PathReader {
 public:
-    explicit PathReader(std::string_view text) : m_reader(text) {}
+    PathReader(std::string_view text, int steps_a_curve)
+        : m_reader(text), m_steps_a_curve(steps_a_curve) {}
 
     Result<std::vector<ScenePath>> read() {
         m_reader.skip_separators();
@@ -198,8 +197,8 @@ private:
 
     void cubic_to(Place a, Place b, Place to) {
         const Place from = m_here;
-        for (int i = 1; i <= steps_a_curve; ++i) {
-            const double t = static_cast<double>(i) / steps_a_curve;
+        for (int i = 1; i <= m_steps_a_curve; ++i) {
+            const double t = static_cast<double>(i) / m_steps_a_curve;
             const double s = 1.0 - t;
             const double w[4] = {s * s * s, 3.0 * s * s * t, 3.0 * s * t * t, t * t * t};
             line_to({w[0] * from.x + w[1] * a.x + w[2] * b.x + w[3] * to.x,
@@ -219,7 +218,7 @@ private:
         const Place from = m_here;
         double rx = std::abs(m_numbers[0]);
         double ry = std::abs(m_numbers[1]);
-        if (rx == 0.0 || ry == 0.0 || (from.x == to.x && from.y == to.y))
+        if (rx == 0.0 || ry == 0.0 || (from.x == to.x && from.y == to.y) || m_steps_a_curve == 1)
             return line_to(to);
         const double tilt = m_numbers[2] * std::numbers::pi / 180.0;
         const double c = std::cos(tilt);
@@ -253,6 +252,7 @@ private:
     }
 
     NumberReader m_reader;
+    int m_steps_a_curve;
     char m_command = '\0';
     double m_numbers[7] = {};
     Place m_start;
@@ -276,6 +276,6 @@ std::optional<std::vector<double>> parse_svg_numbers(std::string_view text) {
     return numbers;
 }
 
-Result<std::vector<ScenePath>> parse_svg_path(std::string_view text) {
-    return PathReader(text).read();
+Result<std::vector<ScenePath>> parse_svg_path(std::string_view text, int steps_a_curve) {
+    return PathReader(text, steps_a_curve).read();
 }

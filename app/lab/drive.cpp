@@ -178,8 +178,9 @@ Result<void> Drive::take(LoadedMedia loaded, const Document& document, Player& p
         m_source = std::move(loaded.source);
         return show_anew(player, renderer);
     }
-    if (auto set = player.set_signal(document.state().signal, {loaded.name, std::move(loaded.sound),
-                                                               std::move(loaded.scene)});
+    if (auto set = player.set_signal(document.state().signal,
+                                     {loaded.name, std::move(loaded.sound), std::move(loaded.scene),
+                                      std::move(loaded.drawing)});
         !set)
         return fall_back(document, player, std::move(set.error()));
     if (is_from_the_beginning)

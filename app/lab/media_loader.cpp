@@ -16,6 +16,7 @@ LoadedMedia read_signal(const std::string& name, Work& work) {
     }
     loaded.sound = std::move(media->sound);
     loaded.scene = std::move(media->scene);
+    loaded.drawing = std::move(media->drawing);
     return loaded;
 }
 

@@ -4,6 +4,7 @@
 #include "base/work.h"
 #include "lab/source.h"
 #include "model/sound.h"
+#include "signals/drawing.h"
 #include "signals/scene.h"
 
 #include <condition_variable>
@@ -19,6 +20,7 @@ struct LoadedMedia {
     std::string name;                    // as it was asked for
     std::shared_ptr<const Sound> sound;  // one of these
     std::shared_ptr<const BeamScene> scene;
+    std::shared_ptr<const Drawing> drawing;
     std::optional<Source> source;
     std::string digest;    // of a file
     Diagnostics problems;  // why nothing was read

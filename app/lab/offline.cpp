@@ -179,6 +179,7 @@ Result<void> Offline::load_signal() {
             return fail(loaded.error());
         sound.sound = std::move(loaded->sound);
         sound.scene = std::move(loaded->scene);
+        sound.drawing = std::move(loaded->drawing);
     }
     return m_player->set_signal(signal, std::move(sound));
 }

@@ -39,7 +39,7 @@ Result<void> Player::set_signal(const Spec& spec, PlayedSound sound) {
 }
 
 Result<std::unique_ptr<Signal>> Player::make(const Spec& complete, const PlayedSound& sound) {
-    SignalMedia media{.sound = sound.sound, .scene = sound.scene};
+    SignalMedia media{.sound = sound.sound, .scene = sound.scene, .drawing = sound.drawing};
     if (m_devices && find_kind(complete.kind)->is_live) {
         if (const auto open = open_capture(); !open)
             return fail(open.error());

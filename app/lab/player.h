@@ -19,11 +19,12 @@ struct PlayedFrame {
     TimeSpan span;
 };
 
-/// A sound, or a scene to draw, that was read from a file.
+/// A sound, or a scene or drawing, that was read from a file.
 struct PlayedSound {
     std::filesystem::path file;
     std::shared_ptr<const Sound> sound;           // shared with the sound device's thread
     std::shared_ptr<const BeamScene> scene = {};  // shared with the reading thread
+    std::shared_ptr<const Drawing> drawing = {};  // likewise
 };
 
 /// The clock, and the signal that it runs over.

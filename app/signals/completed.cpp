@@ -64,7 +64,7 @@ std::string value_problem(const SettingFacts& facts, const Spec::Setting& value)
         case SettingType::word:
             return word_problem(facts, value);
         case SettingType::text:
-            return text_of(value).empty() ? "must be given" : "";
+            return text_of(value).empty() && !facts.may_be_empty ? "must be given" : "";
     }
     return {};
 }

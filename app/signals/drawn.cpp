@@ -1,6 +1,7 @@
-// Signals that draw paths: a text, a scene of a file, the paths of an SVG.
+// Signals that draw paths: a text, a scene of a file.
 #include "signals/drawn.h"
 
+#include "signals/drawn_settings.h"
 #include "signals/points.h"
 #include "signals/scene.h"
 #include "signals/settings.h"
@@ -10,45 +11,6 @@
 #include <fmt/format.h>
 
 namespace {
-SettingFacts size_setting(double initial, std::string help) {
-    return {.key = "size",
-            .label = "Size",
-            .unit = "half screens",
-            .help = std::move(help),
-            .low = 0.05,
-            .high = 2,
-            .initial = initial,
-            .limit = {0.001, 100}};
-}
-
-SettingFacts spin_setting() {
-    return {.key = "spin",
-            .label = "Spin",
-            .unit = "degrees/s",
-            .help = "How fast it turns around its upright axis; 0 stands still.",
-            .low = -180,
-            .high = 180,
-            .limit = {-100000, 100000}};
-}
-
-SettingFacts speed_setting() {
-    return {.key = "beam_speed",
-            .label = "Beam speed",
-            .unit = "half screens/s",
-            .help =
-                "How fast the beam draws. Slower is brighter, and flickers when it takes more "
-                "than 1/60 s.",
-            .low = 50,
-            .high = 10000,
-            .initial = 1000,
-            .logarithmic = true,
-            .limit = {1, 1e6}};
-}
-
-double rate_of(const Settings& settings) {
-    return settings.number("points") * 60.0;
-}
-
 Result<std::unique_ptr<Signal>> signal_of(BeamScene scene, const Settings& settings,
                                           std::string_view what) {
     auto made =
@@ -82,24 +44,14 @@ Result<std::unique_ptr<Signal>> make_text(const Settings& settings, const Signal
 
 Result<std::unique_ptr<Signal>> make_scene(const Settings& settings, const SignalMedia& media) {
     if (!media.scene)
-        return fail({{}, 0, "scene: there is no scene to draw"});
+        return fail({{},
+                     0,
+                     media.drawing ? "scene: takes a JSON scene; an SVG is a drawing"
+                                   : "scene: there is no scene to draw"});
     BeamScene scene = *media.scene;
     scene.beam_speed *= settings.number("speed");
     scene.move_speed *= settings.number("speed");
     return signal_of(std::move(scene), settings, "scene");
-}
-
-Result<std::unique_ptr<Signal>> make_drawing(const Settings& settings, const SignalMedia& media) {
-    if (!media.scene)
-        return fail({{}, 0, "drawing: there is nothing to draw"});
-    BeamScene scene = *media.scene;
-    scene.beam_speed = settings.number("beam_speed");
-    for (SceneItem& item : scene.items) {
-        item.paths = fitted_paths(std::move(item.paths), settings.number("size"));
-        item.spin[1] = settings.number("spin");
-        item.perspective = 3.0;
-    }
-    return signal_of(std::move(scene), settings, "drawing");
 }
 }  // namespace
 
@@ -141,21 +93,4 @@ SignalKind scene_kind() {
             .file_setting = "file",
             .bare_setting = "file",
             .make = make_scene};
-}
-
-SignalKind drawing_kind() {
-    return {.kind = "drawing",
-            .label = "Drawing",
-            .help = "The lines of an SVG file, drawn 60 times a second.",
-            .settings = {{.key = "file",
-                          .label = "File",
-                          .help = "An SVG; its paths, lines and shapes are followed.",
-                          .type = SettingType::text},
-                         size_setting(1.6, "How large the longer side is."),
-                         spin_setting(),
-                         speed_setting(),
-                         points_setting()},
-            .file_setting = "file",
-            .bare_setting = "file",
-            .make = make_drawing};
 }

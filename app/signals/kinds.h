@@ -37,6 +37,8 @@ struct SettingFacts {
     std::string initial_word = {};        // word and text; "" where a text must be given
     std::string group = {};               // a heading that it stands under; "": none
     UsedWhile used_while = {};
+    bool may_be_empty = false;  // of a text
+    bool is_hidden = false;     // has no control of its own in a form
 };
 
 /// A setting with a few words to choose from, the first of them at the start.

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -63,3 +64,15 @@ std::size_t point_count(const BeamScene& scene);
 /// draws nothing.
 Result<std::unique_ptr<Signal>> make_scene_signal(std::shared_ptr<const BeamScene> scene,
                                                   double rate);
+
+/// A scene that is another one each time the beam begins to draw it.
+struct ChangingScene {
+    std::function<BeamScene(double seconds)> at;  // as it is drawn from then on
+    double seconds = 1.0 / 60.0;  // from one beginning to the next: no drawing takes longer
+};
+
+/// As make_scene_signal; there may be nothing to draw, for a time or for ever.
+std::unique_ptr<Signal> make_changing_scene_signal(ChangingScene scene, double rate);
+
+/// How long the beam takes to draw it and to come back.
+double drawing_seconds(BeamScene scene);

@@ -127,42 +127,41 @@ private:
     double m_seconds = 0.0;
 };
 
-class SceneSignal : public Signal {
+/// How finely a scene is cut, and the part of time that is asked for.
+struct Tracing {
+    double rate = 0.0;
+    TimeSpan span;
+};
+
+constexpr double slack = 1e-9;  // s: ends of spans that were computed in two ways
+
+/// One drawing of a scene, as it stands when the drawing begins.
+class DrawnOnce {
 public:
-    SceneSignal(std::shared_ptr<const BeamScene> scene, double rate)
-        : m_scene(std::move(scene)), m_table(*m_scene), m_rate(rate) {}
-
-    const Timetable& table() const { return m_table; }
-
-    void trace(const TimeSpan& span, Beam& beam) const override {
-        const double length = m_table.seconds();
-        auto drawing = static_cast<std::int64_t>(std::floor(std::max(span.start, 0.0) / length));
-        drawing =
-            std::max<std::int64_t>(drawing - 1, 0);  // its last point may fall just after its end
-        for (; static_cast<double>(drawing) * length < span.end; ++drawing)
-            trace_drawing(static_cast<double>(drawing) * length, span, beam);
+    DrawnOnce(const BeamScene& scene, const Timetable& table, double start)
+        : m_table(table), m_start(start) {
+        for (const SceneItem& item : scene.items)
+            m_poses.emplace_back(item, start);
     }
 
-private:
-    void trace_drawing(double start, const TimeSpan& span, Beam& beam) const {
-        std::vector<Pose> poses;
-        for (const SceneItem& item : m_scene->items)
-            poses.emplace_back(item, start);
+    void trace(const Tracing& tracing, Beam& beam) const {
         const auto& legs = m_table.legs();
-        auto leg = std::upper_bound(legs.begin(), legs.end(), span.start - start,
+        auto leg = std::upper_bound(legs.begin(), legs.end(), tracing.span.start - m_start,
                                     [](double time, const Leg& other) {
                                         return time < other.begin + other.seconds + slack;
                                     });
-        for (; leg != legs.end() && start + leg->begin <= span.end; ++leg)
-            trace_leg(*leg, start + leg->begin, poses, span, beam);
+        for (; leg != legs.end() && m_start + leg->begin <= tracing.span.end; ++leg)
+            trace_leg(*leg, tracing, beam);
     }
 
-    void trace_leg(const Leg& leg, double start, const std::vector<Pose>& poses,
-                   const TimeSpan& span, Beam& beam) const {
-        const auto from = place_of(leg.from, poses);
-        const auto to = place_of(leg.to, poses);
+private:
+    void trace_leg(const Leg& leg, const Tracing& tracing, Beam& beam) const {
+        const double start = m_start + leg.begin;
+        const TimeSpan& span = tracing.span;
+        const auto from = place_of(leg.from);
+        const auto to = place_of(leg.to);
         const bool is_lit = leg.current > 0.0;
-        const double steps = is_lit ? std::max(1.0, std::ceil(leg.seconds * m_rate)) : 1.0;
+        const double steps = is_lit ? std::max(1.0, std::ceil(leg.seconds * tracing.rate)) : 1.0;
         const double step = leg.seconds / steps;
         const double charge = is_lit ? leg.current * step * charge_of_point(1.0) : 0.0;
         const double first = std::floor((span.start - start) / step);
@@ -180,15 +179,61 @@ private:
         }
     }
 
-    std::array<double, 2> place_of(std::size_t corner, const std::vector<Pose>& poses) const {
+    std::array<double, 2> place_of(std::size_t corner) const {
         const Corner& at = m_table.corners()[corner];
-        return poses[at.item].seen(at.point);
+        return m_poses[at.item].seen(at.point);
     }
 
-    static constexpr double slack = 1e-9;  // s: ends of spans that were computed in two ways
+    const Timetable& m_table;
+    double m_start;
+    std::vector<Pose> m_poses;
+};
 
+// The first of the drawings, each `length` long, that has points in the span.
+std::int64_t first_drawing(const TimeSpan& span, double length) {
+    const auto drawing = static_cast<std::int64_t>(std::floor(std::max(span.start, 0.0) / length));
+    return std::max<std::int64_t>(drawing - 1, 0);  // its last point may fall just after its end
+}
+
+class SceneSignal : public Signal {
+public:
+    SceneSignal(std::shared_ptr<const BeamScene> scene, double rate)
+        : m_scene(std::move(scene)), m_table(*m_scene), m_rate(rate) {}
+
+    const Timetable& table() const { return m_table; }
+
+    void trace(const TimeSpan& span, Beam& beam) const override {
+        const double length = m_table.seconds();
+        for (auto drawing = first_drawing(span, length);
+             static_cast<double>(drawing) * length < span.end; ++drawing)
+            DrawnOnce(*m_scene, m_table, static_cast<double>(drawing) * length)
+                .trace({m_rate, span}, beam);
+    }
+
+private:
     std::shared_ptr<const BeamScene> m_scene;  // shared with what else plays the same file
     Timetable m_table;
+    double m_rate;
+};
+
+class ChangingSceneSignal : public Signal {
+public:
+    ChangingSceneSignal(ChangingScene scene, double rate)
+        : m_scene(std::move(scene)), m_rate(rate) {}
+
+    void trace(const TimeSpan& span, Beam& beam) const override {
+        const double length = m_scene.seconds;
+        for (auto drawing = first_drawing(span, length);
+             static_cast<double>(drawing) * length < span.end; ++drawing) {
+            const double start = static_cast<double>(drawing) * length;
+            const BeamScene scene = m_scene.at(start);
+            const Timetable table(scene);
+            DrawnOnce(scene, table, start).trace({m_rate, span}, beam);
+        }
+    }
+
+private:
+    ChangingScene m_scene;
     double m_rate;
 };
 }  // namespace
@@ -215,4 +260,13 @@ Result<std::unique_ptr<Signal>> make_scene_signal(std::shared_ptr<const BeamScen
     if (!draws || signal->table().seconds() < 1e-6)
         return fail({{}, 0, "there is nothing to draw"});
     return signal;
+}
+
+double drawing_seconds(BeamScene scene) {
+    scene.refresh = 0.0;
+    return Timetable(scene).seconds();
+}
+
+std::unique_ptr<Signal> make_changing_scene_signal(ChangingScene scene, double rate) {
+    return std::make_unique<ChangingSceneSignal>(std::move(scene), rate);
 }

@@ -25,11 +25,13 @@ public:
 };
 
 struct BeamScene;
+struct Drawing;
 
 /// What a signal may need from outside: files are read by the caller.
 struct SignalMedia {
     std::shared_ptr<const Sound> sound = nullptr;      // shared with the sound device's thread
     std::shared_ptr<const BeamScene> scene = nullptr;  // with the reading thread; never changed
+    std::shared_ptr<const Drawing> drawing = nullptr;  // likewise
     std::shared_ptr<const LiveSound> live = nullptr;   // with the sound device's thread
     std::int64_t live_first = 0;                       // its frame at time 0
 };
