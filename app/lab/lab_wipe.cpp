@@ -1,5 +1,4 @@
 // The part of Lab that shows other values beside the present ones.
-#include "lab/chosen_images.h"
 #include "lab/lab.h"
 
 #include <algorithm>
@@ -51,7 +50,8 @@ void Lab::start_variant() {
         return;
     for (const auto& [name, picture] : m_images)
         succeeded(m_renderer->set_image(name, *picture));
-    succeeded(show_chosen_images(m_document->look(), Values(), m_variant->values, *m_renderer));
+    m_chosen_images.forget();
+    succeeded(m_chosen_images.show(m_document->look(), m_variant->values, *m_renderer));
     succeeded(m_drive.show_anew(m_player, *m_renderer));
     constexpr double patience_seconds = 1.0;
     constexpr double fewest = 4;
