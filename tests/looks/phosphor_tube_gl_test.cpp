@@ -282,6 +282,42 @@ TEST_CASE("an overdriven tube is as bright as its ceiling and fades from there")
     CHECK(std::abs(tube.at("persistence", 32, 32) / (2.5 * std::exp(-1 / 0.1175)) - 1) < 0.001);
 }
 
+TEST_CASE("in a short frame the ceiling is as much higher as its light falls into less time") {
+    const Values values = with(white(p32), {{"ceiling", Value(2.5)}, {"beam_gain", Value(0.7)}});
+    Tube tube(values, {64, 64});
+    Beam early = tube.flood();  // so that much of it shines within the frame
+    for (BeamPoint& point : early)
+        point.age_seconds = 0.004f;
+    tube.draw(early, 240.0);
+    CHECK(std::abs(tube.at("persistence", 32, 32) - 4 * 2.5) < 1e-3);
+    tube.restart(values);
+    tube.draw(early, 24.0);
+    CHECK(std::abs(tube.at("persistence", 32, 32) - 2.5) < 1e-4);
+}
+
+TEST_CASE("a tube's flash and its afterglow take the colours that were chosen for them") {
+    const Value beam(std::vector<double>{1, 0.5, 0.25});
+    const Value after(std::vector<double>{0.2, 0.4, 1});
+    Tube tube({}, small);
+    const auto shown = [&](double choice, double seconds) {
+        tube.restart({{"tube", Value(p7.item)},
+                      {"tube_color", Value(choice)},
+                      {"beam_color", beam},
+                      {"afterglow_color", after},
+                      {"beam_gain", Value(0.001)}});
+        if (seconds > 0)
+            tube.draw(flash(seconds), 1 / seconds);
+        tube.draw(seconds > 0 ? Beam{} : flash(1e-6), 1e6);
+        return scaled_to_1(light_of(tube));
+    };
+    for (std::size_t i = 0; i < 3; ++i) {
+        CHECK(std::abs(shown(1, 0)[i] - beam.numbers[i]) < 0.002);
+        CHECK(std::abs(shown(1, 0.02)[i] - beam.numbers[i]) < 0.002);
+        CHECK(std::abs(shown(2, 0)[i] - beam.numbers[i]) < 0.05);  // a little glows on at once
+        CHECK(std::abs(shown(2, 0.02)[i] - after.numbers[i]) < 0.002);
+    }
+}
+
 TEST_CASE("the custom tube keeps no charges, and the article knows no tubes") {
     Tube custom({}, small);
     custom.draw(flash(0));
