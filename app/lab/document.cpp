@@ -87,10 +87,10 @@ void Document::reset_all() {
     change(std::move(next), "Reset all");
 }
 
-void Document::set_signal(Spec signal, bool goes_on) {
+void Document::set_signal(Spec signal, bool goes_on, std::string step_name) {
     DocumentState next = state();
     next.signal = std::move(signal);
-    change(std::move(next), "Signal", goes_on);
+    change(std::move(next), std::move(step_name), goes_on);
 }
 
 void Document::set_source(std::string source, bool goes_on) {

@@ -46,7 +46,7 @@ public:
     void set_orbit(const std::function<Orbit(const Orbit&)>& change);
     void reset(const std::vector<std::string>& names);
     void reset_all();
-    void set_signal(Spec signal, bool goes_on = false);
+    void set_signal(Spec signal, bool goes_on = false, std::string step_name = "Signal");
     void set_source(std::string source, bool goes_on = false);
     /// Other looks, or another order; every value goes with its look.
     void set_stack(Stack stack, const std::string& step_name);

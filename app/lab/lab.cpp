@@ -3,6 +3,7 @@
 #include "base/file.h"
 #include "formats/manifest_edit.h"
 #include "formats/preset_format.h"
+#include "formats/scene_file.h"
 #include "formats/share_line.h"
 #include "lab/editor.h"
 #include "lab/sharing.h"
@@ -74,7 +75,7 @@ Spec playing(const fs::path& file, const Spec& present) {
 
 bool Lab::opens_document(const fs::path& file) const {
     const bool is_source = is_source_file(file) && !(is_picture_file(file) && load_preset(file));
-    return !is_sound_file(file) && !is_source;
+    return !is_sound_file(file) && !is_svg_file(file) && !is_source;
 }
 
 bool Lab::would_lose_changes(const std::string& argument) const {
@@ -95,6 +96,8 @@ void Lab::open_file(const fs::path& file) {
         open(file.string());
         return;
     }
+    if (is_svg_file(file))
+        return load_drawing(file);
     const bool is_sound = is_sound_file(file);
     const Driver needed = is_sound ? Driver::signal : Driver::picture;
     if (!m_document || m_document->look().driven_by != needed) {

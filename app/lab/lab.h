@@ -1,7 +1,9 @@
 #pragma once
 
+#include "lab/beam_place.h"
 #include "lab/chosen_images.h"
 #include "lab/document.h"
+#include "lab/drawing_board.h"
 #include "lab/drive.h"
 #include "lab/library.h"
 #include "lab/open.h"
@@ -68,6 +70,11 @@ public:
     /// What drives the look: how far its file has been read.
     const Drive& drive() const { return m_drive; }
 
+    /// The pen, and what it draws on.
+    const DrawingBoard& drawing_board() const { return m_board; }
+    /// Where the signal's places lie in the picture.
+    BeamPlacing beam_placing() const;
+
     // Verbs. Each shows its failure as a notice.
     void open(const std::string& argument);
     void open(const OpenRequest& request);
@@ -89,7 +96,18 @@ public:
     void set_picture_size(const PictureSize& size);
     void set_view(Extent view_pixels) { m_view = view_pixels; }
     void set_mouse(double x, double y);
-    void save_preset();                            // over the open one
+    /// Takes the pen up, or puts it down; a signal that is not drawn by hand becomes an empty
+    /// drawing, or that of its file.
+    void take_pen(bool is_in_hand);
+    /// What the left button does with the pen in the hand.
+    void pen_down(const PicturePixel& pixel);
+    void pen_move(const PicturePixel& pixel);
+    void pen_up();
+    void draw(const std::function<void(DrawingBoard&, Document&)>& change);
+    /// An SVG becomes the drawing; one with too many points for a hand plays from its file.
+    void load_drawing(const std::filesystem::path& file);
+    void save_drawing(const std::filesystem::path& file);  // as an SVG
+    void save_preset();                                    // over the open one
     void save_preset_as(const std::string& name);  // refused where there is one of that name
     void replace_preset(const std::string& name);  // as save_preset_as, over the one there is
     void rename_preset(const std::string& name);
@@ -136,6 +154,7 @@ private:
     void apply_document();
     void follow_variant();
     void start_variant();
+    Result<void> follow_signal();
     void update_drive();
     void tell_silence();
     void show_source(double seconds);
@@ -161,7 +180,9 @@ private:
     Library m_library;
     std::optional<Document> m_document;
     std::optional<DocumentState> m_applied;  // what player and renderer were last told
-    std::optional<Programs> m_programs;      // of the open look, as linked
+    DrawingBoard m_board;
+    Spec m_applied_signal;  // as it was seen: with the pen in the hand a keyframe stands still
+    std::optional<Programs> m_programs;  // of the open look, as linked
     Player m_player{machine_sound_devices()};
     std::vector<SoundDevice> m_sound_devices;
     std::string m_told_silence;  // the player's, as last said

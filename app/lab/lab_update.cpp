@@ -178,7 +178,9 @@ void Lab::show_images(const LoadedImages& images) {
 // Tells player and renderer what the person changed since last told.
 void Lab::apply_document() {
     const DocumentState& state = m_document->state();
-    if (m_applied == state)
+    m_board.follow(*m_document);
+    Spec shown = m_board.shown(state.signal);
+    if (m_applied == state && m_applied_signal == shown)
         return;
     const bool is_first = !m_applied;
     std::vector<std::string> names;
@@ -192,8 +194,9 @@ void Lab::apply_document() {
         watch_extra_files();
     m_drawn_extent = {};  // sizes may depend on values
     Redraw redraw = redraw_after(m_document->look(), names);
-    if (is_first || m_applied->signal != state.signal || m_applied->source != state.source) {
-        succeeded(m_drive.follow(*m_document, m_player, *m_renderer));
+    if (is_first || m_applied_signal != shown || m_applied->source != state.source) {
+        m_applied_signal = std::move(shown);
+        succeeded(follow_signal());
         m_renderer->restart_samples();
         redraw.needs_replay = true;
     }
@@ -204,6 +207,13 @@ void Lab::apply_document() {
     m_applied = state;
     gather_problems();
     want(redraw);
+}
+
+Result<void> Lab::follow_signal() {
+    auto followed = m_drive.follow(*m_document, m_player, *m_renderer);
+    if (!followed || !m_board.has_pen())
+        return followed;
+    return m_player.set_signal(m_applied_signal);
 }
 
 void Lab::update_drive() {

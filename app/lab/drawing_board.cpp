@@ -1,0 +1,242 @@
+#include "lab/drawing_board.h"
+
+#include "signals/stroke_line.h"
+
+#include <algorithm>
+
+namespace {
+constexpr const char* stroke_step = "Stroke";
+constexpr double reach_px = 8.0;    // a hand does not point more exactly
+constexpr double tremble_px = 3.0;  // within it two clicks are at one place
+
+std::string strokes_of(const Spec& signal) {
+    const auto found = signal.settings.find("strokes");
+    if (signal.kind != "drawing" || found == signal.settings.end())
+        return {};
+    const std::string* text = std::get_if<std::string>(&found->second);
+    return text ? *text : std::string();
+}
+
+bool is_stroke_open(const Document& document) {
+    return document.history().is_in_gesture() && document.history().undo_name() == stroke_step;
+}
+}  // namespace
+
+std::size_t DrawingBoard::keyframe() const {
+    return m_drawing ? std::min(m_keyframe, m_drawing->keyframes.size() - 1) : 0;
+}
+
+std::optional<std::size_t> DrawingBoard::stroke_at(const BeamPlace& place, double reach) const {
+    std::optional<std::size_t> found;
+    if (!m_drawing)
+        return found;
+    const Keyframe& strokes = m_drawing->keyframes[keyframe()];
+    double nearest = reach;
+    for (std::size_t i = 0; i < strokes.size(); ++i)
+        if (const double away = distance_to_line(place, line_of(strokes[i])); away <= nearest) {
+            nearest = away;
+            found = i;
+        }
+    return found;
+}
+
+Spec DrawingBoard::shown(const Spec& signal) const {
+    if (!has_pen())
+        return signal;
+    Spec still = signal;
+    still.settings["play"] = std::string("still");
+    still.settings["keyframe"] = static_cast<double>(keyframe() + 1);
+    still.settings["spin"] = 0.0;
+    return still;
+}
+
+void DrawingBoard::follow(const Document& document) {
+    const bool is_driven = document.look().driven_by == Driver::signal;
+    const std::string text = is_driven ? strokes_of(document.state().signal) : std::string();
+    if (text != m_text) {
+        m_text = text;
+        m_drawing.reset();
+        if (auto drawing = text.empty() ? Result<Drawing>(Drawing{}) : parse_drawing(text);
+            drawing && !drawing->keyframes.empty())
+            m_drawing = std::move(*drawing);
+    }
+    if (!m_drawing || (m_is_line_shown && !is_stroke_open(document)))
+        m_line.reset();  // it was undone, or something else was done meanwhile
+    m_is_line_shown = m_is_line_shown && m_line;
+}
+
+void DrawingBoard::set_pen(const Pen& pen, Document& document) {
+    end_line(document);
+    m_pen = pen;
+}
+
+void DrawingBoard::choose_keyframe(std::size_t keyframe, Document& document) {
+    end_line(document);
+    m_keyframe = keyframe;
+}
+
+void DrawingBoard::set(const Drawing& drawing, const std::string& step, Document& document,
+                       bool goes_on) {
+    Spec signal = document.state().signal;
+    signal.settings["strokes"] = to_text(drawing);
+    document.set_signal(std::move(signal), goes_on, step);
+    follow(document);
+}
+
+void DrawingBoard::replace(const Drawing& drawing, const std::string& step, Document& document) {
+    end_line(document);
+    Spec signal = document.state().signal;
+    if (signal.kind != "drawing")
+        signal = Spec{"drawing", {}};
+    signal.settings.erase("");
+    signal.settings.erase("file");
+    signal.settings["strokes"] = to_text(drawing);
+    document.set_signal(std::move(signal), false, step);
+    m_keyframe = 0;
+    follow(document);
+}
+
+void DrawingBoard::press(const BeamPlace& place, double pixel, Document& document) {
+    follow(document);
+    if (!has_pen())
+        return;
+    switch (m_pen.tool) {
+        case PenTool::freehand:
+            end_line(document);
+            m_line = Stroke{{place}, m_pen.is_smooth, false};
+            return;
+        case PenTool::points:
+            click(place, pixel, document);
+            return;
+        case PenTool::erase:
+            erase(place, pixel, document);
+            return;
+    }
+}
+
+void DrawingBoard::move(const BeamPlace& place, double pixel, Document& document) {
+    follow(document);
+    if (m_pen.tool == PenTool::freehand && m_line &&
+        distance(place, m_line->points.back()) >= pixel)
+        add_point(place, document);
+}
+
+void DrawingBoard::release(double pixel, Document& document) {
+    follow(document);
+    if (m_pen.tool != PenTool::freehand || !m_line)
+        return;
+    // A hand's line comes in steps of whole pixels.
+    m_line->points = simplified(m_line->points, 0.75 * pixel);
+    if (m_is_line_shown)
+        show_line(document);
+    end_line(document);
+}
+
+void DrawingBoard::click(const BeamPlace& place, double pixel, Document& document) {
+    if (!m_line) {
+        m_line = Stroke{{place}, m_pen.is_smooth, false};
+        return;
+    }
+    const std::vector<BeamPlace>& points = m_line->points;
+    if (distance(place, points.back()) <= tremble_px * pixel) {
+        end_line(document);
+    } else if (points.size() > 2 && distance(place, points.front()) <= reach_px * pixel) {
+        m_line->is_closed = true;
+        show_line(document);
+        end_line(document);
+    } else {
+        add_point(place, document);
+    }
+}
+
+void DrawingBoard::erase(const BeamPlace& place, double pixel, Document& document) {
+    const auto stroke = stroke_at(place, reach_px * pixel);
+    if (!stroke)
+        return;
+    Drawing drawing = *m_drawing;
+    Keyframe& strokes = drawing.keyframes[keyframe()];
+    strokes.erase(strokes.begin() + static_cast<std::ptrdiff_t>(*stroke));
+    set(drawing, "Delete stroke", document);
+}
+
+// A full drawing takes no more.
+void DrawingBoard::add_point(const BeamPlace& place, Document& document) {
+    if (point_count(*m_drawing) + 2 > most_drawing_points)
+        return;
+    m_line->points.push_back(place);
+    show_line(document);
+}
+
+void DrawingBoard::show_line(Document& document) {
+    Drawing drawing = *m_drawing;
+    Keyframe& strokes = drawing.keyframes[keyframe()];
+    if (m_is_line_shown)
+        strokes.pop_back();
+    strokes.push_back(*m_line);
+    set(drawing, stroke_step, document, true);
+    m_is_line_shown = true;
+}
+
+void DrawingBoard::end_line(Document& document) {
+    if (m_is_line_shown && is_stroke_open(document))
+        document.finish();
+    m_line.reset();
+    m_is_line_shown = false;
+}
+
+void DrawingBoard::insert_keyframe(Keyframe keyframe, const std::string& step, Document& document) {
+    end_line(document);
+    if (!m_drawing || m_drawing->keyframes.size() >= most_keyframes)
+        return;
+    Drawing drawing = *m_drawing;
+    const std::size_t place = this->keyframe() + 1;
+    drawing.keyframes.insert(drawing.keyframes.begin() + static_cast<std::ptrdiff_t>(place),
+                             std::move(keyframe));
+    if (point_count(drawing) > most_drawing_points)
+        return;
+    set(drawing, step, document);
+    m_keyframe = place;
+}
+
+void DrawingBoard::add_keyframe(Document& document) {
+    insert_keyframe({}, "Add keyframe", document);
+}
+
+void DrawingBoard::duplicate_keyframe(Document& document) {
+    if (m_drawing)
+        insert_keyframe(m_drawing->keyframes[keyframe()], "Duplicate keyframe", document);
+}
+
+void DrawingBoard::remove_keyframe(Document& document) {
+    end_line(document);
+    if (!m_drawing || m_drawing->keyframes.size() < 2)
+        return;
+    Drawing drawing = *m_drawing;
+    const std::size_t place = keyframe();
+    drawing.keyframes.erase(drawing.keyframes.begin() + static_cast<std::ptrdiff_t>(place));
+    set(drawing, "Remove keyframe", document);
+    m_keyframe = place > 0 ? place - 1 : 0;
+}
+
+void DrawingBoard::move_keyframe(int places, Document& document) {
+    end_line(document);
+    if (!m_drawing)
+        return;
+    Drawing drawing = *m_drawing;
+    const std::size_t place = keyframe();
+    const auto last = static_cast<std::ptrdiff_t>(drawing.keyframes.size()) - 1;
+    const auto next = static_cast<std::size_t>(
+        std::clamp(static_cast<std::ptrdiff_t>(place) + places, std::ptrdiff_t{0}, last));
+    std::swap(drawing.keyframes[place], drawing.keyframes[next]);
+    set(drawing, "Move keyframe", document);
+    m_keyframe = next;
+}
+
+void DrawingBoard::clear_keyframe(Document& document) {
+    end_line(document);
+    if (!m_drawing)
+        return;
+    Drawing drawing = *m_drawing;
+    drawing.keyframes[keyframe()].clear();
+    set(drawing, "Clear keyframe", document);
+}

@@ -1,0 +1,108 @@
+// The part of Lab that draws by hand.
+#include "formats/svg_file.h"
+#include "io/atomic_file.h"
+#include "lab/lab.h"
+#include "signals/kinds.h"
+#include "signals/stroke_line.h"
+
+#include <fmt/format.h>
+
+namespace fs = std::filesystem;
+
+namespace {
+// With fewer points where that does not show: another program's curves come finely cut.
+Drawing lightened(Drawing drawing) {
+    constexpr double unseen = 0.0005;  // half screens
+    for (Keyframe& keyframe : drawing.keyframes)
+        for (Stroke& stroke : keyframe)
+            if (!stroke.is_smooth)
+                stroke.points = simplified(stroke.points, unseen);
+    return drawing;
+}
+
+double size_in(const Spec& signal) {
+    const Spec any{"drawing", {{"strokes", std::string("[]")}}};
+    const auto complete = completed(signal.kind == "drawing" ? signal : any);
+    const Spec& sized = complete ? *complete : completed(any).value();
+    return std::get<double>(sized.settings.at("size"));
+}
+}  // namespace
+
+BeamPlacing Lab::beam_placing() const {
+    return {m_document->look(), m_document->values(), picture_extent()};
+}
+
+void Lab::draw(const std::function<void(DrawingBoard&, Document&)>& change) {
+    if (!m_document)
+        return;
+    m_board.follow(*m_document);
+    change(m_board, *m_document);
+}
+
+void Lab::take_pen(bool is_in_hand) {
+    if (!m_document)
+        return;
+    if (m_document->look().driven_by != Driver::signal)
+        return say("This look is not driven by a signal: open one that is, then draw", true);
+    m_board.follow(*m_document);
+    if (is_in_hand && !m_board.drawing()) {
+        const Spec& signal = m_document->state().signal;
+        if (const std::string file = file_of(signal); signal.kind == "drawing" && !file.empty())
+            load_drawing(file);
+        else
+            m_board.replace(Drawing{{{}}}, "New drawing", *m_document);
+    }
+    Pen pen = m_board.pen();
+    pen.is_in_hand = is_in_hand && m_board.drawing();
+    m_board.set_pen(pen, *m_document);
+}
+
+void Lab::pen_down(const PicturePixel& pixel) {
+    const BeamPlacing placing = beam_placing();
+    m_board.press(placing.place_of(pixel), placing.pixel_size(), *m_document);
+    if (m_board.drawing() && point_count(*m_board.drawing()) + 2 > most_drawing_points)
+        say(fmt::format("The drawing is full: it has {} points", most_drawing_points), true);
+}
+
+void Lab::pen_move(const PicturePixel& pixel) {
+    const BeamPlacing placing = beam_placing();
+    m_board.move(placing.place_of(pixel), placing.pixel_size(), *m_document);
+}
+
+void Lab::pen_up() {
+    if (m_document)
+        m_board.release(beam_placing().pixel_size(), *m_document);
+}
+
+void Lab::load_drawing(const fs::path& file) {
+    if (!m_document)
+        return;
+    if (m_document->look().driven_by != Driver::signal)
+        return say("This look is not driven by a signal: open one that is, then the drawing shows",
+                   true);
+    const auto loaded = load_svg_drawing(file);
+    if (!succeeded(loaded))
+        return;
+    const Spec present = m_document->state().signal;
+    const Drawing drawing = lightened(to_scale(*loaded, size_in(present)));
+    if (point_count(drawing) <= most_drawing_points)
+        return m_board.replace(drawing, "Load drawing", *m_document);
+    Spec played = present.kind == "drawing" ? present : Spec{"drawing", {}};
+    played.settings.erase("");
+    played.settings.erase("strokes");
+    played.settings["file"] = fs::absolute(file).string();
+    m_document->set_signal(std::move(played), false, "Load drawing");
+    say(fmt::format("'{}' plays from its file: {} points are too many to draw on",
+                    file.filename().string(), point_count(drawing)));
+}
+
+void Lab::save_drawing(const fs::path& given) {
+    if (!m_document)
+        return;
+    m_board.follow(*m_document);
+    if (!m_board.drawing() || !has_strokes(*m_board.drawing()))
+        return say("There is nothing drawn that could be saved", true);
+    const fs::path file = given.has_extension() ? given : fs::path(given.string() + ".svg");
+    if (succeeded(write_atomically(file, svg_text(*m_board.drawing()))))
+        say("Saved '" + file.filename().string() + "'");
+}
