@@ -8,7 +8,7 @@
 namespace {
 using Clock = std::chrono::steady_clock;
 
-/// An open stream of an input device: 32-bit, one or two channels.
+/// An open stream of an input device: 32-bit.
 class Capture : public SoundCapture {
 public:
     explicit Capture(RtAudio::Api api) : m_stream(api) { m_stream.showWarnings(false); }
@@ -17,20 +17,21 @@ public:
     bool is_running() const { return m_stream.isStreamRunning(); }
 
     /// Throws RtAudioError.
-    void start(const SoundSettings& settings) {
+    void start(const SoundSettings& settings, int channels) {
         const unsigned int device = find_sound_device(m_stream, settings.input, SoundDirection::in);
         const RtAudio::DeviceInfo info = m_stream.getDeviceInfo(device);
         const unsigned int own = info.preferredSampleRate > 0 ? info.preferredSampleRate : 48000;
         const unsigned int rate = settings.rate > 0 ? static_cast<unsigned>(settings.rate) : own;
         RtAudio::StreamParameters parameters;
         parameters.deviceId = device;
-        parameters.nChannels = std::clamp(info.inputChannels, 1U, 2U);
+        parameters.nChannels =
+            std::clamp(info.inputChannels, 1U, static_cast<unsigned int>(channels));
         RtAudio::StreamOptions options;
         options.streamName = "Afterglow";
         auto frames = static_cast<unsigned int>(settings.buffer);
         m_name = info.name;
         m_channels = static_cast<int>(parameters.nChannels);
-        m_sound = std::make_shared<LiveSound>(static_cast<int>(rate));
+        m_sound = std::make_shared<LiveSound>(static_cast<int>(rate), std::max(m_channels, 2));
         m_stream.openStream(nullptr, &parameters, RTAUDIO_FLOAT32, rate, &frames, take, this,
                             &options, error_while_running);
         // A trigger looks a little ahead, and two traces take turns of 1/60 s.
@@ -70,13 +71,14 @@ private:
 };
 }  // namespace
 
-Result<std::unique_ptr<SoundCapture>> open_sound_capture(const SoundSettings& settings) {
+Result<std::unique_ptr<SoundCapture>> open_sound_capture(const SoundSettings& settings,
+                                                         int channels) {
     std::unique_ptr<Capture> opened;
     const auto done = open_first_sound_device("input", [&](RtAudio::Api api) {
         auto capture = std::make_unique<Capture>(api);
         if (!capture->has_device())
             return false;
-        capture->start(settings);
+        capture->start(settings, channels);
         if (!capture->is_running())
             return false;
         opened = std::move(capture);

@@ -1,6 +1,7 @@
 #include "io/sound_devices.h"
 
 #include "io/sound_api.h"
+#include "io/sound_beam.h"
 #include "io/sound_capture.h"
 
 namespace {
@@ -31,8 +32,13 @@ public:
         return SoundOutput::open(settings);
     }
 
-    Result<std::unique_ptr<SoundCapture>> open_capture(const SoundSettings& settings) override {
-        return open_sound_capture(settings);
+    Result<std::unique_ptr<BeamOutput>> open_beam_output(const SoundSettings& settings) override {
+        return open_sound_beam(settings);
+    }
+
+    Result<std::unique_ptr<SoundCapture>> open_capture(const SoundSettings& settings,
+                                                       int channels) override {
+        return open_sound_capture(settings, channels);
     }
 };
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "io/beam_queue.h"
 #include "io/sound_output.h"
 #include "model/live_sound.h"
 #include "model/sound_settings.h"
@@ -31,6 +32,19 @@ public:
     virtual bool has_stalled() const = 0;
 };
 
+/// A device that plays a beam, sample by sample, for as long as this lives.
+class BeamOutput {
+public:
+    virtual ~BeamOutput() = default;
+
+    virtual std::string device_name() const = 0;
+    virtual int rate() const = 0;  // samples a second
+    /// Where what is written goes.
+    virtual BeamQueue& queue() = 0;
+    /// Whether the device has asked for nothing for a second.
+    virtual bool has_stalled() const = 0;
+};
+
 /// The sound devices that there are. Tests have some of their own.
 class SoundDevices {
 public:
@@ -39,7 +53,10 @@ public:
     virtual std::vector<SoundDevice> list() = 0;
     /// Each says why it cannot be had, and writes nothing to stderr.
     virtual Result<std::unique_ptr<SoundOutput>> open_output(const SoundSettings& settings) = 0;
-    virtual Result<std::unique_ptr<SoundCapture>> open_capture(const SoundSettings& settings) = 0;
+    virtual Result<std::unique_ptr<BeamOutput>> open_beam_output(const SoundSettings& settings) = 0;
+    /// With so many channels, at least 2, or as many as the device has.
+    virtual Result<std::unique_ptr<SoundCapture>> open_capture(const SoundSettings& settings,
+                                                               int channels) = 0;
 };
 
 /// Those of this machine.

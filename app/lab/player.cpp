@@ -52,7 +52,7 @@ Result<std::unique_ptr<Signal>> Player::make(const Spec& complete, const PlayedS
 Result<void> Player::open_capture() {
     if (m_capture)
         return {};
-    auto capture = m_devices->open_capture(m_settings);
+    auto capture = m_devices->open_capture(m_settings, 2);
     if (!capture) {
         m_silence = capture.error().front().message;
         return fail(capture.error());

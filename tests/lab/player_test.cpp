@@ -31,7 +31,11 @@ public:
     Result<std::unique_ptr<SoundOutput>> open_output(const SoundSettings&) override {
         return fail({{}, 0, "no sound device was found"});
     }
-    Result<std::unique_ptr<SoundCapture>> open_capture(const SoundSettings& settings) override {
+    Result<std::unique_ptr<BeamOutput>> open_beam_output(const SoundSettings&) override {
+        return fail({{}, 0, "no sound device was found"});
+    }
+    Result<std::unique_ptr<SoundCapture>> open_capture(const SoundSettings& settings,
+                                                       int) override {
         if (settings.input == "Gone")
             return fail({{}, 0, "the sound input cannot be opened: 'Gone' is not there"});
         ++captures;

@@ -36,3 +36,13 @@ TEST_CASE("what is long ago is forgotten, the last seconds are there") {
     CHECK(read(sound, 9000, 1).front() == 9000.0f);
     CHECK(read(sound, 9999, 1).front() == 9999.0f);
 }
+
+TEST_CASE("more channels than two are kept where they are wanted") {
+    LiveSound sound(1000, 5);
+    CHECK(sound.channels() == 5);
+    sound.write(std::vector<float>{1.0f, 2.0f, 3.0f, 4.0f, 5.0f, 6.0f}, 6);
+    sound.write(std::vector<float>{7.0f, 8.0f}, 2);
+    std::vector<float> read(10);
+    sound.read(0, read);
+    CHECK(read == std::vector<float>{1.0f, 2.0f, 3.0f, 4.0f, 5.0f, 7.0f, 8.0f, 8.0f, 8.0f, 8.0f});
+}
