@@ -29,10 +29,11 @@ void Lab::update(double wall_seconds) {
 
 // A device that is gone, once; the signal's panel goes on saying so.
 void Lab::tell_silence() {
-    if (m_player.silence() == m_told_silence)
+    std::string silence = m_player.silence();
+    if (silence == m_told_silence)
         return;
     constexpr const char* subject = "sound device";
-    m_told_silence = m_player.silence();
+    m_told_silence = std::move(silence);
     if (m_told_silence.empty())
         mended(subject);
     else

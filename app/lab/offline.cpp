@@ -211,6 +211,8 @@ Diagnostics Offline::take_problems() {
         const Diagnostics more = m_source->take_problems();
         problems.insert(problems.end(), more.begin(), more.end());
     }
+    const Diagnostics sent = m_player->sent_problems();
+    problems.insert(problems.end(), sent.begin(), sent.end());
     return problems;
 }
 

@@ -55,7 +55,8 @@ public:
     const Executor& executor() const { return m_renderer->executor(); }
     const Document& document() const { return m_document; }
     const gpu::Context& context() const { return *m_context; }
-    /// What of the source could not be read, since last asked.
+    /// What of the source, or of a beam that another program sends, could not be read. Asked once,
+    /// at the end.
     Diagnostics take_problems();
     /// The picture of a pass, row 0 on top; with the encoding that its values have.
     Picture picture(int pass) const;

@@ -1,5 +1,6 @@
 #include "lab/play_beam.h"
 
+#include "lab/beam_feed.h"
 #include "lab/signal_file.h"
 #include "signals/kinds.h"
 
@@ -13,6 +14,14 @@ Result<Sound> play_beam(const std::string& text, const BeamSoundFormat& format) 
         if (!loaded)
             return fail(loaded.error());
         media = std::move(*loaded);
+    }
+    std::unique_ptr<BeamFeed> feed;
+    if (const auto complete = completed(*spec); complete && find_kind(complete->kind)->is_sent) {
+        auto opened = BeamFeed::open(*complete, SentBeam::Pace::waiting, 0.0);
+        if (!opened)
+            return fail(opened.error());
+        feed = std::move(*opened);
+        media.sent = feed->beam();
     }
     const auto signal = make_signal(*spec, media);
     if (!signal)

@@ -27,6 +27,8 @@ Result<void> Player::set_signal(const Spec& spec, PlayedSound sound) {
     }
     if (spec.kind.empty() || !find_kind(spec.kind)->is_live)
         m_capture.reset();  // nobody listens in for longer than is drawn
+    if (spec.kind.empty() || !find_kind(spec.kind)->is_sent)
+        m_feed.reset();
     const bool is_new_sound = sound.sound != m_sound.sound || start != m_start;
     m_signal = std::move(signal);
     m_sound = std::move(sound);
@@ -46,7 +48,41 @@ Result<std::unique_ptr<Signal>> Player::make(const Spec& complete, const PlayedS
         media.live = m_capture->sound();
         media.live_first = m_live_first;
     }
+    if (find_kind(complete.kind)->is_sent) {
+        if (const auto open = open_feed(complete); !open)
+            return fail(open.error());
+        media.sent = m_feed->beam();
+    }
     return make_signal(complete, media);
+}
+
+namespace {
+std::string place_of(const Spec& complete) {
+    const auto path = complete.settings.find("path");
+    return path == complete.settings.end() ? "" : std::get<std::string>(path->second);
+}
+}  // namespace
+
+// Where nobody watches, drawing waits for the sender, so that the same input gives the same
+// picture.
+Result<void> Player::open_feed(const Spec& complete) {
+    if (m_feed && m_feed->spec() == complete)
+        return {};
+    if (m_feed && place_of(m_feed->spec()) == place_of(complete))
+        m_feed.reset();  // two cannot share a place
+    const auto pace = m_devices ? SentBeam::Pace::live : SentBeam::Pace::waiting;
+    auto feed = BeamFeed::open(complete, pace, m_time);
+    if (!feed)
+        return fail(feed.error());
+    m_feed = std::move(*feed);
+    return {};
+}
+
+std::string Player::silence() const {
+    if (m_feed)
+        if (std::string complaint = m_feed->complaint(); !complaint.empty())
+            return complaint;
+    return m_silence;
 }
 
 Result<void> Player::open_capture() {
@@ -139,6 +175,8 @@ void Player::seek(double seconds) {
     if (m_output)
         m_output->seek(m_time);
     m_heard = m_time;
+    if (m_feed)
+        m_feed->beam()->start_at(m_time);
     if (!m_capture)
         return;
     begin_live();

@@ -2,6 +2,7 @@
 
 #include "base/diagnostic.h"
 #include "io/sound_devices.h"
+#include "lab/beam_feed.h"
 #include "model/beam.h"
 #include "model/spec.h"
 #include "signals/clock.h"
@@ -41,10 +42,16 @@ public:
     const PlayedSound& sound() const { return m_sound; }
     /// How much of the sound is played, in seconds; 0 without a sound.
     double sound_seconds() const;
-    /// Why a sound that should be heard or come in does not; "" when all is well.
-    const std::string& silence() const { return m_silence; }
+    /// Why a sound that should be heard or come in does not, or what is wrong with a beam that
+    /// another program sends; "" when all is well.
+    std::string silence() const;
     /// The device that a live sound comes in from; "" when none does.
     std::string live_device() const { return m_capture ? m_capture->device_name() : ""; }
+
+    /// Whether the beam of another program is drawn or waited for; "" where there is none.
+    std::string sent_state() const { return m_feed ? m_feed->state() : std::string(); }
+    /// What could not be read of a beam that another program sends.
+    Diagnostics sent_problems() const { return m_feed ? m_feed->problems() : Diagnostics(); }
 
     const SoundSettings& sound_settings() const { return m_settings; }
     /// Opens the devices anew that are in use.
@@ -88,6 +95,7 @@ public:
 private:
     Result<std::unique_ptr<Signal>> make(const Spec& complete, const PlayedSound& sound);
     Result<void> open_capture();
+    Result<void> open_feed(const Spec& complete);
     void begin_live();
     void play_sound(bool loops, bool is_new_sound);
     bool is_sound_the_clock() const;
@@ -107,6 +115,7 @@ private:
     std::unique_ptr<SoundOutput> m_output;
     std::unique_ptr<SoundCapture> m_capture;  // while a live sound is drawn
     std::int64_t m_live_first = 0;            // its frame at time 0
+    std::unique_ptr<BeamFeed> m_feed;         // while another program sends the beam
     Spec m_spec;                              // of the signal, complete
     std::string m_silence;
     double m_speed = 1.0;

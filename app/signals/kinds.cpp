@@ -5,15 +5,17 @@
 #include "signals/harmonics.h"
 #include "signals/lissajous.h"
 #include "signals/modulation.h"
+#include "signals/sent.h"
 #include "signals/settings.h"
 #include "signals/waveform.h"
 
 #include <algorithm>
 
 const std::vector<SignalKind>& signal_kinds() {
-    static const std::vector<SignalKind> kinds{
-        lissajous_kind(), waveform_kind(),   harmonics_kind(), am_kind(),   fm_kind(),
-        audio_kind(),     microphone_kind(), scene_kind(),     text_kind(), drawing_kind()};
+    static const std::vector<SignalKind> kinds{lissajous_kind(),  waveform_kind(), harmonics_kind(),
+                                               am_kind(),         fm_kind(),       audio_kind(),
+                                               microphone_kind(), scene_kind(),    text_kind(),
+                                               drawing_kind(),    stdin_kind(),    socket_kind()};
     return kinds;
 }
 

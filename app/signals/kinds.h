@@ -60,6 +60,7 @@ struct SignalKind {
     std::string file_setting = {};  // the key that names a file; "": none
     std::string bare_setting = {};  // the key that a bare first word stands for; "": none
     bool is_live = false;           // needs a sound that comes in from a device
+    bool is_sent = false;           // needs a beam that another program sends
     Make make = nullptr;
 };
 

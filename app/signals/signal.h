@@ -26,6 +26,7 @@ public:
 
 struct BeamScene;
 struct Drawing;
+class SentBeam;
 
 /// What a signal may need from outside: files are read by the caller.
 struct SignalMedia {
@@ -34,6 +35,7 @@ struct SignalMedia {
     std::shared_ptr<const Drawing> drawing = nullptr;  // likewise
     std::shared_ptr<const LiveSound> live = nullptr;   // with the sound device's thread
     std::int64_t live_first = 0;                       // its frame at time 0
+    std::shared_ptr<SentBeam> sent = nullptr;          // with the thread that reads it
 };
 
 /// The signal of a spec. Errors name the kind and the setting, not a file.

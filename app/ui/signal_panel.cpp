@@ -98,6 +98,18 @@ void draw_word_setting(const SettingFacts& setting, Spec& spec, const FormColumn
     edits.finish();
 }
 
+// A place where others connect is made when it is written to its end, and not at each letter.
+void draw_place_setting(const SettingFacts& setting, Spec& spec, const FormColumns& columns,
+                        Edits& edits) {
+    std::string text = std::get<std::string>(spec.settings[setting.key]);
+    ImGui::SetNextItemWidth(columns.control_and_number());
+    if (!ImGui::InputText("##value", &text, ImGuiInputTextFlags_EnterReturnsTrue))
+        return;
+    spec.settings[setting.key] = text;
+    set_signal(spec, edits);
+    edits.finish();
+}
+
 void draw_text_setting(const SettingFacts& setting, bool is_file, Spec& spec,
                        const FormColumns& columns, Edits& edits) {
     std::string text = std::get<std::string>(spec.settings[setting.key]);
@@ -134,6 +146,8 @@ void draw_setting(const SettingFacts& setting, const SignalKind& kind, Spec& spe
         draw_number_setting(setting, spec, columns, scene, edits);
     else if (setting.type == SettingType::word)
         draw_word_setting(setting, spec, columns, edits);
+    else if (kind.is_sent)
+        draw_place_setting(setting, spec, columns, edits);
     else
         draw_text_setting(setting, setting.key == kind.file_setting, spec, columns, edits);
     ImGui::EndGroup();
@@ -199,6 +213,8 @@ void draw_signal(const Document& document, const Scene& scene, Edits& edits) {
     draw_file_problems(scene, edits);
     if (!kind->file_setting.empty() || kind->is_live)
         draw_sound_controls(kind->is_live, scene, edits);
+    if (kind->is_sent)
+        draw_silence(scene);
     draw_settings(*kind, *spec, scene, edits);
     if (!kind->file_setting.empty() || kind->is_live)
         draw_sound_devices(kind->is_live, scene, edits);

@@ -153,10 +153,16 @@ void draw_sound_controls(bool is_live, const Scene& scene, Edits& edits) {
         draw_volume(player, scene, edits);
     else if (!player.live_device().empty())
         fitted_text("From " + player.live_device(), ImGui::GetContentRegionAvail().x, theme::dim);
-    if (std::string reason = player.silence(); !reason.empty()) {
-        reason.front() =
-            static_cast<char>(std::toupper(static_cast<unsigned char>(reason.front())));
+    draw_silence(scene);
+}
+
+void draw_silence(const Scene& scene) {
+    const Player& player = scene.lab.player();
+    for (std::string text : {player.sent_state(), player.silence()}) {
+        if (text.empty())
+            continue;
+        text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
         const ScopedColor color(ImGuiCol_Text, theme::label);
-        ImGui::TextWrapped("%s", reason.c_str());
+        ImGui::TextWrapped("%s", text.c_str());
     }
 }

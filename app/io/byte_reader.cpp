@@ -1,0 +1,148 @@
+#include "io/byte_reader.h"
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/un.h>
+#include <utility>
+
+namespace fs = std::filesystem;
+
+namespace {
+tl::unexpected<Diagnostics> cannot(const fs::path& path, const std::string& what) {
+    return fail({path, 0, what + ": " + std::strerror(errno)});
+}
+
+const sockaddr* general(const sockaddr_un& address) {
+    return reinterpret_cast<const sockaddr*>(&address);
+}
+
+// A program that was killed leaves its socket behind, and nobody answers there.
+Result<void> clear_place(const fs::path& path, const sockaddr_un& address) {
+    struct stat status = {};
+    if (::lstat(path.c_str(), &status) != 0)
+        return {};
+    if (!S_ISSOCK(status.st_mode))
+        return fail({path, 0, "is there already and is no socket; choose another place"});
+    const Descriptor asker(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+    if (::connect(asker.get(), general(address), sizeof address) == 0 || errno == EAGAIN)
+        return fail({path, 0, "is the socket of a program that is running"});
+    if (errno != ECONNREFUSED)
+        return cannot(path, "the socket cannot be used");
+    if (::unlink(path.c_str()) != 0)
+        return cannot(path, "the socket that is there cannot be replaced");
+    return {};
+}
+}  // namespace
+
+Result<void> ByteReader::make_stop() {
+    std::array<int, 2> ends{};
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0)
+        return cannot({}, "no other program can be read");
+    m_stop_reader = Descriptor(ends[0]);
+    m_stop_writer = Descriptor(ends[1]);
+    return {};
+}
+
+Result<std::unique_ptr<ByteReader>> ByteReader::read_stdin(ByteSink& sink) {
+    // To read from a terminal in the background would stop the program.
+    if (::isatty(STDIN_FILENO) == 1 && ::tcgetpgrp(STDIN_FILENO) != ::getpgrp())
+        return fail({"stdin", 0, "is a terminal that another program uses; send through a pipe"});
+    std::unique_ptr<ByteReader> reader(new ByteReader(sink));
+    if (auto made = reader->make_stop(); !made)
+        return fail(made.error());
+    reader->m_thread = std::thread([self = reader.get()] {
+        if (!self->read_all(STDIN_FILENO))
+            self->m_sink.end();
+    });
+    return reader;
+}
+
+Result<std::unique_ptr<ByteReader>> ByteReader::listen(const fs::path& path, Senders senders,
+                                                       ByteSink& sink) {
+    std::unique_ptr<ByteReader> reader(new ByteReader(sink));
+    if (auto made = reader->make_stop(); !made)
+        return fail(made.error());
+    if (auto made = reader->make_socket(path); !made)
+        return fail(made.error());
+    reader->m_thread = std::thread([self = reader.get(), senders] { self->serve(senders); });
+    return reader;
+}
+
+Result<void> ByteReader::make_socket(const fs::path& path) {
+    sockaddr_un address = {};
+    address.sun_family = AF_UNIX;
+    const std::string name = path.string();
+    if (name.size() >= sizeof address.sun_path)
+        return fail({path, 0, "is too long for a socket; the system allows 107 bytes"});
+    std::memcpy(address.sun_path, name.c_str(), name.size());
+    if (auto cleared = clear_place(path, address); !cleared)
+        return cleared;
+    Descriptor listener(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+    if (::bind(listener.get(), general(address), sizeof address) != 0)
+        return cannot(path, "the socket cannot be made");
+    m_socket_file.emplace(path);
+    constexpr int waiting = 8;
+    // Only the person's own programs may draw.
+    if (::chmod(name.c_str(), S_IRUSR | S_IWUSR) != 0 || ::listen(listener.get(), waiting) != 0)
+        return cannot(path, "the socket cannot be opened");
+    m_listener = std::move(listener);
+    return {};
+}
+
+ByteReader::~ByteReader() {
+    m_stop_writer = Descriptor();
+    if (m_thread.joinable())
+        m_thread.join();
+}
+
+// False when the thread is to end.
+bool ByteReader::wait_for(int descriptor) const {
+    std::array<pollfd, 2> waited{pollfd{m_stop_reader.get(), POLLIN, 0},
+                                 pollfd{descriptor, POLLIN, 0}};
+    while (::poll(waited.data(), waited.size(), -1) < 0 && errno == EINTR) {
+    }
+    return waited[0].revents == 0;
+}
+
+// Whether anything came.
+bool ByteReader::read_all(int descriptor) {
+    std::array<char, 16384> bytes;
+    bool has_begun = false;
+    while (wait_for(descriptor)) {
+        const ssize_t size = ::read(descriptor, bytes.data(), bytes.size());
+        if (size < 0 && (errno == EAGAIN || errno == EINTR))
+            continue;
+        if (size != 0 && !std::exchange(has_begun, true))
+            m_sink.begin();
+        if (size < 0)
+            m_sink.fail_with(std::strerror(errno));
+        if (size > 0)
+            m_sink.take({bytes.data(), static_cast<std::size_t>(size)});
+        else
+            break;
+    }
+    if (has_begun)
+        m_sink.end();
+    return has_begun;
+}
+
+void ByteReader::serve(Senders senders) {
+    while (wait_for(m_listener.get())) {
+        const Descriptor sender(::accept4(m_listener.get(), nullptr, nullptr, SOCK_CLOEXEC));
+        if (sender.is_open()) {
+            if (read_all(sender.get()) && senders == Senders::one) {
+                m_listener = Descriptor();  // the next one is told at once that nobody listens
+                return;
+            }
+        } else if (errno != EAGAIN && errno != EINTR && errno != ECONNABORTED) {
+            m_sink.fail_with(std::strerror(errno));
+            m_sink.end();
+            return;
+        }
+    }
+}

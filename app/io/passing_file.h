@@ -1,0 +1,23 @@
+#pragma once
+
+#include <array>
+#include <csignal>
+#include <cstddef>
+#include <filesystem>
+#include <string>
+
+/// A file that is removed with its owner, and also when a signal such as Ctrl+C ends the program.
+class PassingFile {
+public:
+    explicit PassingFile(const std::filesystem::path& file);
+    ~PassingFile();
+    PassingFile(const PassingFile&) = delete;
+    PassingFile& operator=(const PassingFile&) = delete;
+
+private:
+    static constexpr std::array<int, 3> endings{SIGINT, SIGTERM, SIGHUP};
+
+    std::string m_name;
+    std::size_t m_slot;  // where the handler finds the name
+    std::array<struct sigaction, endings.size()> m_before{};
+};

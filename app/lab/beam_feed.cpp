@@ -1,0 +1,102 @@
+#include "lab/beam_feed.h"
+
+#include "signals/sent.h"
+#include "signals/settings.h"
+
+#include <fmt/format.h>
+
+BeamFeed::BeamFeed(const Spec& complete, SentBeam::Pace pace, double start)
+    : m_spec(complete),
+      m_name(complete.kind == "stdin" ? std::string("stdin")
+                                      : std::string(Settings(complete).word("path"))),
+      m_pace(pace),
+      m_beam(std::make_shared<SentBeam>(pace, start)) {}
+
+Result<std::unique_ptr<BeamFeed>> BeamFeed::open(const Spec& complete, SentBeam::Pace pace,
+                                                 double start) {
+    std::unique_ptr<BeamFeed> feed(new BeamFeed(complete, pace, start));
+    // In the window the next sender may come; a picture that is rendered is the work of one.
+    const auto senders = pace == SentBeam::Pace::waiting ? ByteReader::Senders::one
+                                                         : ByteReader::Senders::one_after_the_other;
+    auto bytes = complete.kind == "stdin" ? ByteReader::read_stdin(*feed)
+                                          : ByteReader::listen(feed->m_name, senders, *feed);
+    if (!bytes)
+        return fail(bytes.error());
+    feed->m_bytes = std::move(*bytes);
+    return feed;
+}
+
+BeamFeed::~BeamFeed() {
+    m_beam->close();  // else its thread may wait for what is drawn
+    m_bytes.reset();
+}
+
+void BeamFeed::begin() {
+    m_reader.emplace(sent_format(Settings(m_spec)), m_name);
+    const std::lock_guard lock(m_mutex);
+    m_state = State::sending;
+    m_problem.reset();
+    m_bad_count = 0;
+}
+
+void BeamFeed::take(std::string_view bytes) {
+    m_points.clear();
+    m_reader->take(bytes, m_points);
+    note();
+    m_beam->append(m_points);
+}
+
+void BeamFeed::end() {
+    m_points.clear();
+    if (m_reader)
+        m_reader->finish(m_points);
+    note();
+    m_beam->append(m_points);
+    {
+        const std::lock_guard lock(m_mutex);
+        m_state = State::ended;
+    }
+    if (m_pace == SentBeam::Pace::waiting)
+        m_beam->end();
+}
+
+void BeamFeed::fail_with(const std::string& why) {
+    const std::lock_guard lock(m_mutex);
+    m_problem = Diagnostic{m_name, 0, "cannot be read: " + why};
+}
+
+void BeamFeed::note() {
+    if (!m_reader || !m_reader->problem())
+        return;
+    const std::lock_guard lock(m_mutex);
+    if (!m_problem)
+        m_problem = m_reader->problem();
+    m_bad_count = m_reader->bad_count();
+}
+
+Diagnostics BeamFeed::problems() const {
+    const std::lock_guard lock(m_mutex);
+    Diagnostics problems;
+    if (m_problem)
+        problems.push_back(*m_problem);
+    if (m_bad_count > 1)
+        problems.push_back({m_name, 0,
+                            fmt::format("{} places in all could not be read", m_bad_count),
+                            Severity::warning});
+    return problems;
+}
+
+std::string BeamFeed::complaint() const {
+    if (const Diagnostics all = problems(); !all.empty())
+        return to_string(all.front());
+    const std::lock_guard lock(m_mutex);
+    return m_state == State::ended ? "'" + m_name + "' sends nothing more; the beam rests"
+                                   : std::string();
+}
+
+std::string BeamFeed::state() const {
+    const std::lock_guard lock(m_mutex);
+    if (m_state == State::waiting)
+        return m_spec.kind == "socket" ? "Waits for a program at " + m_name : "Waits";
+    return m_state == State::sending ? "Draws what comes from " + m_name : std::string();
+}

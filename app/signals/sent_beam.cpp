@@ -1,0 +1,101 @@
+#include "signals/sent_beam.h"
+
+#include "signals/points.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+constexpr double slack = 1e-9;    // s: ends of spans that were computed in two ways
+constexpr double ahead = 0.25;    // s that a sender may be ahead
+constexpr double cushion = 0.03;  // s that a late sender gets, so that it is not late again at once
+constexpr double remembered = 2.0;  // s, to show again what led to the present picture
+constexpr double finest_rate = 4096.0 * 60.0;
+}  // namespace
+
+void SentBeam::append(std::span<const SentPoint> points) {
+    std::unique_lock lock(m_mutex);
+    for (const SentPoint& point : points) {
+        if (m_end >= m_now + ahead)
+            m_changed.notify_all();
+        m_changed.wait(lock, [&] { return m_is_closed || m_end < m_now + ahead; });
+        if (m_is_closed)
+            return;
+        append_one(point);
+    }
+    forget_old();
+    m_changed.notify_all();
+}
+
+void SentBeam::append_one(const SentPoint& point) {
+    const Place to{point.x, point.y};
+    const Place from = m_has_last ? m_last : to;
+    if (m_pace == Pace::live && m_end < m_now + slack) {
+        const double start = m_now + cushion;
+        m_legs.push_back({m_end, start - m_end, from, from, 0.0f});
+        m_end = start;
+    }
+    m_legs.push_back({m_end, point.seconds, from, to, point.current});
+    m_end += point.seconds;
+    m_last = to;
+    m_has_last = true;
+}
+
+void SentBeam::forget_old() {
+    while (!m_legs.empty() && m_legs.front().end() < m_now - remembered)
+        m_legs.pop_front();
+}
+
+void SentBeam::end() {
+    const std::lock_guard lock(m_mutex);
+    m_has_ended = true;
+    m_changed.notify_all();
+}
+
+void SentBeam::close() {
+    const std::lock_guard lock(m_mutex);
+    m_is_closed = true;
+    m_changed.notify_all();
+}
+
+void SentBeam::start_at(double seconds) {
+    const std::lock_guard lock(m_mutex);
+    m_legs.clear();
+    m_now = m_end = seconds;
+    m_changed.notify_all();
+}
+
+void SentBeam::trace(const TimeSpan& span, Beam& beam) {
+    std::unique_lock lock(m_mutex);
+    m_now = std::max(m_now, span.end);
+    m_changed.notify_all();
+    if (m_pace == Pace::waiting)
+        m_changed.wait(lock,
+                       [&] { return m_is_closed || m_has_ended || m_end > span.end + slack; });
+    auto leg =
+        std::upper_bound(m_legs.begin(), m_legs.end(), span.start,
+                         [](double time, const Leg& other) { return time < other.end() + slack; });
+    for (; leg != m_legs.end() && leg->begin <= span.end; ++leg)
+        trace_leg(*leg, span, beam);
+}
+
+// A lit way is cut finely, so that its light is laid down evenly.
+void SentBeam::trace_leg(const Leg& leg, const TimeSpan& span, Beam& beam) {
+    const bool is_lit = leg.current > 0.0f;
+    const double steps = is_lit ? std::max(1.0, std::ceil(leg.seconds * finest_rate - 1e-6)) : 1.0;
+    const double step = leg.seconds / steps;
+    const double charge =
+        is_lit ? static_cast<double>(leg.current) * step * charge_of_point(1.0) : 0.0;
+    const double first = std::floor((span.start - leg.begin) / step);
+    for (double i = std::clamp(first, 1.0, steps); i <= steps; ++i) {
+        const double time = leg.begin + i * step;
+        if (time > span.end + slack)
+            return;
+        if (time <= span.start + slack)
+            continue;
+        const auto share = static_cast<float>(i / steps);
+        beam.push_back({std::lerp(leg.from.x, leg.to.x, share),
+                        std::lerp(leg.from.y, leg.to.y, share), static_cast<float>(charge),
+                        static_cast<float>(std::max(span.end - time, 0.0))});
+    }
+}

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "model/beam.h"
+#include "signals/clock.h"
+#include "signals/sent_points.h"
+
+#include <condition_variable>
+#include <cstddef>
+#include <deque>
+#include <mutex>
+#include <span>
+
+/// The beam that another program sends, on its way from the thread that reads to the one that
+/// draws. The sender waits while it is well ahead of what is drawn, so little is kept.
+class SentBeam {
+public:
+    enum class Pace {
+        live,     // time goes on without the sender: what comes late is drawn when it comes
+        waiting,  // drawing waits for the sender: the same points give the same beam
+    };
+    explicit SentBeam(Pace pace, double start = 0.0) : m_pace(pace), m_now(start), m_end(start) {}
+
+    // The sender's side.
+    void append(std::span<const SentPoint> points);
+    /// Nothing more comes; drawing no longer waits.
+    void end();
+
+    // The side that draws.
+    void trace(const TimeSpan& span, Beam& beam);
+    /// Forgets what has come; the next point comes after this time.
+    void start_at(double seconds);
+    /// Nobody draws any more: neither side waits.
+    void close();
+
+private:
+    struct Place {
+        float x = 0.0f;
+        float y = 0.0f;
+    };
+    /// The way to a point; the time of its end is the next one's begin.
+    struct Leg {
+        double begin = 0.0;
+        double seconds = 0.0;
+        Place from;
+        Place to;
+        float current = 0.0f;
+
+        double end() const { return begin + seconds; }
+    };
+
+    void append_one(const SentPoint& point);
+    void forget_old();
+    static void trace_leg(const Leg& leg, const TimeSpan& span, Beam& beam);
+
+    const Pace m_pace;
+    std::mutex m_mutex;
+    std::condition_variable m_changed;
+    std::deque<Leg> m_legs;
+    double m_now;  // drawn so far, s
+    double m_end;  // of the last leg, s
+    Place m_last;
+    bool m_has_last = false;
+    bool m_has_ended = false;
+    bool m_is_closed = false;
+};

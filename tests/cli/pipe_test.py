@@ -1,0 +1,137 @@
+"""Another program drives the beam through standard input or a Unix socket."""
+
+import os
+import signal
+import socket
+import struct
+import subprocess
+import time
+
+from program import PROGRAM, ProgramTest, main, read_png, run
+
+DOT = b"0.5 0.5 0 0.001\n0.5 0.5 1 0.03\n"
+RENDER = (PROGRAM, "render", "vector-beam", "--size", "96x96", "--frames", "2")
+
+
+class Pipe(ProgramTest):
+    def render(self, name, sent, spec="stdin", code=0):
+        file = self.folder / name
+        done = subprocess.run([*RENDER, "--signal", spec, "-o", file], input=sent, capture_output=True, timeout=120)
+        self.assertEqual(done.returncode, code, done.stderr)
+        return file, done.stderr.decode()
+
+    def start(self, place, *options):
+        """A render that listens at the place."""
+        started = subprocess.Popen([*RENDER, "--signal", f"socket:{place}", *options, "-o", self.folder / "out.png"],
+                                   stderr=subprocess.PIPE)
+        self.addCleanup(started.kill)
+        end = time.monotonic() + 60
+        while not place.exists() and started.poll() is None and time.monotonic() < end:
+            time.sleep(0.02)
+        return started
+
+    def connect(self, place):
+        sender = socket.socket(socket.AF_UNIX)
+        self.addCleanup(sender.close)
+        sender.connect(str(place))
+        return sender
+
+    def finish(self, started, code=0):
+        _, told = started.communicate(timeout=60)
+        self.assertEqual(started.returncode, code, told)
+        return told.decode()
+
+    def assert_dot(self, file):
+        width, height, rows = read_png(file)
+        light = [(sum(rows[y][3 * x:3 * x + 3]), x, y) for y in range(height) for x in range(width)]
+        brightest, x, y = max(light)
+        self.assertGreater(brightest, 100)
+        # -1 to 1 takes 0.9 of 96 px: x and y of 0.5 lie 21.6 px from the middle.
+        self.assertLessEqual(abs(x - 69.6), 1)
+        self.assertLessEqual(abs(y - 26.4), 1)
+
+    def test_a_dot_lies_where_it_was_sent_and_bad_lines_are_told_once(self):
+        good, told = self.render("good.png", DOT)
+        self.assertEqual(told, "")
+        self.assert_dot(good)
+        bad, told = self.render("bad.png", b"0 nan 1\n" + DOT + b"x\n" * 1000, code=1)
+        self.assertIn("stdin:1: error: y is 'nan', not a number", told)
+        self.assertEqual(told.count("error:"), 1)
+        self.assertEqual(good.read_bytes(), bad.read_bytes())
+
+    def test_raw_points_draw_the_same(self):
+        rest = struct.pack("<3f", 0.5, 0.5, 0) + struct.pack("<3f", 0.5, 0.5, 1) * 30
+        raw, told = self.render("raw.png", rest, "stdin:format=f32le,rate=1000,channels=3")
+        self.assertEqual(told, "")
+        self.assert_dot(raw)
+
+    def test_bytes_that_are_no_text_and_a_line_without_end_leave_a_dark_picture(self):
+        for sent, words in ((bytes(range(256)) * 40, "is not of the form: x y intensity"),
+                            (b"1" * 3000000, "is longer than 1000 characters")):
+            _, told = self.render("dark.png", sent, code=1)
+            self.assertIn(words, told)
+            self.assertTrue(told.isascii())
+
+    def test_a_socket_draws_what_one_program_sends_and_is_gone_afterwards(self):
+        place = self.folder / "beam.sock"
+        started = self.start(place)
+        self.connect(place).sendall(DOT + b"0 0 0 10\n")  # enough: it need not be closed
+        self.assertEqual(self.finish(started), "")
+        self.assert_dot(self.folder / "out.png")
+        self.assertFalse(place.exists())
+
+    def test_a_flood_waits_and_a_sender_that_goes_away_ends_the_picture(self):
+        place = self.folder / "beam.sock"
+        started = self.start(place)
+        sender = self.connect(place)
+        sender.settimeout(60)
+        try:
+            for _ in range(300):
+                sender.sendall(b"0 0 1 0.000001\n" * 10000)
+        except (BrokenPipeError, ConnectionResetError):
+            pass  # the picture was ready before all was sent
+        sender.close()
+        self.finish(started)
+        self.assertFalse(place.exists())
+
+    def test_ctrl_c_ends_the_wait_and_removes_the_socket(self):
+        place = self.folder / "beam.sock"
+        started = self.start(place)
+        started.send_signal(signal.SIGINT)
+        self.finish(started, -signal.SIGINT)
+        self.assertFalse(place.exists())
+
+    def test_what_a_killed_program_left_is_replaced_and_what_another_uses_is_not(self):
+        place = self.folder / "beam.sock"
+        started = self.start(place)
+        self.assert_refused(run(*RENDER[1:], "--signal", f"socket:{place}", "-o", self.folder / "x.png"),
+                            str(place), "is the socket of a program that is running")
+        started.kill()
+        started.wait()
+        self.assertTrue(place.exists())
+        again = self.start(place)
+        while again.poll() is None:
+            try:
+                self.connect(place).sendall(DOT)
+                break
+            except (ConnectionRefusedError, FileNotFoundError):  # the one that was left
+                time.sleep(0.02)
+        self.finish(again)
+
+    def test_places_where_no_socket_can_be_are_told(self):
+        file = self.write("file.txt", "kept")
+        for place, words in ((file, "is there already and is no socket"),
+                             (self.folder / ("x" * 120), "is too long for a socket"),
+                             (self.folder / "none/beam.sock", "No such file or directory")):
+            done = run(*RENDER[1:], "--signal", f"socket:{place}", "-o", self.folder / "x.png")
+            self.assert_refused(done, str(place), words)
+        self.assertEqual(file.read_text(), "kept")
+        if os.geteuid() != 0:  # root may write anywhere
+            closed = self.folder / "closed"
+            closed.mkdir(mode=0o500)
+            self.assert_refused(run(*RENDER[1:], "--signal", f"socket:{closed}/s", "-o", self.folder / "x.png"),
+                                "Permission denied")
+
+
+if __name__ == "__main__":
+    main()
