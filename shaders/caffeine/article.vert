@@ -1,5 +1,5 @@
 #version 410 core
-// The triangle of the article's pass; none of it is on the screen while its picture is not wanted.
+// The triangle of the article's passes; none of it is on the screen while its picture is not wanted.
 #include "as_written.glsl"
 
 void main() {

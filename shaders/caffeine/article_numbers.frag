@@ -1,5 +1,5 @@
 #version 410 core
-// The article's textures of random numbers, drawn once: two even numbers in red and green, a point of
+// The article's textures of random numbers, drawn once while they are wanted: two even numbers in red and green, a point of
 // the circle in blue and alpha.
 #include "noise.glsl"
 

@@ -1,7 +1,7 @@
-// The lamp, a sphere: seen from a place it covers a cone of directions, and these are sampled. What a
-// bounce meets by itself and what is sampled here are weighted against each other, so that the lamp
-// counts once (balance heuristic: E. Veach and L. Guibas, "Optimally Combining Sampling Techniques
-// for Monte Carlo Rendering", SIGGRAPH 1995).
+// The lamp, a sphere: seen from a place it covers a cone of directions, and these are sampled. A
+// surface's mirror image of it is looked for both there and along the surface's own lobe, and what
+// both find is weighted so that the lamp counts once (balance heuristic: E. Veach and L. Guibas,
+// "Optimally Combining Sampling Techniques for Monte Carlo Rendering", SIGGRAPH 1995).
 #ifndef CAFFEINE_LAMP
 #define CAFFEINE_LAMP
 
@@ -42,21 +42,32 @@ vec3 lamp_direction(vec3 place, float cone, vec2 square) {
     return (1.0 - less) * axis + sine * (cos(around) * side + sin(around) * cross(axis, side));
 }
 
-// The lamp's light off a surface along one sampled direction, before the surface's colour.
-vec3 sampled_lamp(Surface surface, vec2 square) {
-    float cone = lamp_cone(surface.place);
-    vec3 direction = lamp_direction(surface.place, cone, square);
-    float scattered = scattered_density(surface, direction);
-    if (cone <= 0.0 || scattered <= 0.0 || first_hit(Ray(surface.place, direction)).what != lamp)
-        return vec3(0.0);
-    return lamp_light() * (scattered / (lamp_density(cone) + scattered));
+bool sees_lamp(Ray ray) {
+    return sphere_entry(ray, lamp_center(), light_radius) > 0.0 && first_hit(ray).what == lamp;
 }
 
-// The weight of a lamp that a bounce met.
-float met_lamp_weight(vec3 from, float bounce_density) {
-    return bounce_density < 0.0
-               ? 1.0
-               : bounce_density / (bounce_density + lamp_density(lamp_cone(from)));
+// The lamp's light off a surface, before the surface's colour, all of it: a bounce that meets the lamp
+// by itself adds nothing. Each sample takes one direction of the lamp's cone and one of the lobe, so
+// that no choice between a matt and a mirroring surface adds to the noise.
+vec3 lamp_off(Surface surface, vec2 cone_square, vec2 lobe_square) {
+    float cone = lamp_cone(surface.place);
+    if (cone <= 0.0)
+        return vec3(0.0);
+    float density = lamp_density(cone);
+    vec3 directions[2] = vec3[](lamp_direction(surface.place, cone, cone_square),
+                                mirrored_direction(surface, lobe_square));
+    vec2 mirrored = vec2(0.0, 1.0);  // how far either way counts for the mirror image
+    if (!is_mirror(surface)) {
+        mirrored = vec2(lobe_density(surface, directions[0]), lobe_density(surface, directions[1]));
+        mirrored /= density + mirrored;
+    }
+    vec2 shares = (1.0 - surface.matt) * mirrored;
+    shares.x += surface.matt * even_density(surface, directions[0]) / density;
+    float light = 0.0;
+    for (int way = 0; way < 2; ++way)
+        if (shares[way] > 0.0 && sees_lamp(Ray(surface.place, directions[way])))
+            light += shares[way];
+    return light * lamp_light();
 }
 
 #endif

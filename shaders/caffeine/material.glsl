@@ -8,9 +8,9 @@
 uniform float atom_roughness = 0.0;    // @range 0 1  @limit 0 1  @label "Atom roughness"  @group "Surfaces"
                                        // @help "How blurred the atoms' mirror image is: 0 is polished, 1 is chalk."
 uniform float coffee_roughness = 0.0;  // @range 0 1  @limit 0 1  @label "Coffee roughness"  @group "Surfaces"
-uniform float atom_matt = 0.5;         // @range 0 1  @limit 0 1  @label "Atoms matt"  @group "Surfaces"
+uniform float atom_matt = 0.8;         // @range 0 1  @limit 0 1  @label "Atoms matt"  @group "Surfaces"
                                        // @help "The share of the light that the atoms scatter in all directions. The rest is mirrored, as their roughness says: 0 is metal, 1 is chalk."
-uniform float coffee_matt = 0.5;       // @range 0 1  @limit 0 1  @label "Coffee matt"  @group "Surfaces"
+uniform float coffee_matt = 0.8;       // @range 0 1  @limit 0 1  @label "Coffee matt"  @group "Surfaces"
 
 const float pi = 3.14159265359;
 const float smoothest = 0.005;  // what is smoother is a mirror
@@ -55,7 +55,8 @@ vec3 lobe_direction(Surface surface, float roughness, vec3 on_sphere) {
 // How densely lobe_direction() goes to a direction, a steradian. A sphere's surface of even density
 // 1 / (4 pi r^2) is seen at distances t1 and t2 along the direction, under the cosine `slant` / r:
 // each adds density t^2 / cosine.
-float lobe_density(Surface surface, float roughness, vec3 direction) {
+float lobe_density(Surface surface, vec3 direction) {
+    float roughness = surface.roughness;
     vec3 center = mix(surface.mirrored, surface.normal, roughness);
     float along = dot(center, direction);
     // |center|^2 - r^2, written so that nothing cancels
@@ -70,32 +71,29 @@ float lobe_density(Surface surface, float roughness, vec3 direction) {
     return (near * near + far * far) / (4.0 * pi * roughness * slant);
 }
 
-// How densely light is scattered to a direction, without the share that a mirror sends one way.
-float scattered_density(Surface surface, vec3 direction) {
-    float even = max(dot(surface.normal, direction), 0.0) / pi;
-    float lobe = surface.roughness < smoothest
-                     ? 0.0
-                     : lobe_density(surface, surface.roughness, direction);
-    return surface.matt * even + (1.0 - surface.matt) * lobe;
+bool is_mirror(Surface surface) {
+    return surface.roughness < smoothest;
 }
 
-struct Bounce {
-    vec3 direction;
-    float density;  // of all ways there, a steradian; below 0 off a mirror, where it has none
-};
+// How densely Lambert's law sends light to a direction, a steradian.
+float even_density(Surface surface, vec3 direction) {
+    return max(dot(surface.normal, direction), 0.0) / pi;
+}
+
+vec3 mirrored_direction(Surface surface, vec2 square) {
+    return is_mirror(surface) ? surface.mirrored
+                              : lobe_direction(surface, surface.roughness, sphere_point(square));
+}
 
 // Goes each way as densely as the surface scatters light there, so that what comes back only wants
 // the surface's colour.
-Bounce bounced(Surface surface, vec2 square) {
+vec3 bounced_direction(Surface surface, vec2 square) {
     bool is_even = square.x < surface.matt;
     // The choice leaves an even number again.
     square.x = is_even ? square.x / surface.matt
                        : (square.x - surface.matt) / (1.0 - surface.matt);
-    if (!is_even && surface.roughness < smoothest)
-        return Bounce(surface.mirrored, -1.0);
-    vec3 direction =
-        lobe_direction(surface, is_even ? 1.0 : surface.roughness, sphere_point(square));
-    return Bounce(direction, scattered_density(surface, direction));
+    return is_even ? lobe_direction(surface, 1.0, sphere_point(square))
+                   : mirrored_direction(surface, square);
 }
 
 #endif

@@ -38,7 +38,6 @@ vec4 sample_numbers(int block) {
 vec3 light_along(Ray ray) {
     vec3 light = vec3(0.0);
     vec3 carried = vec3(1.0);
-    float bounce_density = -1.0;
     for (int bounce = 0; bounce <= bounces + 1; ++bounce) {
         Hit hit = first_hit(ray);
         if (hit.what == nothing) {
@@ -46,8 +45,8 @@ vec3 light_along(Ray ray) {
             break;
         }
         if (hit.what == lamp) {
-            light += bounce == 0 ? lamp_shown()
-                                 : carried * lamp_light() * met_lamp_weight(ray.origin, bounce_density);
+            if (bounce == 0)
+                light += lamp_shown();
             break;
         }
         if (bounce > bounces)
@@ -55,10 +54,8 @@ vec3 light_along(Ray ray) {
         Surface surface = surface_at(ray, hit);
         vec4 numbers = sample_numbers(1 + bounce);
         carried *= surface.color;
-        light += carried * sampled_lamp(surface, numbers.xy);
-        Bounce next = bounced(surface, numbers.zw);
-        bounce_density = next.density;
-        ray = Ray(surface.place, next.direction);
+        light += carried * lamp_off(surface, numbers.xy, numbers.zw);
+        ray = Ray(surface.place, bounced_direction(surface, numbers.zw));
     }
     return light;
 }
