@@ -6,10 +6,18 @@ namespace {
 const GoldenLook caffeine{
     .id = "caffeine",
     .frames = {4},
+    .cell = {96, 54},
     .preset_cell = {96, 54},
+    .always = {{"dither", "false"}, {"samples_per_frame", "2"}},
+    .companions = {{"white", {{"tone_map", "1"}, {"exposure", "3"}}}},
+    .ends = {{"orbit_turn", {"0,-70,0", "60,0,30"}}},  // half turns about all three axes are none
     .fewest_presets = 5,
 };
 }  // namespace
+
+TEST_CASE("caffeine: each parameter's ends look as they did, and one changes the picture") {
+    check_parameters(caffeine);
+}
 
 TEST_CASE("caffeine: each preset looks as it did, and no two look the same") {
     check_presets(caffeine);

@@ -140,7 +140,8 @@ void check_parameter(const GoldenLook& look, const Parameter& parameter, const P
         settings.emplace_back(parameter.name, value);
         return swept(look, settings, signal);
     };
-    const auto ends = ends_of(parameter);
+    const auto chosen = look.ends.find(parameter.name);
+    const auto ends = chosen == look.ends.end() ? ends_of(parameter) : chosen->second;
     const Picture low = with(ends[0]);
     const Picture high = with(ends[1]);
     compare_with_golden(look, stacked(low, high), parameter.name);

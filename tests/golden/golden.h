@@ -2,6 +2,7 @@
 
 #include "model/extent.h"
 
+#include <array>
 #include <map>
 #include <string>
 #include <utility>
@@ -19,6 +20,8 @@ struct GoldenLook {
     GoldenSettings always = {};          // in the sweep: what quietens noise
     std::map<std::string, GoldenSettings> companions =
         {};  // what a parameter needs to show anything
+    std::map<std::string, std::array<std::string, 2>> ends =
+        {};  // other values than the ends of a parameter's range
     std::map<std::string, std::string> signals =
         {};  // by parameter: another signal than the look's own
     std::size_t fewest_presets = 4;
