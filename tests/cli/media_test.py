@@ -1,0 +1,199 @@
+"""Sources and signals from files on the command line: what they show, and what is said of broken ones."""
+
+import json
+import os
+import struct
+import subprocess
+import zlib
+
+from program import ProgramTest, main, read_png, run
+
+COLORS = ((200, 40, 0), (0, 180, 60), (30, 0, 220), (90, 90, 90))
+COPY = """#version 410 core
+uniform sampler2D image;
+in vec2 uv;
+out vec4 color;
+void main() { color = texture(image, uv); }
+"""
+NOT_NUMBERS = """#version 410 core
+out vec4 color;
+void main() {
+    float bad[4] = float[](uintBitsToFloat(0x7fc00000u), uintBitsToFloat(0x7f800000u), 5.0, 0.25);
+    color = vec4(vec3(bad[int(gl_FragCoord.x)]), 1.0);
+}
+"""
+
+
+def png(width, height, rgb):
+    """An 8-bit RGB PNG of one colour."""
+    def chunk(kind, body):
+        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+    head = struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)
+    rows = (b"\0" + bytes(rgb) * width) * height
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", zlib.compress(rows)) +
+            chunk(b"IEND", b""))
+
+
+def manifest(driven_by, **more):
+    """Of a look of a single pass."""
+    only = {"name": "only", "fragment": "only.frag", "format": "rgba32f"}
+    if driven_by == "picture":
+        only["inputs"] = {"image": "source"}
+        more["default_source"] = "pattern:white"
+    return json.dumps({"format": "afterglow-look", "version": 1, "driven_by": driven_by, "passes": [only], **more})
+
+
+class MediaTest(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.write("copy/look.json", manifest("picture", source_encoding="display"))
+        self.write("copy/only.frag", COPY)
+
+    def plain(self, source, *more, size="8x8", out="x.png"):
+        return run("render", self.folder / "copy", "--source", source, "--size", size, *more, "-o", self.folder / out)
+
+    def color(self, *arguments, **settings):
+        """Of the pixel in the middle."""
+        self.assert_done(self.plain(*arguments, **settings))
+        width, height, rows = read_png(self.folder / "x.png")
+        middle = width // 2 * 3
+        return tuple(rows[height // 2][middle:middle + 3])
+
+    def assert_near(self, color, wanted, most):
+        for ours, theirs in zip(color, wanted):
+            self.assertLessEqual(abs(ours - theirs), most, f"{color}, not {wanted}")
+
+
+class Pictures(MediaTest):
+    def test_frame_n_of_a_sequence_is_the_nth_picture(self):
+        for number, rgb in enumerate(COLORS):
+            self.write(f"f_{number + 7:03d}.png", png(8, 8, rgb))
+        sequence = self.folder / "f_%03d.png"
+        self.assertEqual(self.color(sequence, "--frames", "3"), COLORS[2])
+        self.assertEqual(self.color(sequence, "--frames", "5"), COLORS[0])  # and round again
+        self.assertEqual(self.color(f"{sequence},loop=off,rate=30", "--frames", "9"), COLORS[3])
+        self.assertEqual(self.color(f"{sequence},rate=30", "--frames", "4"), COLORS[1])
+        self.assert_done(self.plain(sequence, "--frames", "4", out="all_%d.png"))
+        for number, rgb in enumerate(COLORS):
+            self.assertEqual(tuple(read_png(self.folder / f"all_{number}.png")[2][4][:3]), rgb)
+
+    def test_a_missing_picture_of_a_sequence_is_told_and_the_one_before_stays(self):
+        for number in (0, 2):
+            self.write(f"f_{number}.png", png(8, 8, COLORS[number]))
+        done = self.plain(self.folder / "f_%d.png", "--frames", "2")
+        self.assert_refused(done, "f_%d.png: error: number 1 is missing")
+        self.assertEqual(tuple(read_png(self.folder / "x.png")[2][4][:3]), COLORS[0])
+
+    def test_a_video_shows_its_pictures_in_their_order(self):
+        for number, rgb in enumerate(COLORS):
+            self.write(f"f_{number}.png", png(32, 32, rgb))
+        video = self.folder / "clip.mkv"
+        try:  # a codec that loses nothing, so that a pixel is the one that went in
+            subprocess.run(["ffmpeg", "-v", "error", "-framerate", "30", "-i", self.folder / "f_%d.png",
+                            "-c:v", "ffv1", "-pix_fmt", "bgr0", video], check=True)
+        except FileNotFoundError:
+            self.skipTest("there is no ffmpeg here")
+        self.assert_done(self.plain(video, "--fps", "30", "--frames", "4", out="all_%d.png"))
+        for number, rgb in enumerate(COLORS):
+            self.assert_near(read_png(self.folder / f"all_{number}.png")[2][4][:3], rgb, 1)
+        self.assert_near(self.color(video, "--frames", "4"), COLORS[1], 1)  # 4/60 s is 2/30 s
+        self.assert_done(self.plain(video, "--frames", "3", out="again.png"))
+        self.assert_done(self.plain(video, "--frames", "3"))
+        self.assertEqual((self.folder / "again.png").read_bytes(), (self.folder / "x.png").read_bytes())
+
+    def test_light_above_white_goes_from_exr_to_exr(self):
+        self.write("bright/look.json", manifest("nothing", output="linear"))
+        self.write("bright/only.frag", "#version 410 core\nout vec4 color;\nvoid main() { color = vec4(7.5, 1.25, 0.5, 1.0); }\n")
+        self.write("copy/look.json", manifest("picture", output="linear"))
+        bright, copied = self.folder / "bright.exr", self.folder / "copied.exr"
+        self.assert_done(run("render", self.folder / "bright", "--size", "8x8", "-o", bright))
+        self.assert_done(run("render", self.folder / "copy", "--source", bright, "--size", "8x8", "-o", copied))
+        self.assert_done(run("compare", bright, copied, "--fail-above", "max=0"))
+        self.assert_done(run("render", "crt", "--set", "crt=false", "--set", "dither=false", "--source", bright,
+                             "--size", "8x8", "-o", self.folder / "shown.png"))
+        self.assertEqual(tuple(read_png(self.folder / "shown.png")[2][4][:3]), (255, 255, 188))  # sRGB of 1/2
+
+    def test_the_smallest_and_the_widest_picture_are_shown(self):
+        one = self.write("one.png", png(1, 1, COLORS[0]))
+        wide = self.write("wide.png", png(16384, 1, COLORS[1]))
+        wider = self.write("wider.png", png(16385, 1, COLORS[1]))
+        self.assertEqual(self.color(one), COLORS[0])
+        self.assertEqual(self.color(wide), COLORS[1])
+        self.assertEqual(self.color(one, size="1x1"), COLORS[0])
+        self.assertEqual(self.color(one, size="16384x1"), COLORS[0])
+        self.assert_refused(self.plain(wider), "wider.png: error: is too large", "16385 x 1 px")
+        self.assert_refused(self.plain(one, size="16385x1"), "16385x1", code=2)
+        self.assert_done(run("render", "shadow-mask", "--source", one, "--size", "1x1", "-o", self.folder / "x.png"))
+
+    def test_what_is_no_number_in_a_picture_is_told_and_harms_nothing(self):
+        self.write("bad/look.json", manifest("nothing", output="linear"))
+        self.write("bad/only.frag", NOT_NUMBERS)
+        bad = self.folder / "bad.exr"
+        self.assert_done(run("render", self.folder / "bad", "--size", "4x1", "-o", bad))
+        done = self.plain(bad, size="4x1")
+        self.assert_done(done)
+        self.assertIn("bad.exr: warning: 6 values are no numbers or infinite", done.stderr)
+        row = read_png(self.folder / "x.png")[2][0]
+        self.assertEqual(list(row[::3]), [0, 255, 255, 137])  # sRGB of 1/4 is 0.5371
+
+    def test_videos_that_cannot_be_read_are_named(self):
+        for name, content in (("noise.mp4", os.urandom(3000)), ("empty.mp4", b"")):
+            self.assert_refused(self.plain(self.write(name, content)), f"{name}: error: ")
+        self.assert_refused(self.plain(self.folder / "none.mp4"), "none.mp4: error: there is no such file")
+        self.assertFalse((self.folder / "x.png").exists())
+
+
+class Signals(MediaTest):
+    def beam(self, spec):
+        """What it says, drawn as sound: that needs no look."""
+        return run("signal", spec, "--seconds", "0.01", "-o", self.folder / "x.wav")
+
+    def test_a_drawing_without_paths_is_refused(self):
+        empty = '<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9"><desc>nothing</desc></svg>'
+        for name, text, words in (("no.svg", empty, "has no paths"), ("cut.svg", empty[:60], "cut.svg:1: error: "),
+                                  ("empty.svg", "", "empty.svg"), ("none.svg", None, "none.svg")):
+            file = self.folder / name if text is None else self.write(name, text)
+            self.assert_refused(self.beam(f"drawing:{file}"), words)
+
+    def test_a_model_with_corners_that_are_not_there_is_refused_at_its_line(self):
+        scene = self.write("scene.json", """{"format": "afterglow-scene", "version": 1, "name": "Model",
+            "items": [{"shape": "wireframe", "file": "model.obj"}]}""")
+        corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
+        for line in ("f 1 2 4", "f 1 2 0", "f -4 1 2", "f 1 2 99999999999999999999"):
+            self.write("model.obj", corners + line + "\n")
+            self.assert_refused(self.beam(f"scene:{scene}"), "model.obj:4: error: ")
+        self.write("model.obj", corners + "f 1 2 -1\n")
+        self.assert_done(self.beam(f"scene:{scene}"))
+
+    def test_a_microphone_is_not_to_be_had_offline(self):
+        self.assert_refused(self.beam("microphone:mode=xy"), "no live sound here")
+
+    def test_the_beam_goes_out_as_sound(self):
+        file = self.folder / "beam.wav"
+        self.assert_done(run("signal", "lissajous:x=1,y=1,phase=0.25,amplitude=0.5", "--seconds", "0.1", "--rate",
+                             "48000", "-o", file))
+        data = file.read_bytes()
+        kind, channels, rate = struct.unpack("<HHI", data[data.index(b"fmt ") + 8:][:8])
+        self.assertEqual((channels, rate), (2, 48000))
+        self.assertEqual(struct.unpack("<H", data[data.index(b"fmt ") + 22:][:2])[0], 32, f"format {kind}")
+        at = data.index(b"data") + 8
+        samples = list(struct.iter_unpack("<ff", data[at:at + 4800 * 8]))
+        self.assertEqual(len(samples), 4800)
+        for x, y in samples[200:-200]:  # a circle, but where it is faded in or out
+            self.assertAlmostEqual((x * x + y * y) ** 0.5, 0.5, delta=0.01)
+        # 60 turns a second: 6 in a tenth, so x goes up through 0 six times.
+        upwards = sum(a[0] < 0 <= b[0] for a, b in zip(samples, samples[1:]))
+        self.assertAlmostEqual(upwards, 6, delta=1)
+
+        self.assert_done(run("signal", "lissajous", "--seconds", "0.01", "--channels", "3", "-o", file))
+        data = file.read_bytes()
+        self.assertEqual(struct.unpack("<H", data[data.index(b"fmt ") + 10:][:2])[0], 3)
+        self.assert_done(run("signal", "lissajous", "--seconds", "0.01", "-o", self.folder / "beam.flac"))
+        self.assertEqual((self.folder / "beam.flac").read_bytes()[:4], b"fLaC")
+        self.assert_refused(run("signal", "lissajous", "-o", self.folder / "x.mp3"), ".wav or .flac")
+        self.assert_refused(run("signal", "nothing", "-o", file), "no signal 'nothing'")
+        self.assert_refused(run("signal", "lissajous", "--seconds", "0", "-o", file), code=2)
+
+
+if __name__ == "__main__":
+    main()
