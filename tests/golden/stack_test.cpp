@@ -1,0 +1,21 @@
+#include "golden/golden.h"
+
+#include <doctest/doctest.h>
+
+namespace {
+GoldenLook stack(const char* id, int frame) {
+    return {.id = id, .frames = {frame}, .preset_cell = {192, 108}, .fewest_presets = 2};
+}
+}  // namespace
+
+TEST_CASE("phosphor+crt: each preset looks as it did, and no two look the same") {
+    check_presets(stack("phosphor+crt", 6));
+}
+
+TEST_CASE("vector-beam+shadow-mask: each preset looks as it did, and no two look the same") {
+    check_presets(stack("vector-beam+shadow-mask", 6));
+}
+
+TEST_CASE("crt+crt: each preset looks as it did, and no two look the same") {
+    check_presets(stack("crt+crt", 1));
+}
