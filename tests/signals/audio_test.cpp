@@ -93,6 +93,30 @@ TEST_CASE("automatic gain: a burst fits from its first sample and is forgotten a
     CHECK(widest(beam_of(*signal, {3.5, 4.5})) == about(1.0, 0.01));
 }
 
+TEST_CASE("automatic gain goes evenly from one tenth of a second's to the next one's") {
+    // From 1.0 s on it is 0.8, which the tenth before it makes room for.
+    const auto sound = sound_of(
+        8000, 16000, [](int i) { return i < 8000 ? 0.1 : 0.8; }, [](int) { return 0.0; });
+    const auto signal = signal_of("audio:a.wav,auto_gain=on,upsample=1,loop=off", sound);
+    for (const double share : {0.25, 0.5, 0.75}) {
+        CAPTURE(share);
+        const double place = 0.9 + 0.1 * share;
+        const double gain = (1.0 - share) / 0.1 + share / 0.8;
+        const Beam beam = beam_of(*signal, {place - 0.0002, place + 0.0002});
+        REQUIRE_FALSE(beam.empty());
+        CHECK(widest(beam) == about(0.1 * gain, 0.01));
+    }
+}
+
+TEST_CASE("automatic gain of a sound that does not loop knows nothing of its end") {
+    const auto sound = sound_of(
+        8000, 24000, [](int i) { return i < 16000 ? 0.1 : 0.8; }, [](int) { return 0.0; });
+    const auto once = signal_of("audio:a.wav,auto_gain=on,upsample=1,loop=off", sound);
+    CHECK(widest(beam_of(*once, {0.0, 0.5})) == about(1.0, 0.001));
+    const auto looped = signal_of("audio:a.wav,auto_gain=on,upsample=1,loop=on", sound);
+    CHECK(widest(beam_of(*looped, {0.0, 0.5})) == about(0.125, 0.001));
+}
+
 TEST_CASE("waveform: a window goes across the screen, the mean of both channels up") {
     const auto sound = sound_of(
         8000, 8000, [](int) { return 0.2; }, [](int) { return 0.6; });
