@@ -18,6 +18,7 @@ pkg_check_modules(imgui REQUIRED IMPORTED_TARGET imgui)
 pkg_check_modules(sndfile REQUIRED IMPORTED_TARGET sndfile)
 pkg_check_modules(rtaudio REQUIRED IMPORTED_TARGET rtaudio)
 pkg_check_modules(kissfft REQUIRED kissfft-float)
+pkg_check_modules(stb REQUIRED IMPORTED_TARGET stb)
 
 # An external_NAME stands for the libraries behind it; imported targets' headers count as SYSTEM.
 function(add_external name)
@@ -39,4 +40,5 @@ add_external(cli11 CLI11::CLI11)
 add_external(sndfile PkgConfig::sndfile)
 add_external(rtaudio PkgConfig::rtaudio)
 add_external(kissfft ${kissfft_LINK_LIBRARIES})  # its headers take `float` without being told
+add_external(stb PkgConfig::stb)
 add_external(zlib ZLIB::ZLIB)

@@ -15,4 +15,4 @@ struct CaptionPlace {
 
 /// Writes a line of light grey text into a picture. Fails where the system has no font that we
 /// know.
-Result<void> draw_caption(Picture& picture, const CaptionPlace& place, std::string text);
+Result<void> draw_caption(Picture& picture, const CaptionPlace& place, const std::string& text);
