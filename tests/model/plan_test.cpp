@@ -148,6 +148,21 @@ TEST_CASE("a knob that repeats or sizes a pass reaches it too") {
     CHECK(redraw_after(look, {"cell"}).passes == std::vector<bool>{false, false, false, true});
 }
 
+TEST_CASE("a knob does not reach what reads a former frame of its pass, but that needs a replay") {
+    Look look = scope();
+    look.passes[3].inputs = {reads("bloom", 2)};
+    const Redraw glow = redraw_after(look, {"glow"});
+    CHECK(glow.passes == std::vector<bool>{false, false, true, false});
+    CHECK(glow.needs_replay);
+}
+
+TEST_CASE("a knob behind an accumulating pass leaves its samples, one before it needs them anew") {
+    Look look = scope();
+    look.passes[2].accumulate = true;
+    CHECK_FALSE(redraw_after(look, {"exposure"}).needs_replay);
+    CHECK(redraw_after(look, {"glow"}).needs_replay);
+}
+
 TEST_CASE("how many samples an accumulating pass takes changes nothing about them") {
     Look look = scope();
     look.passes[2].accumulate = true;

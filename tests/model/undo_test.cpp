@@ -81,3 +81,13 @@ TEST_CASE("a rewrite reaches the past and what can be redone; a saved history co
     back.undo();
     CHECK(back.current() == 10);
 }
+
+TEST_CASE("undo ends a gesture: what is turned next is a step of its own") {
+    Undo<int> undo(1);
+    undo.change(2, "gain");
+    undo.change(3, "gain", true);  // the hand is still on it
+    undo.undo();
+    undo.change(4, "gain", true);
+    undo.undo();
+    CHECK(undo.current() == 2);
+}
