@@ -51,7 +51,8 @@ bool form_label(const std::string& label, const std::string& unit, const FormCol
     const float top = at.y + (height - ImGui::GetFontSize()) * 0.5f;
     ImGui::GetWindowDrawList()->AddText({at.x, top}, theme::packed(color), cut.c_str());
     const float end = at.x + ImGui::CalcTextSize((label + " ").c_str()).x;
-    if (!unit.empty() && !is_short(unit) &&
+    const bool has_room = columns.label > ImGui::GetFontSize() * 6.5f;  // for most of the units
+    if (has_room && !unit.empty() && !is_short(unit) &&
         end + ImGui::CalcTextSize(unit.c_str()).x <= at.x + columns.label)
         ImGui::GetWindowDrawList()->AddText({end, top}, theme::packed(theme::dim), unit.c_str());
     return is_clicked;

@@ -111,6 +111,8 @@ TEST_CASE("a target keeps as many pictures as its most patient reader needs") {
 TEST_CASE("memory is texels times bytes times slots") {
     const Plan plan{{{{100, 10}, Format::rgba16f, 2, false}, {{8, 8}, Format::r32f, 1, false}}, 1};
     CHECK(memory_of(plan) == 100 * 10 * 8 * 2 + 8 * 8 * 4);
+    // Each smaller copy has a quarter of the one before: a third more in all.
+    CHECK(memory_of({{{{96, 32}, Format::rgba16f, 1, true}}, 1}) == 96 * 32 * 8 * 4 / 3);
 }
 
 TEST_CASE("bytes a pixel count each target once as written and once a reader") {
@@ -146,6 +148,16 @@ TEST_CASE("a knob that repeats or sizes a pass reaches it too") {
     look.parameters.push_back(knob("cell", 1, {}));
     CHECK(redraw_after(look, {"rounds"}).passes == std::vector<bool>{false, false, true, true});
     CHECK(redraw_after(look, {"cell"}).passes == std::vector<bool>{false, false, false, true});
+}
+
+TEST_CASE("a knob of another look of the stack does not size a pass") {
+    Look look = scope();
+    look.passes[3].scope = "b/";
+    look.passes[3].size[0] = {Side::By::expression, 1, "$WIDTH / $cell"};
+    look.parameters.push_back(knob("a/cell", 1, {}));
+    look.parameters.push_back(knob("b/cell", 1, {}));
+    CHECK(redraw_after(look, {"a/cell"}).passes == std::vector<bool>(4, false));
+    CHECK(redraw_after(look, {"b/cell"}).passes == std::vector<bool>{false, false, false, true});
 }
 
 TEST_CASE("a knob does not reach what reads a former frame of its pass, but that needs a replay") {

@@ -161,6 +161,25 @@ TEST_CASE("a sound that never rises through 0 sweeps on without a trigger") {
     CHECK(dark == 50);  // the ways back
 }
 
+TEST_CASE("without a crossing the sweeps go on by themselves a tenth of a second after the last") {
+    // Crosses 0 upwards at 0.405 s for the last time; a sweep takes 0.02 s.
+    const auto sound = sound_of(
+        8000, 8000, [](int i) { return i < 3600 ? sine_at(10.0, (i - 40) / 8000.0) : -0.2; },
+        [](int) { return 0.0; });
+    const auto signal =
+        signal_of("audio:a.wav,mode=waveform,trigger=auto,channel=left,sdiv=0.002,loop=off", sound);
+    const auto light_in = [&signal](double start, double end) {
+        double light = 0.0;
+        for (const BeamPoint& point : beam_of(*signal, {start, end}))
+            light += static_cast<double>(point.intensity);
+        return light;
+    };
+    CHECK(light_in(0.406, 0.424) > 0.0);
+    CHECK(light_in(0.427, 0.503) == 0.0);
+    CHECK(light_in(0.506, 0.7) > 0.0);
+    CHECK(light_in(0.506, 0.524) > 0.0);
+}
+
 TEST_CASE("a missing or useless sound is refused") {
     const Spec spec = parse_spec("audio:a.wav").value();
     CHECK_FALSE(make_signal(spec, {}).has_value());
