@@ -38,11 +38,11 @@ TEST_CASE("every frame of an hour holds the same number of samples and none is l
 }
 
 TEST_CASE("days later the frames still hold as many samples") {
-    constexpr double rate = 48000.0 * 16.0;
-    constexpr std::int64_t frames_of_ten_days = 10LL * 24 * 216000;
+    constexpr double rate = 48000.0 * 4.0;
+    constexpr std::int64_t frames_of_a_week = 7LL * 24 * 216000;
     std::int64_t uneven = 0;
-    for (std::int64_t n = frames_of_ten_days; n < frames_of_ten_days + 2000; ++n)
-        uneven += instants_in(frame_span(n, 60.0), rate).count() != 12800;
+    for (std::int64_t n = frames_of_a_week; n < frames_of_a_week + 2000; ++n)
+        uneven += instants_in(frame_span(n, 60.0), rate).count() != 3200;
     CHECK(uneven == 0);
 }
 
