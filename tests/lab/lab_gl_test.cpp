@@ -57,6 +57,20 @@ TEST_CASE(
     CHECK(small.turn_until([&] { return small.lab().problems().empty(); }));
 }
 
+TEST_CASE("the picture's size is chosen apart from its view, from a quarter to twice") {
+    SmallLab small;
+    small.lab().set_view({40, 20});
+    const auto drawn_at = [&small](const PictureSize& size) {
+        small.lab().set_picture_size(size);
+        small.turn(1);
+        return small.lab().renderer()->executor().target(1).extent();
+    };
+    CHECK(drawn_at({true, {}, 1.0}) == Extent{40, 20});
+    CHECK(drawn_at({true, {}, 9.0}) == Extent{80, 40});
+    CHECK(drawn_at({true, {}, 0.01}) == Extent{10, 5});
+    CHECK(drawn_at({false, {30, 10}, 0.5}) == Extent{15, 5});
+}
+
 TEST_CASE("a uniform renamed with @was keeps its value") {
     SmallLab small;
     small.lab().edit([](Document& document) { document.set_value("gain", Value(5.0)); });

@@ -1,5 +1,7 @@
 #include "lab/window_state.h"
 
+#include "lab/lab.h"
+
 #include <doctest/doctest.h>
 
 TEST_CASE("a picture is shown in whole pixels, and all of it where it is larger than its view") {
@@ -25,4 +27,11 @@ TEST_CASE("zooming keeps the point under the pointer where it is") {
     CHECK(std::abs(after[0] - before[0]) <= 0.5 / 4.0);  // places are whole pixels of the screen
     CHECK(std::abs(after[1] - before[1]) <= 0.5 / 4.0);
     CHECK(view.zoom == 4.0);
+}
+
+TEST_CASE("the picture's size follows the view or is fixed, and either is scaled") {
+    CHECK(PictureSize{}.extent({801, 600}) == Extent{801, 600});
+    CHECK(PictureSize{true, {}, 0.25}.extent({801, 600}) == Extent{200, 150});
+    CHECK(PictureSize{false, {320, 240}, 2.0}.extent({801, 600}) == Extent{640, 480});
+    CHECK(PictureSize{true, {}, 0.25}.extent({1, 1}) == Extent{1, 1});
 }
