@@ -6,39 +6,32 @@
 namespace fs = std::filesystem;
 
 namespace {
-constexpr const char* on_a_picture = R"({
-  "format": "afterglow-look", "version": 1, "name": "Small", "driven_by": "picture",
-  "default_source": "pattern:white", "source_encoding": "linear", "settle_frames": 1,
+// The small look with other ends: what drives it, and what its first pass reads.
+std::string manifest_of(const std::string& drive, const std::string& previous) {
+    return R"({
+  "format": "afterglow-look", "version": 1, "name": "Small", )" +
+           drive + R"(,
   "passes": [
-    { "name": "sum", "fragment": "sum.frag", "format": "rgba32f", "inputs": { "previous": "source" } },
+    { "name": "sum", "fragment": "sum.frag", "format": "rgba32f", "inputs": { "previous": ")" +
+           previous + R"(" } },
     { "name": "show", "fragment": "show.frag", "format": "rgba32f", "inputs": { "image": "sum" } }
   ]
 })";
+}
+
+const std::string on_a_picture = manifest_of(
+    R"("driven_by": "picture", "default_source": "pattern:white", "source_encoding": "linear", "settle_frames": 1)",
+    "source");
 // Shows what its source was ten frames ago.
-constexpr const char* on_the_past = R"({
-  "format": "afterglow-look", "version": 1, "name": "Small", "driven_by": "picture",
-  "default_source": "pattern:harbour,size=64x48", "source_encoding": "linear", "settle_frames": 20,
-  "passes": [
-    { "name": "sum", "fragment": "sum.frag", "format": "rgba32f", "inputs": { "previous": "source@10" } },
-    { "name": "show", "fragment": "show.frag", "format": "rgba32f", "inputs": { "image": "sum" } }
-  ]
-})";
-constexpr const char* on_a_signal = R"({
-  "format": "afterglow-look", "version": 1, "name": "Small", "driven_by": "signal",
-  "default_signal": { "kind": "lissajous", "x": 3, "y": 2 }, "settle_frames": 1,
-  "passes": [
-    { "name": "sum", "fragment": "sum.frag", "format": "rgba32f", "inputs": { "previous": "sum@1" } },
-    { "name": "show", "fragment": "show.frag", "format": "rgba32f", "inputs": { "image": "sum" } }
-  ]
-})";
-constexpr const char* with_an_image = R"({
-  "format": "afterglow-look", "version": 1, "name": "Small", "driven_by": "nothing", "settle_frames": 1,
-  "images": { "grain": { "file": "grain.exr" } },
-  "passes": [
-    { "name": "sum", "fragment": "sum.frag", "format": "rgba32f", "inputs": { "previous": "grain" } },
-    { "name": "show", "fragment": "show.frag", "format": "rgba32f", "inputs": { "image": "sum" } }
-  ]
-})";
+const std::string on_the_past = manifest_of(
+    R"("driven_by": "picture", "default_source": "pattern:harbour,size=64x48", "source_encoding": "linear", "settle_frames": 20)",
+    "source@10");
+const std::string on_a_signal = manifest_of(
+    R"("driven_by": "signal", "default_signal": { "kind": "lissajous", "x": 3, "y": 2 }, "settle_frames": 1)",
+    "sum@1");
+const std::string with_an_image = manifest_of(
+    R"("driven_by": "nothing", "settle_frames": 1, "images": { "grain": { "file": "grain.exr" } })",
+    "grain");
 
 // 16-bit stereo WAV of a constant: left a quarter, right minus a quarter of full scale.
 std::string wav(std::uint32_t frames, std::uint32_t rate = 8000) {
@@ -121,7 +114,7 @@ TEST_CASE("a preset finds its sound again where it was opened, and says when it 
 }
 
 TEST_CASE("a file that is missing keeps its mark for as long as it is named") {
-    for (const char* manifest : {on_a_signal, on_a_picture}) {
+    for (const std::string& manifest : {on_a_signal, on_a_picture}) {
         SmallLab small(manifest);
         const bool is_sound = manifest == on_a_signal;
         const fs::path file = small.folder() / (is_sound ? "gone.wav" : "gone.exr");

@@ -43,7 +43,7 @@ inline constexpr const char* gain = "uniform float gain = 1.0;  // @range 0 8\n"
 class SmallLab {
 public:
     /// `manifest` may name other passes and drivers.
-    explicit SmallLab(const char* manifest = small_look::manifest)
+    explicit SmallLab(const std::string& manifest = small_look::manifest)
         : m_roots{m_folder.path(), m_folder / "user", m_folder / "state"} {
         write("look.json", manifest);
         write("sum.frag", small_look::sum);
