@@ -47,10 +47,10 @@ float sphere_entry(Ray ray, vec3 center, float radius) {
     return inside < 0.0 ? -1.0 : -back - sqrt(inside);
 }
 
-void meet_atom(Ray ray, int element, float radius, vec3 center, inout Hit hit) {
+void meet_sphere(Ray ray, int what, float radius, vec3 center, inout Hit hit) {
     float away = sphere_entry(ray, center, radius);
     if (away > 0.0 && away < hit.away)
-        hit = Hit(away, center, element);
+        hit = Hit(away, center, what);
 }
 
 // The ray is turned into the molecule's axes instead of each atom out of them.
@@ -62,30 +62,30 @@ void meet_molecule(Ray world, inout Hit hit) {
     float n = 0.71 * atom_scale;
     float o = 0.66 * atom_scale;
     Hit own = hit;
-    meet_atom(ray, hydrogen, h, vec3(-3.3804130, -1.1272367, 0.5733036), own);
-    meet_atom(ray, nitrogen, n, vec3(0.9668296, -1.0737425, -0.8198227), own);
-    meet_atom(ray, carbon, c, vec3(0.0567293, 0.8527195, 0.3923156), own);
-    meet_atom(ray, nitrogen, n, vec3(-1.3751742, -1.0212243, -0.0570552), own);
-    meet_atom(ray, carbon, c, vec3(-1.2615018, 0.2590713, 0.5234135), own);
-    meet_atom(ray, carbon, c, vec3(-0.3068337, -1.6836331, -0.7169344), own);
-    meet_atom(ray, carbon, c, vec3(1.1394235, 0.1874122, -0.2700900), own);
-    meet_atom(ray, nitrogen, n, vec3(0.5602627, 2.0839095, 0.8251589), own);
-    meet_atom(ray, oxygen, o, vec3(-0.4926797, -2.8180554, -1.2094732), own);
-    meet_atom(ray, carbon, c, vec3(-2.6328073, -1.7303959, -0.0060953), own);
-    meet_atom(ray, oxygen, o, vec3(-2.2301338, 0.7988624, 1.0899730), own);
-    meet_atom(ray, hydrogen, h, vec3(2.5496990, 2.9734977, 0.6229590), own);
-    meet_atom(ray, carbon, c, vec3(2.0527432, -1.7360887, -1.4931279), own);
-    meet_atom(ray, hydrogen, h, vec3(-2.4807715, -2.7269528, 0.4882631), own);
-    meet_atom(ray, hydrogen, h, vec3(-3.0089039, -1.9025254, -1.0498023), own);
-    meet_atom(ray, hydrogen, h, vec3(2.9176101, -1.8481516, -0.7857866), own);
-    meet_atom(ray, hydrogen, h, vec3(2.3787863, -1.1211917, -2.3743655), own);
-    meet_atom(ray, hydrogen, h, vec3(1.7189877, -2.7489920, -1.8439205), own);
-    meet_atom(ray, carbon, c, vec3(-0.1518450, 3.0970046, 1.5348347), own);
-    meet_atom(ray, carbon, c, vec3(1.8934096, 2.1181245, 0.4193193), own);
-    meet_atom(ray, nitrogen, n, vec3(2.2861252, 0.9968439, -0.2440298), own);
-    meet_atom(ray, hydrogen, h, vec3(-0.1687028, 4.0436553, 0.9301094), own);
-    meet_atom(ray, hydrogen, h, vec3(0.3535322, 3.2979060, 2.5177747), own);
-    meet_atom(ray, hydrogen, h, vec3(-1.2074498, 2.7537592, 1.7203047), own);
+    meet_sphere(ray, hydrogen, h, vec3(-3.3804130, -1.1272367, 0.5733036), own);
+    meet_sphere(ray, nitrogen, n, vec3(0.9668296, -1.0737425, -0.8198227), own);
+    meet_sphere(ray, carbon, c, vec3(0.0567293, 0.8527195, 0.3923156), own);
+    meet_sphere(ray, nitrogen, n, vec3(-1.3751742, -1.0212243, -0.0570552), own);
+    meet_sphere(ray, carbon, c, vec3(-1.2615018, 0.2590713, 0.5234135), own);
+    meet_sphere(ray, carbon, c, vec3(-0.3068337, -1.6836331, -0.7169344), own);
+    meet_sphere(ray, carbon, c, vec3(1.1394235, 0.1874122, -0.2700900), own);
+    meet_sphere(ray, nitrogen, n, vec3(0.5602627, 2.0839095, 0.8251589), own);
+    meet_sphere(ray, oxygen, o, vec3(-0.4926797, -2.8180554, -1.2094732), own);
+    meet_sphere(ray, carbon, c, vec3(-2.6328073, -1.7303959, -0.0060953), own);
+    meet_sphere(ray, oxygen, o, vec3(-2.2301338, 0.7988624, 1.0899730), own);
+    meet_sphere(ray, hydrogen, h, vec3(2.5496990, 2.9734977, 0.6229590), own);
+    meet_sphere(ray, carbon, c, vec3(2.0527432, -1.7360887, -1.4931279), own);
+    meet_sphere(ray, hydrogen, h, vec3(-2.4807715, -2.7269528, 0.4882631), own);
+    meet_sphere(ray, hydrogen, h, vec3(-3.0089039, -1.9025254, -1.0498023), own);
+    meet_sphere(ray, hydrogen, h, vec3(2.9176101, -1.8481516, -0.7857866), own);
+    meet_sphere(ray, hydrogen, h, vec3(2.3787863, -1.1211917, -2.3743655), own);
+    meet_sphere(ray, hydrogen, h, vec3(1.7189877, -2.7489920, -1.8439205), own);
+    meet_sphere(ray, carbon, c, vec3(-0.1518450, 3.0970046, 1.5348347), own);
+    meet_sphere(ray, carbon, c, vec3(1.8934096, 2.1181245, 0.4193193), own);
+    meet_sphere(ray, nitrogen, n, vec3(2.2861252, 0.9968439, -0.2440298), own);
+    meet_sphere(ray, hydrogen, h, vec3(-0.1687028, 4.0436553, 0.9301094), own);
+    meet_sphere(ray, hydrogen, h, vec3(0.3535322, 3.2979060, 2.5177747), own);
+    meet_sphere(ray, hydrogen, h, vec3(-1.2074498, 2.7537592, 1.7203047), own);
     if (own.away < hit.away)
         hit = Hit(own.away, turn * own.center, own.what);
 }

@@ -40,9 +40,7 @@ Hit first_hit(Ray ray) {
     Hit hit = Hit(far_away, vec3(0.0), nothing);
     meet_molecule(ray, hit);
     meet_coffee(ray, hit);
-    float away = sphere_entry(ray, lamp_center(), light_radius);
-    if (away > 0.0 && away < hit.away)
-        hit = Hit(away, lamp_center(), lamp);
+    meet_sphere(ray, lamp, light_radius, lamp_center(), hit);
     return hit;
 }
 
