@@ -241,11 +241,23 @@ Result<void> Offline::load_pictures() {
 }
 
 Result<void> Offline::start_again(Document document) {
+    const DocumentState before = m_document.state();
     m_document = std::move(document);
     m_renderer->set_values(m_document.values());
     m_renderer->clear_history();
-    m_player->restart();
-    return m_renderer->resize_again();
+    if (auto done = m_renderer->resize_again(); !done)
+        return done;
+    const DocumentState& now = m_document.state();
+    if (now.signal == before.signal) {
+        m_player->restart();
+    } else {
+        m_player = std::make_unique<Player>();
+        if (auto done = load_signal(); !done)
+            return done;
+    }
+    if (now.source != before.source)
+        return load_pictures();
+    return show_chosen_images(executor().look(), before.values, now.values, *m_renderer);
 }
 
 void Offline::advance() {

@@ -49,8 +49,8 @@ public:
     void advance_unseen();
     std::int64_t frame_number() const { return m_player->frame_number(); }
     std::vector<double> pass_milliseconds() { return m_renderer->pass_milliseconds(); }
-    /// From the first frame again, with the values of another state of the same document; what
-    /// drives the look stays. Fails as resize() does: sizes may depend on values.
+    /// From the first frame again, with another document of the same look: its values, its signal
+    /// and its source. Costs a part of create(), as context and programs stay. Fails as that does.
     Result<void> start_again(Document document);
     const Executor& executor() const { return m_renderer->executor(); }
     const Document& document() const { return m_document; }

@@ -19,24 +19,50 @@ Library library() {
     return Library(std::move(*roots));
 }
 
-Offline offline_from(const RenderRequest& request, Extent size) {
-    auto prepared = prepare(request, library());
-    REQUIRE_MESSAGE(prepared.has_value(), (prepared ? "" : to_string(prepared.error())));
-    auto offline = Offline::create(std::move(*prepared), size, 60.0);
-    REQUIRE_MESSAGE(offline.has_value(), (offline ? "" : to_string(offline.error())));
-    return std::move(*offline);
+Prepared prepared(const RenderRequest& request) {
+    auto result = prepare(request, library());
+    REQUIRE_MESSAGE(result.has_value(), (result ? "" : to_string(result.error())));
+    return std::move(*result);
 }
 
-/// Frames side by side, from a fresh start.
-Picture strip(const std::vector<int>& frames, Extent size, Offline& offline) {
+/// Draws one look again and again. Making its programs takes longer than all its frames, so they
+/// are kept from picture to picture.
+class Drawer {
+public:
+    explicit Drawer(Extent size) : m_size(size) {}
+
+    /// Frames side by side, from a fresh start.
+    Picture strip(const std::vector<int>& frames, Document document);
+
+private:
+    void start(Document document);
+
+    Extent m_size;
+    std::optional<Offline> m_offline;
+};
+
+void Drawer::start(Document document) {
+    if (m_offline) {
+        const auto again = m_offline->start_again(std::move(document));
+        REQUIRE_MESSAGE(again.has_value(), (again ? "" : to_string(again.error())));
+        return;
+    }
+    auto made = Offline::create({std::move(document), {}}, m_size, 60.0);
+    REQUIRE_MESSAGE(made.has_value(), (made ? "" : to_string(made.error())));
+    m_offline.emplace(std::move(*made));
+}
+
+Picture Drawer::strip(const std::vector<int>& frames, Document document) {
+    start(std::move(document));
+    const Extent size = m_size;
     Picture strip{
         {size.width * static_cast<int>(frames.size()), size.height}, 3, Encoding::display, {}};
     strip.pixels.resize(strip.index(0, size.height));
     for (std::size_t column = 0; column < frames.size(); ++column) {
-        while (offline.frame_number() + 1 < frames[column])
-            offline.advance_unseen();
-        offline.advance();
-        const Picture picture = offline.picture();
+        while (m_offline->frame_number() + 1 < frames[column])
+            m_offline->advance_unseen();
+        m_offline->advance();
+        const Picture picture = m_offline->picture();
         for (int y = 0; y < size.height; ++y)
             for (int x = 0; x < size.width; ++x)
                 for (std::size_t channel = 0; channel < 3; ++channel)
@@ -90,45 +116,45 @@ std::array<std::string, 2> ends_of(const Parameter& parameter) {
     return ends;
 }
 
-/// A look on its way through the sweep. Making its programs takes longer than all its frames, so it
-/// is kept from value to value.
-struct Sweep {
-    std::string id;
-    std::string signal;
-    Document base;
-    Offline offline;
+/// A look on its way through the sweep.
+class Sweep {
+public:
+    explicit Sweep(const GoldenLook& look) : m_look(look), m_drawer(look.cell) {}
+
+    const Look& look() { return base({}).look(); }
+    Picture with(const GoldenSettings& settings, const std::string& signal = {}) {
+        Document changed = base(signal);
+        for (const auto& [name, text] : settings) {
+            const Parameter* parameter = find_parameter(changed.look(), name);
+            REQUIRE(parameter);
+            auto value = parse_value(*parameter, text);
+            REQUIRE(value.has_value());
+            changed.set_value(name, std::move(*value));
+        }
+        return m_drawer.strip(m_look.frames, std::move(changed));
+    }
+
+private:
+    /// As it is swept; on a signal other than the sweep's, if there is one.
+    const Document& base(const std::string& signal) {
+        auto found = m_bases.find(signal);
+        if (found == m_bases.end()) {
+            Prepared made = prepared({.look = m_look.id,
+                                      .values = m_look.always,
+                                      .signal = signal.empty() ? m_look.signal : signal,
+                                      .source = m_look.source});
+            found = m_bases.emplace(signal, std::move(made.document)).first;
+        }
+        return found->second;
+    }
+
+    const GoldenLook& m_look;
+    Drawer m_drawer;
+    std::map<std::string, Document> m_bases;
 };
 
-std::optional<Sweep> kept;
-
-Sweep make_sweep(const GoldenLook& look, const std::string& signal) {
-    Offline offline = offline_from(
-        {.look = look.id, .values = look.always, .signal = signal, .source = look.source},
-        look.cell);
-    Document base = offline.document();
-    return {look.id, signal, std::move(base), std::move(offline)};
-}
-
-Picture swept(const GoldenLook& look, const GoldenSettings& settings,
-              const std::string& signal = {}) {
-    if (!kept || kept->id != look.id || kept->signal != signal) {
-        kept.reset();  // while its context is still the current one
-        kept.emplace(make_sweep(look, signal));
-    }
-    Document changed = kept->base;
-    for (const auto& [name, text] : settings) {
-        const Parameter* parameter = find_parameter(changed.look(), name);
-        REQUIRE(parameter);
-        auto value = parse_value(*parameter, text);
-        REQUIRE(value.has_value());
-        changed.set_value(name, std::move(*value));
-    }
-    const auto again = kept->offline.start_again(std::move(changed));
-    REQUIRE_MESSAGE(again.has_value(), (again ? "" : to_string(again.error())));
-    return strip(look.frames, look.cell, kept->offline);
-}
-
-void check_parameter(const GoldenLook& look, const Parameter& parameter, const Picture& plain) {
+void check_parameter(const GoldenLook& look, const Parameter& parameter, Sweep& sweep,
+                     const Picture& plain) {
     GoldenSettings around;
     if (const auto found = look.companions.find(parameter.name); found != look.companions.end())
         around = found->second;
@@ -138,7 +164,7 @@ void check_parameter(const GoldenLook& look, const Parameter& parameter, const P
     const auto with = [&](const std::string& value) {
         GoldenSettings settings = around;
         settings.emplace_back(parameter.name, value);
-        return swept(look, settings, signal);
+        return sweep.with(settings, signal);
     };
     const auto chosen = look.ends.find(parameter.name);
     const auto ends = chosen == look.ends.end() ? ends_of(parameter) : chosen->second;
@@ -147,7 +173,7 @@ void check_parameter(const GoldenLook& look, const Parameter& parameter, const P
     compare_with_golden(look, stacked(low, high), parameter.name);
 
     const bool is_plain = around.empty() && signal.empty();
-    const Picture rest = is_plain ? plain : swept(look, around, signal);
+    const Picture rest = is_plain ? plain : sweep.with(around, signal);
     const double moved =
         difference_between(low, rest, 0)->largest + difference_between(high, rest, 0)->largest;
     CHECK(moved > 0.9 / 255.0);
@@ -155,23 +181,22 @@ void check_parameter(const GoldenLook& look, const Parameter& parameter, const P
 }  // namespace
 
 void check_parameters(const GoldenLook& look) {
-    const auto prepared = prepare({.look = look.id}, library());
-    REQUIRE(prepared.has_value());
-    const Picture plain = swept(look, {});
+    Sweep sweep(look);
+    const Picture plain = sweep.with({});
     compare_with_golden(look, plain, "default");
-    for (const Parameter& parameter : prepared->document.look().parameters) {
+    for (const Parameter& parameter : sweep.look().parameters) {
         CAPTURE(parameter.name);
-        check_parameter(look, parameter, plain);
+        check_parameter(look, parameter, sweep, plain);
     }
-    kept.reset();  // while its context is still the current one
 }
 
 void check_presets(const GoldenLook& look) {
     std::vector<std::pair<std::string, Picture>> seen;
+    Drawer drawer(look.preset_cell);
     for (const PresetEntry& preset : library().presets(look.id)) {
         CAPTURE(preset.name);
-        Offline offline = offline_from({.look = preset.file.string()}, look.preset_cell);
-        Picture drawn = strip(look.frames, look.preset_cell, offline);
+        Picture drawn =
+            drawer.strip(look.frames, prepared({.look = preset.file.string()}).document);
         compare_with_golden(look, drawn, "preset " + preset.name);
         for (const auto& other : seen) {
             INFO("like " << other.first);

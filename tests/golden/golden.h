@@ -25,7 +25,8 @@ struct GoldenLook {
     std::map<std::string, std::string> signals =
         {};  // by parameter: another signal than the look's own
     std::size_t fewest_presets = 4;
-    std::string source = {};  // in the sweep, for a look on a picture; "": the look's own
+    std::string signal = {};  // in the sweep, for a look on a signal; "": the look's own
+    std::string source = {};  // the same for a look on a picture
 };
 
 /// Draws the look with each parameter at its low and its high end and compares with the pictures

@@ -13,6 +13,7 @@ const GoldenLook phosphor{
                    {"afterglow_color", {{"tube", "P7"}, {"tube_color", "2"}}}},
     .signals = {{"beam_kind", "lissajous:x=3,y=2,points=96"}},  // few enough to be told apart
     .fewest_presets = 9,
+    .signal = "lissajous:x=3,y=2,speed=0.015,points=1024",  // enough for so few pixels
 };
 }  // namespace
 

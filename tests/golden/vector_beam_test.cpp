@@ -14,6 +14,7 @@ const GoldenLook vector_beam{
                    // The shortcut shows where a frame's segments are short and fade quickly.
                    {"decay_by_place", {{"decay_time", "0.02"}, {"spot_sigma", "6"}}},
                    {"quad_sigmas", {{"exposure", "16"}}}},
+    .signal = "lissajous:x=5,y=4,speed=0.05,points=320",  // enough for so few pixels
 };
 }  // namespace
 
