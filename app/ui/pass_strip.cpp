@@ -22,11 +22,22 @@ std::string facts_text(const Cell& cell) {
                        facts_of(cell.target.format).name);
 }
 
+// As many digits as are worth telling: three.
 std::string time_text(double milliseconds) {
     if (milliseconds <= 0.0)
         return {};
     const int decimals = milliseconds < 99.995 ? 2 : milliseconds < 999.95 ? 1 : 0;
     return fmt::format("{:.{}f} ms", milliseconds, decimals);  // "00.00 ms" is room for all
+}
+
+// In a stack the looks are named above their passes.
+std::string look_key(const std::string& pass) {
+    const std::size_t end = pass.find('/');
+    return end == std::string::npos ? std::string() : pass.substr(0, end);
+}
+
+std::string own_name(const std::string& pass) {
+    return pass.substr(pass.find('/') + 1);
 }
 
 void draw_image(const Views::Image& image, const ImVec2& low, float width, float height,
@@ -45,7 +56,7 @@ void draw_image(const Views::Image& image, const ImVec2& low, float width, float
 void draw_words(const Cell& cell, const Scene& scene, const ImVec2& at, float width) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float line = ImGui::GetFontSize();
-    const std::string name = cut_to_fit(cell.pass.name, width);
+    const std::string name = cut_to_fit(own_name(cell.pass.name), width);
     list.AddText(at, theme::packed(cell.is_chosen ? theme::accent : theme::text), name.c_str());
     const ScopedFont font(scene.fonts.numbers);
     const std::string time = time_text(cell.milliseconds);
@@ -60,9 +71,9 @@ void draw_words(const Cell& cell, const Scene& scene, const ImVec2& at, float wi
 
 // Wide enough for the picture, and for the name beside its time; it does not change with the time.
 float cell_width(const Cell& cell, const Scene& scene, float image_width) {
-    const float name = ImGui::CalcTextSize(cell.pass.name.c_str()).x;
+    const float name = ImGui::CalcTextSize(own_name(cell.pass.name).c_str()).x;
     const ScopedFont font(scene.fonts.numbers);
-    const float time = ImGui::CalcTextSize("00.00 ms").x;
+    const float time = ImGui::CalcTextSize("00.0 ms").x;
     const float facts = ImGui::CalcTextSize(facts_text(cell).c_str()).x;
     return std::max({image_width, name + time + ImGui::GetFontSize() * 0.6f, facts});
 }
@@ -93,6 +104,41 @@ void draw_cell(const Cell& cell, const Scene& scene, float image_height, Edits& 
             theme::packed(cell.is_chosen ? theme::accent : theme::faint));
     draw_words(cell, scene, {low.x, low.y + image_height + 3.0f * scene.scale}, width);
 }
+
+/// The passes of one look of a stack, as they lie in the strip.
+struct Group {
+    std::string key;
+    float left;
+    float right;
+};
+
+// A tag that stays in sight as long as any of its passes is.
+void draw_key(const Group& group, float top, const Scene& scene) {
+    const ScopedFont font(scene.fonts.numbers);
+    const ImVec2 text = ImGui::CalcTextSize(group.key.c_str());
+    const ImVec2 pad(5.0f * scene.scale, 2.0f * scene.scale);
+    const float width = text.x + 2.0f * pad.x;
+    const float seen = std::max(group.left, ImGui::GetWindowPos().x);
+    const float left = std::max(group.left, std::min(seen, group.right - width));
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled({left, top}, {left + width, top + text.y + 2.0f * pad.y},
+                       theme::packed(theme::popup), 3.0f * scene.scale);
+    list.AddText({left + pad.x, top + pad.y}, theme::packed(theme::label), group.key.c_str());
+}
+
+// Where the next cell comes: nearer to one of the same look.
+void go_on(const std::vector<Group>& groups, const std::string& key, const Scene& scene) {
+    const float gap = ImGui::GetFontSize() * 0.6f;
+    const bool is_other = groups.back().key != key;
+    ImGui::SameLine(0.0f, is_other ? 2.5f * gap : gap);
+    if (!is_other)
+        return;
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const float x = std::floor(low.x - 1.25f * gap);
+    const float bottom = ImGui::GetWindowPos().y + ImGui::GetContentRegionAvail().y;
+    ImGui::GetWindowDrawList()->AddLine({x, low.y}, {x, bottom}, theme::packed(theme::line),
+                                        scene.scale);
+}
 }  // namespace
 
 void draw_pass_strip(const Scene& scene, Edits& edits) {
@@ -112,16 +158,25 @@ void draw_pass_strip(const Scene& scene, Edits& edits) {
         const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
         ImGui::BeginChild("##cells", {0.0f, 0.0f}, false, ImGuiWindowFlags_HorizontalScrollbar);
     }
+    const float top = ImGui::GetCursorScreenPos().y;
+    std::vector<Group> groups;
     for (std::size_t i = 0; i < std::min(look.passes.size(), targets.size()); ++i) {
+        const std::string key = look_key(look.passes[i].name);
         if (i > 0)
-            ImGui::SameLine(0.0f, ImGui::GetFontSize() * 0.6f);
+            go_on(groups, key, scene);
+        if (groups.empty() || groups.back().key != key)
+            groups.push_back({key, ImGui::GetCursorScreenPos().x, 0.0f});
         draw_cell({.index = i,
                    .pass = look.passes[i],
                    .target = targets[i],
                    .milliseconds = i < times.size() ? times[i] : 0.0,
                    .is_chosen = look.passes[i].name == scene.window.inspected.pass},
                   scene, image_height, edits);
+        groups.back().right = ImGui::GetItemRectMax().x;
     }
+    for (const Group& group : groups)
+        if (!group.key.empty())
+            draw_key(group, top, scene);
     // It has no height to scroll, so the wheel goes along it.
     constexpr float a_notch = 5.0f;  // letters
     if (const float wheel = ImGui::GetIO().MouseWheel; wheel != 0.0f && ImGui::IsWindowHovered())
