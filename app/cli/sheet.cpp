@@ -14,6 +14,14 @@ struct Arguments {
     double fps = 60.0;
 };
 
+// As the folder of its presets is named.
+std::string id_of(const OpenRequest& request) {
+    if (request.stack.size() > 1)
+        return stack_id(request.stack);
+    const std::filesystem::path& look = request.look;
+    return (look.has_extension() ? look.parent_path() : look).filename().string();
+}
+
 /// What is to be drawn: a preset itself, or all of a look's; a look without presets as it is.
 Result<std::vector<RenderRequest>> requests_of(const Arguments& arguments, const Library& library) {
     std::vector<RenderRequest> requests;
@@ -22,15 +30,11 @@ Result<std::vector<RenderRequest>> requests_of(const Arguments& arguments, const
         const auto found = resolve(name, library);
         if (!found)
             return fail(found.error());
-        const std::string look = found->look.has_extension()
-                                     ? found->look.parent_path().filename().string()
-                                     : found->look.filename().string();
-        const auto presets = found->preset ? std::vector<PresetEntry>{} : library.presets(look);
+        const auto presets =
+            found->preset ? std::vector<PresetEntry>{} : library.presets(id_of(*found));
         for (const PresetEntry& preset : presets)
-            requests.push_back({.look = found->look.string(),
-                                .preset = preset.file.string(),
-                                .size = size,
-                                .fps = arguments.fps});
+            requests.push_back(
+                {.look = name, .preset = preset.file.string(), .size = size, .fps = arguments.fps});
         if (presets.empty())
             requests.push_back({.look = name, .size = size, .fps = arguments.fps});
     }

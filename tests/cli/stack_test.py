@@ -58,6 +58,9 @@ class Stacks(ProgramTest):
         self.assertEqual((made["look"], made["values"]), ("half+half", {"half#2/gain": 0.25}))
         listed = json.loads(self.lab("list", "presets", "--json").stdout)
         self.assertEqual([(one["look"], one["id"]) for one in listed], [("half+half", "quiet")])
+        self.assert_done(self.lab("sheet", "half+half", "--size", "48x27", "-o", self.folder / "sheet.png"))
+        greys = [max(row) for row in read_png(self.folder / "sheet.png")[2]]
+        self.assertEqual(greys.count(32), 27)  # a half of a quarter
         self.assertAlmostEqual(self.level("half+half", "--preset", "quiet"), 0.125, delta=0.002)
         line = self.lab("preset", file, "--line").stdout.strip()
         self.assertAlmostEqual(self.level(line), 0.125, delta=0.002)
