@@ -180,6 +180,49 @@ TEST_CASE("a broken sound is told and the last signal goes on") {
     CHECK(small.lab().player().signal() == before);
 }
 
+TEST_CASE("a video, a drawing or a model that cannot be read is told, and the lab goes on") {
+    struct Case {
+        const char* manifest;
+        const char* file;
+        const char* content;
+        const char* words;
+    };
+    for (const Case& bad :
+         {Case{on_a_picture, "noise.mp4", "no video at all", "cannot be read as a video"},
+          Case{on_a_signal, "blank.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"></svg>",
+               "has no paths"},
+          Case{on_a_signal, "model.obj", "v 0 0 0\nv 1 0 0\nf 1 2 3\n", "there is no corner 3"}}) {
+        CAPTURE(bad.file);
+        SmallLab small(bad.manifest);
+        const fs::path file = small.folder() / bad.file;
+        REQUIRE(write_atomically(file, bad.content).has_value());
+        if (bad.manifest == on_a_picture) {
+            small.lab().open_file(file);
+        } else {
+            const fs::path scene = small.folder() / "scene.json";
+            const std::string shape = file.extension() == ".svg" ? "svg" : "wireframe";
+            REQUIRE(write_atomically(scene, R"({"format": "afterglow-scene", "version": 1,
+                "items": [{"shape": ")" + shape +
+                                                R"(", "file": ")" + bad.file + "\"}]}")
+                        .has_value());
+            small.lab().edit([&](Document& document) {
+                document.set_signal({"scene", {{"file", scene.string()}}});
+            });
+        }
+        REQUIRE(small.turn_until([&] { return !small.lab().problems().empty(); }));
+        const Diagnostic& told = small.lab().problems().front().diagnostic;
+        CHECK(told.file.filename() == bad.file);
+        CHECK(told.message.find(bad.words) != std::string::npos);
+        const float frames = small.frames();
+        small.turn(3);
+        CHECK(small.frames() == frames + 3);
+        if (bad.manifest == on_a_signal)
+            CHECK(small.lab().player().signal() != nullptr);
+        else
+            CHECK(gpu::read_pixel(small.lab().renderer()->executor().target(1), 3, 3)[0] > 0.5f);
+    }
+}
+
 TEST_CASE("a look on a picture shows its pattern, then the person's file") {
     SmallLab small(on_a_picture);
     REQUIRE(small.turn_until([&] { return small.shown() == 2.0f; }));  // 1 + step_size
