@@ -6,7 +6,7 @@
 
 const int mask_cells = 0;   // staggered cells of three stripes, dark towards their borders
 const int mask_grille = 1;  // aperture grille: stripes from top to bottom
-const int mask_slot = 2;    // stripes cut by bridges, every other column shifted by half a slot
+const int mask_slot = 2;    // stripes cut by bridges, every other column higher
 const int mask_dots = 3;    // triads of dots in a hexagonal lattice
 
 const float hexagon_row = 0.86602540378;  // from row to row of a hexagonal lattice, in pitches
@@ -16,6 +16,7 @@ struct Mask {
     float pitch;       // from one red to the next along a line
     float cell_height; // of cells and slots, in pitches
     float border;      // how dark it is where two stripes meet, 0..1; of dots how small they are
+    float stagger;     // how much higher every other column of cells or slots lies, in their heights
 };
 
 // Light of a row of bumps 1 wide, one each `period`, from 0 up to x. A bump is 1 - border |v|^power
@@ -93,11 +94,11 @@ float mask_visibility(float pitch, float pixel) {
 vec3 mask_light(Mask mask, vec2 at, float pixel) {
     vec3 light;
     if (mask.kind == mask_cells)
-        light = striped_mask(mask, at, pixel, vec2(2.0), 0.5);
+        light = striped_mask(mask, at, pixel, vec2(2.0), mask.stagger);
     else if (mask.kind == mask_grille)
         light = striped_mask(mask, at, pixel, vec2(4.0, 0.0), 0.0);
     else if (mask.kind == mask_slot)
-        light = striped_mask(mask, at, pixel, vec2(4.0, 12.0), 0.5);
+        light = striped_mask(mask, at, pixel, vec2(4.0, 12.0), mask.stagger);
     else
         light = dotted_mask(mask, at, pixel);
     return mix(vec3(1.0), light, mask_visibility(mask.pitch, pixel));
@@ -129,7 +130,7 @@ vec2 mask_cell_centre(Mask mask, vec2 at) {
         return vec2(floor(at.x / mask.pitch - shift) + shift + 0.5, (row + 0.5) * hexagon_row) *
                mask.pitch;
     }
-    float lifted = 0.5 * mod(column, 2.0);  // as the mask's own columns
+    float lifted = mask.stagger * mod(column, 2.0);  // as the mask's own columns
     return vec2(middle, (floor(at.y / cell.y + lifted) + 0.5 - lifted) * cell.y);
 }
 

@@ -18,6 +18,8 @@ uniform float mask_size = 6.0;      // @range 2 32  @limit 0.5 256  @label "Size
                                     // @help "From one red stripe or dot to the next. What is finer than 3 px fades, and under 2 px is an even grey, as no screen could show it."
 uniform float cell_height = 1.0;    // @range 0.5 4  @limit 0.1 20  @label "Cell height"  @unit "sizes"  @group "Mask"
                                     // @help "Height of cells and slots, as a multiple of the size. Grilles have none, and dots their own."
+uniform float mask_stagger = 0.5;   // @range 0 0.5  @limit 0 1  @label "Stagger"  @unit "cell heights"  @group "Mask"
+                                    // @help "How much higher every other column of cells or slots lies. 0.5 breaks up rows as real tubes do, at 0 they lie side by side."
 uniform float mask_border = 0.8;    // @range 0 1  @limit 0 1  @label "Border"  @group "Mask"
                                     // @help "How dark it is between stripes; of dots, how small they are."
 uniform float mask_strength = 1.0;  // @range 0 1  @limit 0 1  @label "Strength"  @group "Mask"  @identity 0
@@ -120,7 +122,7 @@ void main() {
     vec2 place = barrel_radial(2.0 * uv - 1.0, curvature);
     vec2 px = (0.5 * place + 0.5) * u_resolution;
     if (as_written) {
-        CellsAsWritten cells = cells_as_written(px, mask_size, mask_border);
+        CellsAsWritten cells = cells_as_written(px, mask_size, mask_border, mask_stagger);
         vec3 light = vec3(texture(scene, (cells.corner + red_offset) / u_resolution).r,
                           texture(scene, (cells.corner + green_offset) / u_resolution).g,
                           texture(scene, (cells.corner + blue_offset) / u_resolution).b);
@@ -132,7 +134,7 @@ void main() {
         return;
     }
     float pixel = 0.5 * (abs(dFdx(px.x)) + abs(dFdy(px.y)));
-    Mask mask = Mask(mask_type, mask_size, cell_height, mask_border);
+    Mask mask = Mask(mask_type, mask_size, cell_height, mask_border, mask_stagger);
     vec3 light = picture_light(mask, px) * through_mask(mask, px, pixel);
     color = vec4(light * scanlines(px) * vignette_left(place) * pulse(px.x), 1.0);
 }

@@ -5,10 +5,10 @@ struct CellsAsWritten {
     vec3 mask;
 };
 
-CellsAsWritten cells_as_written(vec2 px, float size, float border) {
+CellsAsWritten cells_as_written(vec2 px, float size, float border, float stagger_height) {
     vec2 cell = px / size;
     vec2 stripe = cell * vec2(3.0, 1.0);
-    vec2 stagger = vec2(0.0, fract(floor(cell.x) * 0.5));
+    vec2 stagger = vec2(0.0, stagger_height * mod(floor(cell.x), 2.0));
     float index = mod(floor(stripe.x), 3.0);
     vec3 mask = vec3(index == 0.0, index == 1.0, index == 2.0) * 3.0;
     vec2 inside = fract(stripe + stagger) * 2.0 - 1.0;

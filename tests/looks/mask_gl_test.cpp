@@ -10,7 +10,7 @@ namespace {
 /// x, y: a pixel's middle; z: the kind of mask; w: its pitch.
 constexpr const char* mask =
     "#include \"mask.glsl\"\nvec4 f(vec4 x) { return vec4(mask_light("
-    "Mask(int(x.z), x.w, 1.0, 0.8), x.xy, 1.0), 1.0); }\n";
+    "Mask(int(x.z), x.w, 1.0, 0.8, 0.5), x.xy, 1.0), 1.0); }\n";
 
 std::vector<Vec4> pixels(int kind, double pitch, int width, int height) {
     std::vector<Vec4> centres;
@@ -98,7 +98,7 @@ TEST_CASE("a cell is read in its middle, whichever column it is in") {
         const auto pixel = pixels(kind, 12.0, 24, 24);
         const auto centres = run_glsl(
             "#include \"mask.glsl\"\nvec4 f(vec4 x) { return vec4(mask_cell_centre("
-            "Mask(int(x.z), x.w, 1.0, 0.8), x.xy), 0, 0); }\n",
+            "Mask(int(x.z), x.w, 1.0, 0.8, 0.5), x.xy), 0, 0); }\n",
             pixel);
         bool is_middle = true;
         for (std::size_t i = 0; i < pixel.size(); ++i) {

@@ -96,14 +96,20 @@ TEST_CASE("every cell shows the picture in its middle, staggered columns too") {
         for (int x = 0; x < 24; ++x)
             for (std::size_t c = 0; c < 3; ++c)
                 ramp.pixels[ramp.index(x, y) + c] = (48.0f - static_cast<float>(y) - 0.5f) / 48.0f;
-    const Picture cells = drawn_look(
-        "shadow-mask", ramp,
-        with(stages_off(), {{"sampling", Value(0.0)}, {"mask_size", Value(12.0)}}), "tube");
-    for (int y = 0; y < 48; ++y) {
-        const double up = 48 - y - 0.5;
-        CHECK(std::abs(number(cells, 5, y) - (std::floor(up / 12.0) + 0.5) / 4.0) < 1e-4);
-        if (y >= 6 && y < 42)
-            CHECK(std::abs(number(cells, 17, y) - std::floor(up / 12.0 + 0.5) / 4.0) < 1e-4);
+    for (const double stagger : {0.5, 0.25, 0.0}) {
+        CAPTURE(stagger);
+        const Picture cells = drawn_look("shadow-mask", ramp,
+                                         with(stages_off(), {{"sampling", Value(0.0)},
+                                                             {"mask_size", Value(12.0)},
+                                                             {"mask_stagger", Value(stagger)}}),
+                                         "tube");
+        for (int y = 0; y < 48; ++y) {
+            const double up = (48 - y - 0.5) / 12.0;  // cells
+            CHECK(std::abs(number(cells, 5, y) - (std::floor(up) + 0.5) / 4.0) < 1e-4);
+            const double other = std::floor(up + stagger) + 0.5 - stagger;
+            if (y >= 6 && y < 42)
+                CHECK(std::abs(number(cells, 17, y) - other / 4.0) < 1e-4);
+        }
     }
 }
 
