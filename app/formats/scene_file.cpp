@@ -71,6 +71,15 @@ Result<BeamScene> load_scene(const std::filesystem::path& file) {
     return parse_scene(*text, file);
 }
 
+bool is_scene_file(const std::filesystem::path& file) {
+    if (to_lower(file.extension().string()) != ".json")
+        return false;
+    const auto text = read_text(file);
+    const auto document = text ? parse_json(*text, file) : fail(text.error());
+    const JsonValue* format = document ? find_member(*document, "format") : nullptr;
+    return format && format->text == format_name;
+}
+
 bool is_svg_file(const std::filesystem::path& file) {
     return to_lower(file.extension().string()) == ".svg";
 }

@@ -10,6 +10,8 @@
 Result<BeamScene> parse_scene(std::string_view text, const std::filesystem::path& file);
 Result<BeamScene> load_scene(const std::filesystem::path& file);
 
+/// Whether a file says of itself that it is a scene.
+bool is_scene_file(const std::filesystem::path& file);
 /// Whether a file's name says that it is a drawing.
 bool is_svg_file(const std::filesystem::path& file);
 /// Whether it says that it is a drawing or a scene.

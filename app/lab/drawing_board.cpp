@@ -26,12 +26,12 @@ std::size_t DrawingBoard::keyframe() const {
     return m_drawing ? std::min(m_keyframe, m_drawing->keyframes.size() - 1) : 0;
 }
 
-std::optional<std::size_t> DrawingBoard::stroke_at(const BeamPlace& place, double reach) const {
+std::optional<std::size_t> DrawingBoard::stroke_at(const BeamPlace& place, double pixel) const {
     std::optional<std::size_t> found;
     if (!m_drawing)
         return found;
     const Keyframe& strokes = m_drawing->keyframes[keyframe()];
-    double nearest = reach;
+    double nearest = reach_px * pixel;
     for (std::size_t i = 0; i < strokes.size(); ++i)
         if (const double away = distance_to_line(place, line_of(strokes[i])); away <= nearest) {
             nearest = away;
@@ -150,7 +150,7 @@ void DrawingBoard::click(const BeamPlace& place, double pixel, Document& documen
 }
 
 void DrawingBoard::erase(const BeamPlace& place, double pixel, Document& document) {
-    const auto stroke = stroke_at(place, reach_px * pixel);
+    const auto stroke = stroke_at(place, pixel);
     if (!stroke)
         return;
     Drawing drawing = *m_drawing;

@@ -28,8 +28,8 @@ public:
     std::size_t keyframe() const;
     /// The points that were clicked so far; null when no line is under way.
     const Stroke* open_line() const { return m_line ? &*m_line : nullptr; }
-    /// The stroke of the keyframe nearest to a place, within `reach`.
-    std::optional<std::size_t> stroke_at(const BeamPlace& place, double reach) const;
+    /// The stroke of the keyframe that a hand points at, where a pixel covers `pixel`.
+    std::optional<std::size_t> stroke_at(const BeamPlace& place, double pixel) const;
     /// The signal as it is to be seen: while the pen is in the hand its keyframe stands still.
     Spec shown(const Spec& signal) const;
 

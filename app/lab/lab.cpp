@@ -66,7 +66,9 @@ void Lab::open(const OpenRequest& request) {
 namespace {
 // The present setting with another file; other kinds of signal leave nothing to a sound.
 Spec playing(const fs::path& file, const Spec& present) {
-    Spec spec = present.kind == "audio" ? present : Spec{"audio", {{"mode", std::string("xy")}}};
+    const Spec fresh =
+        is_scene_file(file) ? Spec{"scene", {}} : Spec{"audio", {{"mode", std::string("xy")}}};
+    Spec spec = present.kind == fresh.kind ? present : fresh;
     spec.settings.erase("");
     spec.settings["file"] = fs::absolute(file).string();
     return spec;
@@ -75,7 +77,7 @@ Spec playing(const fs::path& file, const Spec& present) {
 
 bool Lab::opens_document(const fs::path& file) const {
     const bool is_source = is_source_file(file) && !(is_picture_file(file) && load_preset(file));
-    return !is_sound_file(file) && !is_svg_file(file) && !is_source;
+    return !is_sound_file(file) && !is_svg_file(file) && !is_scene_file(file) && !is_source;
 }
 
 bool Lab::would_lose_changes(const std::string& argument) const {
@@ -98,11 +100,11 @@ void Lab::open_file(const fs::path& file) {
     }
     if (is_svg_file(file))
         return load_drawing(file);
-    const bool is_sound = is_sound_file(file);
+    const bool is_sound = is_sound_file(file) || is_scene_file(file);
     const Driver needed = is_sound ? Driver::signal : Driver::picture;
     if (!m_document || m_document->look().driven_by != needed) {
         say(is_sound
-                ? "This look is not driven by a sound: open one that is, then the sound will draw"
+                ? "This look is not driven by a signal: open one that is, then the file will draw"
                 : "This look does not work on a picture: open one that does, then the picture will "
                   "show",
             true);

@@ -101,6 +101,8 @@ struct Dialog {
         open_file,
         choose_file,  // for the parameter or signal in `subject`
         save_picture,
+        load_drawing,
+        save_drawing,
         save_preset_as,
         rename_preset,
         delete_preset,

@@ -30,6 +30,15 @@ void redo(const Scene&, Edits& edits) {
 void reset_all(const Scene&, Edits& edits) {
     edits.document([](Document& document) { document.reset_all(); });
 }
+bool can_draw(const Scene& scene) {
+    return scene.lab.document() && scene.lab.document()->look().driven_by == Driver::signal;
+}
+bool has_pen(const Scene& scene) {
+    return scene.lab.drawing_board().has_pen();
+}
+void take_pen(const Scene& scene, Edits& edits) {
+    edits.add([is_in_hand = !has_pen(scene)](Lab& lab) { lab.take_pen(is_in_hand); });
+}
 void play_pause(const Scene& scene, Edits& edits) {
     const bool is_playing = scene.lab.player().is_playing();
     edits.add(
@@ -63,6 +72,14 @@ std::vector<Action> edit_actions() {
              true,
              reset_all,
              has_values},
+            {ActionId::draw,
+             Menu::edit,
+             "Draw on the picture",
+             {'D'},
+             true,
+             take_pen,
+             can_draw,
+             has_pen},
             {ActionId::search,
              Menu::edit,
              "Find a parameter",
@@ -126,6 +143,8 @@ bool can_run(const Action& action, const Scene& scene) {
 void escape(const Scene& scene, Edits& edits) {
     if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup))
         ImGui::ClosePopupToLevel(0, true);
+    else if (scene.lab.drawing_board().open_line())
+        edits.end_line();
     else if (!scene.lab.drive().loading().empty())
         edits.add([](Lab& lab) { lab.cancel_loading(); });
     else if (scene.lab.renderer() && scene.lab.renderer()->replay().is_running())
@@ -134,6 +153,8 @@ void escape(const Scene& scene, Edits& edits) {
         edits.arrange([](WindowState& window) { window.shows_pass_large = false; });
     else if (scene.window.is_picture_only)
         edits.arrange([](WindowState& window) { window.is_picture_only = false; });
+    else if (has_pen(scene))
+        take_pen(scene, edits);
 }
 }  // namespace
 
@@ -184,6 +205,10 @@ void run_keys(const Scene& scene, Edits& edits) {
     if (ImGui::IsKeyPressed(gpu::key::escape, false) && !ImGui::IsAnyItemActive())
         escape(scene, edits);
     const bool is_typing = ImGui::GetIO().WantTextInput;
+    const bool is_entered = ImGui::IsKeyPressed(gpu::key::enter, false) ||
+                            ImGui::IsKeyPressed(gpu::key::pad_enter, false);
+    if (is_entered && !is_typing && scene.lab.drawing_board().open_line())
+        edits.end_line();
     const auto& actions = all_actions();
     for (const Action& action : actions) {
         // A text field has its own copy, paste, undo and letters; saving works from everywhere.

@@ -24,6 +24,7 @@ enum class ActionId {
     undo,
     redo,
     reset_all,
+    draw,
     search,
     zoom_one,
     zoom_fit,

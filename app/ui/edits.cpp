@@ -18,6 +18,12 @@ void Edits::finish() {
     document([](Document& document) { document.finish(); });
 }
 
+void Edits::end_line() {
+    add([](Lab& lab) {
+        lab.draw([](DrawingBoard& board, Document& document) { board.end_line(document); });
+    });
+}
+
 void Edits::show(Dialog dialog) {
     arrange([dialog = std::move(dialog)](WindowState& window) { window.dialog = dialog; });
 }

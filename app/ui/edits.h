@@ -31,6 +31,9 @@ public:
     void set(const std::string& name, Value value);
     void finish();
 
+    /// Ends the line that is being drawn by hand.
+    void end_line();
+
     void show(Dialog dialog);
     /// Opens a look or preset; asks first when that would lose changes.
     void open(const Lab& lab, const std::string& argument);

@@ -16,17 +16,23 @@ namespace {
 std::vector<std::string> endings_for(Dialog::Kind kind) {
     if (kind == Dialog::Kind::save_picture)
         return {".png", ".exr"};
+    if (kind == Dialog::Kind::load_drawing || kind == Dialog::Kind::save_drawing)
+        return {".svg"};
     if (kind == Dialog::Kind::choose_file)
         return {};
-    return {".json", ".png", ".exr", ".jpg", ".jpeg", ".txt", ".wav", ".flac",
-            ".ogg",  ".oga", ".mp3", ".aif", ".aiff", ".mp4", ".m4v", ".mkv",
-            ".webm", ".mov", ".avi", ".mpg", ".mpeg", ".ogv", ".gif"};
+    return {".json", ".svg",  ".png", ".exr", ".jpg", ".jpeg", ".txt", ".wav",
+            ".flac", ".ogg",  ".oga", ".mp3", ".aif", ".aiff", ".mp4", ".m4v",
+            ".mkv",  ".webm", ".mov", ".avi", ".mpg", ".mpeg", ".ogv", ".gif"};
 }
 
 const char* title_for(Dialog::Kind kind) {
     switch (kind) {
         case Dialog::Kind::save_picture:
             return "Save the picture";
+        case Dialog::Kind::load_drawing:
+            return "Load a drawing";
+        case Dialog::Kind::save_drawing:
+            return "Save the drawing";
         case Dialog::Kind::choose_file:
             return "Choose a file";
         default:
@@ -49,6 +55,8 @@ void start(const Scene& scene, Edits& edits) {
     edits.arrange([](WindowState& window) { window.dialog.is_new = false; });
     if (scene.window.dialog.kind == Dialog::Kind::save_picture)
         edits.arrange([](WindowState& window) { window.dialog.text = "picture.png"; });
+    if (scene.window.dialog.kind == Dialog::Kind::save_drawing)
+        edits.arrange([](WindowState& window) { window.dialog.text = "drawing.svg"; });
 }
 
 void finish(const fs::path& file, const Scene& scene, Edits& edits) {
@@ -58,6 +66,10 @@ void finish(const fs::path& file, const Scene& scene, Edits& edits) {
         edits.open_file(scene.lab, file);
     else if (dialog.kind == Dialog::Kind::save_picture)
         edits.add([file](Lab& lab) { save_snapshot(lab, file); });
+    else if (dialog.kind == Dialog::Kind::load_drawing)
+        edits.add([file](Lab& lab) { lab.load_drawing(file); });
+    else if (dialog.kind == Dialog::Kind::save_drawing)
+        edits.add([file](Lab& lab) { lab.save_drawing(file); });
     else
         edits.document([name = dialog.subject, file](Document& document) {
             document.set_value(name, Value::of_path(file.string()));
@@ -76,8 +88,9 @@ void draw_folder_line(const Dialog& dialog, Edits& edits) {
 }
 
 bool is_listed(const Dialog& dialog, const std::string& name) {
+    const std::string ending = endings_for(dialog.kind).empty() ? "" : endings_for(dialog.kind)[0];
     return std::any_of(dialog.entries.begin(), dialog.entries.end(), [&](const FolderEntry& entry) {
-        return !entry.is_folder && (entry.name == name || entry.name == name + ".png");
+        return !entry.is_folder && (entry.name == name || entry.name == name + ending);
     });
 }
 
@@ -126,7 +139,8 @@ void draw_file_dialog(const Scene& scene, Edits& edits) {
     if (ImGui::InputTextWithHint("##file", "Name or path of a file", &name))
         edits.arrange([name](WindowState& window) { window.dialog.text = name; });
     edits.mark("dialog_file");
-    const bool is_saving = dialog.kind == Dialog::Kind::save_picture;
+    const bool is_saving =
+        dialog.kind == Dialog::Kind::save_picture || dialog.kind == Dialog::Kind::save_drawing;
     const bool replaces = is_saving && is_listed(dialog, name);
     if (replaces)
         dim_text("There is such a file; it will be replaced.");

@@ -55,6 +55,17 @@ void turn_orbit(const PictureCanvas& canvas, CanvasInput& input) {
         input.turned = dragged_orbit(canvas);
     }
 }
+
+void read_pen(const std::function<std::array<double, 2>(float, float)>& pixel_at,
+              const Scene& scene, CanvasInput& input) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    if (ImGui::IsItemActivated() && ImGui::IsMouseClicked(ImGuiMouseButton_Left))
+        input.pen_down = pixel_at(mouse.x, mouse.y);
+    else if (ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left))
+        for (const gpu::PointerEvent& place : scene.pointer_path)
+            input.pen_path.push_back(pixel_at(place.x, place.y));
+    input.is_line_ended = ImGui::IsItemHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Right);
+}
 }  // namespace
 
 CanvasInput draw_picture_canvas(const PictureCanvas& canvas, const Scene& scene) {
@@ -73,22 +84,27 @@ CanvasInput draw_picture_canvas(const PictureCanvas& canvas, const Scene& scene)
     }
     CanvasInput input;
     input.is_turn_finished = canvas.has_orbit && ImGui::IsItemDeactivated();
+    input.is_pen_up = canvas.has_pen && ImGui::IsItemDeactivated();
     if (canvas.picture.is_empty() || (!ImGui::IsItemHovered() && !ImGui::IsItemActive()))
         return input;
     const Extent room = scene.device_pixels(high.x - low.x, high.y - low.y);
     const PicturePlace place = place_of(canvas.view, canvas.picture, room);
     const ImVec2 mouse = ImGui::GetIO().MousePos;
-    const auto pixel =
-        place.pixel_at((mouse.x - low.x) * scene.density, (mouse.y - low.y) * scene.density);
+    const auto pixel_at = [&](float x, float y) {
+        return place.pixel_at((x - low.x) * scene.density, (y - low.y) * scene.density);
+    };
+    const auto pixel = pixel_at(mouse.x, mouse.y);
     input.hovered = pixel;
     if (canvas.has_orbit)
         turn_orbit(canvas, input);
+    if (canvas.has_pen)
+        read_pen(pixel_at, scene, input);
     const float wheel = ImGui::GetIO().MouseWheel;
     if (input.turned)
         return input;
     if (wheel != 0.0f)
         input.moved = zoomed(canvas, place, pixel, wheel > 0.0f);
-    else if (is_dragged())
+    else if (is_dragged() && !(canvas.has_pen && ImGui::IsMouseDown(ImGuiMouseButton_Left)))
         input.moved = panned(canvas, place, scene.density);
     return input;
 }

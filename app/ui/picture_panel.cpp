@@ -1,6 +1,7 @@
 #include "ui/picture_panel.h"
 
 #include "ui/actions.h"
+#include "ui/drawing_overlay.h"
 #include "ui/overlays.h"
 #include "ui/picture_canvas.h"
 #include "ui/picture_menus.h"
@@ -32,6 +33,17 @@ void tell_pointer(const Place& place, const Scene& scene, Edits& edits) {
     probe(scene.lab.document()->look().passes.back().name, place, edits);
 }
 
+void follow_pen(const CanvasInput& input, Edits& edits) {
+    if (input.pen_down)
+        edits.add([pixel = *input.pen_down](Lab& lab) { lab.pen_down(pixel); });
+    for (const auto& pixel : input.pen_path)
+        edits.add([pixel](Lab& lab) { lab.pen_move(pixel); });
+    if (input.is_pen_up)
+        edits.add([](Lab& lab) { lab.pen_up(); });
+    if (input.is_line_ended)
+        edits.end_line();
+}
+
 // Says that this is not the picture, and how to get it back.
 void draw_large_pass_words(const Scene& scene, Edits& edits) {
     if (!scene.window.shows_pass_large)
@@ -61,12 +73,15 @@ void draw_picture_panel(const Scene& scene, const Rect& place, Edits& edits) {
     }
     const auto wipe = drag_wipe({place.width, place.height}, scene, edits);
     const bool is_turned = !scene.window.shows_pass_large && scene.lab.document()->look().has_orbit;
+    const bool has_pen = !scene.window.shows_pass_large && scene.lab.drawing_board().has_pen();
+    const ImVec2 low = ImGui::GetCursorScreenPos();
     const CanvasInput input = draw_picture_canvas({.id = "##picture",
                                                    .image = scene.views.picture(),
                                                    .picture = large_extent(scene),
                                                    .view = scene.window.large_view(),
                                                    .size = {place.width, place.height},
-                                                   .has_orbit = is_turned},
+                                                   .has_orbit = is_turned,
+                                                   .has_pen = has_pen},
                                                   scene);
     edits.mark("picture");
     if (input.moved)
@@ -81,6 +96,14 @@ void draw_picture_panel(const Scene& scene, const Rect& place, Edits& edits) {
         tell_pointer({*input.hovered, is_over_variant(wipe, scene)}, scene, edits);
     if (wipe)
         draw_wipe(*wipe, scene);
+    if (has_pen) {
+        follow_pen(input, edits);
+        const PicturePlace at = place_of(scene.window.large_view(), large_extent(scene), room);
+        draw_drawing_overlay(scene, input, [&](const PicturePixel& pixel) {
+            return ImVec2(low.x + static_cast<float>(at.left + pixel[0] * at.zoom) / scene.density,
+                          low.y + static_cast<float>(at.top + pixel[1] * at.zoom) / scene.density);
+        });
+    }
     draw_large_pass_words(scene, edits);
     draw_overlays(scene, edits);
 }

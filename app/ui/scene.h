@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gpu/input_event.h"
 #include "lab/lab.h"
 #include "lab/pace.h"
 #include "lab/shelf.h"
@@ -19,6 +20,7 @@ struct Scene {
     bool is_behind = false;  // the person did more than this frame can answer
     float scale = 1.0f;      // coordinates of the window a pixel of the layout
     float density = 1.0f;    // device pixels a coordinate of the window
+    std::vector<gpu::PointerEvent> pointer_path = {};  // since the last frame
 
     Extent device_pixels(float width, float height) const {
         return {static_cast<int>(width * density), static_cast<int>(height * density)};

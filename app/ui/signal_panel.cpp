@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 #include "signals/kinds.h"
+#include "ui/drawing_panel.h"
 #include "ui/form.h"
 #include "ui/problem_list.h"
 #include "ui/scoped.h"
@@ -162,7 +163,7 @@ void draw_settings(const SignalKind& kind, Spec& spec, const Scene& scene, Edits
     bool is_open = true;
     int groups = 0;
     for (const SettingFacts& setting : kind.settings) {
-        if (!is_used(setting, spec))
+        if (setting.is_hidden || !is_used(setting, spec))
             continue;
         if (setting.group != group) {
             group = setting.group;
@@ -175,8 +176,12 @@ void draw_settings(const SignalKind& kind, Spec& spec, const Scene& scene, Edits
     }
 }
 
-// A kind that plays a file is chosen by choosing the file.
+// A kind that plays a file is chosen by choosing the file; a drawing begins empty.
 void choose_kind(const SignalKind& kind, Edits& edits) {
+    if (kind.kind == "drawing") {
+        edits.add([](Lab& lab) { lab.take_pen(true); });
+        return;
+    }
     if (!kind.file_setting.empty()) {
         edits.show({.kind = Dialog::Kind::open_file});
         return;
@@ -211,12 +216,15 @@ void draw_signal(const Document& document, const Scene& scene, Edits& edits) {
     if (!kind || !spec)
         return;
     draw_file_problems(scene, edits);
-    if (!kind->file_setting.empty() || kind->is_live)
+    const bool is_drawing = kind->kind == "drawing";
+    if (is_drawing)
+        draw_drawing_panel(scene, edits);
+    else if (!kind->file_setting.empty() || kind->is_live)
         draw_sound_controls(kind->is_live, scene, edits);
     if (kind->is_sent)
         draw_silence(scene);
     draw_settings(*kind, *spec, scene, edits);
-    if (!kind->file_setting.empty() || kind->is_live)
+    if (!is_drawing && (!kind->file_setting.empty() || kind->is_live))
         draw_sound_devices(kind->is_live, scene, edits);
 }
 }  // namespace

@@ -98,8 +98,12 @@ void Toolkit::take_input() {
     io.MousePos = place;
     std::copy(buttons.begin(), buttons.end(), std::begin(io.MouseDown));
     m_input.add(m_window.take_input());
-    for (const gpu::InputEvent& event : m_input.take_frame(io.WantTextInput))
+    m_pointer_path.clear();
+    for (const gpu::InputEvent& event : m_input.take_frame(io.WantTextInput)) {
         std::visit([](const auto& one) { apply(one); }, event);
+        if (const auto* moved = std::get_if<gpu::PointerEvent>(&event))
+            m_pointer_path.push_back(*moved);
+    }
 }
 
 void Toolkit::begin(float scale) {

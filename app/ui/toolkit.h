@@ -7,6 +7,7 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 /// ImGui in a window: its context, its fonts and the two backends. One at a time.
 class Toolkit {
@@ -27,6 +28,8 @@ public:
     std::string take_complaint() { return std::exchange(m_typing.complaint, {}); }
 
     const Fonts& fonts() const { return m_fonts; }
+    /// Where the pointer has been since the last frame, in order, in coordinates of the window.
+    const std::vector<gpu::PointerEvent>& pointer_path() const { return m_pointer_path; }
     /// Coordinates of the window a pixel of the layout.
     float scale() const { return m_scale; }
     /// Device pixels a coordinate of the window.
@@ -40,6 +43,7 @@ private:
     InputQueue m_input;
     Fonts m_fonts;
     Typing m_typing;
+    std::vector<gpu::PointerEvent> m_pointer_path;
     float m_scale = 0.0f;
     float m_density = 1.0f;
 };

@@ -1,0 +1,99 @@
+#include "base/file.h"
+#include "lab/small_lab.h"
+
+#include <cmath>
+
+namespace {
+constexpr const char* on_a_signal = R"({
+  "format": "afterglow-look", "version": 1, "name": "Small", "driven_by": "signal",
+  "default_signal": { "kind": "lissajous", "x": 3, "y": 2 }, "settle_frames": 1,
+  "passes": [
+    { "name": "sum", "fragment": "sum.frag", "format": "rgba32f", "inputs": { "previous": "sum@1" } },
+    { "name": "show", "fragment": "show.frag", "format": "rgba32f", "inputs": { "image": "sum" } }
+  ]
+})";
+
+std::string strokes_of(const Lab& lab) {
+    const auto& settings = lab.document()->state().signal.settings;
+    const auto found = settings.find("strokes");
+    return found == settings.end() ? std::string() : std::get<std::string>(found->second);
+}
+
+void pull(Lab& lab, const BeamPlace& from, const BeamPlace& to) {
+    const BeamPlacing placing = lab.beam_placing();
+    lab.pen_down(placing.pixel_of(from));
+    lab.pen_move(placing.pixel_of(to));
+    lab.pen_up();
+}
+
+void write(const std::filesystem::path& file, const std::string& text) {
+    REQUIRE(write_atomically(file, text).has_value());
+}
+
+/// The heights between which the beam is lit at some time.
+std::array<float, 2> lit_heights(const Lab& lab, double seconds) {
+    std::array<float, 2> heights{9.0f, -9.0f};
+    for (const BeamPoint& point : lab.player().trace({seconds, seconds + 1.0 / 60.0}))
+        if (point.intensity > 0.0f)
+            heights = {std::min(heights[0], point.y), std::max(heights[1], point.y)};
+    return heights;
+}
+}  // namespace
+
+TEST_CASE("with the pen in the hand its keyframe stands still; put down, the keyframes play") {
+    SmallLab small(on_a_signal);
+    Lab& lab = small.lab();
+    lab.take_pen(true);
+    CHECK(strokes_of(lab) == "[]");
+    pull(lab, {-0.5, -0.5}, {0.5, -0.5});
+    lab.draw([](DrawingBoard& board, Document& document) { board.add_keyframe(document); });
+    pull(lab, {-0.5, 0.5}, {0.5, 0.5});
+    CHECK(strokes_of(lab) == "[S-0.5 -0.5 0.5 -0.5][S-0.5 0.5 0.5 0.5]");
+    REQUIRE(small.turn_until([&] { return lit_heights(lab, 0.0)[0] > 0.4f; }));
+    CHECK(std::abs(lit_heights(lab, 1.0)[1] - 0.5f) < 1e-4f);
+    lab.take_pen(false);
+    // Half a second each is held, and takes a second to become the other.
+    REQUIRE(small.turn_until([&] { return lit_heights(lab, 0.0)[1] < -0.4f; }));
+    CHECK(std::abs(lit_heights(lab, 1.0)[1]) < 1e-3f);
+    CHECK(std::abs(lit_heights(lab, 1.6)[0] - 0.5f) < 1e-4f);
+}
+
+TEST_CASE("an SVG that is opened becomes the drawing; what is wrong with one is told") {
+    SmallLab small(on_a_signal);
+    Lab& lab = small.lab();
+    lab.take_pen(true);
+    lab.save_drawing(small.folder() / "empty.svg");
+    CHECK(lab.notice()->text == "There is nothing drawn that could be saved");
+    pull(lab, {-0.5, -0.5}, {0.5, -0.5});
+    lab.save_drawing(small.folder() / "mine");
+    CHECK(lab.notice()->text == "Saved 'mine.svg'");
+    const std::string drawn = strokes_of(lab);
+    lab.draw([](DrawingBoard& board, Document& document) { board.clear_keyframe(document); });
+    write(small.folder() / "broken.svg", "<svg>\n<path d='M0 0 L'/></svg>");
+    lab.open_file(small.folder() / "broken.svg");
+    CHECK(lab.notice()->text.find("broken.svg:2: ") == 0);
+    CHECK(strokes_of(lab) == "[]");
+    lab.open_file(small.folder() / "mine.svg");
+    CHECK(strokes_of(lab) == drawn);
+    CHECK(lab.document()->history().undo_name() == "Load drawing");
+    lab.take_pen(false);
+    std::string hatching = "<svg><path d='";
+    for (std::size_t i = 0; i <= most_drawing_points / 2; ++i)
+        hatching += "M" + std::to_string(i) + " 0v10000";
+    write(small.folder() / "long.svg", hatching + "'/></svg>");
+    lab.open_file(small.folder() / "long.svg");
+    CHECK(lab.notice()->text.find("plays from its file: 20002 points") != std::string::npos);
+    CHECK(strokes_of(lab).empty());
+    REQUIRE(small.turn_until([&] { return lab.player().sound().drawing != nullptr; }));
+    CHECK(std::abs(lit_heights(lab, 0.0)[1] - 0.8f) < 0.01f);  // 1.6 from end to end
+}
+
+TEST_CASE("a scene that is opened is drawn") {
+    SmallLab small(on_a_signal);
+    write(small.folder() / "s.json",
+          "{ \"format\": \"afterglow-scene\", \"version\": 1, \"items\": [\n"
+          "{ \"shape\": \"line\", \"from\": [-0.5, 0.25], \"to\": [0.5, 0.25] } ] }");
+    small.lab().open_file(small.folder() / "s.json");
+    REQUIRE(small.turn_until([&] { return small.lab().player().sound().scene != nullptr; }));
+    CHECK(lit_heights(small.lab(), 0.0)[0] == 0.25f);
+}
