@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace {
 using Line = std::vector<BeamPlace>;
@@ -97,6 +98,56 @@ BeamPlace middle_of(const Line& line) {
     }
     return middle;
 }
+
+// How far apart two lines are in the mean, at the same shares of their lengths.
+double way_apart(const Line& a, const Line& b) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        sum += distance(a[i], b[i]);
+    return sum / static_cast<double>(a.size());
+}
+
+std::vector<Line> sampled(const Keyframe& strokes) {
+    constexpr std::size_t samples = 16;
+    std::vector<double> shares = even_shares(samples);
+    shares.push_back(1.0);
+    std::vector<Line> lines;
+    for (const Stroke& stroke : strokes)
+        lines.push_back(places_at(line_of(stroke), shares));
+    return lines;
+}
+
+using Partners = std::vector<std::optional<std::size_t>>;
+
+// For each of `more` which of `fewer` belongs to it: all of them in their order, so that together
+// they have the least way to go. least[i][j] is that way for the first i of `fewer` among the first
+// j of `more`.
+Partners nearest_partners(const std::vector<Line>& fewer, const std::vector<Line>& more) {
+    constexpr double never = std::numeric_limits<double>::infinity();
+    std::vector<std::vector<double>> least(fewer.size() + 1,
+                                           std::vector<double>(more.size() + 1, never));
+    least[0].assign(more.size() + 1, 0.0);
+    for (std::size_t i = 1; i <= fewer.size(); ++i)
+        for (std::size_t j = i; j <= more.size(); ++j)
+            least[i][j] = std::min(least[i][j - 1],
+                                   least[i - 1][j - 1] + way_apart(fewer[i - 1], more[j - 1]));
+    Partners partners(more.size());
+    std::size_t i = fewer.size();
+    for (std::size_t j = more.size(); j > 0 && i > 0; --j)
+        if (least[i][j] < least[i][j - 1])
+            partners[j - 1] = --i;
+    return partners;
+}
+
+Partners partners_of(const Keyframe& fewer, const Keyframe& more) {
+    constexpr std::size_t most_tries = 100000;  // beyond it a person would wait
+    if (fewer.size() < more.size() && fewer.size() * more.size() <= most_tries)
+        return nearest_partners(sampled(fewer), sampled(more));
+    Partners partners(more.size());
+    for (std::size_t i = 0; i < fewer.size(); ++i)
+        partners[i] = i;
+    return partners;
+}
 }  // namespace
 
 std::vector<BeamPlace> LineMorph::at(double share) const {
@@ -133,9 +184,14 @@ LineMorph morph_of(const Stroke& from, const Stroke& to) {
 
 std::vector<LineMorph> morphs_of(const Keyframe& from, const Keyframe& to) {
     static const Stroke nothing;
+    const bool is_growing = to.size() > from.size();
+    const Keyframe& fewer = is_growing ? from : to;
+    const Keyframe& more = is_growing ? to : from;
+    const auto partners = partners_of(fewer, more);
     std::vector<LineMorph> morphs;
-    for (std::size_t i = 0; i < std::max(from.size(), to.size()); ++i)
-        morphs.push_back(
-            morph_of(i < from.size() ? from[i] : nothing, i < to.size() ? to[i] : nothing));
+    for (std::size_t i = 0; i < more.size(); ++i) {
+        const Stroke& other = partners[i] ? fewer[*partners[i]] : nothing;
+        morphs.push_back(is_growing ? morph_of(other, more[i]) : morph_of(more[i], other));
+    }
     return morphs;
 }

@@ -189,6 +189,23 @@ TEST_CASE("a stroke without a counterpart grows out of its middle") {
     CHECK(morphs_of(two, one)[1].at(1.0)[0] == morphs[1].at(0.0)[0]);
 }
 
+TEST_CASE("a stroke that is deleted in a copy is the one that shrinks; the others stay") {
+    const Keyframe all{{{{-0.5, 0.5}, {0.5, 0.5}}}, square(0.4), {{{-0.5, -0.5}, {0.5, -0.5}}}};
+    for (std::size_t gone = 0; gone < all.size(); ++gone) {
+        Keyframe fewer = all;
+        fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(gone));
+        const auto shrinking = morphs_of(all, fewer);
+        const auto growing = morphs_of(fewer, all);
+        REQUIRE(shrinking.size() == all.size());
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const bool is_gone = i == gone;
+            CHECK((length_of(shrinking[i].at(1.0)) < 1e-9) == is_gone);
+            CHECK((shrinking[i].from == shrinking[i].to) == !is_gone);
+            CHECK(growing[i].at(0.0) == shrinking[i].at(1.0));
+        }
+    }
+}
+
 TEST_CASE("keyframes are held, change, and come round as asked") {
     const auto order = [](KeyframePlay play) {
         KeyframeOrder made = order_of(play, 3, 1);
