@@ -33,7 +33,7 @@ const char* help_of(PenTool tool, bool is_line_open) {
         case PenTool::freehand:
             return "Hold the left button on the picture and draw.";
         case PenTool::points:
-            return is_line_open ? "Esc ends the line, its first point closes it."
+            return is_line_open ? "Esc ends it, the first point closes it."
                                 : "Click from point to point on the picture.";
         case PenTool::erase:
             return "Click a stroke to delete it.";

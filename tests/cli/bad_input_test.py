@@ -193,6 +193,19 @@ class BadSounds(ProgramTest):
         self.assert_refused(run("render", "phosphor", "--signal", "audio:none.wav", "-o", self.folder / "x.png"), "none.wav")
 
 
+class BadDrawings(ProgramTest):
+    def refused(self, signal, *words):
+        self.assert_refused(run("render", "phosphor", "--size", "32x32", "--frames", "1", "--signal",
+                                f"drawing:{signal}", "-o", self.folder / "x.png"), *words)
+
+    def test_a_drawing_that_cannot_be_drawn_is_told(self):
+        for text, line, words in (("<svg><text>hi</text></svg>", 1, "no paths"),
+                                  ("<svg>\n<path d='M0 0L'/></svg>", 2, "lacks numbers")):
+            file = self.write(self.folder / "bad.svg", text)
+            self.refused(file, f"{file}:{line}: error: ", words)
+        self.refused("strokes=[L0 0 1]", "stroke 1 of keyframe 1 takes pairs")
+
+
 class Saving(ProgramTest):
     def test_a_preset_is_the_old_or_the_new_one_whenever_the_program_is_killed(self):
         file = self.folder / "p.json"
