@@ -112,7 +112,7 @@ class Pipe(ProgramTest):
         again = self.start(place)
         while again.poll() is None:
             try:
-                self.connect(place).sendall(DOT)
+                self.connect(place).sendall(DOT + b"0 0 0 10\n")
                 break
             except (ConnectionRefusedError, FileNotFoundError):  # the one that was left
                 time.sleep(0.02)
