@@ -17,7 +17,8 @@ std::string sound_settings_to_json(const SoundSettings& settings) {
                       {"input", settings.input},
                       {"rate", settings.rate},
                       {"buffer", settings.buffer},
-                      {"picture_delay_ms", settings.picture_delay_ms}});
+                      {"picture_delay_ms", settings.picture_delay_ms},
+                      {"beam_level", settings.beam_level}});
 }
 
 Result<SoundSettings> parse_sound_settings(std::string_view text,
@@ -34,6 +35,7 @@ Result<SoundSettings> parse_sound_settings(std::string_view text,
         settings.rate = reader.whole("rate", 0, 0, 768000);
         settings.buffer = reader.whole("buffer", settings.buffer, 16, 65536);
         settings.picture_delay_ms = reader.number("picture_delay_ms", 0.0);
+        settings.beam_level = reader.number("beam_level", settings.beam_level);
         reader.refuse_unknown();
     }
     if (!problems.empty())

@@ -35,9 +35,33 @@ Result<void> Player::set_signal(const Spec& spec, PlayedSound sound) {
     m_spec = std::move(complete);
     m_start = start;
     m_silence.clear();
-    if (m_devices)
+    if (m_devices) {
+        play_beam();
         play_sound(loops, is_new_sound);
+    }
     return {};
+}
+
+// A real scope takes the place of the loudspeaker. Where there is no device the lab goes on.
+void Player::play_beam() {
+    if (!m_settings.plays_beam || !m_signal) {
+        m_playout.reset();
+        return;
+    }
+    if (!m_playout) {
+        auto output = m_devices->open_beam_output(m_settings);
+        if (!output) {
+            m_silence = output.error().front().message;
+            m_settings.plays_beam = false;
+            return;
+        }
+        m_output.reset();
+        m_playout = std::make_unique<BeamPlayout>(std::move(*output));
+        m_playout->set_level(m_settings.beam_level);
+    }
+    const SignalKind& kind = *find_kind(m_spec.kind);
+    if (auto signal = make(m_spec, m_sound))
+        m_playout->set_signal(std::move(*signal), !kind.is_live && !kind.is_sent);
 }
 
 Result<std::unique_ptr<Signal>> Player::make(const Spec& complete, const PlayedSound& sound) {
@@ -107,12 +131,16 @@ void Player::begin_live() {
 Result<void> Player::set_sound_settings(const SoundSettings& settings) {
     SoundSettings as_they_are = settings;
     as_they_are.picture_delay_ms = m_settings.picture_delay_ms;
+    as_they_are.beam_level = m_settings.beam_level;
+    if (m_playout)
+        m_playout->set_level(settings.beam_level);
     const bool needs_devices = m_devices && as_they_are != m_settings;
     m_settings = settings;
     if (!needs_devices)
         return {};
     m_output.reset();
     m_capture.reset();
+    m_playout.reset();
     PlayedSound sound = std::exchange(m_sound, {});  // it is new to the new device
     return set_signal(m_spec, std::move(sound));
 }
@@ -127,7 +155,7 @@ double Player::sound_seconds() const {
 
 // The loudspeaker follows the signal. Without a device the wall clock runs instead.
 void Player::play_sound(bool loops, bool is_new_sound) {
-    if (m_sound.sound && !m_output) {
+    if (m_sound.sound && !m_output && !m_playout) {
         auto output = m_devices->open_output(m_settings);
         if (output)
             m_output = std::move(*output);
@@ -162,6 +190,8 @@ void Player::pause() {
     m_is_playing = false;
     if (m_output)
         m_output->pause();
+    if (m_playout)
+        m_playout->rest();
 }
 
 void Player::restart() {
@@ -175,6 +205,8 @@ void Player::seek(double seconds) {
     if (m_output)
         m_output->seek(m_time);
     m_heard = m_time;
+    if (m_playout)
+        m_playout->rest();
     if (m_feed)
         m_feed->beam()->start_at(m_time);
     if (!m_capture)
@@ -182,6 +214,8 @@ void Player::seek(double seconds) {
     begin_live();
     if (auto made = make(m_spec, m_sound))
         m_signal = std::move(*made);
+    if (m_playout)
+        play_beam();  // its signal has another beginning, too
 }
 
 void Player::set_speed(double speed) {
@@ -209,7 +243,9 @@ double Player::played_seconds(double wall_seconds) {
 void Player::notice_lost_devices() {
     if (!m_silence.empty())
         return;
-    if (m_capture && m_capture->has_stalled())
+    if (m_playout && m_playout->has_stalled())
+        m_silence = "'" + m_playout->device_name() + "' plays the beam no longer";
+    else if (m_capture && m_capture->has_stalled())
         m_silence = "nothing comes in from '" + m_capture->device_name() + "' any more";
     else if (m_sound.sound && m_output && m_output->has_stalled())
         m_silence =
@@ -239,6 +275,13 @@ PlayedFrame Player::moved_to(double end) {
 }
 
 std::optional<PlayedFrame> Player::advance(double wall_seconds) {
+    auto frame = advance_picture(wall_seconds);
+    if (m_playout && m_is_playing)
+        m_playout->follow(m_time, m_speed);
+    return frame;
+}
+
+std::optional<PlayedFrame> Player::advance_picture(double wall_seconds) {
     notice_lost_devices();
     if (m_is_stepping) {
         m_is_stepping = false;
@@ -269,7 +312,7 @@ double Player::shown_seconds(double played) {
     const double shown = std::min(played, m_longest_frame);
     constexpr double smoothing = 0.1;
     m_shown_share += smoothing * (shown / played - m_shown_share);
-    if (is_sound_the_clock())
+    if (leaves_out())
         m_time += played - shown;
     return shown;
 }

@@ -3,6 +3,7 @@
 #include "base/diagnostic.h"
 #include "io/sound_devices.h"
 #include "lab/beam_feed.h"
+#include "lab/beam_playout.h"
 #include "model/beam.h"
 #include "model/spec.h"
 #include "signals/clock.h"
@@ -53,6 +54,9 @@ public:
     /// What could not be read of a beam that another program sends.
     Diagnostics sent_problems() const { return m_feed ? m_feed->problems() : Diagnostics(); }
 
+    /// The device that the beam is played on; "" when it is none.
+    std::string beam_device() const { return m_playout ? m_playout->device_name() : ""; }
+
     const SoundSettings& sound_settings() const { return m_settings; }
     /// Opens the devices anew that are in use.
     Result<void> set_sound_settings(const SoundSettings& settings);
@@ -84,8 +88,9 @@ public:
     void set_longest_frame(double seconds);
     /// How much of the time that goes by is shown, lately: 1 where the machine keeps up.
     double shown_share() const { return m_shown_share; }
-    /// Whether what is not shown is left out, because a sound that is heard waits for nobody.
-    bool leaves_out() const { return is_sound_the_clock(); }
+    /// Whether what is not shown is left out, because a sound that is heard, or a real scope, waits
+    /// for nobody.
+    bool leaves_out() const { return is_sound_the_clock() || m_playout; }
 
     Beam trace(const TimeSpan& span) const;
 
@@ -96,10 +101,12 @@ private:
     Result<std::unique_ptr<Signal>> make(const Spec& complete, const PlayedSound& sound);
     Result<void> open_capture();
     Result<void> open_feed(const Spec& complete);
+    void play_beam();
     void begin_live();
     void play_sound(bool loops, bool is_new_sound);
     bool is_sound_the_clock() const;
     void notice_lost_devices();
+    std::optional<PlayedFrame> advance_picture(double wall_seconds);
     std::optional<PlayedFrame> advance_live(double wall_seconds);
     double played_seconds(double wall_seconds);
     double shown_seconds(double played);
@@ -116,6 +123,7 @@ private:
     std::unique_ptr<SoundCapture> m_capture;  // while a live sound is drawn
     std::int64_t m_live_first = 0;            // its frame at time 0
     std::unique_ptr<BeamFeed> m_feed;         // while another program sends the beam
+    std::unique_ptr<BeamPlayout> m_playout;   // while the beam goes out to a real scope
     Spec m_spec;                              // of the signal, complete
     std::string m_silence;
     double m_speed = 1.0;

@@ -216,16 +216,11 @@ void draw_signal(const Document& document, const Scene& scene, Edits& edits) {
     if (!kind || !spec)
         return;
     draw_file_problems(scene, edits);
-    const bool is_drawing = kind->kind == "drawing";
-    if (is_drawing)
+    if (kind->kind == "drawing")
         draw_drawing_panel(scene, edits);
-    else if (!kind->file_setting.empty() || kind->is_live)
-        draw_sound_controls(kind->is_live, scene, edits);
-    if (kind->is_sent)
-        draw_silence(scene);
+    draw_sound_controls(kind->is_live, scene, edits);
     draw_settings(*kind, *spec, scene, edits);
-    if (!is_drawing && (!kind->file_setting.empty() || kind->is_live))
-        draw_sound_devices(kind->is_live, scene, edits);
+    draw_sound_devices(kind->is_live, scene, edits);
 }
 }  // namespace
 

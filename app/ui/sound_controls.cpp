@@ -127,6 +127,30 @@ void draw_delay(const Scene& scene, Edits& edits) {
     else if (turned.is_changed)
         edits.add([settings](Lab& lab) { (void)lab.transport().set_sound_settings(settings); });
 }
+
+void draw_beam_output(const Scene& scene, Edits& edits) {
+    SoundSettings settings = scene.lab.player().sound_settings();
+    if (ImGui::Checkbox("Beam on the sound output", &settings.plays_beam))
+        apply(settings, edits);
+    edits.mark("sound:beam");
+    tooltip(
+        "Draws on a real scope in X-Y: left is x, right is y. Not meant for loudspeakers: it may "
+        "be "
+        "loud. A sound file is not heard meanwhile.");
+    if (!settings.plays_beam)
+        return;
+    const ScopedId id(std::string("beam_level"));
+    const FormColumns columns = form_columns(false);
+    begin_line("Beam level", "Full deflection, as a part of what the output can give.", columns);
+    const Turned turned =
+        form_slider("##value", settings.beam_level,
+                    {.low = 0.0, .high = 1.0, .limit = Limit{0.0, 1.0}}, columns, scene.fonts);
+    edits.mark("sound:beam_level");
+    if (turned.is_finished)
+        apply(settings, edits);
+    else if (turned.is_changed)
+        edits.add([settings](Lab& lab) { (void)lab.transport().set_sound_settings(settings); });
+}
 }  // namespace
 
 void draw_sound_devices(bool is_live, const Scene& scene, Edits& edits) {
@@ -137,21 +161,30 @@ void draw_sound_devices(bool is_live, const Scene& scene, Edits& edits) {
         if (!is_open)
             return;
     }
-    draw_device(is_live ? Way::in : Way::out, scene, edits);
+    draw_beam_output(scene, edits);
+    const Player& player = scene.lab.player();
+    const bool is_heard = player.sound_settings().plays_beam || player.sound().sound;
+    if (is_live)
+        draw_device(Way::in, scene, edits);
+    if (is_heard)
+        draw_device(Way::out, scene, edits);
+    if (!is_live && !is_heard)
+        return;
     draw_number_choice("Rate", "Samples a second.", &SoundSettings::rate,
                        {0, 44100, 48000, 96000, 192000}, scene, edits);
     draw_number_choice("Buffer", "Samples at once. Fewer come sooner, more never stutter.",
                        &SoundSettings::buffer, {128, 256, 512, 1024, 2048, 4096}, scene, edits);
-    draw_delay(scene, edits);
+    if (is_live || player.sound().sound)
+        draw_delay(scene, edits);
 }
 
 void draw_sound_controls(bool is_live, const Scene& scene, Edits& edits) {
     const Player& player = scene.lab.player();
     if (player.sound().sound)
         draw_seek_bar(player.time(), player.sound_seconds(), scene, edits);
-    if (!is_live)
+    if (player.sound().sound && player.beam_device().empty())
         draw_volume(player, scene, edits);
-    else if (!player.live_device().empty())
+    else if (is_live && !player.live_device().empty())
         fitted_text("From " + player.live_device(), ImGui::GetContentRegionAvail().x, theme::dim);
     draw_silence(scene);
 }

@@ -7,7 +7,8 @@ TEST_CASE("sound settings come back as they were saved") {
                                  .input = "Monitor of Null",
                                  .rate = 96000,
                                  .buffer = 256,
-                                 .picture_delay_ms = 37.5};
+                                 .picture_delay_ms = 37.5,
+                                 .beam_level = 0.25};
     CHECK(parse_sound_settings(sound_settings_to_json(settings), "sound.json").value() == settings);
 }
 
