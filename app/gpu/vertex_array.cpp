@@ -31,4 +31,15 @@ void VertexArray::set(const Attribute& attribute, const StreamBuffer& buffer) {
     glBindVertexArray(0);
 }
 
+void VertexArray::choose(int location, bool is_from_buffer) const {
+    bind();
+    const auto attribute = static_cast<GLuint>(location);
+    if (is_from_buffer) {
+        glEnableVertexAttribArray(attribute);
+        return;
+    }
+    glDisableVertexAttribArray(attribute);
+    glVertexAttrib4f(attribute, 1.0f, 1.0f, 1.0f, 1.0f);
+}
+
 }  // namespace gpu

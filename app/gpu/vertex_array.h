@@ -21,6 +21,8 @@ public:
     VertexArray();
 
     void set(const Attribute& attribute, const StreamBuffer& buffer);
+    /// The attribute is read from its buffer again, or is 1 in all its components. Binds.
+    void choose(int location, bool is_from_buffer) const;
     void bind() const { glBindVertexArray(m_name.get()); }
 
 private:

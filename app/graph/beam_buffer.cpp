@@ -16,12 +16,24 @@ void BeamBuffer::clear() {
 
 void BeamBuffer::write(const Frame& frame, bool has_points, bool has_segments) {
     m_point_count = static_cast<int>(frame.beam.size());
-    if (has_points)
+    m_has_tints = !frame.tints.empty() && frame.tints.size() == frame.beam.size();
+    m_tints.of_points = m_has_tints ? frame.tints : std::span<const BeamTint>();
+    if (has_points) {
         m_point_buffer.write(std::as_bytes(frame.beam));
+        if (m_has_tints)
+            m_point_tint_buffer.write(std::as_bytes(frame.tints));
+    }
     if (!has_segments)
         return;
-    make_segments(frame.beam, m_before, m_segments);
+    make_segments(frame.beam, m_before, m_segments, m_tints);
     m_segment_buffer.write(std::as_bytes(std::span(m_segments)));
+    if (m_has_tints)
+        m_segment_tint_buffer.write(std::as_bytes(std::span(m_tints.of_segments)));
+}
+
+void BeamBuffer::choose_tints(const gpu::VertexArray& vertices, int location, Draw draw) const {
+    const bool is_any = draw == Draw::points ? m_point_count > 0 : !m_segments.empty();
+    vertices.choose(location, m_has_tints && is_any);
 }
 
 namespace {
@@ -47,6 +59,10 @@ gpu::Attribute attribute_of(const gpu::Program& program, const Field& field, std
 
 gpu::VertexArray BeamBuffer::vertices_for(const gpu::Program& program, Draw draw) const {
     gpu::VertexArray vertices;
+    if (draw != Draw::fullscreen)
+        vertices.set(
+            attribute_of(program, {"tint", 3, 0}, sizeof(BeamTint), draw == Draw::segments),
+            draw == Draw::points ? m_point_tint_buffer : m_segment_tint_buffer);
     if (draw == Draw::points)
         for (const Field& field : point_fields)
             vertices.set(attribute_of(program, field, sizeof(BeamPoint), false), m_point_buffer);

@@ -17,13 +17,19 @@ public:
 
     /// The attributes of a program of a `draw` pass.
     gpu::VertexArray vertices_for(const gpu::Program& program, Draw draw) const;
+    /// Lets the vertices of such a pass take the frame's colours, or white where it has none.
+    void choose_tints(const gpu::VertexArray& vertices, int location, Draw draw) const;
     int point_count() const { return m_point_count; }
     int segment_count() const { return static_cast<int>(m_segments.size()); }
 
 private:
     gpu::StreamBuffer m_point_buffer;
     gpu::StreamBuffer m_segment_buffer;
+    gpu::StreamBuffer m_point_tint_buffer;  // these two are empty while the beam has no colours
+    gpu::StreamBuffer m_segment_tint_buffer;
     std::vector<Segment> m_segments;
+    SegmentTints m_tints;
+    bool m_has_tints = false;
     std::optional<BeamPoint>
         m_before;                     // the last point of the frames before, aged to this one's end
     std::optional<BeamPoint> m_last;  // of this frame

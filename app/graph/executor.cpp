@@ -42,9 +42,12 @@ Executor::Executor(Look look, Programs programs)
 Executor::PassState Executor::make_state(std::size_t pass) const {
     const auto& program = m_programs.passes[pass].program;
     const Pass& declared = m_look.passes[pass];
-    PassState state{program, BuiltInUniforms(*program),
+    PassState state{program,
+                    BuiltInUniforms(*program),
                     bind_inputs(m_look, static_cast<int>(pass), *program),
-                    m_beam.vertices_for(*program, declared.draw), std::make_unique<gpu::Timer>()};
+                    m_beam.vertices_for(*program, declared.draw),
+                    declared.draw == Draw::fullscreen ? -1 : program->attribute_location("tint"),
+                    std::make_unique<gpu::Timer>()};
     state.reads_itself = std::ranges::any_of(state.inputs, [&](const BoundInput& input) {
         return input.from == Input::From::pass && input.pass == static_cast<int>(pass);
     });

@@ -88,6 +88,7 @@ private:
         BuiltInUniforms built_ins;
         std::vector<BoundInput> inputs;
         gpu::VertexArray vertices;
+        int tint_location;  // of the attribute; -1: none
         std::unique_ptr<gpu::Timer> timer;
         int samples = 0;  // that an accumulating pass holds
         bool reads_itself = false;

@@ -120,6 +120,8 @@ const gpu::Texture* Executor::texture_for(const BoundInput& input) const {
 void Executor::draw_shape(std::size_t index) {
     const Draw shape = m_look.passes[index].draw;
     m_passes[index].vertices.bind();
+    if (const int location = m_passes[index].tint_location; location >= 0)
+        m_beam.choose_tints(m_passes[index].vertices, location, shape);
     ++m_draw_calls;
     if (shape == Draw::points)
         gpu::draw_points(m_beam.point_count());

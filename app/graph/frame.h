@@ -13,6 +13,7 @@ struct Frame {
     std::int64_t number = 0;        // from 1
     std::array<double, 2> mouse{};  // px of the picture, from its bottom left
     std::span<const BeamPoint> beam;
-    bool is_first = false;        // no history, and no beam before this one
-    double patience_seconds = 0;  // an accumulating pass repeats no longer; 0: without end
+    std::span<const BeamTint> tints;  // of the points; none where all are white
+    bool is_first = false;            // no history, and no beam before this one
+    double patience_seconds = 0;      // an accumulating pass repeats no longer; 0: without end
 };

@@ -22,16 +22,21 @@ float start_charge(const BeamPoint& from, const BeamPoint& to, float seconds_bef
 }  // namespace
 
 void make_segments(std::span<const BeamPoint> beam, const std::optional<BeamPoint>& before,
-                   std::vector<Segment>& segments) {
+                   std::vector<Segment>& segments, SegmentTints& tints) {
     segments.clear();
+    tints.of_segments.clear();
     const BeamPoint* last = before ? &*before : nullptr;
     float seconds_before = 0.0f;  // from the point before the last one to it; 0: not known
     for (const BeamPoint& point : beam) {
         const bool is_good = is_finite(point);
-        if (is_good && last && point.intensity != 0.0f)
+        if (is_good && last && point.intensity != 0.0f) {
             segments.push_back({last->x, last->y, point.x, point.y,
                                 start_charge(*last, point, seconds_before), point.intensity,
                                 last->age_seconds, point.age_seconds});
+            if (!tints.of_points.empty())
+                tints.of_segments.push_back(
+                    tints.of_points[static_cast<std::size_t>(&point - beam.data())]);
+        }
         seconds_before = is_good && last ? last->age_seconds - point.age_seconds : 0.0f;
         last = is_good ? &point : nullptr;
     }

@@ -16,7 +16,7 @@
 #include <new>
 
 namespace {
-constexpr int most_channels = 8;
+constexpr int most_channels = 32;
 constexpr int most_rate = 768000;
 
 struct CloseFile {

@@ -1,6 +1,8 @@
 #include "lab/player.h"
 
+#include "signals/channel_map.h"
 #include "signals/kinds.h"
+#include "signals/settings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,7 +69,7 @@ void Player::play_beam() {
 Result<std::unique_ptr<Signal>> Player::make(const Spec& complete, const PlayedSound& sound) {
     SignalMedia media{.sound = sound.sound, .scene = sound.scene, .drawing = sound.drawing};
     if (m_devices && find_kind(complete.kind)->is_live) {
-        if (const auto open = open_capture(); !open)
+        if (const auto open = open_capture(complete); !open)
             return fail(open.error());
         media.live = m_capture->sound();
         media.live_first = m_live_first;
@@ -109,15 +111,17 @@ std::string Player::silence() const {
     return m_silence;
 }
 
-Result<void> Player::open_capture() {
-    if (m_capture)
+Result<void> Player::open_capture(const Spec& complete) {
+    const int channels = std::max(channel_map(Settings(complete)).last(), 2);
+    if (m_capture && channels <= m_channels)
         return {};
-    auto capture = m_devices->open_capture(m_settings, 2);
+    auto capture = m_devices->open_capture(m_settings, channels);
     if (!capture) {
         m_silence = capture.error().front().message;
         return fail(capture.error());
     }
     m_capture = std::move(*capture);
+    m_channels = channels;
     begin_live();
     return {};
 }

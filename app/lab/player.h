@@ -99,7 +99,7 @@ public:
 
 private:
     Result<std::unique_ptr<Signal>> make(const Spec& complete, const PlayedSound& sound);
-    Result<void> open_capture();
+    Result<void> open_capture(const Spec& complete);
     Result<void> open_feed(const Spec& complete);
     void play_beam();
     void begin_live();
@@ -121,6 +121,7 @@ private:
     SoundSettings m_settings;
     std::unique_ptr<SoundOutput> m_output;
     std::unique_ptr<SoundCapture> m_capture;  // while a live sound is drawn
+    int m_channels = 0;                       // that were asked of it
     std::int64_t m_live_first = 0;            // its frame at time 0
     std::unique_ptr<BeamFeed> m_feed;         // while another program sends the beam
     std::unique_ptr<BeamPlayout> m_playout;   // while the beam goes out to a real scope

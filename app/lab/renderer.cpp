@@ -96,6 +96,7 @@ Frame Renderer::frame_of(const PlayedFrame& played, const Beam& beam) const {
     frame.mouse = m_mouse;
     frame.patience_seconds = m_variant ? m_patience_seconds / 2.0 : m_patience_seconds;
     frame.beam = beam;
+    frame.tints = beam.tints;
     return frame;
 }
 

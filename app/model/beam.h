@@ -13,4 +13,19 @@ struct BeamPoint {
     bool operator==(const BeamPoint&) const = default;
 };
 
-using Beam = std::vector<BeamPoint>;
+/// The colour of the beam on its way to a point: linear factors of the look's own, 1 leaves it.
+struct BeamTint {
+    float r = 1.0f;
+    float g = 1.0f;
+    float b = 1.0f;
+
+    bool operator==(const BeamTint&) const = default;
+};
+
+/// The points of some time, oldest first.
+struct Beam : std::vector<BeamPoint> {
+    using std::vector<BeamPoint>::vector;
+
+    std::vector<BeamTint>
+        tints;  // one for each point; none where the beam has no colour of its own
+};

@@ -1,11 +1,14 @@
 #include "signals/audio.h"
 
 #include "base/text.h"
+#include "signals/channel_map.h"
+#include "signals/mapped_sound.h"
 #include "signals/settings.h"
 #include "signals/sound_scope.h"
 #include "signals/sound_spectrum.h"
 
 #include <cmath>
+#include <functional>
 
 namespace {
 SoundChannels channels_of(const Settings& settings) {
@@ -56,12 +59,33 @@ Result<std::unique_ptr<Signal>> make_spectrum(const Settings& settings,
     return std::make_unique<SoundSpectrum>(std::move(sound), plug, knobs);
 }
 
-Result<std::unique_ptr<Signal>> make_shown(const Settings& settings,
-                                           std::shared_ptr<const SampleStream> sound) {
-    if (settings.is("mode", "spectrum") || settings.is("mode", "radial"))
-        return make_spectrum(settings, std::move(sound));
+/// The sound's channels, two at a time.
+using Open = std::function<std::shared_ptr<const SampleStream>(const StreamChannels&)>;
+
+// Which channels are what of the beam has a say in xy alone.
+Result<std::unique_ptr<Signal>> make_mapped(const Settings& settings, const Open& open,
+                                            int channels) {
+    const ChannelMap map = channel_map(settings);
+    if (auto good = check_channels(map, channels); !good)
+        return fail(good.error());
     const ScopeKnobs knobs = scope_knobs(settings);
-    return std::make_unique<SoundScope>(std::move(sound), plug_of(settings, knobs), knobs);
+    const SoundPlug plug = plug_of(settings, knobs);
+    auto place = std::make_unique<SoundScope>(open({map.x, map.y}), plug, knobs);
+    if (map.is_plain())
+        return place;
+    return std::make_unique<MappedSound>(
+        std::move(place), MappedSound::Streams{open({map.intensity, map.r}), open({map.g, map.b})},
+        map, plug.upsample);
+}
+
+Result<std::unique_ptr<Signal>> make_shown(const Settings& settings, const Open& open,
+                                           int channels) {
+    if (settings.is("mode", "xy"))
+        return make_mapped(settings, open, channels);
+    if (settings.is("mode", "spectrum") || settings.is("mode", "radial"))
+        return make_spectrum(settings, open({}));
+    const ScopeKnobs knobs = scope_knobs(settings);
+    return std::make_unique<SoundScope>(open({}), plug_of(settings, knobs), knobs);
 }
 
 Result<std::unique_ptr<Signal>> make_audio(const Settings& settings, const SignalMedia& media) {
@@ -76,7 +100,10 @@ Result<std::unique_ptr<Signal>> make_audio(const Settings& settings, const Signa
                          " s, but the sound is only " + format_number(sound->seconds()) +
                          " s long"});
     const SoundPart part{static_cast<std::int64_t>(start), settings.is("loop", "on")};
-    return make_shown(settings, stream_of(sound, part));
+    const auto open = [&](const StreamChannels& channels) {
+        return stream_of(sound, part, channels);
+    };
+    return make_shown(settings, open, sound->channels);
 }
 
 Result<std::unique_ptr<Signal>> make_microphone(const Settings& settings,
@@ -84,7 +111,10 @@ Result<std::unique_ptr<Signal>> make_microphone(const Settings& settings,
     if (!media.live)
         return fail(
             {{}, 0, "microphone: there is no live sound here; audio:FILE shows a sound file"});
-    return make_shown(settings, stream_of(media.live, media.live_first));
+    const auto open = [&](const StreamChannels& channels) {
+        return stream_of(media.live, media.live_first, channels);
+    };
+    return make_shown(settings, open, media.live->channels());
 }
 
 std::vector<SettingFacts> settings_of_all_modes() {
@@ -228,7 +258,7 @@ std::vector<SettingFacts> shown_settings() {
                      .scope_words = {"xy", "waveform"},
                      .seconds_per_division = 0.002,
                      .shortest_division = 1e-4}),
-                      spectrum_settings(), ring_settings()})
+                      channel_settings({}, {"mode", {"xy"}}), spectrum_settings(), ring_settings()})
         settings.insert(settings.end(), part.begin(), part.end());
     return settings;
 }

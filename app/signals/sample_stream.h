@@ -33,12 +33,20 @@ struct SoundPart {
     bool loops = false;
 };
 
-/// A sound in memory, which has a rate, a channel and, from part.first on, a sample. Mono is on
-/// both sides; of more than two channels the first two are read.
+/// The channels that are read as left and right, from 1; 0: none, silence. Beyond the last one it
+/// is the last one, so that mono is on both sides.
+struct StreamChannels {
+    int left = 1;
+    int right = 2;
+};
+
+/// A sound in memory, which has a rate, a channel and, from part.first on, a sample.
 std::shared_ptr<const SampleStream> stream_of(std::shared_ptr<const Sound> sound,
-                                              const SoundPart& part);
+                                              const SoundPart& part,
+                                              const StreamChannels& channels = {});
 
 /// A sound that comes in; its sample 0 is the frame `first`, which may be one to come or before
 /// all.
 std::shared_ptr<const SampleStream> stream_of(std::shared_ptr<const LiveSound> sound,
-                                              std::int64_t first);
+                                              std::int64_t first,
+                                              const StreamChannels& channels = {});

@@ -20,31 +20,48 @@ Result<std::unique_ptr<Signal>> make_sent(const Settings&, const SignalMedia& me
     return std::make_unique<SentSignal>(media.sent);
 }
 
+constexpr ChannelMap usual_map{.x = 1, .y = 2, .intensity = 3, .r = 4, .g = 5, .b = 6};
+
 std::vector<SettingFacts> format_settings() {
-    SettingFacts channels = choice_setting(
-        "channels", "Channels", "2: x and y, always lit; 3: the current as well.", {"2", "3"});
-    channels.used_while = {"format", {"f32le"}};
-    return {choice_setting("format", "Format",
-                           "text: lines of x y intensity [seconds]. f32le: raw 32-bit floats, "
-                           "little-endian.",
-                           {"text", "f32le"}),
-            {.key = "rate",
-             .label = "Rate",
-             .unit = "points/s",
-             .help = "Of raw points, and of lines that say no seconds.",
-             .low = 1000,
-             .high = 245760,
-             .step = 1,
-             .initial = 245760,
-             .logarithmic = true,
-             .limit = {1, 1e6}},
-            channels};
+    const UsedWhile is_raw{"format", {"f32le"}};
+    std::vector<SettingFacts> settings{
+        choice_setting("format", "Format",
+                       "text: lines of x y intensity [seconds [red green blue]]. f32le: raw 32-bit "
+                       "floats, little-endian.",
+                       {"text", "f32le"}),
+        {.key = "rate",
+         .label = "Rate",
+         .unit = "points/s",
+         .help = "Of raw points, and of lines that say no seconds.",
+         .low = 1000,
+         .high = 245760,
+         .step = 1,
+         .initial = 245760,
+         .logarithmic = true,
+         .limit = {1, 1e6}},
+        {.key = "channels",
+         .label = "Channels",
+         .help =
+             "Numbers a point: 2: x and y, always lit; 3: the intensity as well; 6: its colour, "
+             "too.",
+         .low = 2,
+         .high = 8,
+         .step = 1,
+         .initial = 2,
+         .limit = {1, 64},
+         .used_while = is_raw}};
+    for (SettingFacts& setting : channel_settings(usual_map, is_raw)) {
+        setting.help += " One that a point does not have is none.";
+        settings.push_back(std::move(setting));
+    }
+    return settings;
 }
 }  // namespace
 
 SentFormat sent_format(const Settings& settings) {
     return {.is_raw = settings.is("format", "f32le"),
-            .channels = settings.is("channels", "3") ? 3 : 2,
+            .channels = settings.whole("channels"),
+            .map = channel_map(settings),
             .seconds = 1.0 / settings.number("rate")};
 }
 

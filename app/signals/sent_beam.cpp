@@ -10,6 +10,7 @@ constexpr double slack = 1e-9;    // s: ends of spans that were computed in two 
 constexpr double ahead = 0.25;    // s that a sender may be ahead
 constexpr double cushion = 0.03;  // s that a late sender gets, so that it is not late again at once
 constexpr double remembered = 2.0;  // s, to show again what led to the present picture
+constexpr std::size_t most_legs = 1000000;
 constexpr double finest_rate = 4096.0 * 60.0;
 }  // namespace
 
@@ -35,14 +36,17 @@ void SentBeam::append_one(const SentPoint& point) {
         m_legs.push_back({m_end, start - m_end, from, from, 0.0f});
         m_end = start;
     }
-    m_legs.push_back({m_end, point.seconds, from, to, point.current});
+    m_legs.push_back(
+        {m_end, point.seconds, from, to, point.current, point.tint.value_or(BeamTint())});
+    m_has_tints = m_has_tints || point.tint;
     m_end += point.seconds;
     m_last = to;
     m_has_last = true;
 }
 
 void SentBeam::forget_old() {
-    while (!m_legs.empty() && m_legs.front().end() < m_now - remembered)
+    while (!m_legs.empty() && (m_legs.front().end() < m_now - remembered ||
+                               (m_legs.size() > most_legs && m_legs.front().end() < m_now)))
         m_legs.pop_front();
 }
 
@@ -72,6 +76,8 @@ void SentBeam::trace(const TimeSpan& span, Beam& beam) {
     if (m_pace == Pace::waiting)
         m_changed.wait(lock,
                        [&] { return m_is_closed || m_has_ended || m_end > span.end + slack; });
+    if (m_has_tints)
+        beam.tints.resize(beam.size());
     auto leg =
         std::upper_bound(m_legs.begin(), m_legs.end(), span.start,
                          [](double time, const Leg& other) { return time < other.end() + slack; });
@@ -80,7 +86,7 @@ void SentBeam::trace(const TimeSpan& span, Beam& beam) {
 }
 
 // A lit way is cut finely, so that its light is laid down evenly.
-void SentBeam::trace_leg(const Leg& leg, const TimeSpan& span, Beam& beam) {
+void SentBeam::trace_leg(const Leg& leg, const TimeSpan& span, Beam& beam) const {
     const bool is_lit = leg.current > 0.0f;
     const double steps = is_lit ? std::max(1.0, std::ceil(leg.seconds * finest_rate - 1e-6)) : 1.0;
     const double step = leg.seconds / steps;
@@ -97,5 +103,7 @@ void SentBeam::trace_leg(const Leg& leg, const TimeSpan& span, Beam& beam) {
         beam.push_back({std::lerp(leg.from.x, leg.to.x, share),
                         std::lerp(leg.from.y, leg.to.y, share), static_cast<float>(charge),
                         static_cast<float>(std::max(span.end - time, 0.0))});
+        if (m_has_tints)
+            beam.tints.push_back(leg.tint);
     }
 }

@@ -44,13 +44,14 @@ private:
         Place from;
         Place to;
         float current = 0.0f;
+        BeamTint tint = {};
 
         double end() const { return begin + seconds; }
     };
 
     void append_one(const SentPoint& point);
     void forget_old();
-    static void trace_leg(const Leg& leg, const TimeSpan& span, Beam& beam);
+    void trace_leg(const Leg& leg, const TimeSpan& span, Beam& beam) const;
 
     const Pace m_pace;
     std::mutex m_mutex;
@@ -60,6 +61,7 @@ private:
     double m_end;  // of the last leg, s
     Place m_last;
     bool m_has_last = false;
+    bool m_has_tints = false;  // some point had a colour
     bool m_has_ended = false;
     bool m_is_closed = false;
 };

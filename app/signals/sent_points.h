@@ -1,6 +1,8 @@
 #pragma once
 
 #include "base/diagnostic.h"
+#include "model/beam.h"
+#include "signals/channel_map.h"
 
 #include <cstdint>
 #include <optional>
@@ -14,13 +16,15 @@ struct SentPoint {
     float y = 0.0f;        // -1 bottom .. 1 top
     float current = 0.0f;  // on the way; 1 full, 0 blanked
     double seconds = 0.0;
+    std::optional<BeamTint> tint = {};  // none: white
 
     bool operator==(const SentPoint&) const = default;
 };
 
 struct SentFormat {
     bool is_raw = false;                     // 32-bit floats, little-endian; else lines of text
-    int channels = 3;                        // raw: x and y, and the current if there are 3
+    int channels = 3;                        // raw
+    ChannelMap map = {.intensity = 3};       // raw: a channel beyond the last one is none
     double seconds = 1.0 / (4096.0 * 60.0);  // of a point that says no time of its own
 };
 

@@ -1,6 +1,7 @@
 #version 410 core
 // The beam: one square for each instant at which the beam was somewhere, large enough for its spot.
 #include "spot.glsl"
+#include "tint.glsl"
 #include "tube.glsl"
 #include "decay.glsl"
 #include "fit.glsl"
@@ -51,7 +52,7 @@ void main() {
     vec2 place = position * signal_size(u_resolution);
     middle = (0.5 + 0.5 * place) * u_resolution;
     width = beam_width * u_resolution.y / reference_height;
-    charge = charge_at_the_end();
+    charge = charge_at_the_end() * tint_of_charge();
     if (as_written)
         place_as_written(place);
     else

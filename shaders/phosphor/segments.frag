@@ -12,6 +12,7 @@ flat in vec2 charges;
 flat in vec2 ages;
 flat in vec2 sigmas;
 flat in vec2 areas;
+flat in vec4 colors;
 out vec4 color;
 
 // E-folds a second: of the custom tube's channels or of a measured tube's terms.
@@ -62,6 +63,6 @@ void main() {
                      areas.y * charge_over_pixel(sigmas.y, rates);
     else
         brightness = (areas.x + areas.y) * charge_over_pixel(sigmas.x, rates);
-    brightness *= beam_gain;
+    brightness *= beam_gain * colors;
     color = has_tube() ? brightness : vec4(beam_color * brightness.rgb, 1.0);
 }

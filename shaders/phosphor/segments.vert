@@ -6,6 +6,7 @@
 #include "fit.glsl"
 #include "reference_height.glsl"
 #include "spot.glsl"
+#include "tint.glsl"
 
 uniform vec2 u_resolution;
 uniform float u_time_delta;
@@ -19,6 +20,7 @@ flat out vec2 charges;  // of start and end; their mean is what the beam brings 
 flat out vec2 ages;     // s
 flat out vec2 sigmas;   // of core and glow, px
 flat out vec2 areas;    // what a charge of 1 makes of light, px^2
+flat out vec4 colors;   // of the charge
 
 // A spot narrower than this is lost in the pixel, and costs many readings to hit.
 const float least_sigma = 0.25;  // px
@@ -31,6 +33,7 @@ void main() {
         return;
     ends = (0.5 + 0.5 * segment * signal_size(u_resolution).xyxy) * u_resolution.xyxy;
     charges = intensities;
+    colors = tint_of_charge();
     ages = min(ages_seconds, u_time_delta);  // the way from the last frame's point is this frame's
     float width = beam_width * u_resolution.y / reference_height;
     vec2 sharpness = vec2(core_sharpness, glow_sharpness);

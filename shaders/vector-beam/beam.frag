@@ -1,7 +1,8 @@
 #version 410 core
 // The beam: the light of one segment, added to that of all others in the frame. Linear light.
 // Red: what is still to come of it at the frame's end; green: all of it. Summed over all pixels green
-// is intensity * charge * (height / 512)^2, for any length, direction and width of the spot.
+// is intensity * charge * (height / 512)^2, for any length, direction and width of the spot. Blue and
+// alpha: green times the hue (tint.glsl).
 #include "article.glsl"
 #include "as_written.glsl"
 #include "beam_segment.glsl"
@@ -17,6 +18,7 @@ flat in vec2 charges;
 flat in vec2 ages;
 flat in float sigma;
 flat in float seconds;
+flat in vec2 hue;
 out vec4 color;
 
 // Light at one place: still to come, and all.
@@ -58,5 +60,5 @@ vec2 article_light(float segment_length) {
 void main() {
     float segment_length = distance(ends.xy, ends.zw);
     vec2 light = as_written ? article_light(segment_length) : light_over_pixel(segment_length);
-    color = vec4(light, 0.0, 1.0);
+    color = vec4(light, hue * (as_written ? light.x : light.y));
 }

@@ -2,6 +2,7 @@
 // The beam: a quad around each segment, large enough for its light.
 #include "beam_segment.glsl"
 #include "reference_height.glsl"
+#include "tint.glsl"
 
 uniform vec2 u_resolution;
 uniform float intensity = 1.0;      // @range 0.05 10  @limit 0 1000  @scale log  @label "Intensity"  @group "Beam"
@@ -29,12 +30,14 @@ uniform float screen_size = 0.9;    // @range 0.5 1  @limit 0.05 4  @label "Size
 in vec4 segment;        // -1..1, y up: start, end
 in vec2 intensities;    // 1: full current for 1/4096 of 1/60 s
 in vec2 ages_seconds;   // before the frame's end
+in vec3 tint;           // the beam's own colour, white where its signal gives none
 
 flat out vec4 ends;     // px
 flat out vec2 charges;  // light of start and end, px^2 of the picture
 flat out vec2 ages;     // in decay times
 flat out float sigma;   // px
 flat out float seconds; // from start to end
+flat out vec2 hue;      // see tint.glsl
 
 const float full_current = 4096.0 * 60.0;  // intensity a second
 
@@ -57,7 +60,8 @@ void main() {
     float current = 0.5 * abs(intensities.x + intensities.y) / max(seconds * full_current, 1e-9);
     sigma = spot_at(min(intensity * current, 16.0));
     float unit = u_resolution.y / reference_height;
-    charges = intensity * unit * unit * intensities;
+    hue = hue_of(tint);
+    charges = intensity * unit * unit * strength_of(tint) * intensities;
     if (!as_written)
         charges *= dwell_gain(distance(ends.xy, ends.zw));
 

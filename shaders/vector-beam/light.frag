@@ -1,6 +1,8 @@
 #version 410 core
-// Light: how strongly the phosphor shone during the frame, per 1/60 s. Linear light, grey.
+// Light: how strongly the phosphor shone during the frame, per 1/60 s. Linear light, grey
+// but for the beam's own colour.
 #include "as_written.glsl"
+#include "tint.glsl"
 
 uniform sampler2D phosphor;
 uniform float u_time_delta;
@@ -9,7 +11,9 @@ in vec2 uv;
 out vec4 color;
 
 void main() {
-    float given = texture(phosphor, uv).g;
+    vec4 glowing = texture(phosphor, uv);
+    float given = glowing.g;
     float light = as_written ? given : given / (60.0 * u_time_delta);
-    color = vec4(vec3(min(light, 60000.0)), 1.0);  // below the largest half float
+    // Below the largest half float.
+    color = vec4(min(min(light, 60000.0) * color_of(glowing.ba), 60000.0), 1.0);
 }

@@ -2,10 +2,12 @@
 // The phosphor: red is the light that is still to come, green what it gave during this frame. What
 // was to come and what the beam added, less what is now to come, has been given: so no light is
 // missed, however short the decay time, and seconds of light add up to the same at any frame rate.
+// Blue and alpha: the hue of both (tint.glsl), of what was there and what came together.
 #include "as_written.glsl"
 #include "decay.glsl"
+#include "tint.glsl"
 
-uniform sampler2D beam;    // red: of this frame's light what is still to come, green: all of it
+uniform sampler2D beam;    // of this frame's light: see beam.frag
 uniform sampler2D before;  // this pass, a frame ago
 uniform float u_time_delta;
 
@@ -13,15 +15,17 @@ in vec2 uv;
 out vec4 color;
 
 void main() {
-    vec2 fresh = texture(beam, uv).rg;
-    float kept = texture(before, uv).r;
+    vec4 fresh = texture(beam, uv);
+    vec4 past = texture(before, uv);
+    float kept = past.r;
+    vec2 hue = mixed_hue(kept, past.ba, fresh.ba, as_written ? fresh.r : fresh.g);
     if (as_written) {
         // A black quad blended over: the same share each frame, as if all lasted 1/60 s.
         float glowing = kept * exp(-1.0 / (60.0 * decay_seconds())) + fresh.r;
-        color = vec4(glowing, glowing, 0.0, 1.0);
+        color = vec4(glowing, glowing, hue);
         return;
     }
     float to_come = kept * exp(-u_time_delta / decay_seconds()) + fresh.r;
     float given = max(kept + fresh.g - to_come, 0.0);
-    color = vec4(to_come, given, 0.0, 1.0);
+    color = vec4(to_come, given, hue);
 }

@@ -3,10 +3,11 @@
 #include "as_written.glsl"
 #include "color.glsl"
 #include "noise.glsl"
+#include "tint.glsl"
 #include "tonemap.glsl"
 
 uniform sampler2D light;
-uniform sampler2D glow;  // red: narrow, green: wide
+uniform sampler2D glow;  // red: narrow, green: wide, blue and alpha: their hue
 uniform int u_frame;
 
 uniform vec3 beam_color = vec3(0.25, 1.0, 0.4);  // @color  @label "Colour"  @group "Beam"
@@ -36,14 +37,28 @@ vec3 shown(vec3 light) {
                keep_hue);
 }
 
+// The hue between four texels, of which dark ones have none.
+vec3 glow_color_at(vec2 hue) {
+    if (hue == vec2(0.0))
+        return vec3(1.0);
+    vec2 part = fract(uv * vec2(textureSize(glow, 0)) - 0.5);
+    vec4 weights = vec4(1.0 - part.x, part.x, part.x, 1.0 - part.x) *
+                   vec4(part.yy, 1.0 - part.yy) *
+                   (textureGather(glow, uv, 0) + textureGather(glow, uv, 1));
+    float total = dot(weights, vec4(1.0));
+    vec2 hues = vec2(dot(weights, textureGather(glow, uv, 2)),
+                     dot(weights, textureGather(glow, uv, 3)));
+    return color_of(total > 0.0 ? hues / total : hue);
+}
+
 void main() {
-    float direct = texture(light, uv).r;
+    vec3 direct = texture(light, uv).rgb;
     if (as_written) {
         color = vec4(srgb_encode(direct * exposure * beam_color), 1.0);
         return;
     }
-    vec2 around = texture(glow, uv).rg;
-    float scattered = glow_amount * mix(around.x, around.y, glow_wide);
+    vec4 around = texture(glow, uv);
+    vec3 scattered = glow_amount * mix(around.x, around.y, glow_wide) * glow_color_at(around.ba);
     vec3 linear = exposure * beam_color * (direct + scattered * glow_color);
     vec3 display = srgb_encode(shown(linear) + background);
     color = vec4(dither ? dithered(display, uvec2(gl_FragCoord.xy), uint(u_frame)) : display, 1.0);

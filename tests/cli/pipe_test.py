@@ -6,6 +6,7 @@ import socket
 import struct
 import subprocess
 import time
+import wave
 
 from program import PROGRAM, ProgramTest, main, read_png, run
 
@@ -131,6 +132,27 @@ class Pipe(ProgramTest):
             closed.mkdir(mode=0o500)
             self.assert_refused(run(*RENDER[1:], "--signal", f"socket:{closed}/s", "-o", self.folder / "x.png"),
                                 "Permission denied")
+
+    def assert_red(self, done, file):
+        self.assertEqual(done.returncode, 0, done.stderr)
+        _, _, rows = read_png(file)
+        self.assertGreater(max(max(row[0::3]) for row in rows), 100)
+        self.assertEqual(max(max(row[1::3]) for row in rows), 0)
+        self.assertEqual(max(max(row[2::3]) for row in rows), 0)
+
+    def test_a_red_beam_has_neither_green_nor_blue(self):
+        white = ("beam_color=1,1,1", "background=0,0,0", "dither=false", "tone_map=Clamp")
+        options = [part for value in white for part in ("--set", value)]
+        file = self.folder / "red.png"
+        done = subprocess.run([*RENDER, *options, "--signal", "stdin", "-o", file],
+                              input=b"0.5 0.5 1 0.03 1 0 0\n", capture_output=True, timeout=120)
+        self.assert_red(done, file)
+        # Of five channels the third is the intensity and the fourth red.
+        with wave.open(str(self.folder / "five.wav"), "wb") as sound:
+            sound.setparams((5, 2, 4800, 0, "NONE", ""))
+            sound.writeframes(struct.pack("<5h", 16000, -16000, 32767, 32767, 20000) * 480)
+        spec = f"audio:{self.folder}/five.wav,intensity=3,r=4"
+        self.assert_red(run(*RENDER[1:], *options, "--signal", spec, "-o", file), file)
 
 
 if __name__ == "__main__":

@@ -113,3 +113,46 @@ TEST_CASE_FIXTURE(Headless,
     CHECK(red(executor, 0, 6, 1) == 0.0f);
     CHECK(red(executor, 0, 3, 3) == 1.0f);
 }
+
+namespace {
+// The same pass, giving the beam's colour.
+Pass tinted(Pass made) {
+    std::string& vertex = made.vertex.text;
+    vertex.insert(vertex.find("in float intensity") != std::string::npos
+                      ? vertex.find("in float intensity")
+                      : vertex.find("in vec2 intensities"),
+                  "in vec3 tint;\nout vec3 shade;\n");
+    vertex.insert(vertex.find("light = "), "shade = tint;\n");
+    made.fragment.text =
+        "#version 410 core\nin vec3 shade;\nout vec4 color;\n"
+        "void main() { color = vec4(shade, 1); }\n";
+    return made;
+}
+
+Frame colored(const Beam& beam, int number) {
+    Frame made = with(beam, number);
+    made.tints = beam.tints;
+    return made;
+}
+}  // namespace
+
+TEST_CASE_FIXTURE(Headless, "points have colours, and are white in a frame that has none") {
+    Executor executor = executor_of(look_of({tinted(points())}), {8, 4});
+    Beam beam{at(1, 1), at(5, 2)};
+    beam.tints = {{0.5f, 0.25f, 0.0f}, {0.0f, 0.75f, 1.0f}};
+    executor.draw(colored(beam, 1));
+    CHECK(pixel(executor, 0, 1, 1) == Rgba{0.5f, 0.25f, 0, 1});
+    CHECK(pixel(executor, 0, 5, 2) == Rgba{0, 0.75f, 1, 1});
+    executor.draw(with(beam, 2));
+    CHECK(pixel(executor, 0, 5, 2) == Rgba{1, 1, 1, 1});
+}
+
+TEST_CASE_FIXTURE(Headless, "a segment has the colour of the point that it goes to") {
+    Executor executor = executor_of(look_of({tinted(segments())}), {8, 4});
+    Beam beam{at(1, 1), at(5, 1), at(1, 2, 0.0f), at(5, 2)};  // the way back is blanked
+    beam.tints = {{1.0f, 0.0f, 0.0f}, {0.0f, 0.5f, 0.0f}, {1.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.5f}};
+    executor.draw(colored(beam, 1));
+    CHECK(pixel(executor, 0, 3, 1) == Rgba{0, 0.5f, 0, 1});
+    CHECK(pixel(executor, 0, 3, 2) == Rgba{0, 0, 0.5f, 1});
+    CHECK(executor.draw_calls() == 1);
+}

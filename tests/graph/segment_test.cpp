@@ -7,7 +7,9 @@
 namespace {
 std::vector<Segment> segments(const Beam& beam, std::optional<BeamPoint> before = std::nullopt) {
     std::vector<Segment> made{{9, 9, 9, 9, 9, 9, 9, 9}};  // of the frame before, to be dropped
-    make_segments(beam, before, made);
+    SegmentTints none;
+    make_segments(beam, before, made, none);
+    CHECK(none.of_segments.empty());
     return made;
 }
 }  // namespace

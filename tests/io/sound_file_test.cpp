@@ -174,7 +174,7 @@ TEST_CASE("a header's absurd claims are refused or not believed") {
     folder.write("fast.wav", wav({.rate = 2000000000}));
     CHECK(refusal(folder / "fast.wav") == "has a rate of 2000000000 Hz; 1 to 768000 can be read");
     folder.write("channels.wav", wav({.channels = 1000, .data_bytes = 0xfffffff0}));
-    CHECK(refusal(folder / "channels.wav") == "has 1000 channels; 1 to 8 can be read");
+    CHECK(refusal(folder / "channels.wav") == "has 1000 channels; 1 to 32 can be read");
 
     folder.write("long.wav", wav({.data_bytes = 0xfffffff0}));
     const auto claims_gigabytes = load_sound(folder / "long.wav");

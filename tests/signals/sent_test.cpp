@@ -66,6 +66,47 @@ TEST_CASE("raw points are read the same however they are cut, and those that are
     }
 }
 
+TEST_CASE("a line may end with a colour, and a raw point's channels are chosen freely") {
+    CHECK(read_text("0.5 0.25 1 0.01 0.2 0.4 0.8", 5) ==
+          std::vector<SentPoint>{{0.5f, 0.25f, 1.0f, 0.01, BeamTint{0.2f, 0.4f, 0.8f}}});
+    std::string bytes;
+    for (const float value : {0.1f, 0.2f, 0.3f, 0.4f, 0.5f})
+        append_float(bytes, value);
+    const auto read_raw = [&](const ChannelMap& map) {
+        SentReader reader({.is_raw = true, .channels = 5, .map = map, .seconds = 0.01}, "stdin");
+        std::vector<SentPoint> points;
+        reader.take(bytes, points);
+        REQUIRE(points.size() == 1);
+        return points.front();
+    };
+    CHECK(read_raw({.x = 5, .y = 4, .r = 3, .g = 2, .b = 1}) ==
+          SentPoint{0.5f, 0.4f, 1.0f, 0.01, BeamTint{0.3f, 0.2f, 0.1f}});
+    // What a point does not have is none: full current, and dark beside another colour.
+    CHECK(read_raw({.x = 1, .y = 0, .intensity = 9, .r = 2, .b = 6}) ==
+          SentPoint{0.1f, 0.0f, 1.0f, 0.01, BeamTint{0.2f, 0.0f, 0.0f}});
+    CHECK_FALSE(read_raw({.r = 6, .g = 7}).tint.has_value());
+}
+
+TEST_CASE("the way to a point has the point's colour, and a beam without any has none") {
+    SentBeam sent(SentBeam::Pace::waiting);
+    const std::vector<SentPoint> points{{0.0f, 0.0f, 1.0f, 0.001, BeamTint{1.0f, 0.0f, 0.5f}},
+                                        {1.0f, 0.0f, 1.0f, 0.001}};
+    sent.append(points);
+    sent.end();
+    Beam beam(1, BeamPoint{});
+    sent.trace({0.0, 0.01}, beam);
+    REQUIRE(beam.tints.size() == beam.size());
+    CHECK(beam.tints[1] == BeamTint{1.0f, 0.0f, 0.5f});
+    CHECK(beam.tints.back() == BeamTint{});
+    SentBeam white(SentBeam::Pace::waiting);
+    white.append(std::span(points).last(1));
+    white.end();
+    Beam plain;
+    white.trace({0.0, 0.01}, plain);
+    CHECK(plain.size() > 100);
+    CHECK(plain.tints.empty());
+}
+
 TEST_CASE("a way's light is laid down evenly, each part in one frame") {
     SentBeam sent(SentBeam::Pace::waiting);
     const std::vector<SentPoint> points{{0.0f, 0.0f, 0.0f, 0.01}, {1.0f, 0.5f, 0.5f, 0.1}};

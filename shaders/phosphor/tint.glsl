@@ -1,0 +1,16 @@
+// The beam's own colour at a point or on a segment, where its signal gives one; else white.
+#ifndef PHOSPHOR_TINT
+#define PHOSPHOR_TINT
+
+#include "tube.glsl"
+
+in vec3 tint;
+
+// What it does to a charge. A measured tube glows in its own colour whatever drives it, as strongly
+// as the strongest of the three.
+vec4 tint_of_charge() {
+    float strongest = max(tint.r, max(tint.g, tint.b));
+    return has_tube() ? vec4(strongest) : vec4(tint, strongest);
+}
+
+#endif

@@ -1,0 +1,29 @@
+// Colour beside light: a strength, the mean of red, green and blue, and a hue, by how much red and blue
+// differ from it, as parts of it. White has the hue 0, so a look that keeps light as one number keeps
+// its colour in two more.
+#ifndef VECTOR_BEAM_TINT
+#define VECTOR_BEAM_TINT
+
+float strength_of(vec3 color) {
+    return color.g + ((color.r - color.g) + (color.b - color.g)) / 3.0;  // white: exact
+}
+
+vec2 hue_of(vec3 color) {
+    float strength = strength_of(color);
+    return strength > 0.0 ? color.rb / strength - 1.0 : vec2(0.0);
+}
+
+// The colour of strength 1. What rounding to half floats leaves of a dark channel would show in bright
+// light.
+vec3 color_of(vec2 hue) {
+    vec3 color = vec3(1.0 + hue.x, 1.0 - hue.x - hue.y, 1.0 + hue.y);
+    return mix(vec3(0.0), color, greaterThan(color, vec3(5e-4)));
+}
+
+// Of two lights together.
+vec2 mixed_hue(float light, vec2 hue, vec2 other_times_hue, float other) {
+    float both = light + other;
+    return both > 0.0 ? (light * hue + other_times_hue) / both : vec2(0.0);
+}
+
+#endif
