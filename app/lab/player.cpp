@@ -163,7 +163,7 @@ void Player::play_sound(bool loops, bool is_new_sound) {
         auto output = m_devices->open_output(m_settings);
         if (output)
             m_output = std::move(*output);
-        else
+        else if (m_silence.empty())
             m_silence = output.error().front().message;
     }
     if (!m_output)

@@ -23,7 +23,7 @@ std::vector<SettingFacts> channel_settings(const ChannelMap& initial, const Used
                             .limit = {0, 64}};
     };
     return in_group(
-        "Channels", used_while,
+        "Channel map", used_while,
         {setting("x", "X", "What moves the beam across; 0: none, it stays in the middle.",
                  initial.x),
          setting("y", "Y", "What moves the beam up; 0: none, it stays in the middle.", initial.y),

@@ -39,6 +39,14 @@ private:
     Scope& m_scope;
 };
 
+/// A machine without sound, which says for what it is missed.
+class MissingDevices : public NoSoundDevices {
+public:
+    Result<std::unique_ptr<BeamOutput>> open_beam_output(const SoundSettings&) override {
+        return fail({{}, 0, "no device for a beam"});
+    }
+};
+
 class ScopeDevices : public NoSoundDevices {
 public:
     explicit ScopeDevices(Scope& scope) : m_scope(scope) {}
@@ -169,10 +177,19 @@ TEST_CASE("a scope's device that is gone is told, and switching off lets go of i
 }
 
 TEST_CASE("without a device the switch goes back, it is told, and the picture goes on") {
-    Player player(std::make_unique<NoSoundDevices>());
-    REQUIRE(player.set_signal(parse_spec("lissajous").value()).has_value());
-    REQUIRE(player.set_sound_settings(beam_switched(true)).has_value());
-    CHECK(player.silence() == "no sound device was found");
-    CHECK_FALSE(player.sound_settings().plays_beam);
-    REQUIRE(player.advance(sixtieth).has_value());
+    const auto sound =
+        std::make_shared<const Sound>(Sound{1000, 2, std::vector<float>(2000, 0.5f)});
+    for (const char* signal : {"lissajous", "audio:a.wav"}) {
+        CAPTURE(signal);
+        Player player(std::make_unique<MissingDevices>());
+        const Spec spec = parse_spec(signal).value();
+        const bool is_sound = spec.kind == "audio";
+        REQUIRE(player.set_signal(spec, is_sound ? PlayedSound{"a.wav", sound} : PlayedSound{})
+                    .has_value());
+        CHECK(player.silence() == (is_sound ? "no sound device was found" : ""));
+        REQUIRE(player.set_sound_settings(beam_switched(true)).has_value());
+        CHECK(player.silence() == "no device for a beam");
+        CHECK_FALSE(player.sound_settings().plays_beam);
+        REQUIRE(player.advance(sixtieth).has_value());
+    }
 }
