@@ -6,7 +6,6 @@
 #include "formats/preset_format.h"
 #include "gpu/readback.h"
 #include "io/picture_file.h"
-#include "lab/chosen_images.h"
 #include "lab/media.h"
 #include "lab/signal_file.h"
 #include "model/placing.h"
@@ -237,7 +236,7 @@ Result<void> Offline::load_pictures() {
         if (auto done = m_renderer->set_image(image.name, *picture); !done)
             return done;
     }
-    return ChosenImages().show(look, m_document.values(), *m_renderer);
+    return m_chosen_images.show(look, m_document.values(), *m_renderer);
 }
 
 Result<void> Offline::start_again(Document document) {
@@ -257,7 +256,7 @@ Result<void> Offline::start_again(Document document) {
     }
     if (now.source != before.source)
         return load_pictures();
-    return show_chosen_images(executor().look(), before.values, now.values, *m_renderer);
+    return m_chosen_images.show(executor().look(), now.values, *m_renderer);
 }
 
 void Offline::advance() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gpu/context.h"
+#include "lab/chosen_images.h"
 #include "lab/document.h"
 #include "lab/open.h"
 #include "lab/player.h"
@@ -79,6 +80,7 @@ private:
     double m_fps;
     std::optional<Source> m_source;
     SharedPicture m_shown;
+    ChosenImages m_chosen_images;
     bool m_source_is_carried = false;  // frames that nobody looks at need it too
     Diagnostics m_problems;
 };

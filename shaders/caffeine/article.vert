@@ -1,5 +1,6 @@
 #version 410 core
 // The triangle of the article's passes; none of it is on the screen while its picture is not wanted.
+#include "molecule.glsl"  // its knobs come first in the panel: the first mention decides
 #include "as_written.glsl"
 
 void main() {

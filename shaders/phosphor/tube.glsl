@@ -9,7 +9,7 @@
 
 uniform int tube = 0;  // @items "Custom" "P1" "P2" "P3" "P4" "P7" "P11" "P14" "P28" "P31" "P32"  @label "Tube"  @group "Phosphor"
                        // @help "The phosphor of the tube. Custom fades as Decay says. The others fade as they were measured: P1 green, P2 blue-green, P3 amber, P4 white, P7 blue with a long yellow afterglow (radar), P11 blue (photography), P14 blue with an orange afterglow, P28 yellow-green and long, P31 green (most scopes), P32 yellow-green and longest."
-uniform float time_scale = 1.0;  // @range 0.01 1000  @limit 0.0001 100000  @scale log  @label "Time scale"  @unit "x"  @group "Phosphor"
+uniform float time_scale = 1.0;  // @range 0.01 1000  @limit 0.0001 100000  @scale log  @label "Time scale"  @unit "×"  @group "Phosphor"
                                  // @help "Stretches the fading of a measured tube: at 100 what takes a millisecond takes a tenth of a second. The light is the same in all, spread over more time."
 uniform float tail_gain = 1.0;   // @range 0 4  @limit 0 1000  @label "Tail gain"  @group "Phosphor"
                                  // @help "Strength of what glows on after the first flash of a measured tube. 1 is as measured, 0 leaves the flash alone."
