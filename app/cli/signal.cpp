@@ -10,11 +10,14 @@ struct Arguments {
 };
 
 int write_signal(const Arguments& arguments) {
-    const auto sound = play_beam(arguments.signal, arguments.format);
+    Diagnostics problems;
+    const auto sound = play_beam(arguments.signal, arguments.format, problems);
     if (!sound)
         return report(sound.error());
-    const auto saved = save_sound(*sound, arguments.output);
-    return saved ? exit_done : report(saved.error());
+    warn(problems);
+    if (const auto saved = save_sound(*sound, arguments.output); !saved)
+        return report(saved.error());
+    return has_errors(problems) ? exit_not_good : exit_done;
 }
 }  // namespace
 

@@ -4,7 +4,8 @@
 #include "lab/signal_file.h"
 #include "signals/kinds.h"
 
-Result<Sound> play_beam(const std::string& text, const BeamSoundFormat& format) {
+Result<Sound> play_beam(const std::string& text, const BeamSoundFormat& format,
+                        Diagnostics& problems) {
     const auto spec = parse_spec(text);
     if (!spec)
         return fail(spec.error());
@@ -26,5 +27,8 @@ Result<Sound> play_beam(const std::string& text, const BeamSoundFormat& format) 
     const auto signal = make_signal(*spec, media);
     if (!signal)
         return fail(signal.error());
-    return beam_sound(**signal, format);
+    Sound sound = beam_sound(**signal, format);
+    if (feed)
+        problems = feed->problems();
+    return sound;
 }

@@ -66,12 +66,16 @@ class Pipe(ProgramTest):
         self.assertEqual(told, "")
         self.assert_dot(raw)
 
-    def test_bytes_that_are_no_text_and_a_line_without_end_leave_a_dark_picture(self):
+    def test_bytes_that_are_no_text_and_a_line_without_end_are_told_and_the_rest_is_sound(self):
         for sent, words in ((bytes(range(256)) * 40, "is not of the form: x y intensity"),
                             (b"1" * 3000000, "is longer than 1000 characters")):
-            _, told = self.render("dark.png", sent, code=1)
-            self.assertIn(words, told)
-            self.assertTrue(told.isascii())
+            file = self.folder / "rest.wav"
+            done = subprocess.run([PROGRAM, "signal", "stdin", "--seconds", "0.1", "-o", file],
+                                  input=sent + b"\n0.5 -0.5 1 0.001\n", capture_output=True, timeout=60)
+            self.assertEqual(done.returncode, 1, done.stderr)
+            self.assertIn(words, done.stderr.decode("ascii"))
+            # Floats to the file's end, where the beam rests.
+            self.assertEqual(struct.unpack("<2f", file.read_bytes()[-8:]), (0.5, -0.5))
 
     def test_a_socket_draws_what_one_program_sends_and_is_gone_afterwards(self):
         place = self.folder / "beam.sock"
@@ -105,10 +109,10 @@ class Pipe(ProgramTest):
     def test_what_a_killed_program_left_is_replaced_and_what_another_uses_is_not(self):
         place = self.folder / "beam.sock"
         started = self.start(place)
-        self.assert_refused(run(*RENDER[1:], "--signal", f"socket:{place}", "-o", self.folder / "x.png"),
+        self.assert_refused(run("signal", f"socket:{place}", "-o", self.folder / "x.wav"),
                             str(place), "is the socket of a program that is running")
         started.kill()
-        started.wait()
+        started.communicate()
         self.assertTrue(place.exists())
         again = self.start(place)
         while again.poll() is None:
@@ -124,14 +128,13 @@ class Pipe(ProgramTest):
         for place, words in ((file, "is there already and is no socket"),
                              (self.folder / ("x" * 120), "is too long for a socket"),
                              (self.folder / "none/beam.sock", "No such file or directory")):
-            done = run(*RENDER[1:], "--signal", f"socket:{place}", "-o", self.folder / "x.png")
+            done = run("signal", f"socket:{place}", "-o", self.folder / "x.wav")
             self.assert_refused(done, str(place), words)
         self.assertEqual(file.read_text(), "kept")
         if os.geteuid() != 0:  # root may write anywhere
             closed = self.folder / "closed"
             closed.mkdir(mode=0o500)
-            self.assert_refused(run(*RENDER[1:], "--signal", f"socket:{closed}/s", "-o", self.folder / "x.png"),
-                                "Permission denied")
+            self.assert_refused(run("signal", f"socket:{closed}/s", "-o", self.folder / "x.wav"), "Permission denied")
 
     def assert_red(self, done, file):
         self.assertEqual(done.returncode, 0, done.stderr)
