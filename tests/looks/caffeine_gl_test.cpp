@@ -180,7 +180,7 @@ TEST_CASE("the lens spreads evenly over its disk: half the light comes through t
     double distances = 0.0;
     for (int y = 0; y < 32; ++y)
         for (int x = 0; x < 32; ++x) {
-            const double here = light[static_cast<std::size_t>(3 * (y * 32 + x))];
+            const double here = light[3 * static_cast<std::size_t>(y * 32 + x)];
             sum += here;
             distances += here * std::hypot(x - 15.5, y - 15.5);
         }
@@ -193,7 +193,8 @@ TEST_CASE("the lens spreads evenly over its disk: half the light comes through t
 TEST_CASE("the error falls faster than by chance, and is below half of the article's") {
     // Each method against 8192 samples of its own, taken with other numbers; the look's own scene.
     const Extent size{32, 32};
-    const auto errors_of = [&](const char* pass, const char* as_written, std::vector<int> samples) {
+    const auto errors_of = [&](const char* pass, const char* as_written,
+                               const std::vector<int>& samples) {
         const PathTracer::Settings scene{{"as_written", as_written}};
         PathTracer::Settings other = scene;
         other.emplace_back("seed", "1");
