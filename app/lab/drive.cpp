@@ -20,13 +20,12 @@ std::string file_of_source(const std::string& source) {
     const auto spec = parse_source(source);
     return spec ? spec->picture : source;
 }
+}  // namespace
 
-// As the document names it; "" for none.
 std::string driving_file(const Document& document) {
     const bool is_picture = document.look().driven_by == Driver::picture;
     return is_picture ? file_of_source(document.state().source) : file_of(document.state().signal);
 }
-}  // namespace
 
 void Drive::forget() {
     m_loader.cancel();
@@ -75,13 +74,21 @@ Result<void> Drive::follow_signal(const Document& document, Player& player) {
     return {};
 }
 
+void Drive::read_again(const Document& document) {
+    if (document.look().driven_by == Driver::picture)
+        m_loader.load(MediaLoader::Kind::source, document.state().source);
+    else
+        m_loader.load(MediaLoader::Kind::signal, file_of(document.state().signal));
+}
+
 // With no reasons the fall-back is for the time of waiting.
 Result<void> Drive::fall_back(const Document& document, Player& player, Diagnostics reasons) const {
     const auto& own = document.look().default_signal;
     // A preset whose file is gone opens on the look's own signal; what a person tried and could not
-    // be read leaves the last one.
+    // be read, or was broken on disk, leaves the last one.
     const bool is_as_opened = document.state().signal == document.saved().signal;
-    const bool is_needed = !player.signal() || (is_as_opened && !reasons.empty());
+    const bool was_read = player.sound().file == file_of(document.state().signal);
+    const bool is_needed = !player.signal() || (is_as_opened && !was_read && !reasons.empty());
     if (is_needed && own && file_of(*own).empty())
         if (const auto set = player.set_signal(*own); !set)
             reasons.insert(reasons.end(), set.error().begin(), set.error().end());

@@ -10,6 +10,10 @@
 #include <optional>
 #include <string>
 
+/// The file that drives the open look, as the document names it; "" for none. A pattern's name is
+/// no file's.
+std::string driving_file(const Document& document);
+
 /// Brings what drives the open look to where it is used: the signal to the player, the source
 /// picture to the renderer. Files are read on another thread; until then the last one goes on.
 class Drive {
@@ -29,6 +33,9 @@ public:
     /// Takes in what has been read; nothing when there is nothing new.
     std::optional<Result<void>> update(const Document& document, Player& player,
                                        Renderer& renderer);
+
+    /// The file was changed on disk: it is read again, and the last one goes on until it is there.
+    void read_again(const Document& document);
 
     /// The file that is being read; "" for none.
     std::string loading() const { return m_loader.name(); }

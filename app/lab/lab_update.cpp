@@ -198,6 +198,7 @@ void Lab::apply_document() {
     if (is_first || m_applied_signal != shown || m_applied->source != state.source) {
         m_applied_signal = std::move(shown);
         succeeded(follow_signal());
+        watch_extra_files();
         m_renderer->restart_samples();
         redraw.needs_replay = true;
     }
@@ -323,6 +324,8 @@ void Lab::watch_extra_files() {
     std::vector<fs::path> files = m_chosen_images.files();
     if (!m_document->preset_file().empty())
         files.push_back(m_document->preset_file());
+    if (const fs::path file = driving_file(*m_document); file.is_absolute())
+        files.push_back(file);
     m_reloader.watch_also(std::move(files));
 }
 
@@ -333,6 +336,8 @@ void Lab::extra_file_changed(const fs::path& file) {
         preset_file_changed(file);
     if (m_chosen_images.forget(file))
         m_applied.reset();  // is read again, and a paused picture drawn again
+    if (file == driving_file(*m_document))
+        m_drive.read_again(*m_document);
 }
 
 void Lab::preset_file_changed(const fs::path& file) {

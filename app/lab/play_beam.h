@@ -6,6 +6,7 @@
 #include <string>
 
 /// The sound of a signal's text, such as "scene:ship.json"; its file is read from the working
-/// folder. What another program sends is taken as far as it can be read, `problems` says what cannot.
+/// folder. What another program sends is taken as far as it can be read, `problems` says what
+/// cannot.
 Result<Sound> play_beam(const std::string& signal, const BeamSoundFormat& format,
                         Diagnostics& problems);

@@ -70,6 +70,8 @@ std::vector<fs::path> Reloader::update() {
 }
 
 void Reloader::watch_also(std::vector<fs::path> files) {
+    if (files == m_extra_files)
+        return;
     m_extra_files = std::move(files);
     watch(m_look_files);
 }

@@ -16,7 +16,7 @@ struct LineMorph {
 /// have the least way to go.
 LineMorph morph_of(const Stroke& from, const Stroke& to);
 
-/// Strokes that belong together by their order. Where one keyframe has more of them, those without a
-/// counterpart are chosen so that the others have the least way to go; they grow out of a point in
-/// their own middle, or shrink to it.
+/// Strokes that belong together by their order. Where one keyframe has more of them, those without
+/// a counterpart are chosen so that the others have the least way to go; they grow out of a point
+/// in their own middle, or shrink to it.
 std::vector<LineMorph> morphs_of(const Keyframe& from, const Keyframe& to);

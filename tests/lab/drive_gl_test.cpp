@@ -169,6 +169,35 @@ TEST_CASE("reading a sound can be stopped; what was there before comes back") {
     CHECK(small.lab().player().sound().sound == nullptr);
 }
 
+TEST_CASE(
+    "a picture or sound that is changed on disk follows; broken there, the last one goes on") {
+    SmallLab painted(on_a_picture);
+    const fs::path file = painted.folder() / "grey.exr";
+    REQUIRE(save_picture(grey(0.25f), file).has_value());
+    painted.lab().open_file(file);
+    REQUIRE(painted.turn_until([&] { return painted.shown() == 1.25f; }));
+    REQUIRE(save_picture(grey(0.5f), file).has_value());
+    CHECK(painted.turn_until([&] { return painted.shown() == 1.5f; }));
+    REQUIRE(write_atomically(file, "no picture").has_value());
+    CHECK(painted.turn_until([&] { return !painted.lab().problems().empty(); }));
+    CHECK(painted.shown() == 1.5f);
+    REQUIRE(save_picture(grey(0.75f), file).has_value());
+    CHECK(painted.turn_until([&] { return painted.shown() == 1.75f; }));
+    CHECK(painted.lab().problems().empty());
+
+    SmallLab played(on_a_signal);
+    const fs::path song = played.folder() / "song.wav";
+    REQUIRE(write_atomically(song, wav(8000)).has_value());
+    played.lab().open_file(song);
+    REQUIRE(has_sound(played));
+    const auto seconds = [&] { return played.lab().player().sound_seconds(); };
+    REQUIRE(write_atomically(song, wav(4000)).has_value());
+    CHECK(played.turn_until([&] { return seconds() == doctest::Approx(0.5); }));
+    REQUIRE(write_atomically(song, "RIFF and nothing more").has_value());
+    CHECK(played.turn_until([&] { return !played.lab().problems().empty(); }));
+    CHECK(seconds() == doctest::Approx(0.5));
+}
+
 TEST_CASE("a broken sound is told and the last signal goes on") {
     SmallLab small(on_a_signal);
     const fs::path song = small.folder() / "broken.wav";
@@ -182,7 +211,7 @@ TEST_CASE("a broken sound is told and the last signal goes on") {
 
 TEST_CASE("a video, a drawing or a model that cannot be read is told, and the lab goes on") {
     struct Case {
-        const char* manifest;
+        std::string manifest;
         const char* file;
         const char* content;
         const char* words;

@@ -45,14 +45,14 @@ std::vector<float> rgb(const Picture& picture) {
     return values;
 }
 
-struct Drawing {
+struct TintedDrawing {
     const char* look;
     const char* light;    // the pass that holds what glows, in colour
     const char* picture;  // the last one
     Values values;
 };
 
-const std::vector<Drawing> drawings{
+const std::vector<TintedDrawing> drawings{
     {"shaders/phosphor", "persistence", "composite", white},
     {"shaders/phosphor", "persistence", "composite", white_and({{"beam_kind", Value(1.0)}})},
     {"shaders/phosphor", "persistence", "composite", white_and({{"as_written", Value(1.0)}})},
@@ -62,7 +62,7 @@ const std::vector<Drawing> drawings{
 }  // namespace
 
 TEST_CASE("a red beam leaves neither green nor blue, and as much red as a white one") {
-    for (const Drawing& drawing : drawings) {
+    for (const TintedDrawing& drawing : drawings) {
         CAPTURE(drawing.look);
         DrawnLook look(drawing.look, square, drawing.values);
         look.draw(line(0.0f, {}));
@@ -92,7 +92,7 @@ TEST_CASE("a red beam's glow is red, too") {
 }
 
 TEST_CASE("a colour's parts are factors of the light") {
-    for (const Drawing& drawing : drawings) {
+    for (const TintedDrawing& drawing : drawings) {
         CAPTURE(drawing.look);
         DrawnLook look(drawing.look, square, drawing.values);
         look.draw(line(0.0f, {}));
@@ -108,7 +108,7 @@ TEST_CASE("a colour's parts are factors of the light") {
 }
 
 TEST_CASE("a white beam's picture is bit for bit that of a beam without colours") {
-    for (const Drawing& drawing : drawings) {
+    for (const TintedDrawing& drawing : drawings) {
         CAPTURE(drawing.look);
         DrawnLook look(drawing.look, square, drawing.values);
         look.draw(without_tints(line(0.0f, {})));
