@@ -1,6 +1,7 @@
 #include "formats/look_format.h"
 
 #include "formats/preset_format.h"
+#include "formats/stack_format.h"
 #include "glsl/check_cache.h"
 #include "io/temporary_folder.h"
 
@@ -158,8 +159,10 @@ TEST_CASE("every look that comes with the program is read without a word") {
 
 TEST_CASE("every preset that comes with the program fits its look and is written as it is read") {
     for (const auto& folder : fs::directory_iterator(source_tree / "presets")) {
-        const LoadedLook loaded = load_look(source_tree / "shaders" / folder.path().filename(),
-                                            source_tree / "shaders/include");
+        Stack stack;
+        for (const std::string& id : look_ids(folder.path().filename().string()))
+            stack.push_back({id, source_tree / "shaders" / id, {}, false});
+        const LoadedLook loaded = load_stack(stack, source_tree / "shaders/include");
         REQUIRE(loaded.look.has_value());
         for (const auto& entry : fs::directory_iterator(folder)) {
             if (entry.is_directory())
