@@ -122,7 +122,7 @@ TEST_CASE("seeking, another signal, pause and play make no click; a paused beam 
     Bench bench;
     std::vector<float> seen = bench.run(0.5);
     const auto go_on = [&](double seconds) {
-        const std::vector<float> more = bench.run(seconds);
+        std::vector<float> more = bench.run(seconds);
         seen.insert(seen.end(), more.begin(), more.end());
         return more;
     };
