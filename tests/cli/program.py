@@ -14,11 +14,13 @@ SOURCE = Path(__file__).resolve().parents[2]
 
 
 def run(*arguments, cwd=None, timeout=120, **environment):
-    """The finished program; stdout and stderr as text."""
+    """The finished program; stdout and stderr as text. No run, whatever its input, may end in a GL error."""
     settings = {key: value for key, value in os.environ.items() if key not in ("DISPLAY", "WAYLAND_DISPLAY")}
-    settings.update(environment)
-    return subprocess.run([PROGRAM, *map(str, arguments)], cwd=cwd, env=settings, timeout=timeout,
+    settings.update(MESA_DEBUG="1", **environment)  # Mesa tells each GL error on stderr
+    done = subprocess.run([PROGRAM, *map(str, arguments)], cwd=cwd, env=settings, timeout=timeout,
                           stdin=subprocess.DEVNULL, capture_output=True, text=True, errors="replace")
+    assert "Mesa: User error" not in done.stderr, done.stderr
+    return done
 
 
 def read_png(file):
