@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 namespace {
 constexpr CaptionPlace place{.left = 4, .baseline = 40, .width = 120, .height = 32};
 
