@@ -3,6 +3,10 @@
 #include "base/file.h"
 #include "base/font_file.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
 #include <stb_truetype.h>
 #include <utility>
 
