@@ -1,7 +1,6 @@
 #include "io/beam_queue.h"
 
 #include <algorithm>
-#include <cmath>
 
 BeamQueue::BeamQueue(int rate)
     : m_rate(rate), m_samples(std::size_t{2} * static_cast<std::size_t>(rate)) {}
@@ -23,7 +22,7 @@ void BeamQueue::write(std::span<const float> stereo) {
 }
 
 void BeamQueue::set_level(double level) {
-    m_level = level >= 0.0 ? std::min(level, 1.0) : 0.0;
+    m_level.set(level >= 0.0 ? std::min(level, 1.0) : 0.0);
 }
 
 BeamQueue::Place BeamQueue::next() noexcept {
@@ -55,14 +54,10 @@ BeamQueue::Place BeamQueue::next() noexcept {
 }
 
 void BeamQueue::mix(std::span<float> stereo) noexcept {
-    const double goal = m_level;
-    const std::size_t frames = stereo.size() / 2;
-    for (std::size_t frame = 0; frame < frames; ++frame) {
-        const double part = static_cast<double>(frame) / static_cast<double>(frames);
-        const auto level = static_cast<float>(std::lerp(m_level_now, goal, part));
+    for (std::size_t i = 0; i + 1 < stereo.size(); i += 2) {
         const Place at = next();
-        stereo[2 * frame] = std::clamp(level * at.x, -1.0f, 1.0f);
-        stereo[2 * frame + 1] = std::clamp(level * at.y, -1.0f, 1.0f);
+        stereo[i] = at.x;
+        stereo[i + 1] = at.y;
     }
-    m_level_now = goal;
+    m_level.apply(stereo);
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "io/level_ramp.h"
+
 #include <atomic>
 #include <cstdint>
 #include <span>
@@ -38,12 +40,11 @@ private:
     std::atomic<std::int64_t> m_written = 0;
     std::atomic<std::int64_t> m_start = 0;  // what was written before is not played
     std::atomic<std::int64_t> m_read = 0;
-    std::atomic<double> m_level = 0.5;
+    LevelRamp m_level{0.5, 0.0};
 
     // Of the device's thread.
     Place m_last;              // where the beam is
     Place m_away;              // from where it should be, when it last began anew
     int m_joining = 0;         // frames until it is there
     bool m_has_rested = true;  // nothing waited
-    double m_level_now = 0.0;
 };

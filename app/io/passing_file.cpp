@@ -1,6 +1,9 @@
 #include "io/passing_file.h"
 
+#include <algorithm>
+#include <array>
 #include <atomic>
+#include <csignal>
 #include <unistd.h>
 
 namespace {
@@ -25,24 +28,34 @@ std::size_t take_slot(const char* name) {
     }
     return slot;  // without a free one the file only goes with its owner
 }
+
+bool is_any_left() {
+    return std::any_of(passing_names.begin(), passing_names.end(),
+                       [](const std::atomic<const char*>& name) { return name != nullptr; });
+}
+
+// From one handler to another; one that the program or its parent has chosen stays.
+void replace_handlers(void (*from)(int), void (*to)(int)) {
+    struct sigaction action = {};
+    action.sa_handler = to;
+    for (const int ending : {SIGINT, SIGTERM, SIGHUP}) {
+        struct sigaction present = {};
+        ::sigaction(ending, nullptr, &present);
+        if (present.sa_handler == from)
+            ::sigaction(ending, &action, nullptr);
+    }
+}
 }  // namespace
 
 PassingFile::PassingFile(const std::filesystem::path& file)
     : m_name(file.string()), m_slot(take_slot(m_name.c_str())) {
-    struct sigaction action = {};
-    action.sa_handler = remove_and_end;
-    for (std::size_t i = 0; i < endings.size(); ++i) {
-        ::sigaction(endings[i], nullptr, &m_before[i]);
-        if (m_before[i].sa_handler == SIG_DFL)
-            ::sigaction(endings[i], &action, nullptr);
-    }
+    replace_handlers(SIG_DFL, remove_and_end);
 }
 
 PassingFile::~PassingFile() {
-    for (std::size_t i = 0; i < endings.size(); ++i)
-        if (m_before[i].sa_handler == SIG_DFL)
-            ::sigaction(endings[i], &m_before[i], nullptr);
     if (m_slot < most)
         passing_names[m_slot] = nullptr;
+    if (!is_any_left())  // the next one's handlers are the same
+        replace_handlers(remove_and_end, SIG_DFL);
     ::unlink(m_name.c_str());
 }

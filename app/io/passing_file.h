@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-#include <csignal>
 #include <cstddef>
 #include <filesystem>
 #include <string>
@@ -15,9 +13,6 @@ public:
     PassingFile& operator=(const PassingFile&) = delete;
 
 private:
-    static constexpr std::array<int, 3> endings{SIGINT, SIGTERM, SIGHUP};
-
     std::string m_name;
     std::size_t m_slot;  // where the handler finds the name
-    std::array<struct sigaction, endings.size()> m_before{};
 };

@@ -30,7 +30,8 @@ std::vector<RtAudio::Api> usable_sound_apis() {
     return usable;
 }
 
-unsigned int find_sound_device(RtAudio& audio, const std::string& name, SoundDirection direction) {
+namespace {
+unsigned int find_device(RtAudio& audio, const std::string& name, SoundDirection direction) {
     const bool is_out = direction == SoundDirection::out;
     if (name.empty())
         return is_out ? audio.getDefaultOutputDevice() : audio.getDefaultInputDevice();
@@ -41,6 +42,37 @@ unsigned int find_sound_device(RtAudio& audio, const std::string& name, SoundDir
     }
     throw RtAudioError("'" + name + "' is not there");
 }
+}  // namespace
+
+ChosenSoundDevice choose_sound_device(RtAudio& audio, const SoundSettings& settings,
+                                      SoundDirection direction) {
+    ChosenSoundDevice chosen;
+    const bool is_out = direction == SoundDirection::out;
+    chosen.id = find_device(audio, is_out ? settings.output : settings.input, direction);
+    chosen.info = audio.getDeviceInfo(chosen.id);
+    const unsigned int own =
+        chosen.info.preferredSampleRate > 0 ? chosen.info.preferredSampleRate : 48000;
+    chosen.rate = settings.rate > 0 ? static_cast<unsigned int>(settings.rate) : own;
+    return chosen;
+}
+
+OpenedOutput open_stereo_output(RtAudio& audio, const SoundSettings& settings,
+                                const std::string& name, RtAudioCallback fill, void* self) {
+    const ChosenSoundDevice device = choose_sound_device(audio, settings, SoundDirection::out);
+    RtAudio::StreamParameters parameters;
+    parameters.deviceId = device.id;
+    parameters.nChannels = 2;
+    RtAudio::StreamOptions options;
+    options.streamName = name;
+    options.numberOfBuffers = 4;  // a sound server left to itself holds seconds
+    auto frames = static_cast<unsigned int>(settings.buffer);
+    audio.openStream(&parameters, nullptr, RTAUDIO_FLOAT32, device.rate, &frames, fill, self,
+                     &options, ignore_while_running);
+    const double buffered = static_cast<double>(frames) * options.numberOfBuffers / device.rate;
+    return {device.info.name, device.rate, buffered};
+}
+
+void ignore_while_running(RtAudioError::Type, const std::string&) {}
 
 Result<void> open_first_sound_device(const std::string& what,
                                      const std::function<bool(RtAudio::Api)>& open) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/diagnostic.h"
+#include "model/sound_settings.h"
 
 #include <RtAudio.h>
 
@@ -14,8 +15,31 @@ std::vector<RtAudio::Api> usable_sound_apis();
 
 enum class SoundDirection { out, in };
 
-/// The device of that name, or the default for "". Throws RtAudioError, also when there is none.
-unsigned int find_sound_device(RtAudio& audio, const std::string& name, SoundDirection direction);
+/// A device, and the rate to open it with: its own where the settings name none.
+struct ChosenSoundDevice {
+    unsigned int id = 0;
+    RtAudio::DeviceInfo info;
+    unsigned int rate = 0;  // samples a second
+};
+
+/// The device that the settings name, or the default. Throws RtAudioError, also when there is none.
+ChosenSoundDevice choose_sound_device(RtAudio& audio, const SoundSettings& settings,
+                                      SoundDirection direction);
+
+struct OpenedOutput {
+    std::string device;
+    unsigned int rate = 0;          // samples a second
+    double buffered_seconds = 0.0;  // that it may hold
+};
+
+/// Opens an output of 32-bit stereo, which is not started yet; `fill` gets `self` on the device's
+/// thread. `name` is what a sound server shows. Throws RtAudioError.
+OpenedOutput open_stereo_output(RtAudio& audio, const SoundSettings& settings,
+                                const std::string& name, RtAudioCallback fill, void* self);
+
+/// For openStream: without it RtAudio throws in the device's thread. That a device has failed shows
+/// as it stalling.
+void ignore_while_running(RtAudioError::Type, const std::string&);
 
 /// Calls `open` for each usable API until it gives true. An error is its last reason for not doing
 /// so, `what` being a word for the device.

@@ -19,23 +19,11 @@ public:
 
     /// Throws RtAudioError.
     void start(const SoundSettings& settings) {
-        const unsigned int device =
-            find_sound_device(m_stream, settings.output, SoundDirection::out);
-        const RtAudio::DeviceInfo info = m_stream.getDeviceInfo(device);
-        const unsigned int own = info.preferredSampleRate > 0 ? info.preferredSampleRate : 48000;
-        const unsigned int rate = settings.rate > 0 ? static_cast<unsigned>(settings.rate) : own;
-        RtAudio::StreamParameters parameters;
-        parameters.deviceId = device;
-        parameters.nChannels = 2;
-        RtAudio::StreamOptions options;
-        options.streamName = "Afterglow beam";
-        options.numberOfBuffers = 4;  // a sound server left to itself holds seconds
-        auto frames = static_cast<unsigned int>(settings.buffer);
-        m_name = info.name;
-        m_queue.emplace(static_cast<int>(rate));
+        const OpenedOutput opened =
+            open_stereo_output(m_stream, settings, "Afterglow beam", fill, this);
+        m_name = opened.device;
+        m_queue.emplace(static_cast<int>(opened.rate));
         m_asked = Clock::now();
-        m_stream.openStream(&parameters, nullptr, RTAUDIO_FLOAT32, rate, &frames, fill, this,
-                            &options, error_while_running);
         m_stream.startStream();
     }
 
@@ -54,9 +42,6 @@ private:
         beam.m_asked = Clock::now();
         return 0;
     }
-
-    // Without it RtAudio throws in the device's thread. What fails there shows as has_stalled().
-    static void error_while_running(RtAudioError::Type, const std::string&) {}
 
     std::string m_name;
     std::optional<BeamQueue> m_queue;

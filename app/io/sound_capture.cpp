@@ -18,10 +18,8 @@ public:
 
     /// Throws RtAudioError.
     void start(const SoundSettings& settings, int channels) {
-        const unsigned int device = find_sound_device(m_stream, settings.input, SoundDirection::in);
-        const RtAudio::DeviceInfo info = m_stream.getDeviceInfo(device);
-        const unsigned int own = info.preferredSampleRate > 0 ? info.preferredSampleRate : 48000;
-        const unsigned int rate = settings.rate > 0 ? static_cast<unsigned>(settings.rate) : own;
+        const auto [device, info, rate] =
+            choose_sound_device(m_stream, settings, SoundDirection::in);
         RtAudio::StreamParameters parameters;
         parameters.deviceId = device;
         parameters.nChannels =
@@ -33,7 +31,7 @@ public:
         m_channels = static_cast<int>(parameters.nChannels);
         m_sound = std::make_shared<LiveSound>(static_cast<int>(rate), std::max(m_channels, 2));
         m_stream.openStream(nullptr, &parameters, RTAUDIO_FLOAT32, rate, &frames, take, this,
-                            &options, error_while_running);
+                            &options, ignore_while_running);
         // A trigger looks a little ahead, and two traces take turns of 1/60 s.
         constexpr double looked_ahead = 0.025;
         m_behind = looked_ahead + 2.0 * frames / rate;
@@ -58,9 +56,6 @@ private:
         capture.m_clock.buffer_filled({capture.m_sound->seconds(), 1.0, 0}, Clock::now());
         return 0;
     }
-
-    // Without it RtAudio throws in the device's thread. What fails there shows as has_stalled().
-    static void error_while_running(RtAudioError::Type, const std::string&) {}
 
     std::string m_name;
     int m_channels = 2;

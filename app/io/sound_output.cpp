@@ -18,24 +18,11 @@ public:
 
     /// Throws RtAudioError.
     void start(const SoundSettings& settings) {
-        const unsigned int device =
-            find_sound_device(m_stream, settings.output, SoundDirection::out);
-        const RtAudio::DeviceInfo info = m_stream.getDeviceInfo(device);
-        const unsigned int own = info.preferredSampleRate > 0 ? info.preferredSampleRate : 48000;
-        const unsigned int rate = settings.rate > 0 ? static_cast<unsigned>(settings.rate) : own;
-        RtAudio::StreamParameters parameters;
-        parameters.deviceId = device;
-        parameters.nChannels = 2;
-        RtAudio::StreamOptions options;
-        options.streamName = "Afterglow";
-        options.numberOfBuffers = 4;  // a sound server left to itself holds seconds
-        auto frames = static_cast<unsigned int>(settings.buffer);
-        player.emplace(static_cast<int>(rate));
-        m_stream.openStream(&parameters, nullptr, RTAUDIO_FLOAT32, rate, &frames, fill, this,
-                            &options, error_while_running);
-        m_name = info.name;
-        m_rate = rate;
-        m_buffered_seconds = static_cast<double>(frames) * options.numberOfBuffers / rate;
+        const OpenedOutput opened = open_stereo_output(m_stream, settings, "Afterglow", fill, this);
+        player.emplace(static_cast<int>(opened.rate));
+        m_name = opened.device;
+        m_rate = opened.rate;
+        m_buffered_seconds = opened.buffered_seconds;
         m_stream.startStream();
     }
 
@@ -61,9 +48,6 @@ private:
         device.clock.buffer_filled(mixed, Clock::now());
         return 0;
     }
-
-    // Without it RtAudio throws in the device's thread. What fails there shows as has_stalled().
-    static void error_while_running(RtAudioError::Type, const std::string&) {}
 
     std::string m_name;
     double m_rate = 48000.0;

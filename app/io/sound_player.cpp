@@ -39,7 +39,7 @@ void SoundPlayer::seek(double seconds) {
 }
 
 void SoundPlayer::set_level(double level) {
-    m_level = bounded(level, 0.0, 2.0);
+    m_level.set(bounded(level, 0.0, 2.0));
 }
 
 void SoundPlayer::set_speed(double speed) {
@@ -78,7 +78,7 @@ SoundPlayer::Mixed SoundPlayer::mix(std::span<float> stereo) noexcept {
             add_sound(*track, {step, loops}, stereo);
     }
     m_in_use = nullptr;
-    scale(stereo);
+    m_level.apply(stereo);
     return mixed;
 }
 
@@ -105,16 +105,4 @@ void SoundPlayer::add_sound(const Track& track, const Pace& pace,
         if (pace.loops && place >= length)
             place = std::fmod(place, length);
     }
-}
-
-void SoundPlayer::scale(std::span<float> stereo) noexcept {
-    const double goal = m_level;
-    const std::size_t frames = stereo.size() / 2;
-    for (std::size_t frame = 0; frame < frames; ++frame) {
-        const double part = static_cast<double>(frame) / static_cast<double>(frames);
-        const auto level = static_cast<float>(std::lerp(m_level_now, goal, part));
-        for (float& sample : stereo.subspan(2 * frame, 2))
-            sample = std::clamp(sample * level, -1.0f, 1.0f);
-    }
-    m_level_now = goal;
 }

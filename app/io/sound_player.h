@@ -1,5 +1,6 @@
 #pragma once
 
+#include "io/level_ramp.h"
 #include "model/sound.h"
 
 #include <atomic>
@@ -58,7 +59,6 @@ private:
     const Track* begin_reading() noexcept;
     void follow_seek(const Sound& sound) noexcept;
     void add_sound(const Track& track, const Pace& pace, std::span<float> stereo) noexcept;
-    void scale(std::span<float> stereo) noexcept;
     void drop_unused_tracks();
 
     int m_device_rate;
@@ -68,7 +68,7 @@ private:
 
     std::atomic<bool> m_is_paused = false;
     std::atomic<bool> m_loops = false;
-    std::atomic<double> m_level = 1.0;
+    LevelRamp m_level{1.0, 1.0};
     std::atomic<double> m_speed = 1.0;
     std::atomic<double> m_seek_seconds = 0.0;
     std::atomic<std::uint64_t> m_jump = 0;
@@ -76,5 +76,4 @@ private:
     // Of the device's thread.
     std::uint64_t m_jump_followed = 0;
     double m_position = 0.0;  // samples of the sound
-    double m_level_now = 1.0;
 };

@@ -58,6 +58,8 @@ void Lab::take_pen(bool is_in_hand) {
 }
 
 void Lab::pen_down(const PicturePixel& pixel) {
+    if (!m_document)
+        return;
     const BeamPlacing placing = beam_placing();
     m_board.press(placing.place_of(pixel), placing.pixel_size(), *m_document);
     if (m_board.drawing() && point_count(*m_board.drawing()) + 2 > most_drawing_points)
@@ -65,6 +67,8 @@ void Lab::pen_down(const PicturePixel& pixel) {
 }
 
 void Lab::pen_move(const PicturePixel& pixel) {
+    if (!m_document)
+        return;
     const BeamPlacing placing = beam_placing();
     m_board.move(placing.place_of(pixel), placing.pixel_size(), *m_document);
 }
