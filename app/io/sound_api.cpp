@@ -74,8 +74,8 @@ OpenedOutput open_stereo_output(RtAudio& audio, const SoundSettings& settings,
 
 void ignore_while_running(RtAudioError::Type, const std::string&) {}
 
-Result<void> open_first_sound_device(const std::string& what,
-                                     const std::function<bool(RtAudio::Api)>& open) {
+Result<void> try_sound_apis(const std::string& what,
+                            const std::function<bool(RtAudio::Api)>& open) {
     std::string reason = "no sound " + what + " was found";
     for (const RtAudio::Api api : usable_sound_apis()) {
         try {

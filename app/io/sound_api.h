@@ -6,6 +6,7 @@
 #include <RtAudio.h>
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -37,11 +38,33 @@ struct OpenedOutput {
 OpenedOutput open_stereo_output(RtAudio& audio, const SoundSettings& settings,
                                 const std::string& name, RtAudioCallback fill, void* self);
 
-/// For openStream: without it RtAudio throws in the device's thread. That a device has failed shows
-/// as it stalling.
+/// What a stream's function gives so that it is called no more.
+constexpr int end_of_stream = 2;
+
+/// For openStream: without it RtAudio throws in the device's thread. DeviceWatch sees a
+/// failure.
 void ignore_while_running(RtAudioError::Type, const std::string&);
 
 /// Calls `open` for each usable API until it gives true. An error is its last reason for not doing
 /// so, `what` being a word for the device.
-Result<void> open_first_sound_device(const std::string& what,
-                                     const std::function<bool(RtAudio::Api)>& open);
+Result<void> try_sound_apis(const std::string& what, const std::function<bool(RtAudio::Api)>& open);
+
+/// A Stream of the first API that has a device, started with `arguments`.
+template <typename Stream, typename... Arguments>
+Result<std::unique_ptr<Stream>> open_first_sound_device(const std::string& what,
+                                                        const Arguments&... arguments) {
+    std::unique_ptr<Stream> opened;
+    const auto done = try_sound_apis(what, [&](RtAudio::Api api) {
+        auto stream = std::make_unique<Stream>(api);
+        if (!stream->has_device())
+            return false;
+        stream->start(arguments...);
+        if (!stream->is_running())
+            return false;
+        opened = std::move(stream);
+        return true;
+    });
+    if (!done)
+        return fail(done.error());
+    return opened;
+}

@@ -1,12 +1,13 @@
 #include "io/sound_capture.h"
 
+#include "io/device_watch.h"
 #include "io/sound_api.h"
 #include "io/sound_clock.h"
 
 #include <algorithm>
 
 namespace {
-using Clock = std::chrono::steady_clock;
+using Clock = DeviceWatch::Clock;
 
 /// An open stream of an input device: 32-bit.
 class Capture : public SoundCapture {
@@ -36,13 +37,14 @@ public:
         constexpr double looked_ahead = 0.025;
         m_behind = looked_ahead + 2.0 * frames / rate;
         m_clock.buffer_filled({0.0, 1.0, 0}, Clock::now());
+        m_watch.start(Clock::now());
         m_stream.startStream();
     }
 
     std::string device_name() const override { return m_name; }
     std::shared_ptr<const LiveSound> sound() const override { return m_sound; }
     double position_seconds() override { return m_clock.heard_seconds(Clock::now(), m_behind); }
-    bool has_stalled() const override { return m_clock.seconds_since_buffer(Clock::now()) > 1.0; }
+    bool has_stalled() const override { return m_watch.is_lost(Clock::now()); }
 
 private:
     static int take(void*, void* input, unsigned int frames, double, RtAudioStreamStatus,
@@ -53,8 +55,10 @@ private:
         const std::size_t count =
             std::size_t{frames} * static_cast<std::size_t>(capture.m_channels);
         capture.m_sound->write({static_cast<const float*>(input), count}, capture.m_channels);
-        capture.m_clock.buffer_filled({capture.m_sound->seconds(), 1.0, 0}, Clock::now());
-        return 0;
+        const Clock::time_point now = Clock::now();
+        capture.m_clock.buffer_filled({capture.m_sound->seconds(), 1.0, 0}, now);
+        const double seconds = static_cast<double>(frames) / capture.m_sound->rate();
+        return capture.m_watch.served(seconds, now) ? 0 : end_of_stream;
     }
 
     std::string m_name;
@@ -62,24 +66,15 @@ private:
     double m_behind = 0.0;               // s
     std::shared_ptr<LiveSound> m_sound;  // shared with the signals that draw it
     SoundClock m_clock;
+    DeviceWatch m_watch;
     RtAudio m_stream;  // ends, and with it the thread, before what the thread uses
 };
 }  // namespace
 
 Result<std::unique_ptr<SoundCapture>> open_sound_capture(const SoundSettings& settings,
                                                          int channels) {
-    std::unique_ptr<Capture> opened;
-    const auto done = open_first_sound_device("input", [&](RtAudio::Api api) {
-        auto capture = std::make_unique<Capture>(api);
-        if (!capture->has_device())
-            return false;
-        capture->start(settings, channels);
-        if (!capture->is_running())
-            return false;
-        opened = std::move(capture);
-        return true;
-    });
-    if (!done)
-        return fail(done.error());
-    return opened;
+    auto opened = open_first_sound_device<Capture>("input", settings, channels);
+    if (!opened)
+        return fail(opened.error());
+    return std::move(*opened);
 }

@@ -58,7 +58,3 @@ void SoundClock::follow(double target, double speed, double passed) {
     }
     m_heard = std::max(m_heard, next);
 }
-
-double SoundClock::seconds_since_buffer(Time now) const {
-    return std::chrono::duration<double>(now - latest().time).count();
-}

@@ -19,8 +19,6 @@ public:
     /// Seconds of the sound; never runs back but by a jump. `latency_seconds` passes between
     /// filling a buffer and hearing it.
     double heard_seconds(Time now, double latency_seconds);
-    /// For how long no buffer was asked for.
-    double seconds_since_buffer(Time now) const;
 
 private:
     struct Snapshot {

@@ -3,6 +3,7 @@
 #include "io/sound_api.h"
 #include "io/sound_beam.h"
 #include "io/sound_capture.h"
+#include "io/sound_output.h"
 
 namespace {
 class MachineSoundDevices : public SoundDevices {
@@ -29,7 +30,7 @@ public:
     }
 
     Result<std::unique_ptr<SoundOutput>> open_output(const SoundSettings& settings) override {
-        return SoundOutput::open(settings);
+        return open_sound_output(settings);
     }
 
     Result<std::unique_ptr<BeamOutput>> open_beam_output(const SoundSettings& settings) override {

@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
-/// Plays one sound into buffers for a device: what SoundOutput does, without the device. One thread
-/// controls it and one other calls mix(), which neither waits nor allocates nor frees.
+/// Plays one sound into buffers for a device: what a SoundOutput does, without the device. One
+/// thread controls it and one other calls mix(), which neither waits nor allocates nor frees.
 class SoundPlayer {
 public:
     explicit SoundPlayer(int device_rate) : m_device_rate(device_rate) {}

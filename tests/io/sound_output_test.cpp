@@ -6,7 +6,7 @@
 
 TEST_CASE("opening the sound device gives a device or one plain reason, and nothing on stderr") {
     CapturedErrors errors;
-    const auto output = SoundOutput::open();
+    const auto output = open_sound_output({});
     CHECK(errors.text() == "");
     if (output) {
         CHECK_FALSE((*output)->device_name().empty());

@@ -1,6 +1,6 @@
 #include "lab/player.h"
 
-#include "io/sound_devices.h"
+#include "lab/no_sound_devices.h"
 
 #include <doctest/doctest.h>
 
@@ -240,4 +240,55 @@ TEST_CASE("the input is open only while it is drawn, and not anew when a knob is
     CHECK(live.devices.captures == 1);
     REQUIRE(live.player.set_signal(Spec{"lissajous", {}}).has_value());
     CHECK(live.player.live_device().empty());
+}
+
+namespace {
+/// A loudspeaker in the hands of a test.
+struct Loudspeaker {
+    double position = 0.0;
+    bool has_stalled = false;
+};
+
+class FakeOutput : public SoundOutput {
+public:
+    explicit FakeOutput(Loudspeaker& loudspeaker) : m_loudspeaker(loudspeaker) {}
+
+    std::string device_name() const override { return "Line out"; }
+    void play(std::shared_ptr<const Sound>, double) override {}
+    void play() override {}
+    void pause() override {}
+    void seek(double seconds) override { m_loudspeaker.position = seconds; }
+    void set_loop(bool) override {}
+    void set_level(double) override {}
+    void set_speed(double) override {}
+    double position_seconds() override { return m_loudspeaker.position; }
+    bool has_stalled() const override { return m_loudspeaker.has_stalled; }
+
+private:
+    Loudspeaker& m_loudspeaker;
+};
+
+class OutputDevices : public NoSoundDevices {
+public:
+    explicit OutputDevices(Loudspeaker& loudspeaker) : m_loudspeaker(loudspeaker) {}
+
+    Result<std::unique_ptr<SoundOutput>> open_output(const SoundSettings&) override {
+        return std::make_unique<FakeOutput>(m_loudspeaker);
+    }
+
+private:
+    Loudspeaker& m_loudspeaker;
+};
+}  // namespace
+
+TEST_CASE("a sound that is heard is the clock; when its device goes, it is told and time goes on") {
+    Loudspeaker loudspeaker;
+    Player player(std::make_unique<OutputDevices>(loudspeaker));
+    REQUIRE(player.set_signal(parse_spec("audio:a.wav").value(), second_of_sound()).has_value());
+    loudspeaker.position = 0.02;
+    CHECK(player.advance(0.1)->span.end == doctest::Approx(0.02));
+    CHECK(player.silence().empty());
+    loudspeaker.has_stalled = true;
+    CHECK(player.advance(0.1)->span.end == doctest::Approx(0.12));
+    CHECK(player.silence() == "'Line out' plays no longer; the picture runs without sound");
 }
