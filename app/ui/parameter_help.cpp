@@ -86,6 +86,7 @@ void draw_parameter_help(const Knob& knob, const Fonts& fonts, Edits& edits) {
     if (is_lingered_on() && !ImGui::IsPopupOpen("about")) {
         ImGui::BeginTooltip();
         draw_facts(knob, fonts);
+        edits.mark("help:" + parameter.name);
         ImGui::EndTooltip();
     }
     if (!ImGui::BeginPopup("about"))

@@ -8,11 +8,23 @@
 
 namespace {
 PictureView zoomed(const PictureCanvas& canvas, const PicturePlace& place,
-                   const std::array<double, 2>& pixel, bool is_in) {
+                   const std::array<double, 2>& pixel, int notches) {
     PictureView view = canvas.view;
+    double zoom = place.zoom;
+    for (int i = 0; i < std::abs(notches); ++i)
+        zoom = next_zoom(zoom, notches > 0);
     view.zoom_about(pixel[0] / canvas.picture.width, pixel[1] / canvas.picture.height, place.zoom,
-                    next_zoom(place.zoom, is_in));
+                    zoom);
     return view;
+}
+
+// A quick hand turns several in a frame; a touchpad sends parts of one, which add up.
+int turned_notches() {
+    float& rest = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("wheel"));
+    rest += ImGui::GetIO().MouseWheel;
+    const float whole = std::trunc(rest);
+    rest -= whole;
+    return static_cast<int>(whole);
 }
 
 PictureView panned(const PictureCanvas& canvas, const PicturePlace& place, float density) {
@@ -99,11 +111,10 @@ CanvasInput draw_picture_canvas(const PictureCanvas& canvas, const Scene& scene)
         turn_orbit(canvas, input);
     if (canvas.has_pen)
         read_pen(pixel_at, scene, input);
-    const float wheel = ImGui::GetIO().MouseWheel;
     if (input.turned)
         return input;
-    if (wheel != 0.0f)
-        input.moved = zoomed(canvas, place, pixel, wheel > 0.0f);
+    if (const int notches = turned_notches(); notches != 0)
+        input.moved = zoomed(canvas, place, pixel, notches);
     else if (is_dragged() && !(canvas.has_pen && ImGui::IsMouseDown(ImGuiMouseButton_Left)))
         input.moved = panned(canvas, place, scene.density);
     return input;

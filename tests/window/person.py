@@ -116,6 +116,16 @@ class Person(unittest.TestCase):
     def hover(self, widget):
         self.screen.do("mousemove", *self.program.middle(widget))
 
+    def column_at(self, x, y):
+        """The column of the picture's pixel that is told when the pointer goes there."""
+        self.screen.do("mousemove", x + 1, y)
+        turn = self.program.state()["turn"]
+        self.program.wait("it is drawn there", lambda s: s["turn"] > turn + 1)
+        self.screen.do("mousemove", x, y)
+        turn = self.program.state()["turn"]
+        probe = self.program.wait("its value is told", lambda s: s["turn"] > turn + 2)["probe"]
+        return probe["x"]
+
     def open_by_name(self, file):
         """Types a path into the dialog that opens files."""
         self.program.key("ctrl+o")

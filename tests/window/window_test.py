@@ -60,6 +60,29 @@ class WindowTest(Person):
         program.click("label:decay")
         program.wait("leaving the field takes it too", lambda s: s["values"]["decay"] == [0.25])
 
+    def test_help_shows_while_the_pointer_rests_on_a_parameter(self):
+        program = self.program
+        program.reveal("exposure")
+        self.assertNotIn("help:exposure", program.state()["widgets"])
+        self.hover("label:exposure")
+        program.wait("its help is shown", lambda s: "help:exposure" in s["widgets"])
+        self.snapshot("help")
+        self.hover("picture")
+        program.wait("and goes", lambda s: "help:exposure" not in s["widgets"])
+
+    def test_the_wheel_zooms_about_the_pointer(self):
+        program = self.program
+        program.key("f")
+        x, y = program.middle("picture")
+        left, right = self.column_at(x, y), self.column_at(x + 96, y)
+        self.screen.do("mousemove", x, y, "click", "--repeat", 4, "--delay", 5, 4)
+        program.wait_for("what is beside is further away",
+                         lambda: self.column_at(x + 96, y) - left <= (right - left) / 2)
+        self.assertLessEqual(abs(self.column_at(x, y) - left), 1)
+        self.snapshot("zoomed")
+        program.key("f")
+        program.wait_for("F shows it whole again", lambda: self.column_at(x + 96, y) == right)
+
     def test_time_stops_steps_and_starts_again(self):
         program = self.program
         self.hover("picture")
