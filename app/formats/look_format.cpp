@@ -5,6 +5,7 @@
 #include "glsl/parameters.h"
 #include "model/plan.h"
 
+#include <algorithm>
 #include <map>
 
 namespace fs = std::filesystem;
@@ -53,6 +54,25 @@ Diagnostics check_sizes(const Look& look) {
     return plan ? Diagnostics{} : plan.error();
 }
 
+// The headings that the look names come first; a parameter of another one stays where it was.
+void order_by_groups(Look& look, Diagnostics& warnings) {
+    const auto place = [&](const Parameter& parameter) {
+        const auto found =
+            std::ranges::find(look.groups, heading_of(look, parameter), &Heading::name);
+        return found - look.groups.begin();
+    };
+    for (const Heading& group : look.groups) {
+        const bool is_used = std::ranges::any_of(look.parameters, [&](const Parameter& parameter) {
+            return heading_of(look, parameter) == group.name;
+        });
+        if (!is_used)
+            warnings.push_back({group.declared.file, group.declared.line,
+                                "no parameter is listed under \"" + group.name + '"',
+                                Severity::warning});
+    }
+    std::ranges::stable_sort(look.parameters, {}, place);
+}
+
 Result<Look> read_look(const fs::path& manifest, const fs::path& shared, CheckCache* cache,
                        LoadedLook& loaded) {
     auto look = load_manifest(manifest, loaded.files);
@@ -65,6 +85,7 @@ Result<Look> read_look(const fs::path& manifest, const fs::path& shared, CheckCa
     if (!parameters)
         return fail(std::move(parameters.error()));
     look->parameters = std::move(*parameters);
+    order_by_groups(*look, loaded.warnings);
     problems = check_sizes(*look);
     if (!problems.empty())
         return fail(std::move(problems));

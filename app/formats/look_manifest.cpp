@@ -97,6 +97,15 @@ void read_images(ObjectReader& reader, LookFolder& folder, Look& look) {
             look.images.push_back(std::move(*image));
 }
 
+void read_groups(ObjectReader& reader, Look& look) {
+    const JsonValue* groups = reader.find("groups");
+    if (!groups || !reader.expect(*groups, JsonValue::Kind::array))
+        return;
+    for (const JsonValue& name : groups->children)
+        if (reader.expect(name, JsonValue::Kind::text))
+            look.groups.push_back({name.text, {look.manifest, name.line}});
+}
+
 void read_look(ObjectReader& reader, LookFolder& folder, Look& look) {
     look.name = reader.text("name", look.id);
     look.about = reader.text("about");
@@ -109,6 +118,7 @@ void read_look(ObjectReader& reader, LookFolder& folder, Look& look) {
     look.output = reader.choice("output", encoding_words(), Encoding::display);
     look.settle_frames = reader.whole("settle_frames", 1, 1, most_settle_frames);
     look.has_orbit = reader.boolean("orbit", false);
+    read_groups(reader, look);
     read_images(reader, folder, look);
     read_passes(reader, folder, look);
     reader.refuse_unknown();

@@ -213,12 +213,7 @@ private:
     }
 
     std::string group_of(std::size_t part, const Parameter& parameter) const {
-        std::string group = parameter.group;
-        if (group.empty() && !parameter.bindings.empty())
-            group = label_from_name(
-                m_looks[part]
-                    .passes[static_cast<std::size_t>(parameter.bindings.front().pass)]
-                    .name);
+        const std::string group = heading_of(m_looks[part], parameter);
         if (m_stack.size() < 2)
             return group;
         const std::size_t copy = m_keys[part].find('#');

@@ -1,5 +1,7 @@
 #include "model/look.h"
 
+#include "base/text.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,6 +22,13 @@ const Parameter* find_parameter(const Look& look, std::string_view name) {
     const auto found = std::find_if(look.parameters.begin(), look.parameters.end(),
                                     [&](const Parameter& p) { return p.name == name; });
     return found == look.parameters.end() ? nullptr : &*found;
+}
+
+std::string heading_of(const Look& look, const Parameter& parameter) {
+    if (!parameter.group.empty() || parameter.bindings.empty())
+        return parameter.group;
+    return label_from_name(
+        look.passes[static_cast<std::size_t>(parameter.bindings.front().pass)].name);
 }
 
 std::vector<std::string> parameter_names(const Look& look) {

@@ -104,6 +104,14 @@ struct Image {
     bool operator==(const Image&) const = default;
 };
 
+/// A heading that parameters are listed under.
+struct Heading {
+    std::string name;
+    Location declared;
+
+    bool operator==(const Heading&) const = default;
+};
+
 enum class Driver { signal, picture, nothing };
 
 /// The passes in order, their inputs, images and parameters: all that is needed to draw, in one
@@ -123,7 +131,8 @@ struct Look {
     bool has_orbit = false;
     std::vector<Pass> passes;
     std::vector<Image> images;
-    std::vector<Parameter> parameters;         // in the order of their declaration
+    std::vector<Heading> groups;               // the first ones, in their order
+    std::vector<Parameter> parameters;         // by `groups`, else in the order of declaration
     std::filesystem::path manifest;            // look.json, or the foreign file
     std::vector<std::filesystem::path> files;  // everything that it was read from, for the watcher
     Stack stack;                               // the looks that it is made of
@@ -134,6 +143,8 @@ struct Look {
 /// The place of the pass in Look::passes.
 std::optional<int> find_pass(const Look& look, std::string_view name);
 const Parameter* find_parameter(const Look& look, std::string_view name);
+/// The heading that a parameter is listed under: its group, else the first pass that has it.
+std::string heading_of(const Look& look, const Parameter& parameter);
 std::vector<std::string> parameter_names(const Look& look);
 std::vector<std::string> pass_names(const Look& look);
 

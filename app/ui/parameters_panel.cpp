@@ -17,13 +17,6 @@ struct Group {
     std::vector<const Parameter*> parameters;
 };
 
-std::string group_of(const Look& look, const Parameter& parameter) {
-    if (!parameter.group.empty() || parameter.bindings.empty())
-        return parameter.group;
-    return label_from_name(
-        look.passes[static_cast<std::size_t>(parameter.bindings.front().pass)].name);
-}
-
 bool is_sought(const Parameter& parameter, const std::string& group, const std::string& words) {
     const std::string text = to_lower(parameter.name + ' ' + parameter.label + ' ' + group + ' ' +
                                       parameter.unit + ' ' + parameter.help);
@@ -36,7 +29,7 @@ bool is_sought(const Parameter& parameter, const std::string& group, const std::
 std::vector<Group> groups_to_show(const Document& document, const WindowState& window) {
     std::vector<Group> groups;
     for (const Parameter& parameter : document.look().parameters) {
-        const std::string name = group_of(document.look(), parameter);
+        const std::string name = heading_of(document.look(), parameter);
         if (parameter.is_hidden || !is_sought(parameter, name, window.search) ||
             (window.shows_only_changed && !document.is_changed(parameter)))
             continue;

@@ -143,6 +143,33 @@ TEST_CASE("sizes and repeats that speak of no parameter are told at their pass")
     CHECK(small.errors().starts_with("small/look.json:5: error: "));
 }
 
+TEST_CASE("parameters are listed by the look's own order of headings; one without any is told") {
+    SmallLook small;
+    small.folder.write("small/fill.frag",
+                       "#version 410 core\n"
+                       "uniform float a = 1.0;  // @group \"One\"\n"
+                       "uniform float b = 1.0;  // @group \"Two\"\n"
+                       "uniform float c = 1.0;  // @group \"One\"\n"
+                       "uniform float d = 1.0;\n"
+                       "out vec4 color;\n"
+                       "void main() { color = vec4(a, b, c, d); }\n");
+    const std::string before = R"({ "format": "afterglow-look", "version": 1,)";
+    const std::string after = R"("passes": [{ "name": "last", "fragment": "fill.frag" }] })";
+    const auto names = [&](const std::string& groups) {
+        small.folder.write("small/look.json", before + groups + after);
+        return parameter_names(small.load().look.value());
+    };
+    CHECK(names("") == std::vector<std::string>{"a", "b", "c", "d"});
+    CHECK(names(R"("groups": ["Two"],)") == std::vector<std::string>{"b", "a", "c", "d"});
+    CHECK(names(R"("groups": ["Last", "Two", "One"],)") ==
+          std::vector<std::string>{"d", "b", "a", "c"});
+    small.folder.write("small/look.json", before + "\n\"groups\": [\"Too\"]," + after);
+    const LoadedLook loaded = small.load();
+    REQUIRE(loaded.warnings.size() == 1);
+    CHECK(loaded.warnings[0].line == 2);
+    CHECK(loaded.warnings[0].message == "no parameter is listed under \"Too\"");
+}
+
 TEST_CASE("every look that comes with the program is read without a word") {
     int count = 0;
     for (const auto& entry : fs::directory_iterator(source_tree / "shaders")) {
