@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
 namespace {
 SliderFacts facts_for(const Knob& knob, std::size_t component) {
@@ -27,11 +26,6 @@ SliderFacts facts_for(const Knob& knob, std::size_t component) {
     if (component < parameter.initial.numbers.size())
         facts.initial = parameter.initial.numbers[component];
     return facts;
-}
-
-// Angles are radians in the shader and degrees to a person.
-double shown_factor(const Parameter& parameter) {
-    return parameter.control == Control::angle ? 180.0 / std::numbers::pi : 1.0;
 }
 
 Turned draw_component(const Knob& knob, std::size_t component, Value& value,

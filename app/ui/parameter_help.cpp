@@ -10,6 +10,10 @@
 
 #include <numbers>
 
+double shown_factor(const Parameter& parameter) {
+    return parameter.control == Control::angle ? 180.0 / std::numbers::pi : 1.0;
+}
+
 std::string short_value(const Parameter& parameter, const Value& value) {
     if (!value.path.empty())
         return std::filesystem::path(value.path).filename().string();
@@ -21,7 +25,7 @@ std::string short_value(const Parameter& parameter, const Value& value) {
     if (parameter.type.scalar == Scalar::boolean && value.numbers.size() == 1)
         return value.number() != 0.0 ? "on" : "off";
     if (parameter.control == Control::angle)
-        return short_number(value.number() * 180.0 / std::numbers::pi) + "°";
+        return short_number(value.number() * shown_factor(parameter)) + "°";
     std::string text;
     for (const double number : value.numbers)
         text += (text.empty() ? "" : ", ") + short_number(number);
@@ -45,14 +49,13 @@ std::string range_text(const Parameter& parameter) {
     if (!parameter.items.empty() || parameter.type.scalar == Scalar::boolean ||
         parameter.control == Control::image || parameter.control == Control::sound)
         return {};
-    std::string text = fmt::format("{} to {}", short_number(parameter.range.low),
-                                   short_number(parameter.range.high));
-    if (parameter.scale == Scale::logarithmic)
-        text += ", logarithmic";
+    const double factor = shown_factor(parameter);
+    SliderFacts facts{.low = parameter.range.low * factor,
+                      .high = parameter.range.high * factor,
+                      .unit = parameter.control == Control::angle ? "°" : parameter.unit};
     if (parameter.limit)
-        text += fmt::format("; at most {} to {}", short_number(parameter.limit->low),
-                            short_number(parameter.limit->high));
-    return text;
+        facts.limit = Limit{parameter.limit->low * factor, parameter.limit->high * factor};
+    return range_text(facts) + (parameter.scale == Scale::logarithmic ? " (logarithmic)" : "");
 }
 
 std::string place_text(const Location& place) {

@@ -6,6 +6,9 @@
 /// a way into the shader.
 void draw_parameter_help(const Knob& knob, const Fonts& fonts, Edits& edits);
 
+/// Angles are radians in the shader and degrees to a person.
+double shown_factor(const Parameter& parameter);
+
 /// A value as a person reads it: with its unit, a list's item by its label.
 std::string short_value(const Parameter& parameter, const Value& value);
 
