@@ -55,7 +55,7 @@ std::string range_text(const Parameter& parameter) {
                       .unit = parameter.control == Control::angle ? "°" : parameter.unit};
     if (parameter.limit)
         facts.limit = Limit{parameter.limit->low * factor, parameter.limit->high * factor};
-    return range_text(facts) + (parameter.scale == Scale::logarithmic ? " (logarithmic)" : "");
+    return range_text(facts);
 }
 
 std::string place_text(const Location& place) {
@@ -80,6 +80,7 @@ void draw_facts(const Knob& knob, const Fonts& fonts) {
     fact("value", short_value(parameter, knob.value));
     fact("default", short_value(parameter, parameter.initial));
     fact("range", range_text(parameter));
+    fact("scale", parameter.scale == Scale::logarithmic ? "logarithmic" : "");
     fact("declared", place_text(parameter.declared));
 }
 }  // namespace
