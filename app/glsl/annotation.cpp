@@ -134,6 +134,18 @@ void apply_items(const Site& site) {
                                format_number(initial), count, count - 1));
 }
 
+void apply_parts(const Site& site) {
+    const NumberType& type = site.parameter.type;
+    if (type.columns > 1 || type.rows < 2)
+        return site.error(fmt::format("@parts is for vectors; '{}' is {}", site.parameter.name,
+                                      with_article(glsl_name(type))));
+    if (site.hint.words.size() != static_cast<std::size_t>(type.rows))
+        return site.error(
+            fmt::format("@parts of {} takes {} names", with_article(glsl_name(type)), type.rows));
+    site.parameter.parts = site.hint.words;
+    site.parameter.control = Control::slider;
+}
+
 // @color, @point, @angle: no words, and types that they fit.
 void apply_control(const Site& site, Control control, std::initializer_list<int> rows,
                    std::string_view wanted) {
@@ -198,6 +210,7 @@ constexpr Rule rules[] = {
     {"@point", apply_point},
     {"@angle", apply_angle},
     {"@items", apply_items},
+    {"@parts", apply_parts},
     {"@range", apply_range},
     {"@limit", apply_limit},
     {"@scale", apply_scale},
@@ -221,7 +234,7 @@ void check_together(const Parameter& parameter, const Hints& hints, Diagnostics&
     if (parameter.scale == Scale::logarithmic && parameter.range.low <= 0.0)
         report(scale, "@scale log needs a @range whose low end is above 0", errors);
     int controls = 0;
-    for (const std::string_view key : {"@color", "@point", "@angle", "@items"})
+    for (const std::string_view key : {"@color", "@point", "@angle", "@items", "@parts"})
         if (const Hint* hint = find_hint(hints, key); hint && ++controls > 1)
             report(hint, hint->key + " does not go with another kind of control", errors);
     if (!parameter.limit)

@@ -10,9 +10,9 @@
 
 namespace {
 const std::vector<std::string>& known_keys() {
-    static const std::vector<std::string> keys{"@range",    "@limit", "@scale",  "@label", "@unit",
-                                               "@group",    "@help",  "@items",  "@color", "@point",
-                                               "@identity", "@was",   "@hidden", "@angle"};
+    static const std::vector<std::string> keys{
+        "@range", "@limit", "@scale",    "@label", "@unit",   "@group", "@help", "@items",
+        "@color", "@point", "@identity", "@was",   "@hidden", "@angle", "@parts"};
     return keys;
 }
 

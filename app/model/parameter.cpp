@@ -43,6 +43,13 @@ std::string type_name(const Parameter& parameter) {
     return glsl_name(parameter.type);
 }
 
+std::string part_label(const Parameter& parameter, std::size_t component) {
+    constexpr const char* axes[] = {"x", "y", "z", "w"};
+    if (component < parameter.parts.size())
+        return parameter.parts[component];
+    return component < std::size(axes) ? axes[component] : std::to_string(component + 1);
+}
+
 namespace {
 double clamped_number(const Parameter& parameter, double number) {
     if (!std::isfinite(number))

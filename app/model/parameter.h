@@ -77,8 +77,9 @@ struct Parameter {
     std::optional<Limit> limit;
     Scale scale = Scale::linear;
     std::vector<Item> items;
-    std::optional<Value> identity;  // the value that does nothing
-    std::string was;                // a former name, "" when there is none
+    std::vector<std::string> parts;  // what a vector's components are called; empty: x, y, z, w
+    std::optional<Value> identity;   // the value that does nothing
+    std::string was;                 // a former name, "" when there is none
     bool is_hidden = false;
     OrbitPart orbit = OrbitPart::none;  // its number becomes a part of a matrix
     std::vector<Binding> bindings;
@@ -90,6 +91,9 @@ struct Parameter {
 /// "float", "vec3", "color", "point", "list", "event", "image", "sound": the type as `describe`
 /// says it.
 std::string type_name(const Parameter& parameter);
+
+/// What a component of a vector is called: "Red", or "x".
+std::string part_label(const Parameter& parameter, std::size_t component);
 
 /// The nearest value that the parameter allows: within its limit, of its size, whole where it
 /// counts.

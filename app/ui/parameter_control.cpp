@@ -5,6 +5,7 @@
 #include "ui/parameter_help.h"
 #include "ui/point_pad.h"
 #include "ui/scoped.h"
+#include "ui/widgets.h"
 
 #include <fmt/format.h>
 
@@ -49,11 +50,25 @@ Turned draw_component(const Knob& knob, std::size_t component, Value& value,
     return turned;
 }
 
-Turned draw_sliders(const Knob& knob, Value& value, const FormColumns& columns, const Fonts& fonts,
-                    Edits& edits) {
+// A vector's components each have a line of their own, under that of the label.
+bool has_parts(const Parameter& parameter) {
+    return parameter.control == Control::slider && parameter.type.scalar != Scalar::boolean &&
+           parameter.type.rows > 1 && parameter.type.columns == 1;
+}
+
+Turned draw_parts(const Knob& knob, Value& value, const FormColumns& columns, const Fonts& fonts,
+                  Edits& edits) {
     Turned turned;
-    for (std::size_t i = 0; i < value.numbers.size(); ++i)
+    const float indent = ImGui::GetFontSize() * 0.95f;  // as far as a heading's words
+    FormColumns indented = columns;
+    indented.label -= indent;
+    for (std::size_t i = 0; i < value.numbers.size(); ++i) {
+        const ScopedId id(std::to_string(i));
+        ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMin().x + indent);
+        form_label(part_label(knob.parameter, i), {}, indented, false);
+        form_control(columns);
         turned |= draw_component(knob, i, value, columns, fonts, edits);
+    }
     return turned;
 }
 
@@ -61,7 +76,7 @@ bool is_check_box(const Parameter& parameter) {
     return parameter.control == Control::slider && parameter.type == NumberType{Scalar::boolean};
 }
 
-Turned draw_check_boxes(Value& value) {
+Turned draw_check_boxes(const Parameter& parameter, Value& value) {
     Turned turned;
     for (std::size_t i = 0; i < value.numbers.size(); ++i) {
         bool is_on = value.numbers[i] != 0.0;
@@ -71,6 +86,8 @@ Turned draw_check_boxes(Value& value) {
             value.numbers[i] = is_on ? 1.0 : 0.0;
             turned = {true, true};
         }
+        if (value.numbers.size() > 1)
+            tooltip(part_label(parameter, i));
     }
     return turned;
 }
@@ -148,8 +165,17 @@ Turned draw_control(const Knob& knob, Value& value, const FormColumns& columns, 
     if (parameter.type.columns > 1)
         return draw_matrix(knob, value, columns, fonts);
     if (parameter.type.scalar == Scalar::boolean)
-        return draw_check_boxes(value);
-    return draw_sliders(knob, value, columns, fonts, edits);
+        return draw_check_boxes(parameter, value);
+    return draw_component(knob, 0, value, columns, fonts, edits);
+}
+
+void draw_reset(const Knob& knob, const FormColumns& columns, Edits& edits) {
+    const Parameter& parameter = knob.parameter;
+    if (form_reset("Back to " + short_value(parameter, parameter.initial), knob.is_changed,
+                   columns))
+        reset_parameter(parameter.name, edits);
+    if (knob.is_changed)
+        edits.mark("reset:" + parameter.name);
 }
 }  // namespace
 
@@ -162,18 +188,20 @@ void draw_parameter(const Knob& knob, const Fonts& fonts, Edits& edits) {
     edits.mark("label:" + parameter.name);
     draw_parameter_help(knob, fonts, edits);
     Value value = knob.value;
-    form_control(columns);
+    const bool is_vector = has_parts(parameter);
+    if (is_vector)
+        draw_reset(knob, columns, edits);
+    else
+        form_control(columns);
     ImGui::BeginGroup();
-    const Turned turned = draw_control(knob, value, columns, fonts, edits);
+    const Turned turned = is_vector ? draw_parts(knob, value, columns, fonts, edits)
+                                    : draw_control(knob, value, columns, fonts, edits);
     ImGui::EndGroup();
     edits.mark("parameter:" + parameter.name);
     if (turned.is_changed)
         edits.set(parameter.name, value);
     if (turned.is_finished)
         edits.finish();
-    if (form_reset("Back to " + short_value(parameter, parameter.initial), knob.is_changed,
-                   columns))
-        reset_parameter(parameter.name, edits);
-    if (knob.is_changed)
-        edits.mark("reset:" + parameter.name);
+    if (!is_vector)
+        draw_reset(knob, columns, edits);
 }

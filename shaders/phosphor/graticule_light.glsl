@@ -5,7 +5,7 @@
 
 uniform float graticule = 0.15;  // @range 0 1  @limit 0 1  @label "Graticule"  @group "Graticule"  @identity 0
                                  // @help "How strongly the measuring lines show."
-uniform ivec2 graticule_divisions = ivec2(10, 10);  // @range 1 20 1  @limit 1 100  @label "Divisions"  @group "Graticule"
+uniform ivec2 graticule_divisions = ivec2(10, 10);  // @range 1 20 1  @limit 1 100  @label "Divisions"  @parts "Across" "Up"  @group "Graticule"
                                                     // @help "How many boxes the lines make, across and up. Most scopes have 10 by 8."
 uniform int graticule_lines = 0;  // @items "Lit" "Dark"  @label "Lines"  @group "Graticule"
                                   // @help "Lit lines are engraved in the glass and shine in the light of small lamps at its edge. Dark lines are printed inside the tube and hide the trace behind them."

@@ -71,6 +71,17 @@ TEST_CASE("hints choose the control") {
     CHECK(list.range == Range{0.0, 2.0, 1.0});
 }
 
+TEST_CASE("a vector's components have names: the author's, or those of axes") {
+    const Parameter fade = parameter_of(
+        "uniform vec3 fade_color = vec3(1.0);  // @range 0 4  @parts \"Red\" \"Green\" \"Blue\"");
+    CHECK(fade.control == Control::slider);  // though its name is a colour's
+    CHECK(part_label(fade, 0) == "Red");
+    CHECK(part_label(fade, 2) == "Blue");
+    const Parameter offset = parameter_of("uniform vec4 shift;");
+    CHECK(part_label(offset, 1) == "y");
+    CHECK(part_label(offset, 3) == "w");
+}
+
 TEST_CASE("a block comment and prose before the first hint are fine") {
     CHECK(parameter_of("uniform float a; /* how bright\n * @range 1 2\n * @unit px */").range ==
           Range{1.0, 2.0, 0.0});
@@ -160,6 +171,10 @@ TEST_CASE("every mistake in an annotation is told on its own line") {
     error("float a; // @was a", "@was names the uniform itself");
     error("float a; // @hidden yes", "@hidden takes no words");
     error("float a; // @angle @items A B", "@items does not go with another kind of control");
+    error("float a; // @parts A", "@parts is for vectors; 'a' is a float");
+    error("mat2 a; // @parts A B", "@parts is for vectors; 'a' is a mat2");
+    error("ivec2 a; // @parts A", "@parts of an ivec2 takes 2 names");
+    error("vec3 a; // @color @parts A B C", "@parts does not go with another kind of control");
     error("sampler2D a; // @range 0 1", "@range is for numbers; 'a' is a sampler");
 }
 
