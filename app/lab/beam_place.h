@@ -5,17 +5,32 @@
 #include "signals/drawing.h"
 
 #include <array>
+#include <vector>
 
 /// A pixel of the picture, from its top left corner.
 using PicturePixel = std::array<double, 2>;
 
+/// How glass bends what is behind it. Places are -1..1 in x and y.
+struct GlassCurve {
+    enum class Kind {
+        crossed,  // barrel() of include/glass.glsl: each axis grows with the other
+        radial    // barrel_radial() of include/barrel.glsl
+    };
+    Kind kind = Kind::crossed;
+    double amount = 0.0;
+
+    /// The place behind the glass that shows at `place`, and where one shows.
+    BeamPlace behind(const BeamPlace& place) const;
+    BeamPlace shown(const BeamPlace& place) const;
+};
+
 /// How the beam's places lie in a look's picture, so that a person can point at one. A look says it
 /// by three parameters, which need not be there: `fit` (its item "Keep circles round": both axes at
 /// the scale of the shorter one), `screen_size` (how much of the picture -1..1 takes) and
-/// `curvature` (of include/glass.glsl's barrel).
+/// `curvature` (of one of the curves above). In a stack the look that the signal drives says where
+/// the beam is, and every look after it that has a `curvature` bends its picture.
 class BeamPlacing {
 public:
-    /// Of the look that the signal drives: in a stack the first.
     BeamPlacing(const Look& look, const Values& values, Extent picture);
 
     /// The place at which a beam shows in this pixel.
@@ -27,5 +42,5 @@ public:
 private:
     Extent m_picture;
     std::array<double, 2> m_size{1.0, 1.0};  // of -1..1, as shares of the picture
-    double m_curvature = 0.0;
+    std::vector<GlassCurve> m_glasses;       // from the beam to the eye
 };

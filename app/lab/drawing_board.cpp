@@ -6,6 +6,8 @@
 
 namespace {
 constexpr const char* stroke_step = "Stroke";
+constexpr const char* move_point_step = "Move point";
+constexpr const char* move_stroke_step = "Move stroke";
 constexpr double reach_px = 8.0;    // a hand does not point more exactly
 constexpr double tremble_px = 3.0;  // within it two clicks are at one place
 
@@ -17,8 +19,12 @@ std::string strokes_of(const Spec& signal) {
     return text ? *text : std::string();
 }
 
-bool is_stroke_open(const Document& document) {
-    return document.history().is_in_gesture() && document.history().undo_name() == stroke_step;
+bool is_under_way(const Document& document, std::string_view step) {
+    return document.history().is_in_gesture() && document.history().undo_name() == step;
+}
+
+std::string move_step(const StrokeGrip& grip) {
+    return grip.point ? move_point_step : move_stroke_step;
 }
 }  // namespace
 
@@ -26,18 +32,18 @@ std::size_t DrawingBoard::keyframe() const {
     return m_drawing ? std::min(m_keyframe, m_drawing->keyframes.size() - 1) : 0;
 }
 
-std::optional<std::size_t> DrawingBoard::stroke_at(const BeamPlace& place, double pixel) const {
-    std::optional<std::size_t> found;
+std::optional<StrokeGrip> DrawingBoard::grip_at(const BeamPlace& place, double pixel) const {
+    if (m_drag)
+        return m_drag->grip;
     if (!m_drawing)
-        return found;
-    const Keyframe& strokes = m_drawing->keyframes[keyframe()];
-    double nearest = reach_px * pixel;
-    for (std::size_t i = 0; i < strokes.size(); ++i)
-        if (const double away = distance_to_line(place, line_of(strokes[i])); away <= nearest) {
-            nearest = away;
-            found = i;
-        }
-    return found;
+        return std::nullopt;
+    return grip_near(m_drawing->keyframes[keyframe()], place, reach_px * pixel);
+}
+
+std::optional<std::size_t> DrawingBoard::stroke_at(const BeamPlace& place, double pixel) const {
+    if (!m_drawing)
+        return std::nullopt;
+    return stroke_near(m_drawing->keyframes[keyframe()], place, reach_px * pixel);
 }
 
 Spec DrawingBoard::shown(const Spec& signal) const {
@@ -54,14 +60,20 @@ void DrawingBoard::follow(const Document& document) {
     const bool is_driven = document.look().driven_by == Driver::signal;
     const std::string text = is_driven ? strokes_of(document.state().signal) : std::string();
     if (text != m_text) {
+        if (m_drag && !m_drag->has_moved)
+            m_drag.reset();  // what it holds may be gone
         m_text = text;
         m_drawing.reset();
         if (auto drawing = text.empty() ? Result<Drawing>(Drawing{}) : parse_drawing(text);
             drawing && !drawing->keyframes.empty())
             m_drawing = std::move(*drawing);
     }
-    if (!m_drawing || (m_is_line_shown && !is_stroke_open(document)))
-        m_line.reset();  // it was undone, or something else was done meanwhile
+    // It was undone, or something else was done meanwhile.
+    if (!m_drawing || (m_is_line_shown && !is_under_way(document, stroke_step)))
+        m_line.reset();
+    if (!m_drawing ||
+        (m_drag && m_drag->has_moved && !is_under_way(document, move_step(m_drag->grip))))
+        m_drag.reset();
     m_is_line_shown = m_is_line_shown && m_line;
 }
 
@@ -108,6 +120,11 @@ void DrawingBoard::press(const BeamPlace& place, double pixel, Document& documen
         case PenTool::points:
             click(place, pixel, document);
             return;
+        case PenTool::edit:
+            end_line(document);
+            if (const auto grip = grip_at(place, pixel))
+                m_drag = Drag{*grip, place, m_drawing->keyframes[keyframe()]};
+            return;
         case PenTool::erase:
             erase(place, pixel, document);
             return;
@@ -116,13 +133,28 @@ void DrawingBoard::press(const BeamPlace& place, double pixel, Document& documen
 
 void DrawingBoard::move(const BeamPlace& place, double pixel, Document& document) {
     follow(document);
+    if (m_drag)
+        drag(place, pixel, document);
     if (m_pen.tool == PenTool::freehand && m_line &&
         distance(place, m_line->points.back()) >= pixel)
         add_point(place, document);
 }
 
+// A click that trembles moves nothing.
+void DrawingBoard::drag(const BeamPlace& place, double pixel, Document& document) {
+    if (!m_drag->has_moved && distance(place, m_drag->from) < tremble_px * pixel)
+        return;
+    m_drag->has_moved = true;
+    Drawing drawing = *m_drawing;
+    drawing.keyframes[keyframe()] = with_moved(
+        m_drag->before, m_drag->grip, {place[0] - m_drag->from[0], place[1] - m_drag->from[1]});
+    set(drawing, move_step(m_drag->grip), document, true);
+}
+
 void DrawingBoard::release(double pixel, Document& document) {
     follow(document);
+    if (m_drag)
+        end_line(document);
     if (m_pen.tool != PenTool::freehand || !m_line)
         return;
     // A hand's line comes in steps of whole pixels.
@@ -130,6 +162,22 @@ void DrawingBoard::release(double pixel, Document& document) {
     if (m_is_line_shown)
         show_line(document);
     end_line(document);
+}
+
+void DrawingBoard::press_other(const BeamPlace& place, double pixel, Document& document) {
+    follow(document);
+    const bool was_under_way = m_line || m_drag;
+    end_line(document);
+    if (was_under_way || !has_pen() || m_pen.tool != PenTool::edit)
+        return;
+    const auto grip = grip_at(place, pixel);
+    if (!grip || !grip->point)
+        return;
+    Drawing drawing = *m_drawing;
+    Keyframe& strokes = drawing.keyframes[keyframe()];
+    const std::size_t count = strokes.size();
+    strokes = without_point(std::move(strokes), *grip);
+    set(drawing, strokes.size() < count ? "Delete stroke" : "Delete point", document);
 }
 
 void DrawingBoard::click(const BeamPlace& place, double pixel, Document& document) {
@@ -178,9 +226,13 @@ void DrawingBoard::show_line(Document& document) {
 }
 
 void DrawingBoard::end_line(Document& document) {
-    if (m_is_line_shown && is_stroke_open(document))
+    const bool is_line = m_is_line_shown && is_under_way(document, stroke_step);
+    const bool is_drag =
+        m_drag && m_drag->has_moved && is_under_way(document, move_step(m_drag->grip));
+    if (is_line || is_drag)
         document.finish();
     m_line.reset();
+    m_drag.reset();
     m_is_line_shown = false;
 }
 

@@ -1,12 +1,12 @@
 #pragma once
 
 #include "lab/document.h"
-#include "signals/drawing.h"
+#include "lab/stroke_grip.h"
 
 #include <optional>
 
 /// What the left button does on the picture while the pen is in the hand.
-enum class PenTool { freehand, points, erase };
+enum class PenTool { freehand, points, edit, erase };
 
 struct Pen {
     bool is_in_hand = false;
@@ -28,7 +28,10 @@ public:
     std::size_t keyframe() const;
     /// The points that were clicked so far; null when no line is under way.
     const Stroke* open_line() const { return m_line ? &*m_line : nullptr; }
-    /// The stroke of the keyframe that a hand points at, where a pixel covers `pixel`.
+    /// What a hand at this place would take hold of to move it, or has hold of; `pixel` is how much
+    /// one pixel covers there.
+    std::optional<StrokeGrip> grip_at(const BeamPlace& place, double pixel) const;
+    /// The stroke of the keyframe that a hand points at.
     std::optional<std::size_t> stroke_at(const BeamPlace& place, double pixel) const;
     /// The signal as it is to be seen: while the pen is in the hand its keyframe stands still.
     Spec shown(const Spec& signal) const;
@@ -42,7 +45,9 @@ public:
     void press(const BeamPlace& place, double pixel, Document& document);
     void move(const BeamPlace& place, double pixel, Document& document);
     void release(double pixel, Document& document);
-    /// The line that is under way is done: with Escape, Enter, or the other button.
+    /// The other button: ends the line that is under way, or deletes the point that it is on.
+    void press_other(const BeamPlace& place, double pixel, Document& document);
+    /// What is under way is done: with Escape or Enter.
     void end_line(Document& document);
 
     void add_keyframe(Document& document);  // empty, behind the chosen one, and chosen
@@ -62,6 +67,15 @@ private:
     void erase(const BeamPlace& place, double pixel, Document& document);
     void add_point(const BeamPlace& place, Document& document);
     void show_line(Document& document);
+    void drag(const BeamPlace& place, double pixel, Document& document);
+
+    /// What is being moved, as it was when the hand took hold of it.
+    struct Drag {
+        StrokeGrip grip;
+        BeamPlace from;
+        Keyframe before;
+        bool has_moved = false;
+    };
 
     Pen m_pen;
     std::size_t m_keyframe = 0;
@@ -69,4 +83,5 @@ private:
     std::optional<Drawing> m_drawing;
     std::optional<Stroke> m_line;
     bool m_is_line_shown = false;  // it is the last stroke of the document
+    std::optional<Drag> m_drag;
 };

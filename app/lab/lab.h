@@ -103,6 +103,7 @@ public:
     void pen_down(const PicturePixel& pixel);
     void pen_move(const PicturePixel& pixel);
     void pen_up();
+    void other_button(const PicturePixel& pixel);  // ends a line, or deletes a point
     void draw(const std::function<void(DrawingBoard&, Document&)>& change);
     /// An SVG becomes the drawing; one with too many points for a hand plays from its file.
     void load_drawing(const std::filesystem::path& file);

@@ -78,6 +78,13 @@ void Lab::pen_up() {
         m_board.release(beam_placing().pixel_size(), *m_document);
 }
 
+void Lab::other_button(const PicturePixel& pixel) {
+    if (!m_document)
+        return;
+    const BeamPlacing placing = beam_placing();
+    m_board.press_other(placing.place_of(pixel), placing.pixel_size(), *m_document);
+}
+
 void Lab::load_drawing(const fs::path& file) {
     if (!m_document)
         return;

@@ -20,8 +20,8 @@ public:
                                                 theme::packed(color), 0, width * m_scale);
     }
 
-    void draw_dot(const BeamPlace& place, const theme::Color& color) const {
-        ImGui::GetWindowDrawList()->AddCircleFilled(at(place), 2.5f * m_scale,
+    void draw_dot(const BeamPlace& place, const theme::Color& color, float radius = 2.5f) const {
+        ImGui::GetWindowDrawList()->AddCircleFilled(at(place), radius * m_scale,
                                                     theme::packed(color));
     }
 
@@ -40,6 +40,21 @@ void draw_open_line(const Stroke& line, const CanvasInput& input, const Overlay&
         overlay.draw({line.points.back(), overlay.placing().place_of(*input.hovered)},
                      theme::accent, 1.0f);
 }
+
+// Every point that can be taken hold of, and what the hand would take, or has.
+void draw_grips(const DrawingBoard& board, const CanvasInput& input, const Overlay& overlay) {
+    const Keyframe& strokes = board.drawing()->keyframes[board.keyframe()];
+    const auto grip = input.hovered ? board.grip_at(overlay.placing().place_of(*input.hovered),
+                                                    overlay.placing().pixel_size())
+                                    : std::nullopt;
+    if (grip && !grip->point)
+        overlay.draw(line_of(strokes[grip->stroke]), theme::accent, 2.0f);
+    for (const Stroke& stroke : strokes)
+        for (const BeamPlace& point : stroke.points)
+            overlay.draw_dot(point, theme::label);
+    if (grip && grip->point)
+        overlay.draw_dot(strokes[grip->stroke].points[*grip->point], theme::accent, 5.0f);
+}
 }  // namespace
 
 void draw_drawing_overlay(const Scene& scene, const CanvasInput& input,
@@ -55,6 +70,8 @@ void draw_drawing_overlay(const Scene& scene, const CanvasInput& input,
             overlay.draw(line_of(stroke), before, 1.0f);
     if (const Stroke* line = board.open_line(); line && board.pen().tool == PenTool::points)
         draw_open_line(*line, input, overlay);
+    if (board.pen().tool == PenTool::edit)
+        draw_grips(board, input, overlay);
     if (board.pen().tool != PenTool::erase || !input.hovered)
         return;
     if (const auto stroke = board.stroke_at(overlay.placing().place_of(*input.hovered),

@@ -35,6 +35,8 @@ const char* help_of(PenTool tool, bool is_line_open) {
         case PenTool::points:
             return is_line_open ? "Esc ends it, the first point closes it."
                                 : "Click from point to point on the picture.";
+        case PenTool::edit:
+            return "Drag a point, or a line to move all of it. The right button deletes a point.";
         case PenTool::erase:
             return "Click a stroke to delete it.";
     }
@@ -42,14 +44,14 @@ const char* help_of(PenTool tool, bool is_line_open) {
 }
 
 void draw_tools(const DrawingBoard& board, Edits& edits) {
-    constexpr std::array tools{"Freehand", "Points", "Erase"};
+    constexpr std::array tools{"Freehand", "Points", "Edit", "Erase"};
     Pen pen = board.pen();
     const int tool = choice("pen_tool", tools.data(), static_cast<int>(tools.size()),
                             static_cast<int>(pen.tool), edits);
     pen.tool = static_cast<PenTool>(tool);
     {
         constexpr std::array lines{"Smooth", "Straight"};
-        const ScopedDisabled idle(pen.tool == PenTool::erase);
+        const ScopedDisabled idle(pen.tool == PenTool::edit || pen.tool == PenTool::erase);
         pen.is_smooth = choice("pen_line", lines.data(), static_cast<int>(lines.size()),
                                pen.is_smooth ? 0 : 1, edits) == 0;
     }

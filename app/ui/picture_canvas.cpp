@@ -76,7 +76,8 @@ void read_pen(const std::function<std::array<double, 2>(float, float)>& pixel_at
     else if (ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left))
         for (const gpu::PointerEvent& place : scene.pointer_path)
             input.pen_path.push_back(pixel_at(place.x, place.y));
-    input.is_line_ended = ImGui::IsItemHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Right);
+    if (ImGui::IsItemHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Right))
+        input.other_button = pixel_at(mouse.x, mouse.y);
 }
 }  // namespace
 

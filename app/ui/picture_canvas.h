@@ -20,7 +20,7 @@ struct PictureCanvas {
     PictureView view;
     ImVec2 size;  // of the view, coordinates of the window
     bool has_orbit = false;
-    bool has_pen = false;  // the left button draws, the right one ends a line
+    bool has_pen = false;  // the left button draws, the right one is handed on
 };
 
 /// What a person did to it.
@@ -32,7 +32,7 @@ struct CanvasInput {
     std::optional<std::array<double, 2>> pen_down;  // pixels, as hovered
     std::vector<std::array<double, 2>> pen_path;    // while the left button is held
     bool is_pen_up = false;
-    bool is_line_ended = false;
+    std::optional<std::array<double, 2>> other_button;  // pressed at this pixel
 };
 
 /// Draws it at the cursor. The picture is zoomed about the pointer.

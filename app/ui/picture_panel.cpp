@@ -40,8 +40,8 @@ void follow_pen(const CanvasInput& input, Edits& edits) {
         edits.add([pixel](Lab& lab) { lab.pen_move(pixel); });
     if (input.is_pen_up)
         edits.add([](Lab& lab) { lab.pen_up(); });
-    if (input.is_line_ended)
-        edits.end_line();
+    if (input.other_button)
+        edits.add([pixel = *input.other_button](Lab& lab) { lab.other_button(pixel); });
 }
 
 // Says that this is not the picture, and how to get it back.

@@ -127,6 +127,92 @@ TEST_CASE("a stroke is deleted by pointing at it") {
     CHECK(desk.document.history().undo_name() == "Delete stroke");
 }
 
+TEST_CASE("a point of a finished stroke is dragged in one step of undo, the others stay") {
+    Desk desk(PenTool::points);
+    for (const BeamPlace place : {BeamPlace{-0.5, 0.0}, {0.0, 0.5}, {0.5, 0.0}})
+        desk.click(place[0], place[1]);
+    desk.board.set_pen({true, PenTool::edit, false}, desk.document);
+    CHECK(desk.board.grip_at({0.05, 0.45}, pixel) == StrokeGrip{0, 1});
+    desk.pull({0.05, 0.45}, {0.15, -0.35});  // it follows the hand, and does not jump to it
+    CHECK(desk.strokes() == "[L-0.5 0 0.1 -0.3 0.5 0]");
+    CHECK(desk.document.history().undo_name() == "Move point");
+    CHECK_FALSE(desk.document.history().is_in_gesture());
+    desk.pull({0.1, -0.3}, {0.2, -0.3});  // the same once more is a step of its own
+    CHECK(desk.strokes() == "[L-0.5 0 0.2 -0.3 0.5 0]");
+    desk.undo();
+    CHECK(desk.strokes() == "[L-0.5 0 0.1 -0.3 0.5 0]");
+    desk.undo();
+    CHECK(desk.strokes() == "[L-0.5 0 0 0.5 0.5 0]");
+    CHECK(desk.document.history().undo_name() == "Stroke");
+    desk.document.redo();
+    desk.board.follow(desk.document);
+    CHECK(desk.strokes() == "[L-0.5 0 0.1 -0.3 0.5 0]");
+}
+
+TEST_CASE("a click that trembles on a point is no step, and what lies nowhere near is not moved") {
+    Desk desk;
+    desk.pull({-0.5, 0.0}, {0.5, 0.0});
+    desk.board.set_pen({true, PenTool::edit, false}, desk.document);
+    desk.pull({-0.5, 0.0}, {-0.48, 0.01});
+    desk.pull({0.0, 0.3}, {0.2, 0.3});
+    CHECK(desk.strokes() == "[L-0.5 0 0.5 0]");
+    CHECK(desk.document.history().undo_name() == "Stroke");
+}
+
+TEST_CASE("a line is dragged as a whole where no point is near") {
+    Desk desk;
+    desk.pull({-0.5, 0.5}, {0.5, 0.5});
+    desk.pull({-0.5, 0.0}, {0.5, 0.0});
+    desk.board.set_pen({true, PenTool::edit, false}, desk.document);
+    CHECK(desk.board.grip_at({0.1, 0.05}, pixel) == StrokeGrip{1, std::nullopt});
+    desk.pull({0.0, 0.0}, {0.25, -0.5});
+    CHECK(desk.strokes() == "[L-0.5 0.5 0.5 0.5;L-0.25 -0.5 0.75 -0.5]");
+    CHECK(desk.document.history().undo_name() == "Move stroke");
+    desk.undo();
+    CHECK(desk.strokes() == "[L-0.5 0.5 0.5 0.5;L-0.5 0 0.5 0]");
+}
+
+TEST_CASE("undo in the middle of a drag lets go of the point") {
+    Desk desk;
+    desk.pull({-0.5, 0.0}, {0.5, 0.0});
+    desk.board.set_pen({true, PenTool::edit, false}, desk.document);
+    desk.board.press({0.5, 0.0}, pixel, desk.document);
+    desk.board.move({0.5, 0.4}, pixel, desk.document);
+    CHECK(desk.strokes() == "[L-0.5 0 0.5 0.4]");
+    desk.undo();
+    desk.board.move({0.5, 0.5}, pixel, desk.document);
+    desk.board.release(pixel, desk.document);
+    CHECK(desk.strokes() == "[L-0.5 0 0.5 0]");
+    desk.board.press({0.5, 0.0}, pixel, desk.document);
+    desk.undo();  // the stroke itself, before the hand has moved
+    desk.board.move({0.5, 0.5}, pixel, desk.document);
+    desk.board.release(pixel, desk.document);
+    CHECK(desk.strokes() == "[]");
+}
+
+TEST_CASE("the other button deletes a point; of two points the stroke goes with it") {
+    Desk desk(PenTool::points);
+    for (const BeamPlace place : {BeamPlace{-0.5, 0.0}, {0.0, 0.5}, {0.5, 0.0}, {-0.5, 0.0}})
+        desk.click(place[0], place[1]);
+    CHECK(desk.strokes() == "[L-0.5 0 0 0.5 0.5 0z]");
+    const auto other_button = [&](const BeamPlace& place) {
+        desk.board.press_other(place, pixel, desk.document);
+    };
+    other_button({0.0, 0.5});  // with another tool it deletes nothing
+    desk.board.set_pen({true, PenTool::edit, false}, desk.document);
+    other_button({0.25, 0.25});  // nor on a line
+    CHECK(desk.strokes() == "[L-0.5 0 0 0.5 0.5 0z]");
+    other_button({0.0, 0.5});
+    CHECK(desk.strokes() == "[L-0.5 0 0.5 0]");  // two points close nothing
+    CHECK(desk.document.history().undo_name() == "Delete point");
+    other_button({0.5, 0.0});
+    CHECK(desk.strokes() == "[]");
+    CHECK(desk.document.history().undo_name() == "Delete stroke");
+    desk.undo();
+    desk.undo();
+    CHECK(desk.strokes() == "[L-0.5 0 0 0.5 0.5 0z]");
+}
+
 TEST_CASE("keyframes come, go and change places, each in one step") {
     Desk desk;
     desk.pull({0.0, 0.0}, {0.5, 0.0});

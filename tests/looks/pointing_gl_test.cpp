@@ -80,7 +80,8 @@ TEST_CASE("vector beam: the beam shows where the hand points, with either fit") 
     check_pointing("vector-beam", {180, 240}, {{"glow_amount", "0"}, {"fit", "1"}});
 }
 
-TEST_CASE("in a stack the first look says where the beam is") {
+TEST_CASE(
+    "in a stack the look with the beam says where it is, and each look behind it bends that") {
     auto roots = find_roots(std::filesystem::path(AFTERGLOW_SOURCE_DIR));
     REQUIRE(roots.has_value());
     const auto prepared = prepare({.look = "vector-beam+crt"}, Library(std::move(*roots)));
@@ -91,4 +92,28 @@ TEST_CASE("in a stack the first look says where the beam is") {
     CHECK(std::abs(pixel[0] - 145.0) < 1e-9);
     CHECK(std::abs(pixel[1] - 27.5) < 1e-9);
     CHECK(std::abs(placing.pixel_size() - 1.0 / 45.0) < 1e-9);
+}
+
+TEST_CASE("in a stack the beam shows where the hand points, through the glass of every look") {
+    Texts values{{"phosphor/curvature", "0.2"},
+                 {"phosphor/bloom_intensity", "0"},
+                 {"phosphor/aberration", "0"},
+                 {"phosphor/scanline_strength", "0"},
+                 {"phosphor/graticule", "0"},
+                 {"phosphor/vignette", "0"},
+                 {"phosphor/dither", "0"},
+                 {"shadow-mask/curvature", "0.3"},
+                 {"shadow-mask/mask_strength", "0"},
+                 {"shadow-mask/bloom_intensity", "0"},
+                 {"shadow-mask/pulse_intensity", "0"},
+                 {"shadow-mask/vignette_depth", "0"},
+                 {"shadow-mask/sampling", "2"},
+                 {"shadow-mask/green_offset", "0,0"},
+                 {"shadow-mask/dither", "0"},
+                 {"crt/aberration", "0"},
+                 {"crt/scanline_strength", "0"},
+                 {"crt/dither", "0"}};
+    check_pointing("phosphor+crt+shadow-mask", {320, 180}, values);
+    values[0].second = "0";
+    check_pointing("phosphor+crt+shadow-mask", {320, 180}, values);
 }

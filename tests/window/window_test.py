@@ -328,6 +328,24 @@ class WindowTest(Person):
         self.program.type(str(file))
         self.program.key("Return")
 
+    def edit_point(self, x, y):
+        """Moves the point there and deletes it, and takes both back."""
+        program = self.program
+        program.click("pen_tool:Edit")
+        before = self.strokes()
+        program.drag((x, y), (x + 20, y + 20))
+        program.wait("a point is moved in one step", lambda s:
+                     s["undo"] == "Move point" and s["redo"] == "")
+        self.assertEqual(self.strokes().count(" "), before.count(" "))
+        self.snapshot("edited")
+        program.key("ctrl+z")
+        program.wait("it goes back", lambda s: self.strokes() == before)
+        self.screen.do("mousemove", x, y, "click", 3)
+        program.wait("the other button deletes it", lambda s:
+                     s["undo"] == "Delete point" and
+                     self.strokes().count(" ") == before.count(" ") - 2)
+        program.key("ctrl+z")
+
     def test_a_person_draws_on_the_picture_and_keeps_it_as_an_svg(self):
         program = self.program
         self.hover("picture")
@@ -356,6 +374,7 @@ class WindowTest(Person):
         program.wait("three clicks make a line", lambda s: s["signal"].count(" ") == 8)
         self.snapshot("drawing")
         program.key("Escape")
+        self.edit_point(x, y - 60)
         program.click("keyframe_copy")
         program.wait("a second keyframe", lambda s: "keyframe:2" in s["widgets"])
         program.click("pen_tool:Erase")
