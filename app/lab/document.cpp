@@ -66,6 +66,15 @@ void Document::set_value(const std::string& name, Value value, bool goes_on) {
     change(std::move(next), parameter->label, goes_on);
 }
 
+void Document::set_values(const Values& values, const std::string& step_name) {
+    DocumentState next = state();
+    for (const auto& [name, value] : values)
+        if (const Parameter* parameter = find_parameter(m_look, name))
+            if (const auto present = present_name(name))
+                next.values[*present] = clamped(*parameter, value);
+    change(std::move(next), step_name);
+}
+
 void Document::set_orbit(const std::function<Orbit(const Orbit&)>& change) {
     DocumentState next = state();
     next.values = with_orbits_changed(m_look, std::move(next.values), change);

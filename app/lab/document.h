@@ -42,6 +42,8 @@ public:
     /// Sets a parameter within its hard limit. `goes_on`: more of the same gesture will follow, up
     /// to finish().
     void set_value(const std::string& name, Value value, bool goes_on = false);
+    /// Several parameters in one step.
+    void set_values(const Values& values, const std::string& step_name);
     /// Turns what the mouse turns, up to finish() as one step.
     void set_orbit(const std::function<Orbit(const Orbit&)>& change);
     void reset(const std::vector<std::string>& names);

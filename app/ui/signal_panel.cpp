@@ -1,6 +1,7 @@
 #include "ui/signal_panel.h"
 
 #include "base/text.h"
+#include "lab/scope_graticule.h"
 #include "signals/kinds.h"
 #include "ui/drawing_panel.h"
 #include "ui/form.h"
@@ -208,6 +209,19 @@ void draw_kinds(const std::string& present, Edits& edits) {
         tooltip(kind->help);
 }
 
+// V/div and s/div say little on lines that lie elsewhere.
+void draw_graticule_hint(const Document& document, Edits& edits) {
+    const Values wanted =
+        scope_graticule(document.look(), document.values(), document.state().signal);
+    if (wanted.empty())
+        return;
+    wrapped_dim_text("The graticule's lines are not this scope's divisions.");
+    if (ImGui::Button("Show 10 × 8 divisions", {ImGui::GetContentRegionAvail().x, 0.0f}))
+        edits.document([wanted](Document& changed) { changed.set_values(wanted, "Graticule"); });
+    edits.mark("scope_graticule");
+    tooltip("Sets the look's graticule to 10 divisions across and 8 up, over the whole picture.");
+}
+
 void draw_signal(const Document& document, const Scene& scene, Edits& edits) {
     heading("Signal");
     draw_kinds(document.state().signal.kind, edits);
@@ -219,6 +233,7 @@ void draw_signal(const Document& document, const Scene& scene, Edits& edits) {
     if (kind->kind == "drawing")
         draw_drawing_panel(scene, edits);
     draw_sound_controls(kind->is_live, scene, edits);
+    draw_graticule_hint(document, edits);
     draw_settings(*kind, *spec, scene, edits);
     draw_sound_devices(kind->is_live, scene, edits);
 }

@@ -59,6 +59,16 @@ TEST_CASE("a value that is back at its default is no change") {
     CHECK_FALSE(document.is_modified());
 }
 
+TEST_CASE("several values are set in one step, each within its limit") {
+    Document document(small_look());
+    document.set_values({{"decay", Value(0.5)}, {"exposure", Value(99.0)}, {"gone", Value(1.0)}},
+                        "Both");
+    CHECK(document.values() == Values{{"decay", Value(0.5)}, {"exposure", Value(10.0)}});
+    CHECK(document.history().undo_name() == "Both");
+    document.undo();
+    CHECK(document.values().empty());
+}
+
 TEST_CASE("reset takes back one, and all") {
     Document document(small_look());
     document.set_value("decay", Value(0.5));
