@@ -100,36 +100,46 @@ TEST_CASE("a point's light has the stated energy wherever it lies between pixels
 }
 
 TEST_CASE("one lit spot keeps its energy through the bloom") {
-    Tube tube({{"beam_width", Value(2.0)}, {"ceiling", Value(1000.0)}}, {256, 256});
-    tube.draw({{0.1f, -0.2f, 1.0f, 0.0f}});
-    constexpr double pixels_a_texel = 4.0;  // half size
-    CHECK(tube.sum("bloom_x") * pixels_a_texel == about(tube.sum("persistence"), 0.01));
-    CHECK(tube.sum("bloom_y") * pixels_a_texel == about(tube.sum("persistence"), 0.01));
+    Tube tube({}, {256, 256});
+    for (const double size : {0.5, 1.0, 0.25}) {
+        CAPTURE(size);
+        tube.restart(
+            {{"beam_width", Value(2.0)}, {"ceiling", Value(1000.0)}, {"bloom_size", Value(size)}});
+        tube.draw({{0.1f, -0.2f, 1.0f, 0.0f}});
+        const double pixels_a_texel = 1.0 / (size * size);
+        CHECK(tube.target("bloom_y").extent.width == 256 * size);
+        CHECK(tube.sum("bloom_x") * pixels_a_texel == about(tube.sum("persistence"), 0.01));
+        CHECK(tube.sum("bloom_y") * pixels_a_texel == about(tube.sum("persistence"), 0.01));
+    }
 }
 
-TEST_CASE("the bloom has the stated sigma") {
-    Tube tube({{"bloom_radius", Value(3.0)},
-               {"bloom_sigma", Value(1.64)},
-               {"bloom_taps", Value(25.0)},
-               {"ceiling", Value(1000.0)},
-               {"beam_width", Value(1.0)}},
-              {512, 512});
-    const float centre = 1.0f / 512.0f;
-    tube.draw({{centre, centre, 1.0f, 0.0f}});
-    const Picture bloom = tube.target("bloom_y");
-    double sum = 0.0;
-    double squares = 0.0;
-    double mean = 0.0;
-    for (int y = 0; y < bloom.extent.height; ++y)
-        for (int x = 0; x < bloom.extent.width; ++x) {
-            const auto light = static_cast<double>(bloom.pixels[bloom.index(x, y) + 1]);
-            sum += light;
-            mean += light * x;
-            squares += light * x * x;
-        }
-    mean /= sum;
-    const double sigma = std::sqrt(squares / sum - mean * mean);
-    CHECK(sigma == about(1.64 * 3.0, 0.03));  // half-size px at 512 lines
+TEST_CASE("the bloom has the stated sigma, whatever its resolution") {
+    Tube tube({}, {512, 512});
+    for (const double size : {0.5, 0.25}) {
+        CAPTURE(size);
+        tube.restart({{"bloom_radius", Value(3.0)},
+                      {"bloom_sigma", Value(1.64)},
+                      {"bloom_taps", Value(25.0)},
+                      {"bloom_size", Value(size)},
+                      {"ceiling", Value(1000.0)},
+                      {"beam_width", Value(1.0)}});
+        const float centre = 1.0f / 512.0f;
+        tube.draw({{centre, centre, 1.0f, 0.0f}});
+        const Picture bloom = tube.target("bloom_y");
+        double sum = 0.0;
+        double squares = 0.0;
+        double mean = 0.0;
+        for (int y = 0; y < bloom.extent.height; ++y)
+            for (int x = 0; x < bloom.extent.width; ++x) {
+                const auto light = static_cast<double>(bloom.pixels[bloom.index(x, y) + 1]);
+                sum += light;
+                mean += light * x;
+                squares += light * x * x;
+            }
+        mean /= sum;
+        const double sigma = std::sqrt(squares / sum - mean * mean) * 0.5 / size;
+        CHECK(sigma == about(1.64 * 3.0, 0.03));  // half-size px at 512 lines
+    }
 }
 
 TEST_CASE("the phosphor saturates at its ceiling and keeps its hue") {
