@@ -39,6 +39,7 @@ public:
         if (settings.input == "Gone")
             return fail({{}, 0, "the sound input cannot be opened: 'Gone' is not there"});
         ++captures;
+        asked = settings;
         auto capture = std::make_unique<FakeCapture>(position, has_stalled);
         live = capture->live;
         return capture;
@@ -47,6 +48,7 @@ public:
     double position = 5.0;
     bool has_stalled = false;
     int captures = 0;
+    SoundSettings asked;  // of the last capture
     std::shared_ptr<LiveSound> live;
 };
 
@@ -211,6 +213,22 @@ TEST_CASE("the picture of a live sound is late by the delay that was asked for")
     const auto frame = live.player.advance(0.0);
     REQUIRE(frame.has_value());
     CHECK(frame->span.end == doctest::Approx(0.05));
+}
+
+TEST_CASE("another input, rate or buffer opens the input anew with it") {
+    LivePlayer live;
+    REQUIRE(live.player.set_signal(Spec{"microphone", {}}).has_value());
+    SoundSettings other;
+    other.input = "Monitor of speakers";
+    REQUIRE(live.player.set_sound_settings(other).has_value());
+    CHECK(live.devices.asked == other);
+    other.rate = 96000;
+    REQUIRE(live.player.set_sound_settings(other).has_value());
+    CHECK(live.devices.asked == other);
+    other.buffer = 128;
+    REQUIRE(live.player.set_sound_settings(other).has_value());
+    CHECK(live.devices.asked == other);
+    CHECK(live.devices.captures == 4);
 }
 
 TEST_CASE("an input that is not there is told, and the last signal goes on") {

@@ -73,6 +73,23 @@ TEST_CASE("a division up is a quarter of half the height, and V/div counts them"
     CHECK(at("v1=1,d1=2,invert1=on") == doctest::Approx(-0.25));
 }
 
+TEST_CASE("channel 2 has knobs of its own, in xy upwards") {
+    const auto at = [](const std::string& knobs) {
+        return highest(
+            beam_of(*signal_of("waveform:ch1=off,ch2=sine,f2=2,a2=1," + knobs), {0.0, 0.1}));
+    };
+    CHECK(at("v1=5,v2=0.5") == doctest::Approx(0.5));
+    CHECK(at("v2=1,o1=3,o2=-1.5") == doctest::Approx(0.25 - 1.5 * 0.25));
+    CHECK(at("v2=1,d2=2,coupling2=ac") == doctest::Approx(0.25));
+    CHECK(at("v2=1,d2=2,coupling2=gnd,coupling1=ac") == 0.0);
+    CHECK(at("v2=1,d2=2,invert2=on,invert1=off") == doctest::Approx(-0.25));
+    const Beam xy = beam_of(
+        *signal_of("waveform:mode=xy,ch1=sine,a1=0,ch2=sine,a2=0,d1=1,d2=1,v1=1,v2=0.5,o1=1"),
+        {0.0, 0.01});
+    CHECK(xy.front().x == doctest::Approx(0.25 + 0.25));
+    CHECK(xy.front().y == doctest::Approx(0.5));
+}
+
 TEST_CASE("split traces have half of the screen each, overlaid ones all of it") {
     const std::string waves = "waveform:ch1=square,a1=1,ch2=square,a2=0.5,layout=";
     const Beam split = beam_of(*signal_of(waves + "split"), frame_span(1, 60.0));
@@ -150,6 +167,23 @@ TEST_CASE("the generators' trigger: its own phase is hidden, the other channel's
     const auto watched =
         signal_of("waveform:f1=2,ch2=sine,f2=2,p2=0.25,a1=1,trigger_source=2,layout=overlaid");
     CHECK(beam_of(*watched, {0.0, 0.1})[1536 + 1].y == doctest::Approx(-1.0).epsilon(1e-3));
+}
+
+TEST_CASE("a sound's trigger may watch the channel that is not shown as the first") {
+    // The right one is as slow as the left one, and a quarter period ahead of it.
+    const auto signal = signal_of(
+        "audio:a.wav,mode=waveform,channel=both,layout=overlaid,v2=1000,trigger_source=2,sdiv=0."
+        "001",
+        circle(48000, 96000, 200.0));
+    const Beam beam = beam_of(*signal, {0.0, 1.9});
+    int sweeps = 0;
+    for (std::size_t i = 1; i < beam.size(); ++i)
+        if (beam[i].intensity > 0.0f && beam[i - 1].intensity == 0.0f &&
+            std::abs(beam[i].y) > 0.01f) {
+            ++sweeps;
+            REQUIRE(std::abs(beam[i].y + 0.5f) < 0.01f);
+        }
+    CHECK(sweeps > 20);
 }
 
 TEST_CASE("hold-off keeps sweeps apart") {

@@ -95,6 +95,38 @@ TEST_CASE("two tones stand at their places on the logarithmic scale, at their he
     CHECK(beam[2000].y == -1.0f);  // between them lies the floor
 }
 
+TEST_CASE("the settings of a spectrum reach it: FFT size, smoothing, floor and ceiling") {
+    const auto highest_at = [](const Signal& signal, double seconds, double hertz) {
+        float highest = -1.0f;
+        for (const BeamPoint& point : beam_of(signal, {seconds, seconds + 1.0 / 60.0}))
+            if (std::abs(0.5 * (point.x + 1.0) - std::log10(hertz / 100.0) / 2.0) < 0.002)
+                highest = std::max(highest, point.y);
+        return highest;
+    };
+    const std::string spectrum = "audio:a.wav,mode=spectrum,channel=left,low=100,high=10000,";
+    // Two tones 59 Hz apart: 10 bins of 8192 samples, little more than one of 1024.
+    const auto two = sines(171 * 0.25 * bin_hertz, 0.5, 181 * 0.25 * bin_hertz, 0.5);
+    const auto fine = signal_of(spectrum + "smoothing=0,floor=-60,fft=8192", two);
+    const auto coarse = signal_of(spectrum + "smoothing=0,floor=-60,fft=1024", two);
+    CHECK(highest_at(*fine, 1.0, 1030.0) == -1.0f);
+    CHECK(highest_at(*coarse, 1.0, 1030.0) > 0.0f);
+    // At -20 dB, half-way from -40 to 0 and at the very top of -60 to -20.
+    const auto tone = sines(64 * bin_hertz, 0.1);
+    const auto at_middle = signal_of(spectrum + "smoothing=0,floor=-40,ceiling=0", tone);
+    const auto at_top = signal_of(spectrum + "smoothing=0,floor=-60,ceiling=-20", tone);
+    CHECK(std::abs(highest_at(*at_middle, 1.0, 64 * bin_hertz)) < 0.01f);
+    CHECK(std::abs(highest_at(*at_top, 1.0, 64 * bin_hertz) - 1.0f) < 0.01f);
+    // Half a second after it began a tone has 1 - e^-1 of its amplitude: 3.99 dB less.
+    const auto late = sound_of(
+        rate, 3 * rate, [](int i) { return i < rate ? 0.0 : sine_at(64 * bin_hertz, i / 48000.0); },
+        [](int) { return 0.0; });
+    const auto slow = signal_of(spectrum + "smoothing=0.5,floor=-20,fft=256,loop=off", late);
+    const auto at_once = signal_of(spectrum + "smoothing=0,floor=-20,fft=256,loop=off", late);
+    const double missing =
+        10.0 * (highest_at(*at_once, 1.5, 64 * bin_hertz) - highest_at(*slow, 1.5, 64 * bin_hertz));
+    CHECK(std::abs(missing + 20.0 * std::log10(1.0 - std::exp(-1.0))) < 0.1);
+}
+
 TEST_CASE("what lies above half the sound's rate is at the floor, and a bad range is refused") {
     const auto sound = sound_of(
         8000, 8000, [](int i) { return i % 2 == 0 ? 0.9 : -0.9; }, [](int) { return 0.0; });
@@ -142,6 +174,10 @@ TEST_CASE("radial: the ring jumps on a beat and comes back with its time constan
     const double before = ring_radius(*signal, 149);  // the last one before the beat at 2.5 s
     const double after = ring_radius(*signal, 152);
     const double later = ring_radius(*signal, 158);
+    const auto deaf =
+        signal_of("audio:a.wav,mode=radial,channel=left,radius=0.4,floor=-20,beat_threshold=200",
+                  clicks(0.5));
+    CHECK(ring_radius(*deaf, 152) == doctest::Approx(0.4).epsilon(0.01));
     CHECK(before == doctest::Approx(0.4).epsilon(0.01));
     CHECK(after > 0.5);
     CHECK((later - 0.4) / (after - 0.4) == doctest::Approx(std::exp(-1.0)).epsilon(0.02));
