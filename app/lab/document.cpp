@@ -128,7 +128,9 @@ void Document::clear_overrides() {
 
 DocumentState Document::state_of(const Preset& preset) const {
     DocumentState state = initial_state(m_look);
-    state.stack = with_bypass(m_undo.current().stack, preset.bypass);
+    const Stack& present = m_undo.current().stack;
+    const bool is_present = stack_id(present) == stack_id(m_look.stack);
+    state.stack = with_bypass(is_present ? present : m_look.stack, preset.bypass);
     state.values = renamed_values(m_look, preset.values);
     for (auto& [name, value] : state.values)
         if (const Parameter* parameter = find_parameter(m_look, name))
@@ -143,7 +145,7 @@ DocumentState Document::state_of(const Preset& preset) const {
 
 void Document::take(const Preset& preset, const std::string& step_name) {
     DocumentState next = state_of(preset);
-    next.overrides = state().overrides;
+    next.overrides = moved(state().overrides, state().stack, next.stack);
     next.origin = state().origin;
     change(std::move(next), step_name);
 }
@@ -173,7 +175,7 @@ void Document::restore_history(Undo<DocumentState> history) {
 }
 
 void Document::open(DocumentState next, Origin from, std::string step_name) {
-    next.overrides = state().overrides;
+    next.overrides = moved(state().overrides, state().stack, next.stack);
     next.origin = state().origin;
     if (from.file == origin().file && next == state() && !is_modified())
         return;  // it is open already, as it is

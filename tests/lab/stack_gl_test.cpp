@@ -210,6 +210,40 @@ TEST_CASE("looks are added, bypassed, moved and removed in one undoable step eac
     CHECK(small.document().history().redo_name() == "Add Gain");
 }
 
+TEST_CASE(
+    "a stack that begins with the open look opens in one step of undo, and so does the look") {
+    StackLab small;
+    small.write_other();
+    const fs::path preset = small.folder() / "presets/small+gain/mine.json";
+    fs::create_directories(preset.parent_path());
+    REQUIRE(write_atomically(preset, R"({"format": "afterglow-preset", "version": 1,
+        "look": "small+gain", "name": "Mine", "values": {"gain/offset": 3, "small/step_size": 4}})")
+                .has_value());
+    small.lab().edit([](Document& document) { document.set_value("step_size", 2.0); });
+    small.lab().edit([](Document& document) {
+        document.set_override("show", {Format::rgba16f, {}, {}});
+    });
+    const auto has_opened = [&small](const char* id, const char* step) {
+        return small.turn_until([&] { return small.document().history().undo_name() == step; }) &&
+               small.shows(id);
+    };
+    small.lab().open(preset.string());
+    REQUIRE(has_opened("small+gain", "Open Mine"));
+    CHECK(small.value("small/step_size") == 4.0);
+    CHECK(small.value("gain/offset") == 3.0);
+    CHECK(small.document().state().overrides.contains("small/show"));
+    CHECK_FALSE(small.document().is_modified());
+
+    small.lab().open("small");
+    REQUIRE(has_opened("small", "Open Small"));
+    CHECK(small.value("step_size") == 1.0);
+    for (const double step_size : {4.0, 2.0}) {
+        small.lab().edit([](Document& document) { document.undo(); });
+        REQUIRE(small.shows(step_size == 4.0 ? "small+gain" : "small"));
+        CHECK(small.value(step_size == 4.0 ? "small/step_size" : "step_size") == step_size);
+    }
+}
+
 TEST_CASE("any look of a stack is followed when its files change; a mistake leaves the picture") {
     StackLab small;
     const fs::path other = small.write_other();

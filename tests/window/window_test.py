@@ -282,6 +282,23 @@ class WindowTest(Person):
                      lambda s: s["preset"] == "" and s["is_modified"] and
                      s["values"]["decay"] == [0.61])
 
+    def test_a_preset_of_a_stack_is_opened_bypassed_reordered_and_undone(self):
+        program = self.program
+        self.open_by_name(self.presets / "phosphor+crt/night-ward.json")
+        values = program.wait("both looks draw", lambda s: s["look"] == "phosphor+crt" and
+                              s["preset"] == "Night ward")["values"]
+        program.click("stack_bypass:crt")
+        program.wait("the second look draws nothing", lambda s: (s["bypass"], s["undo"]) == ("crt", "Bypass CRT"))
+        program.click("stack_up:crt")
+        program.wait("it comes first", lambda s: (s["look"], s["undo"]) == ("crt+phosphor", "Move CRT"))
+        program.key("ctrl+z")
+        program.wait("it is last again", lambda s: (s["look"], s["undo"]) == ("phosphor+crt", "Bypass CRT"))
+        program.key("ctrl+z")
+        program.wait("all is as the preset has it",
+                     lambda s: not s["bypass"] and not s["is_modified"] and s["values"] == values)
+        program.key("ctrl+z")
+        program.wait("and then as it was before", lambda s: s["look"] == "phosphor" and not s["preset"])
+
     def test_a_sound_is_opened_plays_and_can_be_sought(self):
         program = self.program
         song = program.folder / "two tones.wav"
