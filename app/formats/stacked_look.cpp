@@ -134,8 +134,10 @@ private:
         const Look& look = m_looks[part];
         const std::string scope = scope_of(m_stack, part);
         m_source.clear();
-        if (!m_look.passes.empty())
+        if (!m_look.passes.empty()) {
+            keep_light(m_look.passes.back());
             m_source = add_conversion(look, scope);
+        }
         m_first_pass = static_cast<int>(m_look.passes.size());
         for (const Pass& pass : look.passes)
             m_look.passes.push_back(in_scope(pass, scope));
@@ -146,6 +148,12 @@ private:
         }
         m_look.passes.back().output = m_look.output = look.output;
         add_settling(look);
+    }
+
+    // Only a screen takes 8 bits: what another look reads keeps its light above 1 and its fine steps.
+    static void keep_light(Pass& last) {
+        if (last.format == Format::rgba8)
+            last.format = Format::rgba16f;
     }
 
     // The pass that stands for the source of the next look.

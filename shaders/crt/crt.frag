@@ -15,11 +15,11 @@ uniform bool crt = true;  // @label "CRT"  @group "CRT"
 uniform bool as_written = false;  // @label "As the article wrote it"  @group "CRT"
                                   // @help "Draws with the formulas of the article that this look comes from: display values are cut off at 1 and darkened where light should be, and the scanlines are sampled in the middle of each pixel, so that at 4 px they have two levels and lose 29 % of their depth."
 uniform float aberration = 1.0;   // @range 0 8  @limit -64 64  @label "Aberration"  @unit "px"  @group "Aberration"  @identity 0
-                                  // @help "Colour fringes: red is read this far to the right, blue this far to the left, green stays."
+                                  // @help "Colour fringes: red is read this far to the right, blue this far to the left, green stays. (The article's formula for blue has lost its minus.)"
 uniform float exposure = 1.0;     // @range 0.1 16  @limit 0 1000  @scale log  @label "Exposure"  @group "Tone map"  @identity 1
                                   // @help "Brightness before the tone map: twice as much doubles the light."
 uniform int tone_map = 0;         // @items "Clamp" "Reinhard" "ACES" "Extended Reinhard" "AgX" "Khronos neutral" "None"  @label "Tone map"  @group "Tone map"  @identity 6
-                                  // @help "How light brighter than the screen is brought back to it. Clamp cuts it off and leaves all else alone; Reinhard makes 1 into 1/2; Extended Reinhard makes the set white into 1; ACES and AgX bend as film does; Khronos neutral keeps colours up to 0.8. None hands the light on."
+                                  // @help "How light brighter than the screen is brought back to it. Clamp cuts each channel off and leaves all else alone, which shifts the hue of what is too bright; Reinhard makes 1 into 1/2; Extended Reinhard makes the set white into 1; ACES and AgX bend as film does; Khronos neutral keeps colours up to 0.8. None hands the light on to the next look of a stack."
 uniform float white = 2.0;        // @range 0.5 16  @limit 0.001 1000  @scale log  @label "White"  @group "Tone map"
                                   // @help "The light that Extended Reinhard turns to full white. At 1 it leaves a light of 1 as it is."
 uniform float keep_hue = 0.0;     // @range 0 1  @limit 0 1  @label "Keep hue"  @group "Tone map"  @identity 0
@@ -29,7 +29,7 @@ uniform float scanline_strength = 0.3;  // @range 0 1  @limit 0 1  @label "Stren
 uniform float scanline_period = 4.0;    // @range 2 16  @limit 1 1000  @label "Period"  @unit "px"  @group "Scanlines"
                                         // @help "From stripe to stripe in pixels of the picture, whatever its size."
 uniform float scanline_brightness = 1.0;  // @range 0 1  @limit 0 1  @label "Brightness kept"  @group "Scanlines"
-                                          // @help "0: the mean falls to 1 - strength / 2, as in the article. 1: the crests are raised until the mean is what it was, as far as the screen can show."
+                                          // @help "0: the mean falls to 1 - strength / 2, as in the article, which makes up for nothing. 1: the crests are raised until the mean is what it was, as far as the screen can show."
 uniform bool dither = true;       // @label "Dither"  @group "Tone map"  @identity 0
                                   // @help "Noise of half a screen step, so that soft glows show no bands."
 
@@ -67,11 +67,12 @@ vec3 tube_light(vec2 shift) {
 void main() {
     vec2 shift = vec2(aberration / u_resolution.x, 0.0);
     if (!crt) {
-        color = vec4(srgb_encode(texture(scene, uv).rgb), 1.0);
+        color = vec4(srgb_encode_unbounded(texture(scene, uv).rgb), 1.0);
     } else if (as_written) {
         color = vec4(as_the_article_wrote(shift), 1.0);
     } else {
-        vec3 display = srgb_encode(tube_light(shift));
+        vec3 light = tube_light(shift);
+        vec3 display = tone_map == tone_map_none ? srgb_encode_unbounded(light) : srgb_encode(light);
         color = vec4(dither ? dithered(display, uvec2(gl_FragCoord.xy), uint(u_frame)) : display,
                      1.0);
     }

@@ -5,6 +5,7 @@
 
 uniform sampler2D image;
 uniform vec2 direction;  // (1, 0) or (0, 1)
+uniform float level;     // of the image's smaller copies: the tube's is half its size, as this pass is
 uniform vec2 u_resolution;
 uniform float bloom_radius = 6.0;  // @range 0.5 30  @limit 0.1 100  @label "Radius"  @unit "px at 512 lines"  @group "Bloom"
                                    // @help "How far the light spreads: one standard deviation, in pixels of a picture 512 pixels high."
@@ -14,5 +15,6 @@ out vec4 color;
 
 void main() {
     float sigma = 0.5 * bloom_radius * u_resolution.y / (0.5 * reference_height);
-    color = vec4(gaussian_blur(image, uv, direction / u_resolution, max(sigma, 0.1)), 1.0);
+    vec2 texel = direction / u_resolution;
+    color = vec4(gaussian_blur(image, uv, texel, max(sigma, 0.1), level), 1.0);
 }

@@ -41,6 +41,6 @@ void main() {
     float glass = glass_coverage(place, u_resolution / u_resolution.y, corner_radius);
     float peak = tone_map == tone_map_reinhard_to_white ? white : 0.0;
     vec3 shown = mix(border_color, tone_mapped(light * exposure, tone_map, peak), glass);
-    vec3 display = srgb_encode(shown);
+    vec3 display = srgb_encode_unbounded(shown);  // beyond 1 only without a tone map
     color = vec4(dither ? dithered(display, uvec2(gl_FragCoord.xy), uint(u_frame)) : display, 1.0);
 }

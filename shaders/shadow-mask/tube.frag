@@ -25,11 +25,11 @@ uniform float mask_border = 0.8;    // @range 0 1  @limit 0 1  @label "Border"  
 uniform float mask_strength = 1.0;  // @range 0 1  @limit 0 1  @label "Strength"  @group "Mask"  @identity 0
                                     // @help "0: no mask. 1: each stripe shows its own colour and nothing of the others."
 uniform float brightness_kept = 1.0;  // @range 0 1  @limit 0 1  @label "Brightness kept"  @group "Mask"
-                                      // @help "1: stripes shine so much brighter that the mean is what it was; what is brighter than the screen is cut off. 0: the mask only takes light away."
+                                      // @help "1: stripes shine so much brighter that the mean is what it was; what is brighter than the screen is cut off. 0: the mask only takes light away. The article's factor 3 makes up for the stripes but not for their borders, which keep 54 % at 0.8."
 uniform int subpixel_order = 0;     // @items "Red, green, blue" "Blue, green, red"  @label "Order"  @group "Mask"
                                     // @help "The colours of a cell from left to right."
 uniform int sampling = 1;           // @items "Middle of the cell" "Mean of the cell" "Unbroken"  @label "Picture"  @group "Mask"
-                                    // @help "Each cell shows one colour of the picture, that in its middle or the mean over it; or the picture goes on unbroken behind the mask."
+                                    // @help "Each cell shows one colour of the picture, that in its middle or the mean over it; or the picture goes on unbroken behind the mask, as in a real tube: its guns do not light one cell at a time."
 
 uniform vec2 red_offset = vec2(-2.0, 0.0);   // @range -8 8  @limit -64 64  @label "Red read at"  @unit "px"  @group "Convergence"  @identity 0
                                              // @help "Where red is read from, to the right and up."
@@ -60,7 +60,10 @@ uniform float pulse_intensity = 0.03;  // @range 0 0.05  @limit 0 0.05  @label "
 uniform float pulse_width = 60.0;      // @range 10 400  @limit 1 10000  @label "Width"  @unit "px a radian"  @group "Pulse"
                                        // @help "A wave is 6.28 times as long."
 uniform float pulse_rate = 20.0;       // @range 0 40  @limit 0 200  @label "Rate"  @unit "radians/s"  @group "Pulse"
-                                       // @help "20 is 3.2 waves a second."
+                                       // @help "20 is 3.18 waves a second, just within what can harm people who are sensitive to flicker."
+
+uniform float picture_size = 1.0;  // @range 0.8 1.1  @limit 0.1 10  @label "Picture size"  @group "Glass"  @identity 1
+                                   // @help "How large the picture is on the glass: below 1 a dark rim is left around it, above 1 its sides lie beyond the glass, as on television sets."
 
 // Included here, as controls come in the order of their declaration: the mask's are wanted first.
 #include "glass_settings.glsl"
@@ -70,11 +73,18 @@ uniform float pulse_rate = 20.0;       // @range 0 40  @limit 0 200  @label "Rat
 in vec2 uv;
 out vec4 color;
 
+// What the picture has for a place of the tube.
+vec3 scene_at(vec2 px, float level) {
+    vec2 place = px / u_resolution;
+    if (picture_size != 1.0)
+        place = (place - 0.5) / picture_size + 0.5;
+    return textureLod(scene, place, level).rgb;
+}
+
 // Through the tube's own point into the picture; `level` is of its smaller copies.
 vec3 scene_light(vec2 px, float level) {
-    return vec3(textureLod(scene, (px + red_offset) / u_resolution, level).r,
-                textureLod(scene, (px + green_offset) / u_resolution, level).g,
-                textureLod(scene, (px + blue_offset) / u_resolution, level).b);
+    return vec3(scene_at(px + red_offset, level).r, scene_at(px + green_offset, level).g,
+                scene_at(px + blue_offset, level).b);
 }
 
 vec3 picture_light(Mask mask, vec2 px) {
@@ -98,6 +108,12 @@ vec3 through_mask(Mask mask, vec2 px, float pixel) {
     float peak = mask_peak(mask) * mix(1.0, 1.0 / 3.0, monochrome);
     float bare = 1.0 / mix(1.0, max(peak, 1.0), visible);
     return mix(vec3(1.0), open, mask_strength) * mix(bare, 1.0, brightness_kept);
+}
+
+// 1 where the beam draws the picture, 0 beyond its sides.
+float drawn_part(vec2 place) {
+    vec2 half_size = u_resolution / u_resolution.y;
+    return picture_size < 1.0 ? glass_coverage(place / picture_size, half_size, 0.0) : 1.0;
 }
 
 float scanlines(vec2 px) {
@@ -136,5 +152,6 @@ void main() {
     float pixel = 0.5 * (abs(dFdx(px.x)) + abs(dFdy(px.y)));
     Mask mask = Mask(mask_type, mask_size, cell_height, mask_border, mask_stagger);
     vec3 light = picture_light(mask, px) * through_mask(mask, px, pixel);
-    color = vec4(light * scanlines(px) * vignette_left(place) * pulse(px.x), 1.0);
+    light *= scanlines(px) * drawn_part(place);
+    color = vec4(light * vignette_left(place) * pulse(px.x), 1.0);
 }

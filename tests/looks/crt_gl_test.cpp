@@ -60,6 +60,33 @@ TEST_CASE("crt off is a plain copy, and so are all its stages off") {
     }
 }
 
+TEST_CASE("light above 1 goes through unharmed, to the next look of a stack too") {
+    const Picture bright = flat_field({4, 4}, 7.5f, 1.25f, 0.5f);
+    for (const Values& off : {Values{{"crt", Value(0.0)}}, stages_off()}) {
+        const Picture drawn = drawn_look("crt", bright, off);
+        const auto shown = [&drawn](std::size_t c) {
+            return static_cast<double>(drawn.pixels[drawn.index(2, 2) + c]);
+        };
+        CHECK(std::abs(shown(0) - (1.055 * std::pow(7.5, 1.0 / 2.4) - 0.055)) < 1e-4);
+        CHECK(std::abs(shown(1) - (1.055 * std::pow(1.25, 1.0 / 2.4) - 0.055)) < 1e-4);
+        CHECK(std::abs(shown(2) - srgb_encode(0.5)) < 1e-4);
+    }
+    auto roots = find_roots(std::filesystem::path(AFTERGLOW_SOURCE_DIR));
+    REQUIRE(roots.has_value());
+    RenderRequest request{.look = "crt+crt", .source = "pattern:white"};
+    for (const char* key : {"crt/", "crt#2/"})
+        for (const auto& [name, value] : stages_off())
+            request.values.push_back({key + name, std::to_string(value.number())});
+    request.values.push_back({"crt/exposure", "4"});
+    request.values.push_back({"crt#2/exposure", "0.125"});
+    auto prepared = prepare(request, Library(std::move(*roots)));
+    REQUIRE(prepared.has_value());
+    auto offline = Offline::create(std::move(*prepared), {16, 16}, 60.0);
+    REQUIRE(offline.has_value());
+    offline->advance();
+    CHECK(std::abs(light_at(offline->picture(), 8, 8) - 0.5) < 0.004);
+}
+
 TEST_CASE("a white dot splits into red and blue, each at the aberration's distance") {
     const auto source = make_pattern("dot,size=64x8");
     const Picture drawn =
@@ -106,7 +133,25 @@ TEST_CASE("as the article wrote it 4 px scanlines have two levels of the display
     }
 }
 
-TEST_CASE("the tone map is the chosen one, after the exposure and before the scanlines") {
+TEST_CASE("fringes come before the tone map, and scanlines after it") {
+    Picture dot = flat_field({16, 8}, 0.0f, 0.0f, 0.0f);
+    for (std::size_t c = 0; c < 3; ++c)
+        dot.pixels[dot.index(8, 4) + c] = 4.0f;
+    const Picture fringes = drawn_look(
+        "crt", dot, with(stages_off(), {{"aberration", Value(3.0)}, {"tone_map", Value(5.0)}}));
+    // Khronos neutral of a light of 4 in one channel.
+    CHECK(std::abs(light_at(fringes, 5, 4, 0) - 0.983) < 1e-3);
+    CHECK(std::abs(light_at(fringes, 5, 4, 1) - 0.306) < 1e-3);
+    CHECK(std::abs(light_at(fringes, 11, 4, 2) - 0.983) < 1e-3);
+
+    const Picture lines = drawn_look("crt", flat_field({4, 8}, 3.0f, 3.0f, 3.0f),
+                                     with(stages_off(), {{"tone_map", Value(0.0)},
+                                                         {"scanline_strength", Value(0.5)},
+                                                         {"scanline_brightness", Value(0.0)}}));
+    CHECK(std::abs(mean_light(lines) - 0.75) < 1e-4);
+}
+
+TEST_CASE("the tone map is the chosen one, after the exposure") {
     const Picture field = flat_field({4, 4}, 1.25f, 1.25f, 1.25f);
     const Values reinhard = with(
         stages_off(), {{"tone_map", Value(1.0)}, {"exposure", Value(3.0)}, {"white", Value(0.0)}});

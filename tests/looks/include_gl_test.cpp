@@ -227,3 +227,32 @@ TEST_CASE("the noise is PCG3D, even and without drift") {
     CHECK(is_near(mean, 0.5, 0.2 / 255.0 + 3.0 / std::sqrt(12.0 * 16384.0)));
     CHECK(is_near(std::sqrt(square - mean * mean), 1.0 / std::sqrt(12.0), 0.03 / std::sqrt(12.0)));
 }
+
+TEST_CASE("dither lets an 8-bit screen show the levels between its steps") {
+    std::vector<Vec4> inputs;
+    for (int level = 0; level < 16; ++level)
+        for (int i = 0; i < 1024; ++i)
+            inputs.push_back({(100.0 + level / 16.0) / 255.0, static_cast<double>(i % 32),
+                              static_cast<double>(i / 32), 0.0});
+    const auto drawn = run_glsl(
+        "#include \"noise.glsl\"\n"
+        "vec4 f(vec4 x) { return vec4(dithered(vec3(x.x), uvec2(x.yz), 3u), 1.0); }\n",
+        inputs);
+    for (std::size_t level = 0; level < 16; ++level) {
+        double mean = 0.0;
+        for (std::size_t i = 0; i < 1024; ++i)
+            mean += std::round(255.0 * drawn[1024 * level + i][1]) / 1024.0;
+        CHECK(is_near(mean, 100.0 + static_cast<double>(level) / 16.0, 0.1));
+    }
+}
+
+TEST_CASE("a hue that is kept has the brightest channel tone mapped and the others along with it") {
+    const auto drawn = run_glsl(
+        "#include \"tonemap.glsl\"\n"
+        "vec4 f(vec4 x) { return vec4(tone_mapped_keeping_hue(x.rgb, int(x.w), 0.0), 1.0); }\n",
+        std::vector<Vec4>{{4.0, 2.0, 1.0, 0.0}, {1.0, 4.0, 2.0, 1.0}, {0.0, 0.0, 0.0, 1.0}});
+    const Vec4 expected[] = {{1.0, 0.5, 0.25}, {0.2, 0.8, 0.4}, {}};
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t c = 0; c < 3; ++c)
+            CHECK(is_near(drawn[i][c], expected[i][c], 1e-5));
+}

@@ -69,6 +69,23 @@ TEST_CASE("stripes of the three channels do not overlap") {
     }
 }
 
+TEST_CASE("dots of one colour form hexagons, those of the others lie between them") {
+    constexpr double pitch = 24.0;
+    const double row = pitch * std::sqrt(3.0) / 2.0;
+    // Middles of dots: red, red a row higher, green, blue.
+    const auto drawn = run_glsl(
+        "#include \"mask.glsl\"\nvec4 f(vec4 x) { Mask mask = Mask(3, 24.0, 1.0, 0.8, 0.5); "
+        "return vec4(mask_light(mask, x.xy, 0.25) / mask_peak(mask), 1.0); }\n",
+        std::vector<Vec4>{{2 * pitch, 2 * row, 0, 0},
+                          {1.5 * pitch, row, 0, 0},
+                          {1.5 * pitch, row / 3 + 2 * row, 0, 0},
+                          {pitch, row * 2 / 3, 0, 0}});
+    constexpr std::size_t colors[] = {0, 0, 1, 2};
+    for (std::size_t i = 0; i < drawn.size(); ++i)
+        for (std::size_t c = 0; c < 3; ++c)
+            CHECK(std::abs(drawn[i][c] - (c == colors[i] ? 1.0 : 0.0)) < 0.01);
+}
+
 TEST_CASE("a cell's pixel is the mean of the article's formula over it") {
     // Pixel (5, 1) of 12 px cells: green, from 1/4 to 2/4 of its stripe and 1/12 to 2/12 up the
     // cell.
@@ -112,4 +129,23 @@ TEST_CASE("a cell is read in its middle, whichever column it is in") {
         }
         CHECK(is_middle);
     }
+}
+
+TEST_CASE("a triad of dots is read in its middle, every other row half a triad further") {
+    const double row = 12.0 * std::sqrt(3.0) / 2.0;
+    const auto pixel = pixels(3, 12.0, 48, 48);
+    const auto centres = run_glsl(
+        "#include \"mask.glsl\"\nvec4 f(vec4 x) { return vec4(mask_cell_centre("
+        "Mask(3, 12.0, 1.0, 0.8, 0.5), x.xy), 0, 0); }\n",
+        pixel);
+    int off = 0;
+    for (std::size_t i = 0; i < pixel.size(); ++i) {
+        const double up = std::floor(pixel[i][1] / row);
+        const double shift = std::fmod(up, 2.0) == 1.0 ? 6.0 : 0.0;
+        const double along = std::floor((pixel[i][0] - shift) / 12.0);
+        const bool is_middle = std::abs(centres[i][0] - (12.0 * along + shift + 6.0)) < 1e-4 &&
+                               std::abs(centres[i][1] - (up + 0.5) * row) < 1e-4;
+        off += is_middle ? 0 : 1;
+    }
+    CHECK(off == 0);
 }

@@ -54,6 +54,49 @@ TEST_CASE("shadow-mask with all its stages off is a plain copy") {
     CHECK(different == 0);
 }
 
+TEST_CASE("without a tone map light above 1 goes on to the next look") {
+    const Picture drawn =
+        drawn_look("shadow-mask", flat_field({8, 8}, 3.0f, 3.0f, 3.0f), stages_off());
+    CHECK(std::abs(number(drawn, 4, 4) - (1.055 * std::pow(3.0, 1.0 / 2.4) - 0.055)) < 1e-4);
+}
+
+TEST_CASE("the stripes of a cell have the chosen order") {
+    const Picture white = flat_field({24, 12}, 1.0f, 1.0f, 1.0f);
+    for (const std::size_t order : {0u, 1u}) {
+        const Picture light =
+            drawn_look("shadow-mask", white,
+                       with(stages_off(), {{"mask_strength", Value(1.0)},
+                                           {"mask_size", Value(12.0)},
+                                           {"subpixel_order", Value(static_cast<double>(order))}}),
+                       "tube");
+        for (std::size_t stripe = 0; stripe < 3; ++stripe)
+            for (std::size_t c = 0; c < 3; ++c) {
+                const bool is_lit = c == (order == 0 ? stripe : 2 - stripe);
+                CHECK((number(light, 12 + 4 * static_cast<int>(stripe) + 1, 3, c) > 0.5) == is_lit);
+            }
+    }
+}
+
+TEST_CASE("scanlines run across or up and down, counted from the bottom left") {
+    const Picture white = flat_field({8, 8}, 1.0f, 1.0f, 1.0f);
+    for (const double axis : {0.0, 1.0}) {
+        const Picture light = drawn_look(
+            "shadow-mask", white,
+            with(stages_off(), {{"scanline_strength", Value(0.6)}, {"scanline_axis", Value(axis)}}),
+            "tube");
+        const double quarter = std::acos(-1.0) / 2.0;
+        for (int i = 0; i < 8; ++i) {
+            const double mean = (std::cos(quarter * i) - std::cos(quarter * (i + 1))) / quarter;
+            const double expected = (0.7 - 0.3 * mean) / 0.7;
+            for (const int other : {1, 4}) {
+                const bool is_across = axis == 0.0;
+                CHECK(std::abs(number(light, is_across ? other : i, is_across ? 7 - i : other) -
+                               expected) < 1e-4);
+            }
+        }
+    }
+}
+
 TEST_CASE("the mean over whole cells is that of the picture, in every channel of every mask") {
     const Picture grey = flat_field({120, 104}, 0.2f, 0.2f, 0.2f);
     for (const double type : {0.0, 1.0, 2.0, 3.0}) {
@@ -125,13 +168,18 @@ TEST_CASE("each channel is read at its own place, to the right and up") {
     CHECK(number(light, 16, 8, 1) < 1e-3);
 }
 
-TEST_CASE("the bloom of a dot has the dot's energy") {
+TEST_CASE("the bloom of a dot has the dot's energy and the set width") {
     const Picture bloom = drawn_look("shadow-mask", lit_dot({192, 192}), stages_off(), "bloom_y");
     double sum = 0.0;
+    double spread = 0.0;
     for (int y = 0; y < bloom.extent.height; ++y)
-        for (int x = 0; x < bloom.extent.width; ++x)
+        for (int x = 0; x < bloom.extent.width; ++x) {
             sum += 4.0 * number(bloom, x, y);  // four pixels of the picture each
+            spread += 4.0 * number(bloom, x, y) * std::pow(2.0 * (x - 48.0), 2.0);
+        }
     CHECK(std::abs(sum - 1.0) < 0.01);
+    // 6 px of 512 are 2.25 of 192.
+    CHECK(std::abs(std::sqrt(spread / sum) - 2.25) < 0.03 * 2.25);
 }
 
 TEST_CASE("a curved screen shows the frame's colour beyond its corners, and is symmetric") {
@@ -153,6 +201,21 @@ TEST_CASE("a curved screen shows the frame's colour beyond its corners, and is s
             worst = std::max(worst, std::abs(number(drawn, x, y) - number(drawn, x, 53 - y)));
         }
     CHECK(worst < 1e-3);
+}
+
+TEST_CASE("a smaller picture leaves a dark rim on the glass, a larger one loses its sides") {
+    Picture ramp = flat_field({32, 16}, 0.0f, 0.0f, 0.0f);
+    for (std::size_t i = 0; i < ramp.pixels.size(); ++i)
+        ramp.pixels[i] = (static_cast<float>(i / 3 % 32) + 0.5f) / 32.0f;
+    for (const double size : {0.5, 2.0}) {
+        CAPTURE(size);
+        const Picture light = drawn_look(
+            "shadow-mask", ramp, with(stages_off(), {{"picture_size", Value(size)}}), "tube");
+        for (const int x : {9, 14, 20, 22})
+            CHECK(std::abs(number(light, x, 8) - ((x + 0.5 - 16.0) / size + 16.0) / 32.0) < 1e-5);
+        CHECK((number(light, 5, 8) == 0.0) == (size < 1.0));
+        CHECK((number(light, 16, 2) == 0.0) == (size < 1.0));
+    }
 }
 
 TEST_CASE("vignette and pulse follow their formulas") {

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace {
@@ -23,6 +24,22 @@ TEST_CASE("the SMPTE bars stand in their order at 75 %") {
     CHECK(pixel(*bars, 50, 340) == expected[6]);  // reversed blue bars
     CHECK(pixel(*bars, 150, 340) == std::vector<float>{0, 0, 0});
     CHECK(pixel(*bars, 180, 460) == std::vector<float>{1, 1, 1});
+    // -I and +Q as 8-bit codes, and 4 % of black's step between the sixth bar's thirds.
+    const auto codes = [&bars](int x) {
+        std::vector<int> values;
+        for (const float part : pixel(*bars, x, 460))
+            values.push_back(static_cast<int>(std::lround(part * 255.0f)));
+        return values;
+    };
+    CHECK(codes(60) == std::vector<int>{0, 33, 76});
+    CHECK(codes(310) == std::vector<int>{50, 0, 106});
+    CHECK(codes(440) == std::vector<int>{0, 0, 0});
+    CHECK(codes(550) == std::vector<int>{0, 0, 0});
+    CHECK(codes(590) == std::vector<int>{10, 10, 10});
+    CHECK(codes(650) == std::vector<int>{0, 0, 0});
+    CHECK(pixel(*bars, 250, 340) == expected[4]);  // magenta, cyan and grey below, black between
+    CHECK(pixel(*bars, 450, 340) == expected[2]);
+    CHECK(pixel(*bars, 650, 340) == expected[0]);
 }
 
 TEST_CASE("a ramp of 256 px holds each 8-bit code at its place") {
