@@ -1,0 +1,74 @@
+"""A person chooses what drives a look, and runs it."""
+
+import os
+
+from person import Person, write_tones
+
+
+class Driving(Person):
+    def test_time_stops_steps_and_starts_again(self):
+        program = self.program
+        self.hover("picture")
+        program.key("space")
+        state = program.wait("it stops", lambda s: not s["is_playing"])
+        frame = program.state()["frame"]
+        program.key("period")
+        program.wait("one frame on", lambda s: s["frame"] == frame + 1)
+        program.click("play")
+        program.wait("it runs again", lambda s: s["is_playing"] and s["frame"] > state["frame"] + 5)
+        program.key("r")
+        program.wait("it starts anew", lambda s: s["frame"] < 60)
+
+    def test_a_sound_is_opened_plays_and_can_be_sought(self):
+        program = self.program
+        song = program.folder / "two tones.wav"
+        write_tones(song, seconds=20)
+        self.open_by_name(song)
+        program.wait("it draws", lambda s: s["signal"].startswith("audio:") and not s["reading"])
+        program.place("seek")
+        self.snapshot("sound")
+        left, top, right, bottom = program.place("seek")
+        self.screen.do("mousemove", (left + right) // 2, (top + bottom) // 2, "click", 1)
+        program.wait("its middle plays", lambda s: 9.5 < s["time"] < 15)
+        program.key("r")
+        program.wait("it begins again", lambda s: s["time"] < 3)
+        program.key("ctrl+z")
+        program.wait("undo gives the figure back", lambda s: s["signal"].startswith("lissajous:"))
+
+    def test_a_file_that_is_missing_or_cut_off_keeps_a_mark(self):
+        program = self.program
+        gone = program.folder / "gone.wav"
+        self.open_by_name(gone)
+        program.wait("it is said, listed and marked at the signal", lambda s:
+                     "gone.wav" in s["notice"] and "media_problem" in s["widgets"] and
+                     [problem["file"] for problem in s["problems"]] == [str(gone)])
+        self.snapshot("missing")
+        cut = program.folder / "cut.wav"
+        write_tones(cut, seconds=4)
+        os.truncate(cut, 8044)
+        self.open_by_name(cut)
+        program.wait("what is there draws, and how much that is is told", lambda s: not s["reading"] and
+                     ["breaks off: 0.25 of 4.00 s are there, the rest is missing"] ==
+                     [problem["message"] for problem in s["problems"]])
+        program.key("ctrl+z", "ctrl+z")
+        program.wait("without the file there is no mark", lambda s: not s["problems"] and
+                     "media_problem" not in s["widgets"])
+
+    def test_what_is_dropped_on_the_window_opens(self):
+        program = self.program
+        song = program.folder / "zwei Töne.wav"
+        write_tones(song, seconds=2)
+        program.set("decay", "0.61")
+        program.key("ctrl+s")
+        program.answer("Mine")
+        program.wait("it is saved", lambda s: not s["is_modified"])
+        program.set("decay", "0.62")
+        self.drop(song)
+        program.wait("the sound draws", lambda s: s["signal"].startswith("audio:") and not s["reading"])
+        program.key("ctrl+s")
+        program.wait("it is saved", lambda s: not s["is_modified"])
+        program.click("preset:overdriven")
+        program.wait("another preset opens", lambda s: s["preset"] not in ("", "Mine"))
+        self.drop(self.presets / "phosphor/Mine.json")
+        program.wait("the preset opens", lambda s: s["preset"] == "Mine" and
+                     s["values"]["decay"] == [0.62] and s["signal"].startswith("audio:"))

@@ -1,0 +1,95 @@
+"""A person edits looks and their shaders."""
+
+import json
+import os
+from pathlib import Path
+
+from person import Person
+
+
+class Editing(Person):
+    def test_an_edited_shader_shows_at_once(self):
+        program = self.program
+        shader = self.looks / "phosphor/composite.frag"
+        text = shader.read_text()
+        white = text[:text.rindex("}")] + "    color = vec4(1.0);\n}\n"
+        before = self.brightness()
+
+        beside = shader.with_suffix(".new")
+        beside.write_text(white)
+        os.replace(beside, shader)
+        program.wait_for("an edit by rename is seen", lambda: self.brightness() > 250)
+        shader.write_text(text)
+        program.wait_for("an edit in place is seen", lambda: self.brightness() < before + 20)
+
+        broken = text.replace("void main() {", "void main() {\n    colour = 1.0;", 1)
+        line = 1 + broken[:broken.index("colour = 1.0")].count("\n")
+        shader.write_text(broken)
+        state = program.wait("the mistake is shown", lambda s: s["problems"])
+        problem = state["problems"][0]
+        self.assertEqual((Path(problem["file"]).name, problem["line"]), ("composite.frag", line))
+        self.assertIn("colour", problem["message"])
+        self.assertEqual(problem["source"].strip(), "colour = 1.0;")
+        program.wait("the last good picture runs on", lambda s: s["frame"] > state["frame"] + 3)
+        self.assertGreater(self.brightness(), 0.5)
+        self.snapshot("broken")
+        program.click("problem:composite.frag:%d" % line)
+        program.wait_for("a click opens the editor at the line",
+                         lambda: "+%d" % line in program.edited_files())
+        shader.write_text(text)
+        program.wait("mending it clears the message", lambda s: not s["problems"])
+
+    def test_a_pass_is_changed_and_written_back(self):
+        program = self.program
+        manifest = self.looks / "phosphor/look.json"
+        before = json.loads(manifest.read_text())
+        program.click("pass:bloom_x")
+        program.wait("it is inspected", lambda s: s["inspected"] == "bloom_x")
+        program.click("pass_format")
+        program.place("format:rgba16f")
+        other = next(name for name in program.state()["widgets"]
+                     if name.startswith("format:") and name.endswith("f") and name != "format:rgba16f")
+        program.click(other)
+        program.wait("the change can be taken back", lambda s: s["undo"] == "Pass bloom_x")
+        program.click("write_overrides")
+        program.wait("it is written", lambda s: "Written" in s["notice"])
+        after = json.loads(manifest.read_text())
+        bloom = [one["name"] for one in before["passes"]].index("bloom_x")
+        self.assertEqual(after["passes"][bloom]["format"], other.removeprefix("format:"))
+        after["passes"][bloom]["format"] = before["passes"][bloom]["format"]
+        self.assertEqual(after, before)
+
+    def test_a_parameter_and_a_pass_open_the_editor_at_their_line(self):
+        program = self.program
+        program.click("pass:persistence")
+        program.click("edit_pass")
+        program.wait_for("the pass opens", lambda: "persistence.frag" in program.edited_files())
+        program.reveal("exposure")
+        program.click("label:exposure")
+        program.click("open_declared")
+        text = (self.looks / "phosphor/composite.frag").read_text()
+        line = 1 + text[:text.index("uniform float exposure")].count("\n")
+        program.wait_for("the parameter opens at its line", lambda: "+%d %s" % (
+            line, self.looks / "phosphor/composite.frag") in program.edited_files())
+
+    def test_a_new_look_and_a_copy_of_one_are_the_persons_own(self):
+        program = self.program
+        program.set("decay", "0.61")
+        program.choose("File", "Duplicate this look…")
+        program.answer("my-phosphor")
+        state = program.wait("the copy is open", lambda s: s["look"] == "my-phosphor")
+        self.assertEqual(state["values"]["decay"], [0.61])
+        self.assertTrue((self.looks / "my-phosphor/composite.frag").exists())
+        program.key("ctrl+n")
+        program.answer("fresh")
+        state = program.wait("the new look is open and drawn",
+                             lambda s: s["look"] == "fresh" and s["frame"] > 2)
+        self.assertEqual(state["problems"], [])
+        self.snapshot("new_look")
+        program.choose("File", "Back to the session before")
+        program.wait("what was not saved comes back",
+                     lambda s: s["look"] == "my-phosphor" and s["values"]["decay"] == [0.61])
+        program.click("look:phosphor")
+        program.click("dialog_cancel")
+        state = program.wait("Cancel keeps everything", lambda s: s["dialog"] == 0)
+        self.assertEqual((state["look"], state["values"]["decay"]), ("my-phosphor", [0.61]))

@@ -1,0 +1,120 @@
+"""A person keeps and shares what they found."""
+
+from person import PICTURE, Person
+
+
+class Keeping(Person):
+    def test_presets_are_saved_and_loaded(self):
+        program = self.program
+        program.set("decay", "0.61")
+        program.key("ctrl+s")
+        program.place("dialog_name")
+        program.type("Mine")
+        self.snapshot("saving")
+        program.key("Return")
+        program.wait("it is saved", lambda s: s["preset"] == "Mine" and not s["is_modified"])
+        saved = self.presets / "phosphor/Mine.json"
+        self.assertIn('"decay": 0.61', saved.read_text())
+
+        program.click("preset:overdriven")
+        program.wait("another preset opens",
+                     lambda s: s["preset"] != "Mine" and s["values"]["decay"][0] != 0.61)
+        program.key("ctrl+shift+s")
+        program.place("dialog_name")
+        program.key("ctrl+a")
+        program.type("Mine")
+        program.place("dialog_taken")
+        self.snapshot("taken")
+        program.click("dialog_cancel")
+        program.wait("nothing is replaced without being asked", lambda s: s["dialog"] == 0)
+        self.assertIn('"decay": 0.61', saved.read_text())
+        program.click("preset:Mine")
+        program.wait("the saved values are back",
+                     lambda s: s["preset"] == "Mine" and s["values"]["decay"][0] == 0.61)
+
+    def test_presets_are_renamed_duplicated_and_deleted(self):
+        program = self.program
+        folder = self.presets / "phosphor"
+        program.set("decay", "0.61")
+        program.choose("File", "Save preset as…")
+        program.answer("First")
+        program.wait("it is saved", lambda s: s["preset"] == "First" and not s["is_modified"])
+        program.choose("File", "Rename preset…")
+        program.answer("Second")
+        program.wait("it is renamed", lambda s: s["preset"] == "Second")
+        self.assertFalse((folder / "First.json").exists())
+        program.key("F2")
+        program.place("dialog_name")
+        program.key("ctrl+a")
+        program.type("overdriven")
+        program.place("dialog_taken")
+        program.key("Return", "Escape")
+        program.wait("a name that is taken is refused",
+                     lambda s: s["dialog"] == 0 and s["preset"] == "Second")
+        program.set("decay", "0.62")
+        program.key("ctrl+d")
+        state = program.wait("the copy is open", lambda s: s["preset"] == "Second 2")
+        self.assertTrue(state["is_modified"])  # what was not saved goes on in the copy
+        program.key("ctrl+s")
+        program.wait("it is saved", lambda s: not s["is_modified"])
+        self.assertIn('"decay": 0.61', (folder / "Second.json").read_text())
+        self.assertIn('"decay": 0.62', (folder / "Second 2.json").read_text())
+        program.choose("File", "Delete preset…")
+        program.click("dialog_ok")
+        program.wait("it is gone, its values stay",
+                     lambda s: s["preset"] == "" and s["values"]["decay"][0] == 0.62)
+        self.assertEqual([file.name for file in folder.glob("Second*")], ["Second.json"])
+
+    def test_a_preset_travels_as_a_line_of_text(self):
+        program = self.program
+        program.set("decay", "0.61")
+        self.hover("picture")
+        program.key("ctrl+c")
+        program.wait("it is copied", lambda s: "Copied" in s["notice"])
+        program.key("ctrl+z")
+        program.wait("the value is gone", lambda s: s["values"]["decay"][0] != 0.61)
+        program.key("ctrl+v")
+        program.wait("the line brings it back, as one step",
+                     lambda s: s["values"]["decay"][0] == 0.61 and s["undo"] == "Paste")
+
+    def test_a_preset_opens_in_one_step_and_nothing_unsaved_is_lost(self):
+        program = self.program
+        program.set("decay", "0.61")
+        program.click("preset:overdriven")
+        program.wait("it opens at once", lambda s: s["preset"] == "Overdriven" and
+                     s["undo"] == "Open Overdriven" and "Ctrl+Z" in s["notice"])
+        program.key("ctrl+z")
+        program.wait("one step back are the values before, still unsaved",
+                     lambda s: s["preset"] == "" and s["is_modified"] and
+                     s["values"]["decay"] == [0.61])
+
+    def test_a_preset_of_a_stack_is_opened_bypassed_reordered_and_undone(self):
+        program = self.program
+        self.open_by_name(self.presets / "phosphor+crt/night-ward.json")
+        values = program.wait("both looks draw", lambda s: s["look"] == "phosphor+crt" and
+                              s["preset"] == "Night ward")["values"]
+        program.click("stack_bypass:crt")
+        program.wait("the second look draws nothing", lambda s: (s["bypass"], s["undo"]) == ("crt", "Bypass CRT"))
+        program.click("stack_up:crt")
+        program.wait("it comes first", lambda s: (s["look"], s["undo"]) == ("crt+phosphor", "Move CRT"))
+        program.key("ctrl+z")
+        program.wait("it is last again", lambda s: (s["look"], s["undo"]) == ("phosphor+crt", "Bypass CRT"))
+        program.key("ctrl+z")
+        program.wait("all is as the preset has it",
+                     lambda s: not s["bypass"] and not s["is_modified"] and s["values"] == values)
+        program.key("ctrl+z")
+        program.wait("and then as it was before", lambda s: s["look"] == "phosphor" and not s["preset"])
+
+    def test_everything_comes_back_after_a_quit_and_after_a_crash(self):
+        program = self.program
+        program.set("decay", "0.61")
+        program.quit()
+        state = program.start()
+        self.assertEqual((state["values"]["decay"], state["picture"]), ([0.61], PICTURE))
+        self.assertTrue(state["is_modified"])
+        program.key("ctrl+z")
+        program.wait("undo reaches back over the quit", lambda s: s["values"]["decay"] != [0.61])
+        program.key("ctrl+shift+z")
+        program.wait("it is there again", lambda s: s["values"]["decay"] == [0.61])
+        program.kill()  # at once: a change is kept when it is done
+        self.assertEqual(program.start()["values"]["decay"], [0.61])

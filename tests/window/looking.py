@@ -1,0 +1,63 @@
+"""A person looks closely."""
+
+from person import WINDOW, Person
+
+
+class Looking(Person):
+    def test_a_pass_can_be_looked_into(self):
+        program = self.program
+        program.click("pass:persistence")
+        program.wait("it is inspected", lambda s: s["inspected"] == "persistence")
+        program.click("channels:G")
+        self.hover("inspector")
+        program.wait("the value under the pointer is told",
+                     lambda s: s["probe"] and s["probe"]["pass"] == "persistence" and
+                     len(s["probe"]["rgba"]) == 4)
+        self.snapshot("inspector")
+        program.key("p")
+        program.place("back_to_picture")
+        self.hover("picture")
+        state = program.wait("it is as large as the picture, and its values are told",
+                             lambda s: s["probe"] and s["probe"]["pass"] == "persistence")
+        self.assertLess(abs(state["probe"]["x"] - 160) + abs(state["probe"]["y"] - 120), 3)
+        program.click("channels:RGB")
+        before = self.brightness()
+        program.key("e", "e", "e")
+        program.wait_for("three stops brighten it", lambda: self.brightness() > before + 3)
+        self.snapshot("large_pass")
+        program.key("shift+e", "shift+e", "shift+e", "Escape")
+        program.wait("Escape goes back to the picture",
+                     lambda s: "back_to_picture" not in s["widgets"])
+
+    def test_the_wheel_zooms_about_the_pointer(self):
+        program = self.program
+        program.key("f")
+        x, y = program.middle("picture")
+        left, right = self.column_at(x, y), self.column_at(x + 96, y)
+        self.screen.do("mousemove", x, y, "click", "--repeat", 4, "--delay", 5, 4)
+        program.wait_for("what is beside is further away",
+                         lambda: self.column_at(x + 96, y) - left <= (right - left) / 2)
+        self.assertLessEqual(abs(self.column_at(x, y) - left), 1)
+        self.snapshot("zoomed")
+        program.key("f")
+        program.wait_for("F shows it whole again", lambda: self.column_at(x + 96, y) == right)
+
+    def test_everything_fits_a_small_window(self):
+        program = self.program
+        width, height = 900, 600
+        self.screen.resize(width, height)
+        program.wait("the panes give way", lambda s: 0 < s["widgets"]["search"][2] <= width)
+        program.key("F1")
+        program.place("dialog_cancel")
+        self.snapshot("small_keys")
+        for key in ("Escape", "ctrl+o", "Escape"):
+            state = program.wait("what is drawn is within the window", lambda s: all(
+                0 <= place[0] and 0 <= place[1] and place[2] <= width and place[3] <= height
+                for name, place in s["widgets"].items() if name.startswith("dialog")))
+            program.key(key)
+            program.wait("a dialog opens or closes", lambda s, then=state: s["dialog"] != then["dialog"])
+        self.snapshot("small")
+        row = [program.place(name) for name in ("restart", "play", "step", "picture_size", "zoom")]
+        for left, right in zip(row, row[1:]):
+            self.assertLessEqual(left[2], right[0])
+        self.screen.resize(*WINDOW)

@@ -1,0 +1,108 @@
+"""A person turns knobs."""
+
+from person import Person
+
+
+class Tuning(Person):
+    def test_a_knob_turns_the_picture_and_undo_turns_it_back(self):
+        program = self.program
+        state = program.state()
+        self.snapshot("started")
+        default = state["values"]["exposure"][0]
+        dark = self.brightness()
+        program.reveal("exposure")
+        low, high, y = program.slider("exposure")
+        program.drag(((low + high) // 2, y), (high, y))
+        program.wait("the exposure is turned up, in one step",
+                     lambda s: s["values"]["exposure"][0] > 4 * default and
+                     s["undo"] == "Exposure" and s["is_modified"])
+        program.wait_for("the picture is brighter", lambda: self.brightness() > dark + 3)
+        self.snapshot("turned")
+
+        program.key("ctrl+z")
+        program.wait("one step back is the default again",
+                     lambda s: s["values"]["exposure"][0] == default and
+                     s["undo"] == state["undo"])
+        program.wait_for("the picture is as dark as before", lambda: self.brightness() < dark + 2)
+        program.key("ctrl+shift+z")
+        program.wait("redo turns it up again",
+                     lambda s: s["values"]["exposure"][0] > 4 * default and s["redo"] == "")
+        program.click("reset:exposure")
+        program.wait("its reset button gives the default",
+                     lambda s: s["values"]["exposure"][0] == default)
+
+    def test_a_number_is_typed(self):
+        program = self.program
+        program.set("exposure", "20.5")  # beyond the slider
+        program.retype("exposure", "0,75")
+        program.wait("a comma is a point", lambda s: s["values"]["exposure"] == [0.75])
+        program.retype("exposure", "much")
+        program.wait("what is no number is told", lambda s: "'much' is no number" in s["notice"])
+        program.retype("exposure", "4,096")
+        program.wait("what may be two numbers is told", lambda s: "may mean" in s["notice"])
+        self.assertEqual(program.state()["values"]["exposure"], [0.75])
+        program.set("decay", "0.5")
+        program.retype("decay", "7")
+        program.wait("it stops at the hard limit, which is told", lambda s:
+                     s["values"]["decay"] == [1] and "at most 1" in s["notice"].lower())
+        program.click("number:decay")
+        program.type("0.25")
+        program.click("label:decay")
+        program.wait("leaving the field takes it too", lambda s: s["values"]["decay"] == [0.25])
+
+    def test_help_shows_while_the_pointer_rests_on_a_parameter(self):
+        program = self.program
+        program.reveal("exposure")
+        self.assertNotIn("help:exposure", program.state()["widgets"])
+        self.hover("label:exposure")
+        program.wait("its help is shown", lambda s: "help:exposure" in s["widgets"])
+        self.snapshot("help")
+        self.hover("picture")
+        program.wait("and goes", lambda s: "help:exposure" not in s["widgets"])
+
+    def test_a_paused_picture_follows_a_knob(self):
+        program = self.program
+        program.reveal("exposure")
+        program.click("play")
+        program.wait("it stops", lambda s: not s["is_playing"])
+        dark = self.brightness()
+        low, high, y = program.slider("exposure")
+        program.drag(((low + high) // 2, y), (high, y))
+        program.wait_for("the resting picture is brighter", lambda: self.brightness() > dark + 3)
+
+    def test_one_group_and_all_are_reset(self):
+        program = self.program
+        default = program.state()["values"]
+        for name in ("decay", "exposure"):
+            program.set(name, "0.61")
+        program.reveal("decay")
+        program.click("reset_group:Phosphor")
+        program.wait("the group is reset, another is not", lambda s: s["undo"] == "Reset group" and
+                     s["values"]["decay"] == default["decay"] and s["values"]["exposure"] == [0.61])
+        program.choose("Edit", "Reset all parameters")
+        program.wait("all are reset", lambda s: s["values"] == default)
+
+    def test_one_key_wipes_to_the_articles_own_picture(self):
+        program = self.program
+        program.click("play")
+        program.wait("it stops", lambda s: not s["is_playing"])
+        program.key("w")
+        left, top, right, bottom = program.place("wipe")
+        self.snapshot("wipe")
+        place = program.place("picture")
+        y = bottom - 40
+        program.drag(((left + right) // 2, y), (place[2] - 20, y))
+        program.wait("the line goes with the hand", lambda s: s["wipe"] > 0.9)
+        self.hover("picture")
+        article = program.wait("the article's value is told", lambda s: s["probe"])["probe"]
+        left, top, right, bottom = program.place("wipe")
+        program.drag(((left + right) // 2, y), (place[0] + 20, y))
+        program.wait("and back", lambda s: s["wipe"] < 0.1)
+        self.hover("picture")
+        ours = program.wait("ours is told where ours is", lambda s: s["probe"] and
+                            s["probe"]["rgba"] != article["rgba"])["probe"]
+        self.assertEqual((ours["x"], ours["y"]), (article["x"], article["y"]))
+        program.key("w")
+        state = program.wait("the picture is alone again", lambda s: s["wipe"] is None)
+        self.assertNotIn("wipe", state["widgets"])
+        self.assertFalse(state["is_modified"])
