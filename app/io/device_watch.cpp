@@ -8,11 +8,13 @@ bool DeviceWatch::served(double seconds, Clock::time_point now) noexcept {
     const double passed = std::chrono::duration<double>(now - m_served.load()).count();
     m_ahead = std::max(0.0, m_ahead - fastest * passed) + seconds;
     m_served = now;
+    m_has_begun = true;
     if (m_ahead > most_ahead)
         m_has_run_away = true;
     return !m_has_run_away;
 }
 
 bool DeviceWatch::is_lost(Clock::time_point now) const {
-    return m_has_run_away || now - m_served.load() > std::chrono::seconds(1);
+    const std::chrono::seconds patience(m_has_begun ? 1 : 4);
+    return m_has_run_away || now - m_served.load() > patience;
 }

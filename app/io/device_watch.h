@@ -15,11 +15,13 @@ public:
     /// `seconds` of sound went to or came from the device. False: it ran away, so the stream is to
     /// end.
     bool served(double seconds, Clock::time_point now) noexcept;
-    /// Whether nothing was asked for a second, or it ran away.
+    /// Whether nothing was asked for a second, at first for four, or it ran away. A sound server
+    /// takes its time to start; an idle monitor of one gives nothing for two.
     bool is_lost(Clock::time_point now) const;
 
 private:
     std::atomic<Clock::time_point> m_served = Clock::time_point{};
+    std::atomic<bool> m_has_begun = false;
     std::atomic<bool> m_has_run_away = false;
     double m_ahead = 0.0;  // s, of the device's thread: served beyond what time allows
 };

@@ -114,13 +114,12 @@ void draw_delay(const Scene& scene, Edits& edits) {
     const ScopedId id(std::string("delay"));
     const FormColumns columns = form_columns(false);
     begin_line("Picture delay",
-               "How much later the picture comes, to meet what is heard from slow loudspeakers.\n"
-               "In ms.",
+               "How much later the picture comes, to meet what is heard from slow loudspeakers.",
                columns);
     SoundSettings settings = scene.lab.player().sound_settings();
-    const Turned turned =
-        form_slider("##value", settings.picture_delay_ms,
-                    {.low = -200.0, .high = 500.0, .step = 1.0}, columns, scene.fonts);
+    const Turned turned = form_slider("##value", settings.picture_delay_ms,
+                                      {.low = -200.0, .high = 500.0, .step = 1.0, .unit = "ms"},
+                                      columns, scene.fonts);
     edits.mark("sound:delay");
     if (turned.is_finished)
         apply(settings, edits);
@@ -135,8 +134,7 @@ void draw_beam_output(const Scene& scene, Edits& edits) {
     edits.mark("sound:beam");
     tooltip(
         "Draws on a real scope in X-Y: left is x, right is y. Not meant for loudspeakers: it may "
-        "be "
-        "loud. A sound file is not heard meanwhile.");
+        "be loud. A sound file is not heard meanwhile.");
     if (!settings.plays_beam)
         return;
     const ScopedId id(std::string("beam_level"));

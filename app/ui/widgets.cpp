@@ -129,7 +129,8 @@ bool begin_combo(const char* id, const std::string& present, float width) {
     ImGui::SetNextItemWidth(width);
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const std::string cut = cut_to_fit(present, width - ImGui::GetFontSize() * 1.6f);
-    const bool is_open = ImGui::BeginCombo(id, cut.c_str(), ImGuiComboFlags_NoArrowButton);
+    const bool is_open = ImGui::BeginCombo(
+        id, cut.c_str(), ImGuiComboFlags_NoArrowButton | ImGuiComboFlags_HeightLarge);
     if (is_open)
         return true;  // from here on the list is drawn
     draw_chevron(

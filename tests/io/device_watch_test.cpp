@@ -8,11 +8,11 @@ namespace {
 constexpr DeviceWatch::Clock::time_point start{100s};
 }
 
-TEST_CASE("a device that was opened has a second to begin, and then between its buffers") {
+TEST_CASE("a device has four seconds to begin, and then one between its buffers") {
     DeviceWatch watch;
     watch.start(start);
-    CHECK_FALSE(watch.is_lost(start + 900ms));
-    CHECK(watch.is_lost(start + 1100ms));
+    CHECK_FALSE(watch.is_lost(start + 3900ms));
+    CHECK(watch.is_lost(start + 4100ms));
     CHECK(watch.served(0.01, start + 1200ms));
     CHECK_FALSE(watch.is_lost(start + 2100ms));
     CHECK(watch.is_lost(start + 2300ms));
