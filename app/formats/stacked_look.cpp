@@ -150,7 +150,8 @@ private:
         add_settling(look);
     }
 
-    // Only a screen takes 8 bits: what another look reads keeps its light above 1 and its fine steps.
+    // Only a screen takes 8 bits: what another look reads keeps its light above 1 and its fine
+    // steps.
     static void keep_light(Pass& last) {
         if (last.format == Format::rgba8)
             last.format = Format::rgba16f;
