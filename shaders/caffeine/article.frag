@@ -41,11 +41,12 @@ vec3 sphere_point_as_written() {
     return numbers_here(sphere_points).xyz;
 }
 
-// As camera_ray(), but the lens is brighter in its middle, as its radius is an even number.
+// The lens is brighter in its middle, as its radius is an even number.
 Ray ray_as_written() {
     vec2 jitter = even_pair() - 0.5;
     vec2 around = circle_point();
-    return camera_ray(gl_FragCoord.xy, jitter, around * even_pair().x);
+    Camera view = camera();
+    return lens_ray(view, focus_point(view, gl_FragCoord.xy, jitter), around * even_pair().x);
 }
 
 vec3 light_as_written(Ray ray) {

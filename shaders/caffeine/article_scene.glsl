@@ -5,7 +5,7 @@
 #include "material.glsl"
 
 vec3 lamp_color() {
-    return light_color * article_radiance;
+    return light_color * light_radiance;
 }
 
 // A point anywhere on the lamp, also on its far side; the lamp's size in the sky as the square of an

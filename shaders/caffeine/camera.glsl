@@ -45,16 +45,22 @@ vec2 disk_point(vec2 square) {
     return is_wide ? on_axis : on_axis.yx;
 }
 
-// Through a place of a pixel, as seen from the lens: `from_middle` and `on_lens` are -0.5..0.5 px and
-// within a disk of radius 1.
-Ray camera_ray(vec2 pixel, vec2 from_middle, vec2 on_lens) {
-    Camera view = camera();
+// What a place of a pixel shows sharply: `from_middle` is -0.5..0.5 px.
+vec3 focus_point(Camera view, vec2 pixel, vec2 from_middle) {
     vec2 place = (2.0 * (pixel + (antialias ? from_middle : vec2(0.0))) - u_resolution) / u_resolution.y;
     place *= tan(radians(0.5 * field_of_view));
-    vec3 towards = view.forward + place.x * view.right + place.y * view.up;
     float depth = max(dot(camera_target - view.eye, view.forward) - focal_plane, 0.01);
-    vec3 origin = view.eye + aperture * (on_lens.x * view.right + on_lens.y * view.up);
-    return Ray(origin, normalize(view.eye + depth * towards - origin));
+    return view.eye + depth * (view.forward + place.x * view.right + place.y * view.up);
+}
+
+vec3 across_lens(Camera view, vec2 on_lens) {
+    return aperture * (on_lens.x * view.right + on_lens.y * view.up);
+}
+
+// `on_lens` lies within a disk of radius 1.
+Ray lens_ray(Camera view, vec3 focus, vec2 on_lens) {
+    vec3 origin = view.eye + across_lens(view, on_lens);
+    return Ray(origin, normalize(focus - origin));
 }
 
 #endif

@@ -14,6 +14,8 @@ uniform int tone_map = 2;        // @items "Clamp" "Reinhard" "ACES"  @label "To
                                  // @help "How light brighter than the screen can show is brought back to it. Clamp cuts it off, the others bend it softly."
 uniform float white = 0.0;       // @range 0 16  @limit 0 1000  @label "White"  @group "Picture"  @identity 0
                                  // @help "The light that Reinhard turns to full white. 0 is without."
+uniform float article_gamma = 2.2;  // @range 1 3  @limit 0.1 10  @label "Article's gamma"  @group "Article"
+                                    // @help "The article's display curve, in place of the display's own. Only as the article wrote it."
 uniform bool dither = true;      // @label "Dither"  @group "Picture"  @identity 0
                                  // @help "Noise of half a screen step, so that soft shadows show no bands."
 
@@ -26,7 +28,7 @@ vec3 mean_of(sampler2D sums) {
 
 void main() {
     // The article clamps and takes the root, which is not the display's curve.
-    vec3 display = as_written ? pow(clamp(mean_of(article), 0.0, 1.0), vec3(1.0 / 2.2))
+    vec3 display = as_written ? pow(clamp(mean_of(article), 0.0, 1.0), vec3(1.0 / article_gamma))
                               : srgb_encode(tone_mapped(exposure * mean_of(sum), tone_map, white));
     color = vec4(dither ? dithered(display, uvec2(gl_FragCoord.xy), 0u) : display, 1.0);
 }

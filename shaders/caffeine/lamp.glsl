@@ -11,12 +11,12 @@ uniform float light_shown = 1.0;  // @range 0 8  @limit 0 10000  @label "Lamp as
                                   // @help "How bright the lamp itself is in the picture, as if behind a dark glass. Its light on things stays; so do its mirror images."
 
 vec3 lamp_light() {
-    return light_color * (light_intensity * article_radiance);
+    return light_color * (light_intensity * light_radiance);
 }
 
 // Seen by the camera; 1 is the article's.
 vec3 lamp_shown() {
-    return light_color * (light_shown * article_radiance);
+    return light_color * (light_shown * light_radiance);
 }
 
 // 1 - cos of half the cone's angle; below 0 inside the lamp, where there is no cone. The cone's solid

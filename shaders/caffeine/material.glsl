@@ -11,10 +11,11 @@ uniform float coffee_roughness = 0.0;  // @range 0 1  @limit 0 1  @label "Coffee
 uniform float atom_matt = 0.8;         // @range 0 1  @limit 0 1  @label "Atoms matt"  @group "Surfaces"
                                        // @help "The share of the light that the atoms scatter in all directions. The rest is mirrored, as their roughness says: 0 is metal, 1 is chalk."
 uniform float coffee_matt = 0.8;       // @range 0 1  @limit 0 1  @label "Coffee matt"  @group "Surfaces"
+uniform float ray_offset = 1e-4;       // @range 0.00001 0.1  @limit 0 1  @scale log  @label "Ray offset"  @unit "Å"  @group "Sampling"
+                                       // @help "How far above a surface its rays start, so as not to meet it again at once."
 
 const float pi = 3.14159265359;
 const float smoothest = 0.005;  // what is smoother is a mirror
-const float off_surface = 1e-3;  // Å: a ray starts so far away, not to meet the surface it leaves
 
 struct Surface {
     vec3 place;
@@ -30,7 +31,7 @@ Surface surface_at(Ray ray, Hit hit) {
     bool is_coffee = hit.what == coffee;
     vec3 normal = is_coffee ? vec3(0.0, ray.direction.y < 0.0 ? 1.0 : -1.0, 0.0)
                             : normalize(place - hit.center);
-    return Surface(place + off_surface * normal, normal, reflect(ray.direction, normal),
+    return Surface(place + ray_offset * normal, normal, reflect(ray.direction, normal),
                    is_coffee ? coffee_color : color_of_atom(hit.what),
                    is_coffee ? coffee_roughness : atom_roughness,
                    is_coffee ? coffee_matt : atom_matt);

@@ -7,6 +7,11 @@ uniform mat4 u_view;  // the molecule, turned by the mouse
 
 uniform float atom_scale = 1.2;                      // @range 0.5 2.5  @limit 0.05 10  @label "Atom size"  @unit "× radius"  @group "Molecule"
                                                      // @help "Size of the spheres against the atoms' covalent radii. From about 2 on they flow into one another."
+uniform float carbon_radius = 0.73;    // @range 0 2  @limit 0 10  @label "Carbon radius"  @unit "Å"  @group "Molecule"
+                                       // @help "Covalent radius, before the size of all atoms. 0: there are none."
+uniform float hydrogen_radius = 0.31;  // @range 0 2  @limit 0 10  @label "Hydrogen radius"  @unit "Å"  @group "Molecule"
+uniform float nitrogen_radius = 0.71;  // @range 0 2  @limit 0 10  @label "Nitrogen radius"  @unit "Å"  @group "Molecule"
+uniform float oxygen_radius = 0.66;    // @range 0 2  @limit 0 10  @label "Oxygen radius"  @unit "Å"  @group "Molecule"
 uniform vec3 carbon_color = vec3(0.565, 0.565, 0.565);    // @color  @label "Carbon"  @group "Molecule"
 uniform vec3 hydrogen_color = vec3(1.0, 1.0, 1.0);        // @color  @label "Hydrogen"  @group "Molecule"
 uniform vec3 nitrogen_color = vec3(0.188, 0.314, 0.973);  // @color  @label "Nitrogen"  @group "Molecule"
@@ -57,10 +62,10 @@ void meet_sphere(Ray ray, int what, float radius, vec3 center, inout Hit hit) {
 void meet_molecule(Ray world, inout Hit hit) {
     mat3 turn = mat3(u_view);
     Ray ray = Ray(world.origin * turn, world.direction * turn);
-    float h = 0.31 * atom_scale;
-    float c = 0.73 * atom_scale;
-    float n = 0.71 * atom_scale;
-    float o = 0.66 * atom_scale;
+    float h = hydrogen_radius * atom_scale;
+    float c = carbon_radius * atom_scale;
+    float n = nitrogen_radius * atom_scale;
+    float o = oxygen_radius * atom_scale;
     Hit own = hit;
     meet_sphere(ray, hydrogen, h, vec3(-3.3804130, -1.1272367, 0.5733036), own);
     meet_sphere(ray, nitrogen, n, vec3(0.9668296, -1.0737425, -0.8198227), own);

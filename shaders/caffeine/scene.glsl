@@ -14,8 +14,10 @@ uniform float light_distance = 8.0;       // @range 0 30  @limit 0 1000  @label 
                                           // @help "From the upright axis through the molecule."
 uniform float light_radius = 4.0;         // @range 0.05 8  @limit 0.01 100  @label "Lamp radius"  @unit "Å"  @group "Lamp"
                                           // @help "A large lamp throws soft shadows, a small one hard ones. A larger one also gives more light."
+uniform float light_radiance = 6.0;       // @range 0 24  @limit 0 10000  @label "Lamp light"  @group "Lamp"
+                                          // @help "What the lamp's surface gives off where its brightness, or how it is seen, is 1."
 uniform float light_intensity = 4.1;      // @range 0 16  @limit 0 10000  @label "Lamp brightness"  @group "Lamp"
-                                          // @help "How bright the lamp's surface is."
+                                          // @help "How bright the lamp's light is on things and in mirrors."
 uniform vec3 light_color = vec3(1.0, 1.0, 0.5);     // @color  @label "Lamp colour"  @group "Lamp"
 uniform vec3 ambient = vec3(0.01, 0.01, 0.01);      // @color  @label "Ambient"  @group "Lamp"
                                                     // @help "Light that comes evenly from everywhere; also the background."
@@ -24,7 +26,6 @@ const int coffee = 4;
 const int lamp = 5;
 const int nothing = 6;
 const float far_away = 1e30;
-const float article_radiance = 6.0;  // of the article's lamp at brightness 1
 
 vec3 lamp_center() {
     return vec3(cos(light_angle) * light_distance, light_height, sin(light_angle) * light_distance);

@@ -2,8 +2,8 @@
 // One path of light through each pixel, added to those before. Linear light; alpha counts the paths.
 // Nothing in it leans to one side: the mean over ever more paths is the picture (path tracing: J. T.
 // Kajiya, "The Rendering Equation", SIGGRAPH 1986).
-#include "camera.glsl"
 #include "lamp.glsl"
+#include "lens_cut.glsl"
 #include "sobol.glsl"
 
 uniform sampler2D points;
@@ -19,6 +19,8 @@ uniform int seed = 0;                 // @range 0 100 1  @limit 0 1000000  @labe
                                       // @help "Another one gives another noise, and the same picture in the end."
 
 out vec4 color;
+
+const int choice_block = 63;  // of no surface
 
 // Four numbers, 0 <= n < 1. Blocks 0 to 4 are the 20 dimensions of one sequence; deeper bounces take
 // those of the first four in another order.
@@ -60,8 +62,23 @@ vec3 light_along(Ray ray) {
     return light;
 }
 
+// The lamp's part of a lens that it cuts is known without a path where nothing hides the lamp. Else
+// the path goes through one part or the other, as often as they are large.
 void main() {
     vec4 numbers = sample_numbers(0);
-    Ray ray = camera_ray(gl_FragCoord.xy, numbers.xy - 0.5, disk_point(numbers.zw));
-    color = vec4(light_along(ray), 1.0);
+    Camera view = camera();
+    vec3 focus = focus_point(view, gl_FragCoord.xy, numbers.xy - 0.5);
+    vec2 on_lens = disk_point(numbers.zw);
+    LensCut cut = cut_by_lamp(view, focus, on_lens);
+    float share = 1.0;
+    vec3 light = vec3(0.0);
+    if (cut.lamp_share > 0.0) {
+        on_lens = sample_numbers(choice_block).x < cut.lamp_share ? cut.lamp : cut.beside;
+        if (sees_lamp(lens_ray(view, focus, cut.lamp))) {
+            on_lens = cut.beside;
+            share -= cut.lamp_share;
+            light += cut.lamp_share * lamp_shown();
+        }
+    }
+    color = vec4(light + share * light_along(lens_ray(view, focus, on_lens)), 1.0);
 }

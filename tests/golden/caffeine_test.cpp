@@ -9,7 +9,8 @@ const GoldenLook caffeine{
     .cell = {96, 54},
     .preset_cell = {96, 54},
     .always = {{"dither", "false"}, {"samples_per_frame", "2"}},
-    .companions = {{"white", {{"tone_map", "1"}, {"exposure", "3"}}}},
+    .companions = {{"article_gamma", {{"as_written", "true"}}},
+                   {"white", {{"tone_map", "1"}, {"exposure", "3"}}}},
     .ends = {{"orbit_turn", {"0,-70,0", "60,0,30"}}},  // half turns about all three axes are none
     .fewest_presets = 5,
 };

@@ -54,9 +54,13 @@ private:
 };
 
 /// Of two pictures' light.
-inline double root_mean_square_error(const std::vector<double>& a, const std::vector<double>& b) {
+inline double mean_square_error(const std::vector<double>& a, const std::vector<double>& b) {
     double squares = 0.0;
     for (std::size_t i = 0; i < a.size(); ++i)
         squares += (a[i] - b[i]) * (a[i] - b[i]);
-    return std::sqrt(squares / static_cast<double>(a.size()));
+    return squares / static_cast<double>(a.size());
+}
+
+inline double root_mean_square_error(const std::vector<double>& a, const std::vector<double>& b) {
+    return std::sqrt(mean_square_error(a, b));
 }

@@ -1,0 +1,67 @@
+// The lens, cut where the edge of the lamp runs across it: the lamp is so bright that whether a ray
+// just meets it or just misses it would be most of the noise where it is out of focus.
+#ifndef CAFFEINE_LENS_CUT
+#define CAFFEINE_LENS_CUT
+
+#include "camera.glsl"
+#include "scene.glsl"
+
+struct LensCut {
+    float lamp_share;  // of the chord that was cut; 0: it was not
+    vec2 lamp;         // a point of that share
+    vec2 beside;       // and one of the rest
+};
+
+// Where rays through `focus` meet the lamp: the points `from` + s `along` of the lens with s between
+// the two numbers. Rays that touch the lamp are a cone with its tip in `focus`, so its edge on the
+// lens is where (w d)^2 = (w^2 - r^2) d^2 for the ways d from the lens to `focus` and w on to the
+// lamp's middle. None where that is no ellipse.
+vec2 lamp_on_lens(Camera view, vec3 focus, vec2 from, vec2 along) {
+    const vec2 nowhere = vec2(0.0);
+    if (dot(lamp_center() - view.eye, view.forward) <= light_radius)
+        return nowhere;
+    vec3 way = focus - view.eye - across_lens(view, from);
+    vec3 step = across_lens(view, along);
+    vec3 onward = lamp_center() - focus;
+    float outside = dot(onward, onward) - light_radius * light_radius;
+    float onward_step = dot(onward, step);
+    float onward_way = dot(onward, way);
+    float a = onward_step * onward_step - outside * dot(step, step);
+    float half_b = outside * dot(way, step) - onward_way * onward_step;
+    float c = onward_way * onward_way - outside * dot(way, way);
+    float root_squared = half_b * half_b - a * c;
+    if (a >= 0.0 || root_squared <= 0.0)
+        return nowhere;
+    return (-half_b + sqrt(root_squared) * vec2(1.0, -1.0)) / a;
+}
+
+// Across the lamp's edge, on the lens: towards where the way from `focus` to the lamp's middle meets
+// it.
+vec2 across_edge(Camera view, vec3 focus) {
+    vec3 onward = lamp_center() - focus;
+    vec3 way = focus - view.eye;
+    vec3 towards = way * dot(onward, view.forward) - onward * dot(way, view.forward);
+    vec2 direction = vec2(dot(towards, view.right), dot(towards, view.up));
+    float size = length(direction);
+    return size > 0.0 ? direction / size : vec2(1.0, 0.0);
+}
+
+// An even point of the lens becomes one of each part of the chord through it.
+LensCut cut_by_lamp(Camera view, vec3 focus, vec2 on_lens) {
+    vec2 along = across_edge(view, focus);
+    vec2 side = vec2(-along.y, along.x);
+    vec2 from = dot(on_lens, side) * side;
+    float half_chord = sqrt(max(1.0 - dot(from, from), 0.0));
+    vec2 lamp = clamp(lamp_on_lens(view, focus, from, along), -half_chord, half_chord);
+    float length = lamp.y - lamp.x;
+    float share = length / (2.0 * half_chord);
+    if (!(share > 0.0 && share < 1.0))
+        return LensCut(0.0, on_lens, on_lens);
+    float place = clamp(0.5 + 0.5 * dot(on_lens, along) / half_chord, 0.0, 1.0);
+    float beside = place * (2.0 * half_chord - length) - half_chord;
+    if (beside > lamp.x)
+        beside += length;
+    return LensCut(share, from + mix(lamp.x, lamp.y, place) * along, from + beside * along);
+}
+
+#endif
