@@ -161,10 +161,10 @@ void Application::draw() {
 
 void Application::apply(const Edits& edits) {
     edits.apply(m_lab, m_state);
-    if (edits.has_verbs()) {
+    if (edits.has_verbs() || m_toolkit.has_input())  // a frame shows what the one before it changed
         m_awake_until = Clock::now() + awake;
+    if (edits.has_verbs())
         m_shelf.refresh();
-    }
     if (edits.copied())
         m_window.set_clipboard(*edits.copied());
     m_is_quitting = edits.is_quitting();

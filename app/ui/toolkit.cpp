@@ -99,7 +99,9 @@ void Toolkit::take_input() {
     std::copy(buttons.begin(), buttons.end(), std::begin(io.MouseDown));
     m_input.add(m_window.take_input());
     m_pointer_path.clear();
-    for (const gpu::InputEvent& event : m_input.take_frame(io.WantTextInput)) {
+    const std::vector<gpu::InputEvent> events = m_input.take_frame(io.WantTextInput);
+    m_has_input = !events.empty();
+    for (const gpu::InputEvent& event : events) {
         std::visit([](const auto& one) { apply(one); }, event);
         if (const auto* moved = std::get_if<gpu::PointerEvent>(&event))
             m_pointer_path.push_back(*moved);

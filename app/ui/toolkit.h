@@ -19,6 +19,8 @@ public:
 
     /// Whether the person did more than the last frame could answer.
     bool is_behind() const { return !m_input.is_empty(); }
+    /// Whether the person did anything that this frame answers.
+    bool has_input() const { return m_has_input; }
     /// Begins a frame at a scale of text and controls; `scale` 1 is the display's own.
     void begin(float scale);
     /// Draws what was asked for since begin().
@@ -44,6 +46,7 @@ private:
     Fonts m_fonts;
     Typing m_typing;
     std::vector<gpu::PointerEvent> m_pointer_path;
+    bool m_has_input = false;
     float m_scale = 0.0f;
     float m_density = 1.0f;
 };

@@ -37,6 +37,7 @@ class Person(unittest.TestCase):
     them. A test that fails leaves its program behind; the next one gets a new."""
 
     executable = None  # set by who runs the tests
+    size = PICTURE
     cleanups = None
 
     @classmethod
@@ -69,7 +70,7 @@ class Person(unittest.TestCase):
         cls.screen = cls.enter(Screen(*WINDOW))
         folder = Path(cls.enter(tempfile.TemporaryDirectory(prefix="afterglow-window-")))
         cls.program = Program(cls.executable, SOURCE, folder, cls.screen)
-        cls.program.arrange(*WINDOW, PICTURE)
+        cls.program.arrange(*WINDOW, cls.size)
         cls.fresh = cls.program.start()
         cls.looks = folder / "data/shaders"
         cls.presets = folder / "data/presets"
