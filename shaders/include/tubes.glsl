@@ -32,8 +32,10 @@ const vec3 tube_weights[10] = vec3[10](
     vec3(0.959932, 0.0326786, 0.0073889),    // P31
     vec3(0.965564, 0.0270472, 0.00738906));  // P32
 
-// Emission chromaticity (x, y: EIA TEP116 and JEDEC 16) to linear sRGB, mixed with neutral until no
-// channel is negative; its luminance is the tube's relative one (P31: 1), from the Tektronix table.
+// Emission chromaticity x, y to linear sRGB, mixed with neutral until no channel is negative. P1, P3,
+// P4, P7's second layer, P11 and P31 as commonly quoted from EIA TEP116, the others estimates. The
+// luminance is the tube's relative one (P31: 1): Tektronix, "CRT Data", phosphor reference table,
+// rev. C, 1966.
 const vec3 tube_flash_colors[10] = vec3[10](
     vec3(0.0, 0.6146, 0.1442),     // P1: .218 .712
     vec3(0.0, 0.8262, 0.1260),     // P2: .279 .534
