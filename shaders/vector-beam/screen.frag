@@ -18,11 +18,13 @@ uniform float glow_wide = 0.4;         // @range 0 1  @limit 0 1  @label "Wide p
                                        // @help "How much of the glow lies in the wide haze; the rest hugs the lines."
 uniform vec3 glow_color = vec3(1.0);   // @color  @label "Tint"  @group "Glow"
                                        // @help "Tints the glow against the beam's colour; white leaves it."
-uniform float exposure = 3.0;          // @range 0.1 16  @limit 0 1000  @scale log  @label "Exposure"  @group "Exposure"
+uniform float exposure = 3.0;          // @range 0.1 16  @limit 0 1000  @scale log  @label "Exposure"  @group "Exposure"  @identity 1
                                        // @help "Brightness of everything, like a camera's exposure."
-uniform int tone_map = 1;              // @items "Clamp" "Reinhard" "ACES"  @label "Tone map"  @group "Exposure"
-                                       // @help "How light brighter than the screen can show is brought back to it. Clamp cuts it off, the others bend it softly."
-uniform float keep_hue = 0.6;          // @range 0 1  @limit 0 1  @label "Keep hue"  @group "Exposure"
+uniform int tone_map = 1;              // @items "Clamp" "Reinhard" "ACES" "Extended Reinhard" "AgX" "Khronos neutral" "None"  @label "Tone map"  @group "Exposure"  @identity 6
+                                       // @help "How light brighter than the screen can show is brought back to it. Clamp cuts it off, the others bend it softly: Extended Reinhard makes the set white into 1, ACES and AgX bend as film does, Khronos neutral keeps colours up to 0.8. None hands the light on."
+uniform float white = 4.0;             // @range 0.5 16  @limit 0.001 1000  @scale log  @label "White"  @group "Exposure"
+                                       // @help "The light that Extended Reinhard turns to full white."
+uniform float keep_hue = 0.6;          // @range 0 1  @limit 0 1  @label "Keep hue"  @group "Exposure"  @identity 0
                                        // @help "0: the brightest lines turn white, as on film. 1: they stay as coloured as the phosphor."
 uniform vec3 background = vec3(0.0, 0.001, 0.0005);  // @color  @label "Background"  @group "Screen"
                                                      // @help "The dark screen's own light, so that its black is not quite black."
@@ -33,7 +35,8 @@ in vec2 uv;
 out vec4 color;
 
 vec3 shown(vec3 light) {
-    return mix(tone_mapped(light, tone_map, 0.0), tone_mapped_keeping_hue(light, tone_map, 0.0),
+    float peak = tone_map == tone_map_reinhard_to_white ? white : 0.0;
+    return mix(tone_mapped(light, tone_map, peak), tone_mapped_keeping_hue(light, tone_map, peak),
                keep_hue);
 }
 

@@ -13,7 +13,8 @@ const GoldenLook vector_beam{
                    {"growth_power", {{"intensity", "0.3"}, {"spot_growth", "1.5"}}},
                    // The shortcut shows where a frame's segments are short and fade quickly.
                    {"decay_by_place", {{"decay_time", "0.02"}, {"spot_sigma", "6"}}},
-                   {"quad_sigmas", {{"exposure", "16"}}}},
+                   {"quad_sigmas", {{"exposure", "16"}}},
+                   {"white", {{"tone_map", "Extended Reinhard"}}}},
     .signal = "lissajous:x=5,y=4,speed=0.05,points=320",  // enough for so few pixels
 };
 }  // namespace
