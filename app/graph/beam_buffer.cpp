@@ -26,6 +26,7 @@ void BeamBuffer::write(const Frame& frame, bool has_points, bool has_segments) {
     if (!has_segments)
         return;
     make_segments(frame.beam, m_before, m_segments, m_tints);
+    join_straight(m_segments, m_tints);
     m_segment_buffer.write(std::as_bytes(std::span(m_segments)));
     if (m_has_tints)
         m_segment_tint_buffer.write(std::as_bytes(std::span(m_tints.of_segments)));

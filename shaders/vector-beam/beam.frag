@@ -25,12 +25,8 @@ out vec4 color;
 vec2 light_at(vec2 place, float segment_length) {
     vec2 at = beam_segment_place(place, ends.xy, ends.zw);
     float fade = ages.x - ages.y;
-    vec2 light;
-    if (charges.x == charges.y)
-        light = charges.y * beam_segment_left_and_whole(at, segment_length, sigma, fade);
-    else
-        light = vec2(beam_segment_light(at, segment_length, sigma, fade, charges),
-                     beam_segment_light(at, segment_length, sigma, 0.0, charges));
+    vec2 light = vec2(beam_segment_light(at, segment_length, sigma, fade, charges),
+                      beam_segment_light(at, segment_length, sigma, 0.0, charges));
     if (decay_by_place)
         light.x = light.y * decay_at_place(at.x, segment_length, fade);
     return light * vec2(exp(-ages.y), 1.0);
