@@ -17,7 +17,7 @@ out vec4 color;
 void main() {
     vec4 fresh = texture(beam, uv);
     vec4 past = texture(before, uv);
-    float kept = past.r;
+    float kept = past.r < 1e30 ? past.r : 0.0;  // the article's formula may overflow; that passes
     vec2 hue = mixed_hue(kept, past.ba, fresh.ba, as_written ? fresh.r : fresh.g);
     if (as_written) {
         // A black quad blended over: the same share each frame, as if all lasted 1/60 s.

@@ -1,5 +1,6 @@
 // Vector beam against closed forms: what its passes hold, in numbers.
 #include "looks/drawn_look.h"
+#include "model/color.h"
 
 #include <algorithm>
 #include <cmath>
@@ -179,6 +180,76 @@ TEST_CASE("vector beam: the picture is lit where the beam is") {
     CHECK(value_at(picture, 64, row, 1) > 0.5);
     CHECK(value_at(picture, 64, 127 - row, 1) < 0.1);
     CHECK(value_at(picture, 4, row, 1) < 0.1);
+}
+
+TEST_CASE("vector beam: with every stage off the picture is the light in the beam's colour") {
+    Monitor monitor;
+    const double color[3] = {0.25, 1.0, 0.5};
+    monitor.start({{"beam_color", Value({color[0], color[1], color[2]})},
+                   {"spot_growth", Value(0.0)},
+                   {"glow_amount", Value(0.0)},
+                   {"background", Value({0.0, 0.0, 0.0})},
+                   {"exposure", Value(1.0)},
+                   {"keep_hue", Value(0.0)},
+                   {"tone_map", Value(6.0)},
+                   {"dither", Value(0.0)}});
+    monitor.draw(even_light(frame, 4000.0));
+    const Picture light = monitor.target("light");
+    const Picture screen = monitor.target("screen");
+    for (int y = 56; y < 72; ++y)
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            const double expected = std::clamp(color[channel] * value_at(light, 64, y), 0.0, 1.0);
+            CHECK(std::abs(value_at(screen, 64, y, channel) - srgb_encode(expected)) < 1e-4);
+        }
+}
+
+namespace {
+// The article's erf.
+double erf_as_printed(double x) {
+    const double a = std::abs(x);
+    const double sum = 1.0 + (0.278393 + (0.230389 + 0.078108 * (a * a)) * a) * a;
+    return std::copysign(1.0 - 1.0 / std::pow(sum, 4.0), x);
+}
+}  // namespace
+
+TEST_CASE("vector beam as written: a segment is the article's equation (1) with its own erf") {
+    Monitor monitor;
+    constexpr double sigma = 3.0;  // px
+    constexpr double decay = 0.01;
+    constexpr double seconds = 0.004;
+    constexpr double age = 0.002;
+    const auto share = static_cast<float>(0.25 / 0.9);
+    monitor.start({{"as_written", Value(1.0)},
+                   {"spot_sigma", Value(sigma / unit)},
+                   {"decay_time", Value(1000.0 * decay)}});
+    // From 16 px left of the middle to 16 px right of it.
+    monitor.draw({{-share, 0.0f, 1.0f, static_cast<float>(age + seconds)},
+                  {share, 0.0f, 1.0f, static_cast<float>(age)}});
+    const Picture picture = monitor.target("beam");
+    const auto light = [&](int x, int y, auto error_function) {
+        const double length = 32.0;
+        const double along = x + 0.5 - 48.0;
+        const double beside = y + 0.5 - 64.0;
+        const double f = seconds * sigma / (std::sqrt(2.0) * length * decay);
+        const double root = std::sqrt(2.0) * sigma;
+        return std::exp(f * f - (age + seconds - seconds * along / length) / decay -
+                        beside * beside / (root * root)) *
+               (error_function(f + along / root) - error_function(f + (along - length) / root)) /
+               (2.0 * length);
+    };
+    // Its brightness has no unit: places are compared with the middle.
+    const double scale = value_at(picture, 64, 64) / light(64, 64, erf_as_printed);
+    double to_true_erf = 0.0;
+    for (const int y : {60, 64, 68})
+        for (int x = 40; x < 88; x += 2) {
+            const double shown = value_at(picture, x, y) / scale;
+            const double peak = light(64, 64, erf_as_printed);
+            CHECK(std::abs(shown - light(x, y, erf_as_printed)) < 2e-5 * peak);
+            to_true_erf = std::max(
+                to_true_erf,
+                std::abs(shown - light(x, y, [](double z) { return std::erf(z); })) / peak);
+        }
+    CHECK(to_true_erf > 2e-4);  // erratum 13: a term is missing
 }
 
 TEST_CASE("vector beam as written: errata 10, 11 and 14 of the article are there") {
