@@ -88,6 +88,7 @@ private:
         session.speed = reader.number("speed", session.speed);
         session.level = reader.number("level", session.level);
         session.is_playing = reader.boolean("is_playing", session.is_playing);
+        session.is_wiping = reader.boolean("is_wiping", session.is_wiping);
         session.follows_view = reader.boolean("follows_view", session.follows_view);
         constexpr int largest = 16384;
         session.fixed_size.width = reader.whole("width", session.fixed_size.width, 1, largest);
@@ -153,6 +154,7 @@ std::string session_to_json(const Session& session) {
                       {"speed", session.speed},
                       {"level", session.level},
                       {"is_playing", session.is_playing},
+                      {"is_wiping", session.is_wiping},
                       {"follows_view", session.follows_view},
                       {"width", session.fixed_size.width},
                       {"height", session.fixed_size.height},

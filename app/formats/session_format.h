@@ -31,6 +31,7 @@ struct Session {
     double speed = 1.0;
     double level = 1.0;
     bool is_playing = true;
+    bool is_wiping = false;  // to the article's own picture
     bool follows_view = true;
     Extent fixed_size{1280, 720};
     double picture_scale = 1.0;

@@ -178,6 +178,7 @@ Session session_of(const Lab& lab, std::map<std::string, double> window) {
     session.speed = lab.player().speed();
     session.level = lab.player().level();
     session.is_playing = lab.player().is_playing();
+    session.is_wiping = lab.variant().has_value();
     const Document* document = lab.document();
     if (!document)
         return session;
@@ -209,5 +210,6 @@ void restore(Lab& lab, const Session& session) {
             opened.transport().pause();
             opened.transport().step();
         }
+        opened.set_wiping(session.is_wiping);
     });
 }

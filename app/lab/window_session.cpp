@@ -35,8 +35,10 @@ std::optional<int> whole(const std::map<std::string, double>& numbers, const cha
 }  // namespace
 
 std::map<std::string, double> remembered(const WindowState& window) {
-    std::map<std::string, double> numbers{
-        {"width", window.size.width}, {"height", window.size.height}, {"scale", window.scale}};
+    std::map<std::string, double> numbers{{"width", window.size.width},
+                                          {"height", window.size.height},
+                                          {"scale", window.scale},
+                                          {"wipe_share", window.wipe_share}};
     if (window.position) {
         numbers["left"] = (*window.position)[0];
         numbers["top"] = (*window.position)[1];
@@ -60,6 +62,8 @@ WindowState restored_window(const std::map<std::string, double>& numbers) {
         window.position = {*left, *top};
     if (const auto scale = number(numbers, "scale", 0.75, 3.0))
         window.scale = *scale;
+    if (const auto share = number(numbers, "wipe_share", 0.0, 1.0))
+        window.wipe_share = *share;
     for (const auto& [name, is_on] : switches)
         if (const auto kept = number(numbers, name, 0.0, 1.0))
             window.*is_on = *kept != 0.0;

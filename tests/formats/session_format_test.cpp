@@ -25,6 +25,7 @@ Session session() {
     made.time = 12.5;
     made.speed = 0.25;
     made.is_playing = false;
+    made.is_wiping = true;
     made.follows_view = false;
     made.window = {{"left_size", 250.5}, {"width", 1440.0}};
     return made;

@@ -1,6 +1,7 @@
 #include "lab/window_state.h"
 
 #include "lab/lab.h"
+#include "lab/window_session.h"
 
 #include <doctest/doctest.h>
 
@@ -34,4 +35,11 @@ TEST_CASE("the picture's size follows the view or is fixed, and either is scaled
     CHECK(PictureSize{true, {}, 0.25}.extent({801, 600}) == Extent{200, 150});
     CHECK(PictureSize{false, {320, 240}, 2.0}.extent({801, 600}) == Extent{640, 480});
     CHECK(PictureSize{true, {}, 0.25}.extent({1, 1}) == Extent{1, 1});
+}
+
+TEST_CASE("where the line of a wipe stands comes back, and only within the picture") {
+    WindowState window;
+    window.wipe_share = 0.25;
+    CHECK(restored_window(remembered(window)).wipe_share == 0.25);
+    CHECK(restored_window({{"wipe_share", 7.0}}).wipe_share == 0.5);
 }

@@ -1,4 +1,5 @@
 // The wipe between the article's own picture and ours, as a person meets it in the window.
+#include "lab/session.h"
 #include "lab/small_lab.h"
 #include "lab/views.h"
 
@@ -81,6 +82,18 @@ TEST_CASE("the article's picture is drawn beside ours, from the frames that led 
     small.turn(1);
     CHECK(small.lab().renderer()->variant() == nullptr);
     CHECK(small.shown() == shown + 5);
+}
+
+TEST_CASE("a wipe that was on at the end is on at the next start") {
+    Wiping small;
+    CHECK_FALSE(session_of(small.lab(), {}).is_wiping);
+    small.wipe();
+    const Session session = session_of(small.lab(), {});
+    CHECK(session.is_wiping);
+    small.start();
+    restore(small.lab(), session);
+    REQUIRE(small.turn_until([&] { return small.lab().variant().has_value(); }));
+    CHECK(small.turn_until([&] { return small.shown_beside() > 0.0f; }));
 }
 
 TEST_CASE("while it plays, time waits until the other picture has its past") {

@@ -35,6 +35,20 @@ class Driving(Person):
         program.key("ctrl+z")
         program.wait("undo gives the figure back", lambda s: s["signal"].startswith("lissajous:"))
 
+    def test_the_beam_goes_to_the_sound_output_or_says_why_not(self):
+        program = self.program
+        program.click("signal_group:Sound devices")
+        program.click("sound:beam")
+        state = program.wait("it is on, or there is no device, which is told", lambda s:
+                             "sound:beam_level" in s["widgets"] or
+                             "the beam is shown and goes nowhere else" in s["notice"])
+        self.snapshot("beam_output")
+        if "sound:beam_level" in state["widgets"]:
+            program.click("sound:beam")
+        program.wait("it is off and the picture runs on", lambda s:
+                     "sound:beam_level" not in s["widgets"] and s["frame"] > state["frame"] + 3)
+        program.click("signal_group:Sound devices")
+
     def test_a_file_that_is_missing_or_cut_off_keeps_a_mark(self):
         program = self.program
         gone = program.folder / "gone.wav"

@@ -108,9 +108,16 @@ class Keeping(Person):
     def test_everything_comes_back_after_a_quit_and_after_a_crash(self):
         program = self.program
         program.set("decay", "0.61")
+        self.hover("picture")
+        program.key("w")
+        left, top, right, bottom = program.place("wipe")
+        program.drag(((left + right) // 2, bottom - 40), (right + 60, bottom - 40))
+        line = program.wait("the line of the wipe is moved", lambda s: s["wipe"] > 0.55)["wipe"]
         program.quit()
         state = program.start()
         self.assertEqual((state["values"]["decay"], state["picture"]), ([0.61], PICTURE))
+        program.wait("the wipe stands where it stood", lambda s: s["wipe"] == line)
+        program.key("w")
         self.assertTrue(state["is_modified"])
         program.key("ctrl+z")
         program.wait("undo reaches back over the quit", lambda s: s["values"]["decay"] != [0.61])
