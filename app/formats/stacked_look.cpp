@@ -192,7 +192,7 @@ private:
             }
         }
         for (auto& [uniform, parameter] : pass.rename)
-            parameter = scope + parameter;
+            parameter.insert(0, scope);
         if (auto* repeat = std::get_if<std::string>(&pass.repeat))
             *repeat = scope + *repeat;
         if (pass.converge)

@@ -76,9 +76,9 @@ TEST_CASE("light above 1 goes through unharmed, to the next look of a stack too"
     RenderRequest request{.look = "crt+crt", .source = "pattern:white"};
     for (const char* key : {"crt/", "crt#2/"})
         for (const auto& [name, value] : stages_off())
-            request.values.push_back({key + name, std::to_string(value.number())});
-    request.values.push_back({"crt/exposure", "4"});
-    request.values.push_back({"crt#2/exposure", "0.125"});
+            request.values.emplace_back(key + name, std::to_string(value.number()));
+    request.values.emplace_back("crt/exposure", "4");
+    request.values.emplace_back("crt#2/exposure", "0.125");
     auto prepared = prepare(request, Library(std::move(*roots)));
     REQUIRE(prepared.has_value());
     auto offline = Offline::create(std::move(*prepared), {16, 16}, 60.0);

@@ -218,9 +218,9 @@ TEST_CASE("the pulse is averaged over each frame") {
     REQUIRE(roots.has_value());
     RenderRequest request{.look = "shadow-mask", .source = "pattern:white,size=64x8"};
     for (const auto& [name, value] : stages_off())
-        request.values.push_back({name, to_string(value)});
-    request.values.push_back({"pulse_intensity", "0.05"});
-    request.values.push_back({"pulse_rate", "40"});
+        request.values.emplace_back(name, to_string(value));
+    request.values.emplace_back("pulse_intensity", "0.05");
+    request.values.emplace_back("pulse_rate", "40");
     auto prepared = prepare(request, Library(std::move(*roots)));
     REQUIRE(prepared.has_value());
     auto offline = Offline::create(std::move(*prepared), {64, 8}, 10.0);
