@@ -25,9 +25,10 @@ std::optional<std::vector<double>> numbers_of(ObjectReader& reader, const JsonVa
         }
     if (is_good && numbers.size() >= fewest && numbers.size() <= most)
         return numbers;
-    reader.problem(value, fewest == most
-                              ? fmt::format("takes a list of {} numbers", fewest)
-                              : fmt::format("takes a list of {} or {} numbers", fewest, most));
+    const std::string count =
+        fewest == most ? std::to_string(fewest) : fmt::format("{} or {}", fewest, most);
+    reader.problem(value, (value.key.empty() ? std::string() : "'" + value.key + "' ") +
+                              "takes a list of " + count + " numbers");
     return std::nullopt;
 }
 
@@ -68,6 +69,10 @@ std::array<double, 3> turn_of(ObjectReader& reader, std::string_view key) {
         return {};
     if (value->is(JsonValue::Kind::number) && std::abs(value->number) <= largest_number)
         return {0.0, 0.0, value->number};
+    if (!value->is(JsonValue::Kind::array)) {
+        reader.problem(*value, fmt::format("'{}' takes degrees: a number, or a list of 3", key));
+        return {};
+    }
     const auto numbers = numbers_of(reader, *value, 3, 3);
     return numbers ? std::array{(*numbers)[0], (*numbers)[1], (*numbers)[2]}
                    : std::array<double, 3>{};
@@ -157,8 +162,12 @@ template <class T>
 std::optional<T> taken(ObjectReader& reader, Result<T> read) {
     if (read)
         return std::move(*read);
+    const JsonValue& name = *reader.find("file");
     for (const Diagnostic& reason : read.error())
-        reader.problems().push_back(reason);
+        if (reason.line > 0)
+            reader.problems().push_back(reason);
+        else
+            reader.problem(name, fmt::format("'{}': {}", name.text, reason.message));
     return std::nullopt;
 }
 

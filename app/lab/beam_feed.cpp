@@ -81,7 +81,8 @@ Diagnostics BeamFeed::problems() const {
         problems.push_back(*m_problem);
     if (m_bad_count > 1)
         problems.push_back({m_name, 0,
-                            fmt::format("{} places in all could not be read", m_bad_count),
+                            fmt::format("{} {} in all could not be read", m_bad_count,
+                                        sent_format(Settings(m_spec)).is_raw ? "points" : "lines"),
                             Severity::warning});
     return problems;
 }

@@ -80,7 +80,7 @@ TEST_CASE("mistakes in a scene are told with their lines, all at once") {
     CHECK(told.find("radus") != std::string::npos);
     CHECK(told.find("s.json:3: error: ") != std::string::npos);
     CHECK(told.find("circle") != std::string::npos);
-    CHECK(told.find("s.json:4: error: takes a list of 2 or 3 numbers") != std::string::npos);
+    CHECK(told.find("s.json:4: error: 'from' takes a list of 2 or 3 numbers") != std::string::npos);
     CHECK(told.find("s.json:5: error: 'radius' must lie between") != std::string::npos);
     CHECK(refusal("{ \"format\": \"afterglow-look\" }").find("afterglow-scene") !=
           std::string::npos);
@@ -92,7 +92,10 @@ TEST_CASE("mistakes in a scene are told with their lines, all at once") {
     CHECK(refusal(scene_text("{ \"shape\": \"svg\", \"file\": \"../a.svg\" }"))
               .find("beside the scene") != std::string::npos);
     CHECK(refusal(scene_text("{ \"shape\": \"svg\", \"file\": \"no-such.svg\" }"))
-              .find("no-such.svg") != std::string::npos);
+              .find("scenes/s.json:2: error: 'no-such.svg': there is no such file") !=
+          std::string::npos);
+    CHECK(refusal(scene_text("{ \"shape\": \"dot\", \"spin\": \"fast\" }"))
+              .find("'spin' takes degrees: a number, or a list of 3") != std::string::npos);
 }
 
 TEST_CASE("an SVG's commands lead where the standard says") {
