@@ -104,9 +104,10 @@ TEST_CASE("vector beam: light fades as exp(-t / decay time) at every frame rate"
         monitor.start({{"decay_time", Value(50.0)}});
         monitor.draw(stroke(0.3f, 0.0, 0.0), fps);
         const double fresh = sum_of(monitor.target("phosphor"), 0);
-        for (int i = 0; i < fps / 4; ++i)
+        const int frames = fps / 4;
+        for (int i = 0; i < frames; ++i)
             monitor.draw({}, fps);
-        const double seconds = static_cast<double>(fps / 4) / fps;
+        const double seconds = static_cast<double>(frames) / fps;
         const double left = sum_of(monitor.target("phosphor"), 0) / fresh;
         CHECK(std::abs(left / std::exp(-seconds / 0.05) - 1.0) < 0.001);
     }
