@@ -95,8 +95,8 @@ BeamPlacing::BeamPlacing(const Look& look, const Values& values, Extent picture)
 BeamPlace BeamPlacing::place_of(const PicturePixel& pixel) const {
     BeamPlace place{2.0 * pixel[0] / m_picture.width - 1.0,
                     1.0 - 2.0 * pixel[1] / m_picture.height};
-    for (auto glass = m_glasses.rbegin(); glass != m_glasses.rend(); ++glass)
-        place = glass->behind(place);
+    std::for_each(m_glasses.rbegin(), m_glasses.rend(),
+                  [&place](const GlassCurve& glass) { place = glass.behind(place); });
     return {place[0] / m_size[0], place[1] / m_size[1]};
 }
 

@@ -20,7 +20,8 @@ std::vector<SettingFacts> one_channel_settings(std::vector<SettingFacts> own) {
                    .help = "How fast the trace moves to the left; yt only.",
                    .low = -1,
                    .high = 1,
-                   .limit = {-1000, 1000}});
+                   .limit = {-1000, 1000},
+                   .used_while = {"mode", {"yt"}}});
     own.push_back({.key = "mode",
                    .label = "Shown as",
                    .help = "yt: over time. xy: across, and a quarter period later up.",
