@@ -222,7 +222,7 @@ private:
     }
 
     std::string group_of(std::size_t part, const Parameter& parameter) const {
-        const std::string group = heading_of(m_looks[part], parameter);
+        std::string group = heading_of(m_looks[part], parameter);
         if (m_stack.size() < 2)
             return group;
         const std::size_t copy = m_keys[part].find('#');

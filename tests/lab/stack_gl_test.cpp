@@ -2,6 +2,8 @@
 #include "lab/session.h"
 #include "lab/small_lab.h"
 
+#include <cmath>
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -152,7 +154,7 @@ struct StackLab : SmallLab {
         wait_for_frames();
     }
     fs::path write_other(const std::string& text = gain) {
-        const fs::path other = look_folder().parent_path() / "gain";
+        fs::path other = look_folder().parent_path() / "gain";
         fs::create_directories(other);
         const std::string manifest = replaced(
             replaced(replaced(on_a_picture, "READS", "display"), "SOURCE", "source"), "SCALE", "1");

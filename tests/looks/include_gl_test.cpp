@@ -231,9 +231,10 @@ TEST_CASE("the noise is PCG3D, even and without drift") {
 TEST_CASE("dither lets an 8-bit screen show the levels between its steps") {
     std::vector<Vec4> inputs;
     for (int level = 0; level < 16; ++level)
-        for (int i = 0; i < 1024; ++i)
-            inputs.push_back({(100.0 + level / 16.0) / 255.0, static_cast<double>(i % 32),
-                              static_cast<double>(i / 32), 0.0});
+        for (int y = 0; y < 32; ++y)
+            for (int x = 0; x < 32; ++x)
+                inputs.push_back({(100.0 + level / 16.0) / 255.0, static_cast<double>(x),
+                                  static_cast<double>(y), 0.0});
     const auto drawn = run_glsl(
         "#include \"noise.glsl\"\n"
         "vec4 f(vec4 x) { return vec4(dithered(vec3(x.x), uvec2(x.yz), 3u), 1.0); }\n",
