@@ -7,9 +7,9 @@
 
 namespace {
 // Draws in a square from (0, 0) to (1, 1).
-class Pen {
+class IconPen {
 public:
-    Pen(const ImVec2& at, float size, ImU32 color)
+    IconPen(const ImVec2& at, float size, ImU32 color)
         : m_list(*ImGui::GetWindowDrawList()), m_at(at), m_size(size), m_color(color) {}
 
     ImVec2 at(float x, float y) const { return {m_at.x + x * m_size, m_at.y + y * m_size}; }
@@ -43,20 +43,20 @@ private:
 };
 
 // An arc that ends in an arrowhead at its upper left.
-void draw_turn_back(Pen& pen) {
+void draw_turn_back(IconPen& pen) {
     constexpr float pi = 3.14159265f;
     pen.arc(0.36f, -0.8f * pi, 0.75f * pi);
     pen.triangle({0.06f, 0.06f}, {0.06f, 0.46f}, {0.46f, 0.46f});
 }
 
-void draw_pencil(Pen& pen) {
+void draw_pencil(IconPen& pen) {
     pen.thick_line({0.3f, 0.7f}, {0.8f, 0.2f});
     pen.triangle({0.06f, 0.94f}, {0.16f, 0.6f}, {0.4f, 0.84f});
 }
 }  // namespace
 
 void draw_icon(Icon icon, const ImVec2& at, float size, ImU32 color) {
-    Pen pen(at, size, color);
+    IconPen pen(at, size, color);
     switch (icon) {
         case Icon::play:
             pen.triangle({0.24f, 0.12f}, {0.24f, 0.88f}, {0.88f, 0.5f});

@@ -21,7 +21,7 @@ BeamPoint point_at(Place place, double charge, double age = 0.0) {
 }
 
 /// A segment of even charge around the picture's middle, in `pieces` equal parts.
-struct Stroke {
+struct Way {
     double length = 10.0;  // px
     double degrees = 0.0;
     double seconds = 0.0;  // from start to end, which is at the frame's end
@@ -84,19 +84,19 @@ double erfcx(double x) {
     return (1.0 - square * (0.5 - square * 0.75)) / (x * std::sqrt(std::numbers::pi));
 }
 
-/// The light of an even stroke at a pixel: Simpson's rule over its time, and over the pixel's area
+/// The light of an even way at a pixel: Simpson's rule over its time, and over the pixel's area
 /// the same readings' mean.
-double light_of(const Stroke& stroke, double sigma, double rate, Place pixel) {
+double light_of(const Way& way, double sigma, double rate, Place pixel) {
     constexpr int steps = 1000;
     double sum = 0.0;
     for (int i = 0; i <= steps; ++i) {
         const double share = static_cast<double>(i) / steps;
-        const Place beam = stroke.at(share);
+        const Place beam = way.at(share);
         const double away = std::hypot(pixel.x - beam.x, pixel.y - beam.y) / sigma;
         const double weight = i == 0 || i == steps ? 1.0 : i % 2 == 1 ? 4.0 : 2.0;
-        sum += weight * std::exp(-0.5 * away * away - rate * stroke.seconds * (1.0 - share));
+        sum += weight * std::exp(-0.5 * away * away - rate * way.seconds * (1.0 - share));
     }
-    return stroke.charge * sum / (3.0 * steps) / (2.0 * std::numbers::pi * sigma * sigma);
+    return way.charge * sum / (3.0 * steps) / (2.0 * std::numbers::pi * sigma * sigma);
 }
 }  // namespace
 
@@ -127,17 +127,17 @@ TEST_CASE("a segment leaves its charge, whatever its length, direction and width
                 CAPTURE(sigma);
                 CAPTURE(sigmas);
                 CAPTURE(degrees);
-                const Stroke stroke{.length = sigmas * sigma, .degrees = degrees, .charge = 2.5};
-                CHECK(std::abs(sum_of(screen.drawn(stroke.beam(), sigma)) / 2.5 - 1.0) < 0.001);
+                const Way way{.length = sigmas * sigma, .degrees = degrees, .charge = 2.5};
+                CHECK(std::abs(sum_of(screen.drawn(way.beam(), sigma)) / 2.5 - 1.0) < 0.001);
             }
 }
 
 TEST_CASE("a turned segment keeps its sum") {
     Screen screen;
-    const Stroke level{.length = 30.0};
+    const Way level{.length = 30.0};
     const double sum = sum_of(screen.drawn(level.beam(), 1.2));
     for (double degrees = 10.0; degrees <= 90.0; degrees += 10.0) {
-        const Stroke turned{.length = 30.0, .degrees = degrees};
+        const Way turned{.length = 30.0, .degrees = degrees};
         CHECK(std::abs(sum_of(screen.drawn(turned.beam(), 1.2)) / sum - 1.0) < 0.005);
     }
 }
@@ -150,13 +150,13 @@ TEST_CASE("a segment in 2 or 16 pieces is the same segment, decay included") {
                 CAPTURE(length);
                 CAPTURE(rate);
                 CAPTURE(pieces);
-                Stroke stroke{.length = length, .degrees = 25.0, .seconds = 0.004};
-                const Picture whole = screen.drawn(stroke.beam(), 1.2, rate);
-                stroke.pieces = pieces;
-                const Picture joined = screen.drawn(stroke.beam(), 1.2, rate);
+                Way way{.length = length, .degrees = 25.0, .seconds = 0.004};
+                const Picture whole = screen.drawn(way.beam(), 1.2, rate);
+                way.pieces = pieces;
+                const Picture joined = screen.drawn(way.beam(), 1.2, rate);
                 CHECK(largest_difference(whole, joined) < 1e-5 * largest_of(whole));
-                stroke.is_kept_apart = true;
-                const Picture split = screen.drawn(stroke.beam(), 1.2, rate);
+                way.is_kept_apart = true;
+                const Picture split = screen.drawn(way.beam(), 1.2, rate);
                 CHECK(largest_difference(whole, split) < 1e-5 * largest_of(whole));
                 // The pieces were drawn: rounding differs.
                 CHECK(largest_difference(joined, split) > 0.0);
@@ -165,16 +165,16 @@ TEST_CASE("a segment in 2 or 16 pieces is the same segment, decay included") {
 
 TEST_CASE("a segment whose charge grows is the same in 4 pieces") {
     Screen screen;
-    const Stroke stroke{.length = 20.0};
+    const Way way{.length = 20.0};
     // A lead-in with a current of 1 tells what the next one grows from; then it grows to 5.
-    Beam lead_in{point_at(stroke.at(0), 0.0, 0.008)};
+    Beam lead_in{point_at(way.at(0), 0.0, 0.008)};
     for (int i = 1; i <= 4; ++i)
-        lead_in.push_back(point_at(stroke.at(i / 8.0), 0.25, 0.008 - 0.001 * i));
+        lead_in.push_back(point_at(way.at(i / 8.0), 0.25, 0.008 - 0.001 * i));
     Beam whole = lead_in;
-    whole.push_back(point_at(stroke.at(1), 5.0));
+    whole.push_back(point_at(way.at(1), 5.0));
     Beam split = lead_in;
     for (int i = 1; i <= 4; ++i)
-        split.push_back(point_at(stroke.at(0.5 + i / 8.0), (1.0 + i) / 4.0, 0.004 - 0.001 * i));
+        split.push_back(point_at(way.at(0.5 + i / 8.0), (1.0 + i) / 4.0, 0.004 - 0.001 * i));
     for (const double rate : {0.0, 1000.0}) {
         const Picture reference = screen.drawn(whole, 1.2, rate);
         CHECK(largest_difference(reference, screen.drawn(split, 1.2, rate)) <
@@ -190,16 +190,16 @@ TEST_CASE("decay inside a segment is that of quadrature") {
         for (const double folds : {0.001, 0.3, 1.9, 2.1, 8.0, 40.0}) {
             CAPTURE(length);
             CAPTURE(folds);
-            const Stroke stroke{.length = length, .degrees = 33.0, .seconds = 0.01};
-            const double rate = folds / stroke.seconds;
-            const Picture picture = screen.drawn(stroke.beam(), 1.2, rate);
+            const Way way{.length = length, .degrees = 33.0, .seconds = 0.01};
+            const double rate = folds / way.seconds;
+            const Picture picture = screen.drawn(way.beam(), 1.2, rate);
             REQUIRE(is_finite(picture));
             double peak = 0.0;
             double apart = 0.0;
             for (int y = 30; y < 66; y += 3)
                 for (int x = 27; x < 69; x += 3) {
                     const Place pixel{x + 0.5 - side / 2.0, side / 2.0 - y - 0.5};
-                    const double expected = light_of(stroke, 1.2, rate, pixel);
+                    const double expected = light_of(way, 1.2, rate, pixel);
                     peak = std::max(peak, expected);
                     apart = std::max(apart, std::abs(value_at(picture, x, y) - expected));
                 }
@@ -211,13 +211,13 @@ TEST_CASE("what overflows in the article's formula is finite here") {
     Screen screen;
     // Its example: f f = 132, with 512 segments a frame and a decay time of 20 us.
     const double rate = 1.0 / 20e-6;
-    const Stroke stroke{.length = 0.05, .seconds = 1.0 / 60.0 / 512.0};
-    const double folds = rate * stroke.seconds;
-    const Picture picture = screen.drawn(stroke.beam(), 3.0, rate);
+    const Way way{.length = 0.05, .seconds = 1.0 / 60.0 / 512.0};
+    const double folds = rate * way.seconds;
+    const Picture picture = screen.drawn(way.beam(), 3.0, rate);
     CHECK(is_finite(picture));
     CHECK(std::abs(sum_of(picture) / ((1.0 - std::exp(-folds)) / folds) - 1.0) < 0.001);
     for (const double huge : {1e7, 1e12})
-        CHECK(is_finite(screen.drawn(Stroke{.length = 20.0, .seconds = 0.01}.beam(), 1.2, huge)));
+        CHECK(is_finite(screen.drawn(Way{.length = 20.0, .seconds = 0.01}.beam(), 1.2, huge)));
 }
 
 TEST_CASE("a beam at rest fades while it rests") {
