@@ -28,7 +28,8 @@ vec3 mean_of(sampler2D sums) {
 
 void main() {
     // The article clamps and takes the root, which is not the display's curve.
+    vec3 light = tone_mapped_per_channel(exposure * mean_of(sum), tone_map, white);
     vec3 display = as_written ? pow(clamp(mean_of(article), 0.0, 1.0), vec3(1.0 / article_gamma))
-                              : srgb_encode(tone_mapped(exposure * mean_of(sum), tone_map, white));
+                              : srgb_encode(light);
     color = vec4(dither ? dithered(display, uvec2(gl_FragCoord.xy), 0u) : display, 1.0);
 }

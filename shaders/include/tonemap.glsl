@@ -74,31 +74,42 @@ vec3 khronos_neutral(vec3 light) {
     return mix(light * (lowered / peak), vec3(lowered), paled);
 }
 
-// Each channel by itself, but for AgX and Khronos: bright colours turn white, as in a camera. `white`
-// is Reinhard's; 0: none.
-vec3 tone_mapped(vec3 light, int curve, float white) {
+// The curves that take each channel by itself; bright colours turn white, as in a camera. `white` is
+// Reinhard's; 0: none. A look that offers no other curve calls this one: software GL, which walks
+// through every branch, has half the work.
+vec3 tone_mapped_per_channel(vec3 light, int curve, float white) {
     vec3 mapped = light;
-    if (curve == tone_map_none)
-        return light;
     if (curve == tone_map_reinhard_to_white || (curve == tone_map_reinhard && white > 0.0))
         mapped = reinhard_to_white(light, max(white, 1e-3));
     else if (curve == tone_map_reinhard)
         mapped = reinhard(light);
     else if (curve == tone_map_aces)
         mapped = aces(light);
-    else if (curve == tone_map_agx)
-        mapped = agx(light);
-    else if (curve == tone_map_neutral)
-        mapped = khronos_neutral(light);
     return clamp(mapped, 0.0, 1.0);
 }
 
-// The brightest channel sets the scale of all three: the hue stays however bright it gets.
-vec3 tone_mapped_keeping_hue(vec3 light, int curve, float white) {
+// By any curve.
+vec3 tone_mapped(vec3 light, int curve, float white) {
+    if (curve == tone_map_none)
+        return light;
+    if (curve == tone_map_agx)
+        return clamp(agx(light), 0.0, 1.0);
+    if (curve == tone_map_neutral)
+        return clamp(khronos_neutral(light), 0.0, 1.0);
+    return tone_mapped_per_channel(light, curve, white);
+}
+
+// All three channels by the same factor, which takes the brightest to `brightest_mapped`: the hue
+// stays however bright it gets.
+vec3 with_brightest(vec3 light, float brightest_mapped) {
     float brightest = brightest_channel(light);
     if (brightest <= 0.0)
         return vec3(0.0);
-    return light * (tone_mapped(vec3(brightest), curve, white).r / brightest);
+    return light * (brightest_mapped / brightest);
+}
+
+vec3 tone_mapped_keeping_hue(vec3 light, int curve, float white) {
+    return with_brightest(light, tone_mapped(vec3(brightest_channel(light)), curve, white).r);
 }
 
 #endif

@@ -53,16 +53,15 @@ bool is_straight() {
 }
 
 vec3 light_at(vec2 at) {
-    vec3 light = is_straight() ? texelFetch(phosphor, ivec2(gl_FragCoord.xy), 0).rgb
-                               : texture(phosphor, at).rgb;
-    return light + bloom_intensity * texture(bloom, at).rgb;
+    return texture(phosphor, at).rgb + bloom_intensity * texture(bloom, at).rgb;
 }
 
 // Red and blue from either side: aberration / width of the picture, as a lens that bends them apart.
 vec3 fringed_light(vec2 at) {
+    if (is_straight())
+        return texelFetch(phosphor, ivec2(gl_FragCoord.xy), 0).rgb +
+               bloom_intensity * texture(bloom, at).rgb;
     vec2 shift = vec2(aberration / u_resolution.x, 0.0);
-    if (aberration == 0.0)
-        return light_at(at);
     return vec3(light_at(at + shift).r, light_at(at).g, light_at(at - shift).b);
 }
 
@@ -71,13 +70,15 @@ vec3 shown(vec3 light) {
     if (tone_map_every_frame)
         return clamp(light, 0.0, 1.0);
     vec3 exposed = light * exposure;
-    return mix(tone_mapped(exposed, tone_map, white),
-               tone_mapped_keeping_hue(exposed, tone_map, white), keep_hue);
+    vec3 brightest = vec3(brightest_channel(exposed));
+    float most = tone_mapped_per_channel(brightest, tone_map, white).r;
+    return mix(tone_mapped_per_channel(exposed, tone_map, white), with_brightest(exposed, most),
+               keep_hue);
 }
 
-vec3 through_glass(vec2 place) {
+vec3 through_glass(vec3 light, vec2 place) {
     float y_px = 0.5 * (place.y + 1.0) * u_resolution.y;
-    vec3 light = shown(fringed_light(0.5 * place + 0.5));
+    light = shown(light);
     light *= scanline_factor(y_px, scanline_period, scanline_strength);
     light = with_graticule(light + ambient_glass, place, u_resolution);
     light *= vignette_factor(place, vignette);
@@ -87,11 +88,10 @@ vec3 through_glass(vec2 place) {
     return light * glass_coverage(place, half_size, corner_radius);
 }
 
-vec3 as_the_article_wrote(vec2 place) {
+vec3 as_the_article_wrote(vec3 light, vec2 place) {
     if (any(greaterThan(abs(place), vec2(1.0))))
         return vec3(0.0);
     vec2 at = 0.5 * place + 0.5;
-    vec3 light = fringed_light(at);
     if (!tone_map_every_frame)
         light = reinhard(light * exposure);
     light *= scanline_as_written(at.y * u_resolution.y, scanline_period, scanline_strength);
@@ -101,11 +101,12 @@ vec3 as_the_article_wrote(vec2 place) {
 
 void main() {
     vec2 place = barrel(2.0 * uv - 1.0, curvature);
+    vec3 fringed = fringed_light(0.5 * place + 0.5);
     if (as_written) {
-        color = vec4(as_the_article_wrote(place), 1.0);
+        color = vec4(as_the_article_wrote(fringed, place), 1.0);
         return;
     }
-    vec3 light = through_glass(place);
+    vec3 light = through_glass(fringed, place);
     vec3 display = display_encode ? srgb_encode(light) : light;
     color = vec4(dither ? dithered(display, uvec2(gl_FragCoord.xy), uint(u_frame)) : display, 1.0);
 }

@@ -14,7 +14,8 @@ in vec2 uv;
 out vec4 color;
 
 void main() {
-    float sigma = 0.5 * bloom_radius * u_resolution.y / (0.5 * reference_height);
+    float sigma = max(0.5 * bloom_radius * u_resolution.y / (0.5 * reference_height), 0.1);
     vec2 texel = direction / u_resolution;
-    color = vec4(gaussian_blur(image, uv, texel, max(sigma, 0.1), level), 1.0);
+    int reach = int(ceil(3.5 * sigma));
+    color = vec4(gaussian_blur(image, uv, texel, sigma, reach, level), 1.0);
 }

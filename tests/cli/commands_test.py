@@ -179,7 +179,7 @@ class Describing(ProgramTest):
     def test_the_frame_can_be_rebuilt_from_it(self):
         document = json.loads(run("describe", "phosphor", "--json", "--size", "640x360").stdout)
         passes = {one["name"]: one for one in document["passes"]}
-        self.assertEqual(list(passes), ["beam", "segments", "excitation", "persistence", "bloom_x", "bloom_y", "composite"])
+        self.assertEqual(list(passes), ["beam", "segments", "excitation", "persistence", "reduced", "bloom_x", "bloom_y", "composite"])
         self.assertEqual((passes["bloom_x"]["width"], passes["bloom_x"]["height"]), (320, 180))
         inputs = {one["name"]: one["from"] for one in passes["persistence"]["inputs"]}
         self.assertEqual((inputs["current"], inputs["previous"]), ("beam", "persistence@1"))
@@ -223,7 +223,7 @@ class Measuring(ProgramTest):
         self.assert_done(result)
         document = json.loads(result.stdout)
         self.assertGreater(document["frame"]["cpu_ms"], 0)
-        self.assertEqual(len(document["passes"]), 7)
+        self.assertEqual(len(document["passes"]), 8)
         self.assertEqual(document["draw_calls"], 7)
         self.assertTrue(document["renderer"])
 
