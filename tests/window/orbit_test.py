@@ -28,6 +28,7 @@ class OrbitTest(Person):
         for step in range(1, 5):
             words += ["mousemove", x + right * step // 4, y - up * step // 4, "sleep", 0.03]
         self.screen.do(*words, "mouseup", button)
+        self.program.place("picture")  # all of it has been seen
 
     def values_after(self, what, is_true):
         return self.program.wait(what, lambda s: is_true(s["values"]))["values"]
