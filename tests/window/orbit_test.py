@@ -22,13 +22,9 @@ class OrbitTest(Person):
         self.program.wait("they are enough", lambda s: s["has_converged"] and s["samples"] > 12)
 
     def drag(self, button, right, up):
-        """From the picture's middle, in steps, as a hand does."""
+        """From the picture's middle."""
         x, y = self.program.middle("picture")
-        words = ["mousemove", x, y, "mousedown", button]
-        for step in range(1, 5):
-            words += ["mousemove", x + right * step // 4, y - up * step // 4, "sleep", 0.03]
-        self.screen.do(*words, "mouseup", button)
-        self.program.place("picture")  # all of it has been seen
+        self.program.drag((x, y), (x + right, y - up), button)
 
     def values_after(self, what, is_true):
         return self.program.wait(what, lambda s: is_true(s["values"]))["values"]

@@ -98,12 +98,14 @@ class Program:
     def click(self, widget):
         self.screen.do("mousemove", *self.middle(widget), "click", 1)
 
-    def drag(self, start, end):
-        """Presses at one place, moves to another in steps, as a hand does, and lets go."""
-        words = ["mousemove", *start, "mousedown", 1]
+    def drag(self, start, end, button=1):
+        """Presses at one place, moves to another in steps, as a hand does, lets go, and waits until the
+        program has seen all of it."""
+        words = ["mousemove", *start, "mousedown", button]
         for step in range(1, 9):
             words += ["mousemove", *(round(a + (b - a) * step / 8) for a, b in zip(start, end)), "sleep", 0.03]
-        self.screen.do(*words, "mouseup", 1)
+        self.screen.do(*words, "mouseup", button)
+        self.place("picture")
 
     def slider(self, name):
         """Left end, right end and middle height of a parameter's slider."""
