@@ -20,7 +20,7 @@ uniform vec3 glow_color = vec3(1.0);   // @color  @label "Tint"  @group "Glow"
                                        // @help "Tints the glow against the beam's colour; white leaves it."
 uniform float exposure = 3.0;          // @range 0.1 16  @limit 0 1000  @scale log  @label "Exposure"  @group "Exposure"  @identity 1
                                        // @help "Brightness of everything, like a camera's exposure."
-uniform int tone_map = 1;              // @items "Clamp" "Reinhard" "ACES" "Extended Reinhard" "AgX" "Khronos neutral" "None"  @label "Tone map"  @group "Exposure"  @identity 6
+uniform int tone_map = 2;              // @items "Clamp" "Reinhard" "ACES" "Extended Reinhard" "AgX" "Khronos neutral" "None"  @label "Tone map"  @group "Exposure"  @identity 6
                                        // @help "How light brighter than the screen can show is brought back to it. Clamp cuts it off, the others bend it softly: Extended Reinhard makes the set white into 1, ACES and AgX bend as film does, Khronos neutral keeps colours up to 0.8. None hands the light on."
 uniform float white = 4.0;             // @range 0.5 16  @limit 0.001 1000  @scale log  @label "White"  @group "Exposure"
                                        // @help "The light that Extended Reinhard turns to full white."
