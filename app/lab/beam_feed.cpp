@@ -33,6 +33,7 @@ BeamFeed::~BeamFeed() {
 
 void BeamFeed::begin() {
     m_reader.emplace(sent_format(Settings(m_spec)), m_name);
+    m_has_drawn = false;
     const std::lock_guard lock(m_mutex);
     m_state = State::sending;
     m_problem.reset();
@@ -43,6 +44,11 @@ void BeamFeed::take(std::string_view bytes) {
     m_points.clear();
     m_reader->take(bytes, m_points);
     note();
+    send();
+}
+
+void BeamFeed::send() {
+    m_has_drawn = m_has_drawn || !m_points.empty();
     m_beam->append(m_points);
 }
 
@@ -51,10 +57,12 @@ void BeamFeed::end() {
     if (m_reader)
         m_reader->finish(m_points);
     note();
-    m_beam->append(m_points);
+    send();
     {
         const std::lock_guard lock(m_mutex);
         m_state = State::ended;
+        if (!m_has_drawn && !m_problem)
+            m_problem = Diagnostic{m_name, 0, "ended without a single point", Severity::warning};
     }
     if (m_pace == SentBeam::Pace::waiting)
         m_beam->end();

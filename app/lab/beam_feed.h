@@ -33,6 +33,7 @@ private:
     void end() override;
     void fail_with(const std::string& why) override;
     void note();
+    void send();
 
     enum class State { waiting, sending, ended };
 
@@ -42,6 +43,7 @@ private:
     std::shared_ptr<SentBeam> m_beam;  // shared with the signal that draws it
     std::optional<SentReader> m_reader;
     std::vector<SentPoint> m_points;
+    bool m_has_drawn = false;  // the present sender
     mutable std::mutex m_mutex;  // for what follows
     std::optional<Diagnostic> m_problem;
     std::int64_t m_bad_count = 0;

@@ -87,9 +87,10 @@ bool form_reset(const std::string& help, bool is_changed, const FormColumns& col
     return false;
 }
 
-bool form_list(const char* id, const char* const* labels, int count, int& chosen, float width) {
+bool form_list(const char* id, const char* const* labels, int count, int& chosen, float width,
+               const char* otherwise) {
     bool is_changed = false;
-    if (!begin_combo(id, chosen >= 0 && chosen < count ? labels[chosen] : "", width))
+    if (!begin_combo(id, chosen >= 0 && chosen < count ? labels[chosen] : otherwise, width))
         return false;
     for (int i = 0; i < count; ++i)
         if (ImGui::Selectable(labels[i], i == chosen) && i != chosen) {

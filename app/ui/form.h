@@ -36,5 +36,6 @@ Turned form_slider(const char* id, double& value, const SliderFacts& facts,
 /// The reset button at the end of the line; only there when something is changed.
 bool form_reset(const std::string& help, bool is_changed, const FormColumns& columns);
 
-/// A combo box; true when another one of `labels` was chosen.
-bool form_list(const char* id, const char* const* labels, int count, int& chosen, float width);
+/// A combo box; true when another one of `labels` was chosen. It says `otherwise` while none is.
+bool form_list(const char* id, const char* const* labels, int count, int& chosen, float width,
+               const char* otherwise = "");

@@ -39,7 +39,8 @@ void draw_scale(const Pass& drawn, PassOverride changed, float width, Edits& edi
         if (scale_of(drawn) == scales[i])
             chosen = static_cast<int>(i);
     }
-    if (form_list("##scale", labels.data(), static_cast<int>(labels.size()), chosen, width)) {
+    if (form_list("##scale", labels.data(), static_cast<int>(labels.size()), chosen, width,
+                  "by look")) {
         changed.scale = scales[static_cast<std::size_t>(chosen)];
         set_override(drawn.name, changed, edits);
     }

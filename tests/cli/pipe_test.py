@@ -60,6 +60,11 @@ class Pipe(ProgramTest):
         self.assertEqual(told.count("error:"), 1)
         self.assertEqual(good.read_bytes(), bad.read_bytes())
 
+    def test_a_program_that_sends_nothing_is_told(self):
+        dark, told = self.render("dark.png", b"")
+        self.assertEqual(told, "stdin: warning: ended without a single point\n")
+        self.assertLess(max(max(row) for row in read_png(dark)[2]), 10)
+
     def test_raw_points_draw_the_same(self):
         rest = struct.pack("<3f", 0.5, 0.5, 0) + struct.pack("<3f", 0.5, 0.5, 1) * 30
         raw, told = self.render("raw.png", rest, "stdin:format=f32le,rate=1000,channels=3")
