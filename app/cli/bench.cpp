@@ -56,13 +56,13 @@ int bench(const Arguments& arguments, const std::string& data) {
 }  // namespace
 
 /// afterglow bench LOOK --json
-Command add_bench(CLI::App& program) {
-    auto* command = program.add_subcommand("bench", "Measure what a frame of a look costs");
+Command add_bench(CommandLine& program) {
+    Options options = program.add_verb("bench", "Measure what a frame of a look costs");
     auto arguments = std::make_shared<Arguments>();
-    arguments->look.add_to(*command, LookOptions::Take::drawing);
-    command->add_option("--frames", arguments->frames, "Frames to measure, after warm-up")
-        ->capture_default_str()
-        ->check(whole_number_between(1, 100000));
-    command->add_flag("--json", arguments->as_json, "One JSON document");
+    arguments->look.add_to(options, LookOptions::Take::drawing);
+    options.add("--frames", arguments->frames, "Frames to measure, after warm-up")
+        .show_default()
+        .between(1, 100000);
+    options.add_flag("--json", arguments->as_json, "One JSON document");
     return [arguments](const std::string& data) { return bench(*arguments, data); };
 }

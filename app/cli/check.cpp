@@ -25,10 +25,10 @@ bool is_good(const std::string& argument, const Library& library) {
 }  // namespace
 
 /// afterglow check LOOK...
-Command add_check(CLI::App& program) {
-    auto* command = program.add_subcommand("check", "Validate manifests, annotations and shaders");
+Command add_check(CommandLine& program) {
+    Options options = program.add_verb("check", "Validate manifests, annotations and shaders");
     auto looks = std::make_shared<std::vector<std::string>>();
-    command->add_option("LOOK", *looks, "Looks, stacks or presets")->required();
+    options.add("LOOK", *looks, "Looks, stacks or presets").required();
     return [looks](const std::string& data) {
         const auto library = open_library(data);
         if (!library)

@@ -8,11 +8,12 @@
 #include <cstring>
 #include <exception>
 #include <iostream>
+#include <map>
 
 namespace {
 struct Verb {
     const char* name;
-    Command (*add)(CLI::App&);
+    Command (*add)(CommandLine&);
 };
 
 constexpr std::array verbs{
@@ -37,7 +38,7 @@ void check_is_no_command(const std::string& look, const std::string& data) {
                              library->find_look(look).has_value();
     const std::string guess = did_you_mean(look, names);
     if (!may_be_look && !guess.empty() && !std::filesystem::exists(look))
-        throw CLI::ValidationError("there is no look and no command '" + look + "'" + guess);
+        throw UsageError("there is no look and no command '" + look + "'" + guess);
 }
 
 // What was printed must have arrived: a full disk is told here.
@@ -51,38 +52,31 @@ int with_output_written(int code) {
 }
 
 /// Runs the command that was parsed, or opens the window when there was none.
-int run_parsed(const CLI::App& program, const std::vector<Command>& commands,
+int run_parsed(const std::string& verb, const std::map<std::string, Command>& commands,
                const std::string& look, const std::string& data, const OpenWindow& open_window) {
-    for (std::size_t i = 0; i < verbs.size(); ++i) {
-        if (!program.got_subcommand(verbs[i].name))
-            continue;
-        if (!look.empty())
-            throw CLI::ExtrasError(verbs[i].name, {look});
-        return with_output_written(commands[i](data));
-    }
+    if (!verb.empty() && !look.empty())
+        throw UsageError("The following argument was not expected: " + look);
+    if (!verb.empty())
+        return with_output_written(commands.at(verb)(data));
     check_is_no_command(look, data);
     return open_window(look, data);
 }
 }  // namespace
 
 int run_program(int argc, const char* const* argv, const OpenWindow& open_window) {
-    CLI::App program{about};
-    program.name("afterglow");
-    program.set_version_flag("--version", "afterglow " AFTERGLOW_VERSION);
-    program.require_subcommand(0, 1);
+    CommandLine program("afterglow", AFTERGLOW_VERSION, about);
     std::string look;
     std::string data;
-    program.add_option("LOOK", look, "What the window opens; the last one when it is left out");
-    program.add_option("--data", data, "The folder that holds shaders/ and presets/");
-    program.fallthrough();
-    std::vector<Command> commands;
+    Options options = program.options();
+    options.add("LOOK", look, "What the window opens; the last one when it is left out");
+    options.add("--data", data, "The folder that holds shaders/ and presets/");
+    std::map<std::string, Command> commands;
     for (const Verb& verb : verbs)
-        commands.push_back(verb.add(program));
+        commands[verb.name] = verb.add(program);
     try {
-        program.parse(argc, argv);
-        return run_parsed(program, commands, look, data, open_window);
-    } catch (const CLI::ParseError& error) {
-        return program.exit(error) == 0 ? exit_done : exit_usage;
+        return program.run(argc, argv, [&](const std::string& verb) {
+            return run_parsed(verb, commands, look, data, open_window);
+        });
     } catch (const std::exception& error) {
         return report({{{}, 0, error.what()}});
     }

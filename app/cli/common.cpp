@@ -23,64 +23,40 @@ Extent parse_size(const std::string& text) {
                             : parse_integer(std::string_view(text).substr(cross + 1));
     constexpr int largest = 16384;
     if (!width || !height || *width < 1 || *height < 1 || *width > largest || *height > largest)
-        throw CLI::ValidationError(
-            "--size", "'" + text + "' is not of the form 1280x720, 1 to 16384 px a side");
+        throw UsageError("--size: '" + text +
+                         "' is not of the form 1280x720, 1 to 16384 px a side");
     return {*width, *height};
-}
-
-CLI::Validator number_between(double low, double high) {
-    return CLI::Validator(
-        [=](const std::string& text) {
-            const auto number = parse_number(text);
-            const bool is_good = number && *number >= low && *number <= high;
-            return is_good ? std::string()
-                           : fmt::format("'{}' is not a number from {} to {}", text, low, high);
-        },
-        "");
-}
-
-CLI::Validator whole_number_between(int low, int high) {
-    return CLI::Validator(
-        [=](const std::string& text) {
-            const auto number = parse_integer(text);
-            const bool is_good = number && *number >= low && *number <= high;
-            return is_good
-                       ? std::string()
-                       : fmt::format("'{}' is not a whole number from {} to {}", text, low, high);
-        },
-        "");
 }
 
 void check_ending(const std::string& option, const std::string& file,
                   const std::vector<std::string>& endings) {
     const std::string ending = to_lower(std::filesystem::path(file).extension().string());
     if (std::find(endings.begin(), endings.end(), ending) == endings.end())
-        throw CLI::ValidationError(
-            option, fmt::format("'{}' does not end in {}", file, fmt::join(endings, " or ")));
+        throw UsageError(
+            fmt::format("{}: '{}' does not end in {}", option, file, fmt::join(endings, " or ")));
 }
 
-void LookOptions::add_to(CLI::App& command, Take take) {
-    command
-        .add_option("LOOK", m_request.look,
-                    "A look's folder or name, a stack a+b, or a preset: file, PNG or line")
-        ->required();
-    command.add_option("--preset", m_request.preset, "A preset of the look: file, name or line");
-    command
-        .add_option("--set", m_set,
-                    "name=value, in a stack also crt/name=value; may be given again and again")
-        ->take_all()
-        ->allow_extra_args(false);
-    command.add_option("--signal", m_request.signal,
-                       "What drives a scope, as in lissajous:x=3,y=2 or audio:song.wav,mode=xy");
-    command.add_option(
+void LookOptions::add_to(Options& options, Take take) {
+    options
+        .add("LOOK", m_request.look,
+             "A look's folder or name, a stack a+b, or a preset: file, PNG or line")
+        .required();
+    options.add("--preset", m_request.preset, "A preset of the look: file, name or line");
+    options
+        .add("--set", m_set,
+             "name=value, in a stack also crt/name=value; may be given again and again")
+        .repeated();
+    options.add("--signal", m_request.signal,
+                "What drives a scope, as in lissajous:x=3,y=2 or audio:song.wav,mode=xy");
+    options.add(
         "--source", m_request.source,
         "The picture that a CRT look works on: a file, frame_%04d.png, a video or pattern:NAME; "
         "behind it ,fit= ,aspect= ,rate= ,loop=");
-    command.add_option("--size", m_size, "Of the picture, in pixels")->capture_default_str();
+    options.add("--size", m_size, "Of the picture, in pixels").show_default();
     if (take == Take::drawing)
-        command.add_option("--fps", m_request.fps, "Frames a second of the fixed clock")
-            ->capture_default_str()
-            ->check(number_between(1.0, 1000.0));
+        options.add("--fps", m_request.fps, "Frames a second of the fixed clock")
+            .show_default()
+            .between(1.0, 1000.0);
 }
 
 RenderRequest LookOptions::request() const {
@@ -89,8 +65,7 @@ RenderRequest LookOptions::request() const {
     for (const std::string& assignment : m_set) {
         const std::size_t equals = assignment.find('=');
         if (equals == std::string::npos || equals == 0)
-            throw CLI::ValidationError("--set",
-                                       "'" + assignment + "' is not of the form name=value");
+            throw UsageError("--set: '" + assignment + "' is not of the form name=value");
         request.values.emplace_back(assignment.substr(0, equals), assignment.substr(equals + 1));
     }
     return request;

@@ -28,8 +28,7 @@ Bound parse_bound(const std::string& text) {
                            ? std::nullopt
                            : parse_number(std::string_view(text).substr(equals + 1));
     if (!value || (measure != "mean" && measure != "rms" && measure != "max" && measure != "share"))
-        throw CLI::ValidationError("--fail-above",
-                                   "'" + text + "' is not mean=V, rms=V, max=V or share=V");
+        throw UsageError("--fail-above: '" + text + "' is not mean=V, rms=V, max=V or share=V");
     return {measure, *value};
 }
 
@@ -79,18 +78,18 @@ int compare(const Arguments& arguments) {
 }  // namespace
 
 /// afterglow compare A B
-Command add_compare(CLI::App& program) {
-    auto* command = program.add_subcommand("compare", "Measure how far two pictures are apart");
+Command add_compare(CommandLine& program) {
+    Options options = program.add_verb("compare", "Measure how far two pictures are apart");
     auto arguments = std::make_shared<Arguments>();
-    command->add_option("A", arguments->first, "A picture")->required();
-    command->add_option("B", arguments->second, "A picture")->required();
-    command
-        ->add_option("--tolerance", arguments->tolerance,
-                     "The difference from which a pixel counts in 'share'")
-        ->capture_default_str()
-        ->check(number_between(0.0, 1e9));
-    command->add_option("--fail-above", arguments->fail_above,
-                        "mean=V, rms=V, max=V or share=V: exit code 1 beyond it");
-    command->add_flag("--json", arguments->as_json, "One JSON document");
+    options.add("A", arguments->first, "A picture").required();
+    options.add("B", arguments->second, "A picture").required();
+    options
+        .add("--tolerance", arguments->tolerance,
+             "The difference from which a pixel counts in 'share'")
+        .show_default()
+        .between(0.0, 1e9);
+    options.add("--fail-above", arguments->fail_above,
+                "mean=V, rms=V, max=V or share=V: exit code 1 beyond it");
+    options.add_flag("--json", arguments->as_json, "One JSON document");
     return [arguments](const std::string&) { return compare(*arguments); };
 }

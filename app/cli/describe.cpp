@@ -3,14 +3,14 @@
 #include <iostream>
 
 /// afterglow describe LOOK --json
-Command add_describe(CLI::App& program) {
-    auto* command = program.add_subcommand(
-        "describe", "Print all that is needed to rebuild the frame elsewhere");
-    auto options = std::make_shared<LookOptions>();
-    options->add_to(*command, LookOptions::Take::values);
-    command->add_flag("--json")->description("JSON on stdout, the only form there is");
-    return [options](const std::string& data) {
-        const RenderRequest request = options->request();
+Command add_describe(CommandLine& program) {
+    Options options =
+        program.add_verb("describe", "Print all that is needed to rebuild the frame elsewhere");
+    auto look = std::make_shared<LookOptions>();
+    look->add_to(options, LookOptions::Take::values);
+    options.add_flag("--json", "JSON on stdout, the only form there is");
+    return [look](const std::string& data) {
+        const RenderRequest request = look->request();
         const auto library = open_library(data);
         if (!library)
             return report(library.error());

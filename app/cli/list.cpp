@@ -50,17 +50,17 @@ int list(const std::string& what, bool as_json, const std::string& data) {
 }  // namespace
 
 /// afterglow list looks|presets|signals|patterns [--json]
-Command add_list(CLI::App& program) {
+Command add_list(CommandLine& program) {
     struct Arguments {
         std::string what;
         bool as_json = false;
     };
-    auto* command = program.add_subcommand("list", "Print what there is");
+    Options options = program.add_verb("list", "Print what there is");
     auto arguments = std::make_shared<Arguments>();
-    command->add_option("WHAT", arguments->what, "looks, presets, signals or patterns")
-        ->required()
-        ->check(CLI::IsMember({"looks", "presets", "signals", "patterns"}));
-    command->add_flag("--json", arguments->as_json, "One JSON document");
+    options.add("WHAT", arguments->what, "looks, presets, signals or patterns")
+        .required()
+        .one_of({"looks", "presets", "signals", "patterns"});
+    options.add_flag("--json", arguments->as_json, "One JSON document");
     return [arguments](const std::string& data) {
         return list(arguments->what, arguments->as_json, data);
     };

@@ -4,24 +4,23 @@
 #include <iostream>
 
 /// afterglow preset LOOK [--preset F] [--set …] -o F.json | --line
-Command add_preset(CLI::App& program) {
+Command add_preset(CommandLine& program) {
     struct Arguments {
         LookOptions look;
         std::string output;
         std::string name;
         bool as_line = false;
     };
-    auto* command = program.add_subcommand("preset", "Make, convert or share a preset");
+    Options options = program.add_verb("preset", "Make, convert or share a preset");
     auto arguments = std::make_shared<Arguments>();
-    arguments->look.add_to(*command, LookOptions::Take::values);
-    auto* output =
-        command->add_option("-o,--output", arguments->output, "The file to write, .json");
-    command->add_option("--name", arguments->name, "What the preset is called");
-    auto* line = command->add_flag("--line", arguments->as_line, "Print it as one line of text");
-    line->excludes(output);
+    arguments->look.add_to(options, LookOptions::Take::values);
+    Option output = options.add("-o,--output", arguments->output, "The file to write, .json");
+    options.add("--name", arguments->name, "What the preset is called");
+    Option line = options.add_flag("--line", arguments->as_line, "Print it as one line of text");
+    line.excludes(output);
     return [arguments](const std::string& data) {
         if (!arguments->as_line && arguments->output.empty())
-            throw CLI::RequiredError("-o F.json or --line");
+            throw UsageError("-o F.json or --line is required");
         if (!arguments->as_line)
             check_ending("--output", arguments->output, {".json"});
         const auto library = open_library(data);

@@ -53,7 +53,7 @@ Result<void> save_all_passes(const Offline& offline, const std::filesystem::path
 FrameNames output_names(const std::string& output) {
     auto names = parse_frame_names(output);
     if (!names)
-        throw CLI::ValidationError("--output", names.error().front().message);
+        throw UsageError("--output: " + names.error().front().message);
     check_ending("--output", output, {".png", ".exr"});
     return std::move(*names);
 }
@@ -117,23 +117,20 @@ int render(const Arguments& arguments, const std::string& data) {
 }  // namespace
 
 /// afterglow render LOOK -o OUT
-Command add_render(CLI::App& program) {
-    auto* command =
-        program.add_subcommand("render", "Draw a look from a fresh start on a fixed clock");
+Command add_render(CommandLine& program) {
+    Options options = program.add_verb("render", "Draw a look from a fresh start on a fixed clock");
     auto arguments = std::make_shared<Arguments>();
-    arguments->look.add_to(*command, LookOptions::Take::drawing);
-    command
-        ->add_option(
-            "-o,--output", arguments->output,
-            "The picture's file, .png or .exr; with %04d in it every frame, the first 0000")
-        ->required();
-    command
-        ->add_option(
-            "--frames", arguments->frames,
-            "Frames to draw; the last is the picture (default: what the look needs to settle)")
-        ->check(whole_number_between(1, 10000000));
-    command->add_option("--pass", arguments->pass, "This pass's target instead of the picture");
-    command->add_option("--all-passes", arguments->all_passes,
-                        "A folder for every pass's target as EXR, after the last frame");
+    arguments->look.add_to(options, LookOptions::Take::drawing);
+    options
+        .add("-o,--output", arguments->output,
+             "The picture's file, .png or .exr; with %04d in it every frame, the first 0000")
+        .required();
+    options
+        .add("--frames", arguments->frames,
+             "Frames to draw; the last is the picture (default: what the look needs to settle)")
+        .between(1, 10000000);
+    options.add("--pass", arguments->pass, "This pass's target instead of the picture");
+    options.add("--all-passes", arguments->all_passes,
+                "A folder for every pass's target as EXR, after the last frame");
     return [arguments](const std::string& data) { return render(*arguments, data); };
 }

@@ -84,22 +84,19 @@ Result<void> make_sheet(const Arguments& arguments, const Library& library) {
 }  // namespace
 
 /// afterglow sheet LOOK... -o OUT
-Command add_sheet(CLI::App& program) {
-    auto* command = program.add_subcommand("sheet", "Draw all presets of looks as one picture");
+Command add_sheet(CommandLine& program) {
+    Options options = program.add_verb("sheet", "Draw all presets of looks as one picture");
     auto arguments = std::make_shared<Arguments>();
-    command
-        ->add_option("LOOK", arguments->looks, "Looks, with all their presets, or single presets")
-        ->required();
-    command->add_option("-o,--output", arguments->output, "The sheet's file, .png or .exr")
-        ->required();
-    command->add_option("--columns", arguments->columns, "Pictures side by side")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 100));
-    command->add_option("--size", arguments->size, "Of each picture, in pixels")
-        ->capture_default_str();
-    command->add_option("--fps", arguments->fps, "Frames a second of the fixed clock")
-        ->capture_default_str()
-        ->check(CLI::Range(1.0, 1000.0));
+    options.add("LOOK", arguments->looks, "Looks, with all their presets, or single presets")
+        .required();
+    options.add("-o,--output", arguments->output, "The sheet's file, .png or .exr").required();
+    options.add("--columns", arguments->columns, "Pictures side by side")
+        .show_default()
+        .in_range(1, 100);
+    options.add("--size", arguments->size, "Of each picture, in pixels").show_default();
+    options.add("--fps", arguments->fps, "Frames a second of the fixed clock")
+        .show_default()
+        .in_range(1.0, 1000.0);
     return [arguments](const std::string& data) {
         const auto library = open_library(data);
         if (!library)

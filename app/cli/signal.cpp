@@ -22,19 +22,16 @@ int write_signal(const Arguments& arguments) {
 }  // namespace
 
 /// afterglow signal SPEC -o SOUND
-Command add_signal(CLI::App& program) {
-    auto* command = program.add_subcommand("signal", "Write a signal as sound, for a real scope");
+Command add_signal(CommandLine& program) {
+    Options options = program.add_verb("signal", "Write a signal as sound, for a real scope");
     auto arguments = std::make_shared<Arguments>();
-    command->add_option("SPEC", arguments->signal, "The signal, such as text:HELLO")->required();
-    command->add_option("-o,--output", arguments->output, "A .wav or .flac: x left, y right")
-        ->required();
-    command->add_option("--seconds", arguments->format.seconds, "How long it is (10)")
-        ->check(CLI::Range(0.001, 3600.0));
-    command->add_option("--rate", arguments->format.rate, "Samples a second (48000)")
-        ->check(CLI::Range(8000, 768000));
-    command
-        ->add_option("--channels", arguments->format.channels,
-                     "2, or 3 with the beam's current (2)")
-        ->check(CLI::Range(2, 3));
+    options.add("SPEC", arguments->signal, "The signal, such as text:HELLO").required();
+    options.add("-o,--output", arguments->output, "A .wav or .flac: x left, y right").required();
+    options.add("--seconds", arguments->format.seconds, "How long it is (10)")
+        .in_range(0.001, 3600.0);
+    options.add("--rate", arguments->format.rate, "Samples a second (48000)")
+        .in_range(8000, 768000);
+    options.add("--channels", arguments->format.channels, "2, or 3 with the beam's current (2)")
+        .in_range(2, 3);
     return [arguments](const std::string&) { return write_signal(*arguments); };
 }
