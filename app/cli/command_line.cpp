@@ -5,6 +5,13 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+namespace {
+// A script's variable that was never set must not read as an option that was not given.
+std::string complaint_of_empty(const std::string& text) {
+    return text.empty() ? "is given nothing" : "";
+}
+}  // namespace
+
 Option& Option::required() {
     m_option->required();
     return *this;
@@ -35,16 +42,6 @@ Option& Option::between(double low, double high) {
     return *this;
 }
 
-Option& Option::in_range(int low, int high) {
-    m_option->check(CLI::Range(low, high));
-    return *this;
-}
-
-Option& Option::in_range(double low, double high) {
-    m_option->check(CLI::Range(low, high));
-    return *this;
-}
-
 Option& Option::one_of(const std::vector<std::string>& words) {
     m_option->check(CLI::IsMember(words));
     return *this;
@@ -61,12 +58,12 @@ Option& Option::excludes(const Option& other) {
 }
 
 Option Options::add(const std::string& names, std::string& value, const std::string& help) {
-    return Option(*m_app->add_option(names, value, help));
+    return Option(*m_app->add_option(names, value, help)->check(complaint_of_empty));
 }
 
 Option Options::add(const std::string& names, std::vector<std::string>& values,
                     const std::string& help) {
-    return Option(*m_app->add_option(names, values, help));
+    return Option(*m_app->add_option(names, values, help)->check(complaint_of_empty));
 }
 
 Option Options::add(const std::string& names, int& value, const std::string& help) {

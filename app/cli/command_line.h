@@ -32,9 +32,6 @@ public:
     /// Takes numbers from `low` to `high`, whole ones or all; says so in plain words.
     Option& between(int low, int high);
     Option& between(double low, double high);
-    /// The same; the range is also in the help.
-    Option& in_range(int low, int high);
-    Option& in_range(double low, double high);
     Option& one_of(const std::vector<std::string>& words);
     /// Each value behind a name of its own: --set a --set b.
     Option& repeated();
@@ -50,6 +47,7 @@ class Options {
 public:
     explicit Options(CLI::App& app) : m_app(&app) {}
 
+    /// An empty text is wrong usage.
     Option add(const std::string& names, std::string& value, const std::string& help);
     Option add(const std::string& names, std::vector<std::string>& values, const std::string& help);
     Option add(const std::string& names, int& value, const std::string& help);

@@ -92,11 +92,11 @@ Command add_sheet(CommandLine& program) {
     options.add("-o,--output", arguments->output, "The sheet's file, .png or .exr").required();
     options.add("--columns", arguments->columns, "Pictures side by side")
         .show_default()
-        .in_range(1, 100);
+        .between(1, 100);
     options.add("--size", arguments->size, "Of each picture, in pixels").show_default();
     options.add("--fps", arguments->fps, "Frames a second of the fixed clock")
         .show_default()
-        .in_range(1.0, 1000.0);
+        .between(1.0, 1000.0);
     return [arguments](const std::string& data) {
         const auto library = open_library(data);
         if (!library)

@@ -28,10 +28,9 @@ Command add_signal(CommandLine& program) {
     options.add("SPEC", arguments->signal, "The signal, such as text:HELLO").required();
     options.add("-o,--output", arguments->output, "A .wav or .flac: x left, y right").required();
     options.add("--seconds", arguments->format.seconds, "How long it is (10)")
-        .in_range(0.001, 3600.0);
-    options.add("--rate", arguments->format.rate, "Samples a second (48000)")
-        .in_range(8000, 768000);
+        .between(0.001, 3600.0);
+    options.add("--rate", arguments->format.rate, "Samples a second (48000)").between(8000, 768000);
     options.add("--channels", arguments->format.channels, "2, or 3 with the beam's current (2)")
-        .in_range(2, 3);
+        .between(2, 3);
     return [arguments](const std::string&) { return write_signal(*arguments); };
 }

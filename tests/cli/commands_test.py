@@ -118,7 +118,7 @@ class Rendering(ProgramTest):
         self.assert_refused(run("render", "phosphor", "-o", out, "--set", "decay=7", "--set", "tone_map=9"),
                             "'decay' must lie between 0 and 1", "'tone_map' takes")
         for wrong in (("--size", "big"), ("--size", "0x5"), ("--fps", "0"), ("--fps", "nan"), ("--frames", "-1"),
-                      ("--sett", "a=1")):
+                      ("--sett", "a=1"), ("--signal", "")):
             self.assert_refused(run("render", "phosphor", "-o", out, *wrong), code=2)
         for name in ("x", "x.gif", "x_%f.png", "x_%d_%d.png", "/dev/full"):
             self.assert_refused(run("render", "phosphor", "-o", name), name, code=2)
