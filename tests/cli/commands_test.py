@@ -224,7 +224,7 @@ class Measuring(ProgramTest):
         document = json.loads(result.stdout)
         self.assertGreater(document["frame"]["cpu_ms"], 0)
         self.assertEqual(len(document["passes"]), 8)
-        self.assertEqual(document["draw_calls"], 7)
+        self.assertEqual(document["draw_calls"], 8)
         self.assertTrue(document["renderer"])
 
 
