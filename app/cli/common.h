@@ -29,13 +29,15 @@ public:
     /// Which of the options a command takes.
     enum class Take { values, drawing };
 
+    explicit LookOptions(std::string size = "1280x720") : m_size(std::move(size)) {}
+
     void add_to(Options& options, Take take);
     RenderRequest request() const;
 
 private:
     RenderRequest m_request;
     std::vector<std::string> m_set;
-    std::string m_size = "1280x720";
+    std::string m_size;
 };
 
 /// What every command gets: where looks are. `data` is --data, "" when it was not given.
@@ -51,4 +53,5 @@ Command add_preset(CommandLine& program);
 Command add_compare(CommandLine& program);
 Command add_bench(CommandLine& program);
 Command add_sheet(CommandLine& program);
+Command add_sweep(CommandLine& program);
 Command add_signal(CommandLine& program);

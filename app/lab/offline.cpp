@@ -7,6 +7,7 @@
 #include "gpu/readback.h"
 #include "io/picture_file.h"
 #include "lab/media.h"
+#include "lab/naming.h"
 #include "lab/signal_file.h"
 #include "model/placing.h"
 #include "signals/kinds.h"
@@ -16,23 +17,6 @@
 #include <utility>
 
 namespace {
-// The parameter that a name means: its own, or in a stack the last part of one name alone.
-Result<const Parameter*> meant_parameter(const std::string& name, const Look& look) {
-    std::vector<std::string> candidates;
-    const std::vector<std::string> names = parameter_names(look);
-    if (const auto meant = meant_name(names, name, candidates))
-        return find_parameter(look, *meant);
-    if (!candidates.empty())
-        return fail({{},
-                     0,
-                     fmt::format("'{}' is a parameter of several looks; write one of: {}", name,
-                                 fmt::join(candidates, ", "))});
-    return fail(
-        {{},
-         0,
-         fmt::format("'{}' has no parameter '{}'{}", look.id, name, did_you_mean(name, names))});
-}
-
 Result<void> apply_values(const RenderRequest& request, Document& document) {
     Diagnostics problems;
     for (const auto& [name, text] : request.values) {

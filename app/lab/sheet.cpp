@@ -27,9 +27,8 @@ struct Layout {
     int top(int index) const { return gap + index / columns * (cell.height + foot); }
 };
 
-Layout layout_of(const std::vector<SheetCell>& cells, int columns) {
-    Layout layout{.cell = cells.front().picture.extent};
-    const int count = static_cast<int>(cells.size());
+Layout layout_of(Extent picture, int count, int columns) {
+    Layout layout{.cell = picture};
     layout.columns = std::min(columns, count);
     layout.rows = (count + layout.columns - 1) / layout.columns;
     layout.letters = std::clamp(layout.cell.height / 15, 11, 28);
@@ -60,21 +59,30 @@ void copy(const Picture& from, Picture& to, int left, int top) {
 }
 }  // namespace
 
-Result<Picture> sheet_of(const std::vector<SheetCell>& cells, int columns) {
-    assert(!cells.empty() && columns > 0);
-    const Layout layout = layout_of(cells, columns);
-    const Extent extent = layout.sheet();
+Result<void> check_sheet(Extent picture, int count, int columns) {
+    const Extent extent = layout_of(picture, count, columns).sheet();
     if (extent.width > largest_side || extent.height > largest_side)
         return fail({{},
                      0,
                      fmt::format("the sheet would be {} x {} px, and {} px a side is the most",
                                  extent.width, extent.height, largest_side)});
+    return {};
+}
+
+Result<Picture> sheet_of(const std::vector<SheetCell>& cells, int columns) {
+    assert(!cells.empty() && columns > 0);
+    const Extent size = cells.front().picture.extent;
+    const int count = static_cast<int>(cells.size());
+    if (auto fits = check_sheet(size, count, columns); !fits)
+        return fail(fits.error());
+    const Layout layout = layout_of(size, count, columns);
+    const Extent extent = layout.sheet();
     constexpr float paper = 0.09f;
     Picture sheet{extent, 3, Encoding::display, {}};
     sheet.pixels.assign(
         static_cast<std::size_t>(extent.width) * static_cast<std::size_t>(extent.height) * 3,
         paper);
-    for (int i = 0; i < static_cast<int>(cells.size()); ++i) {
+    for (int i = 0; i < count; ++i) {
         const SheetCell& cell = cells[static_cast<std::size_t>(i)];
         copy(cell.picture, sheet, layout.left(i), layout.top(i));
         const CaptionPlace place{

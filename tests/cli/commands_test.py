@@ -23,7 +23,7 @@ class Listing(ProgramTest):
     def test_help_names_every_command(self):
         result = run("--help")
         self.assert_done(result)
-        for command in ("list", "render", "check", "describe", "preset", "compare", "bench", "sheet"):
+        for command in ("list", "render", "check", "describe", "preset", "compare", "bench", "sheet", "sweep"):
             self.assertIn(command, result.stdout)
 
 
@@ -107,6 +107,35 @@ class Rendering(ProgramTest):
         self.assertEqual((greys.count(102), greys.count(204)), (27, 27))
         self.assertLess(greys.index(102), greys.index(204))
         self.assert_refused(run("sheet", "phosphor", "-o", self.folder / "sheet.gif"), "sheet.gif", ".png or .exr")
+
+    def test_a_sweep_holds_the_pictures_that_render_draws(self):
+        small = ("--size", "64x48", "--frames", "2")
+        out = self.folder / "sweep.png"
+        done = run("sweep", "phosphor", *small, "--vary", "exposure=0.5:8:2", "--vary", "decay=0.5,0.9", "-o", out)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        sheet = read_png(out)[2]
+        places = []
+        for decay in ("0.5", "0.9"):
+            for exposure in ("0.5", "8"):
+                one = self.folder / "one.png"
+                run("render", "phosphor", *small, "--set", f"exposure={exposure}", "--set", f"decay={decay}", "-o", one)
+                places.append(self.place_in(sheet, read_png(one)[2]))
+        self.assertEqual(places[0][1], places[1][1])  # the first parameter goes across
+        self.assertLess(places[0][0], places[1][0])
+        self.assertEqual(places[0][0], places[2][0])  # the second one down
+        self.assertLess(places[0][1], places[2][1])
+        for wrong in ("exposure", "exposure=1:2", "exposur=1:2:3", "decay=0:7:3", "beam_color=0:1:3"):
+            self.assert_refused(run("sweep", "phosphor", "--vary", wrong, "-o", out), wrong.split("=")[0])
+
+    def place_in(self, sheet, rows):
+        """Where a picture lies in a larger one, to the last digit."""
+        rows = [bytes(row) for row in rows]
+        sheet, wide = [bytes(row) for row in sheet], len(rows[0])
+        for top in range(len(sheet) - len(rows) + 1):
+            for left in range(0, len(sheet[0]) - wide + 1, 3):
+                if all(sheet[top + y][left:left + wide] == row for y, row in enumerate(rows)):
+                    return left // 3, top
+        raise AssertionError("the picture is not in the sheet")
 
     def test_mistakes_are_named(self):
         out = self.folder / "x.png"

@@ -1,0 +1,123 @@
+#include "lab/sweep.h"
+
+#include "cli/common.h"
+#include "cli/progress.h"
+#include "io/atomic_file.h"
+#include "io/picture_file.h"
+#include "lab/sheet.h"
+
+namespace {
+struct Arguments {
+    LookOptions look{"320x180"};
+    std::vector<std::string> axes;
+    std::string output;
+    int columns = 5;
+    int frames = 0;  // 0: the look's settle_frames
+};
+
+Result<std::vector<SweepAxis>> axes_of(const Arguments& arguments, const Look& look) {
+    std::vector<SweepAxis> axes;
+    Diagnostics problems;
+    for (const std::string& text : arguments.axes) {
+        auto axis = parse_sweep_axis(text, look);
+        if (axis)
+            axes.push_back(std::move(*axis));
+        else
+            problems.insert(problems.end(), axis.error().begin(), axis.error().end());
+    }
+    if (!problems.empty())
+        return fail(std::move(problems));
+    if (axes.size() == 2 && axes[0].parameter == axes[1].parameter)
+        return fail({{}, 0, "'" + axes[0].parameter + "' is varied twice"});
+    return axes;
+}
+
+Result<Picture> drawn(const Document& start, const SweepCell& cell, int frames, Offline& offline) {
+    Document document = start;
+    for (const auto& [name, value] : cell.values)
+        document.set_value(name, value);
+    if (auto begun = offline.start_again(std::move(document)); !begun)
+        return fail(begun.error());
+    for (int frame = 1; frame < frames; ++frame)
+        offline.advance_unseen();
+    offline.advance();
+    return offline.picture();
+}
+
+Result<void> draw_sheet(const Arguments& arguments, const std::vector<SweepAxis>& axes, Extent size,
+                        Offline& offline) {
+    const Document start = offline.document();
+    const int frames = arguments.frames > 0 ? arguments.frames : start.look().settle_frames;
+    const int columns =
+        axes.size() > 1 ? static_cast<int>(axes[0].stops.size()) : arguments.columns;
+    const std::vector<SweepCell> cells = sweep_cells(axes);
+    const int count = static_cast<int>(cells.size());
+    if (auto fits = check_sheet(size, count, columns); !fits)
+        return fits;
+    std::vector<SheetCell> drawn_cells;
+    Progress progress("sweep", count, "pictures");
+    for (const SweepCell& cell : cells) {
+        auto picture = drawn(start, cell, frames, offline);
+        if (!picture)
+            return fail(picture.error());
+        drawn_cells.push_back({cell.caption, std::move(*picture)});
+        progress.show(static_cast<int>(drawn_cells.size()));
+    }
+    const auto sheet = sheet_of(drawn_cells, columns);
+    if (!sheet)
+        return fail(sheet.error());
+    return save_picture(*sheet, arguments.output);
+}
+
+int sweep(const Arguments& arguments, const std::string& data) {
+    const RenderRequest request = arguments.look.request();
+    check_ending("--output", arguments.output, {".png", ".exr"});
+    if (arguments.axes.size() > 2)
+        throw UsageError("--vary: two parameters at most, one across and one down");
+    const auto library = open_library(data);
+    if (!library)
+        return report(library.error());
+    auto prepared = prepare(request, *library);
+    if (!prepared)
+        return report(prepared.error());
+    warn(prepared->warnings);
+    const auto axes = axes_of(arguments, prepared->document.look());
+    if (!axes)
+        return report(axes.error());
+    if (const auto good = check_writable(arguments.output); !good)
+        return report(good.error());
+    auto offline = Offline::create(std::move(*prepared), request.size, request.fps);
+    if (!offline)
+        return report(offline.error());
+    const auto done = draw_sheet(arguments, *axes, request.size, *offline);
+    const Diagnostics problems = offline->take_problems();
+    warn(problems);
+    if (!done)
+        return report(done.error());
+    return has_errors(problems) ? exit_not_good : exit_done;
+}
+}  // namespace
+
+/// afterglow sweep LOOK --vary NAME=LOW:HIGH:COUNT -o OUT
+Command add_sweep(CommandLine& program) {
+    Options options =
+        program.add_verb("sweep", "Draw a look with one or two parameters varied, as one picture");
+    auto arguments = std::make_shared<Arguments>();
+    arguments->look.add_to(options, LookOptions::Take::drawing);
+    options
+        .add("--vary", arguments->axes,
+             "name=low:high:count or name=a,b,c; a second one goes down the sheet")
+        .required()
+        .repeated();
+    options.add("-o,--output", arguments->output, "The sheet's file, .png or .exr").required();
+    options
+        .add("--columns", arguments->columns, "Pictures side by side, when one parameter is varied")
+        .show_default()
+        .between(1, 100);
+    options
+        .add("--frames", arguments->frames,
+             "Frames to draw of each; the last is the picture (default: what the look needs to "
+             "settle)")
+        .between(1, 10000000);
+    return [arguments](const std::string& data) { return sweep(*arguments, data); };
+}
