@@ -38,20 +38,12 @@ void print_table(const Measurement& measured) {
 
 int bench(const Arguments& arguments, const std::string& data) {
     const RenderRequest request = arguments.look.request();
-    const auto library = open_library(data);
-    if (!library)
-        return report(library.error());
-    auto prepared = prepare(request, *library);
-    if (!prepared)
-        return report(prepared.error());
-    warn(prepared->warnings);
-    auto offline = Offline::create(std::move(*prepared), request.size, request.fps);
-    if (!offline)
-        return report(offline.error());
-    const Measurement measured = measure(*offline, arguments.frames);
-    warn(offline->take_problems());
-    arguments.as_json ? print_json(measured) : print_table(measured);
-    return exit_done;
+    const auto work = [&](Offline& offline, const Library&) -> Result<void> {
+        const Measurement measured = measure(offline, arguments.frames);
+        arguments.as_json ? print_json(measured) : print_table(measured);
+        return {};
+    };
+    return run_drawing(request, data, {{}, work});
 }
 }  // namespace
 

@@ -78,3 +78,25 @@ Result<Library> open_library(const std::string& data) {
         return fail(roots.error());
     return Library(std::move(*roots));
 }
+
+int run_drawing(const RenderRequest& request, const std::string& data, const Drawing& drawing) {
+    const auto library = open_library(data);
+    if (!library)
+        return report(library.error());
+    auto prepared = prepare(request, *library);
+    if (!prepared)
+        return report(prepared.error());
+    warn(prepared->warnings);
+    const auto good = drawing.check ? drawing.check(*prepared) : Result<void>();
+    if (!good)
+        return report(good.error());
+    auto offline = Offline::create(std::move(*prepared), request.size, request.fps);
+    if (!offline)
+        return report(offline.error());
+    const auto done = drawing.draw(*offline, *library);
+    const Diagnostics problems = offline->take_problems();
+    warn(problems);
+    if (!done)
+        return report(done.error());
+    return has_errors(problems) ? exit_not_good : exit_done;
+}

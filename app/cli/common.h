@@ -43,6 +43,15 @@ private:
 /// What every command gets: where looks are. `data` is --data, "" when it was not given.
 Result<Library> open_library(const std::string& data);
 
+/// What a command does with a look that is drawn without a display.
+struct Drawing {
+    /// Looks for mistakes before anything is drawn; may be empty.
+    std::function<Result<void>(const Prepared& prepared)> check;
+    std::function<Result<void>(Offline& offline, const Library& library)> draw;
+};
+/// Prepares the look, checks, draws, and reports what went wrong; the command's exit code.
+int run_drawing(const RenderRequest& request, const std::string& data, const Drawing& drawing);
+
 /// Each adds its verb to the program; the returned function runs it after parsing.
 using Command = std::function<int(const std::string& data)>;
 Command add_list(CommandLine& program);

@@ -95,24 +95,11 @@ Result<void> draw(const Arguments& arguments, const FrameNames& names, Offline& 
 int render(const Arguments& arguments, const std::string& data) {
     const RenderRequest request = arguments.look.request();
     const FrameNames names = output_names(arguments.output);
-    const auto library = open_library(data);
-    if (!library)
-        return report(library.error());
-    auto prepared = prepare(request, *library);
-    if (!prepared)
-        return report(prepared.error());
-    warn(prepared->warnings);
-    if (const auto good = check_outputs(arguments, names); !good)
-        return report(good.error());
-    auto offline = Offline::create(std::move(*prepared), request.size, request.fps);
-    if (!offline)
-        return report(offline.error());
-    const auto done = draw(arguments, names, *offline, RecentMedia(library->roots()));
-    const Diagnostics problems = offline->take_problems();
-    warn(problems);
-    if (!done)
-        return report(done.error());
-    return has_errors(problems) ? exit_not_good : exit_done;
+    const auto check = [&](const Prepared&) { return check_outputs(arguments, names); };
+    const auto work = [&](Offline& offline, const Library& library) {
+        return draw(arguments, names, offline, RecentMedia(library.roots()));
+    };
+    return run_drawing(request, data, {check, work});
 }
 }  // namespace
 

@@ -50,13 +50,9 @@ Result<SheetCell> drawn(const RenderRequest& request, const Library& library) {
     if (!offline)
         return fail(offline.error());
     const Document& document = offline->document();
-    const int frames = document.look().settle_frames;
-    for (int frame = 1; frame < frames; ++frame)
-        offline->advance_unseen();
-    offline->advance();
     const std::string& preset = document.preset_name();
     return SheetCell{document.look().name + (preset.empty() ? "" : ": " + preset),
-                     offline->picture()};
+                     offline->picture_after(document.look().settle_frames)};
 }
 
 Result<void> make_sheet(const Arguments& arguments, const Library& library) {

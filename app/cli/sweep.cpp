@@ -38,10 +38,7 @@ Result<Picture> drawn(const Document& start, const SweepCell& cell, int frames, 
         document.set_value(name, value);
     if (auto begun = offline.start_again(std::move(document)); !begun)
         return fail(begun.error());
-    for (int frame = 1; frame < frames; ++frame)
-        offline.advance_unseen();
-    offline.advance();
-    return offline.picture();
+    return offline.picture_after(frames);
 }
 
 Result<void> draw_sheet(const Arguments& arguments, const std::vector<SweepAxis>& axes, Extent size,
@@ -74,27 +71,18 @@ int sweep(const Arguments& arguments, const std::string& data) {
     check_ending("--output", arguments.output, {".png", ".exr"});
     if (arguments.axes.size() > 2)
         throw UsageError("--vary: two parameters at most, one across and one down");
-    const auto library = open_library(data);
-    if (!library)
-        return report(library.error());
-    auto prepared = prepare(request, *library);
-    if (!prepared)
-        return report(prepared.error());
-    warn(prepared->warnings);
-    const auto axes = axes_of(arguments, prepared->document.look());
-    if (!axes)
-        return report(axes.error());
-    if (const auto good = check_writable(arguments.output); !good)
-        return report(good.error());
-    auto offline = Offline::create(std::move(*prepared), request.size, request.fps);
-    if (!offline)
-        return report(offline.error());
-    const auto done = draw_sheet(arguments, *axes, request.size, *offline);
-    const Diagnostics problems = offline->take_problems();
-    warn(problems);
-    if (!done)
-        return report(done.error());
-    return has_errors(problems) ? exit_not_good : exit_done;
+    std::vector<SweepAxis> axes;
+    const auto check = [&](const Prepared& prepared) -> Result<void> {
+        auto read = axes_of(arguments, prepared.document.look());
+        if (!read)
+            return fail(read.error());
+        axes = std::move(*read);
+        return check_writable(arguments.output);
+    };
+    const auto work = [&](Offline& offline, const Library&) {
+        return draw_sheet(arguments, axes, request.size, offline);
+    };
+    return run_drawing(request, data, {check, work});
 }
 }  // namespace
 

@@ -250,6 +250,13 @@ void Offline::advance() {
     m_renderer->draw(frame, m_player->trace(frame.span));
 }
 
+Picture Offline::picture_after(int frames) {
+    for (int frame = 1; frame < frames; ++frame)
+        advance_unseen();
+    advance();
+    return picture();
+}
+
 void Offline::advance_unseen() {
     const PlayedFrame frame = m_player->advance_fixed(m_fps);
     if (m_source_is_carried)

@@ -48,6 +48,8 @@ public:
     void advance();
     /// As advance(), for a frame that nobody will look at: only what later frames are made of.
     void advance_unseen();
+    /// So many frames on; the last one's picture.
+    Picture picture_after(int frames);
     std::int64_t frame_number() const { return m_player->frame_number(); }
     std::vector<double> pass_milliseconds() { return m_renderer->pass_milliseconds(); }
     /// From the first frame again, with another document of the same look: its values, its signal
