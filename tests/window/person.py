@@ -98,12 +98,13 @@ class Person(unittest.TestCase):
                 program.click("dialog_discard")
             program.wait("the look is open", lambda s: s["look"] == "phosphor")
         program.click("preset:")
+        program.place("picture")  # the click has been seen
         return program.wait("all is as the look has it", self.is_tidy)
 
     def is_tidy(self, state):
         same = ("look", "preset", "values", "signal", "picture", "is_modified", "dialog")
         return (all(state.get(key) == self.fresh[key] for key in same) and
-                state["is_playing"] and not state["reading"] and 2 < state["frame"] < 10000)
+                state["is_playing"] and not state["is_loading"] and not state["reading"] and 2 < state["frame"] < 10000)
 
     def snapshot(self, name):
         self.screen.save(PICTURES / (name + ".png"))
