@@ -154,7 +154,15 @@ void Lab::open_values(const OpenRequest& request) {
         return;
     }
     const fs::path folder = media_folder(request.preset_file);
-    const Preset preset = with_found_media(*request.preset, folder, m_drive.recent());
+    Preset preset = with_found_media(*request.preset, folder, m_drive.recent());
+    // Items of lists by their labels, for one; what does not fit comes as near as it can.
+    if (auto fitted = fitted_values(m_document->look(), preset, request.preset_file))
+        preset.values = std::move(*fitted);
+    else
+        for (Diagnostic& problem : fitted.error()) {
+            problem.severity = Severity::warning;
+            m_look_problems.push_back({std::move(problem), {}});
+        }
     if (request.preset_file.empty()) {  // a line of text: kept nowhere yet
         m_document->set_identity(preset, {});
         m_document->take(preset, "Opened values");

@@ -138,6 +138,22 @@ TEST_CASE("a preset that is saved, changed and opened again is back as it was") 
     CHECK(small.lab().document()->values().at("gain") == Value(4.0));
 }
 
+TEST_CASE("a preset opens with the items that it names by their labels") {
+    SmallLab small;
+    small.write("gain.glsl", "uniform int gain = 1;  // @items \"One\" \"Two\" \"Three\"\n");
+    REQUIRE(small.turn_until([&] {
+        const Parameter* gain = find_parameter(small.document().look(), "gain");
+        return gain && gain->items.size() == 3;
+    }));
+    const auto file = small.folder() / "presets/small/third.json";
+    std::filesystem::create_directories(file.parent_path());
+    REQUIRE(write_atomically(file, R"({"format": "afterglow-preset", "version": 1,
+        "look": "small", "name": "Third", "values": {"gain": "Three"}})"));
+    small.lab().open(file.string());
+    REQUIRE(small.turn_until([&] { return small.document().preset_name() == "Third"; }));
+    CHECK(small.document().values().at("gain") == Value(2.0));
+}
+
 TEST_CASE("a line of text carries the values to another lab") {
     SmallLab from;
     from.lab().edit([](Document& document) { document.set_value("gain", Value(6.0)); });
