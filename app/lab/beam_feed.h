@@ -43,7 +43,7 @@ private:
     std::shared_ptr<SentBeam> m_beam;  // shared with the signal that draws it
     std::optional<SentReader> m_reader;
     std::vector<SentPoint> m_points;
-    bool m_has_drawn = false;  // the present sender
+    bool m_has_drawn = false;    // the present sender
     mutable std::mutex m_mutex;  // for what follows
     std::optional<Diagnostic> m_problem;
     std::int64_t m_bad_count = 0;
