@@ -1,9 +1,12 @@
 #include "graph/viewer.h"
 
 #include "gpu/draw.h"
+#include "graph/texel_text.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 namespace {
@@ -15,15 +18,19 @@ void main() {
 }
 )";
 
-// Between these two the stage declares `shown`, a sampler, and `rgba_at(uv)`.
+// Between these two the stage reads the target: `shown`, `rgba_at(texel)` and what texel_text.h
+// gives.
 constexpr const char* fragment_start = R"(#version 410 core
 in vec2 place;
 out vec4 color;
 uniform vec4 region;        // left, bottom, width, height; texels
 uniform vec2 texels_a_pixel;
+uniform vec2 levels;        // black, white
 uniform float gain;
-uniform int channels;
 uniform bool is_encoded;
+uniform bool marks_flaws;
+uniform bool marks_clipping;
+uniform bool is_false_color;
 )";
 
 constexpr const char* fragment_end = R"(
@@ -37,12 +44,6 @@ vec3 decode(vec3 c) {
     return mix(curve, c / 12.92, lessThanEqual(c, vec3(0.04045)));
 }
 
-vec3 chosen(vec4 rgba) {
-    if (channels == 0) return rgba.rgb;
-    if (channels < 5) return vec3(rgba[channels - 1]);
-    return vec3(dot(rgba.rgb, vec3(0.2126, 0.7152, 0.0722)));  // ITU-R BT.709
-}
-
 // The mean of a grid that is as dense as the texels, at most 4 x 4: linear filtering does the rest.
 vec4 averaged(vec2 texel) {
     ivec2 count = clamp(ivec2(ceil(texels_a_pixel)), ivec2(1), ivec2(4));
@@ -53,53 +54,117 @@ vec4 averaged(vec2 texel) {
     return sum / float(count.x * count.y);
 }
 
+// 0 black, 1 white. Amounts of light are what exposure works on, alpha and lone channels included.
+vec3 exposed(vec3 numbers) {
+    vec3 light = (numbers - levels.x) / (levels.y - levels.x);
+    if (gain == 1.0)
+        return light;
+    return is_encoded ? sign(light) * encode(decode(abs(light)) * gain) : light * gain;
+}
+
+const vec3 no_mark = vec3(-1.0);
+
+// Of all texels under this pixel of the view, at most 16 x 16 of them.
+vec3 mark_at(vec2 texel) {
+    vec2 half_side = 0.5 * max(texels_a_pixel, vec2(1.0)) - 0.01;  // rounding takes in no neighbour
+    bvec2 is_larger = lessThanEqual(texels_a_pixel, vec2(1.0));
+    ivec2 last = textureSize(shown, 0) - 1;
+    ivec2 low = clamp(ivec2(floor(mix(texel - half_side, texel, is_larger))), ivec2(0), last);
+    ivec2 high = clamp(ivec2(mix(ceil(texel + half_side) - 1.0, floor(texel), is_larger)), low, last);
+    ivec2 stride = (high - low) / 16 + 1;
+    bool has_nan = false, has_infinity = false, has_negative = false, has_white = false, is_black = true;
+    for (int y = low.y; y <= high.y; y += stride.y)
+        for (int x = low.x; x <= high.x; x += stride.x) {
+            vec3 numbers = chosen(texel_at(ivec2(x, y)));
+            has_nan = has_nan || any(isnan(numbers));
+            has_infinity = has_infinity || any(isinf(numbers));
+            has_negative = has_negative || any(lessThan(numbers, vec3(0.0)));
+            vec3 light = exposed(numbers);
+            has_white = has_white || any(greaterThanEqual(light, vec3(1.0)));
+            is_black = is_black && all(lessThanEqual(light, vec3(0.0)));
+        }
+    if (marks_flaws && has_nan) return vec3(1.0, 0.0, 0.0);
+    if (marks_flaws && has_infinity) return vec3(0.0, 1.0, 0.0);
+    if (marks_flaws && has_negative) return vec3(0.0, 0.0, 1.0);
+    if (marks_clipping && has_white) return vec3(1.0, 0.8, 0.0);
+    if (marks_clipping && is_black) return vec3(0.0, 0.4, 0.4);
+    return no_mark;
+}
+
+// False_color() of viewer.h.
+vec3 ramp(float place) {
+    float angle = 6.28318530718 * (0.5 / 3.0 - 1.5 * place);
+    float amplitude = place * (1.0 - place) / 2.0;
+    mat2x3 turn = mat2x3(-0.14861, -0.29227, 1.97294, 1.78277, -0.90649, 0.0);
+    return place + amplitude * (turn * vec2(cos(angle), sin(angle)));
+}
+
+vec3 on_display(vec3 light) {
+    if (is_false_color)
+        return ramp(clamp(channels == 0 ? luminance(light) : light.r, 0.0, 1.0));
+    vec3 visible = clamp(light, 0.0, 1.0);
+    return is_encoded ? visible : encode(visible);
+}
+
 void main() {
     vec2 texel = region.xy + place * region.zw;
     if (any(lessThan(texel, vec2(0.0))) || any(greaterThanEqual(texel, vec2(textureSize(shown, 0))))) {
         color = vec4(0.0);
         return;
     }
-    vec3 light = chosen(averaged(texel));
-    if (any(isnan(light)) || any(isinf(light))) {
+    bool is_marking = marks_flaws || marks_clipping;
+    vec3 mark = is_marking ? mark_at(texel) : no_mark;
+    vec3 numbers = chosen(averaged(texel));
+    bool is_finite = !any(isnan(numbers)) && !any(isinf(numbers));
+    if (mark != no_mark) {
+        color = vec4(mark, 1.0);
+    } else if (!is_finite && !marks_flaws) {
         color = vec4(1.0, 0.0, 1.0, 1.0);
-        return;
+    } else {
+        // A mean takes in neighbours that no mark is due for.
+        vec3 seen = on_display(exposed(is_finite ? numbers : chosen(texel_at(ivec2(texel)))));
+        color = vec4(is_marking && !is_false_color ? vec3(luminance(seen)) : seen, 1.0);
     }
-    light = max(light, 0.0);
-    // Amounts of light are what exposure works on, alpha and lone channels included.
-    if (gain != 1.0)
-        light = is_encoded ? encode(decode(light) * gain) : light * gain;
-    color = vec4(clamp(is_encoded ? light : encode(light), 0.0, 1.0), 1.0);
 }
 )";
 
-constexpr const char* floats_text = R"(
-uniform sampler2D shown;
+constexpr const char* smooth_floats = R"(
 vec4 rgba_at(vec2 texel) { return texture(shown, texel / vec2(textureSize(shown, 0))); }
 )";
 
-constexpr const char* naturals_text = R"(
-uniform usampler2D shown;
+constexpr const char* smooth_naturals = R"(
 vec4 rgba_at(vec2 texel) {
     ivec2 last = textureSize(shown, 0) - 1;
-    return vec4(vec3(texelFetch(shown, clamp(ivec2(floor(texel)), ivec2(0), last), 0).r), 1.0);
+    return texel_at(clamp(ivec2(floor(texel)), ivec2(0), last));
 }
 )";
 
-Result<gpu::Program> build(const char* reading) {
+Result<gpu::Program> build(const std::string& reading) {
     const Stage vertex{{}, vertex_text, {}};
-    const Stage fragment{{}, std::string(fragment_start) + reading + fragment_end, {}};
+    const Stage fragment{{}, fragment_start + reading + fragment_end, {}};
     return gpu::Program::build(vertex, fragment);
 }
 }  // namespace
+
+std::array<double, 3> false_color(double place) {
+    const double angle = 2.0 * std::numbers::pi * (0.5 / 3.0 - 1.5 * place);
+    const double amplitude = place * (1.0 - place) / 2.0;
+    const double across = std::cos(angle);
+    const double up = std::sin(angle);
+    const auto channel = [&](double a, double b) {
+        return std::clamp(place + amplitude * (a * across + b * up), 0.0, 1.0);
+    };
+    return {channel(-0.14861, 1.78277), channel(-0.29227, -0.90649), channel(1.97294, 0.0)};
+}
 
 Viewer::Viewer(gpu::Program floats, gpu::Program naturals)
     : m_floats(std::move(floats)), m_naturals(std::move(naturals)) {}
 
 Result<Viewer> Viewer::make() {
-    auto floats = build(floats_text);
+    auto floats = build(float_texel_text + smooth_floats);
     if (!floats)
         return fail(floats.error());
-    auto naturals = build(naturals_text);
+    auto naturals = build(natural_texel_text + smooth_naturals);
     if (!naturals)
         return fail(naturals.error());
     return Viewer(std::move(*floats), std::move(*naturals));
@@ -124,6 +189,10 @@ void Viewer::draw(const gpu::Texture& from, const gpu::Canvas& to, const ViewOpt
     const gpu::Program& program = facts_of(from.format()).is_integer ? m_naturals : m_floats;
     program.write("region", region);
     program.write("texels_a_pixel", density);
+    program.write("levels", std::array{options.levels.black, options.levels.white});
+    program.write("marks_flaws", std::array{options.marks_flaws ? 1.0 : 0.0});
+    program.write("marks_clipping", std::array{options.marks_clipping ? 1.0 : 0.0});
+    program.write("is_false_color", std::array{options.is_false_color ? 1.0 : 0.0});
     program.write("gain", std::array{std::exp2(options.exposure_stops)});
     program.write("channels", std::array{static_cast<double>(options.channels)});
     program.write("is_encoded", std::array{is_encoded ? 1.0 : 0.0});

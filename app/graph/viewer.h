@@ -4,6 +4,7 @@
 #include "gpu/program.h"
 #include "gpu/samplers.h"
 #include "gpu/vertex_array.h"
+#include "model/levels.h"
 #include "model/picture.h"
 
 #include <array>
@@ -13,10 +14,16 @@ enum class ChannelChoice { rgb, red, green, blue, alpha, luminance };
 
 /// How a target is shown to a person.
 struct ViewOptions {
-    double exposure_stops = 0;  // light is multiplied by two to this power
+    Levels levels = {};         // stored numbers that are shown as black and as white
+    double exposure_stops = 0;  // light is multiplied by two to this power, after the levels
     ChannelChoice channels = ChannelChoice::rgb;
     Encoding encoding =
-        Encoding::linear;             // of the texels; linear ones are sRGB-encoded for the display
+        Encoding::linear;  // of the texels; linear ones are sRGB-encoded for the display
+    // Marks stand in the place of colours and the rest is grey. One shows wherever a texel under
+    // it is so, in the channels that are shown.
+    bool marks_flaws = false;         // NaN red, infinite green, negative blue
+    bool marks_clipping = false;      // at or above white yellow; all at or below black: dark cyan
+    bool is_false_color = false;      // from black to white by false_color()
     Filter filter = Filter::nearest;  // where texels are magnified; smaller views are averaged
     // The part that is shown, in texels of the largest level from the bottom left; outside of it
     // the view is transparent black. Without a width all is shown.
@@ -28,8 +35,13 @@ struct ViewOptions {
     std::optional<std::array<int, 2>> columns = std::nullopt;  // first, end
 };
 
-/// Draws targets as a person looks into them: thumbnails, and views with exposure, channels and
-/// zoom. Numbers that are not finite show as magenta.
+/// The ramp of false colours at 0..1, display-encoded: from black over blue, green and pink to
+/// white, ever brighter. Cubehelix: D. A. Green, "A colour scheme for the display of astronomical
+/// intensity images", Bull. Astr. Soc. India 39 (2011), with its start 0.5, rotations -1.5, hue 1.
+std::array<double, 3> false_color(double place);
+
+/// Draws targets as a person looks into them: thumbnails, and views with levels, exposure, channels
+/// and zoom. Numbers that are not finite show as magenta where flaws are not marked.
 class Viewer {
 public:
     static Result<Viewer> make();

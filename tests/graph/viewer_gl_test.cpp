@@ -3,6 +3,7 @@
 #include "graph/looks.h"
 #include "graph/viewer.h"
 
+#include <cmath>
 #include <limits>
 
 namespace {
@@ -25,6 +26,10 @@ struct Viewing : Headless {
 
 Picture one(Rgba rgba) {
     return {{1, 1}, 4, Encoding::linear, {rgba[0], rgba[1], rgba[2], rgba[3]}};
+}
+
+Picture grey(double number) {
+    return {{1, 1}, 1, Encoding::linear, {static_cast<float>(number)}};
 }
 
 // 4 x 4: each texel's red is its column / 4, its green its row from the top / 4.
@@ -104,4 +109,93 @@ TEST_CASE_FIXTURE(Viewing,
     whole->clear({1, 0, 0, 0});
     viewer->draw(whole->texture(), *to, plain);
     CHECK(gpu::read_pixel(to->texture(), 0, 0) == Rgba{1, 1, 1, 1});
+}
+
+TEST_CASE_FIXTURE(Viewing, "what lies between black and white is spread over the screen") {
+    ViewOptions options = plain;
+    options.levels = {2, 6};
+    CHECK(shown(one({3, 2, 7, 1}), options) == Rgba{shown(one({0.25f, 0, 1, 1}), plain)});
+    options.encoding = Encoding::linear;
+    CHECK(shown(one({2.856164f, 0, 0, 1}), options)[0] == shade(0.5));  // 2 + 4 * 0.214041
+    options.exposure_stops = 1;                                         // counts from black
+    CHECK(shown(one({2.428082f, 0, 0, 1}), options)[0] == shade(0.5));
+    options.levels = {-1, 1};
+    options.exposure_stops = 0;
+    CHECK(shown(one({-0.571918f, 0, 0, 1}), options)[0] == shade(0.5));
+}
+
+namespace {
+constexpr float no_number = std::numeric_limits<float>::quiet_NaN();
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+constexpr Rgba red{1, 0, 0, 1};
+constexpr Rgba green{0, 1, 0, 1};
+constexpr Rgba blue{0, 0, 1, 1};
+}  // namespace
+
+TEST_CASE_FIXTURE(Viewing, "flaws are marked in pure colours, and what is right is grey beside") {
+    ViewOptions options = plain;
+    options.marks_flaws = true;
+    CHECK(shown(one({no_number, -1, infinity, 1}), options) == red);
+    CHECK(shown(one({0, infinity, -1, 1}), options) == green);
+    CHECK(shown(one({0, -infinity, 0, 1}), options) == green);
+    CHECK(shown(one({0.5f, 0.5f, -0.001f, 1}), options) == blue);
+    CHECK(shown(one({0, 0, 0, no_number}), options) == Rgba{0, 0, 0, 1});  // alpha is not shown
+    const Rgba grey = shown(one({0, 1, 0, 1}), options);
+    CHECK(grey[1] == shade(0.7152));
+    CHECK((grey[0] == grey[1] && grey[1] == grey[2]));
+    options.channels = ChannelChoice::alpha;
+    CHECK(shown(one({0, 0, 0, no_number}), options) == red);
+}
+
+TEST_CASE_FIXTURE(Viewing, "one bad texel shows in a view that is smaller than the target") {
+    Picture picture{{60, 60}, 1, Encoding::linear, std::vector<float>(3600, 0.5f)};
+    picture.pixels[picture.index(31, 17)] = no_number;
+    picture.pixels[picture.index(5, 50)] = -1.0f;
+    ViewOptions options{.marks_flaws = true};
+    CHECK(shown(picture, options, {6, 6}, 3, 1) == red);
+    CHECK(shown(picture, options, {6, 6}, 0, 5) == blue);
+    for (int y = 0; y < 6; ++y)
+        for (int x = 0; x < 6; ++x)
+            if ((x != 3 || y != 1) && (x != 0 || y != 5))
+                CHECK(shown(picture, options, {6, 6}, x, y)[0] == shade(0.735357));
+}
+
+TEST_CASE_FIXTURE(Viewing, "clipping is marked where the view has no more to show") {
+    ViewOptions options = plain;
+    options.marks_clipping = true;
+    const Rgba white = shown(one({0.2f, 1.0f, 0.2f, 1}), options);
+    CHECK(white[0] == 1.0f);
+    CHECK(white[1] == shade(0.8));
+    CHECK(white[2] == 0.0f);
+    const Rgba black = shown(one({0, -1, 0, 1}), options);
+    CHECK(black[0] == 0.0f);
+    CHECK(black[1] == shade(0.4));
+    CHECK(black[2] == shade(0.4));
+    const Rgba between = shown(one({0.99f, 0, 0, 1}), options);
+    CHECK(between[0] == shade(0.2126 * 0.99));
+    options.levels = {0.2, 0.6};
+    CHECK(shown(one({0.6f, 0, 0, 1}), options) == white);
+    CHECK(shown(one({0.2f, 0.2f, 0.1f, 1}), options) == black);
+    options = {.exposure_stops = 3, .marks_clipping = true};
+    CHECK(shown(one({0.13f, 0, 0, 1}), options) == white);
+    CHECK(shown(one({0.12f, 0, 0, 1}), options) != white);
+}
+
+TEST_CASE_FIXTURE(Viewing, "false colours are as bright as the number is large") {
+    ViewOptions options{.levels = {0, 2}, .is_false_color = true};
+    // The scheme's law: its brightness by NTSC weights is the place on the ramp.
+    for (const double place : {0.0, 0.125, 0.25, 0.5, 0.625, 0.75, 1.0}) {
+        const Rgba color = shown(grey(2 * place), options);
+        const double bright = 0.30 * color[0] + 0.59 * color[1] + 0.11 * color[2];
+        CHECK(std::abs(bright - place) <= 1.0 / 255.0);
+        for (std::size_t i = 0; i < 3; ++i)
+            CHECK(std::abs(color[i] - false_color(place)[i]) <= 0.55 / 255.0);
+    }
+    // Half way it has turned to 1/6 - 3/4 of a circle: cos -0.866025, sin 0.5.
+    CHECK(false_color(0.5)[0] == about(0.5 + 0.125 * (0.14861 * 0.866025 + 1.78277 * 0.5), 1e-5));
+    CHECK(false_color(0.5)[1] == about(0.5 + 0.125 * (0.29227 * 0.866025 - 0.90649 * 0.5), 1e-5));
+    CHECK(false_color(0.5)[2] == about(0.5 - 0.125 * 1.97294 * 0.866025, 1e-5));
+    const Rgba of_luminance = shown(one({2, 0, 0, 1}), options);
+    CHECK(std::abs(of_luminance[0] - false_color(0.2126)[0]) <= 0.55 / 255.0);
 }

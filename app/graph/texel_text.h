@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+// GLSL for stages that read the texels of any target: `shown`, a sampler; `texel_at(place)`, RGBA;
+// `channels`, a ChannelChoice; `chosen(rgba)`, those numbers, a lone one three times.
+
+inline const std::string choosing_text = R"(
+uniform int channels;
+float luminance(vec3 rgb) { return dot(rgb, vec3(0.2126, 0.7152, 0.0722)); }  // ITU-R BT.709
+vec3 chosen(vec4 rgba) {
+    if (channels == 0) return rgba.rgb;
+    if (channels < 5) return vec3(rgba[channels - 1]);
+    return vec3(luminance(rgba.rgb));
+}
+)";
+
+inline const std::string float_texel_text = choosing_text + R"(
+uniform sampler2D shown;
+vec4 texel_at(ivec2 texel) { return texelFetch(shown, texel, 0); }
+)";
+
+inline const std::string natural_texel_text = choosing_text + R"(
+uniform usampler2D shown;  // of an integer target
+vec4 texel_at(ivec2 texel) { return vec4(vec3(texelFetch(shown, texel, 0).r), 1.0); }
+)";
