@@ -1,0 +1,199 @@
+#include "graph/meter.h"
+
+#include "gpu/draw.h"
+#include "graph/texel_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace {
+// A block's counts are packed into one float: below 2^24 they are exact, so a block has less than
+// 2^12 texels.
+constexpr int most_block_side = 63;
+constexpr int least_block_side = 8;
+constexpr int most_blocks = 261;  // a side; 16384 / 63
+constexpr int most_samples = 256;
+constexpr double packing = 4096.0;
+
+constexpr const char* vertex_text = R"(#version 410 core
+void main() {
+    gl_Position = vec4(vec2((gl_VertexID << 1) & 2, gl_VertexID & 2) * 2.0 - 1.0, 0.0, 1.0);
+}
+)";
+
+constexpr const char* fragment_start = R"(#version 410 core
+out vec4 color;
+uniform int block_side;  // texels; 0: samples are taken
+uniform vec2 cell;       // texels a sample
+)";
+
+constexpr const char* fragment_end = R"(
+vec4 block_sums(ivec2 low) {
+    ivec2 end = min(low + block_side, textureSize(shown, 0));
+    float least = 3.4e38, most = -3.4e38, sum = 0.0, nans = 0.0, infinities = 0.0;
+    for (int y = low.y; y < end.y; ++y)
+        for (int x = low.x; x < end.x; ++x) {
+            vec3 numbers = chosen(texel_at(ivec2(x, y)));
+            if (any(isnan(numbers))) {
+                nans += 1.0;
+            } else if (any(isinf(numbers))) {
+                infinities += 1.0;
+            } else {
+                least = min(least, min(numbers.r, min(numbers.g, numbers.b)));
+                most = max(most, max(numbers.r, max(numbers.g, numbers.b)));
+                sum += (numbers.r + numbers.g + numbers.b) / 3.0;
+            }
+        }
+    return vec4(least, most, sum, nans + 4096.0 * infinities);
+}
+
+// Somewhere in the cell, or a mask that repeats with the cells would show one of its colours alone.
+ivec2 place_in(ivec2 cell_at) {
+    uint noise = uint(cell_at.x) * 0x9E3779B1u ^ uint(cell_at.y) * 0x85EBCA77u;
+    noise = (noise ^ (noise >> 15)) * 0x2C1B3C6Du;
+    noise = (noise ^ (noise >> 12)) * 0x297A2D39u;
+    noise ^= noise >> 15;
+    vec2 part = vec2(noise & 0xFFFFu, noise >> 16) / 65536.0;
+    return min(ivec2((vec2(cell_at) + part) * cell), textureSize(shown, 0) - 1);
+}
+
+void main() {
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    color = block_side > 0 ? block_sums(at * block_side) : vec4(chosen(texel_at(place_in(at))), 1.0);
+}
+)";
+
+Result<gpu::Program> build(const std::string& reading) {
+    const Stage vertex{{}, vertex_text, {}};
+    const Stage fragment{{}, fragment_start + reading + fragment_end, {}};
+    return gpu::Program::build(vertex, fragment);
+}
+
+int block_side_for(Extent extent) {
+    const int longest = std::max(extent.width, extent.height);
+    return std::clamp((longest + most_blocks - 1) / most_blocks, least_block_side, most_block_side);
+}
+
+Extent blocks_of(Extent extent, int side) {
+    return {(extent.width + side - 1) / side, (extent.height + side - 1) / side};
+}
+
+// Where there is no memory nothing is measured; the passes themselves are what needs it.
+bool fit(std::optional<gpu::Canvas>& canvas, Extent extent) {
+    if (canvas && canvas->texture().extent() == extent)
+        return true;
+    canvas.reset();
+    auto made = gpu::Canvas::make(extent, Format::rgba32f);
+    if (made)
+        canvas.emplace(std::move(*made));
+    return made.has_value();
+}
+
+Statistics combined(const std::vector<float>& blocks, Extent extent) {
+    const int side = block_side_for(extent);
+    const Extent count = blocks_of(extent, side);
+    Statistics all;
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
+    double sum = 0.0;
+    const float* block = blocks.data();
+    for (int y = 0; y < count.height; ++y)
+        for (int x = 0; x < count.width; ++x, block += 4) {
+            const int texels =
+                std::min(side, extent.width - x * side) * std::min(side, extent.height - y * side);
+            const double packed = static_cast<double>(block[3]);
+            const auto infinite = static_cast<std::size_t>(packed / packing);
+            const auto not_a_number =
+                static_cast<std::size_t>(packed - static_cast<double>(infinite) * packing);
+            const std::size_t finite = static_cast<std::size_t>(texels) - infinite - not_a_number;
+            all.infinite += infinite;
+            all.not_a_number += not_a_number;
+            all.finite += finite;
+            if (finite == 0)
+                continue;
+            least = std::min(least, static_cast<double>(block[0]));
+            most = std::max(most, static_cast<double>(block[1]));
+            sum += static_cast<double>(block[2]);
+        }
+    if (all.finite > 0) {
+        all.minimum = least;
+        all.maximum = most;
+        all.mean = sum / static_cast<double>(all.finite);
+    }
+    return all;
+}
+
+Picture picture_of(const std::vector<float>& texels, Extent extent, bool is_color) {
+    Picture picture{extent, is_color ? 3 : 1, Encoding::linear, {}};
+    picture.pixels.reserve(texels.size() / 4 * static_cast<std::size_t>(picture.channels));
+    for (std::size_t i = 0; i < texels.size(); i += 4)
+        picture.pixels.insert(picture.pixels.end(), &texels[i], &texels[i] + picture.channels);
+    return picture;
+}
+}  // namespace
+
+Meter::Meter(gpu::Program floats, gpu::Program naturals)
+    : m_floats(std::move(floats)), m_naturals(std::move(naturals)) {}
+
+Result<Meter> Meter::make() {
+    auto floats = build(float_texel_text);
+    if (!floats)
+        return fail(floats.error());
+    auto naturals = build(natural_texel_text);
+    if (!naturals)
+        return fail(naturals.error());
+    return Meter(std::move(*floats), std::move(*naturals));
+}
+
+void Meter::draw(const gpu::Texture& from, const gpu::Canvas& to, const gpu::Program& program) {
+    program.use();
+    m_samplers.bind(0, from, {Filter::nearest, Wrap::edge, false});
+    to.bind();
+    m_vertices.bind();
+    gpu::draw_triangle();
+    m_samplers.release();
+}
+
+void Meter::start(const gpu::Texture& from, ChannelChoice channels) {
+    stop();
+    m_measured = from.extent();
+    const bool is_integer = facts_of(from.format()).is_integer;
+    m_is_color = channels == ChannelChoice::rgb && facts_of(from.format()).channels > 1;
+    const int side = block_side_for(m_measured);
+    const Extent samples{std::min(m_measured.width, most_samples),
+                         std::min(m_measured.height, most_samples)};
+    if (m_measured.is_empty() || !fit(m_blocks, blocks_of(m_measured, side)) ||
+        !fit(m_samples, samples))
+        return;
+    const gpu::DrawScope scope;
+    const gpu::Program& program = is_integer ? m_naturals : m_floats;
+    // A lone channel stands in red; the others of it are no numbers of the target's.
+    const bool is_lone = channels == ChannelChoice::rgb && !m_is_color;
+    program.write("channels",
+                  std::array{static_cast<double>(is_lone ? ChannelChoice::red : channels)});
+    program.write("block_side", std::array{static_cast<double>(side)});
+    draw(from, *m_blocks, program);
+    m_blocks_to_come.emplace(*m_blocks);
+    program.write("block_side", std::array{0.0});
+    program.write("cell", std::array{static_cast<double>(m_measured.width) / samples.width,
+                                     static_cast<double>(m_measured.height) / samples.height});
+    draw(from, *m_samples, program);
+    m_samples_to_come.emplace(*m_samples);
+}
+
+std::optional<Measured> Meter::take() {
+    if (!is_busy() || !m_samples_to_come->has_come())  // asked for last
+        return std::nullopt;
+    Measured measured{
+        combined(m_blocks_to_come->take(), m_measured),
+        picture_of(m_samples_to_come->take(), m_samples->texture().extent(), m_is_color)};
+    stop();
+    return measured;
+}
+
+void Meter::stop() {
+    m_blocks_to_come.reset();
+    m_samples_to_come.reset();
+}

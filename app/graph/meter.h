@@ -1,0 +1,47 @@
+#pragma once
+
+#include "gpu/download.h"
+#include "gpu/program.h"
+#include "gpu/samplers.h"
+#include "gpu/vertex_array.h"
+#include "graph/viewer.h"
+#include "model/statistics.h"
+
+#include <optional>
+
+/// What is known of the numbers in a target.
+struct Measured {
+    Statistics statistics;  // of every texel
+    Picture samples;        // at most 256 x 256 texels spread evenly; of lone channels grey
+};
+
+/// Measures targets without waiting: one draw reduces every texel to sums of blocks, one takes
+/// samples, and both come back in a later frame.
+class Meter {
+public:
+    static Result<Meter> make();
+
+    /// Whether an answer is under way.
+    bool is_busy() const { return m_blocks_to_come.has_value(); }
+    /// Asks; what was under way is dropped.
+    void start(const gpu::Texture& from, ChannelChoice channels);
+    /// The answer, once, when it has come.
+    std::optional<Measured> take();
+    /// Lets go of what was under way.
+    void stop();
+
+private:
+    Meter(gpu::Program floats, gpu::Program naturals);
+    void draw(const gpu::Texture& from, const gpu::Canvas& to, const gpu::Program& program);
+
+    gpu::Program m_floats;
+    gpu::Program m_naturals;  // for integer targets
+    gpu::VertexArray m_vertices;
+    gpu::Samplers m_samplers;
+    std::optional<gpu::Canvas> m_blocks;
+    std::optional<gpu::Canvas> m_samples;
+    std::optional<gpu::Download> m_blocks_to_come;
+    std::optional<gpu::Download> m_samples_to_come;
+    Extent m_measured;  // size of the target
+    bool m_is_color = true;
+};
