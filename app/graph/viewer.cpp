@@ -25,7 +25,7 @@ in vec2 place;
 out vec4 color;
 uniform vec4 region;        // left, bottom, width, height; texels
 uniform vec2 texels_a_pixel;
-uniform vec2 levels;        // black, white
+uniform vec2 levels;        // black, screens a unit
 uniform float gain;
 uniform bool is_encoded;
 uniform bool marks_flaws;
@@ -56,7 +56,7 @@ vec4 averaged(vec2 texel) {
 
 // 0 black, 1 white. Amounts of light are what exposure works on, alpha and lone channels included.
 vec3 exposed(vec3 numbers) {
-    vec3 light = (numbers - levels.x) / (levels.y - levels.x);
+    vec3 light = (numbers - levels.x) * levels.y;
     if (gain == 1.0)
         return light;
     return is_encoded ? sign(light) * encode(decode(abs(light)) * gain) : light * gain;
@@ -66,11 +66,11 @@ const vec3 no_mark = vec3(-1.0);
 
 // Of all texels under this pixel of the view, at most 16 x 16 of them.
 vec3 mark_at(vec2 texel) {
-    vec2 half_side = 0.5 * max(texels_a_pixel, vec2(1.0)) - 0.01;  // rounding takes in no neighbour
     bvec2 is_larger = lessThanEqual(texels_a_pixel, vec2(1.0));
     ivec2 last = textureSize(shown, 0) - 1;
-    ivec2 low = clamp(ivec2(floor(mix(texel - half_side, texel, is_larger))), ivec2(0), last);
-    ivec2 high = clamp(ivec2(mix(ceil(texel + half_side) - 1.0, floor(texel), is_larger)), low, last);
+    vec2 start = texel - 0.5 * texels_a_pixel + 0.01;  // where texels end, rounding decides nothing
+    ivec2 low = clamp(ivec2(floor(mix(start, texel, is_larger))), ivec2(0), last);
+    ivec2 high = clamp(ivec2(floor(mix(start + texels_a_pixel, texel + 1.0, is_larger))) - 1, low, last);
     ivec2 stride = (high - low) / 16 + 1;
     bool has_nan = false, has_infinity = false, has_negative = false, has_white = false, is_black = true;
     for (int y = low.y; y <= high.y; y += stride.y)
@@ -87,7 +87,7 @@ vec3 mark_at(vec2 texel) {
     if (marks_flaws && has_infinity) return vec3(0.0, 1.0, 0.0);
     if (marks_flaws && has_negative) return vec3(0.0, 0.0, 1.0);
     if (marks_clipping && has_white) return vec3(1.0, 0.8, 0.0);
-    if (marks_clipping && is_black) return vec3(0.0, 0.4, 0.4);
+    if (marks_clipping && is_black) return vec3(0.0, 0.25, 0.3);
     return no_mark;
 }
 
@@ -189,7 +189,8 @@ void Viewer::draw(const gpu::Texture& from, const gpu::Canvas& to, const ViewOpt
     const gpu::Program& program = facts_of(from.format()).is_integer ? m_naturals : m_floats;
     program.write("region", region);
     program.write("texels_a_pixel", density);
-    program.write("levels", std::array{options.levels.black, options.levels.white});
+    program.write("levels", std::array{options.levels.black,
+                                       1.0 / (options.levels.white - options.levels.black)});
     program.write("marks_flaws", std::array{options.marks_flaws ? 1.0 : 0.0});
     program.write("marks_clipping", std::array{options.marks_clipping ? 1.0 : 0.0});
     program.write("is_false_color", std::array{options.is_false_color ? 1.0 : 0.0});

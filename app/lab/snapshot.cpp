@@ -1,7 +1,10 @@
 #include "lab/snapshot.h"
 
+#include "base/text.h"
 #include "gpu/readback.h"
+#include "io/picture_file.h"
 #include "lab/sharing.h"
+#include "lab/views.h"
 
 void save_snapshot(Lab& lab, std::filesystem::path file) {
     if (!lab.document() || !lab.renderer())
@@ -16,6 +19,42 @@ void save_snapshot(Lab& lab, std::filesystem::path file) {
         save_picture_with_preset(picture, *lab.document(), file, lab.drive().recent());
     if (saved)
         lab.say("Saved the picture as '" + file.filename().string() + "'");
+    else
+        lab.say(saved.error().front());
+}
+
+namespace {
+// As the inspector draws it, in 8 bits.
+Result<Picture> seen_picture(const gpu::Texture& target, const ViewOptions& options) {
+    auto viewer = Viewer::make();
+    if (!viewer)
+        return fail(viewer.error());
+    auto canvas = gpu::Canvas::make(target.extent(), Format::rgba8);
+    if (!canvas)
+        return fail(canvas.error());
+    viewer->draw(target, *canvas, options);
+    Picture picture = gpu::read_picture(canvas->texture());
+    picture.encoding = Encoding::display;
+    return picture;
+}
+}  // namespace
+
+void save_target(Lab& lab, const PassView& view, std::filesystem::path file) {
+    const auto pass =
+        lab.renderer() ? find_pass(lab.renderer()->executor().look(), view.pass) : std::nullopt;
+    if (!pass)
+        return;
+    if (file.extension().empty())
+        file += ".exr";
+    const Executor& executor = lab.renderer()->executor();
+    const gpu::Texture& target = executor.target(*pass);
+    const bool is_seen = to_lower(file.extension().string()) == ".png";
+    const auto picture =
+        is_seen ? seen_picture(target, options_for(view, encoding_of(executor.look(), *pass)))
+                : gpu::read_picture(target);
+    const auto saved = picture ? save_picture(*picture, file) : fail(picture.error());
+    if (saved)
+        lab.say("Saved the pass '" + view.pass + "' as '" + file.filename().string() + "'");
     else
         lab.say(saved.error().front());
 }

@@ -3,12 +3,16 @@
 #include "gpu/readback.h"
 
 #include <algorithm>
+#include <chrono>
 
 Result<Views> Views::make() {
     auto viewer = Viewer::make();
     if (!viewer)
         return fail(viewer.error());
-    return Views(std::move(*viewer));
+    auto inspection = Inspection::make();
+    if (!inspection)
+        return fail(inspection.error());
+    return Views(std::move(*viewer), std::move(*inspection));
 }
 
 Views::Image Views::image_of(const std::optional<gpu::Canvas>& canvas) {
@@ -78,16 +82,33 @@ void Views::probe(const Executor& executor, const std::optional<Probe>& probe) {
         m_probed = gpu::read_pixel(target, probe->x, probe->y);
 }
 
-namespace {
-ViewOptions options_for(const PassView& view, const Executor& executor, int pass) {
-    return {.exposure_stops = view.exposure,
+ViewOptions options_for(const PassView& view, Encoding encoding) {
+    return {.levels = view.levels,
+            .exposure_stops = view.exposure,
             .channels = static_cast<ChannelChoice>(view.channels),
-            .encoding = encoding_of(executor.look(), pass)};
+            .encoding = encoding,
+            .marks_flaws = view.marks_flaws,
+            .marks_clipping = view.marks_clipping,
+            .is_false_color = view.is_false_color};
 }
-}  // namespace
 
 PictureView inspector_view(const WindowState& window) {
     return window.shows_pass_large ? PictureView{PictureView::Fit::all} : window.inspected.view;
+}
+
+void Views::draw_inspected(const Executor& executor, const WindowState& window) {
+    const auto pass = find_pass(executor.look(), window.inspected.pass);
+    if (!pass || window.is_picture_only || !window.shows_inspector) {
+        m_inspected.reset();
+        m_inspection.stop();
+        return;
+    }
+    const gpu::Texture& target = executor.target(*pass);
+    const ViewOptions options = options_for(window.inspected, encoding_of(executor.look(), *pass));
+    draw_part(target, m_inspected, window.views.inspector, inspector_view(window), options);
+    const auto now = std::chrono::steady_clock::now().time_since_epoch();
+    m_inspection.update(target, {window.inspected.pass, options.channels, options.levels},
+                        std::chrono::duration<double>(now).count());
 }
 
 void Views::update(const Lab& lab, const WindowState& window) {
@@ -96,20 +117,16 @@ void Views::update(const Lab& lab, const WindowState& window) {
         m_inspected.reset();
         m_thumbnails.clear();
         m_probed.reset();
+        m_inspection.stop();
         return;
     }
     if (lab.renderer()->replay().is_running())
         return;  // what was shown stays until the past has been drawn again
     const Executor& executor = lab.renderer()->executor();
-    const auto inspected = find_pass(executor.look(), window.inspected.pass);
     draw_picture(*lab.renderer(), lab.variant(), window);
     const bool is_whole = !window.is_picture_only;
     draw_thumbnails(executor, is_whole && window.shows_strip ? window.views.thumbnail_height : 0);
-    if (inspected && is_whole && window.shows_inspector)
-        draw_part(executor.target(*inspected), m_inspected, window.views.inspector,
-                  inspector_view(window), options_for(window.inspected, executor, *inspected));
-    else
-        m_inspected.reset();
+    draw_inspected(executor, window);
     const Executor* variant = lab.renderer()->variant();
     const bool is_of_variant = variant && window.probe && window.probe->is_of_variant;
     probe(is_of_variant ? *variant : executor, window.probe);
@@ -119,7 +136,7 @@ Views::Part Views::large_part(const Executor& executor, const WindowState& windo
     const auto inspected = find_pass(executor.look(), window.inspected.pass);
     if (inspected && window.shows_pass_large)
         return {*inspected, window.inspected.view,
-                options_for(window.inspected, executor, *inspected)};
+                options_for(window.inspected, encoding_of(executor.look(), *inspected))};
     const int last = static_cast<int>(executor.look().passes.size()) - 1;
     return {last, window.picture, {.encoding = encoding_of(executor.look(), last)}};
 }

@@ -2,6 +2,7 @@
 
 #include "gpu/canvas.h"
 #include "graph/viewer.h"
+#include "lab/inspection.h"
 #include "lab/lab.h"
 #include "lab/window_state.h"
 
@@ -28,12 +29,15 @@ public:
     /// What picture() shows, as numbers; empty when nothing. Waits for the GPU.
     Picture read_picture() const;
     Image inspected() const { return image_of(m_inspected); }
+    /// What the inspected target's numbers come to; nothing while the inspector is closed.
+    const Inspection& inspection() const { return m_inspection; }
     Image thumbnail(std::size_t pass) const;
     /// The stored numbers of WindowState::probe's pixel.
     const std::optional<std::array<float, 4>>& probed() const { return m_probed; }
 
 private:
-    explicit Views(Viewer viewer) : m_viewer(std::move(viewer)) {}
+    Views(Viewer viewer, Inspection inspection)
+        : m_viewer(std::move(viewer)), m_inspection(std::move(inspection)) {}
     static Image image_of(const std::optional<gpu::Canvas>& canvas);
     bool fit(std::optional<gpu::Canvas>& canvas, Extent extent);
     void draw_part(const gpu::Texture& from, std::optional<gpu::Canvas>& to, Extent size,
@@ -46,15 +50,20 @@ private:
     static Part large_part(const Executor& executor, const WindowState& window);
     void draw_picture(const Renderer& renderer, const std::optional<Variant>& variant,
                       const WindowState& window);
+    void draw_inspected(const Executor& executor, const WindowState& window);
     void draw_thumbnails(const Executor& executor, int height);
     void probe(const Executor& executor, const std::optional<Probe>& probe);
 
     Viewer m_viewer;
+    Inspection m_inspection;
     std::optional<gpu::Canvas> m_picture;
     std::optional<gpu::Canvas> m_inspected;
     std::vector<std::optional<gpu::Canvas>> m_thumbnails;
     std::optional<std::array<float, 4>> m_probed;
 };
+
+/// How a target whose texels have this encoding is seen.
+ViewOptions options_for(const PassView& view, Encoding encoding);
 
 /// How the small view of the inspected pass lies: all of it while the large one is moved about in.
 PictureView inspector_view(const WindowState& window);

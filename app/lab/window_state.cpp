@@ -23,6 +23,16 @@ void PictureView::zoom_about(double at_x, double at_y, double present, double ne
     fit = Fit::free;
 }
 
+void PassView::fit(const Statistics& statistics) {
+    levels = fitted_levels(statistics);
+    exposure = 0.0;
+}
+
+void PassView::reset_levels() {
+    levels = {};
+    exposure = 0.0;
+}
+
 PicturePlace place_of(const PictureView& view, Extent picture, Extent size) {
     const double zoom = view.zoom_for(picture, size);
     // All of it is shown in the middle; only what is cut can be moved.

@@ -2,6 +2,7 @@
 
 #include "lab/folder.h"
 #include "model/extent.h"
+#include "model/levels.h"
 
 #include <array>
 #include <filesystem>
@@ -59,11 +60,20 @@ enum class Channels { color, red, green, blue, alpha, luminance };
 /// The pass that a person looks into, and how.
 struct PassView {
     std::string pass;       // "": none
-    double exposure = 0.0;  // stops
+    Levels levels;          // stored numbers that are seen as black and as white
+    double exposure = 0.0;  // stops, from black on
     Channels channels = Channels::color;
+    bool marks_flaws = false;  // what is not finite, and what is negative
+    bool marks_clipping = false;
+    bool is_false_color = false;
     PictureView view{PictureView::Fit::all};
 
     bool operator==(const PassView&) const = default;
+    /// So that every finite number is seen.
+    void fit(const Statistics& statistics);
+    /// Levels and exposure as at first.
+    void reset_levels();
+    bool has_levels() const { return levels != Levels{} || exposure != 0.0; }
 };
 
 /// A pixel under the pointer, from the top left.
@@ -101,6 +111,7 @@ struct Dialog {
         open_file,
         choose_file,  // for the parameter or signal in `subject`
         save_picture,
+        save_pass,  // of the name in `subject`
         load_drawing,
         save_drawing,
         save_preset_as,

@@ -97,6 +97,8 @@ private:
 bool Application::wait() {
     constexpr double rest_seconds = 1.0;
     const Clock::time_point start = Clock::now();
+    if (m_lab.is_moving())
+        m_awake_until = start + awake;  // what is measured of the last frame comes a little later
     if (!m_lab.is_moving() && !m_toolkit.is_behind() && start > m_awake_until) {
         m_window.wait_events(rest_seconds);
         if (seconds_between(start, Clock::now()) >= rest_seconds)

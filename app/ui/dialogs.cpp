@@ -141,6 +141,7 @@ void draw_dialogs(const Scene& scene, Edits& edits) {
         case Kind::open_file:
         case Kind::choose_file:
         case Kind::save_picture:
+        case Kind::save_pass:
         case Kind::load_drawing:
         case Kind::save_drawing:
             draw_file_dialog(scene, edits);

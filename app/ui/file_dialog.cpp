@@ -16,6 +16,8 @@ namespace {
 std::vector<std::string> endings_for(Dialog::Kind kind) {
     if (kind == Dialog::Kind::save_picture)
         return {".png", ".exr"};
+    if (kind == Dialog::Kind::save_pass)
+        return {".exr", ".png"};
     if (kind == Dialog::Kind::load_drawing || kind == Dialog::Kind::save_drawing)
         return {".svg"};
     if (kind == Dialog::Kind::choose_file)
@@ -29,6 +31,8 @@ const char* title_for(Dialog::Kind kind) {
     switch (kind) {
         case Dialog::Kind::save_picture:
             return "Save the picture";
+        case Dialog::Kind::save_pass:
+            return "Save the pass: EXR with its numbers, PNG as it is seen";
         case Dialog::Kind::load_drawing:
             return "Load a drawing";
         case Dialog::Kind::save_drawing:
@@ -55,6 +59,11 @@ void start(const Scene& scene, Edits& edits) {
     edits.arrange([](WindowState& window) { window.dialog.is_new = false; });
     if (scene.window.dialog.kind == Dialog::Kind::save_picture)
         edits.arrange([](WindowState& window) { window.dialog.text = "picture.png"; });
+    if (scene.window.dialog.kind == Dialog::Kind::save_pass)
+        edits.arrange([](WindowState& window) {
+            window.dialog.text = window.dialog.subject + ".exr";
+            std::ranges::replace(window.dialog.text, '/', '-');  // "crt/mask" of a stack
+        });
     if (scene.window.dialog.kind == Dialog::Kind::save_drawing)
         edits.arrange([](WindowState& window) { window.dialog.text = "drawing.svg"; });
 }
@@ -66,6 +75,9 @@ void finish(const fs::path& file, const Scene& scene, Edits& edits) {
         edits.open_file(scene.lab, file);
     else if (dialog.kind == Dialog::Kind::save_picture)
         edits.add([file](Lab& lab) { save_snapshot(lab, file); });
+    else if (dialog.kind == Dialog::Kind::save_pass)
+        edits.add(
+            [view = scene.window.inspected, file](Lab& lab) { save_target(lab, view, file); });
     else if (dialog.kind == Dialog::Kind::load_drawing)
         edits.add([file](Lab& lab) { lab.load_drawing(file); });
     else if (dialog.kind == Dialog::Kind::save_drawing)
@@ -139,8 +151,9 @@ void draw_file_dialog(const Scene& scene, Edits& edits) {
     if (ImGui::InputTextWithHint("##file", "Name or path of a file", &name))
         edits.arrange([name](WindowState& window) { window.dialog.text = name; });
     edits.mark("dialog_file");
-    const bool is_saving =
-        dialog.kind == Dialog::Kind::save_picture || dialog.kind == Dialog::Kind::save_drawing;
+    const bool is_saving = dialog.kind == Dialog::Kind::save_picture ||
+                           dialog.kind == Dialog::Kind::save_pass ||
+                           dialog.kind == Dialog::Kind::save_drawing;
     const bool replaces = is_saving && is_listed(dialog, name);
     if (replaces)
         dim_text("There is such a file; it will be replaced.");

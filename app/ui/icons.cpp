@@ -49,9 +49,54 @@ void draw_turn_back(IconPen& pen) {
     pen.triangle({0.06f, 0.06f}, {0.06f, 0.46f}, {0.46f, 0.46f});
 }
 
+// Between two walls, as wide as they let it.
+void draw_fit(IconPen& pen) {
+    pen.line({0.1f, 0.16f}, {0.1f, 0.84f});
+    pen.line({0.9f, 0.16f}, {0.9f, 0.84f});
+    pen.line({0.26f, 0.5f}, {0.74f, 0.5f});
+    pen.triangle({0.2f, 0.5f}, {0.4f, 0.34f}, {0.4f, 0.66f});
+    pen.triangle({0.8f, 0.5f}, {0.6f, 0.34f}, {0.6f, 0.66f});
+}
+
+// A curve that is cut off at the top.
+void draw_plateau(IconPen& pen) {
+    pen.line({0.06f, 0.86f}, {0.3f, 0.28f});
+    pen.line({0.3f, 0.28f}, {0.7f, 0.28f});
+    pen.line({0.7f, 0.28f}, {0.94f, 0.86f});
+    pen.line({0.06f, 0.1f}, {0.94f, 0.1f});
+}
+
 void draw_pencil(IconPen& pen) {
     pen.thick_line({0.3f, 0.7f}, {0.8f, 0.2f});
     pen.triangle({0.06f, 0.94f}, {0.16f, 0.6f}, {0.4f, 0.84f});
+}
+// What stands beside a view that is looked into.
+void draw_looking_icon(Icon icon, IconPen& pen) {
+    switch (icon) {
+        case Icon::save:
+            pen.line({0.5f, 0.1f}, {0.5f, 0.6f});
+            pen.line({0.27f, 0.4f}, {0.5f, 0.63f});
+            pen.line({0.73f, 0.4f}, {0.5f, 0.63f});
+            pen.line({0.14f, 0.86f}, {0.86f, 0.86f});
+            break;
+        case Icon::fit:
+            draw_fit(pen);
+            break;
+        case Icon::flaws:
+            pen.box(0.42f, 0.1f, 0.58f, 0.62f);
+            pen.box(0.42f, 0.74f, 0.58f, 0.9f);
+            break;
+        case Icon::clipping:
+            draw_plateau(pen);
+            break;
+        case Icon::colors:
+            pen.box(0.1f, 0.56f, 0.3f, 0.88f);
+            pen.box(0.4f, 0.34f, 0.6f, 0.88f);
+            pen.box(0.7f, 0.12f, 0.9f, 0.88f);
+            break;
+        default:
+            break;
+    }
 }
 }  // namespace
 
@@ -96,6 +141,13 @@ void draw_icon(Icon icon, const ImVec2& at, float size, ImU32 color) {
             break;
         case Icon::stop:
             pen.box(0.2f, 0.2f, 0.8f, 0.8f);
+            break;
+        case Icon::save:
+        case Icon::fit:
+        case Icon::flaws:
+        case Icon::clipping:
+        case Icon::colors:
+            draw_looking_icon(icon, pen);
             break;
         case Icon::up:
             pen.line({0.2f, 0.66f}, {0.5f, 0.34f});

@@ -5,7 +5,25 @@
 #include <string>
 
 /// Small signs, drawn rather than taken from a font.
-enum class Icon { play, pause, step, restart, reset, edit, close, search, stop, large, up, down };
+enum class Icon {
+    play,
+    pause,
+    step,
+    restart,
+    reset,
+    edit,
+    close,
+    search,
+    stop,
+    large,
+    up,
+    down,
+    save,
+    fit,
+    flaws,
+    clipping,
+    colors
+};
 
 /// A square button with a sign; `help` is shown on hover.
 bool icon_button(const char* id, Icon icon, const std::string& help, const ImVec4& color);

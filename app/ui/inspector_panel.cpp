@@ -2,6 +2,7 @@
 
 #include "ui/actions.h"
 #include "ui/icons.h"
+#include "ui/inspector_levels.h"
 #include "ui/pass_settings.h"
 #include "ui/picture_canvas.h"
 #include "ui/picture_menus.h"
@@ -30,7 +31,7 @@ void arrange(PassView view, Edits& edits) {
 void draw_title(const Pass& pass, const Scene& scene, Edits& edits) {
     const Look& look = scene.lab.renderer()->executor().look();
     const ScopedFont strong(scene.fonts.strong);
-    const float width = ImGui::GetContentRegionAvail().x - 2.0f * ImGui::GetFrameHeight() - 6.0f;
+    const float width = ImGui::GetContentRegionAvail().x - 3.0f * ImGui::GetFrameHeight() - 8.0f;
     if (begin_combo("##pass", pass.name, width)) {
         const ScopedFont text(scene.fonts.text);
         for (const Pass& other : look.passes)
@@ -46,6 +47,10 @@ void draw_title(const Pass& pass, const Scene& scene, Edits& edits) {
                     theme::dim))
         edits.add([file](Lab& lab) { lab.open_in_editor({file, 1}); });
     edits.mark("edit_pass");
+    ImGui::SameLine(0.0f, 2.0f);
+    if (icon_button("##save", Icon::save, help_of(ActionId::save_pass), theme::dim))
+        run(ActionId::save_pass, scene, edits);
+    edits.mark("save_pass");
     ImGui::SameLine(0.0f, 2.0f);
     if (icon_button("##large", scene.window.shows_pass_large ? Icon::close : Icon::large,
                     help_of(ActionId::pass_large), theme::dim))
@@ -154,7 +159,8 @@ void draw_inspector_panel(const Scene& scene, Edits& edits) {
     draw_channels(scene, edits);
     ImGui::SameLine();
     draw_exposure(scene, edits);
-    const float below = pass_settings_height() + ImGui::GetTextLineHeightWithSpacing() +
+    draw_inspector_levels(scene, edits);
+    const float below = pass_settings_height(scene) + ImGui::GetTextLineHeightWithSpacing() +
                         ImGui::GetStyle().ItemSpacing.y * 2.0f;
     const float height = std::max(40.0f, ImGui::GetContentRegionAvail().y - below);
     draw_view(pass, extent, std::floor(height), scene, edits);

@@ -30,7 +30,7 @@ void arrange_right(const WindowState& window, const Rect& column, float scale, L
         layout.parameters = {};
     } else if (window.shows_inspector) {
         const float wanted = window.panes.inspector * scale;
-        const float height = std::clamp(wanted, column.height * 0.2f, column.height * 0.46f);
+        const float height = std::clamp(wanted, column.height * 0.2f, column.height * 0.5f);
         layout.parameters.height = column.height - height - gap * scale;
         layout.inspector = {column.left, layout.parameters.bottom() + gap * scale, column.width,
                             height};

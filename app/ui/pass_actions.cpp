@@ -50,6 +50,39 @@ void expose(const Scene&, Edits& edits) {
     });
 }
 
+void fit_levels(const Scene& scene, Edits& edits) {
+    edits.arrange([statistics = *scene.views.inspection().statistics()](WindowState& window) {
+        window.inspected.fit(statistics);
+    });
+}
+
+bool can_fit_levels(const Scene& scene) {
+    return has_passes(scene) && scene.views.inspection().statistics();
+}
+
+void reset_levels(const Scene&, Edits& edits) {
+    edits.arrange([](WindowState& window) { window.inspected.reset_levels(); });
+}
+
+bool has_levels(const Scene& scene) {
+    return has_passes(scene) && scene.window.inspected.has_levels();
+}
+
+template <bool PassView::*overlay>
+void toggle(const Scene&, Edits& edits) {
+    edits.arrange(
+        [](WindowState& window) { window.inspected.*overlay = !(window.inspected.*overlay); });
+}
+
+template <bool PassView::*overlay>
+bool is_on(const Scene& scene) {
+    return scene.window.inspected.*overlay;
+}
+
+void save_pass(const Scene& scene, Edits& edits) {
+    edits.show({.kind = Dialog::Kind::save_pass, .subject = scene.window.inspected.pass});
+}
+
 void edit_shader(const Scene& scene, Edits& edits) {
     const Look& look = scene.lab.document()->look();
     const int last = static_cast<int>(look.passes.size()) - 1;
@@ -67,6 +100,57 @@ void take_back(const Scene&, Edits& edits) {
 }
 }  // namespace
 
+namespace {
+std::vector<Action> looking_actions() {
+    using View = PassView;
+    return {{ActionId::fit_levels,
+             Menu::pass,
+             "Fit black and white to the numbers",
+             {'A'},
+             true,
+             fit_levels,
+             can_fit_levels},
+            {ActionId::reset_levels,
+             Menu::pass,
+             "Black at 0, white at 1, no exposure",
+             {'A', false, true},
+             false,
+             reset_levels,
+             has_levels},
+            {ActionId::mark_flaws,
+             Menu::pass,
+             "Mark NaN red, infinite green, negative blue",
+             {'X'},
+             false,
+             toggle<&View::marks_flaws>,
+             has_passes,
+             is_on<&View::marks_flaws>},
+            {ActionId::mark_clipping,
+             Menu::pass,
+             "Mark clipping: white yellow, black cyan",
+             {'X', false, true},
+             false,
+             toggle<&View::marks_clipping>,
+             has_passes,
+             is_on<&View::marks_clipping>},
+            {ActionId::false_color,
+             Menu::pass,
+             "False colours from black to white",
+             {'C', false, true},
+             false,
+             toggle<&View::is_false_color>,
+             has_passes,
+             is_on<&View::is_false_color>},
+            {ActionId::save_pass,
+             Menu::pass,
+             "Save this pass…",
+             {'E', true, true},
+             true,
+             save_pass,
+             has_passes}};
+}
+}  // namespace
+
 std::vector<Action> pass_actions::list() {
     const auto action = [](ActionId id, const char* label, Chord chord, bool is_first,
                            void (*act)(const Scene&, Edits&)) {
@@ -80,15 +164,19 @@ std::vector<Action> pass_actions::list() {
     Action back = action(ActionId::passes_as_written, "Back to what look.json says",
                          {'L', true, true}, false, take_back);
     written.is_enabled = back.is_enabled = has_overrides;
-    return {action(ActionId::next_pass, "Next pass", {'N'}, false, choose_next<1>),
-            action(ActionId::previous_pass, "Previous pass", {'N', false, true}, false,
-                   choose_next<-1>),
-            large,
-            action(ActionId::next_channels, "Next channels", {'C'}, false, choose_channels),
-            action(ActionId::brighter, "One stop brighter", {'E'}, false, expose<1>),
-            action(ActionId::darker, "One stop darker", {'E', false, true}, false, expose<-1>),
-            action(ActionId::edit_pass, "Edit the shader", {gpu::key::first_function + 3}, true,
-                   edit_shader),
-            written,
-            back};
+    std::vector<Action> actions{
+        action(ActionId::next_pass, "Next pass", {'N'}, false, choose_next<1>),
+        action(ActionId::previous_pass, "Previous pass", {'N', false, true}, false,
+               choose_next<-1>),
+        large,
+        action(ActionId::next_channels, "Next channels", {'C'}, false, choose_channels),
+        action(ActionId::brighter, "One stop brighter", {'E'}, false, expose<1>),
+        action(ActionId::darker, "One stop darker", {'E', false, true}, false, expose<-1>),
+    };
+    const std::vector<Action> looking = looking_actions();
+    actions.insert(actions.end(), looking.begin(), looking.end());
+    actions.insert(actions.end(), {action(ActionId::edit_pass, "Edit the shader",
+                                          {gpu::key::first_function + 3}, true, edit_shader),
+                                   written, back});
+    return actions;
 }

@@ -85,9 +85,11 @@ void draw_filter(const Look& drawn, const std::string& pass, PassOverride change
     edits.mark("pass_filter");
 }
 
-void draw_buttons(const Scene& scene, Edits& edits) {
-    const bool has_changes = !scene.lab.document()->state().overrides.empty();
-    const ScopedDisabled disabled(!has_changes);
+bool has_changes(const Scene& scene) {
+    return !scene.lab.document()->state().overrides.empty();
+}
+
+void draw_buttons(Edits& edits) {
     if (ImGui::Button("Write to look.json"))
         edits.add([](Lab& lab) { lab.write_overrides(); });
     edits.mark("write_overrides");
@@ -98,8 +100,8 @@ void draw_buttons(const Scene& scene, Edits& edits) {
 }
 }  // namespace
 
-float pass_settings_height() {
-    return 2.0f * ImGui::GetFrameHeightWithSpacing();
+float pass_settings_height(const Scene& scene) {
+    return (has_changes(scene) ? 2.0f : 1.0f) * ImGui::GetFrameHeightWithSpacing();
 }
 
 void draw_pass_settings(const std::string& pass, const Scene& scene, Edits& edits) {
@@ -116,5 +118,6 @@ void draw_pass_settings(const std::string& pass, const Scene& scene, Edits& edit
     draw_format(shown, changed, std::floor(room * 0.44f), edits);
     ImGui::SameLine(0.0f, gap);
     draw_filter(drawn, pass, changed, std::floor(room * 0.32f), edits);
-    draw_buttons(scene, edits);
+    if (has_changes(scene))
+        draw_buttons(edits);
 }

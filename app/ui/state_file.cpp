@@ -62,6 +62,19 @@ std::string probe_text(const Scene& scene) {
                        (*rgba)[3]);  // texts: a texel may be infinite or not a number
 }
 
+// What the inspector shows of its target's numbers.
+std::string inspection_text(const Scene& scene) {
+    const PassView& view = scene.window.inspected;
+    const auto& all = scene.views.inspection().statistics();
+    const std::string measured =
+        all ? fmt::format(R"({{"minimum":{},"maximum":{},"mean":{},"finite":{},"flaws":{}}})",
+                          all->minimum, all->maximum, all->mean, all->finite,
+                          all->not_a_number + all->infinite)
+            : "null";
+    return fmt::format(R"(,"levels":[{},{}],"measured":{})", view.levels.black, view.levels.white,
+                       measured);
+}
+
 std::string document_text(const Document& document) {
     return fmt::format(
         R"("look":{},"bypass":{},"preset":{},"is_modified":{},"undo":{},"redo":{},"signal":{},"values":{},)",
@@ -85,8 +98,8 @@ std::string state_text(const Scene& scene, const Edits& edits) {
         lab.player().shown_share(), picture.width, picture.height,
         json_string(lab.notice() ? lab.notice()->text : std::string()),
         static_cast<int>(scene.window.dialog.kind), json_string(scene.window.inspected.pass),
-        lab.variant() ? fmt::format("{:.3f}", scene.window.wipe_share) : "null", probe_text(scene),
-        problems_text(lab), places_text(edits));
+        lab.variant() ? fmt::format("{:.3f}", scene.window.wipe_share) : "null",
+        probe_text(scene) + inspection_text(scene), problems_text(lab), places_text(edits));
 }
 
 void write_state(const std::filesystem::path& file, const std::string& text) {

@@ -170,8 +170,8 @@ TEST_CASE_FIXTURE(Viewing, "clipping is marked where the view has no more to sho
     CHECK(white[2] == 0.0f);
     const Rgba black = shown(one({0, -1, 0, 1}), options);
     CHECK(black[0] == 0.0f);
-    CHECK(black[1] == shade(0.4));
-    CHECK(black[2] == shade(0.4));
+    CHECK(black[1] == shade(0.25));
+    CHECK(black[2] == shade(0.3));
     const Rgba between = shown(one({0.99f, 0, 0, 1}), options);
     CHECK(between[0] == shade(0.2126 * 0.99));
     options.levels = {0.2, 0.6};

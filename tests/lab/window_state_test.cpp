@@ -43,3 +43,16 @@ TEST_CASE("where the line of a wipe stands comes back, and only within the pictu
     CHECK(restored_window(remembered(window)).wipe_share == 0.25);
     CHECK(restored_window({{"wipe_share", 7.0}}).wipe_share == 0.5);
 }
+
+TEST_CASE("fitting shows every number of a pass, resetting shows it as it is") {
+    PassView view;
+    view.exposure = 3.0;
+    view.channels = Channels::green;
+    view.fit({.minimum = -1.0, .maximum = 7.0, .finite = 2});
+    CHECK(view.levels == Levels{-1, 7});
+    CHECK(view.exposure == 0.0);
+    CHECK(view.has_levels());
+    view.reset_levels();
+    CHECK_FALSE(view.has_levels());
+    CHECK(view.channels == Channels::green);
+}

@@ -29,6 +29,45 @@ class Looking(Person):
         program.wait("Escape goes back to the picture",
                      lambda s: "back_to_picture" not in s["widgets"])
 
+    def test_the_numbers_of_a_pass_are_measured_marked_and_saved(self):
+        program = self.program
+        program.click("pass:persistence")
+        state = program.wait("they are measured",
+                             lambda s: s["measured"] and s["measured"]["maximum"] > 1)
+        self.assertEqual(state["levels"], [0, 1])
+        self.assertEqual(state["measured"]["flaws"], 0)
+        program.key("space")
+        program.wait("time stands", lambda s: not s["is_playing"])
+        program.click("fit_levels")
+        state = program.wait("black and white are the ends of what there is",
+                             lambda s: s["measured"] and s["levels"] ==
+                             [s["measured"]["minimum"], s["measured"]["maximum"]])
+        left, top, right, bottom = program.place("histogram")
+        middle = (top + bottom) // 2
+        program.drag((right - 20, middle), (right - 20 - (right - left) // 2, middle))
+        white = state["levels"][1]
+        program.wait("a drag over half the strip halves white",
+                     lambda s: abs(s["levels"][1] / white - 0.5) < 0.02 and s["levels"][0] == 0)
+        program.click("level:black")
+        program.type("0.125")
+        program.key("Return")
+        program.wait("black can be typed", lambda s: s["levels"][0] == 0.125)
+        program.click("mark_clipping")
+        program.click("false_color")
+        self.snapshot("levels")
+        for name in ("mark_clipping", "false_color", "reset_levels"):
+            program.click(name)
+        program.wait("all is as it was", lambda s: s["levels"] == [0, 1])
+
+        program.click("save_pass")
+        program.place("dialog_file")
+        program.key("ctrl+a")
+        program.type(str(program.folder / "seen.png"))
+        program.key("Return")
+        program.wait("it says that the pass is saved", lambda s: "seen.png" in s["notice"])
+        self.assertEqual((program.folder / "seen.png").read_bytes()[:4], b"\x89PNG")
+        program.key("space")
+
     def test_the_wheel_zooms_about_the_pointer(self):
         program = self.program
         program.key("f")

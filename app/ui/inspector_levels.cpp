@@ -1,0 +1,216 @@
+#include "ui/inspector_levels.h"
+
+#include "ui/actions.h"
+#include "ui/icons.h"
+#include "ui/scoped.h"
+#include "ui/slider.h"
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace {
+constexpr theme::Color red{0.85f, 0.30f, 0.26f, 0.55f};
+constexpr theme::Color green{0.32f, 0.72f, 0.32f, 0.55f};
+constexpr theme::Color blue{0.32f, 0.46f, 0.92f, 0.60f};
+constexpr theme::Color grey{0.60f, 0.60f, 0.60f, 0.60f};
+
+float strip_height() {
+    return std::round(ImGui::GetFontSize() * 3.2f);
+}
+
+void set_levels(const Levels& levels, Edits& edits) {
+    edits.arrange([levels](WindowState& window) { window.inspected.levels = levels; });
+}
+
+theme::Color color_of(std::size_t channel, std::size_t count) {
+    static constexpr std::array colors{red, green, blue};
+    return count == 1 ? grey : colors[channel];
+}
+
+// Heights are logarithmic: what a single texel in a dark picture does is seen too.
+void draw_bars(const Histogram& histogram, const ImVec2& low, const ImVec2& high) {
+    const double most = std::log1p(static_cast<double>(histogram.highest()));
+    if (most <= 0.0)
+        return;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    for (std::size_t channel = 0; channel < histogram.bins.size(); ++channel) {
+        const auto& bins = histogram.bins[channel];
+        const ImU32 color = theme::packed(color_of(channel, histogram.bins.size()));
+        const float width = (high.x - low.x) / static_cast<float>(bins.size());
+        for (std::size_t i = 0; i < bins.size(); ++i) {
+            if (bins[i] == 0)
+                continue;
+            const double share = std::log1p(static_cast<double>(bins[i])) / most;
+            const float left = low.x + width * static_cast<float>(i);
+            list.AddRectFilled({left, high.y - (high.y - low.y) * static_cast<float>(share)},
+                               {left + width, high.y}, color);
+        }
+    }
+}
+
+void draw_ramp(const ImVec2& low, const ImVec2& high) {
+    constexpr int steps = 48;
+    const float width = (high.x - low.x) / steps;
+    for (int i = 0; i < steps; ++i) {
+        const auto rgb = false_color((i + 0.5) / steps);
+        const ImVec4 color(static_cast<float>(rgb[0]), static_cast<float>(rgb[1]),
+                           static_cast<float>(rgb[2]), 1.0f);
+        const float left = low.x + width * static_cast<float>(i);
+        ImGui::GetWindowDrawList()->AddRectFilled({left, low.y}, {left + width, high.y},
+                                                  theme::packed(color));
+    }
+}
+
+// Something lies beyond an end.
+void draw_ends(const Histogram& histogram, const ImVec2& low, const ImVec2& high, float width) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (histogram.below > 0)
+        list.AddRectFilled(low, {low.x + width, high.y}, IM_COL32(0, 130, 130, 255));
+    if (histogram.above > 0)
+        list.AddRectFilled({high.x - width, low.y}, high, IM_COL32(230, 184, 0, 255));
+}
+
+void draw_words(const Statistics& all, const ImVec2& at, const Scene& scene) {
+    const ScopedFont font(scene.fonts.numbers);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    ImVec2 place = at;
+    const auto word = [&](const std::string& text, const theme::Color& color) {
+        list.AddText(place, theme::packed(color), text.c_str());
+        place.x += ImGui::CalcTextSize(text.c_str()).x;
+    };
+    const auto number = [&](const char* label, double value) {
+        word(label, theme::dim);
+        word(short_number(value), theme::text);
+    };
+    if (all.finite > 0) {
+        number("min ", all.minimum);
+        number("  max ", all.maximum);
+        number("  mean ", all.mean);
+    }
+    if (all.not_a_number > 0)
+        word(fmt::format("  NaN {}", all.not_a_number), theme::problem);
+    if (all.infinite > 0)
+        word(fmt::format("  Inf {}", all.infinite), theme::problem);
+}
+
+std::string share_text(std::uint32_t part, std::uint32_t whole) {
+    return short_number(std::round(1000.0 * part / std::max(whole, 1u)) / 10.0) + " %";
+}
+
+std::string help_text(const Histogram& histogram) {
+    std::string text =
+        "How often each number occurs from black to white, in logarithmic heights; min, max, mean "
+        "and flaws are of every texel. Drag the left half to move black, the right half to move "
+        "white; double click fits both.";
+    if (histogram.finite > 0)
+        text += fmt::format(" Below black {}, above white {}.",
+                            share_text(histogram.below, histogram.finite),
+                            share_text(histogram.above, histogram.finite));
+    return text;
+}
+
+// The end that is nearer follows the hand; the other one stays.
+void drag(const ImVec2& low, const ImVec2& high, const Scene& scene, Edits& edits) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (ImGui::IsItemHovered())
+        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0))
+        return run(ActionId::fit_levels, scene, edits);
+    if (!ImGui::IsItemActive() || io.MouseDelta.x == 0.0f)
+        return;
+    const Levels& levels = scene.window.inspected.levels;
+    // Half the strip halves or doubles what is between, however many steps the hand takes.
+    const double part = io.MouseDelta.x / (high.x - low.x);
+    const double range = levels.white - levels.black;
+    if (io.MouseClickedPos[0].x < (low.x + high.x) * 0.5f)
+        set_levels({levels.white - range * std::exp2(-2.0 * part), levels.white}, edits);
+    else
+        set_levels({levels.black, levels.black + range * std::exp2(2.0 * part)}, edits);
+}
+
+void draw_strip(const Scene& scene, Edits& edits) {
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    ImGui::InvisibleButton("##histogram", {width, strip_height()});
+    const ImVec2 high = ImGui::GetItemRectMax();
+    const Histogram& histogram = scene.views.inspection().histogram();
+    drag(low, high, scene, edits);
+    tooltip(help_text(histogram));
+    edits.mark("histogram");
+    ImGui::GetWindowDrawList()->AddRectFilled(low, high, theme::packed(theme::surround));
+    const float legend = scene.window.inspected.is_false_color ? 4.0f * scene.scale : 0.0f;
+    draw_bars(histogram, {low.x, low.y + ImGui::GetFontSize() * 1.1f}, {high.x, high.y - legend});
+    if (legend > 0.0f)
+        draw_ramp({low.x, high.y - legend}, high);
+    draw_ends(histogram, low, {high.x, high.y - legend}, 2.0f * scene.scale);
+    if (const auto& all = scene.views.inspection().statistics())
+        draw_words(*all, {low.x + 5.0f * scene.scale, low.y + 2.0f * scene.scale}, scene);
+}
+
+// A click types it.
+void draw_end(const char* name, double value, const Scene& scene, Edits& edits, float width) {
+    const bool is_black = std::string_view(name) == "black";
+    const ScopedFont font(scene.fonts.numbers);
+    const NumberFacts facts{value != (is_black ? 0.0 : 1.0), {}, Limit{-1e9, 1e9}, false};
+    const std::string id = std::string("##") + name;
+    if (draw_number(id.c_str(), value, width, facts).is_changed) {
+        const Levels& levels = scene.window.inspected.levels;
+        set_levels(is_black ? with_black(levels, value) : with_white(levels, value), edits);
+    }
+    tooltip(std::string("The stored number that is seen as ") + name + ". A click types it.");
+    edits.mark(std::string("level:") + name);
+}
+
+float end_width(double value, const Scene& scene) {
+    const ScopedFont font(scene.fonts.numbers);
+    return std::max(ImGui::GetFontSize() * 3.0f,
+                    ImGui::CalcTextSize(short_number(value).c_str()).x + 8.0f);
+}
+
+struct Switch {
+    ActionId action;
+    Icon icon;
+    const char* name;
+    bool is_on;
+};
+
+void draw_switches(const Scene& scene, Edits& edits) {
+    const PassView& view = scene.window.inspected;
+    const std::array switches{
+        Switch{ActionId::fit_levels, Icon::fit, "fit_levels", false},
+        Switch{ActionId::reset_levels, Icon::reset, "reset_levels", view.has_levels()},
+        Switch{ActionId::mark_flaws, Icon::flaws, "mark_flaws", view.marks_flaws},
+        Switch{ActionId::mark_clipping, Icon::clipping, "mark_clipping", view.marks_clipping},
+        Switch{ActionId::false_color, Icon::colors, "false_color", view.is_false_color}};
+    for (std::size_t i = 0; i < switches.size(); ++i) {
+        const Switch& one = switches[i];
+        const ScopedId id(one.name);
+        if (i > 0)
+            ImGui::SameLine(0.0f, (i == 2 ? 10.0f : 2.0f) * scene.scale);
+        if (icon_button("##switch", one.icon, help_of(one.action),
+                        one.is_on ? theme::accent : theme::dim))
+            run(one.action, scene, edits);
+        edits.mark(one.name);
+    }
+}
+}  // namespace
+
+void draw_inspector_levels(const Scene& scene, Edits& edits) {
+    draw_strip(scene, edits);
+    const Levels& levels = scene.window.inspected.levels;
+    const float side = ImGui::GetFrameHeight();
+    const float room = ImGui::GetContentRegionAvail().x;
+    const float left = ImGui::GetCursorPosX();
+    draw_end("black", levels.black, scene, edits, end_width(levels.black, scene));
+    const float switches = 5.0f * side + 16.0f * scene.scale;
+    ImGui::SameLine(left + (room - switches) * 0.5f);
+    draw_switches(scene, edits);
+    const float width = end_width(levels.white, scene);
+    ImGui::SameLine(left + room - width);
+    draw_end("white", levels.white, scene, edits, width);
+}
