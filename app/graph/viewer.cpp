@@ -183,6 +183,11 @@ void Viewer::draw(const gpu::Texture& from, const gpu::Canvas& to, const ViewOpt
     const bool is_encoded =
         options.encoding == Encoding::display && from.format() != Format::srgb8_alpha8;
 
+    // A lone channel lies in red; alone in a picture it is grey.
+    const bool is_lone =
+        options.channels == ChannelChoice::rgb && facts_of(from.format()).channels == 1;
+    const ChannelChoice channels = is_lone ? ChannelChoice::red : options.channels;
+
     const gpu::DrawScope scope;
     if (options.columns)
         gpu::limit_columns((*options.columns)[0], (*options.columns)[1]);
@@ -195,7 +200,7 @@ void Viewer::draw(const gpu::Texture& from, const gpu::Canvas& to, const ViewOpt
     program.write("marks_clipping", std::array{options.marks_clipping ? 1.0 : 0.0});
     program.write("is_false_color", std::array{options.is_false_color ? 1.0 : 0.0});
     program.write("gain", std::array{std::exp2(options.exposure_stops)});
-    program.write("channels", std::array{static_cast<double>(options.channels)});
+    program.write("channels", std::array{static_cast<double>(channels)});
     program.write("is_encoded", std::array{is_encoded ? 1.0 : 0.0});
     program.use();
     m_samplers.bind(0, from, {is_minified ? Filter::linear : options.filter, Wrap::edge, false});

@@ -79,6 +79,12 @@ TEST_CASE_FIXTURE(Viewing, "one channel is shown in grey, luminance by BT.709") 
     CHECK(grey(ChannelChoice::luminance) == shade(0.2126 * 0.1 + 0.7152 * 0.4 + 0.0722 * 0.8));
 }
 
+TEST_CASE_FIXTURE(Viewing, "a target of one channel is shown in grey") {
+    const Rgba seen = shown(grey(0.4), plain, {4, 4}, 0, 0, Format::r32f);
+    for (std::size_t i = 0; i < 3; ++i)
+        CHECK(seen[i] == shade(0.4));
+}
+
 TEST_CASE_FIXTURE(Viewing,
                   "a region is magnified in whole texels, and outside of the picture is nothing") {
     ViewOptions options = plain;
