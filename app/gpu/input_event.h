@@ -10,6 +10,10 @@ namespace key {
 constexpr int escape = 256;
 constexpr int enter = 257;
 constexpr int del = 261;
+constexpr int down = 264;
+constexpr int up = 265;
+constexpr int page_up = 266;
+constexpr int page_down = 267;
 constexpr int first_function = 290;  // F1
 constexpr int last_function = 301;   // F12
 constexpr int pad_enter = 335;

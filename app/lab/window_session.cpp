@@ -1,5 +1,6 @@
 #include "lab/window_session.h"
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <utility>
@@ -17,6 +18,21 @@ constexpr std::initializer_list<std::pair<const char*, float PaneSizes::*>> size
     {"strip_size", &PaneSizes::strip},
     {"bottom_size", &PaneSizes::bottom},
     {"inspector_size", &PaneSizes::inspector}};
+
+// Before an entry of the palette; its number says how many were used after it.
+constexpr const char* used_prefix = "used:";
+
+std::vector<std::string> restored_use(const std::map<std::string, double>& numbers) {
+    std::vector<std::pair<double, std::string>> ranked;
+    for (const auto& [name, rank] : numbers)
+        if (name.starts_with(used_prefix))
+            ranked.emplace_back(rank, name.substr(std::string_view(used_prefix).size()));
+    std::sort(ranked.begin(), ranked.end());
+    std::vector<std::string> used;
+    for (auto& [rank, id] : ranked)
+        used.push_back(std::move(id));
+    return used;
+}
 
 // A number within its bounds, or nothing.
 std::optional<double> number(const std::map<std::string, double>& numbers, const char* name,
@@ -45,6 +61,8 @@ std::map<std::string, double> remembered(const WindowState& window) {
     }
     for (const auto& [name, is_on] : switches)
         numbers[name] = window.*is_on ? 1.0 : 0.0;
+    for (std::size_t i = 0; i < window.used.size(); ++i)
+        numbers[used_prefix + window.used[i]] = static_cast<double>(i);
     for (const auto& [name, size] : sizes)
         numbers[name] = static_cast<double>(window.panes.*size);
     return numbers;
@@ -70,5 +88,6 @@ WindowState restored_window(const std::map<std::string, double>& numbers) {
     for (const auto& [name, size] : sizes)
         if (const auto kept = number(numbers, name, 60.0, 2000.0))
             window.panes.*size = static_cast<float>(*kept);
+    window.used = restored_use(numbers);
     return window;
 }

@@ -120,6 +120,7 @@ struct Dialog {
         new_look,
         duplicate_look,
         unsaved,  // another look is to be opened over changes
+        palette,
         keys,
         about,
     };
@@ -129,9 +130,18 @@ struct Dialog {
     std::filesystem::path folder = {};  // that is listed
     std::vector<FolderEntry> entries = {};
     std::string subject = {};  // what the answer is for
+    int chosen = 0;            // row of a list
     bool is_new = true;        // has not been drawn yet
 
     bool operator==(const Dialog&) const = default;
+};
+
+/// A parameter that a person asked to see in its panel.
+struct Revealed {
+    std::string parameter;  // "": none
+    bool is_new = false;    // it is yet to be scrolled to
+
+    bool operator==(const Revealed&) const = default;
 };
 
 /// How a person has arranged the window, and what they look at. A value; the session keeps the
@@ -161,6 +171,8 @@ struct WindowState {
     std::string search;         // among the parameters
     bool is_searching = false;  // the search box is to have the keyboard
     bool shows_only_changed = false;
+    Revealed revealed;
+    std::vector<std::string> used;  // ids of the palette's entries, the last used first
     Dialog dialog;
     std::filesystem::path last_folder;
 

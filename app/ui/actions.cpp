@@ -112,7 +112,11 @@ std::vector<Action> help_actions() {
     const auto about = [](const Scene&, Edits& edits) {
         edits.show({.kind = Dialog::Kind::about});
     };
-    return {{ActionId::keys, Menu::help, "Keys", {gpu::key::first_function}, false, keys},
+    const auto palette = [](const Scene&, Edits& edits) {
+        edits.show({.kind = Dialog::Kind::palette});
+    };
+    return {{ActionId::palette, Menu::help, "Find a command…", {'P', true}, false, palette},
+            {ActionId::keys, Menu::help, "Keys", {gpu::key::first_function}, false, keys},
             {ActionId::about,
              Menu::help,
              "About Afterglow",
@@ -177,6 +181,10 @@ std::string chord_text(const Chord& chord) {
         return text + "Space";
     if (chord.key == gpu::key::del)
         return text + "Delete";
+    if (chord.key == gpu::key::page_up)
+        return text + "PageUp";
+    if (chord.key == gpu::key::page_down)
+        return text + "PageDown";
     if (chord.key >= gpu::key::first_function && chord.key <= gpu::key::last_function)
         return text + "F" + std::to_string(chord.key - gpu::key::first_function + 1);
     return text + static_cast<char>(chord.key);

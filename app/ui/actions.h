@@ -62,6 +62,7 @@ enum class ActionId {
     slower,
     faster,
     normal_speed,
+    palette,
     keys,
     about,
 };

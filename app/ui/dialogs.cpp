@@ -3,6 +3,7 @@
 #include "ui/dialog_frame.h"
 #include "ui/file_dialog.h"
 #include "ui/help_dialogs.h"
+#include "ui/palette_dialog.h"
 #include "ui/scoped.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
@@ -171,6 +172,9 @@ void draw_dialogs(const Scene& scene, Edits& edits) {
             return;
         case Kind::unsaved:
             draw_unsaved_dialog(scene, edits);
+            return;
+        case Kind::palette:
+            draw_palette_dialog(scene, edits);
             return;
         case Kind::keys:
             draw_keys_dialog(scene, edits);

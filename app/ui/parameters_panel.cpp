@@ -3,6 +3,7 @@
 #include "base/text.h"
 #include "ui/icons.h"
 #include "ui/parameter_control.h"
+#include "ui/reveal.h"
 #include "ui/scoped.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
@@ -99,16 +100,21 @@ void draw_group(const Group& group, const Scene& scene, Edits& edits) {
     bool is_open = false;
     {
         const ScopedFont strong(scene.fonts.strong);
-        is_open = section(group.name.empty() ? "Parameters" : group.name, true) ||
-                  !scene.window.search.empty();
+        const std::string title = group.name.empty() ? "Parameters" : group.name;
+        if (is_to_be_shown(group.parameters, scene.window))
+            open_section(title);
+        is_open = section(title, true) || !scene.window.search.empty();
         edits.mark("group:" + group.name);
     }
     draw_group_header_end(group, changed, edits);
     if (!is_open)
         return;
-    for (const Parameter* parameter : group.parameters)
+    for (const Parameter* parameter : group.parameters) {
+        const float top = ImGui::GetCursorPosY();
         draw_parameter({*parameter, document.value(*parameter), document.is_changed(*parameter)},
                        scene.fonts, edits);
+        show_if_revealed(*parameter, top, scene.window, edits);
+    }
     ImGui::Spacing();
 }
 

@@ -111,6 +111,10 @@ bool section(const std::string& label, bool opens_first) {
     return is_open;
 }
 
+void open_section(const std::string& label) {
+    ImGui::GetStateStorage()->SetBool(ImGui::GetID(label.c_str()), true);
+}
+
 void draw_chevron(const ImVec2& middle, bool is_down, const ImVec4& color) {
     const float size = ImGui::GetFontSize() * 0.2f;
     const float flat = size * 0.55f;

@@ -48,6 +48,8 @@ void heading(const std::string& text);
 
 /// A line that opens and closes what follows; leaves room for a small button at its end.
 bool section(const std::string& label, bool opens_first);
+/// Opens the section of that label that comes next.
+void open_section(const std::string& label);
 
 /// An arrowhead around `middle` that points down or to the right.
 void draw_chevron(const ImVec2& middle, bool is_down, const ImVec4& color);

@@ -37,6 +37,13 @@ TEST_CASE("the picture's size follows the view or is fixed, and either is scaled
     CHECK(PictureSize{true, {}, 0.25}.extent({1, 1}) == Extent{1, 1});
 }
 
+TEST_CASE("what was used of the palette comes back in its order") {
+    WindowState window;
+    window.used = {"Undo", "preset:/a: b.json", "Open…"};
+    CHECK(restored_window(remembered(window)).used == window.used);
+    CHECK(restored_window({}).used.empty());
+}
+
 TEST_CASE("where the line of a wipe stands comes back, and only within the picture") {
     WindowState window;
     window.wipe_share = 0.25;

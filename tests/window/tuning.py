@@ -106,3 +106,38 @@ class Tuning(Person):
         state = program.wait("the picture is alone again", lambda s: s["wipe"] is None)
         self.assertNotIn("wipe", state["widgets"])
         self.assertFalse(state["is_modified"])
+
+    def test_everything_is_found_by_name(self):
+        program = self.program
+        program.key("ctrl+p")
+        program.place("palette_query")
+        program.type("paramexpo")
+        program.wait("the parameter is found", lambda s: "palette:Parameter: Exposure" in s["widgets"])
+        self.snapshot("palette")
+        program.key("Return")
+        program.wait("and shown in its panel", lambda s: s["dialog"] == 0 and
+                     {"revealed:exposure", "parameter:exposure"} <= set(s["widgets"]))
+        program.key("ctrl+p")
+        program.place("palette_query")
+        program.key("Down", "Up", "Return")
+        program.wait("what was used last is the first", lambda s: s["dialog"] == 0)
+        program.key("ctrl+p")
+        program.place("palette_query")
+        program.type("preset overd")
+        program.wait("a preset is found", lambda s: "palette:Preset: Overdriven" in s["widgets"])
+        program.click("palette:Preset: Overdriven")
+        program.wait("it opens", lambda s: s["preset"] == "Overdriven")
+        program.key("ctrl+p")
+        program.place("palette_query")
+        program.type("undo")
+        program.wait("an action says what it is about", lambda s:
+                     "palette:Undo: Open Overdriven" in s["widgets"])
+        program.key("Return")
+        program.wait("it is done", lambda s: s["dialog"] == 0 and not s["preset"])
+        program.key("ctrl+p")
+        program.place("palette_query")
+        program.type("rename preset")
+        program.wait("what cannot be done now is listed", lambda s:
+                     "palette:Rename preset…" in s["widgets"])
+        program.key("Return", "Escape")
+        program.wait("and not done", lambda s: s["dialog"] == 0)

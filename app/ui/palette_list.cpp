@@ -1,0 +1,108 @@
+#include "ui/palette_list.h"
+
+#include "ui/actions.h"
+
+namespace {
+const char* menu_name(Menu menu) {
+    switch (menu) {
+        case Menu::file:
+            return "File";
+        case Menu::edit:
+            return "Edit";
+        case Menu::view:
+            return "View";
+        case Menu::pass:
+            return "Pass";
+        case Menu::playback:
+            return "Playback";
+        case Menu::help:
+            return "Help";
+    }
+    return "";
+}
+
+const char* why_not(const Action& action, const Scene& scene) {
+    if (!action.is_enabled || action.is_enabled(scene))
+        return "";
+    if (!scene.lab.document())
+        return action.id == ActionId::reopen_session ? "there is none" : "no look is open";
+    switch (action.id) {
+        case ActionId::reopen_session:
+            return "there is none";
+        case ActionId::rename_preset:
+        case ActionId::duplicate_preset:
+        case ActionId::delete_preset:
+            return "no preset is open";
+        case ActionId::undo:
+            return "nothing to undo";
+        case ActionId::redo:
+            return "nothing to redo";
+        case ActionId::reset_all:
+            return "nothing is changed";
+        case ActionId::draw:
+            return "this look is not driven by a signal";
+        case ActionId::write_passes:
+        case ActionId::passes_as_written:
+            return "the passes are as look.json says";
+        default:
+            return "not now";
+    }
+}
+
+void reveal(const std::string& parameter, Edits& edits) {
+    edits.arrange([parameter](WindowState& window) {
+        window.shows_parameters = true;
+        window.is_picture_only = false;
+        window.shows_only_changed = false;
+        window.search.clear();
+        window.revealed = {parameter, true};
+    });
+}
+
+void inspect(const std::string& pass, Edits& edits) {
+    edits.arrange([pass](WindowState& window) {
+        window.inspected.pass = pass;
+        window.shows_inspector = true;
+        window.is_picture_only = false;
+    });
+}
+
+void run_action(const std::string& label, const Scene& scene, Edits& edits) {
+    for (const Action& action : all_actions())
+        if (action.label == label && action.id != ActionId::palette)
+            action.act(scene, edits);
+}
+}  // namespace
+
+std::vector<PaletteEntry> palette_list(const Scene& scene) {
+    std::vector<PaletteEntry> entries;
+    for (const Action& action : all_actions())
+        if (action.id != ActionId::palette)
+            entries.push_back({PaletteEntry::Kind::action,
+                               action.label,
+                               label_of(action, scene),
+                               menu_name(action.menu),
+                               {},
+                               chord_text(action.chord),
+                               why_not(action, scene)});
+    const Document* document = scene.lab.document();
+    for (PaletteEntry& entry :
+         palette_entries(document ? &document->look() : nullptr, scene.shelf.looks()))
+        entries.push_back(std::move(entry));
+    return entries;
+}
+
+void run(const PaletteEntry& entry, const Scene& scene, Edits& edits) {
+    edits.arrange([id = entry.id](WindowState& window) { note_use(window.used, id); });
+    switch (entry.kind) {
+        case PaletteEntry::Kind::action:
+            return run_action(entry.id, scene, edits);
+        case PaletteEntry::Kind::look:
+        case PaletteEntry::Kind::preset:
+            return edits.open(scene.lab, entry.subject);
+        case PaletteEntry::Kind::pass:
+            return inspect(entry.subject, edits);
+        case PaletteEntry::Kind::parameter:
+            return reveal(entry.subject, edits);
+    }
+}

@@ -1,0 +1,45 @@
+#include "base/fuzzy.h"
+
+#include <doctest/doctest.h>
+
+namespace {
+int score(const char* query, const char* text) {
+    const auto match = fuzzy_match(query, text);
+    return match ? match->score : -1000;
+}
+
+std::vector<std::size_t> places(const char* query, const char* text) {
+    const auto match = fuzzy_match(query, text);
+    return match ? match->places : std::vector<std::size_t>{};
+}
+}  // namespace
+
+TEST_CASE("a word fits as a piece of a text, or by letters in order from a word's beginning") {
+    CHECK(places("spa", "Save preset as") == std::vector<std::size_t>{0, 5, 12});
+    CHECK(places("RESET", "Save preset as") == std::vector<std::size_t>{6, 7, 8, 9, 10});
+    CHECK(places("prst", "Preset") == std::vector<std::size_t>{0, 1, 3, 5});
+    CHECK(places("bloom_int", "Bloom intensity") ==
+          std::vector<std::size_t>{0, 1, 2, 3, 4, 6, 7, 8});
+    CHECK_FALSE(fuzzy_match("rst", "Preset"));       // begins no word, is no piece
+    CHECK_FALSE(fuzzy_match("aps", "Save preset"));  // the wrong order
+    CHECK_FALSE(fuzzy_match("save it", "Save preset"));
+    CHECK_FALSE(fuzzy_match("long", "no"));
+    CHECK_FALSE(fuzzy_match("a", ""));
+    CHECK_FALSE(fuzzy_match("a", "Brass"));  // one letter fits everywhere
+}
+
+TEST_CASE("words fit in any order, and no words fit all") {
+    CHECK(places("pre sav", "Save preset") == std::vector<std::size_t>{0, 1, 2, 5, 6, 7});
+    CHECK(fuzzy_match("", "Undo")->score == 0);
+    CHECK(fuzzy_match("  ", "")->places.empty());
+}
+
+TEST_CASE("letters that follow one another count most, then letters that begin words") {
+    CHECK(score("pre", "Preset") > score("pre", "Pass: reduced"));
+    CHECK(score("sp", "Spot size") > score("sp", "Save preset"));
+    CHECK(score("sp", "Save preset") > score("sp", "Show a depth"));
+    CHECK(score("gain", "Gain") > score("gain", "Again"));
+    CHECK(score("gain", "Again") > score("gain", "Grating"));
+    // The best of several ways is taken: the whole word, not its first letter further left.
+    CHECK(places("pa", "Play: pass") == std::vector<std::size_t>{6, 7});
+}
