@@ -40,6 +40,41 @@ nlohmann::ordered_json json_of(const std::vector<SessionState>& states, std::siz
     return list;
 }
 
+nlohmann::ordered_json json_of(const KnobSetting& setting) {
+    nlohmann::ordered_json entry = nlohmann::ordered_json::object();
+    if (setting.is_favourite)
+        entry["favourite"] = true;
+    if (setting.is_locked)
+        entry["locked"] = true;
+    if (setting.ends) {
+        entry["low"] = setting.ends->low;
+        entry["high"] = setting.ends->high;
+    }
+    return entry;
+}
+
+nlohmann::ordered_json json_of(const LookKnobs& looks) {
+    nlohmann::ordered_json document = nlohmann::ordered_json::object();
+    for (const auto& [look, knobs] : looks)
+        for (const auto& [name, setting] : knobs)
+            document[look][name] = json_of(setting);
+    return document;
+}
+
+KnobSetting read_knob(const JsonValue& value, const std::filesystem::path& file,
+                      Diagnostics& problems) {
+    ObjectReader reader(value, file, problems);
+    KnobSetting setting;
+    setting.is_favourite = reader.boolean("favourite", false);
+    setting.is_locked = reader.boolean("locked", false);
+    if (reader.find("low")) {
+        reader.require("high");
+        setting.ends = Limit{reader.number("low", 0.0), reader.number("high", 0.0)};
+    }
+    reader.refuse_unknown();
+    return setting;
+}
+
 PassOverride read_override(const JsonValue& value, const std::filesystem::path& file,
                            Diagnostics& problems) {
     ObjectReader reader(value, file, problems);
@@ -94,6 +129,10 @@ private:
         session.fixed_size.width = reader.whole("width", session.fixed_size.width, 1, largest);
         session.fixed_size.height = reader.whole("height", session.fixed_size.height, 1, largest);
         session.picture_scale = reader.number("picture_scale", session.picture_scale);
+        if (const JsonValue* looks = reader.find("knobs"))
+            for (const JsonValue& look : looks->children)
+                for (const JsonValue& knob : look.children)
+                    session.knobs[look.key][knob.key] = read_knob(knob, m_file, m_problems);
         if (const JsonValue* window = reader.find("window"))
             for (const JsonValue& number : window->children)
                 session.window[number.key] = number.number;
@@ -159,6 +198,7 @@ std::string session_to_json(const Session& session) {
                       {"width", session.fixed_size.width},
                       {"height", session.fixed_size.height},
                       {"picture_scale", session.picture_scale},
+                      {"knobs", json_of(session.knobs)},
                       {"window", std::move(window)}});
 }
 

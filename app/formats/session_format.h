@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/diagnostic.h"
+#include "model/knob_settings.h"
 #include "model/plan.h"
 #include "model/preset.h"
 
@@ -35,6 +36,7 @@ struct Session {
     bool follows_view = true;
     Extent fixed_size{1280, 720};
     double picture_scale = 1.0;
+    LookKnobs knobs;                       // what the person keeps about parameters, by look
     std::map<std::string, double> window;  // what the window remembers of itself, by its own names
 
     bool operator==(const Session&) const = default;

@@ -1,5 +1,7 @@
 #include "lab/document.h"
 
+#include "model/randomised.h"
+
 #include <fmt/format.h>
 
 DocumentState initial_state(const Look& look) {
@@ -90,10 +92,48 @@ void Document::reset(const std::vector<std::string>& names) {
     change(std::move(next), first ? "Reset " + first->label : "Reset group");
 }
 
+// `next`, with what is locked as it is now.
+DocumentState Document::with_locked(DocumentState next) const {
+    for (const auto& [name, setting] : m_knobs) {
+        const auto here = present_name(name);
+        const auto there = moved_name(name, m_look.stack, next.stack);
+        if (!setting.is_locked || !here || !there)
+            continue;
+        if (const auto kept = state().values.find(*here); kept != state().values.end())
+            next.values[*there] = kept->second;
+        else
+            next.values.erase(*there);
+    }
+    return next;
+}
+
+void Document::reset_group(const std::vector<std::string>& names) {
+    DocumentState next = state();
+    for (const std::string& name : names)
+        if (const auto present = present_name(name))
+            next.values.erase(*present);
+    change(with_locked(std::move(next)), "Reset group");
+}
+
 void Document::reset_all() {
     DocumentState next = state();
     next.values.clear();
-    change(std::move(next), "Reset all");
+    change(with_locked(std::move(next)), "Reset all");
+}
+
+void Document::randomise(std::uint64_t seed) {
+    if (is_restacking())
+        return;  // the names are about to change
+    DocumentState next = state();
+    next.values = randomised_values(m_look, next.values, m_knobs, seed);
+    change(std::move(next), "Randomise");
+}
+
+void Document::set_knob(const std::string& name, const KnobSetting& setting) {
+    if (setting.is_empty())
+        m_knobs.erase(name);
+    else
+        m_knobs[name] = setting;
 }
 
 void Document::set_signal(Spec signal, bool goes_on, std::string step_name) {
@@ -147,10 +187,11 @@ void Document::take(const Preset& preset, const std::string& step_name) {
     DocumentState next = state_of(preset);
     next.overrides = moved(state().overrides, state().stack, next.stack);
     next.origin = state().origin;
-    change(std::move(next), step_name);
+    change(with_locked(std::move(next)), step_name);
 }
 
 void Document::replace_look(Look look) {
+    m_knobs = renamed_knobs(look, moved(m_knobs, m_look.stack, look.stack));
     m_look = std::move(look);
     const auto follow = [this](DocumentState& state) {
         if (stack_id(state.stack) != stack_id(m_look.stack))
@@ -182,7 +223,7 @@ void Document::open(DocumentState next, Origin from, std::string step_name) {
     next.origin = m_origins.size();
     from.saved = next;
     m_origins.push_back(std::move(from));
-    change(std::move(next), std::move(step_name));
+    change(with_locked(std::move(next)), std::move(step_name));
 }
 
 void Document::open_preset(const Preset& preset, std::filesystem::path file) {

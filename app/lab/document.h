@@ -1,10 +1,12 @@
 #pragma once
 
+#include "model/knob_settings.h"
 #include "model/orbit.h"
 #include "model/plan.h"
 #include "model/preset.h"
 #include "model/undo.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -47,7 +49,15 @@ public:
     /// Turns what the mouse turns, up to finish() as one step.
     void set_orbit(const std::function<Orbit(const Orbit&)>& change);
     void reset(const std::vector<std::string>& names);
+    /// What is locked stays where it is, here and below where many values change at once.
+    void reset_group(const std::vector<std::string>& names);
     void reset_all();
+    /// Everything that is not locked somewhere within its range; see model/randomised.h.
+    void randomise(std::uint64_t seed);
+    /// What the person keeps about the knobs of look(); no part of the state, nor of undo.
+    const KnobSettings& knobs() const { return m_knobs; }
+    void set_knobs(KnobSettings knobs) { m_knobs = renamed_knobs(m_look, std::move(knobs)); }
+    void set_knob(const std::string& name, const KnobSetting& setting);
     void set_signal(Spec signal, bool goes_on = false, std::string step_name = "Signal");
     void set_source(std::string source, bool goes_on = false);
     /// Other looks, or another order; every value goes with its look.
@@ -106,9 +116,11 @@ private:
     Origin& origin() { return m_origins[state().origin]; }
     const Origin& origin() const { return m_origins[state().origin]; }
     std::optional<std::string> present_name(const std::string& name) const;
+    DocumentState with_locked(DocumentState next) const;
     void follow_stack();
 
     Look m_look;
+    KnobSettings m_knobs;   // under the names of m_look
     Values m_drawn_values;  // the state's, under the names of m_look
     Undo<DocumentState> m_undo;
     std::vector<Origin> m_origins;  // never empty

@@ -87,6 +87,11 @@ public:
     bool would_lose_changes(const std::string& argument) const;
     void edit(const std::function<void(Document&)>& change);
     Player& transport() { return m_player; }
+    /// What the person keeps about the knobs of all looks, those of the open one included.
+    LookKnobs knobs() const;
+    void set_knobs(LookKnobs knobs);
+    /// Where the slider of a parameter begins and ends; none: as its look says.
+    void set_slider_ends(const std::string& parameter, const std::optional<Limit>& ends);
     void restart();
     /// Opens the devices that the settings name, and keeps the settings.
     void set_sound_settings(const SoundSettings& settings);
@@ -180,6 +185,7 @@ private:
 
     Library m_library;
     std::optional<Document> m_document;
+    LookKnobs m_knobs;                       // of looks that are not open
     std::optional<DocumentState> m_applied;  // what player and renderer were last told
     DrawingBoard m_board;
     Spec m_applied_signal;  // as it was seen: with the pen in the hand a keyframe stands still

@@ -125,6 +125,8 @@ void Lab::open_document(Look look, const OpenRequest& request) {
     const bool had_changes = m_document && m_document->is_modified();
     if (!is_same && had_changes && m_before_losing_changes)
         m_before_losing_changes(*this);
+    if (!is_same)
+        m_knobs = knobs();
     if (is_same)
         m_document->replace_look(std::move(look));
     else
@@ -141,6 +143,8 @@ void Lab::open_document(Look look, const OpenRequest& request) {
     m_player.restart();
     m_player.play();
     open_values(request);
+    if (!is_same)
+        m_document->set_knobs(knobs_in(m_document->look().stack, m_knobs));
     watch_extra_files();
     if (!is_same && (!request.preset || !request.preset_file.empty()))
         m_document->forget_past();

@@ -179,6 +179,7 @@ Session session_of(const Lab& lab, std::map<std::string, double> window) {
     session.level = lab.player().level();
     session.is_playing = lab.player().is_playing();
     session.is_wiping = lab.variant().has_value();
+    session.knobs = lab.knobs();
     const Document* document = lab.document();
     if (!document)
         return session;

@@ -144,6 +144,9 @@ struct Revealed {
     bool operator==(const Revealed&) const = default;
 };
 
+/// Which parameters are listed.
+enum class ParameterFilter { all, changed, favourites, of_pass };
+
 /// How a person has arranged the window, and what they look at. A value; the session keeps the
 /// arrangement.
 struct WindowState {
@@ -170,9 +173,9 @@ struct WindowState {
     ViewSizes views;
     std::string search;         // among the parameters
     bool is_searching = false;  // the search box is to have the keyboard
-    bool shows_only_changed = false;
     Revealed revealed;
     std::vector<std::string> used;  // ids of the palette's entries, the last used first
+    ParameterFilter filter = ParameterFilter::all;
     Dialog dialog;
     std::filesystem::path last_folder;
 

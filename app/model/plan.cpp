@@ -1,6 +1,7 @@
 #include "model/plan.h"
 
 #include "model/expression.h"
+#include "model/parameter_use.h"
 
 #include <fmt/format.h>
 
@@ -146,24 +147,13 @@ double bytes_per_pixel(const Look& look, const Plan& plan) {
 namespace {
 bool is_driven(const Look& look, std::size_t pass, const std::vector<std::string>& parameters) {
     const Pass& read = look.passes[pass];
-    for (const std::string& name : parameters) {
+    return std::ranges::any_of(parameters, [&](const std::string& name) {
         // How many samples there are does not change what they are samples of.
         if (read.accumulate && (read.repeat == Count(name) || read.converge == Count(name)))
-            continue;
+            return false;
         const Parameter* parameter = find_parameter(look, name);
-        if (parameter && std::any_of(parameter->bindings.begin(), parameter->bindings.end(),
-                                     [&](const Binding& binding) {
-                                         return static_cast<std::size_t>(binding.pass) == pass;
-                                     }))
-            return true;
-        if (const auto* repeat = std::get_if<std::string>(&read.repeat); repeat && *repeat == name)
-            return true;
-        for (const Side& side : read.size)
-            if (side.by == Side::By::expression && name.starts_with(read.scope) &&
-                side.expression.find('$' + name.substr(read.scope.size())) != std::string::npos)
-                return true;
-    }
-    return false;
+        return parameter && is_used_by(look, pass, *parameter);
+    });
 }
 }  // namespace
 

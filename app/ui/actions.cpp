@@ -3,6 +3,7 @@
 #include "gpu/input_event.h"
 #include "ui/file_actions.h"
 #include "ui/pass_actions.h"
+#include "ui/tuning_actions.h"
 #include "ui/view_actions.h"
 
 #include <imgui/imgui_internal.h>
@@ -127,8 +128,9 @@ std::vector<Action> help_actions() {
 
 std::vector<Action> make_actions() {
     std::vector<Action> actions;
-    for (const auto& part : {file_actions::list(), edit_actions(), view_actions::list(),
-                             pass_actions::list(), playback_actions(), help_actions()})
+    for (const auto& part :
+         {file_actions::list(), edit_actions(), tuning_actions::list(), view_actions::list(),
+          pass_actions::list(), playback_actions(), help_actions()})
         actions.insert(actions.end(), part.begin(), part.end());
     return actions;
 }

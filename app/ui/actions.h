@@ -63,6 +63,9 @@ enum class ActionId {
     faster,
     normal_speed,
     palette,
+    randomise,
+    show_favourites,
+    show_of_pass,
     keys,
     about,
 };

@@ -45,6 +45,7 @@ public:
             m_lab.say(
                 "The unsaved changes of last time are kept: File, Back to the session before");
         m_state.has_session_before = is_session_aside(m_options.roots);
+        m_lab.set_knobs(session.knobs);
         m_lab.before_losing_changes([this](const Lab& lab) {
             if (set_session_aside(m_options.roots, session_of(lab, remembered(m_state))))
                 m_state.has_session_before = true;

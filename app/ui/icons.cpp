@@ -3,6 +3,7 @@
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
+#include <array>
 #include <cmath>
 
 namespace {
@@ -29,6 +30,23 @@ public:
     // right.
     void arc(float radius, float from, float to) {
         m_list.PathArcTo(at(0.5f, 0.5f), radius * m_size, from, to, 24);
+        m_list.PathStroke(m_color, 0, m_size * 0.11f);
+    }
+    void outline(const ImVec2* points, int count) {
+        for (int i = 0; i < count; ++i)
+            m_list.PathLineTo(at(points[i].x, points[i].y));
+        m_list.PathStroke(m_color, ImDrawFlags_Closed, m_size * 0.09f);
+    }
+    void frame(float left, float top, float right, float bottom) {
+        m_list.AddRect(at(left, top), at(right, bottom), m_color, m_size * 0.14f, 0, m_size * 0.1f);
+    }
+    void dot(float x, float y, float radius) {
+        m_list.AddCircleFilled(at(x, y), radius * m_size, m_color, 12);
+    }
+    // The upper half of a circle.
+    void arch(float x, float y, float radius) {
+        constexpr float pi = 3.14159265f;
+        m_list.PathArcTo(at(x, y), radius * m_size, pi, 2.0f * pi, 16);
         m_list.PathStroke(m_color, 0, m_size * 0.11f);
     }
     void circle(float x, float y, float radius) {
@@ -64,6 +82,49 @@ void draw_plateau(IconPen& pen) {
     pen.line({0.3f, 0.28f}, {0.7f, 0.28f});
     pen.line({0.7f, 0.28f}, {0.94f, 0.86f});
     pen.line({0.06f, 0.1f}, {0.94f, 0.1f});
+}
+
+void draw_star(IconPen& pen, bool is_filled) {
+    constexpr float pi = 3.14159265f;
+    const ImVec2 middle(0.5f, 0.54f);
+    std::array<ImVec2, 10> points;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const float radius = i % 2 == 0 ? 0.5f : 0.21f;
+        const float angle = pi * (static_cast<float>(i) / 5.0f - 0.5f);
+        points[i] = {middle.x + radius * std::cos(angle), middle.y + radius * std::sin(angle)};
+    }
+    if (is_filled)
+        for (std::size_t i = 0; i < points.size(); ++i)
+            pen.triangle(middle, points[i], points[(i + 1) % points.size()]);
+    else
+        pen.outline(points.data(), static_cast<int>(points.size()));
+}
+
+// An open shackle is swung out to the right.
+void draw_padlock(IconPen& pen, bool is_locked) {
+    pen.box(0.18f, 0.46f, 0.82f, 0.94f);
+    const float middle = is_locked ? 0.5f : 0.78f;
+    pen.arch(middle, 0.3f, 0.2f);
+    pen.line({middle - 0.2f, 0.3f}, {middle - 0.2f, 0.5f});
+    if (is_locked)
+        pen.line({middle + 0.2f, 0.3f}, {middle + 0.2f, 0.5f});
+}
+
+void draw_die(IconPen& pen) {
+    pen.frame(0.06f, 0.06f, 0.94f, 0.94f);
+    for (const float place : {0.29f, 0.5f, 0.71f})
+        pen.dot(place, place, 0.09f);
+    pen.dot(0.71f, 0.29f, 0.09f);
+    pen.dot(0.29f, 0.71f, 0.09f);
+}
+
+// Two corners that draw apart.
+void draw_spread(IconPen& pen) {
+    pen.line({0.14f, 0.4f}, {0.14f, 0.14f});
+    pen.line({0.14f, 0.14f}, {0.4f, 0.14f});
+    pen.line({0.86f, 0.6f}, {0.86f, 0.86f});
+    pen.line({0.86f, 0.86f}, {0.6f, 0.86f});
+    pen.line({0.2f, 0.2f}, {0.8f, 0.8f});
 }
 
 void draw_pencil(IconPen& pen) {
@@ -133,11 +194,7 @@ void draw_icon(Icon icon, const ImVec2& at, float size, ImU32 color) {
             pen.line({0.62f, 0.62f}, {0.86f, 0.86f});
             break;
         case Icon::large:
-            pen.line({0.14f, 0.4f}, {0.14f, 0.14f});
-            pen.line({0.14f, 0.14f}, {0.4f, 0.14f});
-            pen.line({0.86f, 0.6f}, {0.86f, 0.86f});
-            pen.line({0.86f, 0.86f}, {0.6f, 0.86f});
-            pen.line({0.2f, 0.2f}, {0.8f, 0.8f});
+            draw_spread(pen);
             break;
         case Icon::stop:
             pen.box(0.2f, 0.2f, 0.8f, 0.8f);
@@ -156,6 +213,17 @@ void draw_icon(Icon icon, const ImVec2& at, float size, ImU32 color) {
         case Icon::down:
             pen.line({0.2f, 0.34f}, {0.5f, 0.66f});
             pen.line({0.5f, 0.66f}, {0.8f, 0.34f});
+            break;
+        case Icon::star:
+        case Icon::star_outline:
+            draw_star(pen, icon == Icon::star);
+            break;
+        case Icon::locked:
+        case Icon::unlocked:
+            draw_padlock(pen, icon == Icon::locked);
+            break;
+        case Icon::dice:
+            draw_die(pen);
             break;
     }
 }

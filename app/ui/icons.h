@@ -22,7 +22,12 @@ enum class Icon {
     fit,
     flaws,
     clipping,
-    colors
+    colors,
+    star,
+    star_outline,
+    locked,
+    unlocked,
+    dice,
 };
 
 /// A square button with a sign; `help` is shown on hover.

@@ -53,7 +53,7 @@ void reveal(const std::string& parameter, Edits& edits) {
     edits.arrange([parameter](WindowState& window) {
         window.shows_parameters = true;
         window.is_picture_only = false;
-        window.shows_only_changed = false;
+        window.filter = ParameterFilter::all;
         window.search.clear();
         window.revealed = {parameter, true};
     });

@@ -2,6 +2,7 @@
 
 #include "ui/color_control.h"
 #include "ui/form.h"
+#include "ui/knob_marks.h"
 #include "ui/parameter_help.h"
 #include "ui/point_pad.h"
 #include "ui/scoped.h"
@@ -183,10 +184,12 @@ void draw_parameter(const Knob& knob, const Fonts& fonts, Edits& edits) {
     const Parameter& parameter = knob.parameter;
     const ScopedId scope(parameter.name);
     const FormColumns columns = is_check_box(parameter) ? check_box_columns() : form_columns();
-    if (form_label(parameter.label, parameter.unit, columns, knob.is_changed))
+    const KnobMarks marks = knob_marks(knob.setting, columns);
+    if (form_label(parameter.label, parameter.unit, marks.beside(columns), knob.is_changed))
         ImGui::OpenPopup("about");
     edits.mark("label:" + parameter.name);
     draw_parameter_help(knob, fonts, edits);
+    draw_knob_marks(knob, marks, edits);
     Value value = knob.value;
     const bool is_vector = has_parts(parameter);
     if (is_vector)

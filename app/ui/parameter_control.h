@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/parameter.h"
+#include "model/knob_settings.h"
 #include "ui/edits.h"
 #include "ui/fonts.h"
 
@@ -9,6 +9,7 @@ struct Knob {
     const Parameter& parameter;
     const Value& value;
     bool is_changed = false;
+    const KnobSetting& setting;
 };
 
 /// Label, control, number and reset of one parameter, whatever its type.

@@ -1,6 +1,7 @@
 #include "ui/parameter_help.h"
 
 #include "lab/lab.h"
+#include "ui/knob_marks.h"
 #include "ui/scoped.h"
 #include "ui/slider.h"
 #include "ui/theme.h"
@@ -103,6 +104,7 @@ void draw_parameter_help(const Knob& knob, const Fonts& fonts, Edits& edits) {
             edits.add([place](Lab& lab) { lab.open_in_editor(place); });
         edits.mark("open_declared");
     }
+    draw_knob_items(knob, edits);
     if (knob.is_changed && ImGui::Selectable("Reset"))
         reset_parameter(parameter.name, edits);
     if (ImGui::Selectable("Copy the name"))

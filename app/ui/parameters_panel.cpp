@@ -1,6 +1,7 @@
 #include "ui/parameters_panel.h"
 
-#include "base/text.h"
+#include "lab/parameter_list.h"
+#include "ui/actions.h"
 #include "ui/icons.h"
 #include "ui/parameter_control.h"
 #include "ui/reveal.h"
@@ -11,41 +12,15 @@
 #include <imgui/imgui_stdlib.h>
 
 #include <algorithm>
+#include <array>
 
 namespace {
-struct Group {
-    std::string name;
-    std::vector<const Parameter*> parameters;
-};
-
-bool is_sought(const Parameter& parameter, const std::string& group, const std::string& words) {
-    const std::string text = to_lower(parameter.name + ' ' + parameter.label + ' ' + group + ' ' +
-                                      parameter.unit + ' ' + parameter.help);
-    const std::string lower = to_lower(words);
-    const auto sought = split(lower, ' ');
-    return std::all_of(sought.begin(), sought.end(),
-                       [&](std::string_view word) { return text.find(word) != std::string::npos; });
+ParameterQuery query_of(const WindowState& window) {
+    return {window.search, window.filter, window.inspected.pass};
 }
 
-std::vector<Group> groups_to_show(const Document& document, const WindowState& window) {
-    std::vector<Group> groups;
-    for (const Parameter& parameter : document.look().parameters) {
-        const std::string name = heading_of(document.look(), parameter);
-        if (parameter.is_hidden || !is_sought(parameter, name, window.search) ||
-            (window.shows_only_changed && !document.is_changed(parameter)))
-            continue;
-        const auto found = std::find_if(groups.begin(), groups.end(),
-                                        [&](const Group& group) { return group.name == name; });
-        Group& group = found == groups.end() ? groups.emplace_back(Group{name, {}}) : *found;
-        group.parameters.push_back(&parameter);
-    }
-    return groups;
-}
-
-void draw_search(const WindowState& window, Edits& edits) {
-    const float buttons = ImGui::GetFrameHeight() * 2.0f + ImGui::GetStyle().ItemSpacing.x * 2.0f;
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - buttons -
-                            ImGui::CalcTextSize("Changed").x);
+void draw_search(const WindowState& window, float width, Edits& edits) {
+    ImGui::SetNextItemWidth(width);
     if (window.is_searching) {
         ImGui::SetKeyboardFocusHere();
         edits.arrange([](WindowState& state) { state.is_searching = false; });
@@ -56,42 +31,85 @@ void draw_search(const WindowState& window, Edits& edits) {
     edits.mark("search");
 }
 
-void draw_toolbar(const Document& document, const WindowState& window, Edits& edits) {
-    draw_search(window, edits);
-    ImGui::SameLine();
+struct FilterChoice {
+    ParameterFilter filter;
+    const char* name;   // on the button
+    const char* words;  // in its list
+};
+constexpr std::array<FilterChoice, 4> filters{
+    {{ParameterFilter::all, "All", "All parameters"},
+     {ParameterFilter::changed, "Changed", "Changed from their defaults"},
+     {ParameterFilter::favourites, "Favourites", "Favourites"},
+     {ParameterFilter::of_pass, "This pass", "Used by this pass"}}};
+
+float filter_width() {
+    return ImGui::CalcTextSize("Favourites").x + ImGui::GetFontSize() * 1.9f;
+}
+
+void draw_filter(const WindowState& window, Edits& edits) {
+    const auto& present = *std::ranges::find(filters, window.filter, &FilterChoice::filter);
+    const bool is_all = window.filter == ParameterFilter::all;
+    bool is_open = false;
     {
-        const ScopedColor text(ImGuiCol_Text,
-                               window.shows_only_changed ? theme::accent : theme::dim);
-        if (quiet_button("Changed"))
-            edits.arrange(
-                [](WindowState& state) { state.shows_only_changed = !state.shows_only_changed; });
-        tooltip("Show only the parameters that differ from their defaults");
+        const ScopedColor text(ImGuiCol_Text, is_all ? theme::dim : theme::accent);
+        is_open = begin_combo("##filter", present.name, filter_width());
     }
+    if (!is_open) {
+        tooltip("Which parameters are listed");
+        edits.mark("filter");
+        return;
+    }
+    for (const FilterChoice& choice : filters) {
+        const bool is_of_pass = choice.filter == ParameterFilter::of_pass;
+        const std::string words =
+            is_of_pass ? "Used by " + window.inspected.pass : std::string(choice.words);
+        if ((!is_of_pass || !window.inspected.pass.empty()) &&
+            ImGui::Selectable(words.c_str(), choice.filter == window.filter))
+            edits.arrange([chosen = choice.filter](WindowState& state) { state.filter = chosen; });
+        edits.mark(std::string("filter:") + choice.name);
+    }
+    ImGui::EndCombo();
+}
+
+void draw_toolbar(const Scene& scene, Edits& edits) {
+    const Document& document = *scene.lab.document();
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const float rest = filter_width() + 2.0f * ImGui::GetFrameHeight() + 2.0f * gap;
+    draw_search(scene.window, ImGui::GetContentRegionAvail().x - rest, edits);
+    ImGui::SameLine();
+    draw_filter(scene.window, edits);
+    ImGui::SameLine();
+    if (icon_button("##randomise", Icon::dice,
+                    help_of(ActionId::randomise) + ": all that is not locked, within its range",
+                    theme::text))
+        run(ActionId::randomise, scene, edits);
+    edits.mark("randomise");
     ImGui::SameLine(0.0f, 0.0f);
     const bool can_reset = !document.values().empty();
     const ScopedDisabled disabled(!can_reset);
-    if (icon_button("##reset_all", Icon::reset, "Reset every parameter",
+    if (icon_button("##reset_all", Icon::reset, "Reset every parameter that is not locked",
                     can_reset ? theme::text : theme::faint) &&
         can_reset)
         edits.document([](Document& changed) { changed.reset_all(); });
     edits.mark("reset_all");
 }
 
-void draw_group_header_end(const Group& group, std::size_t changed, Edits& edits) {
+void draw_group_header_end(const ParameterGroup& group, std::size_t changed, Edits& edits) {
     if (changed == 0)
         return;
     same_line_right(ImGui::GetFrameHeight());
-    const bool is_asked = icon_button("##reset_group", Icon::reset, "Reset this group", theme::dim);
+    const bool is_asked = icon_button("##reset_group", Icon::reset,
+                                      "Reset what is not locked in this group", theme::dim);
     edits.mark("reset_group:" + group.name);
     if (!is_asked)
         return;
     std::vector<std::string> names;
     for (const Parameter* parameter : group.parameters)
         names.push_back(parameter->name);
-    edits.document([names](Document& document) { document.reset(names); });
+    edits.document([names](Document& document) { document.reset_group(names); });
 }
 
-void draw_group(const Group& group, const Scene& scene, Edits& edits) {
+void draw_group(const ParameterGroup& group, const Scene& scene, Edits& edits) {
     const Document& document = *scene.lab.document();
     const ScopedId id(group.name);
     const auto changed = static_cast<std::size_t>(
@@ -111,7 +129,8 @@ void draw_group(const Group& group, const Scene& scene, Edits& edits) {
         return;
     for (const Parameter* parameter : group.parameters) {
         const float top = ImGui::GetCursorPosY();
-        draw_parameter({*parameter, document.value(*parameter), document.is_changed(*parameter)},
+        draw_parameter({*parameter, document.value(*parameter), document.is_changed(*parameter),
+                        setting_of(parameter->name, document.knobs())},
                        scene.fonts, edits);
         show_if_revealed(*parameter, top, scene.window, edits);
     }
@@ -124,11 +143,11 @@ void draw_nothing_to_show(const Document& document, const WindowState& window, E
             "This look has no parameters: a uniform in one of its shaders becomes one.");
         return;
     }
-    dim_text(window.shows_only_changed ? "Nothing is changed." : "No parameter matches.");
+    wrapped_dim_text(why_nothing_is_listed(query_of(window)));
     if (quiet_button("Show all"))
         edits.arrange([](WindowState& state) {
             state.search.clear();
-            state.shows_only_changed = false;
+            state.filter = ParameterFilter::all;
         });
     edits.mark("show_all");
 }
@@ -149,14 +168,14 @@ void draw_parameters_panel(const Scene& scene, Edits& edits) {
     const Document* document = scene.lab.document();
     if (!document)
         return;
-    draw_toolbar(*document, scene.window, edits);
+    draw_toolbar(scene, edits);
     ImGui::Spacing();
     {  // of the list alone: what pops up above it has its own
         const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
         ImGui::BeginChild("##groups");
     }
-    const std::vector<Group> groups = groups_to_show(*document, scene.window);
-    for (const Group& group : groups)
+    const std::vector<ParameterGroup> groups = listed_parameters(*document, query_of(scene.window));
+    for (const ParameterGroup& group : groups)
         draw_group(group, scene, edits);
     if (groups.empty())
         draw_nothing_to_show(*document, scene.window, edits);

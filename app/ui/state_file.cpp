@@ -33,6 +33,14 @@ std::string values_text(const Document& document) {
     return fmt::format("{{{}}}", fmt::join(values, ","));
 }
 
+std::string marked_text(const KnobSettings& knobs, bool KnobSetting::*mark) {
+    std::vector<std::string> names;
+    for (const auto& [name, setting] : knobs)
+        if (setting.*mark)
+            names.push_back(json_string(name));
+    return fmt::format("[{}]", fmt::join(names, ","));
+}
+
 std::string problems_text(const Lab& lab) {
     std::vector<std::string> problems;
     for (const Problem& problem : lab.problems())
@@ -77,12 +85,14 @@ std::string inspection_text(const Scene& scene) {
 
 std::string document_text(const Document& document) {
     return fmt::format(
-        R"("look":{},"bypass":{},"preset":{},"is_modified":{},"undo":{},"redo":{},"signal":{},"values":{},)",
+        R"("look":{},"bypass":{},"preset":{},"is_modified":{},"undo":{},"redo":{},"signal":{},"values":{},"favourites":{},"locked":{},)",
         json_string(document.look().id),
         json_string(fmt::format("{}", fmt::join(bypassed_keys(document.look().stack), ","))),
         json_string(document.preset_name()), document.is_modified(),
         json_string(document.history().undo_name()), json_string(document.history().redo_name()),
-        json_string(to_string(document.state().signal)), values_text(document));
+        json_string(to_string(document.state().signal)), values_text(document),
+        marked_text(document.knobs(), &KnobSetting::is_favourite),
+        marked_text(document.knobs(), &KnobSetting::is_locked));
 }
 }  // namespace
 

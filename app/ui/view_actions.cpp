@@ -90,13 +90,14 @@ void view_actions::search(const Scene&, Edits& edits) {
 
 void view_actions::toggle_changed(const Scene&, Edits& edits) {
     edits.arrange([](WindowState& window) {
-        window.shows_only_changed = !window.shows_only_changed;
+        const bool is_on = window.filter == ParameterFilter::changed;
+        window.filter = is_on ? ParameterFilter::all : ParameterFilter::changed;
         window.shows_parameters = true;
     });
 }
 
 bool view_actions::shows_only_changed(const Scene& scene) {
-    return scene.window.shows_only_changed;
+    return scene.window.filter == ParameterFilter::changed;
 }
 
 std::vector<Action> view_actions::list() {

@@ -27,6 +27,8 @@ Session session() {
     made.is_playing = false;
     made.is_wiping = true;
     made.follows_view = false;
+    made.knobs["phosphor"] = {{"decay", {.is_favourite = true}},
+                              {"exposure", {.is_locked = true, .ends = Limit{0.5, 2.0}}}};
     made.window = {{"left_size", 250.5}, {"width", 1440.0}};
     return made;
 }

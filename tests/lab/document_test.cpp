@@ -198,3 +198,62 @@ TEST_CASE("a drag that turns the view is one step of undo and goes into the pres
     document.undo();
     CHECK(document.values().empty());
 }
+
+TEST_CASE("what is locked stays where it is, whatever changes many values at once") {
+    Document document(small_look());
+    document.set_value("decay", Value(0.5));
+    document.set_value("exposure", Value(3.0));
+    document.set_knob("decay", {.is_locked = true});
+    SUBCASE("a reset of a group") {
+        document.reset_group({"decay", "exposure"});
+        CHECK(document.values() == Values{{"decay", Value(0.5)}});
+    }
+    SUBCASE("a reset of all") {
+        document.reset_all();
+        CHECK(document.values() == Values{{"decay", Value(0.5)}});
+    }
+    SUBCASE("a preset, from which it then differs") {
+        Preset preset;
+        preset.look = "small";
+        preset.values = {{"decay", Value(0.1)}, {"exposure", Value(0.2)}};
+        document.open_preset(preset, "preset.json");
+        CHECK(document.values() == Values{{"decay", Value(0.5)}, {"exposure", Value(0.2)}});
+        CHECK(document.is_modified());
+    }
+    SUBCASE("the look's own values") {
+        document.open_defaults();
+        CHECK(document.values() == Values{{"decay", Value(0.5)}});
+    }
+    SUBCASE("values that are pasted") {
+        document.take({}, "Paste");
+        CHECK(document.values() == Values{{"decay", Value(0.5)}});
+    }
+    SUBCASE("the dice") {
+        document.randomise(1);
+        CHECK(document.values().at("decay") == Value(0.5));
+    }
+    document.undo();
+    CHECK(document.values().at("exposure") == Value(3.0));
+    document.reset({"decay"});  // the hand on its own control
+    CHECK(document.values().count("decay") == 0);
+}
+
+TEST_CASE("a throw of the dice is one step of undo") {
+    Document document(small_look());
+    document.randomise(1);
+    CHECK(document.values().size() == 2);
+    CHECK(document.history().undo_name() == "Randomise");
+    document.undo();
+    CHECK(document.values().empty());
+    CHECK_FALSE(document.history().can_undo());
+}
+
+TEST_CASE("a lock follows its parameter through an edit that renames it") {
+    Document document(small_look());
+    document.set_knob("decay", {.is_locked = true});
+    Look edited = small_look();
+    edited.parameters[0].name = "glow";
+    edited.parameters[0].was = "decay";
+    document.replace_look(edited);
+    CHECK(document.knobs() == KnobSettings{{"glow", {.is_locked = true}}});
+}

@@ -120,3 +120,24 @@ TEST_CASE("a damaged session is set aside and said; the program starts without i
         CHECK(content_of(file.string() + ".damaged") == text);
     }
 }
+
+TEST_CASE("stars, locks and a slider's own ends come back, also when the look was left") {
+    SmallLab small;
+    small.lab().edit([](Document& document) {
+        document.set_knob("gain", {.is_favourite = true, .is_locked = true});
+    });
+    small.lab().set_slider_ends("gain", Limit{1.0, 3.0});
+    const KnobSetting gain{true, true, Limit{1.0, 3.0}};
+    const Session session = kept(small);
+    small.start();
+    small.lab().set_knobs(session.knobs);
+    small.lab().open("small");
+    REQUIRE(small.turn_until([&] { return small.lab().document() != nullptr; }));
+    CHECK(small.document().knobs() == KnobSettings{{"gain", gain}});
+    small.lab().set_slider_ends("gain", Limit{3.0, 1.0});
+    REQUIRE(small.lab().notice().has_value());
+    CHECK(small.lab().notice()->is_problem);
+    CHECK(small.document().knobs() == KnobSettings{{"gain", gain}});
+    small.lab().set_slider_ends("gain", std::nullopt);
+    CHECK_FALSE(small.document().knobs().at("gain").ends.has_value());
+}

@@ -82,6 +82,62 @@ class Tuning(Person):
         program.choose("Edit", "Reset all parameters")
         program.wait("all are reset", lambda s: s["values"] == default)
 
+    def test_dice_turn_all_but_what_is_locked_in_one_step(self):
+        program = self.program
+        default = program.state()["values"]
+        program.reveal("exposure")
+        self.assertNotIn("lock:exposure", program.state()["widgets"])
+        self.hover("label:exposure")
+        self.hover("lock:exposure")
+        self.snapshot("lock")
+        program.click("lock:exposure")
+        program.wait("it is locked", lambda s: s["locked"] == ["exposure"])
+        self.hover("picture")
+        program.wait("its padlock stays, the star goes", lambda s: "lock:exposure" in s["widgets"]
+                     and "star:exposure" not in s["widgets"])
+        program.key("ctrl+r")
+        state = program.wait("the dice are thrown", lambda s: s["undo"] == "Randomise")
+        self.assertEqual(state["values"]["exposure"], default["exposure"])
+        self.assertGreater(sum(state["values"][name] != default[name] for name in default),
+                           len(default) // 2)
+        self.snapshot("randomised")
+        program.key("ctrl+z")
+        program.wait("one step back is as before", lambda s: s["values"] == default)
+        program.click("lock:exposure")
+        program.wait("it is free again", lambda s: s["locked"] == [])
+
+    def test_the_list_is_cut_to_favourites_changes_or_a_pass(self):
+        program = self.program
+        program.set("exposure", "0.61")
+        self.hover("label:exposure")
+        program.click("star:exposure")
+        program.wait("it has a star", lambda s: s["favourites"] == ["exposure"])
+        program.key("ctrl+f", "ctrl+a", "BackSpace", "Return")
+
+        def listed(s):
+            return [name[len("label:"):] for name in s["widgets"] if name.startswith("label:")]
+
+        def choose(name):
+            program.click("filter")
+            program.click("filter:" + name)
+        choose("Favourites")
+        program.wait("it stands alone", lambda s: listed(s) == ["exposure"])
+        self.snapshot("favourites")
+        choose("Changed")
+        program.wait("it is the one that is changed", lambda s: listed(s) == ["exposure"])
+        program.click("pass:bloom_x")
+        choose("This pass")
+        program.wait("what another pass uses is not there",
+                     lambda s: "exposure" not in listed(s) and len(listed(s)) > 0)
+        self.snapshot("this_pass")
+        program.choose("Edit", "Show only favourites")
+        self.hover("label:exposure")
+        program.click("star:exposure")
+        program.wait("no star, nothing to list", lambda s: listed(s) == [] and
+                     s["favourites"] == [])
+        program.click("show_all")
+        program.wait("all is listed", lambda s: len(listed(s)) > 3)
+
     def test_one_key_wipes_to_the_articles_own_picture(self):
         program = self.program
         program.click("play")

@@ -1,0 +1,32 @@
+// The part of Lab that keeps what a person says about knobs, look by look.
+#include "lab/lab.h"
+
+LookKnobs Lab::knobs() const {
+    LookKnobs looks = m_knobs;
+    if (m_document)
+        keep_knobs(looks, m_document->look().stack, m_document->knobs());
+    return looks;
+}
+
+void Lab::set_knobs(LookKnobs knobs) {
+    m_knobs = std::move(knobs);
+    if (m_document)
+        m_document->set_knobs(knobs_in(m_document->look().stack, m_knobs));
+}
+
+void Lab::set_slider_ends(const std::string& parameter, const std::optional<Limit>& ends) {
+    const Parameter* turned = m_document ? find_parameter(m_document->look(), parameter) : nullptr;
+    if (!turned)
+        return;
+    KnobSetting setting = setting_of(parameter, m_document->knobs());
+    setting.ends.reset();
+    if (ends) {
+        const auto fitted = fitted_ends(*turned, *ends);
+        if (!succeeded(fitted))
+            return;
+        const Limit declared{turned->range.low, turned->range.high};
+        if (*fitted != declared)
+            setting.ends = *fitted;
+    }
+    m_document->set_knob(parameter, setting);
+}

@@ -1,0 +1,36 @@
+#include "model/parameter_use.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace {
+// "$scale", but not the start of "$scale_x".
+bool reads(const std::string& expression, const std::string& name) {
+    const auto goes_on = [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+    };
+    const std::string sought = '$' + name;
+    for (auto at = expression.find(sought); at != std::string::npos;
+         at = expression.find(sought, at + 1)) {
+        const std::size_t end = at + sought.size();
+        if (end == expression.size() || !goes_on(expression[end]))
+            return true;
+    }
+    return false;
+}
+}  // namespace
+
+bool is_used_by(const Look& look, std::size_t pass, const Parameter& parameter) {
+    const Pass& user = look.passes[pass];
+    const std::string& name = parameter.name;
+    if (user.repeat == Count(name) || user.converge == Count(name))
+        return true;
+    if (std::ranges::any_of(parameter.bindings, [&](const Binding& binding) {
+            return static_cast<std::size_t>(binding.pass) == pass;
+        }))
+        return true;
+    return std::ranges::any_of(user.size, [&](const Side& side) {
+        return side.by == Side::By::expression && name.starts_with(user.scope) &&
+               reads(side.expression, name.substr(user.scope.size()));
+    });
+}

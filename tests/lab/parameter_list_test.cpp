@@ -1,0 +1,71 @@
+#include "lab/parameter_list.h"
+
+#include <doctest/doctest.h>
+
+namespace {
+Parameter knob(const std::string& name, const std::string& group, int pass) {
+    Parameter parameter;
+    parameter.name = name;
+    parameter.label = label_from_name(name);
+    parameter.group = group;
+    parameter.initial = Value(0.0);
+    parameter.bindings = {{pass, name}};
+    return parameter;
+}
+
+Look look() {
+    Look made;
+    made.passes.resize(2);
+    made.passes[0].name = "beam";
+    made.passes[1].name = "screen";
+    made.parameters = {knob("focus", "Beam", 0), knob("glow", "", 1), knob("gain", "Beam", 0),
+                       knob("tint", "", 1)};
+    made.parameters[1].help = "Light that stays in the glass.";
+    made.parameters.push_back(knob("secret", "Beam", 0));
+    made.parameters.back().is_hidden = true;
+    return made;
+}
+
+// "Beam: focus gain; Screen: glow"
+std::string text(const Document& document, const ParameterQuery& query) {
+    std::string all;
+    for (const ParameterGroup& group : listed_parameters(document, query)) {
+        all += (all.empty() ? "" : "; ") + group.name + ':';
+        for (const Parameter* parameter : group.parameters)
+            all += ' ' + parameter->name;
+    }
+    return all;
+}
+}  // namespace
+
+TEST_CASE("parameters are listed under their headings, or those of their passes") {
+    CHECK(text(Document(look()), {}) == "Beam: focus gain; Screen: glow tint");
+}
+
+TEST_CASE("a search finds every word somewhere in name, heading or help") {
+    const Document document(look());
+    CHECK(text(document, {.words = "GLASS light"}) == "Screen: glow");
+    CHECK(text(document, {.words = "beam ga"}) == "Beam: gain");
+    CHECK(text(document, {.words = "glass beam"}).empty());
+}
+
+TEST_CASE("the list is cut to what is changed, starred or used by a pass") {
+    Document document(look());
+    CHECK(text(document, {.filter = ParameterFilter::changed}).empty());
+    document.set_value("glow", Value(0.5));
+    document.set_knob("gain", {.is_favourite = true});
+    CHECK(text(document, {.filter = ParameterFilter::changed}) == "Screen: glow");
+    CHECK(text(document, {.filter = ParameterFilter::favourites}) == "Beam: gain");
+    const ParameterQuery of_screen{.filter = ParameterFilter::of_pass, .pass = "screen"};
+    CHECK(text(document, of_screen) == "Screen: glow tint");
+    CHECK(text(document, {.words = "tin", .filter = of_screen.filter, .pass = "screen"}) ==
+          "Screen: tint");
+    CHECK(text(document, {.filter = ParameterFilter::of_pass, .pass = "gone"}).empty());
+}
+
+TEST_CASE("an empty list says why") {
+    CHECK(why_nothing_is_listed({.words = "x"}) == "No parameter matches.");
+    CHECK(why_nothing_is_listed({.filter = ParameterFilter::changed}) == "Nothing is changed.");
+    CHECK(why_nothing_is_listed({.filter = ParameterFilter::of_pass, .pass = "beam"}) ==
+          "The pass 'beam' uses no parameter.");
+}
