@@ -119,6 +119,8 @@ public:
     void rename_preset(const std::string& name);
     void duplicate_preset();
     void delete_preset();
+    /// Opens the preset `by` places on in the list of the open look, and says which.
+    void step_preset(int by);
     std::string share_line() const;  // "" when nothing is open
     void paste(const std::string& line);
     void new_look(const std::string& id);
@@ -170,6 +172,7 @@ private:
     void limit_frame(double wall_seconds);
     void draw_picture(double wall_seconds);
     void start_replay();
+    void tell_preset(bool had_changes);
     void watch_extra_files();
     void extra_file_changed(const std::filesystem::path& file);
     void preset_file_changed(const std::filesystem::path& file);
@@ -206,7 +209,13 @@ private:
     PictureSize m_picture_size;
     Extent m_view{1280, 720};
     Extent m_drawn_extent;
-    std::optional<Redraw> m_wanted;  // what the paused picture still owes
+    struct PresetStep {
+        std::filesystem::path file;  // "": as the look has it
+        std::size_t number = 0;
+        std::size_t count = 0;
+    };
+    std::optional<PresetStep> m_preset_step;  // that is being opened
+    std::optional<Redraw> m_wanted;           // what the paused picture still owes
     std::function<void(Lab&)> m_when_opened;
     std::function<void(const Lab&)> m_before_losing_changes;
 };

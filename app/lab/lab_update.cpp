@@ -148,8 +148,7 @@ void Lab::open_document(Look look, const OpenRequest& request) {
     watch_extra_files();
     if (!is_same && (!request.preset || !request.preset_file.empty()))
         m_document->forget_past();
-    if (is_same && had_changes && !m_when_opened)
-        say("What was not saved comes back with Ctrl+Z");
+    tell_preset(is_same && had_changes && !m_when_opened);
 }
 
 void Lab::open_values(const OpenRequest& request) {

@@ -17,6 +17,8 @@ enum class ActionId {
     rename_preset,
     duplicate_preset,
     delete_preset,
+    next_preset,
+    previous_preset,
     copy_line,
     paste_line,
     save_picture,

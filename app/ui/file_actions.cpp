@@ -26,6 +26,11 @@ void duplicate(const Scene&, Edits& edits) {
     edits.add([](Lab& lab) { lab.duplicate_preset(); });
 }
 
+template <int by>
+void step_preset(const Scene&, Edits& edits) {
+    edits.add([](Lab& lab) { lab.step_preset(by); });
+}
+
 void duplicate_look(const Scene& scene, Edits& edits) {
     edits.show(
         {.kind = Dialog::Kind::duplicate_look, .text = scene.lab.document()->look().id + "-copy"});
@@ -101,6 +106,20 @@ std::vector<Action> preset_actions() {
          false,
          show<Dialog::Kind::delete_preset>,
          has_preset},
+        {ActionId::next_preset,
+         Menu::file,
+         "Next preset",
+         {gpu::key::page_down, true},
+         false,
+         step_preset<1>,
+         has_document},
+        {ActionId::previous_preset,
+         Menu::file,
+         "Previous preset",
+         {gpu::key::page_up, true},
+         false,
+         step_preset<-1>,
+         has_document},
     };
 }
 }  // namespace

@@ -125,3 +125,21 @@ class Keeping(Person):
         program.wait("it is there again", lambda s: s["values"]["decay"] == [0.61])
         program.kill()  # at once: a change is kept when it is done
         self.assertEqual(program.start()["values"]["decay"], [0.61])
+
+    def test_keys_go_through_the_presets_of_the_open_look(self):
+        program = self.program
+        self.hover("picture")
+        program.key("ctrl+Next")
+        state = program.wait("the first opens, and its name and place are told", lambda s:
+                             s["preset"] and "preset 1 of" in s["notice"])
+        first = state["preset"]
+        self.assertIn(first, state["notice"])
+        program.set("decay", "0.61")
+        program.key("ctrl+Prior")
+        program.wait("back at the look as it is, and nothing is lost", lambda s:
+                     not s["preset"] and not s["is_modified"] and "Ctrl+Z" in s["notice"])
+        program.key("ctrl+z")
+        program.wait("what was not saved is there again",
+                     lambda s: s["preset"] == first and s["values"]["decay"] == [0.61])
+        program.key("ctrl+Next", "ctrl+Next")  # faster than they are read
+        program.wait("no press is lost", lambda s: s["preset"] and "preset 3 of" in s["notice"])
