@@ -52,6 +52,14 @@ void Document::redo() {
     follow_stack();
 }
 
+void Document::travel(int steps) {
+    for (; steps < 0 && m_undo.can_undo(); ++steps)
+        m_undo.undo();
+    for (; steps > 0 && m_undo.can_redo(); --steps)
+        m_undo.redo();
+    follow_stack();
+}
+
 const std::filesystem::path& Document::preset_file() const {
     static const std::filesystem::path none;
     const std::string& look = identity().look;

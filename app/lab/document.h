@@ -73,6 +73,8 @@ public:
 
     void undo();
     void redo();
+    /// So many steps of redo; below 0 of undo. Stops at the first and at the last state.
+    void travel(int steps);
     const Undo<DocumentState>& history() const { return m_undo; }
     /// What is open now is the first that undo knows.
     void forget_past() { m_undo = Undo<DocumentState>(DocumentState(state())); }

@@ -9,8 +9,8 @@ namespace {
 constexpr std::initializer_list<std::pair<const char*, bool WindowState::*>> switches{
     {"library", &WindowState::shows_library},     {"parameters", &WindowState::shows_parameters},
     {"inspector", &WindowState::shows_inspector}, {"strip", &WindowState::shows_strip},
-    {"bottom", &WindowState::shows_bottom},       {"timings", &WindowState::shows_timings},
-    {"maximised", &WindowState::is_maximised}};
+    {"history", &WindowState::shows_history},     {"bottom", &WindowState::shows_bottom},
+    {"timings", &WindowState::shows_timings},     {"maximised", &WindowState::is_maximised}};
 
 constexpr std::initializer_list<std::pair<const char*, float PaneSizes::*>> sizes{
     {"left_size", &PaneSizes::left},

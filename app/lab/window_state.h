@@ -131,9 +131,17 @@ struct Dialog {
     std::vector<FolderEntry> entries = {};
     std::string subject = {};  // what the answer is for
     int chosen = 0;            // row of a list
-    bool is_new = true;        // has not been drawn yet
+    bool is_new = true;  // has not been drawn yet
 
     bool operator==(const Dialog&) const = default;
+};
+
+/// Where the list of the history was when it was last scrolled to the present state.
+struct HistorySeen {
+    std::size_t place = 0;
+    std::size_t size = 0;
+
+    bool operator==(const HistorySeen&) const = default;
 };
 
 /// A parameter that a person asked to see in its panel.
@@ -158,6 +166,7 @@ struct WindowState {
     bool has_session_before = false;  // another look took the place of unsaved changes
     PaneSizes panes;
     bool shows_library = true;
+    bool shows_history = false;  // in the place of looks and signal
     bool shows_parameters = true;
     bool shows_inspector = true;
     bool shows_strip = true;
@@ -174,6 +183,7 @@ struct WindowState {
     std::string search;         // among the parameters
     bool is_searching = false;  // the search box is to have the keyboard
     Revealed revealed;
+    HistorySeen history_seen;
     std::vector<std::string> used;  // ids of the palette's entries, the last used first
     ParameterFilter filter = ParameterFilter::all;
     Dialog dialog;

@@ -25,6 +25,7 @@ enum class ActionId {
     quit,
     undo,
     redo,
+    show_history,
     reset_all,
     draw,
     search,

@@ -91,7 +91,7 @@ Layout arrange_panes(const WindowState& window, const Rect& all, float scale) {
     const float height = all.height - layout.status.height - between;
     const bool has_right = window.shows_parameters || window.shows_inspector;
     const auto [left, right] = shared(
-        window.shows_library ? window.panes.left * scale + between : 0.0f,
+        window.shows_library || window.shows_history ? window.panes.left * scale + between : 0.0f,
         has_right ? window.panes.right * scale + between : 0.0f, all.width, all.width / 3.0f);
     if (left > 0.0f)
         layout.library = {all.left, all.top, left - between, height};

@@ -45,6 +45,18 @@ Action bottom(ActionId id, const char* label, Chord chord) {
             nullptr, is_bottom<timings>};
 }
 
+// The history may stand in its place.
+bool shows_library(const Scene& scene) {
+    return scene.window.shows_library && !scene.window.shows_history;
+}
+
+void toggle_library(const Scene& scene, Edits& edits) {
+    edits.arrange([is_shown = shows_library(scene)](WindowState& window) {
+        window.shows_library = !is_shown;
+        window.shows_history = false;
+    });
+}
+
 void zoom_one(const Scene&, Edits& edits) {
     edits.arrange([](WindowState& window) { window.large_view() = {PictureView::Fit::free, 1.0}; });
 }
@@ -96,6 +108,18 @@ void view_actions::toggle_changed(const Scene&, Edits& edits) {
     });
 }
 
+void view_actions::toggle_history(const Scene&, Edits& edits) {
+    edits.arrange([](WindowState& window) {
+        window.shows_history = !window.shows_history || window.is_picture_only;
+        window.is_picture_only = false;
+        window.history_seen = {};
+    });
+}
+
+bool view_actions::shows_history(const Scene& scene) {
+    return scene.window.shows_history;
+}
+
 bool view_actions::shows_only_changed(const Scene& scene) {
     return scene.window.filter == ParameterFilter::changed;
 }
@@ -115,8 +139,14 @@ std::vector<Action> view_actions::list() {
          toggle_wipe,
          file_actions::has_document,
          has_wipe},
-        toggling<&State::shows_library>(ActionId::show_library, "Looks and signal", {'1', true},
-                                        true),
+        {ActionId::show_library,
+         Menu::view,
+         "Looks and signal",
+         {'1', true},
+         true,
+         toggle_library,
+         nullptr,
+         shows_library},
         toggling<&State::shows_parameters>(ActionId::show_parameters, "Parameters", {'2', true}),
         toggling<&State::shows_inspector>(ActionId::show_inspector, "Inspector", {'3', true}),
         toggling<&State::shows_strip>(ActionId::show_strip, "Strip of passes", {'4', true}),

@@ -3,6 +3,7 @@
 #include "ui/actions.h"
 #include "ui/bottom_panel.h"
 #include "ui/dialogs.h"
+#include "ui/history_panel.h"
 #include "ui/inspector_panel.h"
 #include "ui/layout.h"
 #include "ui/library_panel.h"
@@ -67,8 +68,12 @@ void draw_middle(const Scene& scene, const Layout& layout, Edits& edits) {
 }
 
 void draw_panes(const Scene& scene, const Layout& layout, Edits& edits) {
-    if (is_shown(layout.library))
+    if (is_shown(layout.library) && scene.window.shows_history) {
+        const Pane pane("history", layout.library, theme::pane, true, false);
+        draw_history_panel(scene, edits);
+    } else if (is_shown(layout.library)) {
         draw_left(scene, layout.library, edits);
+    }
     draw_middle(scene, layout, edits);
     if (is_shown(layout.parameters)) {
         const Pane pane("parameters", layout.parameters, theme::pane);

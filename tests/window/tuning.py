@@ -197,3 +197,26 @@ class Tuning(Person):
                      "palette:Rename preset…" in s["widgets"])
         program.key("Return", "Escape")
         program.wait("and not done", lambda s: s["dialog"] == 0)
+
+    def test_the_history_lists_every_step_and_goes_there(self):
+        program = self.program
+        default = program.state()["values"]["decay"][0]
+        for text in ("0.8", "0.7", "0.6"):
+            program.set("decay", text)
+        self.hover("picture")
+        program.choose("Edit", "History")
+        program.place("history_close")
+        steps = [name for name in program.state()["widgets"] if name.startswith("history:")]
+        last = max(int(name.split(":")[1]) for name in steps)
+        self.snapshot("history")
+        program.click("history:%d" % (last - 3))
+        program.wait("three steps are taken back at once",
+                     lambda s: s["values"]["decay"] == [default] and s["redo"] == "Decay")
+        program.click("history:%d" % (last - 1))
+        program.wait("and two done again", lambda s: s["values"]["decay"] == [0.7])
+        program.set("decay", "0.5")
+        program.wait("what was undone is gone when something else is done", lambda s:
+                     "history:%d" % last in s["widgets"] and s["redo"] == "")
+        program.key("ctrl+h")
+        program.wait("the looks are back", lambda s: "history_close" not in s["widgets"] and
+                     "look:phosphor" in s["widgets"])
