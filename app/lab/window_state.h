@@ -1,5 +1,6 @@
 #pragma once
 
+#include "lab/changes.h"
 #include "lab/folder.h"
 #include "model/extent.h"
 #include "model/levels.h"
@@ -121,6 +122,7 @@ struct Dialog {
         duplicate_look,
         unsaved,  // another look is to be opened over changes
         palette,
+        compare_preset,  // with what is open; `changes` has the differences
         keys,
         about,
     };
@@ -131,6 +133,7 @@ struct Dialog {
     std::vector<FolderEntry> entries = {};
     std::string subject = {};  // what the answer is for
     int chosen = 0;            // row of a list
+    std::vector<Change> changes = {};
     bool is_new = true;  // has not been drawn yet
 
     bool operator==(const Dialog&) const = default;

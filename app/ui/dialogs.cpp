@@ -1,5 +1,6 @@
 #include "ui/dialogs.h"
 
+#include "ui/compare_dialog.h"
 #include "ui/dialog_frame.h"
 #include "ui/file_dialog.h"
 #include "ui/help_dialogs.h"
@@ -175,6 +176,9 @@ void draw_dialogs(const Scene& scene, Edits& edits) {
             return;
         case Kind::palette:
             draw_palette_dialog(scene, edits);
+            return;
+        case Kind::compare_preset:
+            draw_compare_dialog(scene, edits);
             return;
         case Kind::keys:
             draw_keys_dialog(scene, edits);

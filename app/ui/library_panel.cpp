@@ -1,5 +1,6 @@
 #include "ui/library_panel.h"
 
+#include "ui/compare_dialog.h"
 #include "ui/scoped.h"
 #include "ui/stack_panel.h"
 #include "ui/theme.h"
@@ -35,11 +36,15 @@ bool is_open_preset(const Document& document, const ShelfPreset& preset) {
             std::filesystem::equivalent(document.preset_file(), preset.entry.file, error));
 }
 
-void draw_preset_menu(bool is_open, const std::string& file, const Scene& scene, Edits& edits) {
+void draw_preset_menu(bool is_open, const ShelfPreset& preset, const Scene& scene, Edits& edits) {
+    const std::string file = preset.entry.file.string();
     if (!ImGui::BeginPopupContextItem("##preset_menu"))
         return;
     if (ImGui::MenuItem("Open"))
         edits.open(scene.lab, file);
+    if (ImGui::MenuItem("Compare with what is open"))
+        compare_preset(preset, scene, edits);
+    edits.mark("compare:" + preset.entry.name);
     if (is_open) {
         if (ImGui::MenuItem("Rename…"))
             edits.show(
@@ -74,7 +79,7 @@ void draw_presets(const ShelfLook& look, const Scene& scene, Edits& edits) {
                                            .is_modified = is_open && document.is_modified()});
         ImGui::EndGroup();
         edits.mark("preset:" + preset.entry.name);
-        draw_preset_menu(is_open, file, scene, edits);
+        draw_preset_menu(is_open, preset, scene, edits);
         if (is_clicked)
             edits.open(scene.lab, file);
     }

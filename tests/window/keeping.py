@@ -143,3 +143,13 @@ class Keeping(Person):
                      lambda s: s["preset"] == first and s["values"]["decay"] == [0.61])
         program.key("ctrl+Next", "ctrl+Next")  # faster than they are read
         program.wait("no press is lost", lambda s: s["preset"] and "preset 3 of" in s["notice"])
+
+    def test_a_preset_is_compared_with_what_is_open(self):
+        program = self.program
+        program.set("decay", "0.61")
+        program.screen.do("mousemove", *program.middle("preset:overdriven"), "click", 3)
+        program.click("compare:overdriven")
+        program.wait("what differs is listed", lambda s: "change:Decay" in s["widgets"])
+        self.snapshot("compared")
+        program.key("Escape")
+        program.wait("it is closed", lambda s: s["dialog"] == 0)

@@ -1,0 +1,22 @@
+#include "lab/preset_difference.h"
+
+#include "formats/preset_format.h"
+#include "lab/lab.h"
+
+std::vector<Change> difference_from(const Preset& preset, const Document& open) {
+    Document other = open;
+    other.open_preset(preset, {});
+    return changes_between(open.look(), other.state(), open.state());
+}
+
+Result<std::vector<Change>> difference_from(const std::filesystem::path& preset_file,
+                                            const Lab& lab) {
+    if (!lab.document())
+        return std::vector<Change>{};
+    auto preset = load_preset(preset_file);
+    if (!preset)
+        return fail(preset.error());
+    return difference_from(
+        with_found_media(*preset, media_folder(preset_file), lab.drive().recent()),
+        *lab.document());
+}

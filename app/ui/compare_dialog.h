@@ -1,0 +1,10 @@
+#pragma once
+
+#include "lab/shelf.h"
+#include "ui/edits.h"
+#include "ui/scene.h"
+
+/// Shows what the open values have otherwise than a preset.
+void compare_preset(const ShelfPreset& preset, const Scene& scene, Edits& edits);
+
+void draw_compare_dialog(const Scene& scene, Edits& edits);
