@@ -13,9 +13,9 @@
 
 namespace {
 constexpr std::array<std::pair<const char*, const char*>, 7> mouse_habits{
-    {{"Drag on a slider", "turn it; with Shift ten times finer"},
+    {{"Drag on a slider", "turn it; with Shift ten times finer, with Alt ten times coarser"},
      {"Ctrl+click or double click", "type a value, also beyond the slider's ends"},
-     {"Click on a name", "what the parameter is, and where it is declared"},
+     {"Click on a name", "what it is, where it is declared, where its slider ends"},
      {"Wheel over a picture", "zoom about the pointer"},
      {"Drag a picture", "move it; in a look that can be turned (Caffeine) turn the object"},
      {"Right button, Ctrl + wheel", "there: move the camera around, nearer or farther"},

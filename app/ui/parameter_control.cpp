@@ -1,5 +1,6 @@
 #include "ui/parameter_control.h"
 
+#include "model/slider_range.h"
 #include "ui/color_control.h"
 #include "ui/form.h"
 #include "ui/knob_marks.h"
@@ -17,14 +18,13 @@ SliderFacts facts_for(const Knob& knob, std::size_t component) {
     const Parameter& parameter = knob.parameter;
     SliderFacts facts{.low = parameter.range.low,
                       .high = parameter.range.high,
-                      .step = parameter.range.step,
+                      .step = step_of(parameter),
                       .is_logarithmic = parameter.scale == Scale::logarithmic,
                       .is_changed = knob.is_changed,
                       .unit = parameter.control == Control::angle ? "°" : parameter.unit,
                       .limit = parameter.limit,
-                      .is_whole = parameter.type.scalar != Scalar::floating};
-    if (facts.is_whole && facts.step <= 0.0)
-        facts.step = 1.0;
+                      .is_whole = parameter.type.scalar != Scalar::floating,
+                      .steps_from = knob.declared.low};
     if (component < parameter.initial.numbers.size())
         facts.initial = parameter.initial.numbers[component];
     return facts;
@@ -37,6 +37,7 @@ Turned draw_component(const Knob& knob, std::size_t component, Value& value,
     facts.low *= factor;
     facts.high *= factor;
     facts.step *= factor;
+    facts.steps_from = knob.declared.low * factor;
     if (facts.initial)
         *facts.initial *= factor;
     if (facts.limit)
@@ -180,7 +181,16 @@ void draw_reset(const Knob& knob, const FormColumns& columns, Edits& edits) {
 }
 }  // namespace
 
-void draw_parameter(const Knob& knob, const Fonts& fonts, Edits& edits) {
+int expected_lines(const Parameter& parameter) {
+    constexpr int lines_of_pad = 5;
+    if (parameter.control == Control::point)
+        return lines_of_pad;
+    if (has_parts(parameter))
+        return 1 + parameter.type.rows;
+    return parameter.type.columns > 1 ? parameter.type.rows : 1;
+}
+
+bool draw_parameter(const Knob& knob, const Fonts& fonts, Edits& edits) {
     const Parameter& parameter = knob.parameter;
     const ScopedId scope(parameter.name);
     const FormColumns columns = is_check_box(parameter) ? check_box_columns() : form_columns();
@@ -200,6 +210,7 @@ void draw_parameter(const Knob& knob, const Fonts& fonts, Edits& edits) {
     const Turned turned = is_vector ? draw_parts(knob, value, columns, fonts, edits)
                                     : draw_control(knob, value, columns, fonts, edits);
     ImGui::EndGroup();
+    const bool is_held = ImGui::IsItemActive();
     edits.mark("parameter:" + parameter.name);
     if (turned.is_changed)
         edits.set(parameter.name, value);
@@ -207,4 +218,5 @@ void draw_parameter(const Knob& knob, const Fonts& fonts, Edits& edits) {
         edits.finish();
     if (!is_vector)
         draw_reset(knob, columns, edits);
+    return is_held;
 }

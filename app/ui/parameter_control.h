@@ -10,7 +10,12 @@ struct Knob {
     const Value& value;
     bool is_changed = false;
     const KnobSetting& setting;
+    const Range& declared;  // the parameter's own range is what the person made of it
 };
 
-/// Label, control, number and reset of one parameter, whatever its type.
-void draw_parameter(const Knob& knob, const Fonts& fonts, Edits& edits);
+/// Lines of the panel that a parameter takes, before it has been drawn.
+int expected_lines(const Parameter& parameter);
+
+/// Label, control, number and reset of one parameter, whatever its type; whether the hand or the
+/// keyboard is on its control.
+bool draw_parameter(const Knob& knob, const Fonts& fonts, Edits& edits);

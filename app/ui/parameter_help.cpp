@@ -1,6 +1,7 @@
 #include "ui/parameter_help.h"
 
 #include "lab/lab.h"
+#include "ui/icons.h"
 #include "ui/knob_marks.h"
 #include "ui/scoped.h"
 #include "ui/slider.h"
@@ -84,6 +85,61 @@ void draw_facts(const Knob& knob, const Fonts& fonts) {
     fact("scale", parameter.scale == Scale::logarithmic ? "logarithmic" : "");
     fact("declared", place_text(parameter.declared));
 }
+// A number on a field of its own, which says that it can be typed.
+bool draw_end(const char* id, double& end, const NumberFacts& facts) {
+    const float width = ImGui::GetFontSize() * 4.6f;
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + width, low.y + ImGui::GetFrameHeight()},
+                                              theme::packed(theme::field_active),
+                                              ImGui::GetStyle().FrameRounding);
+    return draw_number(id, end, width, facts).is_changed;
+}
+
+// Two numbers to be typed, beside the names of the facts above; whether one was.
+bool draw_two_ends(const Knob& knob, Limit& ends, const Fonts& fonts, Edits& edits) {
+    const Parameter& parameter = knob.parameter;
+    const double factor = shown_factor(parameter);
+    NumberFacts facts{.unit = parameter.control == Control::angle ? "°" : parameter.unit,
+                      .is_whole = parameter.type.scalar != Scalar::floating};
+    if (parameter.limit)
+        facts.limit = Limit{parameter.limit->low * factor, parameter.limit->high * factor};
+    ImGui::AlignTextToFramePadding();
+    dim_text("slider");
+    ImGui::SameLine(ImGui::GetFontSize() * 5.0f);
+    const ScopedFont numbers(fonts.numbers);
+    facts.is_changed = parameter.range.low != knob.declared.low;
+    bool is_changed = draw_end("##low", ends.low, facts);
+    edits.mark("slider_low");
+    ImGui::SameLine();
+    dim_text("to");
+    ImGui::SameLine();
+    facts.is_changed = parameter.range.high != knob.declared.high;
+    is_changed |= draw_end("##high", ends.high, facts);
+    edits.mark("slider_high");
+    return is_changed;
+}
+
+// Where the slider begins and ends.
+void draw_slider_ends(const Knob& knob, const Fonts& fonts, Edits& edits) {
+    const Parameter& parameter = knob.parameter;
+    if (!has_ends(parameter))
+        return;
+    const double factor = shown_factor(parameter);
+    const std::string& name = parameter.name;
+    Limit ends{parameter.range.low * factor, parameter.range.high * factor};
+    if (draw_two_ends(knob, ends, fonts, edits))
+        edits.add([name, typed = Limit{ends.low / factor, ends.high / factor}](Lab& lab) {
+            lab.set_slider_ends(name, typed);
+        });
+    if (!knob.setting.ends)
+        return;
+    ImGui::SameLine();
+    const SliderFacts declared{.low = knob.declared.low * factor,
+                               .high = knob.declared.high * factor};
+    if (icon_button("##ends", Icon::reset, "Back to " + range_text(declared), theme::dim))
+        edits.add([name](Lab& lab) { lab.set_slider_ends(name, std::nullopt); });
+    edits.mark("reset_slider_ends");
+}
 }  // namespace
 
 void draw_parameter_help(const Knob& knob, const Fonts& fonts, Edits& edits) {
@@ -97,6 +153,7 @@ void draw_parameter_help(const Knob& knob, const Fonts& fonts, Edits& edits) {
     if (!ImGui::BeginPopup("about"))
         return;
     draw_facts(knob, fonts);
+    draw_slider_ends(knob, fonts, edits);
     ImGui::Separator();
     const Location place = parameter.declared;
     if (!place.file.empty()) {

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 namespace {
 ParameterQuery query_of(const WindowState& window) {
@@ -109,6 +110,53 @@ void draw_group_header_end(const ParameterGroup& group, std::size_t changed, Edi
     edits.document([names](Document& document) { document.reset_group(names); });
 }
 
+/// A row of the list: out of sight it only takes its room, as high as when it was last drawn.
+class Row {
+public:
+    explicit Row(const Parameter& parameter)
+        : m_id(ImGui::GetID(parameter.name.c_str())), m_top(ImGui::GetCursorScreenPos().y) {
+        m_lines = m_storage.GetFloat(m_id, static_cast<float>(expected_lines(parameter)));
+    }
+
+    /// With a line's room around, so that the keyboard gets to the next one; never while it is
+    /// held.
+    bool is_in_sight() const {
+        const float line = ImGui::GetFrameHeightWithSpacing();
+        const float top = ImGui::GetWindowPos().y - line;
+        const float bottom = top + ImGui::GetWindowHeight() + 2.0f * line;
+        return (m_top < bottom && m_top + m_lines * line > top) || m_storage.GetBool(m_id + 1);
+    }
+    void pass_over() const {
+        const float height = m_lines * ImGui::GetFrameHeightWithSpacing();
+        ImGui::Dummy({0.0f, height - ImGui::GetStyle().ItemSpacing.y});
+    }
+    void end(bool is_held) {
+        const float height = ImGui::GetCursorScreenPos().y - m_top;
+        m_storage.SetFloat(m_id, height / ImGui::GetFrameHeightWithSpacing());
+        m_storage.SetBool(m_id + 1, is_held);
+    }
+
+private:
+    ImGuiStorage& m_storage = *ImGui::GetStateStorage();
+    ImGuiID m_id;
+    float m_top;
+    float m_lines = 1.0f;
+};
+
+void draw_row(const Parameter& parameter, const Document& document, const Fonts& fonts,
+              Edits& edits) {
+    Row row(parameter);
+    if (!row.is_in_sight()) {
+        row.pass_over();
+        return;
+    }
+    const KnobSetting& setting = setting_of(parameter.name, document.knobs());
+    const auto own = setting.ends ? std::optional(with_ends(parameter, setting)) : std::nullopt;
+    row.end(draw_parameter({own ? *own : parameter, document.value(parameter),
+                            document.is_changed(parameter), setting, parameter.range},
+                           fonts, edits));
+}
+
 void draw_group(const ParameterGroup& group, const Scene& scene, Edits& edits) {
     const Document& document = *scene.lab.document();
     const ScopedId id(group.name);
@@ -129,9 +177,7 @@ void draw_group(const ParameterGroup& group, const Scene& scene, Edits& edits) {
         return;
     for (const Parameter* parameter : group.parameters) {
         const float top = ImGui::GetCursorPosY();
-        draw_parameter({*parameter, document.value(*parameter), document.is_changed(*parameter),
-                        setting_of(parameter->name, document.knobs())},
-                       scene.fonts, edits);
+        draw_row(*parameter, document, scene.fonts, edits);
         show_if_revealed(*parameter, top, scene.window, edits);
     }
     ImGui::Spacing();

@@ -1,6 +1,7 @@
 #include "ui/slider.h"
 
 #include "gpu/input_event.h"
+#include "model/slider_range.h"
 #include "ui/theme.h"
 
 #include <fmt/format.h>
@@ -12,26 +13,61 @@
 #include <cmath>
 #include <utility>
 
+namespace {
+Range range_of(const SliderFacts& facts) {
+    return {facts.low, facts.high, facts.step};
+}
+
+Scale scale_of(const SliderFacts& facts) {
+    return facts.is_logarithmic ? Scale::logarithmic : Scale::linear;
+}
+
+std::optional<Steps> steps_of(const SliderFacts& facts) {
+    return steps_in(range_of(facts), facts.steps_from.value_or(facts.low));
+}
+
+// How far a slider goes for the way of the hand.
+double factor_of(DragPace pace) {
+    return pace == DragPace::fine ? 0.1 : pace == DragPace::coarse ? 10.0 : 1.0;
+}
+}  // namespace
+
 double slider_place(double value, const SliderFacts& facts) {
-    const double span = facts.high - facts.low;
-    if (!(span > 0.0))
-        return 0.0;
-    const double inside = std::clamp(value, facts.low, facts.high);
-    if (!facts.is_logarithmic)
-        return (inside - facts.low) / span;
-    if (facts.low > 0.0)
-        return std::log(inside / facts.low) / std::log(facts.high / facts.low);
-    return std::cbrt((inside - facts.low) / span);
+    return place_in(range_of(facts), scale_of(facts), value);
 }
 
 double slider_value(double place, const SliderFacts& facts) {
-    const double t = std::clamp(place, 0.0, 1.0);
-    const double span = facts.high - facts.low;
-    if (!facts.is_logarithmic)
-        return facts.low + t * span;
-    if (facts.low > 0.0)
-        return facts.low * std::pow(facts.high / facts.low, t);
-    return facts.low + span * t * t * t;
+    return value_at(range_of(facts), scale_of(facts), place);
+}
+
+double hand_after(double place, double moved, DragPace pace) {
+    return std::clamp(place + moved * factor_of(pace), 0.0, 1.0);
+}
+
+double dragged_value(double place, const SliderFacts& facts, DragPace pace) {
+    const double value = slider_value(place, facts);
+    if (const auto steps = steps_of(facts))
+        return steps->nearest(value);
+    return readable(range_of(facts), scale_of(facts), value, factor_of(pace));
+}
+
+std::vector<double> notch_places(const SliderFacts& facts, double width) {
+    constexpr double room = 5.0;  // pixels from one to the next
+    const auto steps = steps_of(facts);
+    if (!steps || steps->count * room > width + room)
+        return {};
+    std::vector<double> places;
+    double last = 0.0;
+    for (double i = 0.0; i < steps->count; i += 1.0) {
+        const double place = slider_place(steps->value(i), facts);
+        if (i > 0.0 && (place - last) * width < room)
+            return {};
+        last = place;
+        constexpr double end = 1e-6;
+        if (place > end && place < 1.0 - end)
+            places.push_back(place);
+    }
+    return places;
 }
 
 std::string short_number(double value) {
@@ -48,23 +84,10 @@ std::string short_number(double value) {
 }
 
 namespace {
-// A drag stops at numbers that read well: about a thousand of them over the slider.
-double rounded(double value, const SliderFacts& facts, bool is_fine) {
-    double step = facts.step;
-    if (step <= 0.0) {
-        const double size = facts.is_logarithmic ? std::abs(value) : facts.high - facts.low;
-        if (!(size > 0.0))
-            return value;
-        step = std::pow(10.0, std::floor(std::log10(size / 500.0))) * (is_fine ? 0.1 : 1.0);
-    }
-    const double near = std::round(value / step) * step;
-    return std::clamp(near, facts.low, facts.high);
-}
-
 bool wants_typing(const ImRect& box, bool is_hovered) {
     const ImGuiIO& io = ImGui::GetIO();
     return is_hovered && box.Contains(io.MousePos) &&
-           ((io.MouseClicked[0] && io.KeyCtrl) || io.MouseDoubleClicked[0]);
+           ((io.MouseClicked[0] && io.KeyCtrl && !io.KeyShift) || io.MouseDoubleClicked[0]);
 }
 
 Typing& typing() {
@@ -129,6 +152,11 @@ void draw_bar(const ImRect& box, double value, const SliderFacts& facts, bool is
     const theme::Color fill = facts.is_changed ? theme::accent_filled : theme::filled;
     list.AddRectFilled({std::min(origin, place), box.Min.y}, {std::max(origin, place), box.Max.y},
                        theme::packed(fill), rounding);
+    for (const double notch : notch_places(facts, static_cast<double>(width))) {
+        const float x = std::round(box.Min.x + width * static_cast<float>(notch)) + 0.5f;
+        list.AddLine({x, box.Max.y - box.GetHeight() * 0.16f}, {x, box.Max.y},
+                     theme::packed(theme::faint));
+    }
     if (facts.initial && facts.is_changed) {
         const float tick = std::clamp(at(*facts.initial), box.Min.x + 1.0f, box.Max.x - 1.0f);
         list.AddLine({tick, box.Max.y - box.GetHeight() * 0.3f}, {tick, box.Max.y},
@@ -141,15 +169,30 @@ void draw_bar(const ImRect& box, double value, const SliderFacts& facts, bool is
                        half);
 }
 
-// The value that the mouse asks for.
-double dragged(double value, const ImRect& box, const SliderFacts& facts) {
+DragPace drag_pace() {
     const ImGuiIO& io = ImGui::GetIO();
+    if (io.KeyAlt || (io.KeyCtrl && io.KeyShift))
+        return DragPace::coarse;
+    return io.KeyShift ? DragPace::fine : DragPace::direct;
+}
+
+// The value that the mouse asks for. What the hand has moved adds up before it is rounded, so that
+// also a fine hand gets to the next step.
+double dragged(double value, const ImRect& box, ImGuiID id, const SliderFacts& facts) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const DragPace pace = drag_pace();
     const double width = box.GetWidth();
-    if (io.KeyShift) {
-        const double place = slider_place(value, facts) + 0.1 * io.MouseDelta.x / width;
-        return io.MouseDelta.x == 0.0f ? value : rounded(slider_value(place, facts), facts, true);
-    }
-    return rounded(slider_value((io.MousePos.x - box.Min.x) / width, facts), facts, false);
+    SliderHand& hand = typing().hand;
+    const bool is_new = io.MouseClicked[0] || hand.id != id;
+    if (is_new)
+        hand = {id, slider_place(value, facts)};
+    if (pace == DragPace::direct)
+        hand.place = (io.MousePos.x - box.Min.x) / width;
+    else if (is_new || io.MouseDelta.x == 0.0f)
+        return value;
+    else
+        hand.place = hand_after(hand.place, io.MouseDelta.x / width, pace);
+    return dragged_value(hand.place, facts, pace);
 }
 }  // namespace
 
@@ -174,7 +217,7 @@ Turned draw_slider(const char* id_text, double& value, const SliderFacts& facts,
     const ImGuiIO& io = ImGui::GetIO();
     const bool has_moved = io.MouseClicked[0] || io.MouseDelta.x != 0.0f;
     if (is_held && has_moved) {
-        const double next = dragged(value, box, facts);
+        const double next = dragged(value, box, id, facts);
         turned.is_changed |= next != value;
         value = next;
         if (turned.is_changed)

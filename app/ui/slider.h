@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 /// What a slider runs over and how it shows its value.
 struct SliderFacts {
@@ -16,6 +17,7 @@ struct SliderFacts {
     std::string unit = {};
     std::optional<Limit> limit = {};  // of what is typed
     bool is_whole = false;
+    std::optional<double> steps_from = {};  // where steps are counted from; none: the low end
 
     NumberFacts number() const { return {is_changed, unit, limit, is_whole}; }
 };
@@ -32,7 +34,23 @@ struct Turned {
     }
 };
 
-/// A bar that follows the mouse (ten times finer with Shift); Ctrl+click or a double click types.
+/// How a slider follows the hand: its place, or its way a tenth or ten times as far.
+enum class DragPace { direct, fine, coarse };
+
+/// Where the hand is on a slider after a way of `moved`, both in shares of its width; a direct hand
+/// is where the pointer is.
+double hand_after(double place, double moved, DragPace pace);
+
+/// The value that a hand there asks for: a step, or a number that reads well, ten times finer or
+/// coarser as the hand is.
+double dragged_value(double place, const SliderFacts& facts, DragPace pace);
+
+/// Where notches are drawn on a slider of that width in pixels, 0 .. 1, its ends left out: at its
+/// steps, where all of them have room.
+std::vector<double> notch_places(const SliderFacts& facts, double width);
+
+/// A bar that follows the mouse (a tenth as far with Shift, ten times with Alt or Ctrl+Shift);
+/// Ctrl+click or a double click types.
 Turned draw_slider(const char* id, double& value, const SliderFacts& facts, float width);
 
 /// The number itself, with its unit where that is short; a click types, also beyond the slider's

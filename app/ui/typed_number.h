@@ -32,9 +32,17 @@ struct TypedField {
     std::string before;  // as it was when the field opened
 };
 
-/// What is being typed into numbers. ImGui has it as its user data; the toolkit owns it.
+/// The hand that drags a slider.
+struct SliderHand {
+    unsigned id = 0;     // of the slider
+    double place = 0.0;  // on it, not rounded to what the value stops at
+};
+
+/// What is being typed into numbers, and dragged. ImGui has it as its user data; the toolkit owns
+/// it.
 struct Typing {
     TypedField open;
     TypedField left;        // for another field, and not read yet
     std::string complaint;  // about what was typed last, to be said once
+    SliderHand hand;
 };

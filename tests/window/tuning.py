@@ -138,6 +138,49 @@ class Tuning(Person):
         program.click("show_all")
         program.wait("all is listed", lambda s: len(listed(s)) > 3)
 
+    def test_a_slider_runs_between_ends_that_are_typed(self):
+        program = self.program
+        program.reveal("exposure")
+        low, high, y = program.slider("exposure")
+        program.click("label:exposure")
+        program.click("slider_high")
+        program.type("4")
+        program.key("Return")
+        program.place("reset_slider_ends")
+        self.snapshot("ends")
+        program.key("Escape")
+        program.drag(((low + high) // 2, y), (high + 20, y))
+        program.wait("its end is four", lambda s: s["values"]["exposure"] == [4])
+        program.click("label:exposure")
+        program.click("slider_low")
+        program.type("7")
+        program.key("Return")
+        program.wait("a low end above the high one is told", lambda s:
+                     "cannot run from 7 to 4" in s["notice"])
+        program.click("reset_slider_ends")
+        program.wait("the look's own ends are back", lambda s:
+                     "reset_slider_ends" not in s["widgets"])
+        program.key("Escape")
+        program.drag(((low + high) // 2, y), (high + 20, y))
+        program.wait("they are further apart", lambda s: s["values"]["exposure"][0] > 8)
+
+    def test_a_hand_with_alt_is_ten_times_coarser_and_with_shift_finer(self):
+        program = self.program
+        program.set("keep_hue", "0.8")
+        low, high, y = program.slider("keep_hue")
+
+        def turned(key):
+            self.screen.do("keydown", key)
+            program.drag((high - 10, y), (high - 14, y))
+            self.screen.do("keyup", key)
+            state = program.wait("it is turned", lambda s: s["values"]["keep_hue"][0] < 0.8)
+            program.key("ctrl+z")
+            program.wait("and back", lambda s: s["values"]["keep_hue"][0] == 0.8)
+            return 0.8 - state["values"]["keep_hue"][0]
+        share = 4 / (high - low)
+        self.assertTrue(7 * share < turned("alt") < 13 * share)
+        self.assertTrue(0.07 * share < turned("shift") < 0.13 * share)
+
     def test_one_key_wipes_to_the_articles_own_picture(self):
         program = self.program
         program.click("play")
