@@ -181,6 +181,15 @@ class Tuning(Person):
         self.assertTrue(7 * share < turned("alt") < 13 * share)
         self.assertTrue(0.07 * share < turned("shift") < 0.13 * share)
 
+    def test_a_long_list_scrolls_to_its_end_where_all_is_as_elsewhere(self):
+        program = self.program
+        program.key("ctrl+f", "ctrl+a", "BackSpace", "Return")
+        x, y = program.middle("search")
+        self.screen.do("mousemove", x, y + 100, *["click", 5] * 60)
+        program.wait("the end is there", lambda s: "label:as_written" in s["widgets"])
+        self.screen.do(*["click", 4] * 60)
+        program.wait("and the beginning again", lambda s: "label:as_written" not in s["widgets"])
+
     def test_one_key_wipes_to_the_articles_own_picture(self):
         program = self.program
         program.click("play")
