@@ -103,7 +103,7 @@ Statistics combined(const std::vector<float>& blocks, Extent extent) {
         for (int x = 0; x < count.width; ++x, block += 4) {
             const int texels =
                 std::min(side, extent.width - x * side) * std::min(side, extent.height - y * side);
-            const double packed = static_cast<double>(block[3]);
+            const auto packed = static_cast<double>(block[3]);
             const auto infinite = static_cast<std::size_t>(packed / packing);
             const auto not_a_number =
                 static_cast<std::size_t>(packed - static_cast<double>(infinite) * packing);

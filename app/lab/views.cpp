@@ -12,7 +12,10 @@ Result<Views> Views::make() {
     auto inspection = Inspection::make();
     if (!inspection)
         return fail(inspection.error());
-    return Views(std::move(*viewer), std::move(*inspection));
+    auto pins = Pins::make();
+    if (!pins)
+        return fail(pins.error());
+    return Views(std::move(*viewer), std::move(*inspection), std::move(*pins));
 }
 
 Views::Image Views::image_of(const std::optional<gpu::Canvas>& canvas) {
@@ -96,6 +99,13 @@ PictureView inspector_view(const WindowState& window) {
     return window.shows_pass_large ? PictureView{PictureView::Fit::all} : window.inspected.view;
 }
 
+namespace {
+double present_seconds() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+}
+}  // namespace
+
 void Views::draw_inspected(const Executor& executor, const WindowState& window) {
     const auto pass = find_pass(executor.look(), window.inspected.pass);
     if (!pass || window.is_picture_only || !window.shows_inspector) {
@@ -106,9 +116,8 @@ void Views::draw_inspected(const Executor& executor, const WindowState& window) 
     const gpu::Texture& target = executor.target(*pass);
     const ViewOptions options = options_for(window.inspected, encoding_of(executor.look(), *pass));
     draw_part(target, m_inspected, window.views.inspector, inspector_view(window), options);
-    const auto now = std::chrono::steady_clock::now().time_since_epoch();
     m_inspection.update(target, {window.inspected.pass, options.channels, options.levels},
-                        std::chrono::duration<double>(now).count());
+                        present_seconds());
 }
 
 void Views::update(const Lab& lab, const WindowState& window) {
@@ -118,6 +127,7 @@ void Views::update(const Lab& lab, const WindowState& window) {
         m_thumbnails.clear();
         m_probed.reset();
         m_inspection.stop();
+        m_pins.stop();
         return;
     }
     if (lab.renderer()->replay().is_running())
@@ -127,6 +137,10 @@ void Views::update(const Lab& lab, const WindowState& window) {
     const bool is_whole = !window.is_picture_only;
     draw_thumbnails(executor, is_whole && window.shows_strip ? window.views.thumbnail_height : 0);
     draw_inspected(executor, window);
+    if (is_whole && window.shows_bottom && window.bottom_part == BottomPart::pins)
+        m_pins.update(executor, window.pins, present_seconds());
+    else
+        m_pins.stop();
     const Executor* variant = lab.renderer()->variant();
     const bool is_of_variant = variant && window.probe && window.probe->is_of_variant;
     probe(is_of_variant ? *variant : executor, window.probe);

@@ -4,6 +4,7 @@
 #include "graph/viewer.h"
 #include "lab/inspection.h"
 #include "lab/lab.h"
+#include "lab/pins.h"
 #include "lab/window_state.h"
 
 #include <array>
@@ -31,13 +32,17 @@ public:
     Image inspected() const { return image_of(m_inspected); }
     /// What the inspected target's numbers come to; nothing while the inspector is closed.
     const Inspection& inspection() const { return m_inspection; }
+    /// What each pass has at the pinned points; nothing while they are not shown.
+    const Pins& pins() const { return m_pins; }
     Image thumbnail(std::size_t pass) const;
     /// The stored numbers of WindowState::probe's pixel.
     const std::optional<std::array<float, 4>>& probed() const { return m_probed; }
 
 private:
-    Views(Viewer viewer, Inspection inspection)
-        : m_viewer(std::move(viewer)), m_inspection(std::move(inspection)) {}
+    Views(Viewer viewer, Inspection inspection, Pins pins)
+        : m_viewer(std::move(viewer)),
+          m_inspection(std::move(inspection)),
+          m_pins(std::move(pins)) {}
     static Image image_of(const std::optional<gpu::Canvas>& canvas);
     bool fit(std::optional<gpu::Canvas>& canvas, Extent extent);
     void draw_part(const gpu::Texture& from, std::optional<gpu::Canvas>& to, Extent size,
@@ -56,6 +61,7 @@ private:
 
     Viewer m_viewer;
     Inspection m_inspection;
+    Pins m_pins;
     std::optional<gpu::Canvas> m_picture;
     std::optional<gpu::Canvas> m_inspected;
     std::vector<std::optional<gpu::Canvas>> m_thumbnails;

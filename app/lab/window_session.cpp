@@ -10,7 +10,7 @@ constexpr std::initializer_list<std::pair<const char*, bool WindowState::*>> swi
     {"library", &WindowState::shows_library},     {"parameters", &WindowState::shows_parameters},
     {"inspector", &WindowState::shows_inspector}, {"strip", &WindowState::shows_strip},
     {"history", &WindowState::shows_history},     {"bottom", &WindowState::shows_bottom},
-    {"timings", &WindowState::shows_timings},     {"maximised", &WindowState::is_maximised}};
+    {"maximised", &WindowState::is_maximised}};
 
 constexpr std::initializer_list<std::pair<const char*, float PaneSizes::*>> sizes{
     {"left_size", &PaneSizes::left},
@@ -54,7 +54,8 @@ std::map<std::string, double> remembered(const WindowState& window) {
     std::map<std::string, double> numbers{{"width", window.size.width},
                                           {"height", window.size.height},
                                           {"scale", window.scale},
-                                          {"wipe_share", window.wipe_share}};
+                                          {"wipe_share", window.wipe_share},
+                                          {"bottom_part", static_cast<int>(window.bottom_part)}};
     if (window.position) {
         numbers["left"] = (*window.position)[0];
         numbers["top"] = (*window.position)[1];
@@ -82,6 +83,8 @@ WindowState restored_window(const std::map<std::string, double>& numbers) {
         window.scale = *scale;
     if (const auto share = number(numbers, "wipe_share", 0.0, 1.0))
         window.wipe_share = *share;
+    if (const auto part = whole(numbers, "bottom_part", 0.0, 2.0))
+        window.bottom_part = static_cast<BottomPart>(*part);
     for (const auto& [name, is_on] : switches)
         if (const auto kept = number(numbers, name, 0.0, 1.0))
             window.*is_on = *kept != 0.0;

@@ -66,6 +66,17 @@ double wipe_share(const PicturePlace& place, Extent picture, Extent size, double
     return std::clamp((column - seen.left) / std::max(seen.right - seen.left, 1.0), 0.0, 1.0);
 }
 
+std::array<int, 2> Pin::texel(Extent extent) const {
+    const auto place = [](double share, int length) {
+        return std::clamp(static_cast<int>(share * length), 0, std::max(length - 1, 0));
+    };
+    return {place(x, extent.width), place(y, extent.height)};
+}
+
+Pin pin_at(const Probe& probe, Extent extent) {
+    return {(probe.x + 0.5) / extent.width, (probe.y + 0.5) / extent.height};
+}
+
 double next_zoom(double zoom, bool is_in) {
     constexpr double slack = 1e-6;
     if (is_in) {

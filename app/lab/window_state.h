@@ -87,6 +87,22 @@ struct Probe {
     bool operator==(const Probe&) const = default;
 };
 
+/// A point that is looked at in every pass: 0..1 from the left and from the top.
+struct Pin {
+    double x = 0.5;
+    double y = 0.5;
+
+    bool operator==(const Pin&) const = default;
+    /// The texel of a target that it lies in.
+    std::array<int, 2> texel(Extent extent) const;
+};
+
+/// The middle of a probed pixel of a target.
+Pin pin_at(const Probe& probe, Extent extent);
+
+/// What the pane at the bottom holds.
+enum class BottomPart { problems, timings, pins };
+
 /// Device pixels that the panels have for pictures.
 struct ViewSizes {
     Extent picture;
@@ -174,7 +190,7 @@ struct WindowState {
     bool shows_inspector = true;
     bool shows_strip = true;
     bool shows_bottom = false;
-    bool shows_timings = false;  // in the bottom pane, instead of the problems
+    BottomPart bottom_part = BottomPart::problems;
     bool is_picture_only = false;
 
     PictureView picture;
@@ -182,6 +198,7 @@ struct WindowState {
     bool shows_pass_large = false;  // the inspected pass, in the picture's place
     double wipe_share = 0.5;        // how far over the picture the line of a wipe stands
     std::optional<Probe> probe;
+    std::vector<Pin> pins;
     ViewSizes views;
     std::string search;         // among the parameters
     bool is_searching = false;  // the search box is to have the keyboard

@@ -47,7 +47,7 @@ Histogram histogram_of(const Picture& picture, double low, double high, std::siz
     Histogram histogram{std::vector(channels, std::vector<std::uint32_t>(bins))};
     const double bins_a_unit = static_cast<double>(bins) / (high - low);
     for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
-        const double number = static_cast<double>(picture.pixels[i]);
+        const auto number = static_cast<double>(picture.pixels[i]);
         if (!std::isfinite(number))
             continue;
         ++histogram.finite;

@@ -2,6 +2,7 @@
 
 #include "ui/actions.h"
 #include "ui/icons.h"
+#include "ui/pins_panel.h"
 #include "ui/problem_list.h"
 #include "ui/scoped.h"
 #include "ui/theme.h"
@@ -83,11 +84,13 @@ void draw_problems(const Scene& scene, Edits& edits) {
 }  // namespace
 
 void draw_bottom_panel(const Scene& scene, Edits& edits) {
-    static constexpr std::array labels{"Problems", "Timings"};
-    const int present = scene.window.shows_timings ? 1 : 0;
-    const int chosen = choice("bottom", labels.data(), 2, present, edits);
+    static constexpr std::array labels{"Problems", "Timings", "Pins"};
+    const int present = static_cast<int>(scene.window.bottom_part);
+    const int chosen = choice("bottom", labels.data(), 3, present, edits);
     if (chosen != present)
-        edits.arrange([chosen](WindowState& window) { window.shows_timings = chosen == 1; });
+        edits.arrange([part = static_cast<BottomPart>(chosen)](WindowState& window) {
+            window.bottom_part = part;
+        });
     same_line_right(ImGui::GetFrameHeight());
     if (icon_button("##close", Icon::close, "Close", theme::dim))
         edits.arrange([](WindowState& window) { window.shows_bottom = false; });
@@ -95,8 +98,10 @@ void draw_bottom_panel(const Scene& scene, Edits& edits) {
         const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
         ImGui::BeginChild("##content");
     }
-    if (scene.window.shows_timings)
+    if (scene.window.bottom_part == BottomPart::timings)
         draw_timings_panel(scene);
+    else if (scene.window.bottom_part == BottomPart::pins)
+        draw_pins_panel(scene, edits);
     else
         draw_problems(scene, edits);
     ImGui::EndChild();

@@ -6,6 +6,7 @@
 #include "ui/pass_settings.h"
 #include "ui/picture_canvas.h"
 #include "ui/picture_menus.h"
+#include "ui/pins_panel.h"
 #include "ui/scoped.h"
 #include "ui/slider.h"
 #include "ui/theme.h"
@@ -134,6 +135,8 @@ void draw_view(const Pass& pass, Extent extent, float height, const Scene& scene
                                                    .size = {width, height}},
                                                   scene);
     edits.mark("inspector");
+    pin_on_click(scene, edits);
+    draw_pin_marks(scene, low, extent, inspector_view(scene.window), room);
     if (input.moved && !scene.window.shows_pass_large)
         edits.arrange([view = *input.moved](WindowState& window) { window.inspected.view = view; });
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0))

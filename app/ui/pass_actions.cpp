@@ -79,6 +79,26 @@ bool is_on(const Scene& scene) {
     return scene.window.inspected.*overlay;
 }
 
+bool has_probe(const Scene& scene) {
+    return has_passes(scene) && scene.window.probe;
+}
+
+void pin(const Scene& scene, Edits& edits) {
+    const Executor& executor = scene.lab.renderer()->executor();
+    const auto pass = find_pass(executor.look(), scene.window.probe->pass);
+    if (!pass)
+        return;
+    const Pin pin = pin_at(*scene.window.probe, executor.target(*pass).extent());
+    edits.arrange([pin](WindowState& window) {
+        constexpr std::size_t most = 4;  // that the table has room for
+        if (window.pins.size() == most)
+            window.pins.erase(window.pins.begin());
+        window.pins.push_back(pin);
+        window.shows_bottom = true;
+        window.bottom_part = BottomPart::pins;
+    });
+}
+
 void save_pass(const Scene& scene, Edits& edits) {
     edits.show({.kind = Dialog::Kind::save_pass, .subject = scene.window.inspected.pass});
 }
@@ -103,51 +123,53 @@ void take_back(const Scene&, Edits& edits) {
 namespace {
 std::vector<Action> looking_actions() {
     using View = PassView;
-    return {{ActionId::fit_levels,
-             Menu::pass,
-             "Fit black and white to the numbers",
-             {'A'},
-             true,
-             fit_levels,
-             can_fit_levels},
-            {ActionId::reset_levels,
-             Menu::pass,
-             "Black at 0, white at 1, no exposure",
-             {'A', false, true},
-             false,
-             reset_levels,
-             has_levels},
-            {ActionId::mark_flaws,
-             Menu::pass,
-             "Mark NaN red, infinite green, negative blue",
-             {'X'},
-             false,
-             toggle<&View::marks_flaws>,
-             has_passes,
-             is_on<&View::marks_flaws>},
-            {ActionId::mark_clipping,
-             Menu::pass,
-             "Mark clipping: white yellow, black cyan",
-             {'X', false, true},
-             false,
-             toggle<&View::marks_clipping>,
-             has_passes,
-             is_on<&View::marks_clipping>},
-            {ActionId::false_color,
-             Menu::pass,
-             "False colours from black to white",
-             {'C', false, true},
-             false,
-             toggle<&View::is_false_color>,
-             has_passes,
-             is_on<&View::is_false_color>},
-            {ActionId::save_pass,
-             Menu::pass,
-             "Save this pass…",
-             {'E', true, true},
-             true,
-             save_pass,
-             has_passes}};
+    return {
+        {ActionId::fit_levels,
+         Menu::pass,
+         "Fit black and white to the numbers",
+         {'A'},
+         true,
+         fit_levels,
+         can_fit_levels},
+        {ActionId::reset_levels,
+         Menu::pass,
+         "Black at 0, white at 1, no exposure",
+         {'A', false, true},
+         false,
+         reset_levels,
+         has_levels},
+        {ActionId::mark_flaws,
+         Menu::pass,
+         "Mark NaN red, infinite green, negative blue",
+         {'X'},
+         false,
+         toggle<&View::marks_flaws>,
+         has_passes,
+         is_on<&View::marks_flaws>},
+        {ActionId::mark_clipping,
+         Menu::pass,
+         "Mark clipping: white yellow, black cyan",
+         {'X', false, true},
+         false,
+         toggle<&View::marks_clipping>,
+         has_passes,
+         is_on<&View::marks_clipping>},
+        {ActionId::false_color,
+         Menu::pass,
+         "False colours from black to white",
+         {'C', false, true},
+         false,
+         toggle<&View::is_false_color>,
+         has_passes,
+         is_on<&View::is_false_color>},
+        {ActionId::pin, Menu::pass, "Pin the pixel under the pointer", {'K'}, true, pin, has_probe},
+        {ActionId::save_pass,
+         Menu::pass,
+         "Save this pass…",
+         {'E', true, true},
+         false,
+         save_pass,
+         has_passes}};
 }
 }  // namespace
 

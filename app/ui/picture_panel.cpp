@@ -5,6 +5,7 @@
 #include "ui/overlays.h"
 #include "ui/picture_canvas.h"
 #include "ui/picture_menus.h"
+#include "ui/pins_panel.h"
 #include "ui/scoped.h"
 #include "ui/wipe.h"
 
@@ -84,6 +85,9 @@ void draw_picture_panel(const Scene& scene, const Rect& place, Edits& edits) {
                                                    .has_pen = has_pen},
                                                   scene);
     edits.mark("picture");
+    if (!has_pen)
+        pin_on_click(scene, edits);
+    draw_pin_marks(scene, low, large_extent(scene), scene.window.large_view(), room);
     if (input.moved)
         edits.arrange([view = *input.moved](WindowState& window) { window.large_view() = view; });
     if (input.turned)

@@ -83,6 +83,22 @@ std::string inspection_text(const Scene& scene) {
                        measured);
 }
 
+// Of each pin the red of every pass; a null has not come yet.
+std::string pins_text(const Scene& scene) {
+    std::vector<std::string> pins;
+    const std::size_t passes =
+        scene.lab.renderer() ? scene.lab.renderer()->executor().look().passes.size() : 0;
+    for (std::size_t pin = 0; pin < scene.window.pins.size(); ++pin) {
+        std::vector<std::string> values;
+        for (std::size_t pass = 0; pass < passes; ++pass) {
+            const auto* value = scene.views.pins().value(pin, pass);
+            values.push_back(value ? fmt::format(R"("{}")", (*value)[0]) : "null");
+        }
+        pins.push_back(fmt::format("[{}]", fmt::join(values, ",")));
+    }
+    return fmt::format(R"(,"pins":[{}])", fmt::join(pins, ","));
+}
+
 std::string document_text(const Document& document) {
     return fmt::format(
         R"("look":{},"bypass":{},"preset":{},"is_modified":{},"undo":{},"redo":{},"signal":{},"values":{},"favourites":{},"locked":{},)",
@@ -109,7 +125,8 @@ std::string state_text(const Scene& scene, const Edits& edits) {
         json_string(lab.notice() ? lab.notice()->text : std::string()),
         static_cast<int>(scene.window.dialog.kind), json_string(scene.window.inspected.pass),
         lab.variant() ? fmt::format("{:.3f}", scene.window.wipe_share) : "null",
-        probe_text(scene) + inspection_text(scene), problems_text(lab), places_text(edits));
+        probe_text(scene) + inspection_text(scene) + pins_text(scene), problems_text(lab),
+        places_text(edits));
 }
 
 void write_state(const std::filesystem::path& file, const std::string& text) {

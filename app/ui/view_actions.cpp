@@ -19,18 +19,18 @@ bool is_shown(const Scene& scene) {
     return scene.window.*shown;
 }
 
-// Both share the bottom pane: the one that is not there comes, the one that is there goes.
-template <bool timings>
+// They share the bottom pane: the one that is not there comes, the one that is there goes.
+template <BottomPart part>
 void toggle_bottom(const Scene&, Edits& edits) {
     edits.arrange([](WindowState& window) {
-        window.shows_bottom = !window.shows_bottom || window.shows_timings != timings;
-        window.shows_timings = timings;
+        window.shows_bottom = !window.shows_bottom || window.bottom_part != part;
+        window.bottom_part = part;
     });
 }
 
-template <bool timings>
+template <BottomPart part>
 bool is_bottom(const Scene& scene) {
-    return scene.window.shows_bottom && scene.window.shows_timings == timings;
+    return scene.window.shows_bottom && scene.window.bottom_part == part;
 }
 
 // A line of the menu with a tick while its pane is shown.
@@ -39,10 +39,9 @@ Action toggling(ActionId id, const char* label, Chord chord, bool is_first = fal
     return {id, Menu::view, label, chord, is_first, toggle<shown>, nullptr, is_shown<shown>};
 }
 
-template <bool timings>
+template <BottomPart part>
 Action bottom(ActionId id, const char* label, Chord chord) {
-    return {id,      Menu::view,        label, chord, false, toggle_bottom<timings>,
-            nullptr, is_bottom<timings>};
+    return {id, Menu::view, label, chord, false, toggle_bottom<part>, nullptr, is_bottom<part>};
 }
 
 // The history may stand in its place.
@@ -150,8 +149,9 @@ std::vector<Action> view_actions::list() {
         toggling<&State::shows_parameters>(ActionId::show_parameters, "Parameters", {'2', true}),
         toggling<&State::shows_inspector>(ActionId::show_inspector, "Inspector", {'3', true}),
         toggling<&State::shows_strip>(ActionId::show_strip, "Strip of passes", {'4', true}),
-        bottom<false>(ActionId::show_problems, "Problems", {'5', true}),
-        bottom<true>(ActionId::show_timings, "Timings", {'6', true}),
+        bottom<BottomPart::problems>(ActionId::show_problems, "Problems", {'5', true}),
+        bottom<BottomPart::timings>(ActionId::show_timings, "Timings", {'6', true}),
+        bottom<BottomPart::pins>(ActionId::show_pins, "Pinned pixels", {'7', true}),
         toggling<&State::is_picture_only>(ActionId::picture_only, "Only the picture", {key_f11},
                                           true),
         {ActionId::larger_text, Menu::view, "Larger text", {'=', true}, true, scale_text<1>},

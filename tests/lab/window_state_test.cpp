@@ -63,3 +63,19 @@ TEST_CASE("fitting shows every number of a pass, resetting shows it as it is") {
     CHECK_FALSE(view.has_levels());
     CHECK(view.channels == Channels::green);
 }
+
+TEST_CASE("a pinned pixel is the same point in targets of every size") {
+    const Pin pin = pin_at({"beam", 100, 30}, {400, 60});
+    CHECK(pin.texel({400, 60}) == std::array{100, 30});
+    CHECK(pin.texel({200, 30}) == std::array{50, 15});
+    CHECK(pin.texel({1200, 180}) == std::array{301, 91});
+    CHECK(pin.texel({1, 1}) == std::array{0, 0});
+    CHECK(Pin{1.0, 1.0}.texel({400, 60}) == std::array{399, 59});
+}
+
+TEST_CASE("what the pane at the bottom holds comes back") {
+    WindowState window;
+    window.bottom_part = BottomPart::pins;
+    CHECK(restored_window(remembered(window)).bottom_part == BottomPart::pins);
+    CHECK(restored_window({{"bottom_part", 9.0}}).bottom_part == BottomPart::problems);
+}

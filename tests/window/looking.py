@@ -68,6 +68,25 @@ class Looking(Person):
         self.assertEqual((program.folder / "seen.png").read_bytes()[:4], b"\x89PNG")
         program.key("space")
 
+    def test_a_pinned_pixel_is_followed_through_every_pass(self):
+        program = self.program
+        self.hover("picture")
+        program.wait("the pointer is over the picture", lambda s: s["probe"])
+        program.key("k")
+        program.place("unpin:1")
+        self.screen.do("mousemove", *program.middle("inspector"), "keydown", "ctrl", "click", 1,
+                       "keyup", "ctrl")
+        program.place("unpin:2")
+        state = program.wait("its value in each pass is told",
+                             lambda s: len(s["pins"]) == 2 and all(s["pins"][1]))
+        self.assertGreater(len(state["pins"][0]), 5)
+        self.snapshot("pins")
+        for left in (1, 0):
+            program.click("unpin:1")
+            program.wait("it is removed", lambda s, count=left: len(s["pins"]) == count)
+        program.key("ctrl+7")
+        program.wait("the pane is closed", lambda s: "bottom:Pins" not in s["widgets"])
+
     def test_the_wheel_zooms_about_the_pointer(self):
         program = self.program
         program.key("f")

@@ -1,0 +1,84 @@
+#include "graph/gatherer.h"
+
+#include "gpu/draw.h"
+#include "graph/texel_text.h"
+
+#include <algorithm>
+
+namespace {
+constexpr const char* vertex_text = R"(#version 410 core
+void main() {
+    gl_Position = vec4(vec2((gl_VertexID << 1) & 2, gl_VertexID & 2) * 2.0 - 1.0, 0.0, 1.0);
+}
+)";
+
+constexpr const char* fragment_start = R"(#version 410 core
+out vec4 color;
+uniform ivec2 place;  // texel, from the bottom left
+)";
+
+constexpr const char* fragment_end = R"(
+void main() { color = texel_at(place); }
+)";
+
+Result<gpu::Program> build(const std::string& reading) {
+    const Stage vertex{{}, vertex_text, {}};
+    const Stage fragment{{}, fragment_start + reading + fragment_end, {}};
+    return gpu::Program::build(vertex, fragment);
+}
+}  // namespace
+
+Gatherer::Gatherer(gpu::Program floats, gpu::Program naturals)
+    : m_floats(std::move(floats)), m_naturals(std::move(naturals)) {}
+
+Result<Gatherer> Gatherer::make() {
+    auto floats = build(float_texel_text);
+    if (!floats)
+        return fail(floats.error());
+    auto naturals = build(natural_texel_text);
+    if (!naturals)
+        return fail(naturals.error());
+    return Gatherer(std::move(*floats), std::move(*naturals));
+}
+
+void Gatherer::start(const std::vector<TexelPlace>& places) {
+    stop();
+    const Extent row{static_cast<int>(places.size()), 1};
+    if (places.empty())
+        return;
+    if (!m_canvas || m_canvas->texture().extent() != row) {
+        auto made = gpu::Canvas::make(row, Format::rgba32f);
+        if (!made)
+            return;  // no memory; the passes themselves are what needs it
+        m_canvas.emplace(std::move(*made));
+    }
+    const gpu::DrawScope scope;
+    m_vertices.bind();
+    for (int i = 0; i < row.width; ++i) {
+        const TexelPlace& one = places[static_cast<std::size_t>(i)];
+        const Extent extent = one.target.extent();
+        const gpu::Program& program =
+            facts_of(one.target.format()).is_integer ? m_naturals : m_floats;
+        program.write("place",
+                      std::array<double, 2>{static_cast<double>(one.x),
+                                            static_cast<double>(extent.height - 1 - one.y)});
+        program.use();
+        m_samplers.bind(0, one.target, {Filter::nearest, Wrap::edge, false});
+        m_canvas->bind();
+        gpu::limit_columns(i, i + 1);
+        gpu::draw_triangle();
+    }
+    m_samplers.release();
+    m_to_come.emplace(*m_canvas);
+}
+
+std::optional<std::vector<std::array<float, 4>>> Gatherer::take() {
+    if (!m_to_come || !m_to_come->has_come())
+        return std::nullopt;
+    const std::vector<float> texels = m_to_come->take();
+    std::vector<std::array<float, 4>> numbers(texels.size() / 4);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        std::copy_n(&texels[i * 4], 4, numbers[i].begin());
+    stop();
+    return numbers;
+}
