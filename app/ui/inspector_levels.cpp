@@ -75,6 +75,21 @@ void draw_ends(const Histogram& histogram, const ImVec2& low, const ImVec2& high
         list.AddRectFilled({high.x - width, low.y}, high, IM_COL32(230, 184, 0, 255));
 }
 
+// Over the bars, as they are rare and matter.
+void draw_flaws(const Statistics& all, const ImVec2& at) {
+    std::string text;
+    if (all.not_a_number > 0)
+        text += fmt::format("NaN {}  ", all.not_a_number);
+    if (all.infinite > 0)
+        text += fmt::format("Inf {}  ", all.infinite);
+    if (text.empty())
+        return;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, theme::packed(theme::surround));
+    list.AddText(at, theme::packed(theme::problem), text.c_str());
+}
+
 void draw_words(const Statistics& all, const ImVec2& at, const Scene& scene) {
     const ScopedFont font(scene.fonts.numbers);
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -92,10 +107,7 @@ void draw_words(const Statistics& all, const ImVec2& at, const Scene& scene) {
         number("  max ", all.maximum);
         number("  mean ", all.mean);
     }
-    if (all.not_a_number > 0)
-        word(fmt::format("  NaN {}", all.not_a_number), theme::problem);
-    if (all.infinite > 0)
-        word(fmt::format("  Inf {}", all.infinite), theme::problem);
+    draw_flaws(all, {at.x, at.y + ImGui::GetTextLineHeight()});
 }
 
 std::string share_text(std::uint32_t part, std::uint32_t whole) {
