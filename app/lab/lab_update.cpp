@@ -120,9 +120,26 @@ void Lab::apply(LoadedRequest loaded) {
         std::exchange(m_when_opened, {})(*this);
 }
 
+namespace {
+// What is locked stays beside another preset and is not lost.
+bool has_unlocked_changes(const Document& document) {
+    DocumentState now = document.state();
+    DocumentState saved = document.saved();
+    for (const auto& [name, setting] : document.knobs())
+        if (setting.is_locked) {
+            now.values.erase(name);
+            saved.values.erase(name);
+        }
+    now.overrides = saved.overrides;
+    now.origin = saved.origin;
+    return now != saved;
+}
+}  // namespace
+
 void Lab::open_document(Look look, const OpenRequest& request) {
     const bool is_same = m_document && m_document->look().manifest == look.manifest;
     const bool had_changes = m_document && m_document->is_modified();
+    const bool loses_changes = had_changes && has_unlocked_changes(*m_document);
     if (!is_same && had_changes && m_before_losing_changes)
         m_before_losing_changes(*this);
     if (!is_same)
@@ -148,7 +165,7 @@ void Lab::open_document(Look look, const OpenRequest& request) {
     watch_extra_files();
     if (!is_same && (!request.preset || !request.preset_file.empty()))
         m_document->forget_past();
-    tell_preset(is_same && had_changes && !m_when_opened);
+    tell_preset(is_same && loses_changes && !m_when_opened);
 }
 
 void Lab::open_values(const OpenRequest& request) {

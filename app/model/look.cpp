@@ -74,6 +74,12 @@ Values changed_values(const Look& look, const Values& values) {
 
 std::vector<std::string> orphans(const Look& look, const Values& values) {
     std::vector<std::string> names;
+    // Mostly there is none, which is soon said also of a thousand values.
+    const auto known = std::ranges::count_if(look.parameters, [&](const Parameter& parameter) {
+        return values.contains(parameter.name);
+    });
+    if (static_cast<std::size_t>(known) == values.size())
+        return names;
     for (const auto& [name, value] : values)
         if (!find_parameter(look, name))
             names.push_back(name);

@@ -141,3 +141,25 @@ TEST_CASE("stars, locks and a slider's own ends come back, also when the look wa
     small.lab().set_slider_ends("gain", std::nullopt);
     CHECK_FALSE(small.document().knobs().at("gain").ends.has_value());
 }
+
+TEST_CASE("beside a locked value one goes through the presets without being warned") {
+    SmallLab small;
+    small.lab().save_preset_as("one");
+    const auto set = [&](const char* name, double value) {
+        small.lab().edit([&](Document& document) { document.set_value(name, Value(value)); });
+    };
+    const auto opened_again = [&] {
+        while (small.lab().notice())
+            small.lab().update(10.0);  // what was said before goes by
+        small.lab().open(small.lab().library().find_preset("small", "one")->file.string());
+        REQUIRE(small.turn_until([&] { return !small.lab().is_loading(); }));
+        return small.lab().notice().has_value();
+    };
+    small.lab().edit([](Document& document) { document.set_knob("gain", {.is_locked = true}); });
+    set("gain", 3.0);
+    CHECK_FALSE(opened_again());
+    CHECK(small.document().values() == Values{{"gain", Value(3.0)}});
+    set("step_size", 2.0);
+    CHECK(opened_again());  // that was not locked: it comes back with undo
+    CHECK(small.document().values() == Values{{"gain", Value(3.0)}});
+}
