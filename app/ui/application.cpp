@@ -29,12 +29,14 @@ constexpr auto awake = std::chrono::milliseconds(450);
 class Application {
 public:
     Application(const WindowOptions& options, gpu::Window& window,
-                std::unique_ptr<gpu::Context> worker, Views views, WindowState state)
+                std::unique_ptr<gpu::Context> worker, Views views, HistoryPictures history_pictures,
+                WindowState state)
         : m_options(options),
           m_window(window),
           m_toolkit(window),
           m_lab(Library(options.roots), std::move(worker)),
           m_views(std::move(views)),
+          m_history_pictures(std::move(history_pictures)),
           m_state(std::move(state)),
           m_waker(m_lab.watch_descriptor(), [] { gpu::Window::wake(); }) {}
 
@@ -81,6 +83,7 @@ private:
     Toolkit m_toolkit;
     Lab m_lab;
     Views m_views;
+    HistoryPictures m_history_pictures;
     WindowState m_state;
     Shelf m_shelf;
     Pace m_pace;
@@ -128,6 +131,7 @@ void Application::turn() {
         return;  // minimised
     m_shelf.update(m_lab.library(), wall_seconds);
     m_views.update(m_lab, m_state);
+    m_history_pictures.update(m_lab);
     draw();
 }
 
@@ -140,6 +144,7 @@ void Application::draw() {
     const Scene scene{m_lab,
                       m_state,
                       m_views,
+                      m_history_pictures,
                       m_shelf,
                       m_pace,
                       m_toolkit.fonts(),
@@ -211,8 +216,11 @@ Result<void> run_window(const WindowOptions& options) {
     auto views = Views::make();
     if (!views)
         return fail(views.error());
+    auto history_pictures = HistoryPictures::make();
+    if (!history_pictures)
+        return fail(history_pictures.error());
     Application application(options, **window, std::move(*worker), std::move(*views),
-                            std::move(state));
+                            std::move(*history_pictures), std::move(state));
     application.start(session, warnings);
     application.run();
     return {};

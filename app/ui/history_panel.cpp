@@ -11,6 +11,7 @@
 namespace {
 struct Row {
     HistoryStep step;
+    Views::Image image;
     float height = 0.0f;
     bool is_present = false;
 };
@@ -19,7 +20,25 @@ theme::Color name_color(const Row& row) {
     return row.is_present ? theme::accent : row.step.distance > 0 ? theme::dim : theme::text;
 }
 
-// A name and below it what was changed.
+// The picture in a frame of 16:9, so that names stand below one another.
+float draw_image(const Row& row, const ImVec2& low) {
+    const ImVec2 size(row.height * 16.0f / 9.0f, row.height);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(low, {low.x + size.x, low.y + size.y}, theme::packed(theme::surround));
+    const auto width = static_cast<float>(row.image.extent.width);
+    const auto height = static_cast<float>(row.image.extent.height);
+    if (row.image.handle == 0)
+        return size.x;
+    const float factor = std::min(size.x / width, size.y / height);
+    const ImVec2 shown(width * factor, height * factor);
+    const ImVec2 at(low.x + (size.x - shown.x) * 0.5f, low.y + (size.y - shown.y) * 0.5f);
+    const float alpha = row.step.distance > 0 ? 0.5f : 1.0f;
+    list.AddImage(texture_id(row.image.handle), at, {at.x + shown.x, at.y + shown.y}, {0.0f, 1.0f},
+                  {1.0f, 0.0f}, ImGui::GetColorU32({1.0f, 1.0f, 1.0f, alpha}));
+    return size.x;
+}
+
+// The picture as it was, a name and below it what was changed.
 bool draw_row(const Row& row) {
     const bool is_clicked = ImGui::Selectable("##step", row.is_present, 0, {0.0f, row.height});
     const ImVec2 low = ImGui::GetItemRectMin();
@@ -27,10 +46,12 @@ bool draw_row(const Row& row) {
     tooltip(row.step.details);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float pad = ImGui::GetFontSize() * 0.5f;
-    const float width = high.x - low.x - 2.5f * pad;
+    const float start =
+        pad + draw_image(row, {low.x + pad, low.y + (high.y - low.y - row.height) * 0.5f});
+    const float width = high.x - low.x - start - 2.0f * pad;
     const float line = ImGui::GetFontSize() * 1.15f;
     const float text = row.step.change.empty() ? line : 2.0f * line;
-    ImVec2 at(low.x + 1.5f * pad, (low.y + high.y - text) * 0.5f);
+    ImVec2 at(low.x + start + pad, (low.y + high.y - text) * 0.5f);
     list.AddText(at, theme::packed(name_color(row)), cut_to_fit(row.step.name, width).c_str());
     at.y += line;
     list.AddText(at, theme::packed(theme::dim), cut_to_fit(row.step.change, width).c_str());
@@ -84,7 +105,8 @@ void draw_history_panel(const Scene& scene, Edits& edits) {
             const auto place = static_cast<std::size_t>(i);
             const HistoryStep step = history_step(*document, place);
             const int distance = step.distance;
-            if (draw_row({step, height, distance == 0}) && distance != 0)
+            const Views::Image image = scene.history_pictures.picture(*document, place);
+            if (draw_row({step, image, height, distance == 0}) && distance != 0)
                 edits.document([distance](Document& travelling) { travelling.travel(distance); });
             edits.mark("history:" + std::to_string(i));
         }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gpu/input_event.h"
+#include "lab/history_pictures.h"
 #include "lab/lab.h"
 #include "lab/pace.h"
 #include "lab/shelf.h"
@@ -13,6 +14,7 @@ struct Scene {
     const Lab& lab;
     const WindowState& window;
     const Views& views;
+    const HistoryPictures& history_pictures;
     const Shelf& shelf;
     const Pace& pace;
     const Fonts& fonts;

@@ -1,0 +1,85 @@
+#include "lab/history_pictures.h"
+
+#include "lab/history.h"
+#include "lab/lab.h"
+
+#include <algorithm>
+
+bool is_copy_due(int frame) {
+    constexpr int last = 128;
+    return frame >= 1 && frame <= last && (frame & (frame - 1)) == 0;
+}
+
+std::size_t farthest_place(const std::vector<std::size_t>& places, std::size_t present) {
+    const auto distance = [present](std::size_t place) {
+        return place > present ? place - present : present - place;
+    };
+    return *std::max_element(places.begin(), places.end(), [&](std::size_t a, std::size_t b) {
+        return distance(a) < distance(b);
+    });
+}
+
+Result<HistoryPictures> HistoryPictures::make() {
+    auto viewer = Viewer::make();
+    if (!viewer)
+        return fail(viewer.error());
+    return HistoryPictures(std::move(*viewer));
+}
+
+void HistoryPictures::update(const Lab& lab) {
+    const Document* document = lab.document();
+    if (!document || !lab.renderer() || lab.is_loading() || document->is_restacking() ||
+        document->history().is_in_gesture() || lab.renderer()->replay().is_running() ||
+        lab.renderer()->executor().plan().targets.empty())
+        return;
+    if (m_present != document->state()) {
+        m_present = document->state();
+        m_frames = 0;
+    }
+    constexpr int enough = 1 << 20;
+    m_frames = std::min(m_frames + 1, enough);
+    if (is_copy_due(m_frames))
+        copy(lab, history_place(*document));
+}
+
+// Where there is no memory a step has no picture.
+void HistoryPictures::copy(const Lab& lab, std::size_t place) {
+    constexpr int height = 72;
+    const Executor& executor = lab.renderer()->executor();
+    const int last = static_cast<int>(executor.look().passes.size()) - 1;
+    const gpu::Texture& picture = executor.target(last);
+    const Extent whole = picture.extent();
+    const Extent small{
+        std::clamp(height * whole.width / std::max(whole.height, 1), height / 2, height * 5 / 2),
+        height};
+    const auto found = m_copies.find(place);
+    if (found == m_copies.end() || found->second.canvas.texture().extent() != small) {
+        auto canvas = gpu::Canvas::make(small, Format::rgba8);
+        if (!canvas)
+            return;
+        m_copies.erase(place);
+        m_copies.emplace(place, Copy{*m_present, std::move(*canvas)});
+    }
+    Copy& copy = m_copies.at(place);
+    copy.state = *m_present;
+    m_viewer.draw(picture, copy.canvas, {.encoding = encoding_of(executor.look(), last)});
+    forget_far(place);
+}
+
+void HistoryPictures::forget_far(std::size_t place) {
+    constexpr std::size_t most = 64;  // some 2 MB
+    if (m_copies.size() <= most)
+        return;
+    std::vector<std::size_t> places;
+    for (const auto& [at, copy] : m_copies)
+        places.push_back(at);
+    m_copies.erase(farthest_place(places, place));
+}
+
+Views::Image HistoryPictures::picture(const Document& document, std::size_t place) const {
+    const auto found = m_copies.find(place);
+    if (found == m_copies.end() || found->second.state != history_state(document, place))
+        return {};
+    const gpu::Texture& texture = found->second.canvas.texture();
+    return {texture.handle(), texture.extent()};
+}

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "graph/viewer.h"
+#include "lab/document.h"
+#include "lab/views.h"
+
+#include <map>
+#include <optional>
+#include <vector>
+
+class Lab;
+
+/// Whether a state's picture is copied in the n-th frame (from 1) that shows it: in the first, and
+/// more and more seldom while its light settles; after some two seconds no more.
+bool is_copy_due(int frame);
+
+/// Of the places that have a copy the one farthest from the present; `places` is not empty.
+std::size_t farthest_place(const std::vector<std::size_t>& places, std::size_t present);
+
+/// Small copies of the picture, one for each of the states in the history that were shown last.
+class HistoryPictures {
+public:
+    static Result<HistoryPictures> make();
+
+    /// Looks whether a copy is due. To be called after Lab::update.
+    void update(const Lab& lab);
+    /// Row 0 at the bottom, as Views gives them; without a handle where there is none.
+    Views::Image picture(const Document& document, std::size_t place) const;
+
+private:
+    explicit HistoryPictures(Viewer viewer) : m_viewer(std::move(viewer)) {}
+    void copy(const Lab& lab, std::size_t place);
+    void forget_far(std::size_t place);
+
+    struct Copy {
+        DocumentState state;  // what is drawn: the history may have another one there by now
+        gpu::Canvas canvas;
+    };
+
+    Viewer m_viewer;
+    std::map<std::size_t, Copy> m_copies;  // by the place in the history
+    std::optional<DocumentState> m_present;
+    int m_frames = 0;  // that showed it
+};
