@@ -16,7 +16,9 @@ Result<std::vector<Change>> difference_from(const std::filesystem::path& preset_
     auto preset = load_preset(preset_file);
     if (!preset)
         return fail(preset.error());
+    const Document& open = *lab.document();
+    if (auto fitted = fitted_values(open.look(), *preset, preset_file))
+        preset->values = std::move(*fitted);
     return difference_from(
-        with_found_media(*preset, media_folder(preset_file), lab.drive().recent()),
-        *lab.document());
+        with_found_media(*preset, media_folder(preset_file), lab.drive().recent()), open);
 }
