@@ -159,10 +159,8 @@ void draw_looking_icon(Icon icon, IconPen& pen) {
             break;
     }
 }
-}  // namespace
 
-void draw_icon(Icon icon, const ImVec2& at, float size, ImU32 color) {
-    IconPen pen(at, size, color);
+void draw_transport_icon(Icon icon, IconPen& pen) {
     switch (icon) {
         case Icon::play:
             pen.triangle({0.24f, 0.12f}, {0.24f, 0.88f}, {0.88f, 0.5f});
@@ -178,6 +176,25 @@ void draw_icon(Icon icon, const ImVec2& at, float size, ImU32 color) {
         case Icon::restart:
             pen.triangle({0.86f, 0.14f}, {0.86f, 0.86f}, {0.32f, 0.5f});
             pen.box(0.16f, 0.14f, 0.3f, 0.86f);
+            break;
+        case Icon::stop:
+            pen.box(0.2f, 0.2f, 0.8f, 0.8f);
+            break;
+        default:
+            break;
+    }
+}
+}  // namespace
+
+void draw_icon(Icon icon, const ImVec2& at, float size, ImU32 color) {
+    IconPen pen(at, size, color);
+    switch (icon) {
+        case Icon::play:
+        case Icon::pause:
+        case Icon::step:
+        case Icon::restart:
+        case Icon::stop:
+            draw_transport_icon(icon, pen);
             break;
         case Icon::reset:
             draw_turn_back(pen);
@@ -195,9 +212,6 @@ void draw_icon(Icon icon, const ImVec2& at, float size, ImU32 color) {
             break;
         case Icon::large:
             draw_spread(pen);
-            break;
-        case Icon::stop:
-            pen.box(0.2f, 0.2f, 0.8f, 0.8f);
             break;
         case Icon::save:
         case Icon::fit:
