@@ -148,9 +148,9 @@ Result<Meter> Meter::make() {
 }
 
 void Meter::draw(const gpu::Texture& from, const gpu::Canvas& to, const gpu::Program& program) {
-    program.use();
-    m_samplers.bind(0, from, {Filter::nearest, Wrap::edge, false});
     to.bind();
+    m_samplers.bind(0, from, {Filter::nearest, Wrap::edge, false});
+    program.use();
     m_vertices.bind();
     gpu::draw_triangle();
     m_samplers.release();
