@@ -147,11 +147,23 @@ Result<Meter> Meter::make() {
     return Meter(std::move(*floats), std::move(*naturals));
 }
 
-void Meter::draw(const gpu::Texture& from, const gpu::Canvas& to, const gpu::Program& program) {
-    to.bind();
+void Meter::draw(const gpu::Texture& from, const gpu::Program& program, ChannelChoice channels) {
+    const Extent samples = m_samples->texture().extent();
+    // A lone channel stands in red; the others of it are no numbers of the target's.
+    const bool is_lone = channels == ChannelChoice::rgb && !m_is_color;
+    program.write("channels",
+                  std::array{static_cast<double>(is_lone ? ChannelChoice::red : channels)});
+    program.write("cell", std::array{static_cast<double>(m_measured.width) / samples.width,
+                                     static_cast<double>(m_measured.height) / samples.height});
+    const gpu::DrawScope scope;
     m_samplers.bind(0, from, {Filter::nearest, Wrap::edge, false});
     program.use();
     m_vertices.bind();
+    m_blocks->bind();
+    program.write("block_side", std::array{static_cast<double>(block_side_for(m_measured))});
+    gpu::draw_triangle();
+    m_samples->bind();
+    program.write("block_side", std::array{0.0});
     gpu::draw_triangle();
     m_samplers.release();
 }
@@ -167,19 +179,8 @@ void Meter::start(const gpu::Texture& from, ChannelChoice channels) {
     if (m_measured.is_empty() || !fit(m_blocks, blocks_of(m_measured, side)) ||
         !fit(m_samples, samples))
         return;
-    const gpu::DrawScope scope;
-    const gpu::Program& program = is_integer ? m_naturals : m_floats;
-    // A lone channel stands in red; the others of it are no numbers of the target's.
-    const bool is_lone = channels == ChannelChoice::rgb && !m_is_color;
-    program.write("channels",
-                  std::array{static_cast<double>(is_lone ? ChannelChoice::red : channels)});
-    program.write("block_side", std::array{static_cast<double>(side)});
-    draw(from, *m_blocks, program);
+    draw(from, is_integer ? m_naturals : m_floats, channels);
     m_blocks_to_come.emplace(*m_blocks);
-    program.write("block_side", std::array{0.0});
-    program.write("cell", std::array{static_cast<double>(m_measured.width) / samples.width,
-                                     static_cast<double>(m_measured.height) / samples.height});
-    draw(from, *m_samples, program);
     m_samples_to_come.emplace(*m_samples);
 }
 

@@ -32,7 +32,7 @@ public:
 
 private:
     Meter(gpu::Program floats, gpu::Program naturals);
-    void draw(const gpu::Texture& from, const gpu::Canvas& to, const gpu::Program& program);
+    void draw(const gpu::Texture& from, const gpu::Program& program, ChannelChoice channels);
 
     gpu::Program m_floats;
     gpu::Program m_naturals;  // for integer targets

@@ -14,7 +14,7 @@ bool is_known(const PassProgram& program, const Programs* known) {
            });
 }
 
-// Stands in for a program that is not to be touched: draws nothing.
+// Draws nothing.
 Result<PassProgram> idle_program() {
     Stage fragment;
     fragment.text = "#version 410 core\nvoid main() { discard; }\n";
@@ -37,19 +37,40 @@ Extent small_like(Extent viewport) {
 }
 }  // namespace
 
-void warm_up(const Look& look, const Programs& programs, const Programs* known, Extent viewport) {
+WarmUp::WarmUp(PassProgram first, PassProgram last, gpu::Canvas canvas)
+    : m_first(std::move(first)), m_last(std::move(last)), m_canvas(std::move(canvas)) {}
+
+Result<WarmUp> WarmUp::make() {
+    auto first = idle_program();
+    auto last = idle_program();
+    auto canvas = gpu::Canvas::make({1, 1}, Format::rgba8);
+    for (const auto* program : {&first, &last})
+        if (!*program)
+            return fail(program->error());
+    if (!canvas)
+        return fail(canvas.error());
+    return WarmUp(std::move(*first), std::move(*last), std::move(*canvas));
+}
+
+void WarmUp::draw_with(const PassProgram& program) const {
+    const gpu::DrawScope scope;
+    m_canvas.bind();
+    program.program->use();
+    m_vertices.bind();
+    gpu::draw_triangle();
+}
+
+void WarmUp::draw(const Look& look, const Programs& programs, const Programs* known,
+                  Extent viewport) const {
     if (std::ranges::all_of(programs.passes,
                             [&](const PassProgram& pass) { return is_known(pass, known); }))
         return;
-    const auto idle = idle_program();
-    if (!idle)
-        return;  // the picture itself will say what is wrong
     Look stand_in = look;
     Programs drawn = programs;
     for (std::size_t i = 0; i < drawn.passes.size(); ++i) {
         if (!is_known(drawn.passes[i], known))
             continue;
-        drawn.passes[i] = *idle;
+        drawn.passes[i] = m_first;
         stand_in.passes[i].draw = Draw::fullscreen;
         stand_in.passes[i].inputs.clear();
         stand_in.passes[i].set.clear();
@@ -64,6 +85,8 @@ void warm_up(const Look& look, const Programs& programs, const Programs* known, 
     frame.time = frame.time_delta = 1.0 / 60.0;
     frame.beam = beam;
     frame.is_first = true;
+    draw_with(m_first);
     executor.draw(frame);
+    draw_with(m_last);
     gpu::finish();
 }

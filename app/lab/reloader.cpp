@@ -105,6 +105,8 @@ bool Reloader::is_busy() const {
 void Reloader::run() {
     m_context->make_current();
     warm_up();
+    if (auto made = WarmUp::make())
+        m_warm_up.emplace(std::move(*made));
     std::unique_lock lock(m_mutex);
     for (;;) {
         m_wake.wait(lock, [this] { return m_is_ending || m_job; });
@@ -122,6 +124,7 @@ void Reloader::run() {
     lock.unlock();
     m_finished.reset();
     m_linked.reset();
+    m_warm_up.reset();
     m_context->release();
 }
 
@@ -172,7 +175,8 @@ LoadedRequest Reloader::load(const Job& job) {
                                programs.error().end());
         return loaded;
     }
-    ::warm_up(*read.look, *programs, m_linked ? &*m_linked : nullptr, m_picture);
+    if (m_warm_up)
+        m_warm_up->draw(*read.look, *programs, m_linked ? &*m_linked : nullptr, m_picture);
     m_linked = *programs;
     loaded.look = std::move(*read.look);
     loaded.programs = std::move(*programs);

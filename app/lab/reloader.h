@@ -4,6 +4,7 @@
 #include "glsl/parameters.h"
 #include "gpu/context.h"
 #include "graph/programs.h"
+#include "graph/warm_up.h"
 #include "io/file_watcher.h"
 #include "lab/open.h"
 #include "model/picture.h"
@@ -102,5 +103,6 @@ private:
     CheckCache m_checks;                                // the thread's
     std::map<std::filesystem::path, ReadImage> m_read;  // the thread's
     std::optional<Programs> m_linked;  // the thread's: what the next reading may reuse
+    std::optional<WarmUp> m_warm_up;   // the thread's; without it the first frame is slower
     std::thread m_thread;
 };

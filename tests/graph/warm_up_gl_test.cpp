@@ -1,3 +1,4 @@
+#include "gpu/draw.h"
 #include "gpu/error_log.h"
 #include "graph/looks.h"
 #include "graph/warm_up.h"
@@ -22,7 +23,7 @@ TEST_CASE_FIXTURE(Headless, "warming up leaves a program that is drawn with as i
     const Look edited = shading_look({pass("a", shade), pass("b", shade, {reads("image", "a")})});
     const Programs second = programs_of(edited, &first);
     gpu::ErrorLog errors;
-    warm_up(edited, second, &first, {1280, 720});
+    WarmUp::make().value().draw(edited, second, &first, {1280, 720});
     CHECK(errors.take().empty());
     executor.draw(frame(2));
     CHECK(red(executor, 0) == 3.0f);
@@ -45,11 +46,49 @@ TEST_CASE_FIXTURE(Headless, "every kind of pass can be warmed up, and draws the 
                                     {reads("image", "counter")})});
     const Programs programs = programs_of(look);
     gpu::ErrorLog errors;
-    warm_up(look, programs, nullptr, {1024, 720});
+    WarmUp::make().value().draw(look, programs, nullptr, {1024, 720});
     CHECK(errors.take().empty());
     Executor executor(look, programs);
     REQUIRE(executor.resize({4, 4}, {}).has_value());
     executor.draw(frame(1));
     CHECK(red(executor, 2) == 3.0f);
     CHECK(red(executor, 0) == 0.0f);  // no beam, no light
+}
+
+TEST_CASE_FIXTURE(Headless, "a program that was warmed up can be deleted while others are drawn") {
+    const auto helper = gpu::Context::shared_with(**context);
+    REQUIRE(helper.has_value());
+    const Look kept = shading_look({pass("kept", shade)});
+    const Look gone = shading_look({pass("gone", "void main() { color = vec4(1.0); }\n")});
+    const Look next = shading_look({pass("next", "void main() { color = vec4(2.0); }\n")});
+    Executor stays(kept, programs_of(kept));
+    REQUIRE(stays.resize({4, 4}, {}).has_value());
+    const auto on_helper = [&](const auto& act) {
+        gpu::finish();
+        (*context)->release();
+        (*helper)->make_current();
+        act();
+        (*helper)->release();
+        (*context)->make_current();
+    };
+
+    std::optional<WarmUp> warm_up;
+    std::optional<Programs> programs;
+    on_helper([&] {
+        warm_up.emplace(WarmUp::make().value());
+        programs = programs_of(gone);
+        warm_up->draw(gone, *programs, nullptr, {64, 64});
+    });
+    {
+        Executor drawn(gone, *std::exchange(programs, std::nullopt));
+        REQUIRE(drawn.resize({4, 4}, {}).has_value());
+        drawn.draw(frame(1));
+        stays.draw(frame(1));
+    }
+    on_helper([&] { warm_up->draw(next, programs_of(next), nullptr, {64, 64}); });
+    gpu::finish();
+    stays.draw(frame(2));  // ended here in Mesa, had the helper drawn with nothing of its own
+    stays.draw(frame(3));
+    CHECK(red(stays, 0) == 1.0f);
+    on_helper([&] { warm_up.reset(); });
 }
