@@ -37,6 +37,10 @@ GLuint new_sampler(const Sampler& sampler) {
 }
 }  // namespace
 
+Sampler usable_sampler(const Sampler& wanted, Format format) {
+    return facts_of(format).is_integer ? Sampler{Filter::nearest, wanted.wrap, false} : wanted;
+}
+
 GLuint Samplers::object_for(const Sampler& sampler) {
     for (const Made& made : m_made)
         if (made.sampler == sampler)
@@ -46,12 +50,9 @@ GLuint Samplers::object_for(const Sampler& sampler) {
 }
 
 void Samplers::bind(int unit, const Texture& texture, const Sampler& sampler) {
-    Sampler usable = sampler;
-    if (facts_of(texture.format()).is_integer)
-        usable = {Filter::nearest, sampler.wrap, false};
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
     glBindTexture(GL_TEXTURE_2D, texture.id());
-    glBindSampler(static_cast<GLuint>(unit), object_for(usable));
+    glBindSampler(static_cast<GLuint>(unit), object_for(usable_sampler(sampler, texture.format())));
     m_used_units = std::max(m_used_units, unit + 1);
 }
 

@@ -10,10 +10,13 @@ namespace gpu {
 
 void delete_sampler(GLuint id);
 
+/// How a texture of the format is read where `wanted` was asked for: integers without a filter.
+Sampler usable_sampler(const Sampler& wanted, Format format);
+
 /// Binds textures to units, each read through a sampler object; one object a kind of sampler.
 class Samplers {
 public:
-    /// Integer textures are always read without a filter.
+    /// As usable_sampler says.
     void bind(int unit, const Texture& texture, const Sampler& sampler);
     /// For what is no texture of two dimensions: reads as an incomplete texture does.
     void bind_nothing(int unit);

@@ -40,6 +40,7 @@ std::vector<BoundInput> bind_inputs(const Look& look, int pass, const gpu::Progr
             continue;
         program.set_unit(uniform, unit);
         BoundInput bound;
+        bound.uniform = uniform.name;
         bound.unit = unit;
         bound.sampled = uniform.sampled;
         const auto input = std::ranges::find(inputs, uniform.name, &Input::uniform);

@@ -9,6 +9,7 @@
 
 /// A texture unit of a pass and what is to be bound there.
 struct BoundInput {
+    std::string uniform;
     int unit = 0;
     gpu::Uniform::Sampled sampled = gpu::Uniform::Sampled::floating;
     std::optional<Input::From> from;  // none: nothing feeds it

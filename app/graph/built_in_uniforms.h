@@ -2,7 +2,11 @@
 
 #include "gpu/program.h"
 #include "graph/frame.h"
+#include "graph/pass_report.h"
 #include "model/extent.h"
+
+#include <array>
+#include <vector>
 
 /// Sizes that a pass is told.
 struct PassExtents {
@@ -21,11 +25,21 @@ public:
     void write(const gpu::Program& program, const Frame& frame, double number,
                const PassExtents& extents) const;
     void write_samples(const gpu::Program& program, int samples) const;
+    /// Those that the pass has, with what write() and write_samples() give them.
+    std::vector<BuiltInReport> report(const Frame& frame, double number, const PassExtents& extents,
+                                      int samples) const;
     /// Whether it draws another picture when only time goes on.
     bool tell_time() const { return m_time || m_time_delta || m_frame; }
     bool tell_mouse() const { return m_mouse; }
 
 private:
+    struct Told {
+        const gpu::Uniform* uniform;  // null: the pass has none
+        std::array<double, 2> numbers;
+        std::size_t count;
+    };
+    std::array<Told, 7> tell(const Frame& frame, double number, const PassExtents& extents) const;
+
     const gpu::Uniform* m_time;
     const gpu::Uniform* m_time_delta;
     const gpu::Uniform* m_frame;

@@ -7,6 +7,7 @@
 #include "graph/built_in_uniforms.h"
 #include "graph/frame.h"
 #include "graph/parameter_uniforms.h"
+#include "graph/pass_report.h"
 #include "graph/programs.h"
 #include "graph/source_history.h"
 #include "graph/target_set.h"
@@ -81,6 +82,8 @@ public:
     bool has_converged() const;
     /// Of the last draw or redraw.
     int draw_calls() const { return m_draw_calls; }
+    /// What the pass was told then.
+    PassReport report(int pass) const;
 
 private:
     struct PassState {
@@ -104,6 +107,7 @@ private:
     void draw_pass(std::size_t pass, const Frame& frame, bool is_again);
     void draw_samples(std::size_t pass, const Frame& frame);
     void draw_repetitions(std::size_t pass, bool is_again);
+    PassExtents extents_of(std::size_t pass) const;
     void write_built_ins(std::size_t pass, const Frame& frame) const;
     std::optional<int> enough_of(const Pass& pass) const;
     int samples_due(std::size_t pass, const Frame& frame) const;
@@ -131,4 +135,5 @@ private:
     bool m_has_points = false;
     bool m_has_segments = false;
     int m_draw_calls = 0;
+    Frame m_drawn;  // the last; without its beam
 };

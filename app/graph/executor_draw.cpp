@@ -20,6 +20,9 @@ void Executor::redraw(const Frame& frame, const std::vector<bool>& passes) {
 void Executor::draw_passes(const Frame& frame, const std::vector<bool>* only, bool is_again) {
     assert(m_targets.size() == m_passes.size());
     m_beam.write(frame, m_has_points, m_has_segments);
+    m_drawn = frame;
+    m_drawn.beam = {};
+    m_drawn.tints = {};
     m_draw_calls = 0;
     const gpu::DrawScope scope;
     for (std::size_t i = 0; i < m_passes.size(); ++i)
@@ -49,13 +52,50 @@ void Executor::draw_pass(std::size_t index, const Frame& frame, bool is_again) {
     m_targets[index].canvas().texture().generate_mipmaps();
 }
 
-void Executor::write_built_ins(std::size_t index, const Frame& frame) const {
-    const PassState& state = m_passes[index];
+PassExtents Executor::extents_of(std::size_t index) const {
     const gpu::Texture* texture = m_source.texture(0);
     const Extent source = source_extent_of(m_look, m_look.passes[index], m_plan,
                                            texture ? texture->extent() : m_source_extent);
+    return {m_plan.targets[index].extent, m_viewport, source};
+}
+
+void Executor::write_built_ins(std::size_t index, const Frame& frame) const {
+    const PassState& state = m_passes[index];
     state.built_ins.write(*state.program, frame, frame_number(frame, m_look.passes[index]),
-                          {m_plan.targets[index].extent, m_viewport, source});
+                          extents_of(index));
+}
+
+namespace {
+std::string reference_of(const BoundInput& input, const Look& look) {
+    if (!input.from)
+        return {};
+    const std::string name =
+        input.pass >= 0 ? look.passes[static_cast<std::size_t>(input.pass)].name : input.image;
+    return Input{{}, *input.from, name, input.frames_ago, {}}.reference();
+}
+}  // namespace
+
+PassReport Executor::report(int pass) const {
+    const auto index = static_cast<std::size_t>(pass);
+    const PassState& state = m_passes[index];
+    PassReport report;
+    for (const BoundInput& input : state.inputs) {
+        SamplerReport sampler{input.uniform, reference_of(input, m_look), {}, {}, {}, {}};
+        if (input.pass >= 0)
+            sampler.pass = input.pass;
+        if (const gpu::Texture* texture = texture_for(input)) {
+            sampler.extent = texture->extent();
+            sampler.format = texture->format();
+            sampler.sampler = gpu::usable_sampler(input.sampler, texture->format());
+        }
+        report.samplers.push_back(std::move(sampler));
+    }
+    const Pass& declared = m_look.passes[index];
+    const int samples = declared.accumulate ? std::max(state.samples - 1, 0)
+                                            : samples_before(index) + repeats_of(declared) - 1;
+    report.built_ins = state.built_ins.report(m_drawn, frame_number(m_drawn, declared),
+                                              extents_of(index), samples);
+    return report;
 }
 
 // A pass that reads its own history moves on with each repetition; all that is left of the former

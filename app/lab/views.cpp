@@ -95,6 +95,11 @@ ViewOptions options_for(const PassView& view, Encoding encoding) {
             .is_false_color = view.is_false_color};
 }
 
+int inspected_pass(const Look& look, const WindowState& window) {
+    const int last = static_cast<int>(look.passes.size()) - 1;
+    return find_pass(look, window.inspected.pass).value_or(last);
+}
+
 PictureView inspector_view(const WindowState& window) {
     return window.shows_pass_large ? PictureView{PictureView::Fit::all} : window.inspected.view;
 }

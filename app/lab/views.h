@@ -71,5 +71,8 @@ private:
 /// How a target whose texels have this encoding is seen.
 ViewOptions options_for(const PassView& view, Encoding encoding);
 
+/// The pass that is looked into: the last one where none is chosen, or one that is no more.
+int inspected_pass(const Look& look, const WindowState& window);
+
 /// How the small view of the inspected pass lies: all of it while the large one is moved about in.
 PictureView inspector_view(const WindowState& window);

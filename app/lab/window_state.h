@@ -101,7 +101,7 @@ struct Pin {
 Pin pin_at(const Probe& probe, Extent extent);
 
 /// What the pane at the bottom holds.
-enum class BottomPart { problems, timings, pins };
+enum class BottomPart { problems, timings, pins, inputs, text };
 
 /// Device pixels that the panels have for pictures.
 struct ViewSizes {

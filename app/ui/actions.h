@@ -40,6 +40,8 @@ enum class ActionId {
     show_problems,
     show_timings,
     show_pins,
+    show_inputs,
+    show_text,
     show_changed,
     picture_only,
     wipe,

@@ -2,6 +2,8 @@
 
 #include "ui/actions.h"
 #include "ui/icons.h"
+#include "ui/pass_inputs.h"
+#include "ui/pass_text.h"
 #include "ui/pins_panel.h"
 #include "ui/problem_list.h"
 #include "ui/scoped.h"
@@ -84,9 +86,10 @@ void draw_problems(const Scene& scene, Edits& edits) {
 }  // namespace
 
 void draw_bottom_panel(const Scene& scene, Edits& edits) {
-    static constexpr std::array labels{"Problems", "Timings", "Pins"};
+    static constexpr std::array labels{"Problems", "Timings", "Pins", "Reads", "Text"};
     const int present = static_cast<int>(scene.window.bottom_part);
-    const int chosen = choice("bottom", labels.data(), 3, present, edits);
+    const int chosen =
+        choice("bottom", labels.data(), static_cast<int>(labels.size()), present, edits);
     if (chosen != present)
         edits.arrange([part = static_cast<BottomPart>(chosen)](WindowState& window) {
             window.bottom_part = part;
@@ -102,6 +105,10 @@ void draw_bottom_panel(const Scene& scene, Edits& edits) {
         draw_timings_panel(scene);
     else if (scene.window.bottom_part == BottomPart::pins)
         draw_pins_panel(scene, edits);
+    else if (scene.window.bottom_part == BottomPart::inputs)
+        draw_pass_inputs(scene, edits);
+    else if (scene.window.bottom_part == BottomPart::text)
+        draw_pass_text(scene, edits);
     else
         draw_problems(scene, edits);
     ImGui::EndChild();

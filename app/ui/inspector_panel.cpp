@@ -18,13 +18,6 @@
 #include <cmath>
 
 namespace {
-// The pass that is looked into; the last one until another is chosen.
-const Pass& inspected_pass(const Scene& scene) {
-    const Look& look = scene.lab.renderer()->executor().look();
-    const auto chosen = find_pass(look, scene.window.inspected.pass);
-    return chosen ? look.passes[static_cast<std::size_t>(*chosen)] : look.passes.back();
-}
-
 void arrange(PassView view, Edits& edits) {
     edits.arrange([view = std::move(view)](WindowState& window) { window.inspected = view; });
 }
@@ -153,10 +146,11 @@ void draw_inspector_panel(const Scene& scene, Edits& edits) {
     if (!scene.lab.renderer() || scene.lab.renderer()->executor().plan().targets.empty())
         return;
     const Executor& executor = scene.lab.renderer()->executor();
-    const Pass& pass = inspected_pass(scene);
+    const int index = inspected_pass(executor.look(), scene.window);
+    const Pass& pass = executor.look().passes[static_cast<std::size_t>(index)];
     if (pass.name != scene.window.inspected.pass)
         edits.arrange([name = pass.name](WindowState& window) { window.inspected.pass = name; });
-    const Extent extent = executor.target(*find_pass(executor.look(), pass.name)).extent();
+    const Extent extent = executor.target(index).extent();
 
     draw_title(pass, scene, edits);
     draw_channels(scene, edits);

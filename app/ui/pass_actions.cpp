@@ -22,8 +22,7 @@ template <int by>
 void choose_next(const Scene& scene, Edits& edits) {
     const std::vector<Pass>& passes = scene.lab.document()->look().passes;
     const int count = static_cast<int>(passes.size());
-    const int present =
-        find_pass(scene.lab.document()->look(), scene.window.inspected.pass).value_or(count - 1);
+    const int present = inspected_pass(scene.lab.document()->look(), scene.window);
     const auto next = static_cast<std::size_t>((present + by + count) % count);
     edits.arrange([name = passes[next].name](WindowState& window) {
         window.inspected.pass = name;
@@ -105,9 +104,8 @@ void save_pass(const Scene& scene, Edits& edits) {
 
 void edit_shader(const Scene& scene, Edits& edits) {
     const Look& look = scene.lab.document()->look();
-    const int last = static_cast<int>(look.passes.size()) - 1;
-    const int pass = find_pass(look, scene.window.inspected.pass).value_or(last);
-    const Location place{look.passes[static_cast<std::size_t>(pass)].fragment.file, 1};
+    const auto pass = static_cast<std::size_t>(inspected_pass(look, scene.window));
+    const Location place{look.passes[pass].fragment.file, 1};
     edits.add([place](Lab& lab) { lab.open_in_editor(place); });
 }
 
@@ -123,53 +121,52 @@ void take_back(const Scene&, Edits& edits) {
 namespace {
 std::vector<Action> looking_actions() {
     using View = PassView;
-    return {
-        {ActionId::fit_levels,
-         Menu::pass,
-         "Fit black and white",
-         {'A'},
-         true,
-         fit_levels,
-         can_fit_levels},
-        {ActionId::reset_levels,
-         Menu::pass,
-         "Black 0, white 1",
-         {'A', false, true},
-         false,
-         reset_levels,
-         has_levels},
-        {ActionId::mark_flaws,
-         Menu::pass,
-         "Mark NaN red, infinite green, negative blue",
-         {'X'},
-         false,
-         toggle<&View::marks_flaws>,
-         has_passes,
-         is_on<&View::marks_flaws>},
-        {ActionId::mark_clipping,
-         Menu::pass,
-         "Mark clipping: white yellow, black cyan",
-         {'X', false, true},
-         false,
-         toggle<&View::marks_clipping>,
-         has_passes,
-         is_on<&View::marks_clipping>},
-        {ActionId::false_color,
-         Menu::pass,
-         "False colours",
-         {'C', false, true},
-         false,
-         toggle<&View::is_false_color>,
-         has_passes,
-         is_on<&View::is_false_color>},
-        {ActionId::pin, Menu::pass, "Pin this pixel", {'K'}, true, pin, has_probe},
-        {ActionId::save_pass,
-         Menu::pass,
-         "Save this pass…",
-         {'E', true, true},
-         false,
-         save_pass,
-         has_passes}};
+    return {{ActionId::fit_levels,
+             Menu::pass,
+             "Fit black and white",
+             {'A'},
+             true,
+             fit_levels,
+             can_fit_levels},
+            {ActionId::reset_levels,
+             Menu::pass,
+             "Black 0, white 1",
+             {'A', false, true},
+             false,
+             reset_levels,
+             has_levels},
+            {ActionId::mark_flaws,
+             Menu::pass,
+             "Mark NaN red, infinite green, negative blue",
+             {'X'},
+             false,
+             toggle<&View::marks_flaws>,
+             has_passes,
+             is_on<&View::marks_flaws>},
+            {ActionId::mark_clipping,
+             Menu::pass,
+             "Mark clipping: white yellow, black cyan",
+             {'X', false, true},
+             false,
+             toggle<&View::marks_clipping>,
+             has_passes,
+             is_on<&View::marks_clipping>},
+            {ActionId::false_color,
+             Menu::pass,
+             "False colours",
+             {'C', false, true},
+             false,
+             toggle<&View::is_false_color>,
+             has_passes,
+             is_on<&View::is_false_color>},
+            {ActionId::pin, Menu::pass, "Pin this pixel", {'K'}, true, pin, has_probe},
+            {ActionId::save_pass,
+             Menu::pass,
+             "Save this pass…",
+             {'E', true, true},
+             false,
+             save_pass,
+             has_passes}};
 }
 }  // namespace
 

@@ -152,6 +152,8 @@ std::vector<Action> view_actions::list() {
         bottom<BottomPart::problems>(ActionId::show_problems, "Problems", {'5', true}),
         bottom<BottomPart::timings>(ActionId::show_timings, "Timings", {'6', true}),
         bottom<BottomPart::pins>(ActionId::show_pins, "Pinned pixels", {'7', true}),
+        bottom<BottomPart::inputs>(ActionId::show_inputs, "What the pass reads", {'8', true}),
+        bottom<BottomPart::text>(ActionId::show_text, "Text that the driver got", {'9', true}),
         toggling<&State::is_picture_only>(ActionId::picture_only, "Only the picture", {key_f11},
                                           true),
         {ActionId::larger_text, Menu::view, "Larger text", {'=', true}, true, scale_text<1>},

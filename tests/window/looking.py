@@ -87,6 +87,22 @@ class Looking(Person):
         program.key("ctrl+7")
         program.wait("the pane is closed", lambda s: "bottom:Pins" not in s["widgets"])
 
+    def test_a_pass_tells_what_it_reads_and_what_the_driver_got(self):
+        program = self.program
+        program.click("pass:persistence")
+        program.key("ctrl+8")
+        program.place("reads:current")
+        self.snapshot("reads")
+        program.click("reads:current")
+        program.wait("a click looks into what is read", lambda s: s["inspected"] == "beam")
+        program.key("ctrl+9")
+        program.click("text_line:beam.frag:2")
+        program.wait_for("a click on a line opens the editor there",
+                         lambda: "beam.frag" in program.edited_files())
+        self.snapshot("text")
+        program.key("ctrl+9")
+        program.wait("the pane is closed", lambda s: "bottom:Text" not in s["widgets"])
+
     def test_the_wheel_zooms_about_the_pointer(self):
         program = self.program
         program.key("f")

@@ -1,0 +1,110 @@
+#include "ui/pass_inputs.h"
+
+#include "lab/views.h"
+#include "model/format.h"
+#include "ui/scoped.h"
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace {
+const char* filter_text(const Sampler& sampler) {
+    const bool is_linear = sampler.filter == Filter::linear;
+    if (sampler.mipmap)
+        return is_linear ? "linear, mipmaps" : "nearest, mipmaps";
+    return is_linear ? "linear" : "nearest";
+}
+
+const char* wrap_text(Wrap wrap) {
+    static constexpr std::array words{"edge", "border", "repeat", "mirror"};
+    return words[static_cast<std::size_t>(wrap)];
+}
+
+void draw_read(const SamplerReport& sampler, const Look& look, Edits& edits) {
+    if (sampler.reads.empty()) {
+        dim_text("nothing: transparent black");
+        return;
+    }
+    if (!sampler.pass) {
+        ImGui::TextUnformatted(sampler.reads.c_str());
+        return;
+    }
+    if (quiet_button(sampler.reads + "##" + sampler.uniform))
+        edits.arrange([name = look.passes[static_cast<std::size_t>(*sampler.pass)].name](
+                          WindowState& window) { window.inspected.pass = name; });
+    edits.mark("reads:" + sampler.uniform);
+    tooltip("A click looks into that pass.");
+}
+
+void draw_sampler(const SamplerReport& sampler, const Look& look, Edits& edits) {
+    const auto cell = [](const std::string& text) {
+        ImGui::TableNextColumn();
+        ImGui::AlignTextToFramePadding();
+        dim_text(text);
+    };
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(sampler.uniform.c_str());
+    ImGui::TableNextColumn();
+    draw_read(sampler, look, edits);
+    if (sampler.extent.is_empty()) {
+        cell(sampler.reads.empty() ? "" : "not there yet: transparent black");
+        return;
+    }
+    cell(size_text(sampler.extent));
+    cell(std::string(facts_of(sampler.format).name));
+    cell(filter_text(sampler.sampler));
+    cell(wrap_text(sampler.sampler.wrap));
+}
+
+void draw_samplers(const PassReport& report, const Look& look, Edits& edits) {
+    if (report.samplers.empty())
+        dim_text("This pass reads no picture.");
+    else if (ImGui::BeginTable("##samplers", 6, ImGuiTableFlags_SizingFixedFit)) {
+        for (const SamplerReport& sampler : report.samplers)
+            draw_sampler(sampler, look, edits);
+        ImGui::EndTable();
+    }
+}
+
+void draw_built_ins(const PassReport& report) {
+    if (report.built_ins.empty())
+        dim_text("This pass uses no built-in uniform.");
+    else if (ImGui::BeginTable("##built_ins", 2, ImGuiTableFlags_SizingFixedFit)) {
+        for (const BuiltInReport& built_in : report.built_ins) {
+            ImGui::TableNextRow();
+            ImGui::TableNextColumn();
+            ImGui::AlignTextToFramePadding();
+            ImGui::TextUnformatted(built_in.name.c_str());
+            ImGui::TableNextColumn();
+            std::string text;
+            for (const double number : built_in.numbers)
+                text += fmt::format("{}{:.9g}", text.empty() ? "" : "  ", number);
+            dim_text(text);
+        }
+        ImGui::EndTable();
+    }
+}
+}  // namespace
+
+void draw_pass_inputs(const Scene& scene, Edits& edits) {
+    if (!scene.lab.renderer() || scene.lab.renderer()->executor().plan().targets.empty())
+        return;
+    const Executor& executor = scene.lab.renderer()->executor();
+    const PassReport report = executor.report(inspected_pass(executor.look(), scene.window));
+    const ScopedFont font(scene.fonts.numbers);
+    const ScopedStyle<ImVec2> padding(
+        ImGuiStyleVar_CellPadding,
+        ImVec2(ImGui::GetStyle().ItemSpacing.x, ImGui::GetStyle().CellPadding.y * 0.5f));
+    ImGui::BeginGroup();
+    draw_samplers(report, executor.look(), edits);
+    ImGui::EndGroup();
+    ImGui::SameLine(0.0f, 3.0f * ImGui::GetFontSize());
+    ImGui::BeginGroup();
+    draw_built_ins(report);
+    ImGui::EndGroup();
+}
