@@ -2,6 +2,7 @@
 
 #include "formats/json_text.h"
 #include "formats/look_words.h"
+#include "formats/modulation_format.h"
 #include "formats/value_json.h"
 #include "model/orbit.h"
 
@@ -101,7 +102,8 @@ Json described(const Parameter& parameter, const Look& look, const Values& value
 }
 }  // namespace
 
-std::string describe_json(const Look& look, const Plan& plan, const Values& values) {
+std::string describe_json(const Look& look, const Plan& plan, const Values& values,
+                          const Modulations& modulations) {
     Json json{{"name", look.name},
               {"license", look.license},
               {"passes", Json::array()},
@@ -115,7 +117,11 @@ std::string describe_json(const Look& look, const Plan& plan, const Values& valu
     }
     for (const Image& image : look.images)
         json["images"].push_back(described(image));
-    for (const Parameter& parameter : look.parameters)
-        json["parameters"].push_back(described(parameter, look, values));
+    for (const Parameter& parameter : look.parameters) {
+        Json described_one = described(parameter, look, values);
+        if (const auto moving = modulations.find(parameter.name); moving != modulations.end())
+            described_one["modulation"] = json_of(moving->second);
+        json["parameters"].push_back(std::move(described_one));
+    }
     return json_text(json);
 }

@@ -1,5 +1,6 @@
 #include "formats/json_document.h"
 
+#include "base/file.h"
 #include "base/text.h"
 
 #include <fmt/format.h>
@@ -241,4 +242,15 @@ std::string_view kind_name(JsonValue::Kind kind) {
     constexpr std::string_view names[] = {"null",   "true or false", "a number",
                                           "a text", "a list",        "an object"};
     return names[static_cast<std::size_t>(kind)];
+}
+
+std::map<std::string, int> lines_below(const std::filesystem::path& file, std::string_view key) {
+    std::map<std::string, int> lines;
+    const auto text = read_text(file);
+    const auto document = text ? parse_json(*text, file) : fail(text.error());
+    const JsonValue* member = document ? find_member(*document, key) : nullptr;
+    if (member)
+        for (const JsonValue& child : member->children)
+            lines[child.key] = child.line;
+    return lines;
 }

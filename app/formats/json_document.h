@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,6 +33,9 @@ Result<JsonValue> parse_json(std::string_view text, const std::filesystem::path&
 
 /// The member of an object, or null.
 const JsonValue* find_member(const JsonValue& object, std::string_view key);
+
+/// The lines of a file's members below the member `key`, by name; none where it is no JSON.
+std::map<std::string, int> lines_below(const std::filesystem::path& file, std::string_view key);
 
 /// "a number", "a list": for messages.
 std::string_view kind_name(JsonValue::Kind kind);

@@ -2,6 +2,7 @@
 
 #include "base/file.h"
 #include "formats/json_text.h"
+#include "formats/modulation_format.h"
 #include "formats/preset_png.h"
 #include "formats/share_line.h"
 #include "formats/spec_json.h"
@@ -50,18 +51,6 @@ std::vector<std::string> read_bypass(ObjectReader& reader, const std::string& lo
     return bypass;
 }
 
-// The lines of a preset's values, by name; none where the file is no JSON.
-std::map<std::string, int> lines_of_values(const std::filesystem::path& file) {
-    std::map<std::string, int> lines;
-    const auto text = read_text(file);
-    const auto document = text ? parse_json(*text, file) : fail(text.error());
-    const JsonValue* values = document ? find_member(*document, "values") : nullptr;
-    if (values)
-        for (const JsonValue& value : values->children)
-            lines[value.key] = value.line;
-    return lines;
-}
-
 Result<Value> fitted_value(const Parameter& parameter, const Value& value) {
     const bool takes_path =
         parameter.control == Control::image || parameter.control == Control::sound;
@@ -105,6 +94,7 @@ Result<Preset> parse_preset(std::string_view text, const std::filesystem::path& 
     preset.media_digest = reader.text("media_digest");
     preset.bypass = read_bypass(reader, preset.look);
     preset.values = read_values(reader);
+    preset.modulations = read_modulations(reader);
     reader.refuse_unknown();
     if (!problems.empty())
         return fail(std::move(problems));
@@ -146,6 +136,8 @@ nlohmann::ordered_json preset_json(const Preset& preset, const Look* look) {
     json["values"] = Json::object();
     for (const auto& [name, value] : preset.values)
         json["values"][name] = json_of(value, look ? find_parameter(*look, name) : nullptr);
+    if (!preset.modulations.empty())
+        json["modulation"] = json_of(preset.modulations);
     return json;
 }
 
@@ -178,7 +170,7 @@ Result<Values> fitted_values(const Look& look, const Preset& preset,
             value = std::move(*fitted);
             continue;
         }
-        const auto lines = lines_of_values(file);
+        const auto lines = lines_below(file, "values");
         const auto line = lines.find(preset.values.contains(name) ? name : parameter->was);
         problems.push_back(
             {file, line == lines.end() ? 0 : line->second, fitted.error().front().message});

@@ -47,6 +47,30 @@ void add_values(const Look& look, const Values& before, const Values& after,
     }
 }
 
+std::string modulation_text(const Modulations& modulations, const std::string& name) {
+    const auto found = modulations.find(name);
+    return found == modulations.end() ? "rests" : summary_of(found->second);
+}
+
+void add_modulations(const Look& look, const Modulations& before, const Modulations& after,
+                     std::vector<Change>& changes) {
+    std::set<std::string> names;
+    for (const Modulations* modulations : {&before, &after})
+        for (const auto& [name, modulation] : *modulations)
+            names.insert(name);
+    for (const std::string& name : names) {
+        const std::string old_text = modulation_text(before, name);
+        const std::string new_text = modulation_text(after, name);
+        const Parameter* parameter = find_parameter(look, name);
+        if (old_text != new_text)
+            changes.push_back({name,
+                               "Modulation of " + (parameter ? parameter->label : name),
+                               old_text,
+                               new_text,
+                               {}});
+    }
+}
+
 std::string setting_text(const Spec::Setting& setting) {
     if (const auto* number = std::get_if<double>(&setting))
         return format_number(*number);
@@ -150,6 +174,8 @@ std::vector<Change> changes_between(const Look& look, const DocumentState& befor
     std::vector<Change> changes;
     add_values(look, moved(before.values, before.stack, look.stack),
                moved(after.values, after.stack, look.stack), changes);
+    add_modulations(look, moved(before.modulations, before.stack, look.stack),
+                    moved(after.modulations, after.stack, look.stack), changes);
     add_signal(before.signal, after.signal, changes);
     if (before.source != after.source)
         changes.push_back(

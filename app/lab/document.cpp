@@ -1,6 +1,7 @@
 #include "lab/document.h"
 
 #include "model/randomised.h"
+#include "model/renamed.h"
 
 #include <fmt/format.h>
 
@@ -38,6 +39,7 @@ void Document::set_stack(Stack stack, const std::string& step_name) {
     DocumentState next = state();
     next.values = moved(next.values, next.stack, stack);
     next.overrides = moved(next.overrides, next.stack, stack);
+    next.modulations = moved(next.modulations, next.stack, stack);
     next.stack = std::move(stack);
     change(std::move(next), step_name);
 }
@@ -85,6 +87,27 @@ void Document::set_values(const Values& values, const std::string& step_name) {
     change(std::move(next), step_name);
 }
 
+void Document::set_modulation(const std::string& name, const std::optional<Modulation>& modulation,
+                              bool goes_on) {
+    const Parameter* parameter = find_parameter(m_look, name);
+    const auto present = present_name(name);
+    if (!parameter || !present)
+        return;
+    DocumentState next = state();
+    if (modulation && why_unmodulated(m_look, *parameter).empty())
+        next.modulations[*present] = tidied(*modulation);
+    else
+        next.modulations.erase(*present);
+    change(std::move(next), "Modulation of " + parameter->label, goes_on);
+}
+
+const Modulation* Document::modulation(const Parameter& parameter) const {
+    const auto present = present_name(parameter.name);
+    const Modulations& all = state().modulations;
+    const auto found = present ? all.find(*present) : all.end();
+    return found == all.end() ? nullptr : &found->second;
+}
+
 void Document::set_orbit(const std::function<Orbit(const Orbit&)>& change) {
     DocumentState next = state();
     next.values = with_orbits_changed(m_look, std::move(next.values), change);
@@ -100,6 +123,18 @@ void Document::reset(const std::vector<std::string>& names) {
     change(std::move(next), first ? "Reset " + first->label : "Reset group");
 }
 
+namespace {
+// As it is there, or not at all.
+template <class T>
+void keep(const std::map<std::string, T>& present, const std::string& here,
+          std::map<std::string, T>& next, const std::string& there) {
+    if (const auto kept = present.find(here); kept != present.end())
+        next[there] = kept->second;
+    else
+        next.erase(there);
+}
+}  // namespace
+
 // `next`, with what is locked as it is now.
 DocumentState Document::with_locked(DocumentState next) const {
     for (const auto& [name, setting] : m_knobs) {
@@ -107,10 +142,8 @@ DocumentState Document::with_locked(DocumentState next) const {
         const auto there = moved_name(name, m_look.stack, next.stack);
         if (!setting.is_locked || !here || !there)
             continue;
-        if (const auto kept = state().values.find(*here); kept != state().values.end())
-            next.values[*there] = kept->second;
-        else
-            next.values.erase(*there);
+        keep(state().values, *here, next.values, *there);
+        keep(state().modulations, *here, next.modulations, *there);
     }
     return next;
 }
@@ -126,6 +159,7 @@ void Document::reset_group(const std::vector<std::string>& names) {
 void Document::reset_all() {
     DocumentState next = state();
     next.values.clear();
+    next.modulations.clear();
     change(with_locked(std::move(next)), "Reset all");
 }
 
@@ -184,6 +218,7 @@ DocumentState Document::state_of(const Preset& preset) const {
         if (const Parameter* parameter = find_parameter(m_look, name))
             value = clamped(*parameter, value);
     state.values = changed_values(m_look, state.values);
+    state.modulations = renamed(m_look, preset.modulations);
     if (preset.signal)
         state.signal = *preset.signal;
     if (!preset.source.empty())
@@ -205,6 +240,7 @@ void Document::replace_look(Look look) {
         if (stack_id(state.stack) != stack_id(m_look.stack))
             return;  // names of another stack
         state.values = changed_values(m_look, renamed_values(m_look, state.values));
+        state.modulations = renamed(m_look, state.modulations);
         if (state.signal.kind.empty())
             state.signal = m_look.default_signal.value_or(Spec{});
         if (state.source.empty())
@@ -260,6 +296,7 @@ Preset Document::preset() const {
     preset.digest = look_digest(m_look);
     preset.values = changed_values(m_look, values());
     preset.bypass = bypassed_keys(m_look.stack);
+    preset.modulations = state().modulations;
     preset.signal.reset();
     preset.source.clear();
     if (m_look.driven_by == Driver::signal)

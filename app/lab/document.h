@@ -21,6 +21,7 @@ struct DocumentState {
     PassOverrides overrides;
     std::size_t origin = 0;  // of the document's origins: the preset that was open
     Stack stack = {};        // which looks, in which order; values and overrides have its names
+    Modulations modulations = {};  // what moves by itself; in its names, too
 
     bool operator==(const DocumentState&) const = default;
 };
@@ -46,6 +47,11 @@ public:
     void set_value(const std::string& name, Value value, bool goes_on = false);
     /// Several parameters in one step.
     void set_values(const Values& values, const std::string& step_name);
+    /// Lets a parameter move by itself, or rest; its value stays. One that cannot move rests.
+    void set_modulation(const std::string& name, const std::optional<Modulation>& modulation,
+                        bool goes_on = false);
+    /// Null where the parameter rests.
+    const Modulation* modulation(const Parameter& parameter) const;
     /// Turns what the mouse turns, up to finish() as one step.
     void set_orbit(const std::function<Orbit(const Orbit&)>& change);
     void reset(const std::vector<std::string>& names);

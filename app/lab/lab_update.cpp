@@ -1,5 +1,6 @@
 // The part of Lab that runs every turn: reloads in, time on, picture drawn.
 #include "base/file.h"
+#include "formats/modulation_format.h"
 #include "formats/preset_format.h"
 #include "lab/frame_limit.h"
 #include "lab/lab.h"
@@ -48,7 +49,8 @@ bool Lab::is_moving() const {
 
 bool Lab::has_converged() const {
     const bool is_source_moving = m_drive.source() && m_drive.source()->moves();
-    return m_renderer && !is_source_moving && m_renderer->has_converged();
+    const bool moves = is_source_moving || (m_applied && !m_applied->modulations.empty());
+    return m_renderer && !moves && m_renderer->has_converged();
 }
 
 void Lab::take_reload() {
@@ -129,6 +131,8 @@ bool has_unlocked_changes(const Document& document) {
         if (setting.is_locked) {
             now.values.erase(name);
             saved.values.erase(name);
+            now.modulations.erase(name);
+            saved.modulations.erase(name);
         }
     now.overrides = saved.overrides;
     now.origin = saved.origin;
@@ -175,14 +179,21 @@ void Lab::open_values(const OpenRequest& request) {
     }
     const fs::path folder = media_folder(request.preset_file);
     Preset preset = with_found_media(*request.preset, folder, m_drive.recent());
+    const auto warn = [this](Diagnostics& problems) {
+        for (Diagnostic& problem : problems) {
+            problem.severity = Severity::warning;
+            m_look_problems.push_back({std::move(problem), {}});
+        }
+    };
     // Items of lists by their labels, for one; what does not fit comes as near as it can.
     if (auto fitted = fitted_values(m_document->look(), preset, request.preset_file))
         preset.values = std::move(*fitted);
     else
-        for (Diagnostic& problem : fitted.error()) {
-            problem.severity = Severity::warning;
-            m_look_problems.push_back({std::move(problem), {}});
-        }
+        warn(fitted.error());
+    if (auto fitted = fitted_modulations(m_document->look(), preset, request.preset_file))
+        preset.modulations = std::move(*fitted);
+    else
+        warn(fitted.error());
     if (request.preset_file.empty()) {  // a line of text: kept nowhere yet
         m_document->set_identity(preset, {});
         m_document->take(preset, "Opened values");
@@ -217,6 +228,7 @@ void Lab::apply_document() {
         if (is_first || value_of(parameter, m_applied->values) != m_document->value(parameter))
             names.push_back(parameter.name);
     m_renderer->set_values(state.values);
+    m_renderer->set_modulations(state.modulations);
     const auto watched = m_chosen_images.files();
     succeeded(m_chosen_images.show(m_document->look(), state.values, *m_renderer));
     if (m_chosen_images.files() != watched)
@@ -230,6 +242,8 @@ void Lab::apply_document() {
         m_renderer->restart_samples();
         redraw.needs_replay = true;
     }
+    if (!is_first && m_applied->modulations != state.modulations)
+        redraw.needs_replay = true;
     if (!is_first && m_applied->overrides != state.overrides) {
         succeeded(m_renderer->replace(m_document->drawn_look(), *m_programs));
         redraw.needs_replay = true;
@@ -310,6 +324,7 @@ void Lab::limit_frame(double wall_seconds) {
 void Lab::draw_picture(double wall_seconds) {
     resize_picture();
     limit_frame(wall_seconds);
+    m_renderer->set_loudness(m_player.loudness());
     const bool rests = m_player.is_playing() && has_converged();
     const bool waits = rests || m_renderer->is_replaying_variant();
     const auto frame = waits ? std::nullopt : m_player.advance(wall_seconds);

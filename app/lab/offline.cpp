@@ -3,6 +3,7 @@
 #include "base/text.h"
 #include "formats/describe.h"
 #include "formats/look_manifest.h"
+#include "formats/modulation_format.h"
 #include "formats/preset_format.h"
 #include "gpu/readback.h"
 #include "io/picture_file.h"
@@ -102,6 +103,10 @@ Result<Prepared> prepare(const RenderRequest& request, const Library& library) {
         if (!values)
             return fail(values.error());
         preset->preset->values = std::move(*values);
+        auto modulations = fitted_modulations(look, *preset->preset, preset->preset_file);
+        if (!modulations)
+            return fail(modulations.error());
+        preset->preset->modulations = std::move(*modulations);
         open_preset(std::move(*preset), library, prepared);
     }
     if (auto done = apply_values(request, prepared.document); !done)
@@ -119,7 +124,9 @@ Result<std::string> describe(const Prepared& prepared, Extent size) {
     const auto plan = plan_of(prepared, size);
     if (!plan)
         return fail(plan.error());
-    return describe_json(prepared.document.drawn_look(), *plan, prepared.document.values());
+    const Document& document = prepared.document;
+    return describe_json(document.drawn_look(), *plan, document.values(),
+                         document.state().modulations);
 }
 
 Offline::Offline(std::unique_ptr<gpu::Context> context, Document document, Programs programs,
@@ -141,7 +148,7 @@ Result<Offline> Offline::create(Prepared prepared, Extent size, double fps) {
         return fail(programs.error());
     Offline offline(std::move(*context), std::move(prepared.document), std::move(*programs), size,
                     fps);
-    offline.m_renderer->set_values(offline.m_document.values());  // first: sizes may depend on them
+    offline.take_values();  // first: sizes may depend on them
     if (auto done = offline.m_renderer->resize(size, size); !done)
         return fail(done.error());
     if (auto done = offline.load_signal(); !done)
@@ -149,6 +156,11 @@ Result<Offline> Offline::create(Prepared prepared, Extent size, double fps) {
     if (auto done = offline.load_pictures(); !done)
         return fail(done.error());
     return offline;
+}
+
+void Offline::take_values() {
+    m_renderer->set_values(m_document.values());
+    m_renderer->set_modulations(m_document.state().modulations);
 }
 
 Result<void> Offline::load_signal() {
@@ -164,7 +176,9 @@ Result<void> Offline::load_signal() {
         sound.scene = std::move(loaded->scene);
         sound.drawing = std::move(loaded->drawing);
     }
-    return m_player->set_signal(signal, std::move(sound));
+    auto set = m_player->set_signal(signal, std::move(sound));
+    m_renderer->set_loudness(m_player->loudness());
+    return set;
 }
 
 namespace {
@@ -226,7 +240,7 @@ Result<void> Offline::load_pictures() {
 Result<void> Offline::start_again(Document document) {
     const DocumentState before = m_document.state();
     m_document = std::move(document);
-    m_renderer->set_values(m_document.values());
+    take_values();
     m_renderer->clear_history();
     if (auto done = m_renderer->resize_again(); !done)
         return done;

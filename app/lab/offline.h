@@ -68,6 +68,7 @@ public:
     }
 
 private:
+    void take_values();
     Result<void> load_signal();
     Result<void> load_pictures();
     Result<void> show_source(double seconds);

@@ -2,6 +2,7 @@
 
 #include "signals/channel_map.h"
 #include "signals/kinds.h"
+#include "signals/loudness.h"
 #include "signals/settings.h"
 
 #include <algorithm>
@@ -37,11 +38,28 @@ Result<void> Player::set_signal(const Spec& spec, PlayedSound sound) {
     m_spec = std::move(complete);
     m_start = start;
     m_silence.clear();
+    listen();
     if (m_devices) {
         play_beam();
         play_sound(loops, is_new_sound);
     }
     return {};
+}
+
+void Player::listen() {
+    m_loudness.reset();
+    if (!m_signal)
+        return;
+    const SignalKind& kind = *find_kind(m_spec.kind);
+    if (m_sound.sound) {
+        const auto first = std::llround(m_start * m_sound.sound->rate);
+        const bool loops = m_spec.settings.at("loop") == Spec::Setting("on");
+        m_loudness = std::make_shared<SoundLoudness>(stream_of(m_sound.sound, {first, loops}));
+    } else if (m_capture) {
+        m_loudness = std::make_shared<SoundLoudness>(stream_of(m_capture->sound(), m_live_first));
+    } else if (!kind.is_sent) {
+        m_loudness = std::make_shared<BeamLoudness>(m_signal);
+    }
 }
 
 // A real scope takes the place of the loudspeaker. Where there is no device the lab goes on.
@@ -218,6 +236,7 @@ void Player::seek(double seconds) {
     begin_live();
     if (auto made = make(m_spec, m_sound))
         m_signal = std::move(*made);
+    listen();
     if (m_playout)
         play_beam();  // its signal has another beginning, too
 }

@@ -5,6 +5,7 @@
 #include "lab/beam_feed.h"
 #include "lab/beam_playout.h"
 #include "model/beam.h"
+#include "model/modulation.h"
 #include "model/spec.h"
 #include "signals/clock.h"
 #include "signals/signal.h"
@@ -93,6 +94,9 @@ public:
     bool leaves_out() const { return is_sound_the_clock() || m_playout; }
 
     Beam trace(const TimeSpan& span) const;
+    /// Of the sound that is drawn, else of the signal; null where there is none, or where it comes
+    /// from another program, point by point. Shared with who draws.
+    std::shared_ptr<const Loudness> loudness() const { return m_loudness; }
 
     /// The latest frames, oldest first, for showing again what led to the present picture.
     const std::deque<PlayedFrame>& past() const { return m_past; }
@@ -103,6 +107,7 @@ private:
     Result<void> open_feed(const Spec& complete);
     void play_beam();
     void begin_live();
+    void listen();
     void play_sound(bool loops, bool is_new_sound);
     bool is_sound_the_clock() const;
     void notice_lost_devices();
@@ -115,7 +120,8 @@ private:
     static constexpr std::size_t frames_remembered = 1024;
     static constexpr double longest_frame = 0.25;  // s
 
-    std::unique_ptr<Signal> m_signal;
+    std::shared_ptr<const Signal> m_signal;  // with its loudness
+    std::shared_ptr<const Loudness> m_loudness;
     PlayedSound m_sound;
     std::unique_ptr<SoundDevices> m_devices;
     SoundSettings m_settings;

@@ -1,5 +1,6 @@
 #include "lab/preset_difference.h"
 
+#include "formats/modulation_format.h"
 #include "formats/preset_format.h"
 #include "lab/lab.h"
 
@@ -19,6 +20,8 @@ Result<std::vector<Change>> difference_from(const std::filesystem::path& preset_
     const Document& open = *lab.document();
     if (auto fitted = fitted_values(open.look(), *preset, preset_file))
         preset->values = std::move(*fitted);
+    if (auto fitted = fitted_modulations(open.look(), *preset, preset_file))
+        preset->modulations = std::move(*fitted);
     return difference_from(
         with_found_media(*preset, media_folder(preset_file), lab.drive().recent()), open);
 }

@@ -23,6 +23,28 @@ Result<void> Renderer::for_each(Act act) {
     return done;
 }
 
+void Renderer::set_values(const Values& values) {
+    m_values = values;
+    m_drawn_values = values;
+    m_executor.set_values(values);
+}
+
+// Those of the frame that is to be drawn; sizes follow no value that moves.
+void Renderer::move_values(double seconds) {
+    if (m_modulations.empty())
+        return;
+    const Look& look = m_executor.look();
+    const auto now = [&](const Values& values) {
+        return modulated(look, values, m_modulations, seconds, m_loudness.get());
+    };
+    if (!m_is_variant_alone) {
+        m_drawn_values = now(m_values);
+        m_executor.set_values(m_drawn_values);
+    }
+    if (m_variant)
+        m_variant->set_values(now(m_variant_values));
+}
+
 Result<void> Renderer::replace(const Look& look, const Programs& programs) {
     if (m_is_variant_alone)
         cancel_replay();
@@ -64,7 +86,7 @@ void Renderer::clear_history() {
 Result<void> Renderer::start_variant(const Values& values) {
     m_variant = std::make_unique<Executor>(m_executor.look(), m_executor.programs());
     m_is_variant_alone = true;
-    m_variant->set_values(values);
+    set_variant_values(values);
     auto sized = m_picture.is_empty() ? Result<void>() : m_variant->resize(m_picture, m_source);
     if (!sized)
         end_variant();
@@ -72,6 +94,7 @@ Result<void> Renderer::start_variant(const Values& values) {
 }
 
 void Renderer::set_variant_values(const Values& values) {
+    m_variant_values = values;
     if (m_variant)
         m_variant->set_values(values);
 }
@@ -113,6 +136,7 @@ void Renderer::set_mouse(double x, double y) {
 void Renderer::draw_frame(const PlayedFrame& played, const Beam& beam,
                           const std::vector<bool>* passes) {
     const Frame frame = frame_of(played, beam);
+    move_values(frame.time);
     if (m_variant && !m_is_variant_alone)
         m_executor.claim_programs();
     if (!m_is_variant_alone)
@@ -157,6 +181,7 @@ void Renderer::redraw(const Player& player, const std::vector<bool>& passes) {
     const PlayedFrame& present = player.past().back();
     const Beam beam = player.trace(present.span);
     const Frame frame = frame_of(present, beam);
+    move_values(frame.time);
     if (m_variant)
         m_executor.claim_programs();
     m_executor.redraw(frame, passes);

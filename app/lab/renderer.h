@@ -23,7 +23,15 @@ public:
 
     /// An edited look; what drew a moment ago keeps its history.
     Result<void> replace(const Look& look, const Programs& programs);
-    void set_values(const Values& values) { m_executor.set_values(values); }
+    void set_values(const Values& values);
+    /// What moves by itself, over the time of the frames.
+    void set_modulations(Modulations modulations) { m_modulations = std::move(modulations); }
+    /// What modulation hears; null: silence. Shared with the player, which may have another one.
+    void set_loudness(std::shared_ptr<const Loudness> loudness) {
+        m_loudness = std::move(loudness);
+    }
+    /// As in the frame that was drawn last.
+    const Values& drawn_values() const { return m_drawn_values; }
     Result<void> resize(Extent picture, Extent source);
     /// As it was last asked for, with sizes that depend on values as these are now.
     Result<void> resize_again() { return resize(m_picture, m_source); }
@@ -84,11 +92,17 @@ private:
     Result<void> for_each(Act act);
     void begin_replay(const Player& player, std::size_t frames);
     void draw_frame(const PlayedFrame& played, const Beam& beam, const std::vector<bool>* passes);
+    void move_values(double seconds);
     void note_beam_cost(const PlayedFrame& played);
     Frame frame_of(const PlayedFrame& played, const Beam& beam) const;
 
     Executor m_executor;
     std::unique_ptr<Executor> m_variant;
+    Values m_values;  // as a person set them
+    Values m_variant_values;
+    Values m_drawn_values;
+    Modulations m_modulations;
+    std::shared_ptr<const Loudness> m_loudness;
     bool m_is_variant_alone = false;  // what is brought and replayed is for the variant
     Extent m_picture;
     Extent m_source;

@@ -21,6 +21,7 @@ SessionState session_state(const DocumentState& state, const Look& look, std::st
     saved.preset.look = state.stack.empty() ? look.id : stack_id(state.stack);
     saved.preset.bypass = bypassed_keys(state.stack);
     saved.preset.values = state.values;
+    saved.preset.modulations = state.modulations;
     if (!state.signal.kind.empty())
         saved.preset.signal = state.signal;
     saved.preset.source = state.source;
@@ -64,6 +65,7 @@ DocumentState document_state(const SessionState& saved, const Ground& ground) {
     if (!saved.preset.source.empty())
         state.source = saved.preset.source;
     state.overrides = saved.overrides;
+    state.modulations = saved.preset.modulations;
     return state;
 }
 
@@ -133,6 +135,7 @@ Session load_session(const Roots& roots, Diagnostics& warnings) {
 
 bool has_unsaved(const Session& session) {
     return session.current.preset.values != session.saved.preset.values ||
+           session.current.preset.modulations != session.saved.preset.modulations ||
            session.current.preset.signal != session.saved.preset.signal ||
            session.current.preset.source != session.saved.preset.source ||
            session.current.overrides != session.saved.overrides;

@@ -1,6 +1,7 @@
 #include "model/knob_settings.h"
 
 #include "base/text.h"
+#include "model/renamed.h"
 
 #include <fmt/format.h>
 
@@ -14,16 +15,7 @@ const KnobSetting& setting_of(const std::string& name, const KnobSettings& knobs
 }
 
 KnobSettings renamed_knobs(const Look& look, KnobSettings knobs) {
-    for (const Parameter& parameter : look.parameters) {
-        if (parameter.was.empty() || find_parameter(look, parameter.was) ||
-            knobs.contains(parameter.name))
-            continue;
-        if (auto former = knobs.extract(parameter.was)) {
-            former.key() = parameter.name;
-            knobs.insert(std::move(former));
-        }
-    }
-    return knobs;
+    return renamed(look, std::move(knobs));
 }
 
 Parameter with_ends(Parameter parameter, const KnobSetting& setting) {

@@ -1,6 +1,7 @@
 #include "model/look.h"
 
 #include "base/text.h"
+#include "model/renamed.h"
 
 #include <fmt/format.h>
 
@@ -87,17 +88,7 @@ std::vector<std::string> orphans(const Look& look, const Values& values) {
 }
 
 Values renamed_values(const Look& look, Values values) {
-    for (const Parameter& parameter : look.parameters) {
-        if (parameter.was.empty() || find_parameter(look, parameter.was) ||
-            values.contains(parameter.name))
-            continue;
-        auto former = values.extract(parameter.was);
-        if (former) {
-            former.key() = parameter.name;
-            values.insert(std::move(former));
-        }
-    }
-    return values;
+    return renamed(look, std::move(values));
 }
 
 std::string look_digest(const Look& look) {

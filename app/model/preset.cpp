@@ -12,6 +12,10 @@ Diagnostics compare_with_look(const Preset& preset, const Look& look,
         note(fmt::format("'{}' has no parameter '{}' any more; its value {} is kept{}", look.name,
                          name, to_string(preset.values.at(name)),
                          did_you_mean(name, parameter_names(look))));
+    for (const auto& [name, modulation] : preset.modulations)
+        if (!find_parameter(look, name) && !preset.values.contains(name))
+            note(fmt::format("'{}' has no parameter '{}' any more; its modulation is kept{}",
+                             look.name, name, did_you_mean(name, parameter_names(look))));
     if (notes.empty() && !preset.digest.empty() && preset.digest != look_digest(look))
         note(fmt::format("'{}' has changed its parameters or defaults since this preset was saved",
                          look.name));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "model/look.h"
+#include "model/modulation.h"
 
 #include <optional>
 #include <string>
@@ -17,6 +18,7 @@ struct Preset {
     std::string media_digest;  // of the person's file that signal or source names; "": none
     Values values;             // what differs from the defaults, orphans included
     std::vector<std::string> bypass = {};  // keys of the looks of a stack that draw nothing
+    Modulations modulations = {};          // what moves by itself, orphans included
 
     bool operator==(const Preset&) const = default;
 };

@@ -40,6 +40,8 @@ Turned draw_component(const Knob& knob, std::size_t component, Value& value,
     facts.steps_from = knob.declared.low * factor;
     if (facts.initial)
         *facts.initial *= factor;
+    if (knob.now && component < knob.now->numbers.size())
+        facts.now = knob.now->numbers[component] * factor;
     if (facts.limit)
         facts.limit = Limit{facts.limit->low * factor, facts.limit->high * factor};
     double shown = value.numbers[component] * factor;

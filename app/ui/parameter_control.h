@@ -1,6 +1,7 @@
 #pragma once
 
 #include "model/knob_settings.h"
+#include "model/modulation.h"
 #include "ui/edits.h"
 #include "ui/fonts.h"
 
@@ -11,6 +12,9 @@ struct Knob {
     bool is_changed = false;
     const KnobSetting& setting;
     const Range& declared;  // the parameter's own range is what the person made of it
+    const Look& look;
+    const Modulation* modulation = nullptr;  // null: it rests
+    const Value* now = nullptr;              // as drawn, while it moves by itself
 };
 
 /// Lines of the panel that a parameter takes, before it has been drawn.

@@ -3,6 +3,7 @@
 #include "lab/lab.h"
 #include "ui/icons.h"
 #include "ui/knob_marks.h"
+#include "ui/modulation_editor.h"
 #include "ui/scoped.h"
 #include "ui/slider.h"
 #include "ui/theme.h"
@@ -83,6 +84,8 @@ void draw_facts(const Knob& knob, const Fonts& fonts) {
     fact("default", short_value(parameter, parameter.initial));
     fact("range", range_text(parameter));
     fact("scale", parameter.scale == Scale::logarithmic ? "logarithmic" : "");
+    if (knob.modulation)
+        fact("moves", summary_of(*knob.modulation));
     fact("declared", place_text(parameter.declared));
 }
 // A number on a field of its own, which says that it can be typed.
@@ -154,6 +157,7 @@ void draw_parameter_help(const Knob& knob, const Fonts& fonts, Edits& edits) {
         return;
     draw_facts(knob, fonts);
     draw_slider_ends(knob, fonts, edits);
+    draw_modulation_editor(knob, fonts, edits);
     ImGui::Separator();
     const Location place = parameter.declared;
     if (!place.file.empty()) {

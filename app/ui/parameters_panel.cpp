@@ -143,8 +143,8 @@ private:
     float m_lines = 1.0f;
 };
 
-void draw_row(const Parameter& parameter, const Document& document, const Fonts& fonts,
-              Edits& edits) {
+void draw_row(const Parameter& parameter, const Scene& scene, Edits& edits) {
+    const Document& document = *scene.lab.document();
     Row row(parameter);
     if (!row.is_in_sight()) {
         row.pass_over();
@@ -152,9 +152,12 @@ void draw_row(const Parameter& parameter, const Document& document, const Fonts&
     }
     const KnobSetting& setting = setting_of(parameter.name, document.knobs());
     const auto own = setting.ends ? std::optional(with_ends(parameter, setting)) : std::nullopt;
-    row.end(draw_parameter({own ? *own : parameter, document.value(parameter),
-                            document.is_changed(parameter), setting, parameter.range},
-                           fonts, edits));
+    Knob knob{
+        own ? *own : parameter, document.value(parameter), document.is_changed(parameter), setting,
+        parameter.range,        document.look(),           document.modulation(parameter)};
+    if (knob.modulation && scene.lab.renderer())
+        knob.now = &value_of(parameter, scene.lab.renderer()->drawn_values());
+    row.end(draw_parameter(knob, scene.fonts, edits));
 }
 
 void draw_group(const ParameterGroup& group, const Scene& scene, Edits& edits) {
@@ -177,7 +180,7 @@ void draw_group(const ParameterGroup& group, const Scene& scene, Edits& edits) {
         return;
     for (const Parameter* parameter : group.parameters) {
         const float top = ImGui::GetCursorPosY();
-        draw_row(*parameter, document, scene.fonts, edits);
+        draw_row(*parameter, scene, edits);
         show_if_revealed(*parameter, top, scene.window, edits);
     }
     ImGui::Spacing();

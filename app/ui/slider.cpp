@@ -169,6 +169,20 @@ void draw_bar(const ImRect& box, double value, const SliderFacts& facts, bool is
                        half);
 }
 
+// Where the value is that moves: a bright line with heads, apart from the hand's own.
+void draw_now(const ImRect& box, const SliderFacts& facts) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float x =
+        box.Min.x + box.GetWidth() * static_cast<float>(slider_place(*facts.now, facts));
+    const float head = box.GetHeight() * 0.2f;
+    const ImU32 color = theme::packed(theme::text);
+    list.AddLine({x, box.Min.y}, {x, box.Max.y}, color);
+    list.AddTriangleFilled({x - head, box.Min.y}, {x + head, box.Min.y}, {x, box.Min.y + head},
+                           color);
+    list.AddTriangleFilled({x - head, box.Max.y}, {x, box.Max.y - head}, {x + head, box.Max.y},
+                           color);
+}
+
 DragPace drag_pace() {
     const ImGuiIO& io = ImGui::GetIO();
     if (io.KeyAlt || (io.KeyCtrl && io.KeyShift))
@@ -224,6 +238,8 @@ Turned draw_slider(const char* id_text, double& value, const SliderFacts& facts,
             ImGui::MarkItemEdited(id);
     }
     draw_bar(box, value, facts, is_hovered || is_held);
+    if (facts.now)
+        draw_now(box, facts);
     turned.is_finished |= ImGui::IsItemDeactivatedAfterEdit();
     return turned;
 }

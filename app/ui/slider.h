@@ -17,6 +17,7 @@ struct SliderFacts {
     std::string unit = {};
     std::optional<Limit> limit = {};  // of what is typed
     bool is_whole = false;
+    std::optional<double> now = {};         // where it is while it moves by itself; gets a mark
     std::optional<double> steps_from = {};  // where steps are counted from; none: the low end
 
     NumberFacts number() const { return {is_changed, unit, limit, is_whole}; }

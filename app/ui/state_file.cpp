@@ -33,6 +33,17 @@ std::string values_text(const Document& document) {
     return fmt::format("{{{}}}", fmt::join(values, ","));
 }
 
+// Of what moves by itself: its first number as drawn.
+std::string moving_text(const Lab& lab) {
+    std::vector<std::string> moving;
+    for (const Parameter& parameter : lab.document()->look().parameters)
+        if (lab.document()->modulation(parameter) && lab.renderer())
+            moving.push_back(fmt::format(
+                "{}:{}", json_string(parameter.name),
+                format_number(value_of(parameter, lab.renderer()->drawn_values()).number())));
+    return fmt::format("{{{}}}", fmt::join(moving, ","));
+}
+
 std::string marked_text(const KnobSettings& knobs, bool KnobSetting::*mark) {
     std::vector<std::string> names;
     for (const auto& [name, setting] : knobs)
@@ -99,16 +110,17 @@ std::string pins_text(const Scene& scene) {
     return fmt::format(R"(,"pins":[{}])", fmt::join(pins, ","));
 }
 
-std::string document_text(const Document& document) {
+std::string document_text(const Lab& lab) {
+    const Document& document = *lab.document();
     return fmt::format(
-        R"("look":{},"bypass":{},"preset":{},"is_modified":{},"undo":{},"redo":{},"signal":{},"values":{},"favourites":{},"locked":{},)",
+        R"("look":{},"bypass":{},"preset":{},"is_modified":{},"undo":{},"redo":{},"signal":{},"values":{},"favourites":{},"locked":{},"moving":{},)",
         json_string(document.look().id),
         json_string(fmt::format("{}", fmt::join(bypassed_keys(document.look().stack), ","))),
         json_string(document.preset_name()), document.is_modified(),
         json_string(document.history().undo_name()), json_string(document.history().redo_name()),
         json_string(to_string(document.state().signal)), values_text(document),
         marked_text(document.knobs(), &KnobSetting::is_favourite),
-        marked_text(document.knobs(), &KnobSetting::is_locked));
+        marked_text(document.knobs(), &KnobSetting::is_locked), moving_text(lab));
 }
 }  // namespace
 
@@ -117,11 +129,10 @@ std::string state_text(const Scene& scene, const Edits& edits) {
     const Extent picture = lab.picture_extent();
     return fmt::format(
         R"({{{}"turn":{},"is_behind":{},"is_loading":{},"reading":{},"is_playing":{},"frame":{},"samples":{},"has_converged":{},"time":{:.4f},"shown_share":{:.3f},"picture":[{},{}],"notice":{},"dialog":{},"inspected":{},"wipe":{},"probe":{},"problems":{},"widgets":{}}})",
-        lab.document() ? document_text(*lab.document()) : std::string(), scene.turn,
-        scene.is_behind, lab.is_loading(), json_string(lab.drive().loading()),
-        lab.player().is_playing(), lab.player().frame_number(),
-        lab.samples().value_or(Samples{}).held, lab.has_converged(), lab.player().time(),
-        lab.player().shown_share(), picture.width, picture.height,
+        lab.document() ? document_text(lab) : std::string(), scene.turn, scene.is_behind,
+        lab.is_loading(), json_string(lab.drive().loading()), lab.player().is_playing(),
+        lab.player().frame_number(), lab.samples().value_or(Samples{}).held, lab.has_converged(),
+        lab.player().time(), lab.player().shown_share(), picture.width, picture.height,
         json_string(lab.notice() ? lab.notice()->text : std::string()),
         static_cast<int>(scene.window.dialog.kind), json_string(scene.window.inspected.pass),
         lab.variant() ? fmt::format("{:.3f}", scene.window.wipe_share) : "null",

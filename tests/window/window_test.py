@@ -10,6 +10,7 @@ from driving import Driving
 from editing import Editing
 from keeping import Keeping
 from looking import Looking
+from moving import Moving
 from person import Person
 from tuning import Tuning
 
@@ -20,7 +21,7 @@ class Tuner(Tuning, Keeping):
     """One person at one window: each test finds the look as it was first."""
 
 
-class Looker(Driving, Drawing, Editing, Looking):
+class Looker(Driving, Drawing, Editing, Looking, Moving):
     """Another one."""
 
 

@@ -1,0 +1,136 @@
+#include "formats/preset_format.h"
+#include "lab/changes.h"
+#include "lab/offline.h"
+#include "lab/session.h"
+#include "lab/small_lab.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace {
+/// About 1 by an eighth of 0 .. 8, once a second.
+const Modulation once_a_second{.depth = 0.125, .shape = LfoShape::sine, .rate = 1.0};
+
+double gain_at(double seconds) {
+    return 1.0 + std::sin(2.0 * std::numbers::pi * seconds);
+}
+
+void move_gain(SmallLab& small) {
+    small.lab().edit([](Document& document) { document.set_modulation("gain", once_a_second); });
+}
+
+bool is_near(double number, double expected) {
+    return std::abs(number - expected) <= 1e-4 * std::max(1.0, std::abs(expected));
+}
+
+Offline drawn_offline(SmallLab& small, double fps) {
+    RenderRequest request{.look = "small", .preset = "moving", .size = {8, 8}, .fps = fps};
+    auto prepared = prepare(request, Library(small.roots()));
+    REQUIRE(prepared.has_value());
+    auto offline = Offline::create(std::move(*prepared), request.size, fps);
+    REQUIRE(offline.has_value());
+    return std::move(*offline);
+}
+}  // namespace
+
+TEST_CASE("a modulation is an undoable change; that it runs is none") {
+    SmallLab small;
+    move_gain(small);
+    const Document& document = small.document();
+    CHECK(document.history().undo_name() == "Modulation of Gain");
+    CHECK(document.is_modified());
+    small.lab().edit([](Document& changed) { changed.mark_saved(); });
+    for (int i = 0; i < 20; ++i) {
+        small.turn(1);
+        CHECK(is_near(small.shown(), small.frames() * gain_at(small.lab().player().time())));
+    }
+    CHECK(document.values().empty());
+    CHECK_FALSE(document.is_modified());
+    CHECK(document.history().past().size() == 1);
+    small.lab().edit([](Document& changed) { changed.undo(); });
+    small.turn(1);
+    CHECK(document.state().modulations.empty());
+    CHECK(small.shown() == small.frames());
+    small.lab().edit([](Document& changed) { changed.redo(); });
+    CHECK(document.state().modulations == Modulations{{"gain", once_a_second}});
+}
+
+TEST_CASE("a paused picture shows a turned value where the modulation is, and a step goes on") {
+    SmallLab small;
+    move_gain(small);
+    small.turn(13);
+    small.lab().transport().pause();
+    small.lab().edit([](Document& document) { document.set_value("gain", Value(3.0)); });
+    small.turn(2);
+    const double time = small.lab().player().time();
+    CHECK(is_near(small.shown(), small.frames() * (2.0 + gain_at(time))));
+    small.lab().transport().step();
+    small.turn(1);
+    CHECK(is_near(small.lab().player().time(), time + 1.0 / 60.0));
+    CHECK(is_near(small.shown(), small.frames() * (2.0 + gain_at(time + 1.0 / 60.0))));
+}
+
+TEST_CASE("a past that is drawn again has the values of its own times") {
+    SmallLab small;
+    small.turn(40);
+    small.lab().transport().pause();
+    Modulation moving = once_a_second;
+    moving.depth = 0.25;  // of 0 .. 4
+    small.lab().edit([&](Document& document) { document.set_modulation("step_size", moving); });
+    small.turn_until([&] {
+        return !small.lab().renderer()->replay().is_running() &&
+               small.lab().renderer()->replay().total > 0;
+    });
+    const auto& past = small.lab().player().past();
+    double sum = 0.0;
+    for (std::size_t i = past.size() - 20; i < past.size(); ++i)  // the look's settle_frames
+        sum += gain_at(past[i].span.end);
+    CHECK(is_near(small.shown(), sum));
+}
+
+TEST_CASE("a preset moves alike in the window and offline, at any frame rate") {
+    SmallLab small;
+    move_gain(small);
+    small.lab().save_preset_as("moving");
+    CHECK_FALSE(small.document().is_modified());
+    for (const double fps : {30.0, 60.0}) {
+        Offline offline = drawn_offline(small, fps);
+        const int frames = static_cast<int>(std::lround(0.3 * fps));
+        const Picture picture = offline.picture_after(frames);
+        CHECK(is_near(picture.pixels[0], frames * gain_at(0.3)));
+        Document still = offline.document();
+        still.set_modulation("gain", std::nullopt);
+        REQUIRE(offline.start_again(still).has_value());
+        CHECK(offline.picture_after(4).pixels[0] == 4.0f);
+    }
+    const auto described = prepare({.look = "small", .preset = "moving"}, Library(small.roots()));
+    REQUIRE(described.has_value());
+    CHECK(describe(*described, {8, 8})->find("\"kind\": \"lfo\"") != std::string::npos);
+}
+
+TEST_CASE("a modulation comes back with the session, and is read in the history") {
+    SmallLab small;
+    const DocumentState before = small.document().state();
+    move_gain(small);
+    const auto changes = changes_between(small.document().look(), before, small.document().state());
+    REQUIRE(changes.size() == 1);
+    CHECK(line_of(changes.front()) ==
+          "Modulation of Gain rests → LFO, sine, rate 1 Hz, phase 0 turns, depth 0.125");
+    const Session session = session_of(small.lab(), {});
+    CHECK(has_unsaved(session));
+    small.start();
+    restore(small.lab(), session);
+    small.wait_for_frames();
+    CHECK(small.document().state().modulations == Modulations{{"gain", once_a_second}});
+}
+
+TEST_CASE("what is locked keeps its modulation; resetting all stops the others") {
+    SmallLab small;
+    move_gain(small);
+    small.lab().edit([](Document& document) {
+        document.set_modulation("step_size", once_a_second);
+        document.set_knob("gain", {.is_locked = true});
+        document.reset_all();
+    });
+    CHECK(small.document().state().modulations == Modulations{{"gain", once_a_second}});
+}
