@@ -17,6 +17,7 @@ struct Arguments {
     int frames = 0;  // 0: the look's settle_frames
     std::string pass;
     std::string all_passes;
+    std::string moves;
 };
 
 Result<int> chosen_pass(const Arguments& arguments, const Look& look) {
@@ -93,7 +94,8 @@ Result<void> draw(const Arguments& arguments, const FrameNames& names, Offline& 
 }
 
 int render(const Arguments& arguments, const std::string& data) {
-    const RenderRequest request = arguments.look.request();
+    RenderRequest request = arguments.look.request();
+    request.moves = arguments.moves;
     const FrameNames names = output_names(arguments.output);
     const auto check = [&](const Prepared&) { return check_outputs(arguments, names); };
     const auto work = [&](Offline& offline, const Library& library) {
@@ -116,6 +118,9 @@ Command add_render(CommandLine& program) {
         .add("--frames", arguments->frames,
              "Frames to draw; the last is the picture (default: what the look needs to settle)")
         .between(1, 10000000);
+    options.add("--moves", arguments->moves,
+                "A file of lines 'seconds name value', as the window records them: what is turned "
+                "when");
     options.add("--pass", arguments->pass, "This pass's target instead of the picture");
     options.add("--all-passes", arguments->all_passes,
                 "A folder for every pass's target as EXR, after the last frame");

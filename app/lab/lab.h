@@ -11,6 +11,7 @@
 #include "lab/reloader.h"
 #include "lab/renderer.h"
 #include "lab/variant.h"
+#include "model/moves.h"
 
 #include <functional>
 #include <memory>
@@ -70,6 +71,9 @@ public:
     /// What drives the look: how far its file has been read.
     const Drive& drive() const { return m_drive; }
 
+    /// What was turned since record_moves().
+    const MovesRecorder& moves() const { return m_moves; }
+
     /// The pen, and what it draws on.
     const DrawingBoard& drawing_board() const { return m_board; }
     /// Where the signal's places lie in the picture.
@@ -113,7 +117,9 @@ public:
     /// An SVG becomes the drawing; one with too many points for a hand plays from its file.
     void load_drawing(const std::filesystem::path& file);
     void save_drawing(const std::filesystem::path& file);  // as an SVG
-    void save_preset();                                    // over the open one
+    void record_moves(bool is_recording);
+    void save_moves(const std::filesystem::path& file);  // as text
+    void save_preset();                            // over the open one
     void save_preset_as(const std::string& name);  // refused where there is one of that name
     void replace_preset(const std::string& name);  // as save_preset_as, over the one there is
     void rename_preset(const std::string& name);
@@ -165,6 +171,7 @@ private:
     Result<void> follow_signal();
     void update_drive();
     void tell_silence();
+    void note_moves();
     void show_source(double seconds);
     Preset portable(const Preset& preset, const std::filesystem::path& folder) const;
     void want(const Redraw& redraw);
@@ -196,6 +203,7 @@ private:
     Player m_player{machine_sound_devices()};
     std::vector<SoundDevice> m_sound_devices;
     std::string m_told_silence;  // the player's, as last said
+    MovesRecorder m_moves;
     std::unique_ptr<Renderer> m_renderer;
     bool m_is_wiping = false;
     std::optional<Variant> m_variant;  // that the renderer draws

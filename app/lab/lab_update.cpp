@@ -25,6 +25,7 @@ void Lab::update(double wall_seconds) {
     follow_variant();
     update_drive();
     draw_picture(wall_seconds);
+    note_moves();
     tell_silence();
 }
 

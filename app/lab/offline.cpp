@@ -8,6 +8,7 @@
 #include "gpu/readback.h"
 #include "io/picture_file.h"
 #include "lab/media.h"
+#include "lab/moves_file.h"
 #include "lab/naming.h"
 #include "lab/signal_file.h"
 #include "model/placing.h"
@@ -113,6 +114,12 @@ Result<Prepared> prepare(const RenderRequest& request, const Library& library) {
         return fail(done.error());
     if (auto done = apply_drive(request, prepared.document); !done)
         return fail(done.error());
+    if (!request.moves.empty()) {
+        auto moves = load_moves(request.moves, prepared.document.look());
+        if (!moves)
+            return fail(moves.error());
+        prepared.moves = std::move(*moves);
+    }
     return prepared;
 }
 
@@ -129,14 +136,15 @@ Result<std::string> describe(const Prepared& prepared, Extent size) {
                          document.state().modulations);
 }
 
-Offline::Offline(std::unique_ptr<gpu::Context> context, Document document, Programs programs,
+Offline::Offline(std::unique_ptr<gpu::Context> context, Prepared prepared, Programs programs,
                  Extent size, double fps)
     : m_context(std::move(context)),
-      m_document(std::move(document)),
+      m_document(std::move(prepared.document)),
       m_renderer(std::make_unique<Renderer>(m_document.drawn_look(), std::move(programs))),
       m_player(std::make_unique<Player>()),
       m_size(size),
-      m_fps(fps) {}
+      m_fps(fps),
+      m_moves(std::move(prepared.moves)) {}
 
 Result<Offline> Offline::create(Prepared prepared, Extent size, double fps) {
     auto context = gpu::Context::headless();
@@ -146,8 +154,7 @@ Result<Offline> Offline::create(Prepared prepared, Extent size, double fps) {
     auto programs = build_programs(look);
     if (!programs)
         return fail(programs.error());
-    Offline offline(std::move(*context), std::move(prepared.document), std::move(*programs), size,
-                    fps);
+    Offline offline(std::move(*context), std::move(prepared), std::move(*programs), size, fps);
     offline.take_values();  // first: sizes may depend on them
     if (auto done = offline.m_renderer->resize(size, size); !done)
         return fail(done.error());
@@ -240,6 +247,7 @@ Result<void> Offline::load_pictures() {
 Result<void> Offline::start_again(Document document) {
     const DocumentState before = m_document.state();
     m_document = std::move(document);
+    m_moves.start_again();
     take_values();
     m_renderer->clear_history();
     if (auto done = m_renderer->resize_again(); !done)
@@ -257,8 +265,21 @@ Result<void> Offline::start_again(Document document) {
     return m_chosen_images.show(executor().look(), now.values, *m_renderer);
 }
 
+// What is drawn then is also what the document says: a picture carries it as its preset.
+void Offline::make_moves(double seconds) {
+    const Values turned = m_moves.take(seconds);
+    if (turned.empty())
+        return;
+    m_document.set_values(turned, "Moves");
+    m_document.forget_past();
+    take_values();
+    if (auto sized = m_renderer->resize_again(); !sized)
+        m_problems.insert(m_problems.end(), sized.error().begin(), sized.error().end());
+}
+
 void Offline::advance() {
     const PlayedFrame frame = m_player->advance_fixed(m_fps);
+    make_moves(frame.span.end);
     if (auto shown = show_source(frame.span.end); !shown)
         m_problems.insert(m_problems.end(), shown.error().begin(), shown.error().end());
     m_renderer->draw(frame, m_player->trace(frame.span));
@@ -273,6 +294,7 @@ Picture Offline::picture_after(int frames) {
 
 void Offline::advance_unseen() {
     const PlayedFrame frame = m_player->advance_fixed(m_fps);
+    make_moves(frame.span.end);
     if (m_source_is_carried)
         if (auto shown = show_source(frame.span.end); !shown)
             m_problems.insert(m_problems.end(), shown.error().begin(), shown.error().end());

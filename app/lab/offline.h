@@ -7,6 +7,7 @@
 #include "lab/player.h"
 #include "lab/renderer.h"
 #include "lab/source.h"
+#include "model/moves.h"
 
 #include <memory>
 #include <string>
@@ -20,6 +21,7 @@ struct RenderRequest {
     std::vector<std::pair<std::string, std::string>> values = {};  // name or key, text
     std::string signal = {};  // "": the preset's, else the look's
     std::string source = {};
+    std::string moves = {};  // a file of what is turned over time; "": none
     Extent size{1280, 720};
     double fps = 60.0;
 };
@@ -28,6 +30,7 @@ struct RenderRequest {
 struct Prepared {
     Document document;
     Diagnostics warnings;
+    Moves moves = {};
 };
 Result<Prepared> prepare(const RenderRequest& request, const Library& library);
 
@@ -69,10 +72,11 @@ public:
 
 private:
     void take_values();
+    void make_moves(double seconds);
     Result<void> load_signal();
     Result<void> load_pictures();
     Result<void> show_source(double seconds);
-    Offline(std::unique_ptr<gpu::Context> context, Document document, Programs programs,
+    Offline(std::unique_ptr<gpu::Context> context, Prepared prepared, Programs programs,
             Extent size, double fps);
 
     std::unique_ptr<gpu::Context> m_context;
@@ -84,6 +88,7 @@ private:
     std::optional<Source> m_source;
     SharedPicture m_shown;
     ChosenImages m_chosen_images;
+    MovesReader m_moves;
     bool m_source_is_carried = false;  // frames that nobody looks at need it too
     Diagnostics m_problems;
 };

@@ -131,6 +131,7 @@ struct Dialog {
         save_pass,  // of the name in `subject`
         load_drawing,
         save_drawing,
+        save_moves,
         save_preset_as,
         rename_preset,
         delete_preset,

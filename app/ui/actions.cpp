@@ -116,6 +116,35 @@ std::vector<Action> playback_actions() {
         {ActionId::normal_speed, Menu::playback, "Normal speed", {'\\'}, false, set_normal_speed}};
 }
 
+bool is_recording(const Scene& scene) {
+    return scene.lab.moves().is_running();
+}
+bool has_moves(const Scene& scene) {
+    return !scene.lab.moves().moves().empty();
+}
+// What was recorded is to be kept: the end asks where.
+void record_moves(const Scene& scene, Edits& edits) {
+    const bool is_starting = !is_recording(scene);
+    edits.add([is_starting](Lab& lab) { lab.record_moves(is_starting); });
+    if (!is_starting && has_moves(scene))
+        edits.show({.kind = Dialog::Kind::save_moves});
+}
+
+std::vector<Action> moves_actions() {
+    const auto save = [](const Scene&, Edits& edits) {
+        edits.show({.kind = Dialog::Kind::save_moves});
+    };
+    return {{ActionId::record_moves,
+             Menu::playback,
+             "Record moves",
+             {},
+             true,
+             record_moves,
+             file_actions::has_document,
+             is_recording},
+            {ActionId::save_moves, Menu::playback, "Save the moves…", {}, false, save, has_moves}};
+}
+
 std::vector<Action> help_actions() {
     const auto keys = [](const Scene&, Edits& edits) { edits.show({.kind = Dialog::Kind::keys}); };
     const auto about = [](const Scene&, Edits& edits) {
@@ -138,7 +167,7 @@ std::vector<Action> make_actions() {
     std::vector<Action> actions;
     for (const auto& part :
          {file_actions::list(), edit_actions(), tuning_actions::list(), view_actions::list(),
-          pass_actions::list(), playback_actions(), help_actions()})
+          pass_actions::list(), playback_actions(), moves_actions(), help_actions()})
         actions.insert(actions.end(), part.begin(), part.end());
     return actions;
 }

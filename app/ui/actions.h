@@ -69,6 +69,8 @@ enum class ActionId {
     slower,
     faster,
     normal_speed,
+    record_moves,
+    save_moves,
     palette,
     randomise,
     show_favourites,

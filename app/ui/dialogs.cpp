@@ -146,6 +146,7 @@ void draw_dialogs(const Scene& scene, Edits& edits) {
         case Kind::save_pass:
         case Kind::load_drawing:
         case Kind::save_drawing:
+        case Kind::save_moves:
             draw_file_dialog(scene, edits);
             return;
         case Kind::save_preset_as:

@@ -20,6 +20,8 @@ std::vector<std::string> endings_for(Dialog::Kind kind) {
         return {".exr", ".png"};
     if (kind == Dialog::Kind::load_drawing || kind == Dialog::Kind::save_drawing)
         return {".svg"};
+    if (kind == Dialog::Kind::save_moves)
+        return {".txt"};
     if (kind == Dialog::Kind::choose_file)
         return {};
     return {".json", ".svg",  ".png", ".exr", ".jpg", ".jpeg", ".txt", ".wav",
@@ -37,6 +39,8 @@ const char* title_for(Dialog::Kind kind) {
             return "Load a drawing";
         case Dialog::Kind::save_drawing:
             return "Save the drawing";
+        case Dialog::Kind::save_moves:
+            return "Save the moves, for render --moves";
         case Dialog::Kind::choose_file:
             return "Choose a file";
         default:
@@ -66,6 +70,8 @@ void start(const Scene& scene, Edits& edits) {
         });
     if (scene.window.dialog.kind == Dialog::Kind::save_drawing)
         edits.arrange([](WindowState& window) { window.dialog.text = "drawing.svg"; });
+    if (scene.window.dialog.kind == Dialog::Kind::save_moves)
+        edits.arrange([](WindowState& window) { window.dialog.text = "moves.txt"; });
 }
 
 void finish(const fs::path& file, const Scene& scene, Edits& edits) {
@@ -82,6 +88,8 @@ void finish(const fs::path& file, const Scene& scene, Edits& edits) {
         edits.add([file](Lab& lab) { lab.load_drawing(file); });
     else if (dialog.kind == Dialog::Kind::save_drawing)
         edits.add([file](Lab& lab) { lab.save_drawing(file); });
+    else if (dialog.kind == Dialog::Kind::save_moves)
+        edits.add([file](Lab& lab) { lab.save_moves(file); });
     else
         edits.document([name = dialog.subject, file](Document& document) {
             document.set_value(name, Value::of_path(file.string()));
@@ -151,9 +159,9 @@ void draw_file_dialog(const Scene& scene, Edits& edits) {
     if (ImGui::InputTextWithHint("##file", "Name or path of a file", &name))
         edits.arrange([name](WindowState& window) { window.dialog.text = name; });
     edits.mark("dialog_file");
-    const bool is_saving = dialog.kind == Dialog::Kind::save_picture ||
-                           dialog.kind == Dialog::Kind::save_pass ||
-                           dialog.kind == Dialog::Kind::save_drawing;
+    const bool is_saving =
+        dialog.kind == Dialog::Kind::save_picture || dialog.kind == Dialog::Kind::save_pass ||
+        dialog.kind == Dialog::Kind::save_drawing || dialog.kind == Dialog::Kind::save_moves;
     const bool replaces = is_saving && is_listed(dialog, name);
     if (replaces)
         dim_text("There is such a file; it will be replaced.");

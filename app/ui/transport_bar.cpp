@@ -80,6 +80,8 @@ void draw_facts(const Scene& scene, float room) {
     if (scene.lab.renderer() && scene.lab.renderer()->replay().is_running())
         facts[1] = fmt::format("replay {}/{}", scene.lab.renderer()->replay().done,
                                scene.lab.renderer()->replay().total);
+    if (scene.lab.moves().is_running())
+        facts.insert(facts.begin() + 1, "records moves");
     const float gap = ImGui::GetFontSize();
     for (std::size_t i = 0; i < facts.size(); ++i) {
         const float width = ImGui::CalcTextSize(facts[i].c_str()).x;

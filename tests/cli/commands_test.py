@@ -55,6 +55,27 @@ class Rendering(ProgramTest):
         self.assert_done(run("render", "phosphor", *SMALL, "--set", "exposure=6", "-o", self.folder / "b.png"))
         self.assert_refused(run("compare", self.folder / "a.png", self.folder / "b.png", "--fail-above", "mean=0.001"))
 
+    def test_moves_turn_parameters_over_time_at_any_rate(self):
+        self.write("plain/look.json", json.dumps(
+            {"format": "afterglow-look", "version": 1, "name": "Plain", "driven_by": "nothing",
+             "passes": [{"name": "show", "fragment": "show.frag", "format": "rgba32f"}]}))
+        self.write("plain/show.frag", "#version 410 core\nuniform float gray = 0.2;  // @range 0 1\n"
+                   "out vec4 color;\nvoid main() { color = vec4(vec3(gray), 1.0); }\n")
+        moves = self.write("moves.txt", "# a comment\n0.05 gray 0.4\n0.1 gray 0.5\n\n0.1 gray 0.6\n9 gray 1\n")
+        for fps in (20, 60):
+            frames = self.folder / f"{fps}_%04d.png"
+            self.assert_done(run("render", self.folder / "plain", "-o", frames, "--fps", fps, "--frames",
+                                 fps * 3 // 20, "--size", "4x4", "--moves", moves))
+            for frame in range(fps * 3 // 20):
+                seconds = (frame + 1) / fps
+                expected = 0.6 if seconds >= 0.1 else 0.4 if seconds >= 0.05 else 0.2
+                _, _, rows = read_png(str(frames) % frame)
+                self.assertEqual(rows[0][0], round(255 * expected), f"{fps} Hz, frame {frame}")
+        self.write("moves.txt", "0 gray 0.5\n1 grey 2\n2 gray much\n")
+        self.assert_refused(run("render", self.folder / "plain", "-o", self.folder / "x.png", "--moves", moves),
+                            f"{moves}:2: error: ", "did you mean 'gray'", f"{moves}:3: error: ")
+        self.assertFalse((self.folder / "x.png").exists())
+
     def test_a_pass_and_all_passes_can_be_had(self):
         self.assert_done(run("render", "phosphor", *SMALL, "--pass", "persistence", "--all-passes",
                              self.folder / "all", "-o", self.folder / "p.exr"))

@@ -1,0 +1,32 @@
+// The part of Lab that writes down what is turned.
+#include "io/atomic_file.h"
+#include "lab/lab.h"
+#include "lab/moves_file.h"
+
+#include <fmt/format.h>
+
+namespace fs = std::filesystem;
+
+void Lab::record_moves(bool is_recording) {
+    if (!is_recording || !m_document)
+        return m_moves.stop();
+    m_moves.start(m_document->look(), m_document->values());
+    say("Records what you turn, on the picture's clock");
+}
+
+void Lab::save_moves(const fs::path& given) {
+    const fs::path file = given.has_extension() ? given : fs::path(given.string() + ".txt");
+    if (succeeded(write_atomically(file, moves_text(m_moves.moves(), m_moves.look()))))
+        say(fmt::format("Saved {} moves as '{}'", m_moves.moves().size(),
+                        file.filename().string()));
+}
+
+// Of the frame that was drawn: there they are seen first.
+void Lab::note_moves() {
+    if (!m_moves.is_running() || m_document->is_restacking())
+        return;
+    if (m_document->look().id == m_moves.look().id)
+        return m_moves.note(m_document->values(), m_player.time());
+    m_moves.stop();
+    say("Another look is open: recording has stopped. The moves so far can be saved");
+}
