@@ -78,13 +78,13 @@ void Document::set_value(const std::string& name, Value value, bool goes_on) {
     change(std::move(next), parameter->label, goes_on);
 }
 
-void Document::set_values(const Values& values, const std::string& step_name) {
+void Document::set_values(const Values& values, const std::string& step_name, bool goes_on) {
     DocumentState next = state();
     for (const auto& [name, value] : values)
         if (const Parameter* parameter = find_parameter(m_look, name))
             if (const auto present = present_name(name))
                 next.values[*present] = clamped(*parameter, value);
-    change(std::move(next), step_name);
+    change(std::move(next), step_name, goes_on);
 }
 
 void Document::set_modulation(const std::string& name, const std::optional<Modulation>& modulation,

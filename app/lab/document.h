@@ -46,7 +46,7 @@ public:
     /// to finish().
     void set_value(const std::string& name, Value value, bool goes_on = false);
     /// Several parameters in one step.
-    void set_values(const Values& values, const std::string& step_name);
+    void set_values(const Values& values, const std::string& step_name, bool goes_on = false);
     /// Lets a parameter move by itself, or rest; its value stays. One that cannot move rests.
     void set_modulation(const std::string& name, const std::optional<Modulation>& modulation,
                         bool goes_on = false);

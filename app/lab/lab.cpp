@@ -32,6 +32,7 @@ Lab::Lab(Library library, std::unique_ptr<gpu::Context> worker)
       m_reloader(std::move(worker), m_library.roots().shared_includes()) {
     if (const auto settings = load_sound_settings(m_library.roots()); succeeded(settings))
         succeeded(m_player.set_sound_settings(*settings));
+    open_remote();
 }
 
 void Lab::say(std::string text, bool is_problem, std::string subject) {

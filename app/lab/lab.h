@@ -7,11 +7,13 @@
 #include "lab/drive.h"
 #include "lab/library.h"
 #include "lab/open.h"
+#include "lab/osc_control.h"
 #include "lab/player.h"
 #include "lab/reloader.h"
 #include "lab/renderer.h"
 #include "lab/variant.h"
 #include "model/moves.h"
+#include "model/remote_settings.h"
 
 #include <functional>
 #include <memory>
@@ -73,6 +75,9 @@ public:
 
     /// What was turned since record_moves().
     const MovesRecorder& moves() const { return m_moves; }
+    /// Other programs that turn parameters.
+    const OscControl& osc() const { return m_osc; }
+    const RemoteSettings& remote_settings() const { return m_remote; }
 
     /// The pen, and what it draws on.
     const DrawingBoard& drawing_board() const { return m_board; }
@@ -119,6 +124,8 @@ public:
     void save_drawing(const std::filesystem::path& file);  // as an SVG
     void record_moves(bool is_recording);
     void save_moves(const std::filesystem::path& file);  // as text
+    /// Listens, or listens no more, and keeps the settings.
+    void set_remote_settings(const RemoteSettings& settings);
     void save_preset();                            // over the open one
     void save_preset_as(const std::string& name);  // refused where there is one of that name
     void replace_preset(const std::string& name);  // as save_preset_as, over the one there is
@@ -148,6 +155,9 @@ public:
     /// Becomes readable when a watched file has changed; -1 where files cannot be watched.
     int watch_descriptor() const { return m_reloader.descriptor(); }
 
+    /// Becomes readable when another program turns something; -1 while none is listened to.
+    int remote_descriptor() const { return m_osc.descriptor(); }
+
     /// Calls `then` once, when the look that is being opened has been read.
     void when_opened(std::function<void(Lab&)> then) { m_when_opened = std::move(then); }
     /// Calls `then` each time before a look or preset takes the place of unsaved changes.
@@ -171,6 +181,8 @@ private:
     Result<void> follow_signal();
     void update_drive();
     void tell_silence();
+    void open_remote();
+    void listen(double wall_seconds);
     void note_moves();
     void show_source(double seconds);
     Preset portable(const Preset& preset, const std::filesystem::path& folder) const;
@@ -204,6 +216,9 @@ private:
     std::vector<SoundDevice> m_sound_devices;
     std::string m_told_silence;  // the player's, as last said
     MovesRecorder m_moves;
+    RemoteSettings m_remote;
+    OscControl m_osc;
+    double m_listened_seconds = 0.0;
     std::unique_ptr<Renderer> m_renderer;
     bool m_is_wiping = false;
     std::optional<Variant> m_variant;  // that the renderer draws

@@ -16,6 +16,7 @@ void Lab::update(double wall_seconds) {
     for (const fs::path& file : m_reloader.update())
         extra_file_changed(file);
     take_reload();
+    listen(wall_seconds);
     if (!m_document || !m_renderer)
         return;
     if (m_document->is_restacking())
@@ -44,7 +45,7 @@ void Lab::tell_silence() {
 
 bool Lab::is_moving() const {
     return (m_player.is_playing() && !has_converged()) || is_loading() || m_notice || m_wanted ||
-           !m_drive.loading().empty() || m_drive.is_source_late() ||
+           m_osc.is_turning() || !m_drive.loading().empty() || m_drive.is_source_late() ||
            (m_renderer && m_renderer->replay().is_running());
 }
 

@@ -140,6 +140,7 @@ struct Dialog {
         unsaved,  // another look is to be opened over changes
         palette,
         compare_preset,  // with what is open; `changes` has the differences
+        remote,
         keys,
         about,
     };

@@ -134,6 +134,9 @@ std::vector<Action> moves_actions() {
     const auto save = [](const Scene&, Edits& edits) {
         edits.show({.kind = Dialog::Kind::save_moves});
     };
+    const auto remote = [](const Scene&, Edits& edits) {
+        edits.show({.kind = Dialog::Kind::remote});
+    };
     return {{ActionId::record_moves,
              Menu::playback,
              "Record moves",
@@ -142,7 +145,8 @@ std::vector<Action> moves_actions() {
              record_moves,
              file_actions::has_document,
              is_recording},
-            {ActionId::save_moves, Menu::playback, "Save the moves…", {}, false, save, has_moves}};
+            {ActionId::save_moves, Menu::playback, "Save the moves…", {}, false, save, has_moves},
+            {ActionId::remote, Menu::edit, "Remote control…", {}, true, remote}};
 }
 
 std::vector<Action> help_actions() {

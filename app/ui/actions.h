@@ -71,6 +71,7 @@ enum class ActionId {
     normal_speed,
     record_moves,
     save_moves,
+    remote,
     palette,
     randomise,
     show_favourites,

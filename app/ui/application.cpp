@@ -73,6 +73,7 @@ public:
 private:
     bool wait();  // whether a turn is due
     void turn();
+    void follow_remote();
     void draw();
     void apply(const Edits& edits);
     void note_geometry();
@@ -88,6 +89,8 @@ private:
     Shelf m_shelf;
     Pace m_pace;
     Waker m_waker;
+    std::optional<Waker> m_remote_waker;  // while another program may turn something
+    int m_remote_descriptor = -1;
     std::string m_title;
     std::string m_state_text;
     Clock::time_point m_last = Clock::now();
@@ -127,12 +130,20 @@ void Application::turn() {
     m_pace.add(wall_seconds);
     m_lab.set_view(m_state.views.picture.is_empty() ? Extent{1280, 720} : m_state.views.picture);
     m_lab.update(wall_seconds);
+    follow_remote();
     if (m_window.framebuffer_size().is_empty())
         return;  // minimised
     m_shelf.update(m_lab.library(), wall_seconds);
     m_views.update(m_lab, m_state);
     m_history_pictures.update(m_lab);
     draw();
+}
+
+void Application::follow_remote() {
+    if (m_lab.remote_descriptor() == m_remote_descriptor)
+        return;
+    m_remote_descriptor = m_lab.remote_descriptor();
+    m_remote_waker.emplace(m_remote_descriptor, [] { gpu::Window::wake(); });
 }
 
 void Application::draw() {

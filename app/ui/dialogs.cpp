@@ -5,6 +5,7 @@
 #include "ui/file_dialog.h"
 #include "ui/help_dialogs.h"
 #include "ui/palette_dialog.h"
+#include "ui/remote_dialog.h"
 #include "ui/scoped.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
@@ -180,6 +181,9 @@ void draw_dialogs(const Scene& scene, Edits& edits) {
             return;
         case Kind::compare_preset:
             draw_compare_dialog(scene, edits);
+            return;
+        case Kind::remote:
+            draw_remote_dialog(scene, edits);
             return;
         case Kind::keys:
             draw_keys_dialog(scene, edits);

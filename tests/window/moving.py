@@ -1,6 +1,15 @@
 """A person lets things move by themselves, and has others move them."""
 
+import socket
+import struct
+
 from person import Person
+
+
+def osc(address, number):
+    """A message of one float, after the OSC specification 1.0."""
+    name = address.encode() + b"\0"
+    return name + b"\0" * (-len(name) % 4) + b",f\0\0" + struct.pack(">f", number)
 
 
 class Moving(Person):
@@ -41,3 +50,29 @@ class Moving(Person):
         lines = [line.split() for line in file.read_text().splitlines()[1:]]
         self.assertEqual([line[1:] for line in lines], [["exposure", "0.75"], ["decay", "0.5"]])
         self.assertLess(float(lines[0][0]), float(lines[1][0]))
+
+    def test_another_program_turns_a_parameter(self):
+        program = self.program
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as free:
+            free.bind(("127.0.0.1", 0))
+            port = free.getsockname()[1]
+        program.choose("Edit", "Remote control…")
+        program.click("osc_port")
+        program.type(str(port))
+        program.key("Return")
+        program.click("osc_listen")
+        program.wait("it listens", lambda s: s["osc"] == port)
+        sender = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self.addCleanup(sender.close)
+        for number in (2.0, 3.0, 4.0):
+            sender.sendto(osc("/afterglow/exposure", number), ("127.0.0.1", port))
+        program.wait("it is turned, in one step", lambda s: s["values"]["exposure"] == [4] and
+                     s["undo"] == "Remote control")
+        sender.sendto(b"/no", ("127.0.0.1", port))
+        program.wait("what is malformed is told", lambda s: "OSC" in s["notice"])
+        self.snapshot("remote")
+        program.click("osc_listen")
+        program.wait("it listens no more", lambda s: s["osc"] == 0)
+        program.click("dialog_cancel")
+        program.key("ctrl+z")
+        program.wait("one step back is as before", lambda s: not s["is_modified"])

@@ -1,0 +1,118 @@
+#include "lab/osc_control.h"
+
+#include "lab/naming.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace {
+constexpr std::string_view prefix = "/afterglow/";
+constexpr double quiet_seconds = 0.5;
+
+Result<Value> asked_value(const OscMessage& message, const Parameter& parameter) {
+    const auto& arguments = message.arguments;
+    if (arguments.size() == 1 && std::holds_alternative<std::string>(arguments.front()))
+        return parse_value(parameter, std::get<std::string>(arguments.front()));
+    std::vector<double> numbers;
+    for (const OscMessage::Argument& argument : arguments)
+        if (const auto* number = std::get_if<double>(&argument))
+            numbers.push_back(*number);
+    const bool is_file = parameter.control == Control::image || parameter.control == Control::sound;
+    const auto size = static_cast<std::size_t>(parameter.type.size());
+    if (is_file || numbers.size() != arguments.size() || numbers.size() != size)
+        return fail({{},
+                     0,
+                     is_file ? fmt::format("'{}' takes a text", message.address)
+                             : fmt::format("'{}' takes {} number{}, not {}", message.address, size,
+                                           size == 1 ? "" : "s", arguments.size())});
+    return clamped(parameter, Value(std::move(numbers)));
+}
+}  // namespace
+
+Result<RemoteTurn> turn_of(const OscMessage& message, const Look& look) {
+    if (!message.address.starts_with(prefix))
+        return fail(
+            {{}, 0, fmt::format("'{}' is not of the form /afterglow/NAME", message.address)});
+    const auto parameter = meant_parameter(message.address.substr(prefix.size()), look);
+    if (!parameter)
+        return fail(parameter.error());
+    auto value = asked_value(message, **parameter);
+    if (!value)
+        return fail(value.error());
+    return RemoteTurn{(*parameter)->name, std::move(*value)};
+}
+
+bool RemoteGesture::goes_on(const std::string& parameter, double now_seconds) {
+    const auto last = m_touched.find(parameter);
+    const bool goes_on = last != m_touched.end() && now_seconds - last->second < quiet_seconds;
+    if (!goes_on)
+        m_touched.erase(parameter);
+    m_touched[parameter] = now_seconds;
+    return goes_on;
+}
+
+bool RemoteGesture::has_ended(double now_seconds) {
+    const bool is_quiet = std::ranges::all_of(m_touched, [&](const auto& touched) {
+        return now_seconds - touched.second >= quiet_seconds;
+    });
+    if (m_touched.empty() || !is_quiet)
+        return false;
+    m_touched.clear();
+    return true;
+}
+
+Result<void> OscControl::listen(int port) {
+    m_port.reset();
+    m_problem.clear();
+    m_turned = m_refused = 0;
+    if (port == 0)
+        return {};
+    auto opened = UdpPort::open(port);
+    if (!opened)
+        return fail(opened.error());
+    m_port = std::move(*opened);
+    return {};
+}
+
+void OscControl::refuse(const Diagnostics& reasons) {
+    ++m_refused;
+    m_problem = reasons.front().message;
+}
+
+void OscControl::update(Document* document, double now_seconds) {
+    if (!m_port)
+        return;
+    constexpr int most = 1000;  // a turn: who sends without end shall not stop the picture
+    for (int i = 0; i < most; ++i) {
+        const auto packet = m_port->take();
+        if (!packet)
+            break;
+        take(*packet, document, now_seconds);
+    }
+    if (m_gesture.has_ended(now_seconds) && document)
+        document->finish();
+}
+
+void OscControl::take(const std::vector<std::uint8_t>& packet, Document* document,
+                      double now_seconds) {
+    const auto messages = parse_osc(packet);
+    if (!messages)
+        return refuse(messages.error());
+    for (const OscMessage& message : *messages) {
+        auto turn = document ? turn_of(message, document->look())
+                             : fail(Diagnostic{{}, 0, "no look is open"});
+        if (!turn) {
+            refuse(turn.error());
+            continue;
+        }
+        if (setting_of(turn->parameter, document->knobs()).is_locked) {
+            refuse({{{}, 0, fmt::format("'{}' is locked", turn->parameter)}});
+            continue;
+        }
+        ++m_turned;
+        if (!m_gesture.goes_on(turn->parameter, now_seconds))
+            document->finish();
+        document->set_values({{turn->parameter, std::move(turn->value)}}, "Remote control", true);
+    }
+}

@@ -1,0 +1,62 @@
+#include "ui/remote_dialog.h"
+
+#include "ui/dialog_frame.h"
+#include "ui/scoped.h"
+#include "ui/slider.h"
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace {
+void draw_port(const Scene& scene, Edits& edits) {
+    RemoteSettings settings = scene.lab.remote_settings();
+    ImGui::AlignTextToFramePadding();
+    dim_text("Port");
+    ImGui::SameLine();
+    const ScopedFont font(scene.fonts.numbers);
+    double port = settings.osc_port;
+    const NumberFacts facts{.limit = Limit{1.0, 65535.0}, .is_whole = true};
+    if (draw_number("##port", port, ImGui::GetFontSize() * 4.4f, facts).is_changed) {
+        settings.osc_port = static_cast<int>(std::lround(port));
+        edits.add([settings](Lab& lab) { lab.set_remote_settings(settings); });
+    }
+    edits.mark("osc_port");
+}
+
+void draw_what_came(const OscControl& osc) {
+    if (!osc.is_listening()) {
+        dim_text("Nobody is listened to.");
+        return;
+    }
+    dim_text(fmt::format("Listens at 127.0.0.1, port {}: {} taken, {} refused", osc.port(),
+                         osc.turned(), osc.refused()));
+    wrapped_dim_text("Refused last: " + (osc.problem().empty() ? "nothing" : osc.problem()));
+}
+}  // namespace
+
+void draw_remote_dialog(const Scene& scene, Edits& edits) {
+    const DialogFrame frame("Remote control", 32.0f, scene, edits);
+    if (!frame.is_open())
+        return;
+    ImGui::TextWrapped(
+        "Other programs on this machine turn parameters by OSC over UDP: the address "
+        "/afterglow/NAME with a number, as many as a vector has, or a text such as an item of a "
+        "list.");
+    ImGui::Spacing();
+    RemoteSettings settings = scene.lab.remote_settings();
+    settings.listens_to_osc = scene.lab.osc().is_listening();
+    if (ImGui::Checkbox("Listen to OSC", &settings.listens_to_osc))
+        edits.add([settings](Lab& lab) { lab.set_remote_settings(settings); });
+    edits.mark("osc_listen");
+    draw_port(scene, edits);
+    draw_what_came(scene.lab.osc());
+    ImGui::Spacing();
+    const float width = ImGui::GetFontSize() * 6.5f;
+    ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - width);
+    if (ImGui::Button("Close", {width, 0.0f}))
+        close_dialog(edits);
+    edits.mark("dialog_cancel");
+}

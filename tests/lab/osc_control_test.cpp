@@ -1,0 +1,125 @@
+#include "lab/osc_control.h"
+
+#include "formats/remote_settings_format.h"
+#include "formats/sample_preset.h"
+
+#include <doctest/doctest.h>
+
+#include <arpa/inet.h>
+#include <bit>
+#include <sys/socket.h>
+
+namespace {
+OscMessage message(const std::string& name, std::vector<OscMessage::Argument> arguments) {
+    return {"/afterglow/" + name, std::move(arguments)};
+}
+
+Value asked(const std::string& name, std::vector<OscMessage::Argument> arguments) {
+    const auto turn = turn_of(message(name, std::move(arguments)), sample_look());
+    REQUIRE(turn.has_value());
+    CHECK(turn->parameter == name);
+    return turn->value;
+}
+
+std::string refusal_of(const OscMessage& message) {
+    const auto turn = turn_of(message, sample_look());
+    REQUIRE_FALSE(turn.has_value());
+    return turn.error().front().message;
+}
+
+/// Sends `/afterglow/NAME f` to a port of this machine.
+void send(int port, const std::string& name, float number) {
+    std::string packet = "/afterglow/" + name;
+    packet.resize((packet.size() / 4 + 1) * 4);
+    packet += std::string(",f\0\0", 4);
+    const std::uint32_t bits = htonl(std::bit_cast<std::uint32_t>(number));
+    packet.append(reinterpret_cast<const char*>(&bits), sizeof(bits));
+    const int sender = ::socket(AF_INET, SOCK_DGRAM, 0);
+    sockaddr_in to{};
+    to.sin_family = AF_INET;
+    to.sin_port = htons(static_cast<std::uint16_t>(port));
+    to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    ::sendto(sender, packet.data(), packet.size(), 0, reinterpret_cast<sockaddr*>(&to), sizeof(to));
+    ::close(sender);
+}
+}  // namespace
+
+TEST_CASE("an address names a parameter, its arguments are the value within its limit") {
+    CHECK(asked("decay", {0.5}) == Value(0.5));
+    CHECK(asked("decay", {7.0}) == Value(1.0));
+    CHECK(asked("points", {5.4}) == Value(5.0));
+    CHECK(asked("as_written", {1.0}) == Value(1.0));
+    CHECK(asked("beam_color", {0.1, 0.2, 0.3}) == Value({0.1, 0.2, 0.3}));
+    CHECK(asked("tone_map", {std::string("ACES")}) == Value(2.0));
+    CHECK(refusal_of({"/decay", {0.5}}) == "'/decay' is not of the form /afterglow/NAME");
+    CHECK(refusal_of(message("decai", {0.5})) ==
+          "'phosphor' has no parameter 'decai' (did you mean 'decay'?)");
+    CHECK(refusal_of(message("decay", {})) == "'/afterglow/decay' takes 1 number, not 0");
+    CHECK(refusal_of(message("beam_color", {0.5})) ==
+          "'/afterglow/beam_color' takes 3 numbers, not 1");
+    CHECK(refusal_of(message("noise", {0.5})) == "'/afterglow/noise' takes a text");
+}
+
+TEST_CASE("half a second without a turn ends a step; two knobs that are turned at once share one") {
+    RemoteGesture gesture;
+    CHECK_FALSE(gesture.goes_on("decay", 10.0));
+    CHECK(gesture.goes_on("decay", 10.49));
+    CHECK_FALSE(gesture.has_ended(10.9));
+    CHECK_FALSE(gesture.goes_on("exposure", 10.9));
+    CHECK(gesture.goes_on("decay", 10.95));
+    CHECK_FALSE(gesture.has_ended(11.44));
+    CHECK(gesture.has_ended(11.45));
+    CHECK_FALSE(gesture.has_ended(11.46));
+    CHECK_FALSE(gesture.goes_on("decay", 11.47));
+}
+
+TEST_CASE("a drag from another program is one step of undo; what is malformed is counted") {
+    OscControl osc;
+    Document document(sample_look());
+    REQUIRE(osc.listen(0).has_value());
+    CHECK_FALSE(osc.is_listening());
+    int port = 0;
+    {
+        const auto free_port = UdpPort::open(0);
+        REQUIRE(free_port.has_value());
+        port = free_port->number();
+    }
+    REQUIRE(osc.listen(port).has_value());
+    for (int i = 1; i <= 5; ++i) {
+        send(port, "decay", static_cast<float>(i) * 0.125f);
+        osc.update(&document, i * 0.1);
+    }
+    CHECK(document.values().at("decay") == Value(0.625));
+    CHECK(document.history().past().size() == 1);
+    CHECK(osc.is_turning());
+    osc.update(&document, 1.0);
+    CHECK_FALSE(osc.is_turning());
+    CHECK_FALSE(document.history().is_in_gesture());
+    send(port, "decay", 0.25f);
+    osc.update(&document, 1.1);
+    CHECK(document.history().past().size() == 2);
+    document.undo();
+    CHECK(document.values().at("decay") == Value(0.625));
+    send(port, "gone", 0.25f);
+    osc.update(&document, 1.2);
+    osc.update(nullptr, 1.3);
+    CHECK(osc.turned() == 6);
+    CHECK(osc.refused() == 1);
+    CHECK(osc.problem().find("'gone'") != std::string::npos);
+    document.set_knob("decay", {.is_locked = true});
+    send(port, "decay", 0.75f);
+    osc.update(&document, 1.4);
+    CHECK(document.values().at("decay") == Value(0.625));
+    CHECK(osc.problem() == "'decay' is locked");
+    OscControl other;
+    CHECK_FALSE(other.listen(port).has_value());
+}
+
+TEST_CASE("remote settings come back; a port that is none is told at its line") {
+    const RemoteSettings settings{true, 57120};
+    CHECK(parse_remote_settings(remote_settings_to_json(settings), "a.json") == settings);
+    const auto bad = parse_remote_settings(
+        "{\"format\": \"afterglow-remote\", \"version\": 1,\n\"osc_port\": 70000}", "a.json");
+    REQUIRE_FALSE(bad.has_value());
+    CHECK(bad.error().front().line == 2);
+}
