@@ -9,6 +9,7 @@
 #include "lab/open.h"
 #include "lab/osc_control.h"
 #include "lab/player.h"
+#include "lab/rate_check.h"
 #include "lab/reloader.h"
 #include "lab/renderer.h"
 #include "lab/variant.h"
@@ -142,6 +143,10 @@ public:
     void open_in_editor(const Location& place);
     /// Shows the article's own picture and ours side by side, or the picture alone.
     void set_wiping(bool is_wiping);
+    /// Draws the document at several frame rates, beside what the window shows.
+    void compare_rates();
+    void cancel_rate_comparison() { m_rate_check.cancel(); }
+    const RateCheck& rate_check() const { return m_rate_check; }
     void cancel_replay();
     void cancel_loading();  // of a sound or picture; what was there before comes back
     void say(std::string text, bool is_problem = false, std::string subject = {});
@@ -225,6 +230,7 @@ private:
     LoadedImages m_images;             // that the renderer has
     ChosenImages m_chosen_images;
     Drive m_drive;
+    RateCheck m_rate_check;
     Reloader m_reloader;
     std::vector<Problem> m_look_problems;
     std::vector<Problem> m_problems;  // with those of the signal or source

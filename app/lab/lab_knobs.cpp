@@ -1,4 +1,4 @@
-// The part of Lab that keeps what a person says about knobs, look by look.
+// The part of Lab that keeps what a person says about knobs, look by look, and tries them out.
 #include "lab/lab.h"
 
 LookKnobs Lab::knobs() const {
@@ -29,4 +29,9 @@ void Lab::set_slider_ends(const std::string& parameter, const std::optional<Limi
             setting.ends = *fitted;
     }
     m_document->set_knob(parameter, setting);
+}
+
+void Lab::compare_rates() {
+    if (m_document)
+        m_rate_check.start(*m_document, picture_extent());
 }

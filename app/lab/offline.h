@@ -58,6 +58,8 @@ public:
     /// From the first frame again, with another document of the same look: its values, its signal
     /// and its source. Costs a part of create(), as context and programs stay. Fails as that does.
     Result<void> start_again(Document document);
+    /// Of the clock; to be followed by start_again().
+    void set_fps(double fps) { m_fps = fps; }
     const Executor& executor() const { return m_renderer->executor(); }
     const Document& document() const { return m_document; }
     const gpu::Context& context() const { return *m_context; }

@@ -114,7 +114,7 @@ struct ViewSizes {
 struct PaneSizes {
     float left = 252.0f;
     float right = 344.0f;
-    float strip = 118.0f;
+    float strip = 132.0f;
     float bottom = 150.0f;
     float inspector = 330.0f;
 
@@ -141,6 +141,7 @@ struct Dialog {
         palette,
         compare_preset,  // with what is open; `changes` has the differences
         remote,
+        rates,  // how far pictures of several frame rates are apart
         keys,
         about,
     };

@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 #include "model/color.h"
+#include "model/decay.h"
 
 #include <fmt/format.h>
 
@@ -92,6 +93,9 @@ std::optional<double> number_from(const Parameter& parameter, std::string_view t
         if (text == "false" || text == "off" || text == "no")
             return 0.0;
     }
+    if (is_decay(parameter))
+        if (const auto factor = parse_decay(text))
+            return factor;
     return parse_number(text);
 }
 

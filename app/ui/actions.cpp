@@ -3,6 +3,7 @@
 #include "gpu/input_event.h"
 #include "ui/file_actions.h"
 #include "ui/pass_actions.h"
+#include "ui/rates_dialog.h"
 #include "ui/tuning_actions.h"
 #include "ui/view_actions.h"
 
@@ -113,7 +114,14 @@ std::vector<Action> playback_actions() {
         {ActionId::restart, Menu::playback, "Restart", {'R'}, false, restart},
         {ActionId::slower, Menu::playback, "Half as fast", {'['}, true, change_speed<-1>},
         {ActionId::faster, Menu::playback, "Twice as fast", {']'}, false, change_speed<1>},
-        {ActionId::normal_speed, Menu::playback, "Normal speed", {'\\'}, false, set_normal_speed}};
+        {ActionId::normal_speed, Menu::playback, "Normal speed", {'\\'}, false, set_normal_speed},
+        {ActionId::compare_rates,
+         Menu::playback,
+         "Compare at 24, 30, 60 and 144 Hz…",
+         {},
+         true,
+         [](const Scene&, Edits& edits) { compare_rates(edits); },
+         file_actions::has_document}};
 }
 
 bool is_recording(const Scene& scene) {

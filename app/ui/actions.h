@@ -72,6 +72,7 @@ enum class ActionId {
     record_moves,
     save_moves,
     remote,
+    compare_rates,
     palette,
     randomise,
     show_favourites,

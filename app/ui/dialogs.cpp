@@ -5,6 +5,7 @@
 #include "ui/file_dialog.h"
 #include "ui/help_dialogs.h"
 #include "ui/palette_dialog.h"
+#include "ui/rates_dialog.h"
 #include "ui/remote_dialog.h"
 #include "ui/scoped.h"
 #include "ui/theme.h"
@@ -184,6 +185,9 @@ void draw_dialogs(const Scene& scene, Edits& edits) {
             return;
         case Kind::remote:
             draw_remote_dialog(scene, edits);
+            return;
+        case Kind::rates:
+            draw_rates_dialog(scene, edits);
             return;
         case Kind::keys:
             draw_keys_dialog(scene, edits);

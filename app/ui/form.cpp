@@ -72,7 +72,7 @@ Turned form_slider(const char* id, double& value, const SliderFacts& facts,
                ImGui::GetStyle().FramePadding.y + (fonts.text->FontSize - fonts.numbers->FontSize) *
                                                       0.5f * ImGui::GetIO().FontGlobalScale));
     Turned turned = draw_slider("##slider", value, facts, columns.control);
-    tooltip(range_text(facts));
+    tooltip(facts.warning.empty() ? range_text(facts) : range_text(facts) + "\n" + facts.warning);
     ImGui::SameLine(0.0f, gap());
     turned |= draw_number("##number", value, columns.number, facts.number());
     return turned;

@@ -1,5 +1,6 @@
 #include "ui/parameter_control.h"
 
+#include "model/decay.h"
 #include "model/slider_range.h"
 #include "ui/color_control.h"
 #include "ui/form.h"
@@ -45,6 +46,8 @@ Turned draw_component(const Knob& knob, std::size_t component, Value& value,
     if (facts.limit)
         facts.limit = Limit{facts.limit->low * factor, facts.limit->high * factor};
     double shown = value.numbers[component] * factor;
+    if (is_decay(knob.parameter))
+        facts.note = "½ " + duration_text(half_life(shown));
     const std::string id = std::to_string(component);
     const Turned turned = form_slider(id.c_str(), shown, facts, columns, fonts);
     if (component == 0)

@@ -1,9 +1,11 @@
 #include "ui/parameter_help.h"
 
 #include "lab/lab.h"
+#include "model/decay.h"
 #include "ui/icons.h"
 #include "ui/knob_marks.h"
 #include "ui/modulation_editor.h"
+#include "ui/rates_dialog.h"
 #include "ui/scoped.h"
 #include "ui/slider.h"
 #include "ui/theme.h"
@@ -81,6 +83,10 @@ void draw_facts(const Knob& knob, const Fonts& fonts) {
     ImGui::Spacing();
     fact("name", parameter.name + "  (" + type_name(parameter) + ")");
     fact("value", short_value(parameter, knob.value));
+    if (is_decay(parameter)) {
+        fact("half-life", duration_text(half_life(knob.value.number())));
+        fact("10 % left", "after " + duration_text(seconds_to(0.1, knob.value.number())));
+    }
     fact("default", short_value(parameter, parameter.initial));
     fact("range", range_text(parameter));
     fact("scale", parameter.scale == Scale::logarithmic ? "logarithmic" : "");
@@ -159,6 +165,11 @@ void draw_parameter_help(const Knob& knob, const Fonts& fonts, Edits& edits) {
     draw_slider_ends(knob, fonts, edits);
     draw_modulation_editor(knob, fonts, edits);
     ImGui::Separator();
+    if (is_decay(parameter)) {
+        if (ImGui::Selectable("Compare at 24, 30, 60 and 144 Hz…"))
+            compare_rates(edits);
+        edits.mark("compare_rates");
+    }
     const Location place = parameter.declared;
     if (!place.file.empty()) {
         if (ImGui::Selectable(("Open " + place_text(place)).c_str()))

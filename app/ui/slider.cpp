@@ -70,6 +70,17 @@ std::vector<double> notch_places(const SliderFacts& facts, double width) {
     return places;
 }
 
+std::vector<double> safe_places(const SliderFacts& facts, double width) {
+    constexpr double room = 5.0;  // pixels from one to the next
+    std::vector<double> places;
+    for (const double value : facts.safe) {
+        const double place = slider_place(value, facts);
+        if (places.empty() || (place - places.back()) * width >= room)
+            places.push_back(place);
+    }
+    return places;
+}
+
 std::string short_number(double value) {
     const double size = std::abs(value);
     if (size != 0.0 && (size >= 1e7 || size < 1e-4))
@@ -138,6 +149,32 @@ Turned read_if_left(ImGuiID id, double& value, const NumberFacts& facts) {
     return field.frame >= ImGui::GetFrameCount() - 1 ? read_field(field, value, facts) : Turned{};
 }
 
+// Safe values are marked along the top, steps along the bottom.
+void draw_marks(const ImRect& box, const SliderFacts& facts) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const double width = box.GetWidth();
+    const auto column = [&](double place) {
+        return std::round(box.Min.x + static_cast<float>(width * place)) + 0.5f;
+    };
+    const float length = box.GetHeight() * 0.16f;
+    for (const double place : notch_places(facts, width))
+        list.AddLine({column(place), box.Max.y - length}, {column(place), box.Max.y},
+                     theme::packed(theme::faint));
+    const theme::Color& safe = facts.warning.empty() ? theme::faint : theme::warning;
+    for (const double place : safe_places(facts, width))
+        list.AddLine({column(place), box.Min.y}, {column(place), box.Min.y + length},
+                     theme::packed(safe));
+}
+
+void draw_note(const ImRect& box, const std::string& note) {
+    const ImVec2 size = ImGui::CalcTextSize(note.c_str());
+    if (note.empty() || size.x + 8.0f > box.GetWidth())
+        return;
+    ImGui::GetWindowDrawList()->AddText(
+        {box.Min.x + 4.0f, box.Min.y + (box.GetHeight() - size.y) * 0.5f},
+        theme::packed(theme::label), note.c_str());
+}
+
 void draw_bar(const ImRect& box, double value, const SliderFacts& facts, bool is_hot) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float rounding = ImGui::GetStyle().FrameRounding;
@@ -152,11 +189,8 @@ void draw_bar(const ImRect& box, double value, const SliderFacts& facts, bool is
     const theme::Color fill = facts.is_changed ? theme::accent_filled : theme::filled;
     list.AddRectFilled({std::min(origin, place), box.Min.y}, {std::max(origin, place), box.Max.y},
                        theme::packed(fill), rounding);
-    for (const double notch : notch_places(facts, static_cast<double>(width))) {
-        const float x = std::round(box.Min.x + width * static_cast<float>(notch)) + 0.5f;
-        list.AddLine({x, box.Max.y - box.GetHeight() * 0.16f}, {x, box.Max.y},
-                     theme::packed(theme::faint));
-    }
+    draw_marks(box, facts);
+    draw_note(box, facts.note);
     if (facts.initial && facts.is_changed) {
         const float tick = std::clamp(at(*facts.initial), box.Min.x + 1.0f, box.Max.x - 1.0f);
         list.AddLine({tick, box.Max.y - box.GetHeight() * 0.3f}, {tick, box.Max.y},

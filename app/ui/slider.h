@@ -19,6 +19,9 @@ struct SliderFacts {
     bool is_whole = false;
     std::optional<double> now = {};         // where it is while it moves by itself; gets a mark
     std::optional<double> steps_from = {};  // where steps are counted from; none: the low end
+    std::string note = {};                  // what the value comes to, on the bar where it fits
+    std::string warning = {};               // about the value as it is; on hover
+    std::vector<double> safe = {};          // values that are marked where they have room
 
     NumberFacts number() const { return {is_changed, unit, limit, is_whole}; }
 };
@@ -49,6 +52,9 @@ double dragged_value(double place, const SliderFacts& facts, DragPace pace);
 /// Where notches are drawn on a slider of that width in pixels, 0 .. 1, its ends left out: at its
 /// steps, where all of them have room.
 std::vector<double> notch_places(const SliderFacts& facts, double width);
+
+/// Where the safe values are marked, likewise.
+std::vector<double> safe_places(const SliderFacts& facts, double width);
 
 /// A bar that follows the mouse (a tenth as far with Shift, ten times with Alt or Ctrl+Shift);
 /// Ctrl+click or a double click types.

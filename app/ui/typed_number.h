@@ -21,7 +21,8 @@ struct TypedNumber {
 };
 
 /// Reads what a person types: a point or a comma before the decimals, and the unit behind if they
-/// like. "4,096" is refused: it may mean four or four thousand. An empty text changes nothing.
+/// like; for a decay also a time, see model/decay.h. "4,096" is refused: it may mean four or four
+/// thousand. An empty text changes nothing.
 TypedNumber read_typed_number(std::string_view text, const NumberFacts& facts);
 
 /// A field that is, or a moment ago was, typed into.

@@ -117,3 +117,12 @@ TEST_CASE("the sRGB curve meets the standard's own points and undoes itself") {
     for (const double light : {0.001, 0.0031308, 0.18, 0.9})
         CHECK(srgb_decode(srgb_encode(light)) == about(light, 1e-6));
 }
+
+TEST_CASE("a decay is also given as a half-life") {
+    Parameter parameter;
+    parameter.name = "decay";
+    parameter.unit = "per 1/60 s";
+    const auto value = parse_value(parameter, "100 ms");
+    REQUIRE(value.has_value());
+    CHECK(std::abs(value->number() - std::exp2(-1.0 / 6.0)) < 1e-12);
+}

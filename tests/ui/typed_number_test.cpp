@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 TEST_CASE("a typed number may have a point, a comma, a sign, an exponent and its unit") {
     const NumberFacts facts{.unit = "px"};
     CHECK(read_typed_number("0.5", facts).value == 0.5);
@@ -41,4 +43,18 @@ TEST_CASE("where whole numbers count, the nearest is taken and told") {
     CHECK(typed.value == 3.0);
     CHECK_FALSE(typed.complaint.empty());
     CHECK(read_typed_number("2", {.is_whole = true}).complaint.empty());
+}
+
+TEST_CASE("a decay may be typed as a time; with another unit a time is no number") {
+    const NumberFacts facts{.unit = "per 1/60 s", .limit = Limit{0.0, 1.0}};
+    const auto is_near = [](const TypedNumber& typed, double wanted) {
+        return typed.value && typed.complaint.empty() && std::abs(*typed.value - wanted) < 1e-12;
+    };
+    CHECK(is_near(read_typed_number("100 ms", facts), std::exp2(-1.0 / 6.0)));
+    CHECK(is_near(read_typed_number("0,125 s", facts), std::exp2(-1.0 / 7.5)));
+    CHECK(is_near(read_typed_number("10% 0.5 s", facts), std::pow(10.0, -1.0 / 30.0)));
+    CHECK(is_near(read_typed_number("0.92", facts), 0.92));
+    CHECK(is_near(read_typed_number("0.92 per 1/60 s", facts), 0.92));
+    CHECK(read_typed_number("soon", facts).complaint.find("120 ms") != std::string::npos);
+    CHECK_FALSE(read_typed_number("100 ms", {.unit = "px"}).value);
 }

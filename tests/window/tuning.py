@@ -50,6 +50,24 @@ class Tuning(Person):
         program.click("label:decay")
         program.wait("leaving the field takes it too", lambda s: s["values"]["decay"] == [0.25])
 
+    def test_a_decay_is_a_time_and_is_compared_at_other_frame_rates(self):
+        program = self.program
+        program.set("decay", "0.5")
+        program.retype("decay", "100 ms")
+        program.wait("a half-life is taken",
+                     lambda s: abs(s["values"]["decay"][0] - 0.5 ** (1 / 6)) < 1e-4)
+        program.retype("decay", "10% 0,5 s")
+        program.wait("so is a time to a tenth",
+                     lambda s: abs(s["values"]["decay"][0] - 0.1 ** (1 / 30)) < 1e-4)
+        program.click("label:decay")
+        program.wait("its help is open", lambda s: "compare_rates" in s["widgets"])
+        self.snapshot("decay")
+        program.click("compare_rates")
+        program.wait("the rates are being drawn", lambda s: "rates_progress" in s["widgets"])
+        self.snapshot("rates_under_way")
+        program.click("dialog_cancel")
+        program.wait("no longer", lambda s: s["dialog"] == 0)
+
     def test_help_shows_while_the_pointer_rests_on_a_parameter(self):
         program = self.program
         program.reveal("exposure")

@@ -1,0 +1,88 @@
+#include "ui/rates_dialog.h"
+
+#include "gpu/input_event.h"
+#include "ui/dialog_frame.h"
+#include "ui/scoped.h"
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+#include <fmt/format.h>
+
+void compare_rates(Edits& edits) {
+    edits.add([](Lab& lab) { lab.compare_rates(); });
+    edits.show({.kind = Dialog::Kind::rates});
+}
+
+namespace {
+constexpr double levels = 255.0;
+
+void draw_pairs(const RateComparison& comparison, const Scene& scene, Edits& edits) {
+    const ScopedColor stripe(ImGuiCol_TableRowBgAlt, theme::field);
+    if (!ImGui::BeginTable("##pairs", 4, ImGuiTableFlags_RowBg))
+        return;
+    ImGui::TableSetupColumn("Hz");
+    ImGui::TableSetupColumn("largest");
+    ImGui::TableSetupColumn("at pixel");
+    ImGui::TableSetupColumn("mean");
+    ImGui::TableHeadersRow();
+    const ScopedFont font(scene.fonts.numbers);
+    for (const RatePair& pair : comparison.pairs) {
+        const Difference& apart = pair.difference;
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(fmt::format("{:.0f} – {:.0f}", pair.first, pair.second).c_str());
+        edits.mark(fmt::format("rates:{:.0f}-{:.0f}", pair.first, pair.second));
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(fmt::format("{:.1f}", apart.largest * levels).c_str());
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(fmt::format("{}, {}", apart.largest_x, apart.largest_y).c_str());
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(fmt::format("{:.3f}", apart.mean * levels).c_str());
+    }
+    ImGui::EndTable();
+}
+
+void draw_comparison(const RateComparison& comparison, const Scene& scene, Edits& edits) {
+    const RatePair& worst = comparison.worst();
+    ImGui::TextWrapped(
+        "%s", fmt::format("The largest difference is {:.1f} of 255 levels, between {:.0f} and "
+                          "{:.0f} Hz at pixel {}, {}.",
+                          worst.difference.largest * levels, worst.first, worst.second,
+                          worst.difference.largest_x, worst.difference.largest_y)
+                  .c_str());
+    edits.mark("rates_worst");
+    ImGui::Spacing();
+    draw_pairs(comparison, scene, edits);
+    ImGui::Spacing();
+    wrapped_dim_text(fmt::format(
+        "Each rate was drawn from a fresh start to {:.3g} s at {}; differences are in levels of "
+        "255, of any colour.",
+        comparison.seconds, size_text(comparison.size)));
+}
+}  // namespace
+
+void draw_rates_dialog(const Scene& scene, Edits& edits) {
+    const RateCheck& check = scene.lab.rate_check();
+    const DialogFrame frame("The picture at 24, 30, 60 and 144 Hz", 34.0f, scene, edits);
+    if (!frame.is_open())
+        return;
+    const bool is_running = check.is_running();
+    if (is_running) {
+        dim_text("Drawing the same moment at every rate");
+        ImGui::ProgressBar(static_cast<float>(check.share()), {-1.0f, 0.0f});
+        edits.mark("rates_progress");
+    } else if (check.outcome() && check.outcome()->has_value()) {
+        draw_comparison(**check.outcome(), scene, edits);
+    } else if (check.outcome()) {
+        const ScopedColor color(ImGuiCol_Text, theme::warning);
+        ImGui::TextWrapped("%s", check.outcome()->error().front().message.c_str());
+    }
+    ImGui::Spacing();
+    const float width = ImGui::GetFontSize() * 6.5f;
+    ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - width);
+    const bool is_left = ImGui::Button(is_running ? "Cancel" : "Close", {width, 0.0f});
+    edits.mark("dialog_cancel");
+    if (is_left)
+        close_dialog(edits);
+    if (is_left || ImGui::IsKeyPressed(gpu::key::escape, false))
+        edits.add([](Lab& lab) { lab.cancel_rate_comparison(); });
+}
