@@ -8,13 +8,9 @@
 #include <cmath>
 #include <limits>
 
-bool is_decay_unit(std::string_view unit) {
-    return unit == "per 1/60 s";
-}
-
 bool is_decay(const Parameter& parameter) {
     return parameter.control == Control::slider && parameter.type == NumberType{} &&
-           is_decay_unit(parameter.unit);
+           parameter.unit == "per 1/60 s" && parameter.range.high <= 1.0;
 }
 
 double seconds_to(double share, double factor) {

@@ -9,9 +9,8 @@
 // A light that fades by the same factor every sixtieth of a second: left after t seconds is
 // factor^(60 t). Half is left after h seconds where factor = 2^(-1 / (60 h)).
 
-/// Whether a parameter is such a factor: a number with the unit "per 1/60 s".
+/// Whether a parameter is such a factor: a number up to 1 with the unit "per 1/60 s".
 bool is_decay(const Parameter& parameter);
-bool is_decay_unit(std::string_view unit);
 
 /// Seconds until `share` of the light is left; 0 for a factor of 0 or less, infinite from 1 on.
 double seconds_to(double share, double factor);

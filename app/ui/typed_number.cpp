@@ -38,13 +38,12 @@ TypedNumber read_typed_number(std::string_view text, const NumberFacts& facts) {
         text = trim(text.substr(0, text.size() - facts.unit.size()));
     if (text.empty())
         return {};
-    const bool is_decay = is_decay_unit(facts.unit);
-    const auto time = is_decay ? parse_decay(text) : std::nullopt;
+    const auto time = facts.is_decay ? parse_decay(text) : std::nullopt;
     const auto number = time ? time : number_in(text);
     if (!number)
         return {{},
                 fmt::format("'{}' is no number{}; the old value stays", text,
-                            is_decay ? " and no time as in 120 ms or 10% 0.4 s" : "")};
+                            facts.is_decay ? " and no time as in 120 ms or 10% 0.4 s" : "")};
     if (!time && text.find(',') != std::string_view::npos && is_ambiguous(text))
         return {{},
                 fmt::format("'{}' may mean {} or {}; write it with a point or without the comma",

@@ -12,6 +12,7 @@ struct NumberFacts {
     std::string unit = {};
     std::optional<Limit> limit = {};  // what is typed beyond it stops there
     bool is_whole = false;
+    bool is_decay = false;  // may be typed as a time, see model/decay.h
 };
 
 /// What became of a text that was typed as a number.

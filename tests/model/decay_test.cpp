@@ -63,6 +63,9 @@ TEST_CASE("a decay is a number with the unit per 1/60 s") {
     CHECK_FALSE(is_decay(parameter));
     parameter.unit = "per 1/60 s";
     CHECK(is_decay(parameter));
+    parameter.range.high = 60.0;  // so many points
+    CHECK_FALSE(is_decay(parameter));
+    parameter.range.high = 1.0;
     parameter.type.rows = 3;
     CHECK_FALSE(is_decay(parameter));
 }

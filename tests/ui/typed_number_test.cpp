@@ -45,8 +45,8 @@ TEST_CASE("where whole numbers count, the nearest is taken and told") {
     CHECK(read_typed_number("2", {.is_whole = true}).complaint.empty());
 }
 
-TEST_CASE("a decay may be typed as a time; with another unit a time is no number") {
-    const NumberFacts facts{.unit = "per 1/60 s", .limit = Limit{0.0, 1.0}};
+TEST_CASE("a decay may be typed as a time; elsewhere a time is no number") {
+    const NumberFacts facts{.unit = "per 1/60 s", .limit = Limit{0.0, 1.0}, .is_decay = true};
     const auto is_near = [](const TypedNumber& typed, double wanted) {
         return typed.value && typed.complaint.empty() && std::abs(*typed.value - wanted) < 1e-12;
     };
@@ -56,5 +56,5 @@ TEST_CASE("a decay may be typed as a time; with another unit a time is no number
     CHECK(is_near(read_typed_number("0.92", facts), 0.92));
     CHECK(is_near(read_typed_number("0.92 per 1/60 s", facts), 0.92));
     CHECK(read_typed_number("soon", facts).complaint.find("120 ms") != std::string::npos);
-    CHECK_FALSE(read_typed_number("100 ms", {.unit = "px"}).value);
+    CHECK_FALSE(read_typed_number("100 ms", {.unit = "per 1/60 s"}).value);
 }
