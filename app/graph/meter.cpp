@@ -27,6 +27,8 @@ constexpr const char* fragment_start = R"(#version 410 core
 out vec4 color;
 uniform int block_side;  // texels; 0: samples are taken
 uniform vec2 cell;       // texels a sample
+uniform bool counts_clipped;
+uniform float ceiling;
 )";
 
 constexpr const char* fragment_end = R"(
@@ -59,9 +61,27 @@ ivec2 place_in(ivec2 cell_at) {
     return min(ivec2((vec2(cell_at) + part) * cell), textureSize(shown, 0) - 1);
 }
 
+// Texels of a sample's cell that reach the ceiling. The cells cover every texel once.
+float clipped_in(ivec2 cell_at) {
+    ivec2 low = ivec2(vec2(cell_at) * cell + 0.5);
+    ivec2 end = min(ivec2(vec2(cell_at + 1) * cell + 0.5), textureSize(shown, 0));
+    float clipped = 0.0;
+    for (int y = low.y; y < end.y; ++y)
+        for (int x = low.x; x < end.x; ++x) {
+            vec3 numbers = chosen(texel_at(ivec2(x, y)));
+            bool is_finite = !any(isnan(numbers)) && !any(isinf(numbers));
+            if (is_finite && max(numbers.r, max(numbers.g, numbers.b)) >= ceiling)
+                clipped += 1.0;
+        }
+    return clipped;
+}
+
 void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
-    color = block_side > 0 ? block_sums(at * block_side) : vec4(chosen(texel_at(place_in(at))), 1.0);
+    if (block_side > 0)
+        color = block_sums(at * block_side);
+    else
+        color = vec4(chosen(texel_at(place_in(at))), counts_clipped ? clipped_in(at) : 0.0);
 }
 )";
 
@@ -132,6 +152,12 @@ Picture picture_of(const std::vector<float>& texels, Extent extent, bool is_colo
         picture.pixels.insert(picture.pixels.end(), &texels[i], &texels[i] + picture.channels);
     return picture;
 }
+std::size_t clipped_in(const std::vector<float>& texels) {
+    double clipped = 0.0;
+    for (std::size_t i = 3; i < texels.size(); i += 4)
+        clipped += static_cast<double>(texels[i]);
+    return static_cast<std::size_t>(clipped);
+}
 }  // namespace
 
 Meter::Meter(gpu::Program floats, gpu::Program naturals)
@@ -147,7 +173,8 @@ Result<Meter> Meter::make() {
     return Meter(std::move(*floats), std::move(*naturals));
 }
 
-void Meter::draw(const gpu::Texture& from, const gpu::Program& program, ChannelChoice channels) {
+void Meter::draw(const gpu::Texture& from, const gpu::Program& program, ChannelChoice channels,
+                 std::optional<double> ceiling) {
     const Extent samples = m_samples->texture().extent();
     // A lone channel stands in red; the others of it are no numbers of the target's.
     const bool is_lone = channels == ChannelChoice::rgb && !m_is_color;
@@ -155,6 +182,8 @@ void Meter::draw(const gpu::Texture& from, const gpu::Program& program, ChannelC
                   std::array{static_cast<double>(is_lone ? ChannelChoice::red : channels)});
     program.write("cell", std::array{static_cast<double>(m_measured.width) / samples.width,
                                      static_cast<double>(m_measured.height) / samples.height});
+    program.write("counts_clipped", std::array{ceiling ? 1.0 : 0.0});
+    program.write("ceiling", std::array{ceiling.value_or(0.0)});
     const gpu::DrawScope scope;
     m_samplers.bind(0, from, {Filter::nearest, Wrap::edge, false});
     program.use();
@@ -168,7 +197,7 @@ void Meter::draw(const gpu::Texture& from, const gpu::Program& program, ChannelC
     m_samplers.release();
 }
 
-void Meter::start(const gpu::Texture& from, ChannelChoice channels) {
+void Meter::start(const gpu::Texture& from, ChannelChoice channels, std::optional<double> ceiling) {
     stop();
     m_measured = from.extent();
     const bool is_integer = facts_of(from.format()).is_integer;
@@ -179,7 +208,7 @@ void Meter::start(const gpu::Texture& from, ChannelChoice channels) {
     if (m_measured.is_empty() || !fit(m_blocks, blocks_of(m_measured, side)) ||
         !fit(m_samples, samples))
         return;
-    draw(from, is_integer ? m_naturals : m_floats, channels);
+    draw(from, is_integer ? m_naturals : m_floats, channels, ceiling);
     m_blocks_to_come.emplace(*m_blocks);
     m_samples_to_come.emplace(*m_samples);
 }
@@ -187,9 +216,10 @@ void Meter::start(const gpu::Texture& from, ChannelChoice channels) {
 std::optional<Measured> Meter::take() {
     if (!is_busy() || !m_samples_to_come->has_come())  // asked for last
         return std::nullopt;
-    Measured measured{
-        combined(m_blocks_to_come->take(), m_measured),
-        picture_of(m_samples_to_come->take(), m_samples->texture().extent(), m_is_color)};
+    const std::vector<float> samples = m_samples_to_come->take();
+    Measured measured{combined(m_blocks_to_come->take(), m_measured),
+                      picture_of(samples, m_samples->texture().extent(), m_is_color),
+                      clipped_in(samples)};
     stop();
     return measured;
 }

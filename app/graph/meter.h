@@ -11,8 +11,9 @@
 
 /// What is known of the numbers in a target.
 struct Measured {
-    Statistics statistics;  // of every texel
-    Picture samples;        // at most 256 x 256 texels spread evenly; of lone channels grey
+    Statistics statistics;    // of every texel
+    Picture samples;          // at most 256 x 256 texels spread evenly; of lone channels grey
+    std::size_t clipped = 0;  // texels with a finite number at the ceiling or above
 };
 
 /// Measures targets without waiting: one draw reduces every texel to sums of blocks, one takes
@@ -23,8 +24,9 @@ public:
 
     /// Whether an answer is under way.
     bool is_busy() const { return m_blocks_to_come.has_value(); }
-    /// Asks; what was under way is dropped.
-    void start(const gpu::Texture& from, ChannelChoice channels);
+    /// Asks; what was under way is dropped. Texels at a ceiling are counted where one is given.
+    void start(const gpu::Texture& from, ChannelChoice channels,
+               std::optional<double> ceiling = std::nullopt);
     /// The answer, once, when it has come.
     std::optional<Measured> take();
     /// Lets go of what was under way.
@@ -32,7 +34,8 @@ public:
 
 private:
     Meter(gpu::Program floats, gpu::Program naturals);
-    void draw(const gpu::Texture& from, const gpu::Program& program, ChannelChoice channels);
+    void draw(const gpu::Texture& from, const gpu::Program& program, ChannelChoice channels,
+              std::optional<double> ceiling);
 
     gpu::Program m_floats;
     gpu::Program m_naturals;  // for integer targets

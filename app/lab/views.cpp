@@ -15,7 +15,10 @@ Result<Views> Views::make() {
     auto pins = Pins::make();
     if (!pins)
         return fail(pins.error());
-    return Views(std::move(*viewer), std::move(*inspection), std::move(*pins));
+    auto gains = GainMeters::make();
+    if (!gains)
+        return fail(gains.error());
+    return Views(std::move(*viewer), std::move(*inspection), std::move(*pins), std::move(*gains));
 }
 
 Views::Image Views::image_of(const std::optional<gpu::Canvas>& canvas) {
@@ -133,6 +136,7 @@ void Views::update(const Lab& lab, const WindowState& window) {
         m_probed.reset();
         m_inspection.stop();
         m_pins.stop();
+        m_gains.stop();
         return;
     }
     if (lab.renderer()->replay().is_running())
@@ -140,7 +144,12 @@ void Views::update(const Lab& lab, const WindowState& window) {
     const Executor& executor = lab.renderer()->executor();
     draw_picture(*lab.renderer(), lab.variant(), window);
     const bool is_whole = !window.is_picture_only;
-    draw_thumbnails(executor, is_whole && window.shows_strip ? window.views.thumbnail_height : 0);
+    const bool has_strip = is_whole && window.shows_strip;
+    draw_thumbnails(executor, has_strip ? window.views.thumbnail_height : 0);
+    if (has_strip)
+        m_gains.update(executor, lab.document()->values(), lab.is_moving(), present_seconds());
+    else
+        m_gains.stop();
     draw_inspected(executor, window);
     if (is_whole && window.shows_bottom && window.bottom_part == BottomPart::pins)
         m_pins.update(executor, window.pins, present_seconds());

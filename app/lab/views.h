@@ -2,6 +2,7 @@
 
 #include "gpu/canvas.h"
 #include "graph/viewer.h"
+#include "lab/gain_meters.h"
 #include "lab/inspection.h"
 #include "lab/lab.h"
 #include "lab/pins.h"
@@ -35,14 +36,17 @@ public:
     /// What each pass has at the pinned points; nothing while they are not shown.
     const Pins& pins() const { return m_pins; }
     Image thumbnail(std::size_t pass) const;
+    /// How loud each pass is; nothing while the strip is closed.
+    const GainMeters& gains() const { return m_gains; }
     /// The stored numbers of WindowState::probe's pixel.
     const std::optional<std::array<float, 4>>& probed() const { return m_probed; }
 
 private:
-    Views(Viewer viewer, Inspection inspection, Pins pins)
+    Views(Viewer viewer, Inspection inspection, Pins pins, GainMeters gains)
         : m_viewer(std::move(viewer)),
           m_inspection(std::move(inspection)),
-          m_pins(std::move(pins)) {}
+          m_pins(std::move(pins)),
+          m_gains(std::move(gains)) {}
     static Image image_of(const std::optional<gpu::Canvas>& canvas);
     bool fit(std::optional<gpu::Canvas>& canvas, Extent extent);
     void draw_part(const gpu::Texture& from, std::optional<gpu::Canvas>& to, Extent size,
@@ -62,6 +66,7 @@ private:
     Viewer m_viewer;
     Inspection m_inspection;
     Pins m_pins;
+    GainMeters m_gains;
     std::optional<gpu::Canvas> m_picture;
     std::optional<gpu::Canvas> m_inspected;
     std::vector<std::optional<gpu::Canvas>> m_thumbnails;

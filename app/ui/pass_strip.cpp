@@ -1,6 +1,7 @@
 #include "ui/pass_strip.h"
 
 #include "ui/scoped.h"
+#include "ui/slider.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
@@ -14,8 +15,11 @@ struct Cell {
     const Pass& pass;
     const PlannedTarget& target;
     double milliseconds = 0.0;
+    const Gain* gain = nullptr;  // null: not measured yet
     bool is_chosen = false;
 };
+
+constexpr float word_lines = 3.7f;  // below the picture: name, facts, gain
 
 std::string facts_text(const Cell& cell) {
     return fmt::format("{}×{} {}", cell.target.extent.width, cell.target.extent.height,
@@ -28,6 +32,35 @@ std::string time_text(double milliseconds) {
         return {};
     const int decimals = milliseconds < 99.995 ? 2 : milliseconds < 999.95 ? 1 : 0;
     return fmt::format("{:.{}f} ms", milliseconds, decimals);  // "00.00 ms" is room for all
+}
+
+std::string percent_text(double share) {
+    return fmt::format("{:.{}f} %", share * 100.0, share < 0.0995 ? 1 : 0);
+}
+
+bool is_clipped(const Gain& gain) {
+    constexpr double counts = 0.0005;  // "0.1 %"
+    return gain.clipped >= counts;
+}
+
+// What counts most, in the room there is.
+std::string gain_text(const Gain& gain) {
+    if (is_clipped(gain))
+        return fmt::format("{:.3g} {} clipped", gain.peak, percent_text(gain.clipped));
+    const auto headroom = headroom_stops(gain);
+    if (!headroom)
+        return "no light";
+    if (*headroom > meter_stops)
+        return fmt::format("peak {:.3g}", gain.peak);
+    return fmt::format("{:.3g} {:.1f} stops", gain.peak, *headroom);
+}
+
+std::string gain_help(const Gain& gain) {
+    const auto headroom = headroom_stops(gain);
+    return fmt::format(
+        "\npeak {}, mean {}\n{} at the ceiling, {}\n{}", short_number(gain.peak),
+        short_number(gain.mean), percent_text(gain.clipped), short_number(gain.ceiling),
+        headroom ? fmt::format("{:.1f} stops of headroom", *headroom) : std::string("no light"));
 }
 
 // In a stack the looks are named above their passes.
@@ -53,6 +86,21 @@ void draw_image(const Views::Image& image, const ImVec2& low, float width, float
                       {start.x + image_width, start.y + image_height}, {0.0f, 1.0f}, {1.0f, 0.0f});
 }
 
+// From 16 stops below the ceiling: filled up to the mean, a line at the peak. The ceiling of a
+// 32-bit float is out of all sight.
+void draw_meter(const Gain& gain, const ImVec2& low, const ImVec2& high) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const auto at = [&](double number) {
+        return low.x + (high.x - low.x) * static_cast<float>(meter_place(number, gain.ceiling));
+    };
+    list.AddRectFilled(low, high, theme::packed(theme::field));
+    list.AddRectFilled(low, {at(gain.mean), high.y}, theme::packed(theme::filled));
+    const theme::Color color = is_clipped(gain) ? theme::warning : theme::label;
+    const float peak = std::clamp(at(gain.peak), low.x + 2.0f, high.x);
+    if (gain.peak > 0.0)
+        list.AddRectFilled({peak - 2.0f, low.y}, {peak, high.y}, theme::packed(color));
+}
+
 void draw_words(const Cell& cell, const Scene& scene, const ImVec2& at, float width) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float line = ImGui::GetFontSize();
@@ -67,6 +115,11 @@ void draw_words(const Cell& cell, const Scene& scene, const ImVec2& at, float wi
                      time.c_str());
     const std::string facts = cut_to_fit(facts_text(cell), width);
     list.AddText({at.x, at.y + line * 1.2f}, theme::packed(theme::dim), facts.c_str());
+    if (!cell.gain)
+        return;
+    const std::string gain = cut_to_fit(gain_text(*cell.gain), width);
+    list.AddText({at.x, at.y + line * 2.4f},
+                 theme::packed(is_clipped(*cell.gain) ? theme::warning : theme::dim), gain.c_str());
 }
 
 // Wide enough for the picture, and for the name beside its time; it does not change with the time.
@@ -83,7 +136,7 @@ void draw_cell(const Cell& cell, const Scene& scene, float image_height, Edits& 
     const Views::Image image = scene.views.thumbnail(cell.index);
     const float width =
         cell_width(cell, scene, static_cast<float>(image.extent.width) / scene.density);
-    const float words = ImGui::GetFontSize() * 2.5f;
+    const float words = ImGui::GetFontSize() * word_lines;
     const ImVec2 low = ImGui::GetCursorScreenPos();
     if (ImGui::InvisibleButton("##pass", {width, image_height + words}))
         edits.arrange([name = cell.pass.name](WindowState& window) {
@@ -94,10 +147,14 @@ void draw_cell(const Cell& cell, const Scene& scene, float image_height, Edits& 
     const bool is_hovered = ImGui::IsItemHovered();
     if (is_hovered && ImGui::IsMouseDoubleClicked(0))
         edits.arrange([](WindowState& window) { window.shows_pass_large = true; });
-    tooltip(fmt::format("{}\n{}{}\nA double click shows it as large as the picture.",
+    tooltip(fmt::format("{}\n{}{}{}\nA double click shows it as large as the picture.",
                         cell.pass.name, facts_text(cell),
-                        cell.milliseconds > 0.0 ? "\n" + time_text(cell.milliseconds) : ""));
+                        cell.milliseconds > 0.0 ? "\n" + time_text(cell.milliseconds) : "",
+                        cell.gain ? gain_help(*cell.gain) : ""));
     draw_image(image, low, width, image_height, scene.density);
+    if (cell.gain && headroom_stops(*cell.gain).value_or(0.0) <= meter_stops)
+        draw_meter(*cell.gain, {low.x, low.y + image_height - 4.0f * scene.scale},
+                   {low.x + width, low.y + image_height});
     if (cell.is_chosen || is_hovered)
         ImGui::GetWindowDrawList()->AddRect(
             low, {low.x + width, low.y + image_height},
@@ -149,7 +206,8 @@ void draw_pass_strip(const Scene& scene, Edits& edits) {
     const std::vector<PlannedTarget>& targets = renderer->executor().plan().targets;
     const std::vector<double>& times = renderer->latest_pass_milliseconds();
     const float scrollbar = ImGui::GetStyle().ScrollbarSize;
-    const float room = ImGui::GetContentRegionAvail().y - ImGui::GetFontSize() * 2.5f - scrollbar;
+    const float room =
+        ImGui::GetContentRegionAvail().y - ImGui::GetFontSize() * word_lines - scrollbar;
     const float image_height = std::max(24.0f, std::floor(room));
     const int wanted = static_cast<int>(image_height * scene.density);
     if (wanted != scene.window.views.thumbnail_height)
@@ -170,6 +228,7 @@ void draw_pass_strip(const Scene& scene, Edits& edits) {
                    .pass = look.passes[i],
                    .target = targets[i],
                    .milliseconds = i < times.size() ? times[i] : 0.0,
+                   .gain = scene.views.gains().gain(i),
                    .is_chosen = look.passes[i].name == scene.window.inspected.pass},
                   scene, image_height, edits);
         groups.back().right = ImGui::GetItemRectMax().x;

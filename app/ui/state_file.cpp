@@ -110,6 +110,18 @@ std::string pins_text(const Scene& scene) {
     return fmt::format(R"(,"pins":[{}])", fmt::join(pins, ","));
 }
 
+// Of each pass its peak and the share that is clipped; a null has not come yet.
+std::string gains_text(const Scene& scene) {
+    std::vector<std::string> gains;
+    const std::size_t passes =
+        scene.lab.renderer() ? scene.lab.renderer()->executor().look().passes.size() : 0;
+    for (std::size_t pass = 0; pass < passes; ++pass) {
+        const Gain* gain = scene.views.gains().gain(pass);
+        gains.push_back(gain ? fmt::format("[{},{}]", gain->peak, gain->clipped) : "null");
+    }
+    return fmt::format(R"(,"gains":[{}])", fmt::join(gains, ","));
+}
+
 std::string document_text(const Lab& lab) {
     const Document& document = *lab.document();
     return fmt::format(
@@ -136,8 +148,8 @@ std::string state_text(const Scene& scene, const Edits& edits) {
         picture.height, json_string(lab.notice() ? lab.notice()->text : std::string()),
         static_cast<int>(scene.window.dialog.kind), json_string(scene.window.inspected.pass),
         lab.variant() ? fmt::format("{:.3f}", scene.window.wipe_share) : "null",
-        probe_text(scene) + inspection_text(scene) + pins_text(scene), problems_text(lab),
-        places_text(edits));
+        probe_text(scene) + inspection_text(scene) + pins_text(scene) + gains_text(scene),
+        problems_text(lab), places_text(edits));
 }
 
 void write_state(const std::filesystem::path& file, const std::string& text) {

@@ -10,9 +10,10 @@ namespace {
 struct Measuring : Headless {
     Result<Meter> meter = Meter::make();
 
-    Measured measured(const gpu::Texture& from, ChannelChoice channels) {
+    Measured measured(const gpu::Texture& from, ChannelChoice channels,
+                      std::optional<double> ceiling = std::nullopt) {
         REQUIRE(meter.has_value());
-        meter->start(from, channels);
+        meter->start(from, channels, ceiling);
         for (;;)
             if (auto answer = meter->take())
                 return std::move(*answer);
@@ -116,5 +117,27 @@ TEST_CASE_FIXTURE(Measuring, "what has just been drawn is what is measured, time
         const auto number = static_cast<float>(i);
         canvas->clear({number, number, number, 1});
         CHECK(measured(canvas->texture(), ChannelChoice::rgb).statistics.minimum == number);
+    }
+}
+
+TEST_CASE_FIXTURE(Measuring, "texels at a ceiling are counted, each once, whatever the size") {
+    for (const Extent extent : {Extent{333, 71}, Extent{1000, 3}, Extent{17, 600}}) {
+        Picture picture = noise(extent);
+        picture.pixels[picture.index(2, 1)] = std::numeric_limits<float>::infinity();
+        picture.pixels[picture.index(3, 2)] = std::numeric_limits<float>::quiet_NaN();
+        std::size_t expected = 0;
+        for (std::size_t i = 0; i < picture.pixels.size(); i += 3) {
+            const float most =
+                std::max({picture.pixels[i], picture.pixels[i + 1], picture.pixels[i + 2]});
+            expected += std::isfinite(most) && std::isfinite(picture.pixels[i]) && most >= 2.5f;
+        }
+        auto from = gpu::Texture::make(extent, Format::rgba32f);
+        REQUIRE(from.has_value());
+        std::vector<float> texels;
+        gpu::fill_texels(picture, picture.encoding, texels);
+        from->upload(texels);
+        CHECK(expected > 0);
+        CHECK(measured(*from, ChannelChoice::rgb, 2.5).clipped == expected);
+        CHECK(measured(*from, ChannelChoice::rgb).clipped == 0);
     }
 }

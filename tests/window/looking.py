@@ -103,6 +103,14 @@ class Looking(Person):
         program.key("ctrl+9")
         program.wait("the pane is closed", lambda s: "bottom:Text" not in s["widgets"])
 
+    def test_every_pass_of_the_strip_tells_how_loud_it_is(self):
+        program = self.program
+        state = program.wait("every pass has been measured",
+                             lambda s: len(s["gains"]) > 5 and all(s["gains"]))
+        self.assertGreater(state["gains"][0][0], 0)
+        self.assertLessEqual(state["gains"][-1][0], 1)
+        self.snapshot("gains")
+
     def test_the_wheel_zooms_about_the_pointer(self):
         program = self.program
         program.key("f")
