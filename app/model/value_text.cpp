@@ -1,6 +1,7 @@
 #include "model/value_text.h"
 
 #include "base/text.h"
+#include "model/aliasing.h"
 #include "model/color.h"
 
 #include <fmt/format.h>
@@ -55,5 +56,5 @@ std::string value_text(const Parameter& parameter, const Value& value, int digit
 }
 
 std::string unit_text(const Parameter& parameter) {
-    return parameter.control == Control::angle ? "°" : parameter.unit;
+    return parameter.control == Control::angle ? "°" : std::string(shown_unit(parameter));
 }

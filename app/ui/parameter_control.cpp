@@ -1,5 +1,6 @@
 #include "ui/parameter_control.h"
 
+#include "model/aliasing.h"
 #include "model/decay.h"
 #include "model/slider_range.h"
 #include "ui/color_control.h"
@@ -12,23 +13,34 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace {
 SliderFacts facts_for(const Knob& knob, std::size_t component) {
     const Parameter& parameter = knob.parameter;
-    SliderFacts facts{.low = parameter.range.low,
-                      .high = parameter.range.high,
-                      .step = step_of(parameter),
-                      .is_logarithmic = parameter.scale == Scale::logarithmic,
-                      .is_changed = knob.is_changed,
-                      .unit = parameter.control == Control::angle ? "°" : parameter.unit,
-                      .limit = parameter.limit,
-                      .is_whole = parameter.type.scalar != Scalar::floating,
-                      .steps_from = knob.declared.low};
+    SliderFacts facts{
+        .low = parameter.range.low,
+        .high = parameter.range.high,
+        .step = step_of(parameter),
+        .is_logarithmic = parameter.scale == Scale::logarithmic,
+        .is_changed = knob.is_changed,
+        .unit = parameter.control == Control::angle ? "°" : std::string(shown_unit(parameter)),
+        .limit = parameter.limit,
+        .is_whole = parameter.type.scalar != Scalar::floating,
+        .is_decay = is_decay(parameter),
+        .steps_from = knob.declared.low};
     if (component < parameter.initial.numbers.size())
         facts.initial = parameter.initial.numbers[component];
     return facts;
+}
+
+void mark_safe_periods(const Knob& knob, double period, SliderFacts& facts) {
+    facts.safe = safe_periods(facts.low, facts.high);
+    facts.warning = moire_warning(knob);
+    const int length = std::max(knob.target.width, knob.target.height);
+    if (const auto beat = visible_beat(period, length))
+        facts.note = fmt::format("moiré {} px", short_number(std::round(*beat)));
 }
 
 Turned draw_component(const Knob& knob, std::size_t component, Value& value,
@@ -48,10 +60,14 @@ Turned draw_component(const Knob& knob, std::size_t component, Value& value,
     double shown = value.numbers[component] * factor;
     if (is_decay(knob.parameter))
         facts.note = "½ " + duration_text(half_life(shown));
+    if (is_period(knob.parameter))
+        mark_safe_periods(knob, shown, facts);
     const std::string id = std::to_string(component);
     const Turned turned = form_slider(id.c_str(), shown, facts, columns, fonts);
     if (component == 0)
         edits.mark("number:" + knob.parameter.name);
+    if (!facts.warning.empty())
+        edits.mark("moire:" + knob.parameter.name);
     if (turned.is_changed)
         value.numbers[component] = shown / factor;
     return turned;
@@ -200,7 +216,8 @@ bool draw_parameter(const Knob& knob, const Fonts& fonts, Edits& edits) {
     const ScopedId scope(parameter.name);
     const FormColumns columns = is_check_box(parameter) ? check_box_columns() : form_columns();
     const KnobMarks marks = knob_marks(knob.setting, columns);
-    if (form_label(parameter.label, parameter.unit, marks.beside(columns), knob.is_changed))
+    if (form_label(parameter.label, std::string(shown_unit(parameter)), marks.beside(columns),
+                   knob.is_changed))
         ImGui::OpenPopup("about");
     edits.mark("label:" + parameter.name);
     draw_parameter_help(knob, fonts, edits);

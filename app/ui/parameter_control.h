@@ -15,6 +15,7 @@ struct Knob {
     const Look& look;
     const Modulation* modulation = nullptr;  // null: it rests
     const Value* now = nullptr;              // as drawn, while it moves by itself
+    Extent target = {};                      // of the first pass that uses it; empty: not known yet
 };
 
 /// Lines of the panel that a parameter takes, before it has been drawn.

@@ -1,6 +1,7 @@
 #include "ui/parameter_help.h"
 
 #include "lab/lab.h"
+#include "model/aliasing.h"
 #include "model/decay.h"
 #include "ui/icons.h"
 #include "ui/knob_marks.h"
@@ -13,6 +14,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 double shown_factor(const Parameter& parameter) {
@@ -34,7 +37,22 @@ std::string short_value(const Parameter& parameter, const Value& value) {
     std::string text;
     for (const double number : value.numbers)
         text += (text.empty() ? "" : ", ") + short_number(number);
-    return parameter.unit.empty() ? text : text + " " + parameter.unit;
+    const std::string unit(shown_unit(parameter));
+    return unit.empty() ? text : text + " " + unit;
+}
+
+std::string moire_warning(const Knob& knob) {
+    if (!is_period(knob.parameter))
+        return {};
+    const double period = knob.value.number();
+    const auto beat = visible_beat(period, std::max(knob.target.width, knob.target.height));
+    if (!beat)
+        return {};
+    return fmt::format(
+        "{} px cannot be drawn evenly: bands come every {} px. Whole numbers draw every period "
+        "alike; {} is the nearest.",
+        short_number(period), short_number(std::round(*beat)),
+        short_number(std::max(2.0, std::round(period))));
 }
 
 void reset_parameter(const std::string& name, Edits& edits) {
@@ -55,9 +73,10 @@ std::string range_text(const Parameter& parameter) {
         parameter.control == Control::image || parameter.control == Control::sound)
         return {};
     const double factor = shown_factor(parameter);
-    SliderFacts facts{.low = parameter.range.low * factor,
-                      .high = parameter.range.high * factor,
-                      .unit = parameter.control == Control::angle ? "°" : parameter.unit};
+    SliderFacts facts{
+        .low = parameter.range.low * factor,
+        .high = parameter.range.high * factor,
+        .unit = parameter.control == Control::angle ? "°" : std::string(shown_unit(parameter))};
     if (parameter.limit)
         facts.limit = Limit{parameter.limit->low * factor, parameter.limit->high * factor};
     return range_text(facts);
@@ -87,6 +106,12 @@ void draw_facts(const Knob& knob, const Fonts& fonts) {
         fact("half-life", duration_text(half_life(knob.value.number())));
         fact("10 % left", "after " + duration_text(seconds_to(0.1, knob.value.number())));
     }
+    if (const std::string warning = moire_warning(knob); !warning.empty()) {
+        const ScopedColor color(ImGuiCol_Text, theme::warning);
+        ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24.0f);
+        ImGui::TextUnformatted(warning.c_str());
+        ImGui::PopTextWrapPos();
+    }
     fact("default", short_value(parameter, parameter.initial));
     fact("range", range_text(parameter));
     fact("scale", parameter.scale == Scale::logarithmic ? "logarithmic" : "");
@@ -108,8 +133,9 @@ bool draw_end(const char* id, double& end, const NumberFacts& facts) {
 bool draw_two_ends(const Knob& knob, Limit& ends, const Fonts& fonts, Edits& edits) {
     const Parameter& parameter = knob.parameter;
     const double factor = shown_factor(parameter);
-    NumberFacts facts{.unit = parameter.control == Control::angle ? "°" : parameter.unit,
-                      .is_whole = parameter.type.scalar != Scalar::floating};
+    NumberFacts facts{
+        .unit = parameter.control == Control::angle ? "°" : std::string(shown_unit(parameter)),
+        .is_whole = parameter.type.scalar != Scalar::floating};
     if (parameter.limit)
         facts.limit = Limit{parameter.limit->low * factor, parameter.limit->high * factor};
     ImGui::AlignTextToFramePadding();

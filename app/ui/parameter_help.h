@@ -12,4 +12,7 @@ double shown_factor(const Parameter& parameter);
 /// A value as a person reads it: with its unit, a list's item by its label.
 std::string short_value(const Parameter& parameter, const Value& value);
 
+/// What a period does that pixels cannot draw evenly; "" where they can.
+std::string moire_warning(const Knob& knob);
+
 void reset_parameter(const std::string& name, Edits& edits);

@@ -143,6 +143,15 @@ private:
     float m_lines = 1.0f;
 };
 
+Extent target_of(const Parameter& parameter, const Scene& scene) {
+    const Renderer* renderer = scene.lab.renderer();
+    if (!renderer || parameter.bindings.empty())
+        return {};
+    const auto& targets = renderer->executor().plan().targets;
+    const auto pass = static_cast<std::size_t>(parameter.bindings.front().pass);
+    return pass < targets.size() ? targets[pass].extent : Extent{};
+}
+
 void draw_row(const Parameter& parameter, const Scene& scene, Edits& edits) {
     const Document& document = *scene.lab.document();
     Row row(parameter);
@@ -152,9 +161,14 @@ void draw_row(const Parameter& parameter, const Scene& scene, Edits& edits) {
     }
     const KnobSetting& setting = setting_of(parameter.name, document.knobs());
     const auto own = setting.ends ? std::optional(with_ends(parameter, setting)) : std::nullopt;
-    Knob knob{
-        own ? *own : parameter, document.value(parameter), document.is_changed(parameter), setting,
-        parameter.range,        document.look(),           document.modulation(parameter)};
+    Knob knob{.parameter = own ? *own : parameter,
+              .value = document.value(parameter),
+              .is_changed = document.is_changed(parameter),
+              .setting = setting,
+              .declared = parameter.range,
+              .look = document.look(),
+              .modulation = document.modulation(parameter),
+              .target = target_of(parameter, scene)};
     if (knob.modulation && scene.lab.renderer())
         knob.now = &value_of(parameter, scene.lab.renderer()->drawn_values());
     row.end(draw_parameter(knob, scene.fonts, edits));

@@ -166,13 +166,13 @@ void draw_marks(const ImRect& box, const SliderFacts& facts) {
                      theme::packed(safe));
 }
 
-void draw_note(const ImRect& box, const std::string& note) {
+void draw_note(const ImRect& box, const std::string& note, bool is_warning) {
     const ImVec2 size = ImGui::CalcTextSize(note.c_str());
     if (note.empty() || size.x + 8.0f > box.GetWidth())
         return;
     ImGui::GetWindowDrawList()->AddText(
         {box.Min.x + 4.0f, box.Min.y + (box.GetHeight() - size.y) * 0.5f},
-        theme::packed(theme::label), note.c_str());
+        theme::packed(is_warning ? theme::warning : theme::label), note.c_str());
 }
 
 void draw_bar(const ImRect& box, double value, const SliderFacts& facts, bool is_hot) {
@@ -190,7 +190,7 @@ void draw_bar(const ImRect& box, double value, const SliderFacts& facts, bool is
     list.AddRectFilled({std::min(origin, place), box.Min.y}, {std::max(origin, place), box.Max.y},
                        theme::packed(fill), rounding);
     draw_marks(box, facts);
-    draw_note(box, facts.note);
+    draw_note(box, facts.note, !facts.warning.empty());
     if (facts.initial && facts.is_changed) {
         const float tick = std::clamp(at(*facts.initial), box.Min.x + 1.0f, box.Max.x - 1.0f);
         list.AddLine({tick, box.Max.y - box.GetHeight() * 0.3f}, {tick, box.Max.y},

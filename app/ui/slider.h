@@ -18,12 +18,13 @@ struct SliderFacts {
     std::optional<Limit> limit = {};  // of what is typed
     bool is_whole = false;
     std::optional<double> now = {};         // where it is while it moves by itself; gets a mark
+    bool is_decay = false;                  // may be typed as a time
     std::optional<double> steps_from = {};  // where steps are counted from; none: the low end
     std::string note = {};                  // what the value comes to, on the bar where it fits
     std::string warning = {};               // about the value as it is; on hover
     std::vector<double> safe = {};          // values that are marked where they have room
 
-    NumberFacts number() const { return {is_changed, unit, limit, is_whole}; }
+    NumberFacts number() const { return {is_changed, unit, limit, is_whole, is_decay}; }
 };
 
 /// What a person just did to a control.

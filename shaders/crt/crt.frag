@@ -26,7 +26,7 @@ uniform float keep_hue = 0.0;     // @range 0 1  @limit 0 1  @label "Keep hue"  
                                   // @help "0: what is too bright turns white, channel by channel. 1: all three channels come down together, and the colour stays."
 uniform float scanline_strength = 0.3;  // @range 0 1  @limit 0 1  @label "Strength"  @group "Scanlines"  @identity 0
                                         // @help "Depth of the stripes: between them this share of the light is lost."
-uniform float scanline_period = 4.0;    // @range 2 16  @limit 1 1000  @label "Period"  @unit "px"  @group "Scanlines"
+uniform float scanline_period = 4.0;    // @range 2 16  @limit 1 1000  @label "Period"  @unit "px a period"  @group "Scanlines"
                                         // @help "From stripe to stripe in pixels of the picture, whatever its size."
 uniform float scanline_brightness = 1.0;  // @range 0 1  @limit 0 1  @label "Brightness kept"  @group "Scanlines"
                                           // @help "0: the mean falls to 1 - strength / 2, as in the article, which makes up for nothing. 1: the crests are raised until the mean is what it was, as far as the screen can show."

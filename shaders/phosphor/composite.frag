@@ -33,7 +33,7 @@ uniform float aberration = 1.0;       // @range 0 8  @limit -64 64  @label "Aber
                                       // @help "Colour fringes of a cheap lens: red is read this far to the right and blue to the left, green stays."
 uniform float scanline_strength = 0.3;   // @range 0 1  @limit 0 1  @label "Scanlines"  @group "Glass"  @identity 0
                                          // @help "Depth of the horizontal stripes. The mean brightness becomes 1 - strength / 2."
-uniform float scanline_period = 4.0;     // @range 2 16  @limit 1 1000  @label "Scanline period"  @unit "px"  @group "Glass"
+uniform float scanline_period = 4.0;     // @range 2 16  @limit 1 1000  @label "Scanline period"  @unit "px a period"  @group "Glass"
                                          // @help "Distance from stripe to stripe in pixels of the picture, whatever its size."
 uniform float curvature = 0.04;          // @range 0 0.3  @limit 0 2  @label "Curvature"  @group "Glass"  @identity 0
                                          // @help "How much the glass bulges towards you."

@@ -14,7 +14,7 @@ uniform float u_time_delta;
 
 uniform int mask_type = 0;          // @items "Staggered cells" "Aperture grille" "Slot mask" "Dot triads"  @label "Type"  @group "Mask"
                                     // @help "Staggered cells are the article's. An aperture grille has stripes from top to bottom, a slot mask cuts them with bridges, dot triads are what computer monitors had."
-uniform float mask_size = 6.0;      // @range 2 32  @limit 0.5 256  @label "Size"  @unit "px"  @group "Mask"
+uniform float mask_size = 6.0;      // @range 2 32  @limit 0.5 256  @label "Size"  @unit "px a period"  @group "Mask"
                                     // @help "From one red stripe or dot to the next. What is finer than 3 px fades, and under 2 px is an even grey, as no screen could show it."
 uniform float cell_height = 1.0;    // @range 0.5 4  @limit 0.1 20  @label "Cell height"  @unit "sizes"  @group "Mask"
                                     // @help "Height of cells and slots, as a multiple of the size. Grilles have none, and dots their own."
@@ -45,7 +45,7 @@ uniform vec3 tint = vec3(1.0);               // @color  @label "Tint"  @group "T
 
 uniform float scanline_strength = 0.0;  // @range 0 1  @limit 0 1  @label "Strength"  @group "Scanlines"  @identity 0
                                         // @help "Depth of the stripes: between them this share of the light is lost."
-uniform float scanline_period = 4.0;    // @range 2 16  @limit 1 1000  @label "Period"  @unit "px"  @group "Scanlines"
+uniform float scanline_period = 4.0;    // @range 2 16  @limit 1 1000  @label "Period"  @unit "px a period"  @group "Scanlines"
                                         // @help "From stripe to stripe."
 uniform int scanline_axis = 0;          // @items "Across" "Up and down"  @label "Direction"  @group "Scanlines"
                                         // @help "Which way the lines run."

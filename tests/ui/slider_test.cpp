@@ -49,3 +49,11 @@ TEST_CASE("notches stand at the steps between the ends, where all of them have r
     CHECK(notch_places(ratios, 100.0).size() == 6);
     CHECK(notch_places(ratios, 75.0).empty());
 }
+
+TEST_CASE("safe values are marked where they have room") {
+    const SliderFacts facts{.low = 2.0, .high = 12.0, .safe = {2.0, 3.0, 4.0, 12.0}};
+    const auto places = safe_places(facts, 100.0);
+    REQUIRE(places.size() == 4);
+    CHECK(is_near(places[1], 0.1));
+    CHECK(safe_places(facts, 30.0).size() == 3);  // 3 px apart: only every other one
+}

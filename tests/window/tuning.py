@@ -68,6 +68,15 @@ class Tuning(Person):
         program.click("dialog_cancel")
         program.wait("no longer", lambda s: s["dialog"] == 0)
 
+    def test_a_period_that_pixels_cannot_draw_evenly_is_told(self):
+        program = self.program
+        program.set("scanline_period", "4.1")
+        program.wait("bands every 164 px are told", lambda s: "moire:scanline_period" in s["widgets"])
+        self.snapshot("moire")
+        program.retype("scanline_period", "5")
+        program.wait("a whole number is safe",
+                     lambda s: "moire:scanline_period" not in s["widgets"])
+
     def test_help_shows_while_the_pointer_rests_on_a_parameter(self):
         program = self.program
         program.reveal("exposure")

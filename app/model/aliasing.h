@@ -1,0 +1,33 @@
+#pragma once
+
+#include "model/parameter.h"
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+// Stripes of period p px that are drawn on pixels: where p is whole each stripe is drawn like the
+// one before. Else stripe and pixel drift apart by |1/p - 1/n| of a cycle a px, n being the whole
+// number nearest to p, and a pattern comes of it that repeats with the beat of both frequencies
+// (I. Amidror, The Theory of the Moire Phenomenon, 2nd ed., section 2.4: the difference of the
+// two).
+
+/// Whether a parameter is such a period: a number with the unit "px a period".
+bool is_period(const Parameter& parameter);
+
+/// The unit as it stands behind a number: "px" of a period.
+std::string_view shown_unit(const Parameter& parameter);
+
+/// How far apart two places of the beat are, in px; infinite for a whole period.
+double beat_of(double period);
+
+/// How much stripes differ at most from one another: a pixel is half a px or nearer to each crest
+/// of a wave, so the highest one that is drawn of a crest 1 lies between cos(pi / p) and 1.
+double unevenness_of(double period);
+
+/// The beat that is seen across `length` px: none where it is longer than that, or where the
+/// stripes are even to a twentieth.
+std::optional<double> visible_beat(double period, double length);
+
+/// The whole periods between two ends, from 2 px on: what is finer no pixels can show.
+std::vector<double> safe_periods(double low, double high);
