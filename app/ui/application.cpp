@@ -90,7 +90,7 @@ private:
     Pace m_pace;
     Waker m_waker;
     std::optional<Waker> m_remote_waker;  // while another program may turn something
-    int m_remote_descriptor = -1;
+    int m_remote_port = 0;
     std::string m_title;
     std::string m_state_text;
     Clock::time_point m_last = Clock::now();
@@ -140,10 +140,11 @@ void Application::turn() {
 }
 
 void Application::follow_remote() {
-    if (m_lab.remote_descriptor() == m_remote_descriptor)
+    const int port = m_lab.osc().port();
+    if (port == m_remote_port)
         return;
-    m_remote_descriptor = m_lab.remote_descriptor();
-    m_remote_waker.emplace(m_remote_descriptor, [] { gpu::Window::wake(); });
+    m_remote_port = port;  // another port may well have the same descriptor
+    m_remote_waker.emplace(m_lab.remote_descriptor(), [] { gpu::Window::wake(); });
 }
 
 void Application::draw() {
