@@ -25,6 +25,13 @@ double distance(float a, float b) {
 }
 }  // namespace
 
+Distances distances_of(const DifferenceSums& sums, Extent extent, int channels) {
+    const double pixels = static_cast<double>(extent.width) * extent.height;
+    const double rms = std::sqrt(sums.squares / (pixels * channels));
+    return {sums.absolute / (pixels * channels), rms, sums.largest, -20.0 * std::log10(rms),
+            sums.beyond / pixels};
+}
+
 Result<Difference> difference_between(const Picture& first, const Picture& second,
                                       double tolerance) {
     if (first.extent != second.extent)
@@ -32,33 +39,27 @@ Result<Difference> difference_between(const Picture& first, const Picture& secon
                      0,
                      fmt::format("the sizes differ: {} x {} and {} x {} px", first.extent.width,
                                  first.extent.height, second.extent.width, second.extent.height)});
-    Difference difference;
+    DifferenceSums sums;
+    int largest_x = 0;
+    int largest_y = 0;
     const int channels = std::max(colour_channels(first), colour_channels(second));
     const auto width = static_cast<std::size_t>(first.extent.width);
     const std::size_t pixels = width * static_cast<std::size_t>(first.extent.height);
-    double sum = 0.0;
-    double squares = 0.0;
-    std::size_t beyond = 0;
     for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
         double worst = 0.0;
         for (int channel = 0; channel < channels; ++channel) {
             const double apart =
                 distance(component(first, pixel, channel), component(second, pixel, channel));
-            sum += apart;
-            squares += apart * apart;
+            sums.absolute += apart;
+            sums.squares += apart * apart;
             worst = std::max(worst, apart);
         }
-        beyond += worst > tolerance ? 1 : 0;
-        if (worst > difference.largest) {
-            difference.largest = worst;
-            difference.largest_x = static_cast<int>(pixel % width);
-            difference.largest_y = static_cast<int>(pixel / width);
+        sums.beyond += worst > tolerance ? 1.0 : 0.0;
+        if (worst > sums.largest) {
+            sums.largest = worst;
+            largest_x = static_cast<int>(pixel % width);
+            largest_y = static_cast<int>(pixel / width);
         }
     }
-    const double count = static_cast<double>(pixels) * channels;
-    difference.mean = sum / count;
-    difference.rms = std::sqrt(squares / count);
-    difference.psnr_db = -20.0 * std::log10(difference.rms);
-    difference.share_beyond = static_cast<double>(beyond) / static_cast<double>(pixels);
-    return difference;
+    return Difference{distances_of(sums, first.extent, channels), largest_x, largest_y};
 }
