@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 namespace {
 constexpr std::string_view format_name = "afterglow-session";
 constexpr int newest_version = 1;
@@ -53,6 +55,54 @@ nlohmann::ordered_json json_of(const KnobSetting& setting) {
     return entry;
 }
 
+const Choices<CompareMode> modes{{"off", CompareMode::off},
+                                 {"wipe", CompareMode::wipe},
+                                 {"side by side", CompareMode::side_by_side},
+                                 {"difference", CompareMode::difference}};
+
+const Choices<DifferenceMeasure> measures{{"absolute", DifferenceMeasure::absolute},
+                                          {"relative", DifferenceMeasure::relative},
+                                          {"squared", DifferenceMeasure::squared}};
+
+const Choices<Other> others{{"article", {}},
+                            {"file", {Other::Kind::file}},
+                            {"A", {Other::Kind::slot, 0}},
+                            {"B", {Other::Kind::slot, 1}},
+                            {"C", {Other::Kind::slot, 2}}};
+
+template <class T>
+std::string_view word_of(const Choices<T>& choices, const T& chosen) {
+    const auto found =
+        std::ranges::find(choices, chosen, [](const auto& each) { return each.second; });
+    return found == choices.end() ? choices.front().first : found->first;
+}
+
+nlohmann::ordered_json json_of(const Comparison& comparison) {
+    Other other = comparison.other;
+    other.file.clear();
+    return {{"mode", word_of(modes, comparison.mode)},
+            {"with", word_of(others, other)},
+            {"file", comparison.other.file.string()},
+            {"measure", word_of(measures, comparison.measure)},
+            {"gain", comparison.gain_stops},
+            {"equal_brightness", comparison.has_equal_brightness}};
+}
+
+// Each as a preset, by the slot's name.
+nlohmann::ordered_json json_of(const LookSlots& looks) {
+    nlohmann::ordered_json document = nlohmann::ordered_json::object();
+    for (const auto& [look, slots] : looks)
+        for (std::size_t i = 0; i < slots.size(); ++i)
+            if (slots[i]) {
+                Preset preset;
+                preset.look = look;
+                preset.name = slots[i]->preset;
+                preset.values = slots[i]->values;
+                document[look][slot_name(i)] = preset_json(preset);
+            }
+    return document;
+}
+
 nlohmann::ordered_json json_of(const LookKnobs& looks) {
     nlohmann::ordered_json document = nlohmann::ordered_json::object();
     for (const auto& [look, knobs] : looks)
@@ -73,6 +123,21 @@ KnobSetting read_knob(const JsonValue& value, const std::filesystem::path& file,
     }
     reader.refuse_unknown();
     return setting;
+}
+
+Comparison read_comparison(const JsonValue& value, const std::filesystem::path& file,
+                           Diagnostics& problems) {
+    constexpr double most_stops = 16.0;
+    ObjectReader reader(value, file, problems);
+    Comparison comparison;
+    comparison.mode = reader.choice("mode", modes, comparison.mode);
+    comparison.other = reader.choice("with", others, comparison.other);
+    comparison.other.file = reader.text("file");
+    comparison.measure = reader.choice("measure", measures, comparison.measure);
+    comparison.gain_stops = std::clamp(reader.number("gain", 0.0), -most_stops, most_stops);
+    comparison.has_equal_brightness = reader.boolean("equal_brightness", false);
+    reader.refuse_unknown();
+    return comparison;
 }
 
 PassOverride read_override(const JsonValue& value, const std::filesystem::path& file,
@@ -123,7 +188,10 @@ private:
         session.speed = reader.number("speed", session.speed);
         session.level = reader.number("level", session.level);
         session.is_playing = reader.boolean("is_playing", session.is_playing);
-        session.is_wiping = reader.boolean("is_wiping", session.is_wiping);
+        if (reader.boolean("is_wiping", false))  // older programs wrote no more than that
+            session.comparison.mode = CompareMode::wipe;
+        if (const JsonValue* comparison = reader.find("comparison"))
+            session.comparison = read_comparison(*comparison, m_file, m_problems);
         session.follows_view = reader.boolean("follows_view", session.follows_view);
         constexpr int largest = 16384;
         session.fixed_size.width = reader.whole("width", session.fixed_size.width, 1, largest);
@@ -133,6 +201,8 @@ private:
             for (const JsonValue& look : looks->children)
                 for (const JsonValue& knob : look.children)
                     session.knobs[look.key][knob.key] = read_knob(knob, m_file, m_problems);
+        if (const JsonValue* looks = reader.find("slots"))
+            read_slots(*looks, session.slots);
         if (const JsonValue* window = reader.find("window"))
             for (const JsonValue& number : window->children)
                 session.window[number.key] = number.number;
@@ -145,19 +215,34 @@ private:
             return state;
         ObjectReader reader(*value, m_file, m_problems);
         state.step = reader.text("step");
-        if (const JsonValue* preset = reader.require("preset")) {
-            auto read =
-                parse_preset(m_text.substr(preset->begin, preset->end - preset->begin), m_file);
-            if (read)
-                state.preset = std::move(*read);
-            else
-                m_problems.insert(m_problems.end(), read.error().begin(), read.error().end());
-        }
+        if (const JsonValue* preset = reader.require("preset"))
+            state.preset = this->preset(*preset);
         if (const JsonValue* overrides = reader.find("overrides"))
             for (const JsonValue& pass : overrides->children)
                 state.overrides[pass.key] = read_override(pass, m_file, m_problems);
         reader.refuse_unknown();
         return state;
+    }
+
+    Preset preset(const JsonValue& value) {
+        auto read = parse_preset(m_text.substr(value.begin, value.end - value.begin), m_file);
+        if (read)
+            return std::move(*read);
+        m_problems.insert(m_problems.end(), read.error().begin(), read.error().end());
+        return {};
+    }
+
+    void read_slots(const JsonValue& looks, LookSlots& all) {
+        for (const JsonValue& look : looks.children) {
+            ObjectReader reader(look, m_file, m_problems);
+            Slots& slots = all[look.key];
+            for (std::size_t i = 0; i < slots.size(); ++i)
+                if (const JsonValue* slot = reader.find(slot_name(i))) {
+                    const Preset kept = preset(*slot);
+                    slots[i] = Slot{kept.name, kept.values};
+                }
+            reader.refuse_unknown();
+        }
     }
 
     std::vector<SessionState> states(const JsonValue* list) {
@@ -193,12 +278,13 @@ std::string session_to_json(const Session& session) {
                       {"speed", session.speed},
                       {"level", session.level},
                       {"is_playing", session.is_playing},
-                      {"is_wiping", session.is_wiping},
+                      {"comparison", json_of(session.comparison)},
                       {"follows_view", session.follows_view},
                       {"width", session.fixed_size.width},
                       {"height", session.fixed_size.height},
                       {"picture_scale", session.picture_scale},
                       {"knobs", json_of(session.knobs)},
+                      {"slots", json_of(session.slots)},
                       {"window", std::move(window)}});
 }
 

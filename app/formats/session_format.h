@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/diagnostic.h"
+#include "model/comparison.h"
 #include "model/knob_settings.h"
 #include "model/plan.h"
 #include "model/preset.h"
@@ -32,11 +33,12 @@ struct Session {
     double speed = 1.0;
     double level = 1.0;
     bool is_playing = true;
-    bool is_wiping = false;  // to the article's own picture
+    Comparison comparison;
     bool follows_view = true;
     Extent fixed_size{1280, 720};
     double picture_scale = 1.0;
-    LookKnobs knobs;                       // what the person keeps about parameters, by look
+    LookKnobs knobs;  // what the person keeps about parameters, by look
+    LookSlots slots;
     std::map<std::string, double> window;  // what the window remembers of itself, by its own names
 
     bool operator==(const Session&) const = default;

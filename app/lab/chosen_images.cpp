@@ -2,18 +2,22 @@
 
 #include "io/picture_file.h"
 
+#include <functional>
+
 namespace fs = std::filesystem;
 
 namespace {
-Result<void> show_black(const std::string& name, Renderer& renderer) {
-    return renderer.set_image(name, {{1, 1}, 4, Encoding::linear, {0.0f, 0.0f, 0.0f, 1.0f}});
+using SetImage = std::function<Result<void>(const Picture&)>;
+
+Result<void> show_black(const SetImage& set_image) {
+    return set_image({{1, 1}, 4, Encoding::linear, {0.0f, 0.0f, 0.0f, 1.0f}});
 }
 
-Result<void> show_file(const std::string& name, const fs::path& file, Renderer& renderer) {
+Result<void> show_file(const fs::path& file, const SetImage& set_image) {
     const auto picture = load_picture(file);
     if (picture)
-        return renderer.set_image(name, *picture);
-    if (auto cleared = show_black(name, renderer); !cleared)
+        return set_image(*picture);
+    if (auto cleared = show_black(set_image); !cleared)
         return cleared;
     return fail(picture.error());
 }
@@ -33,7 +37,8 @@ Diagnostics warnings(Diagnostics problems, const Parameter& parameter) {
 }
 }  // namespace
 
-Result<void> ChosenImages::show(const Look& look, const Values& values, Renderer& renderer) {
+Result<void> ChosenImages::show(const Look& look, const Values& values, Renderer& renderer,
+                                Renderer::Whose whose) {
     Diagnostics problems;
     std::map<std::string, Shown> shown;
     for (const Parameter& parameter : look.parameters) {
@@ -49,8 +54,10 @@ Result<void> ChosenImages::show(const Look& look, const Values& values, Renderer
             shown.insert(*before);
             continue;
         }
-        const auto done = file.empty() ? show_black(parameter.name, renderer)
-                                       : show_file(parameter.name, file, renderer);
+        const auto set_image = [&](const Picture& picture) {
+            return renderer.set_image(whose, parameter.name, picture);
+        };
+        const auto done = file.empty() ? show_black(set_image) : show_file(file, set_image);
         const Diagnostics reasons = done ? Diagnostics() : done.error();
         problems.insert(problems.end(), reasons.begin(), reasons.end());
         shown[parameter.name] = {file, written, warnings(reasons, parameter)};

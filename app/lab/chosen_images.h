@@ -14,7 +14,8 @@ class ChosenImages {
 public:
     /// Brings the renderer to what the values choose. A sampler whose choice is taken back, or
     /// cannot be read, reads black. Errors: of the files that were tried now.
-    Result<void> show(const Look& look, const Values& values, Renderer& renderer);
+    Result<void> show(const Look& look, const Values& values, Renderer& renderer,
+                      Renderer::Whose whose = Renderer::Whose::picture);
     /// The renderer is another, or reads pictures in another way.
     void forget() { m_shown.clear(); }
     /// The file has changed, whatever its time says; true when a sampler reads it.

@@ -104,11 +104,12 @@ void Lab::open_file(const fs::path& file) {
         return load_drawing(file);
     const bool is_sound = is_sound_file(file) || is_scene_file(file);
     const Driver needed = is_sound ? Driver::signal : Driver::picture;
+    if (m_document && is_picture_file(file) && is_reference_wanted())
+        return compare_with_file(file);
     if (!m_document || m_document->look().driven_by != needed) {
         say(is_sound
                 ? "This look is not driven by a signal: open one that is, then the file will draw"
-                : "This look does not work on a picture: open one that does, then the picture will "
-                  "show",
+                : "This look does not work on a video: open one that does, then it will show",
             true);
         return;
     }

@@ -2,6 +2,7 @@
 
 #include "lab/beam_place.h"
 #include "lab/chosen_images.h"
+#include "lab/comparing.h"
 #include "lab/document.h"
 #include "lab/drawing_board.h"
 #include "lab/drive.h"
@@ -12,7 +13,6 @@
 #include "lab/rate_check.h"
 #include "lab/reloader.h"
 #include "lab/renderer.h"
-#include "lab/variant.h"
 #include "model/moves.h"
 #include "model/remote_settings.h"
 
@@ -67,8 +67,16 @@ public:
     }
     /// The picture has all the samples it wants: it stays until something changes.
     bool has_converged() const;
-    /// What is seen beside the present picture; none: no wipe is shown.
-    const std::optional<Variant>& variant() const { return m_variant; }
+    /// What the picture is compared with, and how, as the person chose it.
+    const Comparing& comparing() const { return m_comparing; }
+    /// How two pictures are seen now: off where there is no other one.
+    CompareMode compare_mode() const;
+    /// The names of the two, while the other is at hand.
+    std::optional<Sides> sides() const;
+    /// Those of the open look.
+    const Slots& slots() const;
+    /// Whether the present values are the slot's.
+    bool is_in_slot(std::size_t number) const;
     const PictureSize& picture_size() const { return m_picture_size; }
     Extent picture_extent() const { return m_picture_size.extent(m_view); }
     /// What drives the look: how far its file has been read.
@@ -141,12 +149,24 @@ public:
     void duplicate_look(const std::string& id);
     void write_overrides();  // into look.json
     void open_in_editor(const Location& place);
-    /// Shows the article's own picture and ours side by side, or the picture alone.
-    void set_wiping(bool is_wiping);
     /// Draws the document at several frame rates, beside what the window shows.
     void compare_rates();
     void cancel_rate_comparison() { m_rate_check.cancel(); }
     const RateCheck& rate_check() const { return m_rate_check; }
+    /// Keeps the present values, over what the slot held.
+    void keep_in_slot(std::size_t number);
+    /// The slot's values become the present ones, as one step.
+    void recall_slot(std::size_t number);
+    void empty_slot(std::size_t number);
+    void set_slots(LookSlots slots) { m_comparing.set_slots(std::move(slots)); }
+    /// Says why where there is nothing to compare with; then the picture is alone.
+    void compare(Comparison comparison);
+    void set_compare_mode(CompareMode mode);
+    /// From here on with this; where nothing was compared, a wipe shows it.
+    void compare_with(const Other& other);
+    void compare_with_file(const std::filesystem::path& file);
+    /// Shows the other picture in the place of ours until called again.
+    void flash(bool is_flashing);
     void cancel_replay();
     void cancel_loading();  // of a sound or picture; what was there before comes back
     void say(std::string text, bool is_problem = false, std::string subject = {});
@@ -181,7 +201,11 @@ private:
     void open_values(const OpenRequest& request);
     void save_preset_to(const std::filesystem::path& file, const std::string& name);
     void apply_document();
-    void follow_variant();
+    bool find_other(Comparison& comparison);
+    bool is_reference_wanted() const;
+    void reference_changed();
+    void follow_variant(double wall_seconds);
+    void show_variant_images();
     void start_variant();
     Result<void> follow_signal();
     void update_drive();
@@ -225,9 +249,10 @@ private:
     OscControl m_osc;
     double m_listened_seconds = 0.0;
     std::unique_ptr<Renderer> m_renderer;
-    bool m_is_wiping = false;
+    Comparing m_comparing;
     std::optional<Variant> m_variant;  // that the renderer draws
-    LoadedImages m_images;             // that the renderer has
+    ChosenImages m_variant_images;
+    LoadedImages m_images;  // that the renderer has
     ChosenImages m_chosen_images;
     Drive m_drive;
     RateCheck m_rate_check;

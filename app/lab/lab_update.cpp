@@ -24,7 +24,7 @@ void Lab::update(double wall_seconds) {
         m_reloader.restack(m_document->state().stack);  // the last picture goes on meanwhile
     else
         apply_document();
-    follow_variant();
+    follow_variant(wall_seconds);
     update_drive();
     draw_picture(wall_seconds);
     note_moves();
@@ -111,6 +111,7 @@ void Lab::apply(LoadedRequest loaded) {
     if (m_document && !reads_images_alike(m_document->look(), *loaded.look)) {
         m_images.clear();
         m_chosen_images.forget();
+        m_variant_images.forget();
     }
     m_programs = std::move(*loaded.programs);
     if (loaded.is_reload && m_document) {
@@ -159,7 +160,8 @@ void Lab::open_document(Look look, const OpenRequest& request) {
     constexpr double patience_seconds = 0.05;
     m_renderer->set_patience(patience_seconds);
     m_variant.reset();
-    m_is_wiping = m_is_wiping && is_same;
+    if (!is_same)
+        m_comparing.end();
     m_drawn_extent = {};
     m_images.clear();
     m_chosen_images.forget();
@@ -234,6 +236,7 @@ void Lab::apply_document() {
     m_renderer->set_modulations(state.modulations);
     const auto watched = m_chosen_images.files();
     succeeded(m_chosen_images.show(m_document->look(), state.values, *m_renderer));
+    show_variant_images();
     if (m_chosen_images.files() != watched)
         watch_extra_files();
     m_drawn_extent = {};  // sizes may depend on values
@@ -368,6 +371,10 @@ void Lab::start_replay() {
 // Besides the look's own.
 void Lab::watch_extra_files() {
     std::vector<fs::path> files = m_chosen_images.files();
+    for (const fs::path& file : m_variant_images.files())
+        files.push_back(file);
+    if (const fs::path& file = m_comparing.reference().file(); !file.empty())
+        files.push_back(file);
     if (!m_document->preset_file().empty())
         files.push_back(m_document->preset_file());
     if (const fs::path file = driving_file(*m_document); file.is_absolute())
@@ -380,8 +387,11 @@ void Lab::extra_file_changed(const fs::path& file) {
         return;
     if (file == m_document->preset_file())
         preset_file_changed(file);
-    if (m_chosen_images.forget(file))
+    const bool is_chosen = m_chosen_images.forget(file);
+    if (m_variant_images.forget(file) || is_chosen)
         m_applied.reset();  // is read again, and a paused picture drawn again
+    if (file == m_comparing.reference().file())
+        reference_changed();
     if (file == driving_file(*m_document))
         m_drive.read_again(*m_document);
 }

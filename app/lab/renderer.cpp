@@ -70,6 +70,15 @@ Result<void> Renderer::set_image(const std::string& name, const Picture& picture
     return for_each([&](Executor& executor) { return executor.set_image(name, picture); });
 }
 
+Result<void> Renderer::set_image(Whose whose, const std::string& name, const Picture& picture) {
+    if (whose == Whose::picture)
+        return m_executor.set_image(name, picture);
+    auto done = m_variant ? m_variant->set_image(name, picture) : Result<void>();
+    if (!done)
+        end_variant();
+    return done;
+}
+
 void Renderer::restart_samples() {
     m_executor.restart_samples();
     if (m_variant)

@@ -37,6 +37,9 @@ public:
     Result<void> resize_again() { return resize(m_picture, m_source); }
     Result<void> set_source(const Picture& picture);
     Result<void> set_image(const std::string& name, const Picture& picture);
+    enum class Whose { picture, variant };
+    /// For one of the two alone.
+    Result<void> set_image(Whose whose, const std::string& name, const Picture& picture);
     void set_mouse(double x, double y);  // px from bottom left
     /// How long a frame may take its accumulating passes; the rest is left to the next ones.
     void set_patience(double seconds) { m_patience_seconds = seconds; }

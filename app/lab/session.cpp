@@ -181,7 +181,8 @@ Session session_of(const Lab& lab, std::map<std::string, double> window) {
     session.speed = lab.player().speed();
     session.level = lab.player().level();
     session.is_playing = lab.player().is_playing();
-    session.is_wiping = lab.variant().has_value();
+    session.comparison = lab.comparing().chosen();
+    session.slots = lab.comparing().all_slots();
     session.knobs = lab.knobs();
     const Document* document = lab.document();
     if (!document)
@@ -214,6 +215,6 @@ void restore(Lab& lab, const Session& session) {
             opened.transport().pause();
             opened.transport().step();
         }
-        opened.set_wiping(session.is_wiping);
+        opened.compare(session.comparison);
     });
 }

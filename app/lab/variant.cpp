@@ -20,10 +20,24 @@ std::optional<Variant> article_variant(const Look& look, const Values& values) {
     const bool is_article = std::ranges::any_of(switches, [&](const Parameter* parameter) {
         return value_of(*parameter, values).number() != 0.0;
     });
-    Variant variant{values, "The article's own", "Corrected", !is_article};
+    Variant variant{values, {"The article's own", "Corrected", !is_article}};
     if (is_article)
-        std::swap(variant.name, variant.present_name);
+        std::swap(variant.sides.other, variant.sides.present);
     for (const Parameter* parameter : switches)
         variant.values[parameter->name] = Value(is_article ? 0.0 : 1.0);
     return variant;
+}
+
+Values values_of(const Slot& slot, const Look& look) {
+    Values values = renamed_values(look, slot.values);
+    for (auto& [name, value] : values)
+        if (const Parameter* parameter = find_parameter(look, name))
+            value = clamped(*parameter, value);
+    return changed_values(look, values);
+}
+
+Variant slot_variant(const Look& look, const Slot& slot, std::size_t number) {
+    const std::string name = slot_name(number);
+    return {values_of(slot, look),
+            {slot.preset.empty() ? "Slot " + name : name + " · " + slot.preset, "Now", true}};
 }

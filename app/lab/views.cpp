@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 Result<Views> Views::make() {
     auto viewer = Viewer::make();
@@ -18,7 +19,11 @@ Result<Views> Views::make() {
     auto gains = GainMeters::make();
     if (!gains)
         return fail(gains.error());
-    return Views(std::move(*viewer), std::move(*inspection), std::move(*pins), std::move(*gains));
+    auto compared = ComparedPictures::make();
+    if (!compared)
+        return fail(compared.error());
+    return Views(std::move(*viewer), std::move(*inspection), std::move(*pins), std::move(*gains),
+                 std::move(*compared));
 }
 
 Views::Image Views::image_of(const std::optional<gpu::Canvas>& canvas) {
@@ -77,12 +82,14 @@ void Views::draw_thumbnails(const Executor& executor, int height) {
     }
 }
 
-void Views::probe(const Executor& executor, const std::optional<Probe>& probe) {
+void Views::probe(const Lab& lab, const std::optional<Probe>& probe) {
     m_probed.reset();
+    const Executor& executor = lab.renderer()->executor();
     const auto pass = probe ? find_pass(executor.look(), probe->pass) : std::nullopt;
     if (!pass)
         return;
-    const gpu::Texture& target = executor.target(*pass);
+    const bool is_of_other = probe->is_of_variant && m_compared.other();
+    const gpu::Texture& target = is_of_other ? *m_compared.other() : executor.target(*pass);
     if (probe->x >= 0 && probe->y >= 0 && probe->x < target.extent().width &&
         probe->y < target.extent().height)
         m_probed = gpu::read_pixel(target, probe->x, probe->y);
@@ -131,6 +138,8 @@ void Views::draw_inspected(const Executor& executor, const WindowState& window) 
 void Views::update(const Lab& lab, const WindowState& window) {
     if (!lab.renderer() || lab.renderer()->executor().plan().targets.empty()) {
         m_picture.reset();
+        m_beside.reset();
+        m_compared.stop();
         m_inspected.reset();
         m_thumbnails.clear();
         m_probed.reset();
@@ -142,7 +151,7 @@ void Views::update(const Lab& lab, const WindowState& window) {
     if (lab.renderer()->replay().is_running())
         return;  // what was shown stays until the past has been drawn again
     const Executor& executor = lab.renderer()->executor();
-    draw_picture(*lab.renderer(), lab.variant(), window);
+    draw_picture(lab, window);
     const bool is_whole = !window.is_picture_only;
     const bool has_strip = is_whole && window.shows_strip;
     draw_thumbnails(executor, has_strip ? window.views.thumbnail_height : 0);
@@ -155,9 +164,7 @@ void Views::update(const Lab& lab, const WindowState& window) {
         m_pins.update(executor, window.pins, present_seconds());
     else
         m_pins.stop();
-    const Executor* variant = lab.renderer()->variant();
-    const bool is_of_variant = variant && window.probe && window.probe->is_of_variant;
-    probe(is_of_variant ? *variant : executor, window.probe);
+    probe(lab, window.probe);
 }
 
 Views::Part Views::large_part(const Executor& executor, const WindowState& window) {
@@ -169,17 +176,56 @@ Views::Part Views::large_part(const Executor& executor, const WindowState& windo
     return {last, window.picture, {.encoding = encoding_of(executor.look(), last)}};
 }
 
-// The variant goes over its side of the picture.
-void Views::draw_picture(const Renderer& renderer, const std::optional<Variant>& variant,
-                         const WindowState& window) {
+// What the part is compared with; a picture from a file is no pass.
+void Views::compare(const Lab& lab, const Part& part) {
+    const Executor& executor = lab.renderer()->executor();
+    const Executor* variant = lab.renderer()->variant();
+    const bool is_picture = part.pass == static_cast<int>(executor.look().passes.size()) - 1;
+    const bool is_file = lab.comparing().chosen().other.kind == Other::Kind::file;
+    const bool has_other = is_file ? is_picture : variant && !variant->plan().targets.empty();
+    if (!lab.sides() || !has_other)
+        return m_compared.stop();
+    m_compared.update({.ours = executor.target(part.pass),
+                       .other = is_file ? nullptr : &variant->target(part.pass),
+                       .reference = lab.comparing().reference().picture(),
+                       .encoding = part.options.encoding},
+                      lab.comparing().chosen(), present_seconds());
+}
+
+// The other picture goes over its side of ours.
+void Views::draw_wiped(const Lab& lab, Part part, const WindowState& window) {
     const Extent size = window.views.picture;
-    Part part = large_part(renderer.executor(), window);
-    const gpu::Texture& own = renderer.executor().target(part.pass);
-    draw_part(own, m_picture, size, part.view, part.options);
-    if (!variant || !renderer.variant() || renderer.variant()->plan().targets.empty())
+    const Extent own = lab.renderer()->executor().target(part.pass).extent();
+    const int line = wipe_column(place_of(part.view, own, size), own, size, window.wipe_share);
+    part.options.columns =
+        lab.sides()->is_other_left ? std::array{0, line} : std::array{line, size.width};
+    draw_part(*m_compared.other(), m_picture, size, part.view, part.options);
+}
+
+// Its numbers are shown as they are: no light is meant by them.
+void Views::draw_difference(const Lab& lab, Part part, const WindowState& window) {
+    if (!m_compared.difference())
         return;
-    const PicturePlace place = place_of(part.view, own.extent(), size);
-    const int line = wipe_column(place, own.extent(), size, window.wipe_share);
-    part.options.columns = variant->is_left ? std::array{0, line} : std::array{line, size.width};
-    draw_part(renderer.variant()->target(part.pass), m_picture, size, part.view, part.options);
+    part.options = {.levels = {0.0, std::exp2(-lab.comparing().chosen().gain_stops)},
+                    .encoding = Encoding::display};
+    draw_part(*m_compared.difference(), m_picture, window.views.picture, part.view, part.options);
+}
+
+void Views::draw_picture(const Lab& lab, const WindowState& window) {
+    const CompareMode mode = lab.compare_mode();
+    const Extent size = room_of_one(window.views.picture, mode);
+    const Part part = large_part(lab.renderer()->executor(), window);
+    compare(lab, part);
+    const gpu::Texture& own = lab.renderer()->executor().target(part.pass);
+    const gpu::Texture* other = m_compared.other();
+    const bool is_flashing = other && lab.comparing().is_flashing();
+    draw_part(is_flashing ? *other : own, m_picture, size, part.view, part.options);
+    if (other && mode == CompareMode::side_by_side)
+        draw_part(*other, m_beside, size, part.view, part.options);
+    else
+        m_beside.reset();
+    if (other && !is_flashing && mode == CompareMode::wipe)
+        draw_wiped(lab, part, window);
+    if (other && !is_flashing && mode == CompareMode::difference)
+        draw_difference(lab, part, window);
 }

@@ -2,6 +2,7 @@
 
 #include "gpu/canvas.h"
 #include "graph/viewer.h"
+#include "lab/compared_pictures.h"
 #include "lab/gain_meters.h"
 #include "lab/inspection.h"
 #include "lab/lab.h"
@@ -28,6 +29,10 @@ public:
         Extent extent;
     };
     Image picture() const { return image_of(m_picture); }
+    /// The other picture of two that are seen side by side; each has room_of_one() to itself.
+    Image beside() const { return image_of(m_beside); }
+    /// What the two pictures of a comparison come to.
+    const ComparedPictures& compared() const { return m_compared; }
     /// What picture() shows, as numbers; empty when nothing. Waits for the GPU.
     Picture read_picture() const;
     Image inspected() const { return image_of(m_inspected); }
@@ -42,11 +47,13 @@ public:
     const std::optional<std::array<float, 4>>& probed() const { return m_probed; }
 
 private:
-    Views(Viewer viewer, Inspection inspection, Pins pins, GainMeters gains)
+    Views(Viewer viewer, Inspection inspection, Pins pins, GainMeters gains,
+          ComparedPictures compared)
         : m_viewer(std::move(viewer)),
           m_inspection(std::move(inspection)),
           m_pins(std::move(pins)),
-          m_gains(std::move(gains)) {}
+          m_gains(std::move(gains)),
+          m_compared(std::move(compared)) {}
     static Image image_of(const std::optional<gpu::Canvas>& canvas);
     bool fit(std::optional<gpu::Canvas>& canvas, Extent extent);
     void draw_part(const gpu::Texture& from, std::optional<gpu::Canvas>& to, Extent size,
@@ -57,17 +64,21 @@ private:
         ViewOptions options;
     };
     static Part large_part(const Executor& executor, const WindowState& window);
-    void draw_picture(const Renderer& renderer, const std::optional<Variant>& variant,
-                      const WindowState& window);
+    void draw_picture(const Lab& lab, const WindowState& window);
+    void compare(const Lab& lab, const Part& part);
+    void draw_wiped(const Lab& lab, Part part, const WindowState& window);
+    void draw_difference(const Lab& lab, Part part, const WindowState& window);
     void draw_inspected(const Executor& executor, const WindowState& window);
     void draw_thumbnails(const Executor& executor, int height);
-    void probe(const Executor& executor, const std::optional<Probe>& probe);
+    void probe(const Lab& lab, const std::optional<Probe>& probe);
 
     Viewer m_viewer;
     Inspection m_inspection;
     Pins m_pins;
     GainMeters m_gains;
+    ComparedPictures m_compared;
     std::optional<gpu::Canvas> m_picture;
+    std::optional<gpu::Canvas> m_beside;
     std::optional<gpu::Canvas> m_inspected;
     std::vector<std::optional<gpu::Canvas>> m_thumbnails;
     std::optional<std::array<float, 4>> m_probed;

@@ -82,7 +82,7 @@ struct Probe {
     std::string pass;
     int x = 0;
     int y = 0;
-    bool is_of_variant = false;  // what the wipe shows on its other side
+    bool is_of_variant = false;  // what is compared with
 
     bool operator==(const Probe&) const = default;
 };
@@ -127,6 +127,7 @@ struct Dialog {
         none,
         open_file,
         choose_file,  // for the parameter or signal in `subject`
+        choose_reference,
         save_picture,
         save_pass,  // of the name in `subject`
         load_drawing,

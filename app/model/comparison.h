@@ -42,7 +42,7 @@ double difference_of(double ours, double other, DifferenceMeasure measure);
 
 /// What a person chose to compare with, and how.
 struct Comparison {
-    Other other;
+    Other other = {};
     CompareMode mode = CompareMode::off;
     DifferenceMeasure measure = DifferenceMeasure::absolute;
     double gain_stops = 0.0;  // a difference is shown multiplied by two to this power

@@ -1,6 +1,7 @@
 #include "ui/actions.h"
 
 #include "gpu/input_event.h"
+#include "ui/compare_actions.h"
 #include "ui/file_actions.h"
 #include "ui/pass_actions.h"
 #include "ui/rates_dialog.h"
@@ -177,9 +178,9 @@ std::vector<Action> help_actions() {
 
 std::vector<Action> make_actions() {
     std::vector<Action> actions;
-    for (const auto& part :
-         {file_actions::list(), edit_actions(), tuning_actions::list(), view_actions::list(),
-          pass_actions::list(), playback_actions(), moves_actions(), help_actions()})
+    for (const auto& part : {file_actions::list(), edit_actions(), tuning_actions::list(),
+                             view_actions::list(), compare_actions::list(), pass_actions::list(),
+                             playback_actions(), moves_actions(), help_actions()})
         actions.insert(actions.end(), part.begin(), part.end());
     return actions;
 }
@@ -204,6 +205,8 @@ void escape(const Scene& scene, Edits& edits) {
         edits.add([](Lab& lab) { lab.cancel_loading(); });
     else if (scene.lab.renderer() && scene.lab.renderer()->replay().is_running())
         edits.add([](Lab& lab) { lab.cancel_replay(); });
+    else if (scene.lab.comparing().is_flashing())
+        edits.add([](Lab& lab) { lab.flash(false); });
     else if (scene.window.shows_pass_large)
         edits.arrange([](WindowState& window) { window.shows_pass_large = false; });
     else if (scene.window.is_picture_only)
@@ -259,6 +262,9 @@ std::string label_of(const Action& action, const Scene& scene) {
 }
 
 void run_keys(const Scene& scene, Edits& edits) {
+    for (const Action& action : all_actions())
+        if (action.let_go && ImGui::IsKeyReleased(action.chord.key))
+            action.let_go(scene, edits);
     if (scene.window.dialog.kind != Dialog::Kind::none)
         return;
     if (ImGui::IsKeyPressed(gpu::key::escape, false) && !ImGui::IsAnyItemActive())

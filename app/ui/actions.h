@@ -44,7 +44,23 @@ enum class ActionId {
     show_text,
     show_changed,
     picture_only,
+    flash,
     wipe,
+    side_by_side,
+    difference,
+    next_measure,
+    equal_brightness,
+    with_article,
+    with_file,
+    keep_a,
+    keep_b,
+    keep_c,
+    recall_a,
+    recall_b,
+    recall_c,
+    with_a,
+    with_b,
+    with_c,
     next_pass,
     previous_pass,
     pass_large,
@@ -81,7 +97,7 @@ enum class ActionId {
     about,
 };
 
-enum class Menu { file, edit, view, pass, playback, help };
+enum class Menu { file, edit, view, compare, pass, playback, help };
 
 /// A key with what is held down with it.
 struct Chord {
@@ -100,6 +116,8 @@ struct Action {
     void (*act)(const Scene& scene, Edits& edits);
     bool (*is_enabled)(const Scene& scene) = nullptr;  // null: always
     bool (*is_on)(const Scene& scene) = nullptr;       // null: no tick
+    void (*let_go)(const Scene& scene,
+                   Edits& edits) = nullptr;  // when its key comes up again; null: nothing
 };
 
 const std::vector<Action>& all_actions();

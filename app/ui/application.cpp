@@ -48,6 +48,7 @@ public:
                 "The unsaved changes of last time are kept: File, Back to the session before");
         m_state.has_session_before = is_session_aside(m_options.roots);
         m_lab.set_knobs(session.knobs);
+        m_lab.set_slots(session.slots);
         m_lab.before_losing_changes([this](const Lab& lab) {
             if (set_session_aside(m_options.roots, session_of(lab, remembered(m_state))))
                 m_state.has_session_before = true;

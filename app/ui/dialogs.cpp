@@ -144,6 +144,7 @@ void draw_dialogs(const Scene& scene, Edits& edits) {
             return;
         case Kind::open_file:
         case Kind::choose_file:
+        case Kind::choose_reference:
         case Kind::save_picture:
         case Kind::save_pass:
         case Kind::load_drawing:

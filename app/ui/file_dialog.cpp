@@ -24,6 +24,8 @@ std::vector<std::string> endings_for(Dialog::Kind kind) {
         return {".txt"};
     if (kind == Dialog::Kind::choose_file)
         return {};
+    if (kind == Dialog::Kind::choose_reference)
+        return {".png", ".exr", ".jpg", ".jpeg", ".hdr", ".tif", ".tiff", ".bmp", ".webp"};
     return {".json", ".svg",  ".png", ".exr", ".jpg", ".jpeg", ".txt", ".wav",
             ".flac", ".ogg",  ".oga", ".mp3", ".aif", ".aiff", ".mp4", ".m4v",
             ".mkv",  ".webm", ".mov", ".avi", ".mpg", ".mpeg", ".ogv", ".gif"};
@@ -43,6 +45,8 @@ const char* title_for(Dialog::Kind kind) {
             return "Save the moves, for render --moves";
         case Dialog::Kind::choose_file:
             return "Choose a file";
+        case Dialog::Kind::choose_reference:
+            return "Choose a picture to compare with";
         default:
             return "Open a look, a preset, a picture or a sound";
     }
@@ -86,6 +90,8 @@ void finish(const fs::path& file, const Scene& scene, Edits& edits) {
             [view = scene.window.inspected, file](Lab& lab) { save_target(lab, view, file); });
     else if (dialog.kind == Dialog::Kind::load_drawing)
         edits.add([file](Lab& lab) { lab.load_drawing(file); });
+    else if (dialog.kind == Dialog::Kind::choose_reference)
+        edits.add([file](Lab& lab) { lab.compare_with_file(file); });
     else if (dialog.kind == Dialog::Kind::save_drawing)
         edits.add([file](Lab& lab) { lab.save_drawing(file); });
     else if (dialog.kind == Dialog::Kind::save_moves)

@@ -71,6 +71,7 @@ void draw_menu_bar(const Scene& scene, Edits& edits) {
     draw_menu(Menu::file, "File", scene, edits);
     draw_menu(Menu::edit, "Edit", scene, edits);
     draw_menu(Menu::view, "View", scene, edits);
+    draw_menu(Menu::compare, "Compare", scene, edits);
     draw_menu(Menu::pass, "Pass", scene, edits);
     draw_menu(Menu::playback, "Playback", scene, edits);
     draw_menu(Menu::help, "Help", scene, edits);

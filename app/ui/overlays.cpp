@@ -1,5 +1,6 @@
 #include "ui/overlays.h"
 
+#include "ui/compare_bar.h"
 #include "ui/icons.h"
 #include "ui/problem_list.h"
 #include "ui/scoped.h"
@@ -76,7 +77,8 @@ void draw_pill(const Pill& pill, const Scene& scene) {
     const ImVec2 text = ImGui::CalcTextSize(pill.text.c_str(), nullptr, false, most);
     const ImVec2 size(text.x + 2.0f * pad, text.y + pad);
     const ImVec2 window = ImGui::GetWindowPos();
-    const float bottom = window.y + ImGui::GetWindowHeight() - pad - pill.rise * size.y * 1.3f;
+    const float bottom = window.y + ImGui::GetWindowHeight() - compare_bar_height(scene) - pad -
+                         pill.rise * size.y * 1.3f;
     const ImVec2 low(window.x + (ImGui::GetWindowWidth() - size.x) * 0.5f, bottom - size.y);
     const ScopedStyle<float> opacity(ImGuiStyleVar_Alpha, pill.opacity);
     ImDrawList& list = *ImGui::GetWindowDrawList();

@@ -11,6 +11,8 @@ const char* menu_name(Menu menu) {
             return "Edit";
         case Menu::view:
             return "View";
+        case Menu::compare:
+            return "Compare";
         case Menu::pass:
             return "Pass";
         case Menu::playback:
@@ -39,6 +41,13 @@ const char* why_not(const Action& action, const Scene& scene) {
             return "nothing to redo";
         case ActionId::reset_all:
             return "nothing is changed";
+        case ActionId::recall_a:
+        case ActionId::recall_b:
+        case ActionId::recall_c:
+        case ActionId::with_a:
+        case ActionId::with_b:
+        case ActionId::with_c:
+            return "the slot is empty";
         case ActionId::draw:
             return "this look is not driven by a signal";
         case ActionId::write_passes:

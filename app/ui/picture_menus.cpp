@@ -20,7 +20,7 @@ std::string size_label(const Scene& scene) {
 }
 
 double present_zoom(const Scene& scene) {
-    return scene.window.large_view().zoom_for(large_extent(scene), scene.window.views.picture);
+    return scene.window.large_view().zoom_for(large_extent(scene), large_room(scene));
 }
 
 // At whole zooms every pixel of the picture is a block of pixels of the screen.
@@ -59,6 +59,12 @@ Extent large_extent(const Scene& scene) {
             return executor.target(*pass).extent();
     }
     return scene.lab.picture_extent();
+}
+
+Extent large_room(const Scene& scene) {
+    const bool is_half = scene.views.beside().handle != 0;
+    return room_of_one(scene.window.views.picture,
+                       is_half ? CompareMode::side_by_side : CompareMode::off);
 }
 
 std::string zoom_text(double zoom) {

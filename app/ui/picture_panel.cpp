@@ -1,6 +1,7 @@
 #include "ui/picture_panel.h"
 
 #include "ui/actions.h"
+#include "ui/compare_bar.h"
 #include "ui/drawing_overlay.h"
 #include "ui/overlays.h"
 #include "ui/picture_canvas.h"
@@ -61,6 +62,69 @@ void draw_large_pass_words(const Scene& scene, Edits& edits) {
     edits.mark("back_to_picture");
     ImGui::EndChild();
 }
+
+/// One of the pictures that are shown: ours, or the one beside it.
+struct Shown {
+    const char* name = "picture";
+    Views::Image image;
+    float left = 0.0f;  // in the pane
+    bool is_other = false;
+};
+
+std::vector<Shown> shown_pictures(const Scene& scene) {
+    const auto sides = scene.lab.sides();
+    Shown ours{.image = scene.views.picture(),
+               .is_other = sides && scene.lab.comparing().is_flashing()};
+    if (scene.views.beside().handle == 0)
+        return {ours};
+    const Extent whole = scene.window.views.picture;
+    const float right = static_cast<float>(whole.width - large_room(scene).width) / scene.density;
+    Shown beside{"beside", scene.views.beside(), 0.0f, true};
+    (sides && !sides->is_other_left ? beside : ours).left = right;
+    return {ours, beside};
+}
+
+void draw_shown(const Shown& shown, const Scene& scene, Edits& edits, const ImVec2& size) {
+    const bool is_large = scene.window.shows_pass_large;
+    const bool is_turned = !is_large && scene.lab.document()->look().has_orbit;
+    const bool has_pen = !is_large && scene.lab.drawing_board().has_pen();
+    const Extent room = scene.device_pixels(size.x, size.y);
+    const auto wipe = drag_wipe(size, scene, edits);
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const CanvasInput input = draw_picture_canvas({.id = shown.name,
+                                                   .image = shown.image,
+                                                   .picture = large_extent(scene),
+                                                   .view = scene.window.large_view(),
+                                                   .size = size,
+                                                   .has_orbit = is_turned,
+                                                   .has_pen = has_pen},
+                                                  scene);
+    edits.mark(shown.name);
+    if (!has_pen)
+        pin_on_click(scene, edits);
+    draw_pin_marks(scene, low, large_extent(scene), scene.window.large_view(), room);
+    if (input.moved)
+        edits.arrange([view = *input.moved](WindowState& window) { window.large_view() = view; });
+    if (input.turned)
+        edits.document([turned = input.turned](Document& document) { document.set_orbit(turned); });
+    if (input.is_turn_finished)
+        edits.finish();
+    const bool is_other = shown.is_other || is_over_variant(wipe, scene);
+    if (input.hovered && is_large)
+        probe(scene.window.inspected.pass, {*input.hovered, is_other}, edits);
+    else if (input.hovered)
+        tell_pointer({*input.hovered, is_other}, scene, edits);
+    if (wipe)
+        draw_wipe(*wipe, scene);
+    if (!has_pen)
+        return;
+    follow_pen(input, edits);
+    const PicturePlace at = place_of(scene.window.large_view(), large_extent(scene), room);
+    draw_drawing_overlay(scene, input, [&](const PicturePixel& pixel) {
+        return ImVec2(low.x + static_cast<float>(at.left + pixel[0] * at.zoom) / scene.density,
+                      low.y + static_cast<float>(at.top + pixel[1] * at.zoom) / scene.density);
+    });
+}
 }  // namespace
 
 void draw_picture_panel(const Scene& scene, const Rect& place, Edits& edits) {
@@ -72,42 +136,18 @@ void draw_picture_panel(const Scene& scene, const Rect& place, Edits& edits) {
         draw_overlays(scene, edits);
         return;
     }
-    const auto wipe = drag_wipe({place.width, place.height}, scene, edits);
-    const bool is_turned = !scene.window.shows_pass_large && scene.lab.document()->look().has_orbit;
-    const bool has_pen = !scene.window.shows_pass_large && scene.lab.drawing_board().has_pen();
     const ImVec2 low = ImGui::GetCursorScreenPos();
-    const CanvasInput input = draw_picture_canvas({.id = "##picture",
-                                                   .image = scene.views.picture(),
-                                                   .picture = large_extent(scene),
-                                                   .view = scene.window.large_view(),
-                                                   .size = {place.width, place.height},
-                                                   .has_orbit = is_turned,
-                                                   .has_pen = has_pen},
-                                                  scene);
-    edits.mark("picture");
-    if (!has_pen)
-        pin_on_click(scene, edits);
-    draw_pin_marks(scene, low, large_extent(scene), scene.window.large_view(), room);
-    if (input.moved)
-        edits.arrange([view = *input.moved](WindowState& window) { window.large_view() = view; });
-    if (input.turned)
-        edits.document([turned = input.turned](Document& document) { document.set_orbit(turned); });
-    if (input.is_turn_finished)
-        edits.finish();
-    if (input.hovered && scene.window.shows_pass_large)
-        probe(scene.window.inspected.pass, {*input.hovered, is_over_variant(wipe, scene)}, edits);
-    else if (input.hovered)
-        tell_pointer({*input.hovered, is_over_variant(wipe, scene)}, scene, edits);
-    if (wipe)
-        draw_wipe(*wipe, scene);
-    if (has_pen) {
-        follow_pen(input, edits);
-        const PicturePlace at = place_of(scene.window.large_view(), large_extent(scene), room);
-        draw_drawing_overlay(scene, input, [&](const PicturePixel& pixel) {
-            return ImVec2(low.x + static_cast<float>(at.left + pixel[0] * at.zoom) / scene.density,
-                          low.y + static_cast<float>(at.top + pixel[1] * at.zoom) / scene.density);
-        });
+    const ImVec2 start = ImGui::GetCursorPos();
+    const std::vector<Shown> pictures = shown_pictures(scene);
+    const bool is_alone = pictures.size() == 1;
+    const float width =
+        is_alone ? place.width : static_cast<float>(large_room(scene).width) / scene.density;
+    for (const Shown& shown : pictures) {
+        ImGui::SetCursorPos({start.x + shown.left, start.y});
+        draw_shown(shown, scene, edits, {width, place.height});
     }
+    draw_halves_names(low, low.x + place.width - width, scene);
     draw_large_pass_words(scene, edits);
+    draw_compare_bar(scene, edits);
     draw_overlays(scene, edits);
 }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <array>
 #include <fstream>
 
 namespace {
@@ -122,6 +123,25 @@ std::string gains_text(const Scene& scene) {
     return fmt::format(R"(,"gains":[{}])", fmt::join(gains, ","));
 }
 
+// How and with what the picture is compared, and what the two come to.
+std::string comparison_text(const Scene& scene) {
+    static constexpr std::array modes{"off", "wipe", "side by side", "difference"};
+    const Lab& lab = scene.lab;
+    std::vector<std::string> slots;
+    for (std::size_t i = 0; i < lab.slots().size(); ++i)
+        slots.push_back(lab.slots()[i] ? fmt::format("{}", lab.is_in_slot(i)) : "null");
+    const auto& compared = scene.views.compared();
+    const auto sides = lab.sides();
+    return fmt::format(
+        R"(,"compare":{{"mode":{},"other":{},"is_flashing":{},"stops":{},"mean":{},"gain":{},"measure":{}}},"slots":[{}])",
+        json_string(modes[static_cast<std::size_t>(lab.compare_mode())]),
+        json_string(sides ? sides->other : std::string()), lab.comparing().is_flashing(),
+        compared.stops() ? fmt::format("{:.4f}", *compared.stops()) : "null",
+        compared.distances() ? fmt::format("\"{}\"", compared.distances()->mean) : "null",
+        lab.comparing().chosen().gain_stops, static_cast<int>(lab.comparing().chosen().measure),
+        fmt::join(slots, ","));
+}
+
 std::string document_text(const Lab& lab) {
     const Document& document = *lab.document();
     return fmt::format(
@@ -147,8 +167,10 @@ std::string state_text(const Scene& scene, const Edits& edits) {
         lab.has_converged(), lab.player().time(), lab.player().shown_share(), picture.width,
         picture.height, json_string(lab.notice() ? lab.notice()->text : std::string()),
         static_cast<int>(scene.window.dialog.kind), json_string(scene.window.inspected.pass),
-        lab.variant() ? fmt::format("{:.3f}", scene.window.wipe_share) : "null",
-        probe_text(scene) + inspection_text(scene) + pins_text(scene) + gains_text(scene),
+        lab.compare_mode() == CompareMode::wipe ? fmt::format("{:.3f}", scene.window.wipe_share)
+                                                : "null",
+        probe_text(scene) + inspection_text(scene) + pins_text(scene) + gains_text(scene) +
+            comparison_text(scene),
         problems_text(lab), places_text(edits));
 }
 

@@ -5,6 +5,7 @@
 #include "ui/picture_menus.h"
 #include "ui/scoped.h"
 #include "ui/slider.h"
+#include "ui/slot_buttons.h"
 #include "ui/sound_controls.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
@@ -98,7 +99,8 @@ void draw_facts(const Scene& scene, float room) {
 void draw_transport_bar(const Scene& scene, Edits& edits) {
     ImGui::SetCursorPosY((ImGui::GetWindowHeight() - ImGui::GetFrameHeight()) * 0.5f);
     draw_buttons(scene, edits);
-    const float menus = picture_menus_width(scene);
+    const float menus =
+        picture_menus_width(scene) + slot_buttons_width() + ImGui::GetStyle().ItemSpacing.x;
     const auto end_of_last = [] { return ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x; };
     const float speed = ImGui::GetFontSize() * 11.0f;
     if (end_of_last() + speed + menus < ImGui::GetWindowContentRegionMax().x) {
@@ -108,5 +110,7 @@ void draw_transport_bar(const Scene& scene, Edits& edits) {
     const float end = end_of_last();
     draw_facts(scene, ImGui::GetWindowContentRegionMax().x - menus - end - ImGui::GetFontSize());
     same_line_right(menus);
+    draw_slot_buttons(scene, edits);
+    ImGui::SameLine();
     draw_picture_menus(scene, edits);
 }

@@ -1,7 +1,6 @@
 #include "ui/view_actions.h"
 
 #include "gpu/input_event.h"
-#include "ui/file_actions.h"
 #include "ui/picture_menus.h"
 
 #include <algorithm>
@@ -67,9 +66,10 @@ void zoom_fit(const Scene&, Edits& edits) {
 template <bool is_in>
 void zoom(const Scene& scene, Edits& edits) {
     const Extent picture = large_extent(scene);
-    edits.arrange([picture](WindowState& window) {
+    const Extent room = large_room(scene);
+    edits.arrange([picture, room](WindowState& window) {
         PictureView& view = window.large_view();
-        const double present = view.zoom_for(picture, window.views.picture);
+        const double present = view.zoom_for(picture, room);
         view.zoom_about(view.x, view.y, present, next_zoom(present, is_in));
     });
 }
@@ -79,15 +79,6 @@ void scale_text(const Scene&, Edits& edits) {
     edits.arrange([](WindowState& window) {
         window.scale = std::clamp(window.scale + eighths / 8.0, 0.75, 3.0);
     });
-}
-
-void toggle_wipe(const Scene& scene, Edits& edits) {
-    const bool is_wiping = scene.lab.variant().has_value();
-    edits.add([is_wiping](Lab& lab) { lab.set_wiping(!is_wiping); });
-}
-
-bool has_wipe(const Scene& scene) {
-    return scene.lab.variant().has_value();
 }
 }  // namespace
 
@@ -130,14 +121,6 @@ std::vector<Action> view_actions::list() {
         {ActionId::zoom_fit, Menu::view, "Show all of the picture", {'F'}, false, zoom_fit},
         {ActionId::zoom_in, Menu::view, "Zoom in", {'='}, false, zoom<true>},
         {ActionId::zoom_out, Menu::view, "Zoom out", {'-'}, false, zoom<false>},
-        {ActionId::wipe,
-         Menu::view,
-         "Wipe to the article's own picture",
-         {'W'},
-         true,
-         toggle_wipe,
-         file_actions::has_document,
-         has_wipe},
         {ActionId::show_library,
          Menu::view,
          "Looks and signal",

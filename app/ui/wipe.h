@@ -19,5 +19,8 @@ struct WipeLine {
 std::optional<WipeLine> drag_wipe(const ImVec2& size, const Scene& scene, Edits& edits);
 /// Over the picture: the line, and what lies on its sides.
 void draw_wipe(const WipeLine& line, const Scene& scene);
+/// The names of two pictures side by side, the right one of which begins at `middle`; or that of
+/// the one which is shown in the place of ours.
+void draw_halves_names(const ImVec2& low, float middle, const Scene& scene);
 /// Whether the pointer is on the side that is not the present picture's.
 bool is_over_variant(const std::optional<WipeLine>& line, const Scene& scene);

@@ -25,7 +25,13 @@ Session session() {
     made.time = 12.5;
     made.speed = 0.25;
     made.is_playing = false;
-    made.is_wiping = true;
+    made.comparison = {.other = {Other::Kind::slot, 1},
+                       .mode = CompareMode::difference,
+                       .measure = DifferenceMeasure::squared,
+                       .gain_stops = 3.5,
+                       .has_equal_brightness = true};
+    made.slots["phosphor"][1] = Slot{"Amber", {{"decay", Value(0.1 + 0.2)}}};
+    made.slots["phosphor+crt"][0] = Slot{{}, {{"crt/tint", Value({0.25, 1.0, 0.5})}}};
     made.follows_view = false;
     made.knobs["phosphor"] = {{"decay", {.is_favourite = true}},
                               {"exposure", {.is_locked = true, .ends = Limit{0.5, 2.0}}}};
@@ -60,4 +66,16 @@ TEST_CASE("a session that is cut off, of another kind or newer is refused") {
                              R"({"format": "afterglow-session", "version": 2})",
                              R"({"format": "afterglow-session", "version": 1, "speed": "fast"})"})
         CHECK_FALSE(parse_session(text, "session.json").has_value());
+}
+
+TEST_CASE("a comparison with a file comes back; a wipe of older programs is a wipe") {
+    Session made = session();
+    made.comparison.other = {Other::Kind::file, 0, "/home/me/crt photo.png"};
+    const auto read = parse_session(session_to_json(made), "session.json");
+    REQUIRE(read.has_value());
+    CHECK(read->comparison == made.comparison);
+    const auto older = parse_session(
+        R"({"format": "afterglow-session", "version": 1, "is_wiping": true})", "session.json");
+    REQUIRE(older.has_value());
+    CHECK(older->comparison == Comparison{.mode = CompareMode::wipe});
 }

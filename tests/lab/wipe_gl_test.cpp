@@ -42,9 +42,9 @@ public:
     }
     /// Until the other side has its past.
     void wipe() {
-        lab().set_wiping(true);
+        lab().set_compare_mode(CompareMode::wipe);
         turn(1);
-        REQUIRE(lab().variant());
+        REQUIRE(lab().sides());
         for (int i = 0; i < 1000 && lab().renderer()->replay().is_running(); ++i)
             turn(1);
     }
@@ -68,7 +68,7 @@ TEST_CASE("the article's picture is drawn beside ours, from the frames that led 
     CHECK(small.shown() == shown);
     CHECK(small.shown_beside() == 3 * std::min(frames, 20.0f));  // the look settles in 20 frames
     CHECK(small.frames() == frames);
-    CHECK(small.lab().variant()->left_name() == "The article's own");
+    CHECK(small.lab().sides()->left_name() == "The article's own");
     CHECK(small.document().values().empty());
     CHECK_FALSE(small.document().history().can_undo());
 
@@ -78,7 +78,7 @@ TEST_CASE("the article's picture is drawn beside ours, from the frames that led 
     CHECK(small.shown() == shown + 4);
     CHECK(small.shown_beside() == 3 * (std::min(frames, 20.0f) + 4));
 
-    small.lab().set_wiping(false);
+    small.lab().set_compare_mode(CompareMode::off);
     small.turn(1);
     CHECK(small.lab().renderer()->variant() == nullptr);
     CHECK(small.shown() == shown + 5);
@@ -86,13 +86,13 @@ TEST_CASE("the article's picture is drawn beside ours, from the frames that led 
 
 TEST_CASE("a wipe that was on at the end is on at the next start") {
     Wiping small;
-    CHECK_FALSE(session_of(small.lab(), {}).is_wiping);
+    CHECK(session_of(small.lab(), {}).comparison.mode == CompareMode::off);
     small.wipe();
     const Session session = session_of(small.lab(), {});
-    CHECK(session.is_wiping);
+    CHECK(session.comparison.mode == CompareMode::wipe);
     small.start();
     restore(small.lab(), session);
-    REQUIRE(small.turn_until([&] { return small.lab().variant().has_value(); }));
+    REQUIRE(small.turn_until([&] { return small.lab().sides().has_value(); }));
     CHECK(small.turn_until([&] { return small.shown_beside() > 0.0f; }));
 }
 
@@ -133,8 +133,8 @@ TEST_CASE("what is turned, edited or resized is so on both sides") {
         small.turn(1);
         small.rest();
         CHECK(small.shown() == 3 * small.shown_beside());
-        CHECK(small.lab().variant()->left_name() == "The article's own");
-        CHECK_FALSE(small.lab().variant()->is_left);
+        CHECK(small.lab().sides()->left_name() == "The article's own");
+        CHECK_FALSE(small.lab().sides()->is_other_left);
     }
     SUBCASE("a shader") {
         small.write_by_rename("show.frag",
@@ -152,20 +152,20 @@ TEST_CASE("what is turned, edited or resized is so on both sides") {
 TEST_CASE("drawing the past for the other side can be stopped") {
     Wiping small;
     small.turn(30);
-    small.lab().set_wiping(true);
+    small.lab().set_compare_mode(CompareMode::wipe);
     small.lab().update(0.0);  // may have drawn all of it already
     small.lab().cancel_replay();
     const float frames = small.frames();
     small.turn(2);
     CHECK(small.frames() == frames + 2);
-    CHECK(small.lab().variant().has_value());
+    CHECK(small.lab().sides().has_value());
 }
 
 TEST_CASE("a look without the switch says that there is nothing to wipe to") {
     SmallLab small;
-    small.lab().set_wiping(true);
+    small.lab().set_compare_mode(CompareMode::wipe);
     small.turn(1);
-    CHECK_FALSE(small.lab().variant());
+    CHECK_FALSE(small.lab().sides());
     REQUIRE(small.lab().notice());
     CHECK(small.lab().notice()->text.find("no switch 'as_written'") != std::string::npos);
 }
@@ -274,9 +274,9 @@ TEST_CASE("left of the line is the article's picture to the bit, right of it our
         RealLab real(each.look);
         const std::vector<float> ours = real.view();
         real.window().wipe_share = 0.25;
-        real.lab().set_wiping(true);
+        real.lab().set_compare_mode(CompareMode::wipe);
         const std::vector<float> wiped = real.view();
-        real.lab().set_wiping(false);
+        real.lab().set_compare_mode(CompareMode::off);
         CHECK(differences(real.view(), ours, 12).left == 0.0);
         real.set_all(each.switches, 1.0);
         const std::vector<float> article = real.view();

@@ -1,0 +1,205 @@
+#include "ui/compare_bar.h"
+
+#include "ui/actions.h"
+#include "ui/compare_actions.h"
+#include "ui/icons.h"
+#include "ui/scoped.h"
+#include "ui/slider.h"
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+namespace {
+constexpr theme::Color back{0.098f, 0.098f, 0.102f, 0.92f};
+
+void draw_modes(const Scene& scene, Edits& edits) {
+    static constexpr std::array modes{CompareMode::wipe, CompareMode::side_by_side,
+                                      CompareMode::difference};
+    static constexpr std::array labels{"Wipe", "Side by side", "Difference"};
+    const CompareMode present = scene.lab.comparing().chosen().mode;
+    const int chosen = static_cast<int>(present) - static_cast<int>(modes[0]);
+    const int next =
+        choice("compare", labels.data(), static_cast<int>(labels.size()), chosen, edits);
+    if (next != chosen)
+        compare_actions::set_mode(modes[static_cast<std::size_t>(next)], edits);
+}
+
+void draw_other(const std::string& label, const Other& other, const Scene& scene, Edits& edits) {
+    if (ImGui::Selectable(label.c_str(), scene.lab.comparing().chosen().other == other))
+        edits.add([other](Lab& lab) { lab.compare_with(other); });
+    edits.mark("other:" + label);
+}
+
+void draw_others(const Scene& scene, float width, Edits& edits) {
+    const auto sides = scene.lab.sides();
+    const bool is_open = begin_combo("##other", sides ? sides->other : std::string(), width);
+    edits.mark("other");
+    if (!is_open)
+        return;
+    const Document& document = *scene.lab.document();
+    const Comparing& comparing = scene.lab.comparing();
+    if (const auto article = comparing.variant({}, document.look(), document.values()))
+        draw_other(article->sides.other, {}, scene, edits);
+    for (std::size_t i = 0; i < scene.lab.slots().size(); ++i) {
+        const Other other{Other::Kind::slot, i};
+        if (const auto slot = comparing.variant(other, document.look(), document.values()))
+            draw_other(slot->sides.other, other, scene, edits);
+    }
+    if (const auto& file = comparing.reference().file(); comparing.reference().picture())
+        draw_other(file.filename().string(), {Other::Kind::file, 0, file}, scene, edits);
+    ImGui::Separator();
+    if (ImGui::Selectable("A picture from a file…"))
+        run(ActionId::with_file, scene, edits);
+    edits.mark("other:file");
+    ImGui::EndCombo();
+}
+
+std::string brightness_label(const Scene& scene) {
+    if (!scene.lab.comparing().chosen().has_equal_brightness)
+        return "Equal brightness";
+    const auto& stops = scene.views.compared().stops();
+    return stops ? fmt::format("Equal brightness {:+.2f} stops", *stops)
+                 : std::string("Equal brightness …");
+}
+
+void draw_brightness(const Scene& scene, Edits& edits) {
+    const bool is_on = scene.lab.comparing().chosen().has_equal_brightness;
+    const ScopedColor text(ImGuiCol_Text, is_on ? theme::accent : theme::dim);
+    const ScopedColor field(ImGuiCol_Button, is_on ? theme::field : theme::none);
+    if (ImGui::Button((brightness_label(scene) + "##brightness").c_str()))
+        run(ActionId::equal_brightness, scene, edits);
+    edits.mark("equal_brightness");
+    const ScopedColor normal(ImGuiCol_Text, theme::text);
+    tooltip(
+        "Multiplies the light of the other picture so that its mean luminance is ours, as measured "
+        "now: what is brighter is often taken for better. " +
+        help_of(ActionId::equal_brightness));
+}
+
+void draw_choices(const Scene& scene, Edits& edits) {
+    const float side = ImGui::GetFrameHeight();
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    draw_modes(scene, edits);
+    ImGui::SameLine();
+    const float brightness = ImGui::CalcTextSize(brightness_label(scene).c_str()).x +
+                             2.0f * ImGui::GetStyle().FramePadding.x;
+    const float room = ImGui::GetContentRegionAvail().x - brightness - side - 2.0f * gap;
+    draw_others(scene, std::max(room, 4.0f * side), edits);
+    ImGui::SameLine();
+    draw_brightness(scene, edits);
+    same_line_right(side);
+    if (icon_button("##end", Icon::close, "Our picture alone", theme::dim))
+        compare_actions::set_mode(CompareMode::off, edits);
+    edits.mark("compare_end");
+}
+
+void draw_gain(const Scene& scene, Edits& edits) {
+    double gain = scene.lab.comparing().chosen().gain_stops;
+    const SliderFacts facts{.low = -4.0,
+                            .high = 12.0,
+                            .initial = 0.0,
+                            .is_changed = gain != 0.0,
+                            .unit = "stops",
+                            .limit = Limit{-16.0, 16.0}};
+    Turned turned = draw_slider("##gain", gain, facts, ImGui::GetFontSize() * 6.0f);
+    edits.mark("difference_gain");
+    tooltip(fmt::format("How much the difference is multiplied to be seen: white is {}.",
+                        short_number(std::exp2(-gain))));
+    ImGui::SameLine(0.0f, 2.0f);
+    {
+        const ScopedFont font(scene.fonts.numbers);
+        turned |= draw_number("##gain_number", gain, ImGui::GetFontSize() * 5.2f, facts.number());
+        edits.mark("number:difference_gain");
+    }
+    ImGui::SameLine(0.0f, 0.0f);
+    const auto fitting = compare_actions::fitting_gain(scene);
+    if (icon_button("##fit", Icon::fit, "So that the largest difference is white",
+                    fitting ? theme::text : theme::faint) &&
+        fitting) {
+        gain = *fitting;
+        turned.is_changed = true;
+    }
+    edits.mark("fit_gain");
+    if (turned.is_changed)
+        compare_actions::choose(scene, edits,
+                                [gain](Comparison& comparison) { comparison.gain_stops = gain; });
+}
+
+std::string numbers_text(const Scene& scene) {
+    const auto& distances = scene.views.compared().distances();
+    if (!distances)
+        return "measuring…";
+    const std::string psnr = std::isinf(distances->psnr_db) && distances->psnr_db > 0.0
+                                 ? "the same"
+                                 : fmt::format("PSNR {:.1f} dB", distances->psnr_db);
+    return fmt::format("mean {:.3g}  RMS {:.3g}  max {:.3g}  {}", distances->mean, distances->rms,
+                       distances->largest, psnr);
+}
+
+void draw_numbers(const Scene& scene, Edits& edits) {
+    const ComparedPictures& compared = scene.views.compared();
+    if (compared.other() && !compared.difference() && !compared.distances() &&
+        !scene.lab.renderer()->replay().is_running())
+        return dim_text("These have no difference: they hold whole numbers");
+    {
+        const ScopedFont font(scene.fonts.numbers);
+        ImGui::AlignTextToFramePadding();
+        fitted_text(numbers_text(scene), ImGui::GetContentRegionAvail().x, theme::text);
+    }
+    edits.mark("difference_numbers");
+    if (const auto& distances = scene.views.compared().distances())
+        tooltip(
+            fmt::format("Of the absolute differences of red, green and blue, whatever is shown, "
+                        "as 'afterglow compare' counts them. {:.1f} % of the pixels are apart "
+                        "by more than 1/255.",
+                        100.0 * distances->share_beyond));
+}
+
+void draw_difference_row(const Scene& scene, Edits& edits) {
+    static constexpr std::array labels{"Absolute", "Relative", "Squared"};
+    const int chosen = static_cast<int>(scene.lab.comparing().chosen().measure);
+    const int next =
+        choice("measure", labels.data(), static_cast<int>(labels.size()), chosen, edits);
+    if (next != chosen)
+        compare_actions::choose(scene, edits, [next](Comparison& comparison) {
+            comparison.measure = static_cast<DifferenceMeasure>(next);
+        });
+    ImGui::SameLine();
+    draw_gain(scene, edits);
+    ImGui::SameLine();
+    draw_numbers(scene, edits);
+}
+
+float padding() {
+    return ImGui::GetFontSize() * 0.35f;
+}
+}  // namespace
+
+float compare_bar_height(const Scene& scene) {
+    const CompareMode mode = scene.lab.compare_mode();
+    if (mode == CompareMode::off)
+        return 0.0f;
+    const float rows = mode == CompareMode::difference ? 2.0f : 1.0f;
+    return rows * ImGui::GetFrameHeight() + (rows - 1.0f) * ImGui::GetStyle().ItemSpacing.y +
+           2.0f * padding();
+}
+
+void draw_compare_bar(const Scene& scene, Edits& edits) {
+    const float height = compare_bar_height(scene);
+    if (height <= 0.0f || scene.window.is_picture_only)
+        return;
+    ImGui::SetCursorPos({0.0f, ImGui::GetWindowHeight() - height});
+    const ScopedColor color(ImGuiCol_ChildBg, back);
+    const ScopedStyle<ImVec2> pad(ImGuiStyleVar_WindowPadding, ImVec2(padding(), padding()));
+    ImGui::BeginChild("##compare", {ImGui::GetWindowWidth(), height}, false,
+                      ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar |
+                          ImGuiWindowFlags_NoScrollWithMouse);
+    draw_choices(scene, edits);
+    if (scene.lab.compare_mode() == CompareMode::difference)
+        draw_difference_row(scene, edits);
+    ImGui::EndChild();
+}
