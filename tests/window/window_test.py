@@ -5,6 +5,7 @@ import sys
 import unittest
 from pathlib import Path
 
+from comparing import Comparing
 from drawing import Drawing
 from driving import Driving
 from editing import Editing
@@ -21,7 +22,7 @@ class Tuner(Tuning, Keeping):
     """One person at one window: each test finds the look as it was first."""
 
 
-class Looker(Driving, Drawing, Editing, Looking, Moving):
+class Looker(Driving, Drawing, Editing, Looking, Moving, Comparing):
     """Another one."""
 
 
