@@ -135,6 +135,22 @@ void draw_unsaved_dialog(const Scene& scene, Edits& edits) {
         save_then_open(scene, edits);
     edits.mark("dialog_ok");
 }
+
+Question name_question(Dialog::Kind kind) {
+    using Kind = Dialog::Kind;
+    if (kind == Kind::rename_preset)
+        return {"Rename the preset", "Its new name", "Rename", &Lab::rename_preset,
+                is_other_preset};
+    if (kind == Kind::new_look)
+        return {"New look", "The name of its folder: small letters, digits, - and _", "Create",
+                &Lab::new_look, is_look};
+    if (kind == Kind::duplicate_look)
+        return {"Duplicate this look", "The name of the copy's folder", "Duplicate",
+                &Lab::duplicate_look, is_look};
+    return {
+        "Save the preset as", "A name for these values", "Save", &Lab::save_preset_as, is_preset,
+        &Lab::replace_preset};
+}
 }  // namespace
 
 void draw_dialogs(const Scene& scene, Edits& edits) {
@@ -153,24 +169,10 @@ void draw_dialogs(const Scene& scene, Edits& edits) {
             draw_file_dialog(scene, edits);
             return;
         case Kind::save_preset_as:
-            draw_name_dialog({"Save the preset as", "A name for these values", "Save",
-                              &Lab::save_preset_as, is_preset, &Lab::replace_preset},
-                             scene, edits);
-            return;
         case Kind::rename_preset:
-            draw_name_dialog({"Rename the preset", "Its new name", "Rename", &Lab::rename_preset,
-                              is_other_preset},
-                             scene, edits);
-            return;
         case Kind::new_look:
-            draw_name_dialog({"New look", "The name of its folder: small letters, digits, - and _",
-                              "Create", &Lab::new_look, is_look},
-                             scene, edits);
-            return;
         case Kind::duplicate_look:
-            draw_name_dialog({"Duplicate this look", "The name of the copy's folder", "Duplicate",
-                              &Lab::duplicate_look, is_look},
-                             scene, edits);
+            draw_name_dialog(name_question(scene.window.dialog.kind), scene, edits);
             return;
         case Kind::delete_preset:
             draw_delete_dialog(scene, edits);
