@@ -35,16 +35,16 @@ void end_flash(const Scene&, Edits& edits) {
     edits.add([](Lab& lab) { lab.flash(false); });
 }
 
-void next_measure(const Scene& scene, Edits& edits) {
-    compare_actions::choose(scene, edits, [](Comparison& comparison) {
+void next_measure(const Scene&, Edits& edits) {
+    compare_actions::choose(edits, [](Comparison& comparison) {
         const int next = (static_cast<int>(comparison.measure) + 1) % 3;
         comparison.measure = static_cast<DifferenceMeasure>(next);
         comparison.mode = CompareMode::difference;
     });
 }
 
-void toggle_brightness(const Scene& scene, Edits& edits) {
-    compare_actions::choose(scene, edits, [](Comparison& comparison) {
+void toggle_brightness(const Scene&, Edits& edits) {
+    compare_actions::choose(edits, [](Comparison& comparison) {
         comparison.has_equal_brightness = !comparison.has_equal_brightness;
     });
 }
@@ -162,11 +162,13 @@ void compare_actions::set_mode(CompareMode mode, Edits& edits) {
     edits.add([mode](Lab& lab) { lab.set_compare_mode(mode); });
 }
 
-void compare_actions::choose(const Scene& scene, Edits& edits,
-                             const std::function<void(Comparison&)>& change) {
-    Comparison next = chosen(scene);
-    change(next);
-    edits.add([next](Lab& lab) { lab.compare(next); });
+// Of what is chosen when it is applied: two keys may come in one frame.
+void compare_actions::choose(Edits& edits, const std::function<void(Comparison&)>& change) {
+    edits.add([change](Lab& lab) {
+        Comparison next = lab.comparing().chosen();
+        change(next);
+        lab.compare(next);
+    });
 }
 
 std::optional<double> compare_actions::fitting_gain(const Scene& scene) {

@@ -125,7 +125,7 @@ void draw_gain(const Scene& scene, Edits& edits) {
     }
     edits.mark("fit_gain");
     if (turned.is_changed)
-        compare_actions::choose(scene, edits,
+        compare_actions::choose(edits,
                                 [gain](Comparison& comparison) { comparison.gain_stops = gain; });
 }
 
@@ -165,7 +165,7 @@ void draw_difference_row(const Scene& scene, Edits& edits) {
     const int next =
         choice("measure", labels.data(), static_cast<int>(labels.size()), chosen, edits);
     if (next != chosen)
-        compare_actions::choose(scene, edits, [next](Comparison& comparison) {
+        compare_actions::choose(edits, [next](Comparison& comparison) {
             comparison.measure = static_cast<DifferenceMeasure>(next);
         });
     ImGui::SameLine();

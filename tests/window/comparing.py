@@ -4,6 +4,64 @@ from person import Person
 
 
 class Comparing(Person):
+    def test_values_in_a_slot_are_compared_with_and_taken_back(self):
+        program = self.program
+        program.click("play")
+        program.wait("it stops", lambda s: not s["is_playing"])
+        program.click("slot:A")
+        program.wait("the slot has the present values", lambda s: s["slots"] == [True, None, None])
+        program.set("exposure", "6")
+        program.wait("they are others now", lambda s: s["slots"] == [False, None, None])
+        self.hover("picture")
+        program.key("ctrl+F5")
+        program.wait("a wipe shows the slot", lambda s: s["wipe"] and s["compare"]["other"] == "Slot A")
+        program.key("shift+w")
+        place = program.place("beside")
+        self.assertLess(place[2], program.place("picture")[0] + 4)
+        self.hover("beside")
+        theirs = program.wait("its value is told", lambda s: s["probe"])["probe"]
+        self.hover("picture")
+        ours = program.wait("ours is another", lambda s: s["probe"] and
+                            s["probe"]["rgba"] != theirs["rgba"])["probe"]
+        self.assertEqual((ours["x"], ours["y"]), (theirs["x"], theirs["y"]))
+
+        program.click("compare:Difference")
+        program.wait("the difference is measured", lambda s: s["compare"]["mean"] and
+                     float(s["compare"]["mean"]) > 0)
+        self.hover("picture")
+        self.snapshot("difference")
+        program.key("shift+m", "b")
+        program.wait("the other is as bright", lambda s: s["compare"]["measure"] == 1 and
+                     s["compare"]["stops"] and s["compare"]["stops"] > 0.1)
+        program.click("fit_gain")
+        program.key("b", "shift+m", "shift+m")
+        program.click("compare_end")
+        program.wait("ours is alone", lambda s: s["compare"]["mode"] == "off")
+        program.key("F5")
+        state = program.wait("the slot's values are here", lambda s: s["slots"][0])
+        self.assertEqual(state["undo"], "Slot A")
+        program.key("ctrl+z")
+
+    def test_while_a_key_is_held_the_other_picture_is_shown(self):
+        program = self.program
+        program.click("play")
+        program.wait("it stops", lambda s: not s["is_playing"])
+        program.key("shift+F6")
+        program.set("exposure", "0.2")
+        program.key("ctrl+F6", "w")
+        program.wait("the picture is alone", lambda s: s["compare"]["mode"] == "off")
+        state = program.state()
+        dark = self.brightness()
+        self.hover("picture")
+        self.screen.do("keydown", "o")
+        program.wait("the other is shown", lambda s: s["compare"]["is_flashing"] and
+                     s["compare"]["other"] == "Slot B")
+        program.wait_for("it is brighter", lambda: self.brightness() > dark + 2)
+        self.screen.do("keyup", "o")
+        let_go = program.wait("the key is let go", lambda s: not s["compare"]["is_flashing"])
+        program.wait_for("ours is back", lambda: self.brightness() < dark + 1)
+        self.assertEqual((let_go["values"], let_go["undo"]), (state["values"], state["undo"]))
+
     def test_a_dropped_picture_is_compared_with(self):
         program = self.program
         file = program.folder / "screen.png"
