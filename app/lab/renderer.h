@@ -41,6 +41,7 @@ public:
     /// For one of the two alone.
     Result<void> set_image(Whose whose, const std::string& name, const Picture& picture);
     void set_mouse(double x, double y);  // px from bottom left
+    const std::array<double, 2>& mouse() const { return m_mouse; }
     /// How long a frame may take its accumulating passes; the rest is left to the next ones.
     void set_patience(double seconds) { m_patience_seconds = seconds; }
     /// What drives the look is another: accumulating passes start anew.

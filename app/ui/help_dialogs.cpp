@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <string>
 #include <utility>
 
@@ -51,12 +52,22 @@ void draw_table(const char* id, const Lines& lines) {
     lines();
     ImGui::EndTable();
 }
-}  // namespace
 
-void draw_keys_dialog(const Scene& scene, Edits& edits) {
-    const DialogFrame frame("Keys", 72.0f, scene, edits);
-    if (!frame.is_open())
-        return;
+// As high as what it holds, and no higher than the window has room for; then it scrolls.
+void draw_in_room(const char* id, const std::function<void()>& draw) {
+    const float around = 5.0f * ImGui::GetFrameHeightWithSpacing();  // title, close, paddings
+    const float most = ImGui::GetIO().DisplaySize.y - around;
+    float& wanted = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID(id), most);
+    {  // of this part alone: what pops up above it has its own
+        const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
+        ImGui::BeginChild(id, {0.0f, std::min(wanted, most)});
+    }
+    draw();
+    wanted = ImGui::GetCursorPosY();
+    ImGui::EndChild();
+}
+
+void draw_keys(const Scene& scene) {
     const ScopedStyle<ImVec2> padding(ImGuiStyleVar_CellPadding,
                                       ImVec2(4.0f * scene.scale, 0.5f * scene.scale));
     std::vector<const Action*> with_keys;
@@ -80,6 +91,14 @@ void draw_keys_dialog(const Scene& scene, Edits& edits) {
         for (const auto& [keys, words] : mouse_habits)
             line(keys, words, scene);
     });
+}
+}  // namespace
+
+void draw_keys_dialog(const Scene& scene, Edits& edits) {
+    const DialogFrame frame("Keys", 72.0f, scene, edits);
+    if (!frame.is_open())
+        return;
+    draw_in_room("##keys", [&] { draw_keys(scene); });
     draw_close(edits);
 }
 

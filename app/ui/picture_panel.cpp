@@ -10,6 +10,7 @@
 #include "ui/scoped.h"
 #include "ui/wipe.h"
 
+#include <array>
 #include <cmath>
 
 namespace {
@@ -31,7 +32,9 @@ void tell_pointer(const Place& place, const Scene& scene, Edits& edits) {
     const double y = place.pixel[1];
     if (x < 0.0 || y < 0.0 || x >= extent.width || y >= extent.height)
         return;
-    edits.add([x, y, extent](Lab& lab) { lab.set_mouse(x, extent.height - y); });
+    const std::array<double, 2> mouse{x, extent.height - y};
+    if (scene.lab.renderer() && scene.lab.renderer()->mouse() != mouse)  // or it would never rest
+        edits.add([mouse](Lab& lab) { lab.set_mouse(mouse[0], mouse[1]); });
     probe(scene.lab.document()->look().passes.back().name, place, edits);
 }
 

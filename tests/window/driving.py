@@ -1,11 +1,27 @@
 """A person chooses what drives a look, and runs it."""
 
 import os
+import time
 
 from person import Person, write_tones
 
 
 class Driving(Person):
+    def test_a_paused_window_rests_with_the_pointer_over_the_picture(self):
+        program = self.program
+        self.hover("picture")
+        program.key("space")
+        program.wait("time stands", lambda s: not s["is_playing"])
+        turns = []
+
+        def rests():
+            turns.append(program.state()["turn"])
+            time.sleep(0.3)
+            return len(turns) > 1 and turns[-1] == turns[-2]
+
+        program.wait_for("no more is drawn", rests)
+        program.key("space")
+
     def test_time_stops_steps_and_starts_again(self):
         program = self.program
         self.hover("picture")
