@@ -64,7 +64,9 @@ class Comparing(Person):
 
     def test_a_dropped_picture_is_compared_with(self):
         program = self.program
-        file = program.folder / "screen.png"
+        folder = program.folder / "pictures"  # is watched from here on; the state is written beside
+        folder.mkdir(exist_ok=True)
+        file = folder / "screen.png"
         self.screen.save(file)
         self.drop(file)
         program.wait("it is on the other side", lambda s: s["wipe"] and
