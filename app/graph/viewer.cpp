@@ -18,13 +18,16 @@ void main() {
 }
 )";
 
-// Between these two the stage reads the target: `shown`, `rgba_at(texel)` and what texel_text.h
-// gives.
+// Between this and the end the stage is told what is asked, and reads the target: `shown`,
+// `rgba_at(texel)` and what texel_text.h gives.
 constexpr const char* fragment_start = R"(#version 410 core
 in vec2 place;
 out vec4 color;
 uniform vec4 region;        // left, bottom, width, height; texels
 uniform vec2 texels_a_pixel;
+)";
+
+const std::string anything = R"(
 uniform vec2 levels;        // black, screens a unit
 uniform float gain;
 uniform bool is_encoded;
@@ -32,6 +35,17 @@ uniform bool marks_flaws;
 uniform bool marks_clipping;
 uniform bool is_false_color;
 )";
+
+// Most views ask for nothing. What is constant costs nothing, also where a driver goes through
+// every branch.
+std::string nothing(bool is_encoded) {
+    return std::string(R"(
+const vec2 levels = vec2(0.0, 1.0);
+const float gain = 1.0;
+const bool marks_flaws = false, marks_clipping = false, is_false_color = false;
+const bool is_encoded = )") +
+           (is_encoded ? "true;\n" : "false;\n");
+}
 
 constexpr const char* fragment_end = R"(
 // IEC 61966-2-1
@@ -157,17 +171,26 @@ std::array<double, 3> false_color(double place) {
     return {channel(-0.14861, 1.78277), channel(-0.29227, -0.90649), channel(1.97294, 0.0)};
 }
 
-Viewer::Viewer(gpu::Program floats, gpu::Program naturals)
-    : m_floats(std::move(floats)), m_naturals(std::move(naturals)) {}
-
 Result<Viewer> Viewer::make() {
-    auto floats = build(float_texel_text + smooth_floats);
-    if (!floats)
-        return fail(floats.error());
-    auto naturals = build(natural_texel_text + smooth_naturals);
-    if (!naturals)
-        return fail(naturals.error());
-    return Viewer(std::move(*floats), std::move(*naturals));
+    auto encoded = build(nothing(true) + float_texel_text + smooth_floats);
+    auto light = build(nothing(false) + float_texel_text + smooth_floats);
+    auto floats = build(anything + float_texel_text + smooth_floats);
+    auto naturals = build(anything + natural_texel_text + smooth_naturals);
+    for (const auto* program : {&encoded, &light, &floats, &naturals})
+        if (!*program)
+            return fail(program->error());
+    return Viewer(
+        Programs{std::move(*encoded), std::move(*light), std::move(*floats), std::move(*naturals)});
+}
+
+const gpu::Program& Viewer::program_for(Format format, const ViewOptions& options,
+                                        bool is_encoded) const {
+    if (facts_of(format).is_integer)
+        return m_programs.naturals;
+    const bool is_plain = options.levels == Levels{} && options.exposure_stops == 0.0 &&
+                          !options.marks_flaws && !options.marks_clipping &&
+                          !options.is_false_color;
+    return !is_plain ? m_programs.floats : is_encoded ? m_programs.encoded : m_programs.light;
 }
 
 void Viewer::draw(const gpu::Texture& from, const gpu::Canvas& to, const ViewOptions& options) {
@@ -191,7 +214,7 @@ void Viewer::draw(const gpu::Texture& from, const gpu::Canvas& to, const ViewOpt
     const gpu::DrawScope scope;
     if (options.columns)
         gpu::limit_columns((*options.columns)[0], (*options.columns)[1]);
-    const gpu::Program& program = facts_of(from.format()).is_integer ? m_naturals : m_floats;
+    const gpu::Program& program = program_for(from.format(), options, is_encoded);
     program.write("region", region);
     program.write("texels_a_pixel", density);
     program.write("levels", std::array{options.levels.black,

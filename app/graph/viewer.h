@@ -50,10 +50,17 @@ public:
     void draw(const gpu::Texture& from, const gpu::Canvas& to, const ViewOptions& options = {});
 
 private:
-    Viewer(gpu::Program floats, gpu::Program naturals);
+    struct Programs {
+        gpu::Program encoded;  // floats as they are, where nothing is asked; of display values
+        gpu::Program light;    // the same of light
+        gpu::Program floats;   // floats, whatever is asked
+        gpu::Program naturals;
+    };
+    explicit Viewer(Programs programs) : m_programs(std::move(programs)) {}
+    const gpu::Program& program_for(Format format, const ViewOptions& options,
+                                    bool is_encoded) const;
 
-    gpu::Program m_floats;
-    gpu::Program m_naturals;  // for integer targets
+    Programs m_programs;
     gpu::VertexArray m_vertices;
     gpu::Samplers m_samplers;
 };
