@@ -106,13 +106,13 @@ TEST_CASE_FIXTURE(Comparing, "each measure is drawn as it is defined, number by 
         comparer->draw_difference({ours, other}, measure, canvas);
         const Picture seen = gpu::read_picture(canvas.texture());
         double worst = 0.0;
-        for (int i = 0; i < 33 * 5; ++i)
-            for (int channel = 0; channel < 3; ++channel) {
-                const auto at = static_cast<std::size_t>(3 * i + channel);
+        constexpr std::size_t pixels = std::size_t{33} * 5;
+        for (std::size_t i = 0; i < pixels; ++i)
+            for (std::size_t channel = 0; channel < 3; ++channel) {
+                const std::size_t at = 3 * i + channel;
                 const double expected = difference_of(static_cast<double>(a.pixels[at]),
                                                       static_cast<double>(b.pixels[at]), measure);
-                const double is =
-                    static_cast<double>(seen.pixels[static_cast<std::size_t>(4 * i + channel)]);
+                const auto is = static_cast<double>(seen.pixels[4 * i + channel]);
                 worst = std::max(worst, std::abs(is - expected) / std::max(expected, 1e-3));
             }
         CHECK(worst < 1e-4);

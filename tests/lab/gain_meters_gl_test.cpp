@@ -33,7 +33,7 @@ TEST_CASE("one pass in turn is measured, five times a second") {
     lab.update(true, 1000.0);
     lab.update(true, 1000.0);
     REQUIRE(lab.meters->gain(1));
-    const double frames = static_cast<double>(lab.frames());
+    const auto frames = static_cast<double>(lab.frames());
     CHECK(lab.meters->gain(0)->peak == frames);
     CHECK(lab.meters->gain(0)->mean == frames);
     CHECK(lab.meters->gain(0)->clipped == 0.0);
