@@ -179,12 +179,12 @@ TEST_CASE("after a flash each frame shows the light that falls into it, at every
 
 TEST_CASE("the light of two seconds is the same at every frame rate") {
     Tube tube({}, small);
-    for (const Measured* line : {&p7, &p31, &p32}) {
-        const Decay decay = solved(*line);
+    for (const Measured& line : measured) {
+        const Decay decay = solved(line);
         for (const int fps : rates) {
-            CAPTURE(line->name);
+            CAPTURE(line.name);
             CAPTURE(fps);
-            tube.restart(white(*line));
+            tube.restart(white(line));
             double light = 0;
             double charge = 0;
             for (int k = 1; k <= 2 * fps; ++k) {
