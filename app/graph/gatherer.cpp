@@ -1,17 +1,12 @@
 #include "graph/gatherer.h"
 
 #include "gpu/draw.h"
+#include "graph/measuring.h"
 #include "graph/texel_text.h"
 
 #include <algorithm>
 
 namespace {
-constexpr const char* vertex_text = R"(#version 410 core
-void main() {
-    gl_Position = vec4(vec2((gl_VertexID << 1) & 2, gl_VertexID & 2) * 2.0 - 1.0, 0.0, 1.0);
-}
-)";
-
 constexpr const char* fragment_start = R"(#version 410 core
 out vec4 color;
 uniform ivec2 place;  // texel, from the bottom left
@@ -22,9 +17,7 @@ void main() { color = texel_at(place); }
 )";
 
 Result<gpu::Program> build(const std::string& reading) {
-    const Stage vertex{{}, vertex_text, {}};
-    const Stage fragment{{}, fragment_start + reading + fragment_end, {}};
-    return gpu::Program::build(vertex, fragment);
+    return build_measuring_program(fragment_start + reading + fragment_end);
 }
 }  // namespace
 
@@ -44,14 +37,8 @@ Result<Gatherer> Gatherer::make() {
 void Gatherer::start(const std::vector<TexelPlace>& places) {
     stop();
     const Extent row{static_cast<int>(places.size()), 1};
-    if (places.empty())
+    if (places.empty() || !fit_floats(m_canvas, row))
         return;
-    if (!m_canvas || m_canvas->texture().extent() != row) {
-        auto made = gpu::Canvas::make(row, Format::rgba32f);
-        if (!made)
-            return;  // no memory; the passes themselves are what needs it
-        m_canvas.emplace(std::move(*made));
-    }
     const gpu::DrawScope scope;
     m_vertices.bind();
     for (int i = 0; i < row.width; ++i) {

@@ -1,6 +1,7 @@
 #include "graph/meter.h"
 
 #include "gpu/draw.h"
+#include "graph/measuring.h"
 #include "graph/texel_text.h"
 
 #include <algorithm>
@@ -16,12 +17,6 @@ constexpr int least_block_side = 8;
 constexpr int most_blocks = 261;  // a side; 16384 / 63
 constexpr int most_samples = 256;
 constexpr double packing = 4096.0;
-
-constexpr const char* vertex_text = R"(#version 410 core
-void main() {
-    gl_Position = vec4(vec2((gl_VertexID << 1) & 2, gl_VertexID & 2) * 2.0 - 1.0, 0.0, 1.0);
-}
-)";
 
 constexpr const char* fragment_start = R"(#version 410 core
 out vec4 color;
@@ -86,9 +81,7 @@ void main() {
 )";
 
 Result<gpu::Program> build(const std::string& reading) {
-    const Stage vertex{{}, vertex_text, {}};
-    const Stage fragment{{}, fragment_start + reading + fragment_end, {}};
-    return gpu::Program::build(vertex, fragment);
+    return build_measuring_program(fragment_start + reading + fragment_end);
 }
 
 int block_side_for(Extent extent) {
@@ -98,17 +91,6 @@ int block_side_for(Extent extent) {
 
 Extent blocks_of(Extent extent, int side) {
     return {(extent.width + side - 1) / side, (extent.height + side - 1) / side};
-}
-
-// Where there is no memory nothing is measured; the passes themselves are what needs it.
-bool fit(std::optional<gpu::Canvas>& canvas, Extent extent) {
-    if (canvas && canvas->texture().extent() == extent)
-        return true;
-    canvas.reset();
-    auto made = gpu::Canvas::make(extent, Format::rgba32f);
-    if (made)
-        canvas.emplace(std::move(*made));
-    return made.has_value();
 }
 
 Statistics combined(const std::vector<float>& blocks, Extent extent) {
@@ -205,8 +187,8 @@ void Meter::start(const gpu::Texture& from, ChannelChoice channels, std::optiona
     const int side = block_side_for(m_measured);
     const Extent samples{std::min(m_measured.width, most_samples),
                          std::min(m_measured.height, most_samples)};
-    if (m_measured.is_empty() || !fit(m_blocks, blocks_of(m_measured, side)) ||
-        !fit(m_samples, samples))
+    if (m_measured.is_empty() || !fit_floats(m_blocks, blocks_of(m_measured, side)) ||
+        !fit_floats(m_samples, samples))
         return;
     draw(from, is_integer ? m_naturals : m_floats, channels, ceiling);
     m_blocks_to_come.emplace(*m_blocks);

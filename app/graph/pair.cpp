@@ -1,20 +1,13 @@
 #include "graph/pair.h"
 
+#include "graph/measuring.h"
 #include "graph/pair_text.h"
 
 #include <array>
 
 namespace {
-constexpr const char* vertex_text = R"(#version 410 core
-void main() {
-    gl_Position = vec4(vec2((gl_VertexID << 1) & 2, gl_VertexID & 2) * 2.0 - 1.0, 0.0, 1.0);
-}
-)";
-
 Result<gpu::Program> build(const std::string& reading, const std::string& body) {
-    const Stage vertex{{}, vertex_text, {}};
-    const Stage fragment{{}, "#version 410 core\nout vec4 color;\n" + reading + body, {}};
-    return gpu::Program::build(vertex, fragment);
+    return build_measuring_program("#version 410 core\nout vec4 color;\n" + reading + body);
 }
 
 double is_lone(const gpu::Texture& texture) {

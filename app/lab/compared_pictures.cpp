@@ -1,6 +1,7 @@
 #include "lab/compared_pictures.h"
 
 #include "gpu/texels.h"
+#include "graph/measuring.h"
 
 #include <algorithm>
 #include <chrono>
@@ -10,17 +11,6 @@
 namespace {
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-// Where there is no memory nothing is compared; the passes themselves are what needs it.
-bool fit(std::optional<gpu::Canvas>& canvas, Extent extent) {
-    if (canvas && canvas->texture().extent() == extent)
-        return true;
-    canvas.reset();
-    auto made = gpu::Canvas::make(extent, Format::rgba32f);
-    if (made)
-        canvas.emplace(std::move(*made));
-    return made.has_value();
 }
 
 std::optional<gpu::Texture> uploaded(const Picture& picture) {
@@ -101,7 +91,7 @@ const gpu::Texture* ComparedPictures::reference(const Subject& subject) {
         m_fitted && m_fitted->texture().extent() == extent && m_fitted_from == picture;
     if (is_there)
         return &m_fitted->texture();
-    if (!fit(m_fitted, extent))
+    if (!fit_floats(m_fitted, extent))
         return nullptr;
     m_comparer.draw_fitted(*m_reference, picture->encoding, *m_fitted, subject.encoding);
     m_fitted_from = picture;
@@ -114,7 +104,7 @@ const gpu::Texture* ComparedPictures::sized_other(const Subject& subject) {
     const bool is_integer = facts_of(subject.other->format()).is_integer;
     if (is_integer || subject.other->extent() == subject.ours.extent())
         return subject.other;
-    if (!fit(m_fitted, subject.ours.extent()))
+    if (!fit_floats(m_fitted, subject.ours.extent()))
         return nullptr;
     m_fitted_from.reset();
     m_comparer.draw_fitted(*subject.other, subject.encoding, *m_fitted, subject.encoding);
@@ -126,7 +116,7 @@ void ComparedPictures::match_brightness(const Pair& pair, double seconds) {
         m_stops = matching_stops(measured->luminances->ours, measured->luminances->other);
     if (!m_light_meter.is_busy())
         m_light_pace.run(seconds, [&] { m_light_meter.start_luminances(pair); });
-    if (!m_stops || !fit(m_matched, pair.other.extent()))
+    if (!m_stops || !fit_floats(m_matched, pair.other.extent()))
         return;
     m_comparer.draw_brighter(pair.other, pair.encoding, *m_stops, *m_matched);
     m_other = &m_matched->texture();
@@ -138,7 +128,7 @@ void ComparedPictures::tell_apart(const Pair& pair, const Comparison& comparison
         m_distances = measured->distances;
     if (!m_distance_meter.is_busy())
         m_distance_pace.run(seconds, [&] { m_distance_meter.start_distances(pair, tolerance); });
-    m_has_difference = fit(m_difference, pair.ours.extent());
+    m_has_difference = fit_floats(m_difference, pair.ours.extent());
     if (m_has_difference)
         m_comparer.draw_difference(pair, comparison.measure, *m_difference);
 }

@@ -62,7 +62,8 @@ std::string cost_text(const Scene& scene) {
     const double all = std::accumulate(times.begin(), times.end(), 0.0);
     const double memory =
         static_cast<double>(memory_of(renderer->executor().plan())) / (1024.0 * 1024.0);
-    return fmt::format("{:.2f} ms   {} draws   {:.1f} MiB", all, renderer->executor().draw_calls(),
+    const int draws = renderer->executor().draw_calls();
+    return fmt::format("{:.2f} ms   {} {}   {:.1f} MiB", all, draws, draws == 1 ? "draw" : "draws",
                        memory);
 }
 

@@ -72,10 +72,5 @@ void draw_compare_dialog(const Scene& scene, Edits& edits) {
         dim_text("'" + dialog.subject + "' and what is open are the same.");
     else
         draw_table(dialog, scene, edits);
-    ImGui::Spacing();
-    const float width = ImGui::GetFontSize() * 6.5f;
-    ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - width);
-    if (ImGui::Button("Close", {width, 0.0f}))
-        close_dialog(edits);
-    edits.mark("dialog_cancel");
+    draw_close_button("Close", edits);
 }

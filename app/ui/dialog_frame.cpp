@@ -37,6 +37,17 @@ DialogFrame::~DialogFrame() {
         ImGui::EndPopup();
 }
 
+bool draw_close_button(const char* label, Edits& edits) {
+    ImGui::Spacing();
+    const float width = ImGui::GetFontSize() * 6.5f;
+    ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - width);
+    const bool is_left = ImGui::Button(label, {width, 0.0f});
+    edits.mark("dialog_cancel");
+    if (is_left)
+        close_dialog(edits);
+    return is_left;
+}
+
 bool draw_dialog_buttons(const char* label, bool can_do, Edits& edits) {
     ImGui::Spacing();
     const float width = ImGui::GetFontSize() * 6.5f;

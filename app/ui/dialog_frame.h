@@ -20,5 +20,8 @@ private:
 
 void close_dialog(Edits& edits);
 
+/// The only button of a dialog that tells something. Gives whether it was left by it.
+bool draw_close_button(const char* label, Edits& edits);
+
 /// The buttons at the end: the first does it, Cancel closes. Gives whether it was asked for.
 bool draw_dialog_buttons(const char* label, bool can_do, Edits& edits);

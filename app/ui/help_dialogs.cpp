@@ -34,15 +34,6 @@ void line(const std::string& keys, const std::string& words, const Scene& scene)
     ImGui::TextWrapped("%s", words.c_str());
 }
 
-void draw_close(Edits& edits) {
-    ImGui::Spacing();
-    const float width = ImGui::GetFontSize() * 6.5f;
-    ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - width);
-    if (ImGui::Button("Close", {width, 0.0f}))
-        close_dialog(edits);
-    edits.mark("dialog_cancel");
-}
-
 template <class Lines>
 void draw_table(const char* id, const Lines& lines) {
     if (!ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingFixedFit))
@@ -99,7 +90,7 @@ void draw_keys_dialog(const Scene& scene, Edits& edits) {
     if (!frame.is_open())
         return;
     draw_in_room("##keys", [&] { draw_keys(scene); });
-    draw_close(edits);
+    draw_close_button("Close", edits);
 }
 
 void draw_about_dialog(const Scene& scene, Edits& edits) {
@@ -114,5 +105,5 @@ void draw_about_dialog(const Scene& scene, Edits& edits) {
     ImGui::TextWrapped("%s", scene.lab.library().roots().program.string().c_str());
     dim_text("Your own");
     ImGui::TextWrapped("%s", scene.lab.library().roots().user.string().c_str());
-    draw_close(edits);
+    draw_close_button("Close", edits);
 }

@@ -76,13 +76,7 @@ void draw_rates_dialog(const Scene& scene, Edits& edits) {
         const ScopedColor color(ImGuiCol_Text, theme::warning);
         ImGui::TextWrapped("%s", check.outcome()->error().front().message.c_str());
     }
-    ImGui::Spacing();
-    const float width = ImGui::GetFontSize() * 6.5f;
-    ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - width);
-    const bool is_left = ImGui::Button(is_running ? "Cancel" : "Close", {width, 0.0f});
-    edits.mark("dialog_cancel");
-    if (is_left)
-        close_dialog(edits);
+    const bool is_left = draw_close_button(is_running ? "Cancel" : "Close", edits);
     if (is_left || ImGui::IsKeyPressed(gpu::key::escape, false))
         edits.add([](Lab& lab) { lab.cancel_rate_comparison(); });
 }

@@ -53,10 +53,5 @@ void draw_remote_dialog(const Scene& scene, Edits& edits) {
     edits.mark("osc_listen");
     draw_port(scene, edits);
     draw_what_came(scene.lab.osc());
-    ImGui::Spacing();
-    const float width = ImGui::GetFontSize() * 6.5f;
-    ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - width);
-    if (ImGui::Button("Close", {width, 0.0f}))
-        close_dialog(edits);
-    edits.mark("dialog_cancel");
+    draw_close_button("Close", edits);
 }

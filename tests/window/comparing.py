@@ -18,8 +18,10 @@ class Comparing(Person):
         program.key("shift+w")
         place = program.place("beside")
         self.assertLess(place[2], program.place("picture")[0] + 4)
+        before = program.state()["probe"]
         self.hover("beside")
-        theirs = program.wait("its value is told", lambda s: s["probe"])["probe"]
+        theirs = program.wait("its value is told",
+                              lambda s: s["probe"] and s["probe"] != before)["probe"]
         self.hover("picture")
         ours = program.wait("ours is another", lambda s: s["probe"] and
                             s["probe"]["rgba"] != theirs["rgba"])["probe"]
