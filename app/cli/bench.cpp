@@ -7,7 +7,7 @@
 #include <iostream>
 
 namespace {
-struct Arguments {
+struct BenchArguments {
     LookOptions look;
     int frames = 60;
     bool as_json = false;
@@ -36,7 +36,7 @@ void print_table(const Measurement& measured) {
                              measured.bytes_per_pixel);
 }
 
-int bench(const Arguments& arguments, const std::string& data) {
+int bench(const BenchArguments& arguments, const std::string& data) {
     const RenderRequest request = arguments.look.request();
     const auto work = [&](Offline& offline, const Library&) -> Result<void> {
         const Measurement measured = measure(offline, arguments.frames);
@@ -50,7 +50,7 @@ int bench(const Arguments& arguments, const std::string& data) {
 /// afterglow bench LOOK --json
 Command add_bench(CommandLine& program) {
     Options options = program.add_verb("bench", "Measure what a frame of a look costs");
-    auto arguments = std::make_shared<Arguments>();
+    auto arguments = std::make_shared<BenchArguments>();
     arguments->look.add_to(options, LookOptions::Take::drawing);
     options.add("--frames", arguments->frames, "Frames to measure, after warm-up")
         .show_default()

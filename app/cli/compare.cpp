@@ -8,7 +8,7 @@
 #include <iostream>
 
 namespace {
-struct Arguments {
+struct CompareArguments {
     std::string first;
     std::string second;
     double tolerance = 1.0 / 255.0;
@@ -59,7 +59,7 @@ void print(const Difference& difference, bool as_json) {
         difference.largest_y, difference.psnr_db, difference.share_beyond);
 }
 
-int compare(const Arguments& arguments) {
+int compare(const CompareArguments& arguments) {
     const Bound bound = arguments.fail_above.empty() ? Bound{} : parse_bound(arguments.fail_above);
     const auto first = load_picture(arguments.first);
     const auto second = load_picture(arguments.second);
@@ -80,7 +80,7 @@ int compare(const Arguments& arguments) {
 /// afterglow compare A B
 Command add_compare(CommandLine& program) {
     Options options = program.add_verb("compare", "Measure how far two pictures are apart");
-    auto arguments = std::make_shared<Arguments>();
+    auto arguments = std::make_shared<CompareArguments>();
     options.add("A", arguments->first, "A picture").required();
     options.add("B", arguments->second, "A picture").required();
     options

@@ -11,7 +11,7 @@
 #include <algorithm>
 
 namespace {
-struct Arguments {
+struct RenderArguments {
     LookOptions look;
     std::string output;
     int frames = 0;  // 0: the look's settle_frames
@@ -20,7 +20,7 @@ struct Arguments {
     std::string moves;
 };
 
-Result<int> chosen_pass(const Arguments& arguments, const Look& look) {
+Result<int> chosen_pass(const RenderArguments& arguments, const Look& look) {
     if (arguments.pass.empty())
         return static_cast<int>(look.passes.size()) - 1;
     std::vector<std::string> candidates;
@@ -59,14 +59,14 @@ FrameNames output_names(const std::string& output) {
     return std::move(*names);
 }
 
-Result<void> check_outputs(const Arguments& arguments, const FrameNames& names) {
+Result<void> check_outputs(const RenderArguments& arguments, const FrameNames& names) {
     if (auto good = check_writable(names.name(0)); !good || arguments.all_passes.empty())
         return good;
     return check_writable(std::filesystem::path(arguments.all_passes) / "pass.exr");
 }
 
 /// Draws every frame; writes those that the output's name asks for.
-Result<void> draw(const Arguments& arguments, const FrameNames& names, Offline& offline,
+Result<void> draw(const RenderArguments& arguments, const FrameNames& names, Offline& offline,
                   const RecentMedia& recent) {
     const auto pass = chosen_pass(arguments, offline.executor().look());
     if (!pass)
@@ -93,7 +93,7 @@ Result<void> draw(const Arguments& arguments, const FrameNames& names, Offline& 
     return {};
 }
 
-int render(const Arguments& arguments, const std::string& data) {
+int render(const RenderArguments& arguments, const std::string& data) {
     RenderRequest request = arguments.look.request();
     request.moves = arguments.moves;
     const FrameNames names = output_names(arguments.output);
@@ -108,7 +108,7 @@ int render(const Arguments& arguments, const std::string& data) {
 /// afterglow render LOOK -o OUT
 Command add_render(CommandLine& program) {
     Options options = program.add_verb("render", "Draw a look from a fresh start on a fixed clock");
-    auto arguments = std::make_shared<Arguments>();
+    auto arguments = std::make_shared<RenderArguments>();
     arguments->look.add_to(options, LookOptions::Take::drawing);
     options
         .add("-o,--output", arguments->output,

@@ -6,7 +6,7 @@
 #include "io/picture_file.h"
 
 namespace {
-struct Arguments {
+struct SheetArguments {
     std::vector<std::string> looks;
     std::string output;
     int columns = 4;
@@ -23,7 +23,8 @@ std::string id_of(const OpenRequest& request) {
 }
 
 /// What is to be drawn: a preset itself, or all of a look's; a look without presets as it is.
-Result<std::vector<RenderRequest>> requests_of(const Arguments& arguments, const Library& library) {
+Result<std::vector<RenderRequest>> requests_of(const SheetArguments& arguments,
+                                               const Library& library) {
     std::vector<RenderRequest> requests;
     const Extent size = parse_size(arguments.size);
     for (const std::string& name : arguments.looks) {
@@ -55,7 +56,7 @@ Result<SheetCell> drawn(const RenderRequest& request, const Library& library) {
                      offline->picture_after(document.look().settle_frames)};
 }
 
-Result<void> make_sheet(const Arguments& arguments, const Library& library) {
+Result<void> make_sheet(const SheetArguments& arguments, const Library& library) {
     const std::string ending =
         to_lower(std::filesystem::path(arguments.output).extension().string());
     if (ending != ".png" && ending != ".exr")
@@ -82,7 +83,7 @@ Result<void> make_sheet(const Arguments& arguments, const Library& library) {
 /// afterglow sheet LOOK... -o OUT
 Command add_sheet(CommandLine& program) {
     Options options = program.add_verb("sheet", "Draw all presets of looks as one picture");
-    auto arguments = std::make_shared<Arguments>();
+    auto arguments = std::make_shared<SheetArguments>();
     options.add("LOOK", arguments->looks, "Looks, with all their presets, or single presets")
         .required();
     options.add("-o,--output", arguments->output, "The sheet's file, .png or .exr").required();

@@ -3,13 +3,13 @@
 #include "lab/play_beam.h"
 
 namespace {
-struct Arguments {
+struct SignalArguments {
     std::string signal;
     std::string output;
     BeamSoundFormat format;
 };
 
-int write_signal(const Arguments& arguments) {
+int write_signal(const SignalArguments& arguments) {
     Diagnostics problems;
     const auto sound = play_beam(arguments.signal, arguments.format, problems);
     if (!sound)
@@ -24,7 +24,7 @@ int write_signal(const Arguments& arguments) {
 /// afterglow signal SPEC -o SOUND
 Command add_signal(CommandLine& program) {
     Options options = program.add_verb("signal", "Write a signal as sound, for a real scope");
-    auto arguments = std::make_shared<Arguments>();
+    auto arguments = std::make_shared<SignalArguments>();
     options.add("SPEC", arguments->signal, "The signal, such as text:HELLO").required();
     options.add("-o,--output", arguments->output, "A .wav or .flac: x left, y right").required();
     options.add("--seconds", arguments->format.seconds, "How long it is (10)")

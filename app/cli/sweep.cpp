@@ -7,7 +7,7 @@
 #include "lab/sheet.h"
 
 namespace {
-struct Arguments {
+struct SweepArguments {
     LookOptions look{"320x180"};
     std::vector<std::string> axes;
     std::string output;
@@ -15,7 +15,7 @@ struct Arguments {
     int frames = 0;  // 0: the look's settle_frames
 };
 
-Result<std::vector<SweepAxis>> axes_of(const Arguments& arguments, const Look& look) {
+Result<std::vector<SweepAxis>> axes_of(const SweepArguments& arguments, const Look& look) {
     std::vector<SweepAxis> axes;
     Diagnostics problems;
     for (const std::string& text : arguments.axes) {
@@ -41,8 +41,8 @@ Result<Picture> drawn(const Document& start, const SweepCell& cell, int frames, 
     return offline.picture_after(frames);
 }
 
-Result<void> draw_sheet(const Arguments& arguments, const std::vector<SweepAxis>& axes, Extent size,
-                        Offline& offline) {
+Result<void> draw_sheet(const SweepArguments& arguments, const std::vector<SweepAxis>& axes,
+                        Extent size, Offline& offline) {
     const Document start = offline.document();
     const int frames = arguments.frames > 0 ? arguments.frames : start.look().settle_frames;
     const int columns =
@@ -66,7 +66,7 @@ Result<void> draw_sheet(const Arguments& arguments, const std::vector<SweepAxis>
     return save_picture(*sheet, arguments.output);
 }
 
-int sweep(const Arguments& arguments, const std::string& data) {
+int sweep(const SweepArguments& arguments, const std::string& data) {
     const RenderRequest request = arguments.look.request();
     check_ending("--output", arguments.output, {".png", ".exr"});
     if (arguments.axes.size() > 2)
@@ -90,7 +90,7 @@ int sweep(const Arguments& arguments, const std::string& data) {
 Command add_sweep(CommandLine& program) {
     Options options =
         program.add_verb("sweep", "Draw a look with one or two parameters varied, as one picture");
-    auto arguments = std::make_shared<Arguments>();
+    auto arguments = std::make_shared<SweepArguments>();
     arguments->look.add_to(options, LookOptions::Take::drawing);
     options
         .add("--vary", arguments->axes,

@@ -14,9 +14,7 @@
 namespace fs = std::filesystem;
 
 namespace {
-constexpr std::string_view format_name = "afterglow-look";
-constexpr int newest_version = 1;
-constexpr int most_settle_frames = 100000;
+constexpr FileFormat look_file{"afterglow-look", 1};
 
 void read_default_signal(ObjectReader& reader, LookFolder& folder, Look& look) {
     const JsonValue* member = reader.find("default_signal");
@@ -146,7 +144,7 @@ Result<Look> load_manifest(const fs::path& manifest, std::vector<fs::path>& file
     Diagnostics problems;
     ObjectReader reader(*document, manifest, problems);
     LookFolder folder(manifest.parent_path(), files);
-    if (accept_header(reader, format_name, newest_version))
+    if (accept_header(reader, look_file))
         read_look(reader, folder, look);
     if (problems.empty())
         return look;

@@ -6,8 +6,7 @@
 #include <nlohmann/json.hpp>
 
 namespace {
-constexpr std::string_view format_name = "afterglow-media";
-constexpr int newest_version = 1;
+constexpr FileFormat media_file{"afterglow-media", 1};
 }  // namespace
 
 std::string media_to_json(const std::vector<MediaEntry>& entries) {
@@ -15,7 +14,8 @@ std::string media_to_json(const std::vector<MediaEntry>& entries) {
     for (const MediaEntry& entry : entries)
         files.push_back(
             {{"file", entry.file.string()}, {"digest", entry.digest}, {"stamp", entry.stamp}});
-    return json_text({{"format", format_name}, {"version", newest_version}, {"files", files}});
+    return json_text(
+        {{"format", media_file.name}, {"version", media_file.newest_version}, {"files", files}});
 }
 
 Result<std::vector<MediaEntry>> parse_media(std::string_view text,
@@ -26,7 +26,7 @@ Result<std::vector<MediaEntry>> parse_media(std::string_view text,
     Diagnostics problems;
     ObjectReader reader(*document, file, problems);
     std::vector<MediaEntry> entries;
-    if (accept_header(reader, format_name, newest_version))
+    if (accept_header(reader, media_file))
         if (const JsonValue* files = reader.require("files");
             files && reader.expect(*files, JsonValue::Kind::array))
             for (const JsonValue& item : files->children) {

@@ -14,7 +14,7 @@
 
 namespace {
 constexpr std::size_t most_edges = 100000;
-constexpr std::size_t most_problems = 20;
+constexpr std::size_t most_obj_problems = 20;
 
 std::vector<std::string_view> words_of(std::string_view line) {
     std::vector<std::string_view> words;
@@ -37,7 +37,7 @@ public:
         for (const std::string_view line : split_lines(text)) {
             ++m_line;
             read_line(words_of(line.substr(0, line.find('#'))));
-            if (m_problems.size() >= most_problems || m_is_too_large)
+            if (m_problems.size() >= most_obj_problems || m_is_too_large)
                 break;
         }
         if (m_is_too_large)

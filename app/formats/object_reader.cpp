@@ -73,21 +73,21 @@ void ObjectReader::refuse_choice(const JsonValue& value, const std::vector<std::
                                did_you_mean(value.text, names), fmt::join(names, ", ")));
 }
 
-bool accept_header(ObjectReader& reader, std::string_view format, int newest_version) {
+bool accept_header(ObjectReader& reader, const FileFormat& file_format) {
     if (!reader.object().is(JsonValue::Kind::object))
         return false;
     const std::size_t before = reader.problems().size();
     const JsonValue* name = reader.require("format");
-    if (name && reader.expect(*name, JsonValue::Kind::text) && name->text != format)
-        reader.problem(*name,
-                       fmt::format("\"format\" must be \"{}\", not \"{}\"", format, name->text));
+    if (name && reader.expect(*name, JsonValue::Kind::text) && name->text != file_format.name)
+        reader.problem(*name, fmt::format("\"format\" must be \"{}\", not \"{}\"", file_format.name,
+                                          name->text));
     const JsonValue* version = reader.require("version");
     constexpr int any = 1000000;
     const int number = reader.whole("version", 0, 1, any);
-    if (number > newest_version)
+    if (number > file_format.newest_version)
         reader.problem(*version,
                        fmt::format("was written by a newer version of the program: version "
                                    "{} of its format, {} is the newest that is read",
-                                   number, newest_version));
+                                   number, file_format.newest_version));
     return reader.problems().size() == before;
 }

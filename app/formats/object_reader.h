@@ -68,6 +68,12 @@ private:
     std::vector<std::string> m_known;
 };
 
-/// Reads "format" and "version", which every document of ours starts with. False, and noted, where
-/// it is of another format or newer than `newest_version`; then nothing else of it should be read.
-bool accept_header(ObjectReader& reader, std::string_view format, int newest_version);
+/// What every document of ours starts with, as "format" and "version".
+struct FileFormat {
+    std::string_view name;
+    int newest_version = 1;
+};
+
+/// Reads the "format" and "version" of a document. False, and noted, where it is of another format
+/// or newer than ours; then nothing else of it should be read.
+bool accept_header(ObjectReader& reader, const FileFormat& file_format);

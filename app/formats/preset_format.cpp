@@ -18,8 +18,7 @@
 using Json = nlohmann::ordered_json;
 
 namespace {
-constexpr std::string_view format_name = "afterglow-preset";
-constexpr int newest_version = 1;
+constexpr FileFormat preset_file{"afterglow-preset", 1};
 
 Values read_values(ObjectReader& reader) {
     Values values;
@@ -77,7 +76,7 @@ Result<Preset> parse_preset(std::string_view text, const std::filesystem::path& 
         return fail(document.error());
     Diagnostics problems;
     ObjectReader reader(*document, file, problems);
-    if (!accept_header(reader, format_name, newest_version))
+    if (!accept_header(reader, preset_file))
         return fail(std::move(problems));
     Preset preset;
     const JsonValue* look = reader.require("look");
@@ -122,8 +121,9 @@ Result<Preset> load_preset(const std::filesystem::path& file) {
 }
 
 nlohmann::ordered_json preset_json(const Preset& preset, const Look* look) {
-    Json json{{"format", format_name},        {"version", newest_version}, {"look", preset.look},
-              {"look_digest", preset.digest}, {"name", preset.name},       {"about", preset.about},
+    Json json{{"format", preset_file.name}, {"version", preset_file.newest_version},
+              {"look", preset.look},        {"look_digest", preset.digest},
+              {"name", preset.name},        {"about", preset.about},
               {"author", preset.author}};
     if (preset.signal)
         json["signal"] = json_of(*preset.signal);

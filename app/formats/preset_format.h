@@ -9,6 +9,9 @@
 #include <string>
 #include <string_view>
 
+/// The longest text, in bytes, that is unpacked as a preset.
+constexpr std::size_t largest_preset = std::size_t{4} << 20;
+
 /// Reads a preset's JSON. Unknown keys, and kinds and settings of signals that there are not, are
 /// errors with their line; the values are only checked to be numbers, lists of numbers or texts.
 /// A newer version of the format is refused.

@@ -11,7 +11,6 @@ namespace {
 // language and a translated keyword, each ended by NUL, then the text.
 constexpr std::string_view keyword("afterglow-preset\0", 17);
 constexpr std::string_view compressed_header("\1\0\0\0", 4);
-constexpr std::size_t largest_preset = std::size_t{4} << 20;
 
 bool is_preset(const PngChunk& chunk) {
     const bool is_text = chunk.type == "iTXt" || chunk.type == "zTXt" || chunk.type == "tEXt";

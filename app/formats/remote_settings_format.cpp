@@ -6,13 +6,12 @@
 #include <nlohmann/json.hpp>
 
 namespace {
-constexpr std::string_view format_name = "afterglow-remote";
-constexpr int newest_version = 1;
+constexpr FileFormat remote_file{"afterglow-remote", 1};
 }  // namespace
 
 std::string remote_settings_to_json(const RemoteSettings& settings) {
-    return json_text({{"format", format_name},
-                      {"version", newest_version},
+    return json_text({{"format", remote_file.name},
+                      {"version", remote_file.newest_version},
                       {"osc", settings.listens_to_osc},
                       {"osc_port", settings.osc_port}});
 }
@@ -25,7 +24,7 @@ Result<RemoteSettings> parse_remote_settings(std::string_view text,
     Diagnostics problems;
     ObjectReader reader(*document, file, problems);
     RemoteSettings settings;
-    if (accept_header(reader, format_name, newest_version)) {
+    if (accept_header(reader, remote_file)) {
         settings.listens_to_osc = reader.boolean("osc", settings.listens_to_osc);
         settings.osc_port = reader.whole("osc_port", settings.osc_port, 1, 65535);
         reader.refuse_unknown();

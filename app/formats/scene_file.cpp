@@ -9,8 +9,7 @@
 #include <fmt/format.h>
 
 namespace {
-constexpr std::string_view format_name = "afterglow-scene";
-constexpr int newest_version = 1;
+constexpr FileFormat scene_file{"afterglow-scene", 1};
 
 double positive(ObjectReader& reader, std::string_view key, double fallback, bool may_be_zero) {
     const double value = reader.number(key, fallback);
@@ -57,7 +56,7 @@ Result<BeamScene> parse_scene(std::string_view text, const std::filesystem::path
     Diagnostics problems;
     ObjectReader reader(*document, file, problems);
     BeamScene scene;
-    if (accept_header(reader, format_name, newest_version))
+    if (accept_header(reader, scene_file))
         scene = read_scene(reader);
     if (!problems.empty())
         return fail(std::move(problems));
@@ -77,7 +76,7 @@ bool is_scene_file(const std::filesystem::path& file) {
     const auto text = read_text(file);
     const auto document = text ? parse_json(*text, file) : fail(text.error());
     const JsonValue* format = document ? find_member(*document, "format") : nullptr;
-    return format && format->text == format_name;
+    return format && format->text == scene_file.name;
 }
 
 bool is_svg_file(const std::filesystem::path& file) {

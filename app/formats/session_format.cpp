@@ -9,8 +9,7 @@
 #include <algorithm>
 
 namespace {
-constexpr std::string_view format_name = "afterglow-session";
-constexpr int newest_version = 1;
+constexpr FileFormat session_file{"afterglow-session", 1};
 constexpr std::size_t most_steps = 200;
 
 const Choices<Filter> filters{{"nearest", Filter::nearest}, {"linear", Filter::linear}};
@@ -71,7 +70,7 @@ const Choices<Other> others{{"article", {}},
                             {"C", {Other::Kind::slot, 2}}};
 
 template <class T>
-std::string_view word_of(const Choices<T>& choices, const T& chosen) {
+std::string_view word_or_first(const Choices<T>& choices, const T& chosen) {
     const auto found =
         std::ranges::find(choices, chosen, [](const auto& each) { return each.second; });
     return found == choices.end() ? choices.front().first : found->first;
@@ -80,10 +79,10 @@ std::string_view word_of(const Choices<T>& choices, const T& chosen) {
 nlohmann::ordered_json json_of(const Comparison& comparison) {
     Other other = comparison.other;
     other.file.clear();
-    return {{"mode", word_of(modes, comparison.mode)},
-            {"with", word_of(others, other)},
+    return {{"mode", word_or_first(modes, comparison.mode)},
+            {"with", word_or_first(others, other)},
             {"file", comparison.other.file.string()},
-            {"measure", word_of(measures, comparison.measure)},
+            {"measure", word_or_first(measures, comparison.measure)},
             {"gain", comparison.gain_stops},
             {"equal_brightness", comparison.has_equal_brightness}};
 }
@@ -166,7 +165,7 @@ public:
             return fail(document.error());
         Session session;
         ObjectReader reader(*document, m_file, m_problems);
-        if (accept_header(reader, format_name, newest_version))
+        if (accept_header(reader, session_file))
             read_session(reader, session);
         if (!m_problems.empty())
             return fail(m_problems);
@@ -265,8 +264,8 @@ std::string session_to_json(const Session& session) {
     nlohmann::ordered_json window = nlohmann::ordered_json::object();
     for (const auto& [name, number] : session.window)
         window[name] = number;
-    return json_text({{"format", format_name},
-                      {"version", newest_version},
+    return json_text({{"format", session_file.name},
+                      {"version", session_file.newest_version},
                       {"look", session.look},
                       {"looks", session.looks},
                       {"preset_file", session.preset_file},

@@ -13,7 +13,6 @@
 namespace {
 constexpr std::string_view scheme = "afterglow:";
 constexpr std::string_view version = "1:";
-constexpr std::size_t largest_preset = std::size_t{4} << 20;
 
 std::string without_blanks(std::string_view text) {
     std::string letters;

@@ -6,13 +6,12 @@
 #include <nlohmann/json.hpp>
 
 namespace {
-constexpr std::string_view format_name = "afterglow-sound";
-constexpr int newest_version = 1;
+constexpr FileFormat sound_file{"afterglow-sound", 1};
 }  // namespace
 
 std::string sound_settings_to_json(const SoundSettings& settings) {
-    return json_text({{"format", format_name},
-                      {"version", newest_version},
+    return json_text({{"format", sound_file.name},
+                      {"version", sound_file.newest_version},
                       {"output", settings.output},
                       {"input", settings.input},
                       {"rate", settings.rate},
@@ -29,7 +28,7 @@ Result<SoundSettings> parse_sound_settings(std::string_view text,
     Diagnostics problems;
     ObjectReader reader(*document, file, problems);
     SoundSettings settings;
-    if (accept_header(reader, format_name, newest_version)) {
+    if (accept_header(reader, sound_file)) {
         settings.output = reader.text("output");
         settings.input = reader.text("input");
         settings.rate = reader.whole("rate", 0, 0, 768000);

@@ -8,7 +8,6 @@
 #include <algorithm>
 
 namespace {
-constexpr int most_settle_frames = 100000;
 
 // IEC 61966-2-1 between two looks. Light below black and above white goes on by the same curve, as
 // where a source picture is read.

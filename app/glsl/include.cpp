@@ -11,7 +11,7 @@
 namespace fs = std::filesystem;
 
 namespace {
-constexpr std::size_t most_depth = 64;
+constexpr std::size_t most_nested_includes = 64;
 constexpr int most_files = 4096;
 constexpr std::size_t most_bytes = std::size_t{4} << 20;
 constexpr std::size_t most_errors = 32;
@@ -170,8 +170,9 @@ private:
                 chain += link->path.filename().string() + " -> ";
             return error(at, "includes go round in a circle: " + chain + file.filename().string());
         }
-        if (m_open.size() >= most_depth)
-            return error(at, fmt::format("includes are nested more than {} deep", most_depth));
+        if (m_open.size() >= most_nested_includes)
+            return error(
+                at, fmt::format("includes are nested more than {} deep", most_nested_includes));
         if (++m_included > most_files) {
             m_is_full = true;
             return error(at, fmt::format("more than {} includes in one shader", most_files));

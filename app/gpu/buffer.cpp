@@ -8,13 +8,11 @@ void delete_buffer(GLuint id) {
     glDeleteBuffers(1, &id);
 }
 
-namespace {
 GLuint new_buffer() {
     GLuint id = 0;
     glGenBuffers(1, &id);
     return id;
 }
-}  // namespace
 
 StreamBuffer::StreamBuffer() : m_name(new_buffer()) {}
 

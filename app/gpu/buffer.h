@@ -7,6 +7,7 @@
 
 namespace gpu {
 
+GLuint new_buffer();
 void delete_buffer(GLuint id);
 
 /// Vertices that are written anew each frame.

@@ -7,12 +7,6 @@ void DeleteFence::operator()(GLsync fence) const {
 }
 
 namespace {
-GLuint new_buffer() {
-    GLuint id = 0;
-    glGenBuffers(1, &id);
-    return id;
-}
-
 std::size_t floats_of(Extent extent) {
     return static_cast<std::size_t>(extent.width) * static_cast<std::size_t>(extent.height) * 4;
 }

@@ -7,17 +7,17 @@
 #include <algorithm>
 
 namespace {
-constexpr const char* fragment_start = R"(#version 410 core
+constexpr const char* gather_start = R"(#version 410 core
 out vec4 color;
 uniform ivec2 place;  // texel, from the bottom left
 )";
 
-constexpr const char* fragment_end = R"(
+constexpr const char* gather_end = R"(
 void main() { color = texel_at(place); }
 )";
 
-Result<gpu::Program> build(const std::string& reading) {
-    return build_measuring_program(fragment_start + reading + fragment_end);
+Result<gpu::Program> build_gatherer(const std::string& reading) {
+    return build_measuring_program(gather_start + reading + gather_end);
 }
 }  // namespace
 
@@ -25,10 +25,10 @@ Gatherer::Gatherer(gpu::Program floats, gpu::Program naturals)
     : m_floats(std::move(floats)), m_naturals(std::move(naturals)) {}
 
 Result<Gatherer> Gatherer::make() {
-    auto floats = build(float_texel_text);
+    auto floats = build_gatherer(float_texel_text);
     if (!floats)
         return fail(floats.error());
-    auto naturals = build(natural_texel_text);
+    auto naturals = build_gatherer(natural_texel_text);
     if (!naturals)
         return fail(naturals.error());
     return Gatherer(std::move(*floats), std::move(*naturals));

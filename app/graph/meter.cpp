@@ -18,7 +18,7 @@ constexpr int most_blocks = 261;  // a side; 16384 / 63
 constexpr int most_samples = 256;
 constexpr double packing = 4096.0;
 
-constexpr const char* fragment_start = R"(#version 410 core
+constexpr const char* meter_start = R"(#version 410 core
 out vec4 color;
 uniform int block_side;  // texels; 0: samples are taken
 uniform vec2 cell;       // texels a sample
@@ -26,7 +26,7 @@ uniform bool counts_clipped;
 uniform float ceiling;
 )";
 
-constexpr const char* fragment_end = R"(
+constexpr const char* meter_end = R"(
 vec4 block_sums(ivec2 low) {
     ivec2 end = min(low + block_side, textureSize(shown, 0));
     float least = 3.4e38, most = -3.4e38, sum = 0.0, nans = 0.0, infinities = 0.0;
@@ -80,8 +80,8 @@ void main() {
 }
 )";
 
-Result<gpu::Program> build(const std::string& reading) {
-    return build_measuring_program(fragment_start + reading + fragment_end);
+Result<gpu::Program> build_meter(const std::string& reading) {
+    return build_measuring_program(meter_start + reading + meter_end);
 }
 
 int block_side_for(Extent extent) {
@@ -146,10 +146,10 @@ Meter::Meter(gpu::Program floats, gpu::Program naturals)
     : m_floats(std::move(floats)), m_naturals(std::move(naturals)) {}
 
 Result<Meter> Meter::make() {
-    auto floats = build(float_texel_text);
+    auto floats = build_meter(float_texel_text);
     if (!floats)
         return fail(floats.error());
-    auto naturals = build(natural_texel_text);
+    auto naturals = build_meter(natural_texel_text);
     if (!naturals)
         return fail(naturals.error());
     return Meter(std::move(*floats), std::move(*naturals));

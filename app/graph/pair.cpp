@@ -6,7 +6,7 @@
 #include <array>
 
 namespace {
-Result<gpu::Program> build(const std::string& reading, const std::string& body) {
+Result<gpu::Program> build_pair(const std::string& reading, const std::string& body) {
     return build_measuring_program("#version 410 core\nout vec4 color;\n" + reading + body);
 }
 
@@ -20,7 +20,7 @@ double is_decoded(const gpu::Texture& texture) {
 }  // namespace
 
 Result<gpu::Program> build_pair_program(const std::string& body) {
-    auto program = build(pair_text, body);
+    auto program = build_pair(pair_text, body);
     if (program)
         if (const gpu::Uniform* other = program->find_uniform("other"))
             program->set_unit(*other, 1);
@@ -28,7 +28,8 @@ Result<gpu::Program> build_pair_program(const std::string& body) {
 }
 
 Result<gpu::Program> build_single_program(const std::string& body) {
-    return build(curve_text + "uniform sampler2D shown;\nuniform float lone, decoded;\n", body);
+    return build_pair(curve_text + "uniform sampler2D shown;\nuniform float lone, decoded;\n",
+                      body);
 }
 
 void bind_pair(const Pair& pair, const gpu::Program& program, gpu::Samplers& samplers) {

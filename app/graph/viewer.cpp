@@ -10,7 +10,7 @@
 #include <string>
 
 namespace {
-constexpr const char* vertex_text = R"(#version 410 core
+constexpr const char* view_vertex = R"(#version 410 core
 out vec2 place;  // 0..1 over the view, from the bottom left
 void main() {
     place = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);
@@ -20,7 +20,7 @@ void main() {
 
 // Between this and the end the stage is told what is asked, and reads the target: `shown`,
 // `rgba_at(texel)` and what texel_text.h gives.
-constexpr const char* fragment_start = R"(#version 410 core
+constexpr const char* view_start = R"(#version 410 core
 in vec2 place;
 out vec4 color;
 uniform vec4 region;        // left, bottom, width, height; texels
@@ -47,7 +47,7 @@ const bool is_encoded = )") +
            (is_encoded ? "true;\n" : "false;\n");
 }
 
-constexpr const char* fragment_end = R"(
+constexpr const char* view_end = R"(
 // IEC 61966-2-1
 vec3 encode(vec3 c) {
     vec3 curve = 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055;
@@ -153,9 +153,9 @@ vec4 rgba_at(vec2 texel) {
 }
 )";
 
-Result<gpu::Program> build(const std::string& reading) {
-    const Stage vertex{{}, vertex_text, {}};
-    const Stage fragment{{}, fragment_start + reading + fragment_end, {}};
+Result<gpu::Program> build_view(const std::string& reading) {
+    const Stage vertex{{}, view_vertex, {}};
+    const Stage fragment{{}, view_start + reading + view_end, {}};
     return gpu::Program::build(vertex, fragment);
 }
 }  // namespace
@@ -172,10 +172,10 @@ std::array<double, 3> false_color(double place) {
 }
 
 Result<Viewer> Viewer::make() {
-    auto encoded = build(nothing(true) + float_texel_text + smooth_floats);
-    auto light = build(nothing(false) + float_texel_text + smooth_floats);
-    auto floats = build(anything + float_texel_text + smooth_floats);
-    auto naturals = build(anything + natural_texel_text + smooth_naturals);
+    auto encoded = build_view(nothing(true) + float_texel_text + smooth_floats);
+    auto light = build_view(nothing(false) + float_texel_text + smooth_floats);
+    auto floats = build_view(anything + float_texel_text + smooth_floats);
+    auto naturals = build_view(anything + natural_texel_text + smooth_naturals);
     for (const auto* program : {&encoded, &light, &floats, &naturals})
         if (!*program)
             return fail(program->error());

@@ -11,8 +11,8 @@ namespace {
 using Bytes = std::span<const std::uint8_t>;
 using Messages = std::vector<OscMessage>;
 
-constexpr std::size_t word = 4;  // all parts are so many bytes, or a multiple
-constexpr int deepest = 8;       // bundles in bundles
+constexpr std::size_t part_size = 4;  // all parts are so many bytes, or a multiple
+constexpr int deepest = 8;            // bundles in bundles
 
 /// Takes parts off the front of a packet; nothing where it ends before.
 class OscReader {
@@ -42,13 +42,13 @@ public:
         return value;
     }
 
-    // Ended by a zero, and by more of them up to a whole word.
+    // Ended by a zero, and by more of them up to a whole part.
     std::optional<std::string> text() {
         const auto end = std::ranges::find(m_rest, std::uint8_t{0});
         if (end == m_rest.end())
             return std::nullopt;
         const auto length = static_cast<std::size_t>(end - m_rest.begin());
-        const auto bytes = take((length / word + 1) * word);
+        const auto bytes = take((length / part_size + 1) * part_size);
         if (!bytes || std::ranges::any_of(bytes->subspan(length), [](auto b) { return b != 0; }))
             return std::nullopt;
         return std::string(bytes->begin(), bytes->begin() + static_cast<std::ptrdiff_t>(length));
@@ -143,11 +143,11 @@ Result<void> read_bundle(OscReader reader, int depth, Messages& messages) {
 }
 
 Result<void> read_packet(Bytes packet, int depth, Messages& messages) {
-    if (packet.empty() || packet.size() % word != 0)
-        return fail(
-            {{},
-             0,
-             fmt::format("an OSC packet of {} bytes: not a multiple of {}", packet.size(), word)});
+    if (packet.empty() || packet.size() % part_size != 0)
+        return fail({{},
+                     0,
+                     fmt::format("an OSC packet of {} bytes: not a multiple of {}", packet.size(),
+                                 part_size)});
     if (depth > deepest)
         return fail({{}, 0, fmt::format("OSC bundles are nested more than {} deep", deepest)});
     OscReader reader(packet);

@@ -8,8 +8,8 @@
 
 namespace {
 // A signal's handler can reach nothing else.
-constexpr std::size_t most = 4;
-std::array<std::atomic<const char*>, most> passing_names{};
+constexpr std::size_t most_kept = 4;
+std::array<std::atomic<const char*>, most_kept> passing_names{};
 
 void remove_and_end(int number) {
     for (const std::atomic<const char*>& name : passing_names)
@@ -21,7 +21,7 @@ void remove_and_end(int number) {
 
 std::size_t take_slot(const char* name) {
     std::size_t slot = 0;
-    for (; slot < most; ++slot) {
+    for (; slot < most_kept; ++slot) {
         const char* nothing = nullptr;
         if (passing_names[slot].compare_exchange_strong(nothing, name))
             break;
@@ -53,7 +53,7 @@ PassingFile::PassingFile(const std::filesystem::path& file)
 }
 
 PassingFile::~PassingFile() {
-    if (m_slot < most)
+    if (m_slot < most_kept)
         passing_names[m_slot] = nullptr;
     if (!is_any_left())  // the next one's handlers are the same
         replace_handlers(remove_and_end, SIG_DFL);

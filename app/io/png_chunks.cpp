@@ -8,11 +8,11 @@
 
 namespace {
 // Length, type and check sum take four bytes each (PNG specification, 5.3).
-constexpr std::size_t word = 4;
+constexpr std::size_t word_size = 4;
 
 std::uint32_t number_at(std::string_view bytes, std::size_t at) {
     std::uint32_t number = 0;
-    for (std::size_t i = 0; i < word; ++i)
+    for (std::size_t i = 0; i < word_size; ++i)
         number = number << 8 | static_cast<unsigned char>(bytes[at + i]);
     return number;
 }
@@ -48,13 +48,15 @@ Result<std::vector<PngChunk>> parse_png_chunks(std::string_view bytes) {
     std::vector<PngChunk> chunks;
     for (std::size_t at = png_signature().size();;) {
         const std::size_t left = bytes.size() - at;
-        if (left < 3 * word || number_at(bytes, at) > left - 3 * word)
+        if (left < 3 * word_size || number_at(bytes, at) > left - 3 * word_size)
             return fail({{}, 0, "is damaged: the PNG ends too early"});
         const std::size_t length = number_at(bytes, at);
-        const PngChunk chunk{bytes.substr(at + word, word), bytes.substr(at + 2 * word, length),
-                             bytes.substr(at, length + 3 * word)};
-        const std::uint32_t sum = number_at(bytes, at + 2 * word + length);
-        if (!is_type(chunk.type) || check_sum(bytes.substr(at + word, word + length)) != sum)
+        const PngChunk chunk{bytes.substr(at + word_size, word_size),
+                             bytes.substr(at + 2 * word_size, length),
+                             bytes.substr(at, length + 3 * word_size)};
+        const std::uint32_t sum = number_at(bytes, at + 2 * word_size + length);
+        if (!is_type(chunk.type) ||
+            check_sum(bytes.substr(at + word_size, word_size + length)) != sum)
             return fail(
                 {{}, 0, fmt::format("is damaged: a wrong check sum at byte {} of the PNG", at)});
         if (chunks.empty() != (chunk.type == "IHDR"))
@@ -70,6 +72,6 @@ std::string png_chunk(std::string_view type, std::string_view data) {
     std::string chunk;
     append_number(chunk, data.size());
     chunk.append(type).append(data);
-    append_number(chunk, check_sum(std::string_view(chunk).substr(word)));
+    append_number(chunk, check_sum(std::string_view(chunk).substr(word_size)));
     return chunk;
 }

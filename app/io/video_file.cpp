@@ -14,7 +14,7 @@
 namespace fs = std::filesystem;
 
 namespace {
-constexpr int largest_side = 8192;
+constexpr int largest_frame_side = 8192;
 
 struct Facts {
     Extent extent;     // upright
@@ -89,10 +89,10 @@ Result<Facts> facts_in(const std::string& text, const fs::path& file) {
         std::swap(facts.extent.width, facts.extent.height);
     if (facts.extent.is_empty() || facts.rate_number <= 0.0)
         return fail({file, 0, "holds no video that can be read"});
-    if (facts.extent.width > largest_side || facts.extent.height > largest_side)
+    if (facts.extent.width > largest_frame_side || facts.extent.height > largest_frame_side)
         return fail({file, 0,
                      fmt::format("is too large: {} x {} px; at most {} px a side are read",
-                                 facts.extent.width, facts.extent.height, largest_side)});
+                                 facts.extent.width, facts.extent.height, largest_frame_side)});
     return facts;
 }
 

@@ -1,5 +1,6 @@
 #include "lab/compared_pictures.h"
 
+#include "base/elapsed.h"
 #include "gpu/texels.h"
 #include "graph/measuring.h"
 
@@ -9,10 +10,6 @@
 #include <vector>
 
 namespace {
-double seconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 std::optional<gpu::Texture> uploaded(const Picture& picture) {
     auto texture = gpu::Texture::make(picture.extent, Format::rgba32f);
     if (!texture)

@@ -1,15 +1,13 @@
 #include "lab/gain_meters.h"
 
+#include "base/elapsed.h"
+
 #include <algorithm>
 #include <chrono>
 
 namespace {
-constexpr double pause_seconds = 0.2;
-constexpr double most_share = 0.1;  // of the time, where measuring is slow
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
+constexpr double meter_pause = 0.2;
+constexpr double meter_share = 0.1;  // of the time, where measuring is slow
 }  // namespace
 
 Result<GainMeters> GainMeters::make() {
@@ -55,7 +53,7 @@ void GainMeters::update(const Executor& executor, const Values& values, bool is_
     const auto start = std::chrono::steady_clock::now();
     m_meter.start(executor.target(static_cast<int>(m_asked)), ChannelChoice::rgb,
                   clips_from(m_ceiling));
-    m_due = seconds + std::max(pause_seconds, seconds_since(start) / most_share);
+    m_due = seconds + std::max(meter_pause, seconds_since(start) / meter_share);
 }
 
 const Gain* GainMeters::gain(std::size_t pass) const {

@@ -1,5 +1,7 @@
 #include "lab/inspection.h"
 
+#include "base/elapsed.h"
+
 #include <algorithm>
 #include <chrono>
 
@@ -7,10 +9,6 @@ namespace {
 constexpr double pause_seconds = 0.2;
 constexpr double most_share = 0.1;  // of the time
 constexpr std::size_t bin_count = 128;
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 }  // namespace
 
 Result<Inspection> Inspection::make() {

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 namespace {
-constexpr std::string_view prefix = "/afterglow/";
+constexpr std::string_view osc_prefix = "/afterglow/";
 constexpr double quiet_seconds = 0.5;
 
 Result<Value> asked_value(const OscMessage& message, const Parameter& parameter) {
@@ -31,10 +31,10 @@ Result<Value> asked_value(const OscMessage& message, const Parameter& parameter)
 }  // namespace
 
 Result<RemoteTurn> turn_of(const OscMessage& message, const Look& look) {
-    if (!message.address.starts_with(prefix))
+    if (!message.address.starts_with(osc_prefix))
         return fail(
             {{}, 0, fmt::format("'{}' is not of the form /afterglow/NAME", message.address)});
-    const auto parameter = meant_parameter(message.address.substr(prefix.size()), look);
+    const auto parameter = meant_parameter(message.address.substr(osc_prefix.size()), look);
     if (!parameter)
         return fail(parameter.error());
     auto value = asked_value(message, **parameter);

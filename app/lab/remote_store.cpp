@@ -5,13 +5,13 @@
 #include "io/atomic_file.h"
 
 namespace {
-std::filesystem::path file_in(const Roots& roots) {
+std::filesystem::path remote_file_in(const Roots& roots) {
     return roots.state / "remote.json";
 }
 }  // namespace
 
 Result<RemoteSettings> load_remote_settings(const Roots& roots) {
-    const std::filesystem::path file = file_in(roots);
+    const std::filesystem::path file = remote_file_in(roots);
     std::error_code error;
     if (!std::filesystem::exists(file, error))
         return RemoteSettings{};
@@ -22,5 +22,5 @@ Result<RemoteSettings> load_remote_settings(const Roots& roots) {
 }
 
 Result<void> save_remote_settings(const Roots& roots, const RemoteSettings& settings) {
-    return write_atomically(file_in(roots), remote_settings_to_json(settings));
+    return write_atomically(remote_file_in(roots), remote_settings_to_json(settings));
 }

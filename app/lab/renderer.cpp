@@ -1,13 +1,9 @@
 #include "lab/renderer.h"
 
+#include "base/elapsed.h"
+
 #include <algorithm>
 #include <chrono>
-
-namespace {
-double seconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-}  // namespace
 
 // A variant that cannot follow ends; the picture itself goes on.
 template <class Act>

@@ -5,13 +5,13 @@
 #include "io/atomic_file.h"
 
 namespace {
-std::filesystem::path file_in(const Roots& roots) {
+std::filesystem::path sound_file_in(const Roots& roots) {
     return roots.state / "sound.json";
 }
 }  // namespace
 
 Result<SoundSettings> load_sound_settings(const Roots& roots) {
-    const std::filesystem::path file = file_in(roots);
+    const std::filesystem::path file = sound_file_in(roots);
     std::error_code error;
     if (!std::filesystem::exists(file, error))
         return SoundSettings{};
@@ -22,5 +22,5 @@ Result<SoundSettings> load_sound_settings(const Roots& roots) {
 }
 
 Result<void> save_sound_settings(const Roots& roots, const SoundSettings& settings) {
-    return write_atomically(file_in(roots), sound_settings_to_json(settings));
+    return write_atomically(sound_file_in(roots), sound_settings_to_json(settings));
 }

@@ -114,6 +114,8 @@ struct Heading {
 
 enum class Driver { signal, picture, nothing };
 
+constexpr int most_settle_frames = 100000;
+
 /// The passes in order, their inputs, images and parameters: all that is needed to draw, in one
 /// value.
 struct Look {

@@ -31,7 +31,7 @@ glm::dquat camera_turn(const Orbit& orbit) {
 }
 
 // Neat in a preset, and finer than a hand can drag.
-double rounded(double degrees) {
+double rounded_degrees(double degrees) {
     return std::round(degrees * 100.0) / 100.0;
 }
 
@@ -54,13 +54,15 @@ Orbit with_object_turned(Orbit orbit, double right, double up) {
                               glm::angleAxis(-glm::radians(up), camera * to_the_right) *
                               turn_of(orbit);
     const glm::dvec3 degrees = glm::degrees(glm::eulerAngles(turned));
-    orbit.turn_degrees = {rounded(degrees.x), rounded(degrees.y), rounded(degrees.z)};
+    orbit.turn_degrees = {rounded_degrees(degrees.x), rounded_degrees(degrees.y),
+                          rounded_degrees(degrees.z)};
     return orbit;
 }
 
 Orbit with_camera_moved(Orbit orbit, double right, double up) {
-    orbit.azimuth_degrees = rounded(within_a_turn(orbit.azimuth_degrees - right));
-    orbit.elevation_degrees = rounded(std::clamp(orbit.elevation_degrees - up, -90.0, 90.0));
+    orbit.azimuth_degrees = rounded_degrees(within_a_turn(orbit.azimuth_degrees - right));
+    orbit.elevation_degrees =
+        rounded_degrees(std::clamp(orbit.elevation_degrees - up, -90.0, 90.0));
     return orbit;
 }
 

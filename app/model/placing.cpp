@@ -4,7 +4,7 @@
 #include <cmath>
 
 namespace {
-constexpr int largest_side = 16384;
+constexpr int most_side = 16384;
 
 // How the pixels of the picture become those of what is made.
 struct Placing {
@@ -13,8 +13,8 @@ struct Placing {
     int repeat_y = 1;
 };
 
-int rounded(double length) {
-    return std::clamp(static_cast<int>(std::lround(length)), 1, largest_side);
+int side_of(double length) {
+    return std::clamp(static_cast<int>(std::lround(length)), 1, most_side);
 }
 
 // Only one side differs from the picture's own.
@@ -22,8 +22,8 @@ Placing fitted(Extent picture, double shape, bool is_whole) {
     const double wide = picture.height * shape;  // the width that has the viewport's shape
     const bool adds_width = wide > picture.width;
     if (adds_width == is_whole)
-        return {{rounded(wide), picture.height}};
-    return {{picture.width, rounded(picture.width / shape)}};
+        return {{side_of(wide), picture.height}};
+    return {{picture.width, side_of(picture.width / shape)}};
 }
 
 Placing placing_of(Extent picture, const SourceSpec& source, Extent viewport) {

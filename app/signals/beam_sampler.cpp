@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace {
-constexpr double slack = 1e-10;  // s: instants that were computed in two ways
+constexpr double instant_slack = 1e-10;  // s: instants that were computed in two ways
 
 // Charge against that of full current in the same time.
 double current_of(double charge, double seconds) {
@@ -33,7 +33,7 @@ void BeamSampler::take(const TimeSpan& span, const Beam& beam, const Format& for
 
 void BeamSampler::go_to(const Instant& next, const Format& format, std::vector<float>& samples) {
     const double span = next.time - m_last.time;
-    while (m_sampled + format.step <= next.time + slack) {
+    while (m_sampled + format.step <= next.time + instant_slack) {
         m_sampled += format.step;
         const double share = span > 0.0 ? (m_sampled - m_last.time) / span : 1.0;
         samples.push_back(static_cast<float>(std::lerp(m_last.x, next.x, share)));

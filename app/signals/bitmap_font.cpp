@@ -4,12 +4,12 @@
 #include <cstddef>
 
 namespace {
-constexpr char first = ' ';
-constexpr int count = 95;
+constexpr char first_letter = ' ';
+constexpr int letter_count = 95;
 
 // Columns from the left; bit 0 is the top row, bit 7 hangs below the line. From ' ' to '~'.
 // clang-format off
-constexpr std::array<std::array<std::uint8_t, bitmap_font::width>, count> columns{{
+constexpr std::array<std::array<std::uint8_t, bitmap_font::width>, letter_count> letter_columns{{
     {0x00, 0x00, 0x00, 0x00, 0x00}, {0x00, 0x00, 0x5F, 0x00, 0x00}, {0x00, 0x07, 0x00, 0x07, 0x00},
     {0x14, 0x7F, 0x14, 0x7F, 0x14}, {0x24, 0x2A, 0x7F, 0x2A, 0x12}, {0x23, 0x13, 0x08, 0x64, 0x62},
     {0x36, 0x49, 0x55, 0x22, 0x50}, {0x00, 0x00, 0x07, 0x00, 0x00}, {0x00, 0x1C, 0x22, 0x41, 0x00},
@@ -47,8 +47,9 @@ constexpr std::array<std::array<std::uint8_t, bitmap_font::width>, count> column
 }  // namespace
 
 bool bitmap_font::has_dot(char character, int x, int y) {
-    const int index = character - first;
-    if (index < 0 || index >= count || x < 0 || x >= width || y < 0 || y >= height)
+    const int index = character - first_letter;
+    if (index < 0 || index >= letter_count || x < 0 || x >= width || y < 0 || y >= height)
         return false;
-    return ((columns[static_cast<std::size_t>(index)][static_cast<std::size_t>(x)] >> y) & 1) != 0;
+    return ((letter_columns[static_cast<std::size_t>(index)][static_cast<std::size_t>(x)] >> y) &
+            1) != 0;
 }

@@ -189,7 +189,7 @@ void add_bloom(Picture& picture, const Picture& small, float strength) {
     }
 }
 
-Picture drawn(Extent extent, double seconds) {
+Picture drawn_rain(Extent extent, double seconds) {
     Picture picture{extent, 3, Encoding::linear, {}};
     picture.pixels.resize(picture.index(0, extent.height));
     draw_rain(picture, seconds);
@@ -204,5 +204,5 @@ Pattern glyph_rain_pattern() {
     return {{"glyph-rain", "Glyph rain",
              "Falling glyphs with bloom; linear light, and the heads above 1", true},
             {1280, 720},
-            drawn};
+            drawn_rain};
 }

@@ -356,7 +356,7 @@ void draw_things(PixelCanvas& canvas) {
     }
 }
 
-Picture drawn(Extent extent, double seconds) {
+Picture drawn_harbour(Extent extent, double seconds) {
     const int tick = tick_of(seconds);
     PixelCanvas canvas(native, palette);
     draw_sky(canvas, tick);
@@ -383,5 +383,5 @@ Pattern harbour_pattern() {
     return {{"harbour", "Pixel art: harbour",
              "320 x 240 pixels in sixteen colours: a harbour at dusk, and who looks at it", true},
             native,
-            drawn};
+            drawn_harbour};
 }

@@ -48,7 +48,7 @@ private:
     Vector m_sine{};
 };
 
-double distance(const Vector& a, const Vector& b) {
+double distance_between(const Vector& a, const Vector& b) {
     return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
@@ -97,7 +97,7 @@ private:
     }
 
     void add_move(std::size_t from, std::size_t to) {
-        const double way = distance(m_places[from], m_places[to]);
+        const double way = distance_between(m_places[from], m_places[to]);
         add({from, to, m_seconds, way / m_scene.move_speed, m_scene.move_current});
     }
 
@@ -110,7 +110,7 @@ private:
             const double current = item.current * path.points[i].current;
             if (i > 0)
                 add({here - 1, here, m_seconds,
-                     distance(m_places[here - 1], m_places[here]) /
+                     distance_between(m_places[here - 1], m_places[here]) /
                          (m_scene.beam_speed * item.speed),
                      current});
             else if (here > 0)
@@ -133,7 +133,7 @@ struct Tracing {
     TimeSpan span;
 };
 
-constexpr double slack = 1e-9;  // s: ends of spans that were computed in two ways
+constexpr double span_slack = 1e-9;  // s: ends of spans that were computed in two ways
 
 /// One drawing of a scene, as it stands when the drawing begins.
 class DrawnOnce {
@@ -148,7 +148,7 @@ public:
         const auto& legs = m_table.legs();
         auto leg = std::upper_bound(legs.begin(), legs.end(), tracing.span.start - m_start,
                                     [](double time, const Leg& other) {
-                                        return time < other.begin + other.seconds + slack;
+                                        return time < other.begin + other.seconds + span_slack;
                                     });
         for (; leg != legs.end() && m_start + leg->begin <= tracing.span.end; ++leg)
             trace_leg(*leg, tracing, beam);
@@ -167,9 +167,9 @@ private:
         const double first = std::floor((span.start - start) / step);
         for (double i = std::clamp(first, 1.0, steps); i <= steps; ++i) {
             const double time = start + i * step;
-            if (time > span.end + slack)
+            if (time > span.end + span_slack)
                 return;
-            if (time <= span.start + slack)
+            if (time <= span.start + span_slack)
                 continue;
             const double share = i / steps;
             beam.push_back({static_cast<float>(std::lerp(from[0], to[0], share)),

@@ -6,10 +6,10 @@
 #include <cmath>
 
 namespace {
-constexpr double slack = 1e-9;    // s: ends of spans that were computed in two ways
-constexpr double ahead = 0.25;    // s that a sender may be ahead
+constexpr double end_slack = 1e-9;   // s: ends of spans that were computed in two ways
+constexpr double most_ahead = 0.25;  // s that a sender may be ahead
 constexpr double cushion = 0.03;  // s that a late sender gets, so that it is not late again at once
-constexpr double remembered = 2.0;  // s, to show again what led to the present picture
+constexpr double kept_seconds = 2.0;  // s, to show again what led to the present picture
 constexpr std::size_t most_legs = 1000000;
 constexpr double finest_rate = 4096.0 * 60.0;
 }  // namespace
@@ -17,9 +17,9 @@ constexpr double finest_rate = 4096.0 * 60.0;
 void SentBeam::append(std::span<const SentPoint> points) {
     std::unique_lock lock(m_mutex);
     for (const SentPoint& point : points) {
-        if (m_end >= m_now + ahead)
+        if (m_end >= m_now + most_ahead)
             m_changed.notify_all();
-        m_changed.wait(lock, [&] { return m_is_closed || m_end < m_now + ahead; });
+        m_changed.wait(lock, [&] { return m_is_closed || m_end < m_now + most_ahead; });
         if (m_is_closed)
             return;
         append_one(point);
@@ -31,7 +31,7 @@ void SentBeam::append(std::span<const SentPoint> points) {
 void SentBeam::append_one(const SentPoint& point) {
     const Place to{point.x, point.y};
     const Place from = m_has_last ? m_last : to;
-    if (m_pace == Pace::live && m_end < m_now + slack) {
+    if (m_pace == Pace::live && m_end < m_now + end_slack) {
         const double start = m_now + cushion;
         m_legs.push_back({m_end, start - m_end, from, from, 0.0f});
         m_end = start;
@@ -45,7 +45,7 @@ void SentBeam::append_one(const SentPoint& point) {
 }
 
 void SentBeam::forget_old() {
-    while (!m_legs.empty() && (m_legs.front().end() < m_now - remembered ||
+    while (!m_legs.empty() && (m_legs.front().end() < m_now - kept_seconds ||
                                (m_legs.size() > most_legs && m_legs.front().end() < m_now)))
         m_legs.pop_front();
 }
@@ -75,12 +75,12 @@ void SentBeam::trace(const TimeSpan& span, Beam& beam) {
     m_changed.notify_all();
     if (m_pace == Pace::waiting)
         m_changed.wait(lock,
-                       [&] { return m_is_closed || m_has_ended || m_end > span.end + slack; });
+                       [&] { return m_is_closed || m_has_ended || m_end > span.end + end_slack; });
     if (m_has_tints)
         beam.tints.resize(beam.size());
-    auto leg =
-        std::upper_bound(m_legs.begin(), m_legs.end(), span.start,
-                         [](double time, const Leg& other) { return time < other.end() + slack; });
+    auto leg = std::upper_bound(
+        m_legs.begin(), m_legs.end(), span.start,
+        [](double time, const Leg& other) { return time < other.end() + end_slack; });
     for (; leg != m_legs.end() && leg->begin <= span.end; ++leg)
         trace_leg(*leg, span, beam);
 }
@@ -95,9 +95,9 @@ void SentBeam::trace_leg(const Leg& leg, const TimeSpan& span, Beam& beam) const
     const double first = std::floor((span.start - leg.begin) / step);
     for (double i = std::clamp(first, 1.0, steps); i <= steps; ++i) {
         const double time = leg.begin + i * step;
-        if (time > span.end + slack)
+        if (time > span.end + end_slack)
             return;
-        if (time <= span.start + slack)
+        if (time <= span.start + end_slack)
             continue;
         const auto share = static_cast<float>(i / steps);
         beam.push_back({std::lerp(leg.from.x, leg.to.x, share),

@@ -13,7 +13,7 @@ struct Glyph {
     std::string_view strokes;
 };
 
-constexpr std::array glyphs{
+constexpr std::array stroke_glyphs{
     Glyph{'A', "0004264440 0242"},
     Glyph{'B', "00063645443303 3342413000"},
     Glyph{'C', "4536160501103041"},
@@ -80,7 +80,7 @@ constexpr std::array glyphs{
     Glyph{'^', "042644"},
     Glyph{'~', "03143344"},
 };
-constexpr std::string_view box = "0006464000";
+constexpr std::string_view missing_glyph = "0006464000";
 
 constexpr double units_high = 6.0;
 constexpr double units_wide = 4.0;
@@ -89,10 +89,10 @@ constexpr double line_advance = 10.0;
 constexpr double small_capital = 0.75;
 
 std::string_view strokes_of(char character) {
-    const auto found = std::find_if(glyphs.begin(), glyphs.end(), [character](const Glyph& glyph) {
-        return glyph.character == character;
-    });
-    return found == glyphs.end() ? box : found->strokes;
+    const auto found =
+        std::find_if(stroke_glyphs.begin(), stroke_glyphs.end(),
+                     [character](const Glyph& glyph) { return glyph.character == character; });
+    return found == stroke_glyphs.end() ? missing_glyph : found->strokes;
 }
 
 // One stand-in for each character of a UTF-8 text: itself, or 0 for one beyond ASCII.

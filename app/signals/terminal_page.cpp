@@ -7,16 +7,16 @@
 #include <string_view>
 
 namespace {
-constexpr int cell_width = 8;
-constexpr int cell_height = 16;
-constexpr int columns = 80;
-constexpr int lines = 25;
+constexpr int letter_width = 8;
+constexpr int letter_height = 16;
+constexpr int page_columns = 80;
+constexpr int page_lines = 25;
 constexpr char cursor = '\x7f';
 
 using Color = std::array<float, 3>;
 
 // A digit after '^' in the page chooses one of these for what follows.
-constexpr std::array<Color, 8> palette{{
+constexpr std::array<Color, 8> page_colors{{
     {0.70f, 0.72f, 0.72f},  // 0 grey
     {1.00f, 0.42f, 0.36f},  // 1 red
     {0.36f, 0.92f, 0.44f},  // 2 green
@@ -27,7 +27,7 @@ constexpr std::array<Color, 8> palette{{
     {1.00f, 1.00f, 1.00f},  // 7 white
 }};
 
-constexpr std::array<std::string_view, lines> page{
+constexpr std::array<std::string_view, page_lines> page{
     "^6  AFTERGLOW OBSERVATORY   ^0night log, dome 2        ^3seeing 0.8\"   ^2** LINK UP **",
     "^4 ------------------------------------------------------------------------------",
     "",
@@ -62,30 +62,32 @@ void draw_character(Picture& picture, char character, int column, int line, cons
             return 1.0f;
         return bitmap_font::has_dot(character, x - 2, row) ? 0.5f : 0.0f;
     };
-    for (int y = 0; y < cell_height; ++y)
-        for (int x = 0; x < cell_width; ++x) {
-            const std::size_t at = picture.index(column * cell_width + x, line * cell_height + y);
+    for (int y = 0; y < letter_height; ++y)
+        for (int x = 0; x < letter_width; ++x) {
+            const std::size_t at =
+                picture.index(column * letter_width + x, line * letter_height + y);
             for (std::size_t c = 0; c < 3; ++c)
                 picture.pixels[at + c] = color[c] * lit(x, y / 2);
         }
 }
 
 void draw_line(Picture& picture, std::string_view text, int line) {
-    Color color = palette[0];
+    Color color = page_colors[0];
     int column = 0;
-    for (std::size_t i = 0; i < text.size() && column < columns; ++i) {
+    for (std::size_t i = 0; i < text.size() && column < page_columns; ++i) {
         if (text[i] == '^' && i + 1 < text.size()) {
-            color = palette[static_cast<std::size_t>(text[++i] - '0')];
+            color = page_colors[static_cast<std::size_t>(text[++i] - '0')];
             continue;
         }
         draw_character(picture, text[i], column++, line, color);
     }
 }
 
-Picture drawn(Extent extent, double /*seconds*/) {
-    Picture picture{{columns * cell_width, lines * cell_height}, 3, Encoding::display, {}};
+Picture drawn_page(Extent extent, double /*seconds*/) {
+    Picture picture{
+        {page_columns * letter_width, page_lines * letter_height}, 3, Encoding::display, {}};
     picture.pixels.resize(picture.index(0, picture.extent.height));
-    for (int line = 0; line < lines; ++line)
+    for (int line = 0; line < page_lines; ++line)
         draw_line(picture, page[static_cast<std::size_t>(line)], line);
     return resampled(picture, extent);
 }
@@ -93,6 +95,6 @@ Picture drawn(Extent extent, double /*seconds*/) {
 
 Pattern terminal_page_pattern() {
     return {{"terminal", "Terminal page", "80 x 25 characters of text in eight colours"},
-            {columns * cell_width, lines * cell_height},
-            drawn};
+            {page_columns * letter_width, page_lines * letter_height},
+            drawn_page};
 }

@@ -133,7 +133,7 @@ Color field(const Place&) {
 }
 
 template <Color (*color)(const Place&)>
-Picture drawn(Extent extent, double /*seconds*/) {
+Picture drawn_card(Extent extent, double /*seconds*/) {
     Picture picture{extent, 3, Encoding::display, {}};
     picture.pixels.reserve(picture.index(0, extent.height));
     for (int y = 0; y < extent.height; ++y)
@@ -151,27 +151,29 @@ std::vector<Pattern> test_cards() {
     return {
         {{"smpte", "SMPTE bars", "Colour bars at 75 %, -I, white, +Q and black steps"},
          vga,
-         drawn<smpte>},
-        {{"ramp", "Grey ramp", "Black to white from left to right"}, vga, drawn<ramp>},
+         drawn_card<smpte>},
+        {{"ramp", "Grey ramp", "Black to white from left to right"}, vga, drawn_card<ramp>},
         {{"ramps", "Ramps", "Grey, red, green and blue from black, and grey in 16 steps"},
          vga,
-         drawn<ramps>},
+         drawn_card<ramps>},
         {{"grid", "Grid with circle", "Square meshes and a circle, for geometry: a curve shows"},
          vga,
-         drawn<grid>},
+         drawn_card<grid>},
         {{"crosshatch", "Crosshatch", "White lines 40 px apart, for convergence"},
          vga,
-         drawn<crosshatch>},
+         drawn_card<crosshatch>},
         {{"dot", "Single dot", "One white pixel in the middle, for focus and bloom"},
          vga,
-         drawn<dot>},
-        {{"dots", "Dots", "Single white pixels 20 px apart, for focus and glow"}, vga, drawn<dots>},
+         drawn_card<dot>},
+        {{"dots", "Dots", "Single white pixels 20 px apart, for focus and glow"},
+         vga,
+         drawn_card<dots>},
         {{"checker", "Checkerboard", "Single pixels black and white, the finest detail"},
          vga,
-         drawn<checker>},
+         drawn_card<checker>},
         {{"zone-plate", "Zone plate", "Rings that grow finer outwards: moire shows as new rings"},
          {480, 480},
-         drawn<zone_plate>},
-        {{"white", "White field", "For masks, purity and brightness"}, vga, drawn<field>},
+         drawn_card<zone_plate>},
+        {{"white", "White field", "For masks, purity and brightness"}, vga, drawn_card<field>},
     };
 }

@@ -14,7 +14,7 @@
 #include <cmath>
 
 namespace {
-constexpr theme::Color back{0.098f, 0.098f, 0.102f, 0.92f};
+constexpr theme::Color bar_color{0.098f, 0.098f, 0.102f, 0.92f};
 
 void draw_modes(const Scene& scene, Edits& edits) {
     static constexpr std::array modes{CompareMode::wipe, CompareMode::side_by_side,
@@ -193,7 +193,7 @@ void draw_compare_bar(const Scene& scene, Edits& edits) {
     if (height <= 0.0f || scene.window.is_picture_only)
         return;
     ImGui::SetCursorPos({0.0f, ImGui::GetWindowHeight() - height});
-    const ScopedColor color(ImGuiCol_ChildBg, back);
+    const ScopedColor color(ImGuiCol_ChildBg, bar_color);
     const ScopedStyle<ImVec2> pad(ImGuiStyleVar_WindowPadding, ImVec2(padding(), padding()));
     ImGui::BeginChild("##compare", {ImGui::GetWindowWidth(), height}, false,
                       ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar |

@@ -9,22 +9,23 @@
 #include <cmath>
 
 namespace {
-float gap() {
+float column_gap() {
     return ImGui::GetStyle().ItemInnerSpacing.x;
 }
 }  // namespace
 
 float FormColumns::control_and_number() const {
-    return control + gap() + number;
+    return control + column_gap() + number;
 }
 
 FormColumns form_columns(bool has_button) {
     const float room = ImGui::GetContentRegionAvail().x;
     FormColumns columns;
-    columns.button = has_button ? ImGui::GetFrameHeight() : -gap();
+    columns.button = has_button ? ImGui::GetFrameHeight() : -column_gap();
     const bool is_narrow = room < ImGui::GetFontSize() * 18.0f;
     columns.number = std::round(ImGui::GetFontSize() * (is_narrow ? 3.9f : 4.4f));
-    const float rest = std::max(60.0f, room - columns.button - columns.number - 3.0f * gap());
+    const float rest =
+        std::max(60.0f, room - columns.button - columns.number - 3.0f * column_gap());
     columns.label = std::floor(rest * (is_narrow ? 0.6f : 0.54f));
     columns.control = std::floor(rest - columns.label);
     return columns;
@@ -35,7 +36,7 @@ FormColumns check_box_columns() {
     const float box = ImGui::GetFrameHeight();
     columns.label += columns.control_and_number() - box;
     columns.control = box;
-    columns.number = -gap();
+    columns.number = -column_gap();
     return columns;
 }
 
@@ -59,7 +60,7 @@ bool form_label(const std::string& label, const std::string& unit, const FormCol
 }
 
 void form_control(const FormColumns& columns) {
-    ImGui::SameLine(ImGui::GetWindowContentRegionMin().x + columns.label + gap());
+    ImGui::SameLine(ImGui::GetWindowContentRegionMin().x + columns.label + column_gap());
 }
 
 Turned form_slider(const char* id, double& value, const SliderFacts& facts,
@@ -73,14 +74,14 @@ Turned form_slider(const char* id, double& value, const SliderFacts& facts,
                                                       0.5f * ImGui::GetIO().FontGlobalScale));
     Turned turned = draw_slider("##slider", value, facts, columns.control);
     tooltip(facts.warning.empty() ? range_text(facts) : range_text(facts) + "\n" + facts.warning);
-    ImGui::SameLine(0.0f, gap());
+    ImGui::SameLine(0.0f, column_gap());
     turned |= draw_number("##number", value, columns.number, facts.number());
     return turned;
 }
 
 bool form_reset(const std::string& help, bool is_changed, const FormColumns& columns) {
     ImGui::SameLine(ImGui::GetWindowContentRegionMin().x + columns.label + columns.control +
-                    columns.number + 3.0f * gap());
+                    columns.number + 3.0f * column_gap());
     if (is_changed)
         return icon_button("##reset", Icon::reset, help, theme::dim);
     ImGui::Dummy({columns.button, ImGui::GetFrameHeight()});

@@ -9,19 +9,19 @@
 #include <algorithm>
 
 namespace {
-struct Row {
+struct HistoryRow {
     HistoryStep step;
     Views::Image image;
     float height = 0.0f;
     bool is_present = false;
 };
 
-theme::Color name_color(const Row& row) {
+theme::Color name_color(const HistoryRow& row) {
     return row.is_present ? theme::accent : row.step.distance > 0 ? theme::dim : theme::text;
 }
 
 // The picture in a frame of 16:9, so that names stand below one another.
-float draw_image(const Row& row, const ImVec2& low) {
+float draw_image(const HistoryRow& row, const ImVec2& low) {
     const ImVec2 size(row.height * 16.0f / 9.0f, row.height);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(low, {low.x + size.x, low.y + size.y}, theme::packed(theme::surround));
@@ -39,7 +39,7 @@ float draw_image(const Row& row, const ImVec2& low) {
 }
 
 // The picture as it was, a name and below it what was changed.
-bool draw_row(const Row& row) {
+bool draw_history_row(const HistoryRow& row) {
     const bool is_clicked = ImGui::Selectable("##step", row.is_present, 0, {0.0f, row.height});
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 high = ImGui::GetItemRectMax();
@@ -106,7 +106,7 @@ void draw_history_panel(const Scene& scene, Edits& edits) {
             const HistoryStep step = history_step(*document, place);
             const int distance = step.distance;
             const Views::Image image = scene.history_pictures.picture(*document, place);
-            if (draw_row({step, image, height, distance == 0}) && distance != 0)
+            if (draw_history_row({step, image, height, distance == 0}) && distance != 0)
                 edits.document([distance](Document& travelling) { travelling.travel(distance); });
             edits.mark("history:" + std::to_string(i));
         }

@@ -7,13 +7,9 @@
 #include <array>
 
 namespace {
-constexpr float gap = 4.0f;
+constexpr float pane_gap = 4.0f;
 constexpr float transport_height = 38.0f;
 constexpr float status_height = 25.0f;
-
-bool is_shown(const Rect& place) {
-    return place.width > 0.0f && place.height > 0.0f;
-}
 
 // What two neighbours ask for, made smaller together until they leave `rest` of `room`.
 std::array<float, 2> shared(float first, float second, float room, float rest) {
@@ -31,14 +27,14 @@ void arrange_right(const WindowState& window, const Rect& column, float scale, L
     } else if (window.shows_inspector) {
         const float wanted = window.panes.inspector * scale;
         const float height = std::clamp(wanted, column.height * 0.2f, column.height * 0.5f);
-        layout.parameters.height = column.height - height - gap * scale;
-        layout.inspector = {column.left, layout.parameters.bottom() + gap * scale, column.width,
-                            height};
+        layout.parameters.height = column.height - height - pane_gap * scale;
+        layout.inspector = {column.left, layout.parameters.bottom() + pane_gap * scale,
+                            column.width, height};
     }
 }
 
 void arrange_middle(const WindowState& window, const Rect& column, float scale, Layout& layout) {
-    const float between = gap * scale;
+    const float between = pane_gap * scale;
     layout.transport = {column.left, column.top, column.width, transport_height * scale};
     const float top = layout.transport.bottom() + between;
     const float room = column.bottom() - top;
@@ -85,7 +81,7 @@ Layout arrange_panes(const WindowState& window, const Rect& all, float scale) {
         layout.picture = all;
         return layout;
     }
-    const float between = gap * scale;
+    const float between = pane_gap * scale;
     layout.status = {all.left, all.bottom() - status_height * scale, all.width,
                      status_height * scale};
     const float height = all.height - layout.status.height - between;
@@ -106,33 +102,33 @@ Layout arrange_panes(const WindowState& window, const Rect& all, float scale) {
 void draw_splitters(const Layout& layout, const WindowState& window, float scale, Edits& edits) {
     if (window.is_picture_only)
         return;
-    const float width = gap * scale;
+    const float width = pane_gap * scale;
     const auto upright = [&](float left) {
         return Rect{left, layout.transport.top, width,
                     layout.status.top - width - layout.transport.top};
     };
-    if (is_shown(layout.library)) {
+    if (layout.library.is_shown()) {
         const float by = dragged("##left", upright(layout.library.right()), true);
         resize(edits, &PaneSizes::left, by / scale, 170.0f, 520.0f);
     }
-    const Rect& right = is_shown(layout.parameters) ? layout.parameters : layout.inspector;
-    if (is_shown(right)) {
+    const Rect& right = layout.parameters.is_shown() ? layout.parameters : layout.inspector;
+    if (right.is_shown()) {
         const float by = dragged("##right", upright(right.left - width), true);
         resize(edits, &PaneSizes::right, -by / scale, 270.0f, 700.0f);
     }
-    if (is_shown(layout.strip)) {
+    if (layout.strip.is_shown()) {
         const Rect& strip = layout.strip;
         const float by =
             dragged("##strip", {strip.left, strip.top - width, strip.width, width}, false);
         resize(edits, &PaneSizes::strip, -by / scale, 84.0f, 260.0f);
     }
-    if (is_shown(layout.bottom)) {
+    if (layout.bottom.is_shown()) {
         const Rect& bottom = layout.bottom;
         const float by =
             dragged("##bottom", {bottom.left, bottom.top - width, bottom.width, width}, false);
         resize(edits, &PaneSizes::bottom, -by / scale, 80.0f, 500.0f);
     }
-    if (is_shown(layout.inspector) && is_shown(layout.parameters)) {
+    if (layout.inspector.is_shown() && layout.parameters.is_shown()) {
         const Rect& pane = layout.inspector;
         const float by =
             dragged("##inspector", {pane.left, pane.top - width, pane.width, width}, false);

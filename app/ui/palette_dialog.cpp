@@ -47,7 +47,7 @@ int moved_choice(int chosen, int count, Edits& edits) {
     return chosen;
 }
 
-struct Row {
+struct PaletteRow {
     const PaletteEntry& entry;
     const std::vector<std::size_t>& places;
     bool is_chosen = false;
@@ -55,7 +55,7 @@ struct Row {
 };
 
 // A label with the letters that fit in the accent's colour; gives where it ends.
-float draw_label(const Row& row, ImVec2 at) {
+float draw_label(const PaletteRow& row, ImVec2 at) {
     const std::string& label = row.entry.label;
     const theme::Color plain = row.entry.why_not.empty() ? theme::text : theme::faint;
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -75,7 +75,7 @@ float draw_label(const Row& row, ImVec2 at) {
     return at.x;
 }
 
-bool draw_row(const Row& row) {
+bool draw_palette_row(const PaletteRow& row) {
     const bool is_clicked = ImGui::Selectable("##row", row.is_chosen);
     const ImVec2 low = ImGui::GetItemRectMin();
     const float pad = ImGui::GetFontSize() * 0.4f;
@@ -111,7 +111,8 @@ int draw_rows(const std::vector<PaletteEntry>& entries, const std::vector<Palett
             const ScopedId id(i);
             const PaletteMatch& match = matches[static_cast<std::size_t>(i)];
             const PaletteEntry& entry = entries[match.entry];
-            if (draw_row({entry, match.places, i == chosen, ImGui::GetContentRegionAvail().x}))
+            if (draw_palette_row(
+                    {entry, match.places, i == chosen, ImGui::GetContentRegionAvail().x}))
                 clicked = i;
             edits.mark("palette:" + entry.label);
         }

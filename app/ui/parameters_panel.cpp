@@ -111,9 +111,9 @@ void draw_group_header_end(const ParameterGroup& group, std::size_t changed, Edi
 }
 
 /// A row of the list: out of sight it only takes its room, as high as when it was last drawn.
-class Row {
+class ParameterRow {
 public:
-    explicit Row(const Parameter& parameter)
+    explicit ParameterRow(const Parameter& parameter)
         : m_id(ImGui::GetID(parameter.name.c_str())), m_top(ImGui::GetCursorScreenPos().y) {
         m_lines = m_storage.GetFloat(m_id, static_cast<float>(expected_lines(parameter)));
     }
@@ -152,9 +152,9 @@ Extent target_of(const Parameter& parameter, const Scene& scene) {
     return pass < targets.size() ? targets[pass].extent : Extent{};
 }
 
-void draw_row(const Parameter& parameter, const Scene& scene, Edits& edits) {
+void draw_parameter_row(const Parameter& parameter, const Scene& scene, Edits& edits) {
     const Document& document = *scene.lab.document();
-    Row row(parameter);
+    ParameterRow row(parameter);
     if (!row.is_in_sight()) {
         row.pass_over();
         return;
@@ -194,7 +194,7 @@ void draw_group(const ParameterGroup& group, const Scene& scene, Edits& edits) {
         return;
     for (const Parameter* parameter : group.parameters) {
         const float top = ImGui::GetCursorPosY();
-        draw_row(*parameter, scene, edits);
+        draw_parameter_row(*parameter, scene, edits);
         show_if_revealed(*parameter, top, scene.window, edits);
     }
     ImGui::Spacing();

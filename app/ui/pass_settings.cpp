@@ -11,7 +11,7 @@
 #include <cmath>
 
 namespace {
-constexpr std::array scales{0.125, 0.25, 0.5, 1.0, 2.0};
+constexpr std::array pass_scales{0.125, 0.25, 0.5, 1.0, 2.0};
 
 PassOverride present_override(const Document& document, const std::string& pass) {
     const PassOverrides& overrides = document.state().overrides;
@@ -30,18 +30,18 @@ std::optional<double> scale_of(const Pass& pass) {
 }
 
 void draw_scale(const Pass& drawn, PassOverride changed, float width, Edits& edits) {
-    std::array<std::string, scales.size()> texts;
-    std::array<const char*, scales.size()> labels{};
+    std::array<std::string, pass_scales.size()> texts;
+    std::array<const char*, pass_scales.size()> labels{};
     int chosen = -1;
-    for (std::size_t i = 0; i < scales.size(); ++i) {
-        texts[i] = zoom_text(scales[i]);
+    for (std::size_t i = 0; i < pass_scales.size(); ++i) {
+        texts[i] = zoom_text(pass_scales[i]);
         labels[i] = texts[i].c_str();
-        if (scale_of(drawn) == scales[i])
+        if (scale_of(drawn) == pass_scales[i])
             chosen = static_cast<int>(i);
     }
     if (form_list("##scale", labels.data(), static_cast<int>(labels.size()), chosen, width,
                   "by look")) {
-        changed.scale = scales[static_cast<std::size_t>(chosen)];
+        changed.scale = pass_scales[static_cast<std::size_t>(chosen)];
         set_override(drawn.name, changed, edits);
     }
     tooltip("Size of this pass against the picture");

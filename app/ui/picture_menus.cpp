@@ -12,7 +12,7 @@ namespace {
 constexpr std::array<Extent, 9> sizes{Extent{320, 240}, {640, 480},   {800, 600},
                                       {1024, 1024},     {1280, 720},  {1920, 1080},
                                       {2560, 1440},     {3840, 2160}, {1080, 1920}};
-constexpr std::array scales{0.25, 0.5, 1.0, 1.5, 2.0};
+constexpr std::array picture_scales{0.25, 0.5, 1.0, 1.5, 2.0};
 constexpr std::array<double, 8> zooms{0.25, 0.5, 1.0, 2.0, 3.0, 4.0, 8.0, 16.0};
 
 std::string size_label(const Scene& scene) {
@@ -111,7 +111,7 @@ void draw_size_items(const Scene& scene, Edits& edits) {
         edits.mark("size:" + std::to_string(extent.width) + "x" + std::to_string(extent.height));
     }
     ImGui::Separator();
-    for (const double scale : scales) {
+    for (const double scale : picture_scales) {
         const std::string label = "Scaled " + zoom_text(scale);
         if (ImGui::MenuItem(label.c_str(), nullptr, present.scale == scale)) {
             PictureSize size = present;

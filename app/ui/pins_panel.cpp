@@ -42,7 +42,7 @@ void draw_heads(const Scene& scene, Edits& edits) {
     }
 }
 
-void draw_row(std::size_t index, const Scene& scene) {
+void draw_pin_row(std::size_t index, const Scene& scene) {
     const Executor& executor = scene.lab.renderer()->executor();
     const Pass& pass = executor.look().passes[index];
     const Extent extent = executor.target(static_cast<int>(index)).extent();
@@ -75,7 +75,7 @@ void draw_pins_panel(const Scene& scene, Edits& edits) {
         return;
     draw_heads(scene, edits);
     for (std::size_t i = 0; i < scene.lab.renderer()->executor().look().passes.size(); ++i)
-        draw_row(i, scene);
+        draw_pin_row(i, scene);
     ImGui::EndTable();
 }
 

@@ -14,7 +14,7 @@ void compare_rates(Edits& edits) {
 }
 
 namespace {
-constexpr double levels = 255.0;
+constexpr double most_levels = 255.0;
 
 void draw_pairs(const RateComparison& comparison, const Scene& scene, Edits& edits) {
     const ScopedColor stripe(ImGuiCol_TableRowBgAlt, theme::field);
@@ -32,11 +32,11 @@ void draw_pairs(const RateComparison& comparison, const Scene& scene, Edits& edi
         ImGui::TextUnformatted(fmt::format("{:.0f} – {:.0f}", pair.first, pair.second).c_str());
         edits.mark(fmt::format("rates:{:.0f}-{:.0f}", pair.first, pair.second));
         ImGui::TableNextColumn();
-        ImGui::TextUnformatted(fmt::format("{:.1f}", apart.largest * levels).c_str());
+        ImGui::TextUnformatted(fmt::format("{:.1f}", apart.largest * most_levels).c_str());
         ImGui::TableNextColumn();
         ImGui::TextUnformatted(fmt::format("{}, {}", apart.largest_x, apart.largest_y).c_str());
         ImGui::TableNextColumn();
-        ImGui::TextUnformatted(fmt::format("{:.3f}", apart.mean * levels).c_str());
+        ImGui::TextUnformatted(fmt::format("{:.3f}", apart.mean * most_levels).c_str());
     }
     ImGui::EndTable();
 }
@@ -46,17 +46,17 @@ void draw_comparison(const RateComparison& comparison, const Scene& scene, Edits
     ImGui::TextWrapped(
         "%s", fmt::format("The largest difference is {:.1f} of 255 levels, between {:.0f} and "
                           "{:.0f} Hz at pixel {}, {}.",
-                          worst.difference.largest * levels, worst.first, worst.second,
+                          worst.difference.largest * most_levels, worst.first, worst.second,
                           worst.difference.largest_x, worst.difference.largest_y)
                   .c_str());
     edits.mark("rates_worst");
     ImGui::Spacing();
     draw_pairs(comparison, scene, edits);
     ImGui::Spacing();
-    wrapped_dim_text(fmt::format(
-        "Each rate was drawn from a fresh start to {:.3g} s at {}; differences are in levels of "
-        "255, of any colour.",
-        comparison.seconds, size_text(comparison.size)));
+    wrapped_dim_text(
+        fmt::format("Each rate was drawn from a fresh start to {:.3g} s at {}; differences are in "
+                    "levels of 255, of any colour.",
+                    comparison.seconds, size_text(comparison.size)));
 }
 }  // namespace
 

@@ -5,7 +5,6 @@
 #include "ui/theme.h"
 
 #include <fmt/format.h>
-#define IMGUI_DEFINE_MATH_OPERATORS
 #include <imgui/imgui_internal.h>
 
 #include <algorithm>

@@ -53,7 +53,7 @@ std::string marked_text(const KnobSettings& knobs, bool KnobSetting::*mark) {
     return fmt::format("[{}]", fmt::join(names, ","));
 }
 
-std::string problems_text(const Lab& lab) {
+std::string problems_json(const Lab& lab) {
     std::vector<std::string> problems;
     for (const Problem& problem : lab.problems())
         problems.push_back(
@@ -171,7 +171,7 @@ std::string state_text(const Scene& scene, const Edits& edits) {
                                                 : "null",
         probe_text(scene) + inspection_text(scene) + pins_text(scene) + gains_text(scene) +
             comparison_text(scene),
-        problems_text(lab), places_text(edits));
+        problems_json(lab), places_text(edits));
 }
 
 void write_state(const std::filesystem::path& file, const std::string& text) {

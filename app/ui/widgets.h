@@ -16,6 +16,7 @@ struct Rect {
 
     float right() const { return left + width; }
     float bottom() const { return top + height; }
+    bool is_shown() const { return width > 0.0f && height > 0.0f; }
 };
 
 /// What ImGui calls a texture; it takes GL's name in a pointer's clothes.

@@ -20,10 +20,6 @@
 #include <algorithm>
 
 namespace {
-bool is_shown(const Rect& place) {
-    return place.width > 0.0f && place.height > 0.0f;
-}
-
 void draw_left(const Scene& scene, const Rect& place, Edits& edits) {
     Rect upper = place;
     Rect lower = place;
@@ -49,7 +45,7 @@ void draw_left(const Scene& scene, const Rect& place, Edits& edits) {
 }
 
 void draw_middle(const Scene& scene, const Layout& layout, Edits& edits) {
-    if (is_shown(layout.transport)) {
+    if (layout.transport.is_shown()) {
         const Pane pane("transport", layout.transport, theme::pane, true, false);
         draw_transport_bar(scene, edits);
     }
@@ -57,33 +53,33 @@ void draw_middle(const Scene& scene, const Layout& layout, Edits& edits) {
         const Pane pane("picture", layout.picture, theme::surround, false);
         draw_picture_panel(scene, layout.picture, edits);
     }
-    if (is_shown(layout.strip)) {
+    if (layout.strip.is_shown()) {
         const Pane pane("strip", layout.strip, theme::pane);
         draw_pass_strip(scene, edits);
     }
-    if (is_shown(layout.bottom)) {
+    if (layout.bottom.is_shown()) {
         const Pane pane("bottom", layout.bottom, theme::pane);
         draw_bottom_panel(scene, edits);
     }
 }
 
 void draw_panes(const Scene& scene, const Layout& layout, Edits& edits) {
-    if (is_shown(layout.library) && scene.window.shows_history) {
+    if (layout.library.is_shown() && scene.window.shows_history) {
         const Pane pane("history", layout.library, theme::pane, true, false);
         draw_history_panel(scene, edits);
-    } else if (is_shown(layout.library)) {
+    } else if (layout.library.is_shown()) {
         draw_left(scene, layout.library, edits);
     }
     draw_middle(scene, layout, edits);
-    if (is_shown(layout.parameters)) {
+    if (layout.parameters.is_shown()) {
         const Pane pane("parameters", layout.parameters, theme::pane);
         draw_parameters_panel(scene, edits);
     }
-    if (is_shown(layout.inspector)) {
+    if (layout.inspector.is_shown()) {
         const Pane pane("inspector", layout.inspector, theme::pane);
         draw_inspector_panel(scene, edits);
     }
-    if (is_shown(layout.status)) {
+    if (layout.status.is_shown()) {
         const Pane pane("status", layout.status, theme::pane, true, false);
         draw_status_bar(scene, edits);
     }

@@ -13,7 +13,7 @@ JsonValue parsed(std::string_view text) {
     return std::move(*value);
 }
 
-std::string error_of(std::string_view text) {
+std::string json_error(std::string_view text) {
     const auto value = parse_json(text, "a.json");
     REQUIRE_FALSE(value.has_value());
     REQUIRE(value.error().size() == 1);
@@ -70,19 +70,20 @@ TEST_CASE("every value knows its line and its bytes") {
 }
 
 TEST_CASE("mistakes are told at their line, without the parser's own names") {
-    CHECK(error_of("{\n  \"a\": 1,\n  \"b\" 2\n}") ==
+    CHECK(json_error("{\n  \"a\": 1,\n  \"b\" 2\n}") ==
           "a.json:3: error: no JSON: unexpected number literal; expected ':'");
-    CHECK(error_of("{\n  \"a\": 1,\n}\n") ==
+    CHECK(json_error("{\n  \"a\": 1,\n}\n") ==
           "a.json:3: error: no JSON: unexpected '}'; expected string literal");
-    CHECK(error_of("{\n  \"a\": 1\n\n\n")
+    CHECK(json_error("{\n  \"a\": 1\n\n\n")
               .starts_with("a.json:2: error: no JSON: unexpected end of input"));
-    CHECK(error_of("[1]\n]") == "a.json:2: error: no JSON: unexpected ']'; expected end of input");
-    CHECK(error_of("[1,\nnan]").starts_with("a.json:2: error: no JSON: "));
-    CHECK(error_of("[\"\xff\"]").starts_with("a.json:1: error: no JSON: "));
-    CHECK(error_of("[1,\n1e999]") == "a.json:2: error: the number is too large");
-    CHECK(error_of("") == "a.json:1: error: is empty");
-    CHECK(error_of(" \n ") == "a.json:1: error: is empty");
-    CHECK(error_of("{\"a\": 1,\n\"b\": {\"a\": 2},\n\"a\": 3}") ==
+    CHECK(json_error("[1]\n]") ==
+          "a.json:2: error: no JSON: unexpected ']'; expected end of input");
+    CHECK(json_error("[1,\nnan]").starts_with("a.json:2: error: no JSON: "));
+    CHECK(json_error("[\"\xff\"]").starts_with("a.json:1: error: no JSON: "));
+    CHECK(json_error("[1,\n1e999]") == "a.json:2: error: the number is too large");
+    CHECK(json_error("") == "a.json:1: error: is empty");
+    CHECK(json_error(" \n ") == "a.json:1: error: is empty");
+    CHECK(json_error("{\"a\": 1,\n\"b\": {\"a\": 2},\n\"a\": 3}") ==
           "a.json:3: error: the key \"a\" is there twice");
 }
 
@@ -91,13 +92,13 @@ TEST_CASE("depth, number of values and size are bounded") {
         return std::string(depth, '[') + std::string(depth, ']');
     };
     CHECK(parse_json(nested(128), "a.json").has_value());
-    CHECK(error_of(nested(129)) == "a.json:1: error: is nested more than 128 levels deep");
-    CHECK(error_of(nested(1000000)) == "a.json:1: error: is nested more than 128 levels deep");
+    CHECK(json_error(nested(129)) == "a.json:1: error: is nested more than 128 levels deep");
+    CHECK(json_error(nested(1000000)) == "a.json:1: error: is nested more than 128 levels deep");
     std::string many = "[0";
     for (int i = 0; i < 1000001; ++i)
         many += ",0";
-    CHECK(error_of(many + "]") == "a.json:1: error: holds more than 1000000 values");
-    CHECK(error_of(std::string((std::size_t{16} << 20) + 1, ' '))
+    CHECK(json_error(many + "]") == "a.json:1: error: holds more than 1000000 values");
+    CHECK(json_error(std::string((std::size_t{16} << 20) + 1, ' '))
               .starts_with("a.json: error: is too large"));
 }
 

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 namespace {
 const fs::path source_tree = AFTERGLOW_SOURCE_DIR;
 
-constexpr std::string_view manifest = R"({
+constexpr std::string_view small_manifest = R"({
   "format": "afterglow-look", "version": 1, "name": "Small",
   "passes": [
     { "name": "first", "fragment": "fill.frag", "rename": { "gain": "first_gain" } },
@@ -37,7 +37,7 @@ constexpr std::string_view fragment =
 class SmallLook {
 public:
     SmallLook() {
-        folder.write("small/look.json", manifest);
+        folder.write("small/look.json", small_manifest);
         folder.write("small/fill.frag", fragment);
         folder.write("shared/light.glsl", "vec3 light(vec3 value) { return value; }\n");
     }
@@ -132,12 +132,12 @@ TEST_CASE("mistakes in shaders stand at their own file and line") {
 
 TEST_CASE("sizes and repeats that speak of no parameter are told at their pass") {
     SmallLook small;
-    std::string text(manifest);
+    std::string text(small_manifest);
     text.replace(text.find("$lines"), 6, "$linse");
     small.folder.write("small/look.json", text);
     CHECK(small.errors() ==
           "small/look.json:5: error: size of pass 'last': unknown name '$linse'\n");
-    text = manifest;
+    text = small_manifest;
     text.replace(text.find("\"set\""), 5, "\"repeat\": \"lins\", \"set\"");
     small.folder.write("small/look.json", text);
     CHECK(small.errors().starts_with("small/look.json:5: error: "));

@@ -5,7 +5,7 @@
 #include <doctest/doctest.h>
 
 namespace {
-const std::string manifest = R"({ "format": "afterglow-look",  "version": 1,
+const std::string edited_manifest = R"({ "format": "afterglow-look",  "version": 1,
   "passes": [
     { "name": "beam",   "format": "rgba16f", "blend": "add" },
     { "name": "glow", "scale": 0.5, "scale_of": "source", "inputs": { "current": "beam", "previous": "glow@1" } },
@@ -21,7 +21,7 @@ const std::string manifest = R"({ "format": "afterglow-look",  "version": 1,
 )";
 
 std::string edited(const PassOverrides& overrides) {
-    const auto text = with_overrides_written(manifest, overrides, "look.json");
+    const auto text = with_overrides_written(edited_manifest, overrides, "look.json");
     REQUIRE(text.has_value());
     return *text;
 }
@@ -36,37 +36,38 @@ std::string with(std::string text, std::string_view before, std::string_view aft
 }  // namespace
 
 TEST_CASE("nothing to write leaves every byte") {
-    CHECK(edited({}) == manifest);
-    CHECK(edited({{"beam", {}}, {"not there", {}}}) == manifest);
+    CHECK(edited({}) == edited_manifest);
+    CHECK(edited({{"beam", {}}, {"not there", {}}}) == edited_manifest);
 }
 
 TEST_CASE("a format that is there is replaced, one that is not is added") {
     CHECK(edited({{"beam", {Format::rgba32f, {}, {}}}}) ==
-          with(manifest, "\"format\": \"rgba16f\"", "\"format\": \"rgba32f\""));
+          with(edited_manifest, "\"format\": \"rgba16f\"", "\"format\": \"rgba32f\""));
     CHECK(edited({{"glow", {Format::r8, {}, {}}}}) ==
-          with(manifest, "\"glow@1\" } }", "\"glow@1\" }, \"format\": \"r8\" }"));
+          with(edited_manifest, "\"glow@1\" } }", "\"glow@1\" }, \"format\": \"r8\" }"));
     CHECK(edited({{"last", {Format::r8, {}, {}}}}) ==
-          with(manifest, "\"from\": \"beam\" }\n      }",
+          with(edited_manifest, "\"from\": \"beam\" }\n      }",
                "\"from\": \"beam\" }\n      },\n      \"format\": \"r8\""));
 }
 
 TEST_CASE("a scale takes the place of what said the size before") {
     CHECK(edited({{"beam", {{}, 0.25, {}}}}) ==
-          with(manifest, "\"blend\": \"add\" }", "\"blend\": \"add\", \"scale\": 0.25 }"));
-    CHECK(edited({{"glow", {{}, 2.0, {}}}}) == with(manifest,
+          with(edited_manifest, "\"blend\": \"add\" }", "\"blend\": \"add\", \"scale\": 0.25 }"));
+    CHECK(edited({{"glow", {{}, 2.0, {}}}}) == with(edited_manifest,
                                                     "\"scale\": 0.5, \"scale_of\": \"source\"",
                                                     "\"scale\": 2, \"scale_of\": \"viewport\""));
     CHECK(edited({{"last", {{}, 0.5, {}}}}) ==
-          with(manifest, "\"size\": [320, \"$HEIGHT\"]", "\"scale\": 0.5"));
+          with(edited_manifest, "\"size\": [320, \"$HEIGHT\"]", "\"scale\": 0.5"));
 }
 
 TEST_CASE("a filter is written into every input that reads the pass, whatever its form") {
     CHECK(edited({{"beam", {{}, {}, Filter::nearest}}}) ==
-          with(with(manifest, "\"current\": \"beam\"",
+          with(with(edited_manifest, "\"current\": \"beam\"",
                     "\"current\": { \"from\": \"beam\", \"filter\": \"nearest\" }"),
                "\"filter\": \"linear\"", "\"filter\": \"nearest\""));
     CHECK(edited({{"glow", {{}, {}, Filter::nearest}}}) ==
-          with(with(manifest, "\"glow@1\"", "{ \"from\": \"glow@1\", \"filter\": \"nearest\" }"),
+          with(with(edited_manifest, "\"glow@1\"",
+                    "{ \"from\": \"glow@1\", \"filter\": \"nearest\" }"),
                "\"wrap\": \"repeat\" }", "\"wrap\": \"repeat\",  \"filter\": \"nearest\" }"));
 }
 
@@ -90,7 +91,7 @@ TEST_CASE("what cannot be written into is refused and left alone") {
         REQUIRE_FALSE(result.has_value());
         return to_string(result.error().front());
     };
-    CHECK(error_of(manifest, {{"baem", {Format::r8, {}, {}}}}) ==
+    CHECK(error_of(edited_manifest, {{"baem", {Format::r8, {}, {}}}}) ==
           "look.json:2: error: has no pass 'baem' to write into");
     CHECK(error_of("{}", {}) == "look.json: error: has no list of passes to write into");
     CHECK(error_of("{", {}).starts_with("look.json:1: error: no JSON"));

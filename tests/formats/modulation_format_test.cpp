@@ -44,7 +44,7 @@ const std::string moving_text =
 }
 )";
 
-std::string errors_of(const std::string& modulation) {
+std::string modulation_errors(const std::string& modulation) {
     const auto preset = parse_preset(
         "{\"format\": \"afterglow-preset\", \"version\": 1, \"look\": \"phosphor\",\n" +
             modulation + "}",
@@ -73,17 +73,18 @@ TEST_CASE("what is left out of a modulation is as it is at first") {
 }
 
 TEST_CASE("mistakes in a modulation are told at their lines") {
-    CHECK(errors_of("\"modulation\": {\"a\": {\n\"kind\": \"lfo\",\n\"rate\": -1,\n\"attack\": "
-                    "2}}") ==
+    CHECK(modulation_errors(
+              "\"modulation\": {\"a\": {\n\"kind\": \"lfo\",\n\"rate\": -1,\n\"attack\": "
+              "2}}") ==
           "a.json:4: error: \"rate\" must lie between 0.001 and 1000, and is -1\n"
           "a.json:5: error: unknown key \"attack\"\n");
-    CHECK(errors_of("\"modulation\": {\"a\": {},\n\"b\": 3,\n\"c\": {\"kind\": \"lf\"}}")
+    CHECK(modulation_errors("\"modulation\": {\"a\": {},\n\"b\": 3,\n\"c\": {\"kind\": \"lf\"}}")
               .starts_with("a.json:2: error: \"kind\" is missing\n"
                            "a.json:3: error: \"b\" must be an object, not a number\n"
                            "a.json:4: error: "));
-    CHECK(errors_of("\"modulation\": {\"a\": {\"kind\": \"lfo\", \"shape\": \"box\"}}")
+    CHECK(modulation_errors("\"modulation\": {\"a\": {\"kind\": \"lfo\", \"shape\": \"box\"}}")
               .find("\"shape\"") != std::string::npos);
-    CHECK(errors_of("\"modulation\": []").starts_with("a.json:2: error: "));
+    CHECK(modulation_errors("\"modulation\": []").starts_with("a.json:2: error: "));
 }
 
 TEST_CASE("a modulation follows a renamed parameter; one that cannot move is told at its line") {

@@ -63,7 +63,7 @@ TEST_CASE("what is no object is said once") {
 TEST_CASE("documents of another format or a newer version are refused") {
     const auto refusal = [](std::string_view text) {
         Reading reading(text);
-        const bool is_accepted = accept_header(reading.reader, "afterglow-look", 2);
+        const bool is_accepted = accept_header(reading.reader, {"afterglow-look", 2});
         CHECK(is_accepted == reading.problems.empty());
         return to_string(reading.problems);
     };

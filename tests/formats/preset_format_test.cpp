@@ -11,7 +11,7 @@
 #include <sys/wait.h>
 
 namespace {
-std::string errors_of(std::string_view text) {
+std::string preset_errors(std::string_view text) {
     const auto preset = parse_preset(text, "a.json");
     REQUIRE_FALSE(preset.has_value());
     return to_string(preset.error());
@@ -74,33 +74,33 @@ TEST_CASE("a bare first setting of a signal is written under its own key") {
 }
 
 TEST_CASE("mistakes in a preset are told at their lines") {
-    CHECK(errors_of("{\n\"format\": \"afterglow-preset\",\n\"version\": 2, \"values\": 3}") ==
+    CHECK(preset_errors("{\n\"format\": \"afterglow-preset\",\n\"version\": 2, \"values\": 3}") ==
           "a.json:3: error: was written by a newer version of the program: version 2 of its "
           "format, 1 "
           "is the newest that is read\n");
-    CHECK(
-        errors_of("{\"format\": \"afterglow-preset\", \"version\": 1,\n\"look\": \"\",\n\"nane\": "
-                  "\"x\",\n\"values\": {\"a\": 1,\n\"b\": null, \"c\": [],\n\"d\": [\"x\"], \"e\": "
-                  "{}}}") ==
-        "a.json:2: error: \"look\" must name a look\n"
-        "a.json:5: error: \"b\" must be a number, a list of 1 to 16 numbers, true, false or a "
-        "text\n"
-        "a.json:5: error: \"c\" must be a number, a list of 1 to 16 numbers, true, false or a "
-        "text\n"
-        "a.json:6: error: \"d\" must be a number, a list of 1 to 16 numbers, true, false or a "
-        "text\n"
-        "a.json:6: error: \"e\" must be a number, a list of 1 to 16 numbers, true, false or a "
-        "text\n"
-        "a.json:3: error: unknown key \"nane\" (did you mean 'name'?)\n");
+    CHECK(preset_errors(
+              "{\"format\": \"afterglow-preset\", \"version\": 1,\n\"look\": \"\",\n\"nane\": "
+              "\"x\",\n\"values\": {\"a\": 1,\n\"b\": null, \"c\": [],\n\"d\": [\"x\"], \"e\": "
+              "{}}}") ==
+          "a.json:2: error: \"look\" must name a look\n"
+          "a.json:5: error: \"b\" must be a number, a list of 1 to 16 numbers, true, false or a "
+          "text\n"
+          "a.json:5: error: \"c\" must be a number, a list of 1 to 16 numbers, true, false or a "
+          "text\n"
+          "a.json:6: error: \"d\" must be a number, a list of 1 to 16 numbers, true, false or a "
+          "text\n"
+          "a.json:6: error: \"e\" must be a number, a list of 1 to 16 numbers, true, false or a "
+          "text\n"
+          "a.json:3: error: unknown key \"nane\" (did you mean 'name'?)\n");
     const std::string head = "{\"format\": \"afterglow-preset\", \"version\": 1,\n";
-    CHECK(errors_of(head + "\"values\": {}}") == "a.json:1: error: \"look\" is missing\n");
-    CHECK(errors_of(head + "\"look\": \"a\",\n\"signal\": {\"kind\": \"lisajous\"}}")
+    CHECK(preset_errors(head + "\"values\": {}}") == "a.json:1: error: \"look\" is missing\n");
+    CHECK(preset_errors(head + "\"look\": \"a\",\n\"signal\": {\"kind\": \"lisajous\"}}")
               .starts_with("a.json:3: error: "));
     CHECK(
-        errors_of(head + "\"look\": \"a\",\n\"signal\": {\n\"x\": true}}") ==
+        preset_errors(head + "\"look\": \"a\",\n\"signal\": {\n\"x\": true}}") ==
         "a.json:3: error: \"kind\" is missing\na.json:4: error: \"x\" must be a text, not true or "
         "false\n");
-    CHECK(errors_of(head + "\"look\": \"a\", \"values\": [1]}") ==
+    CHECK(preset_errors(head + "\"look\": \"a\", \"values\": [1]}") ==
           "a.json:2: error: \"values\" must be an object, not a list\n");
 }
 

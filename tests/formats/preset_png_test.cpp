@@ -27,7 +27,7 @@ std::string with_chunk(std::string_view type, std::string_view data) {
     return png;
 }
 
-std::string error_of(std::string_view png) {
+std::string png_error(std::string_view png) {
     const auto preset = preset_from_png(png, "a.png");
     REQUIRE_FALSE(preset.has_value());
     CHECK(preset.error().front().file == "a.png");
@@ -66,19 +66,19 @@ TEST_CASE("every kind of text chunk is read") {
 }
 
 TEST_CASE("pictures without a preset and damaged presets are refused by name") {
-    CHECK(error_of(sample_png()) == "is a picture that holds no preset");
-    CHECK(error_of("text") == "is no PNG picture");
-    CHECK(error_of(with_chunk("tEXt", "afterglow-preset")) == "is a picture that holds no preset");
+    CHECK(png_error(sample_png()) == "is a picture that holds no preset");
+    CHECK(png_error("text") == "is no PNG picture");
+    CHECK(png_error(with_chunk("tEXt", "afterglow-preset")) == "is a picture that holds no preset");
     const std::string damaged = "holds a preset that is damaged";
-    CHECK(error_of(with_chunk("iTXt", keyword)) == damaged);
-    CHECK(error_of(with_chunk("iTXt", keyword + std::string("\1\0", 2))) == damaged);
-    CHECK(error_of(with_chunk("iTXt", keyword + std::string("\1\0en", 4))) == damaged);
-    CHECK(error_of(with_chunk("iTXt", keyword + std::string("\1\0\0\0", 4) + "garbage")) ==
+    CHECK(png_error(with_chunk("iTXt", keyword)) == damaged);
+    CHECK(png_error(with_chunk("iTXt", keyword + std::string("\1\0", 2))) == damaged);
+    CHECK(png_error(with_chunk("iTXt", keyword + std::string("\1\0en", 4))) == damaged);
+    CHECK(png_error(with_chunk("iTXt", keyword + std::string("\1\0\0\0", 4) + "garbage")) ==
           damaged);
-    CHECK(error_of(with_chunk("zTXt", keyword)) == damaged);
-    CHECK(error_of(with_chunk("zTXt", keyword + '\0' + deflated(std::string(5000000, ' ')))) ==
+    CHECK(png_error(with_chunk("zTXt", keyword)) == damaged);
+    CHECK(png_error(with_chunk("zTXt", keyword + '\0' + deflated(std::string(5000000, ' ')))) ==
           damaged);
-    CHECK(error_of(with_chunk("tEXt", keyword + "{}")) ==
+    CHECK(png_error(with_chunk("tEXt", keyword + "{}")) ==
           "holds a preset with a mistake: \"format\" is missing");
     CHECK_FALSE(with_preset("text", sample_preset()).has_value());
 }
@@ -86,12 +86,12 @@ TEST_CASE("pictures without a preset and damaged presets are refused by name") {
 TEST_CASE("a PNG that is cut or changed anywhere is refused") {
     const std::string png = with_preset(sample_png(), sample_preset()).value();
     for (std::size_t size = 0; size < png.size(); ++size)
-        CHECK_FALSE(error_of(std::string_view(png).substr(0, size)).empty());
+        CHECK_FALSE(png_error(std::string_view(png).substr(0, size)).empty());
     std::mt19937 random(21);
     for (int trial = 0; trial < 3000; ++trial) {
         std::string changed = png;
         const std::size_t at = random() % changed.size();
         changed[at] = static_cast<char>(changed[at] ^ (1 + random() % 255));
-        CHECK_FALSE(error_of(changed).empty());
+        CHECK_FALSE(png_error(changed).empty());
     }
 }

@@ -12,7 +12,7 @@ std::string scene_text(const std::string& items) {
     return "{ \"format\": \"afterglow-scene\", \"version\": 1, \"items\": [\n" + items + "\n] }\n";
 }
 
-std::string refusal(const std::string& text) {
+std::string scene_refusal(const std::string& text) {
     const auto scene = parse_scene(text, "scenes/s.json");
     REQUIRE_FALSE(scene.has_value());
     return to_string(scene.error());
@@ -72,29 +72,29 @@ TEST_CASE("every shape of a scene is read with its place, turn and beam") {
 
 TEST_CASE("mistakes in a scene are told with their lines, all at once") {
     const std::string told =
-        refusal(scene_text("{ \"shape\": \"circle\", \"radus\": 1 },\n"
-                           "{ \"shape\": \"cirlce\" },\n"
-                           "{ \"shape\": \"line\", \"from\": [0], \"to\": [1, 1] },\n"
-                           "{ \"shape\": \"arc\", \"radius\": -1 }"));
+        scene_refusal(scene_text("{ \"shape\": \"circle\", \"radus\": 1 },\n"
+                                 "{ \"shape\": \"cirlce\" },\n"
+                                 "{ \"shape\": \"line\", \"from\": [0], \"to\": [1, 1] },\n"
+                                 "{ \"shape\": \"arc\", \"radius\": -1 }"));
     CHECK(told.find("s.json:2: error: ") != std::string::npos);
     CHECK(told.find("radus") != std::string::npos);
     CHECK(told.find("s.json:3: error: ") != std::string::npos);
     CHECK(told.find("circle") != std::string::npos);
     CHECK(told.find("s.json:4: error: 'from' takes a list of 2 or 3 numbers") != std::string::npos);
     CHECK(told.find("s.json:5: error: 'radius' must lie between") != std::string::npos);
-    CHECK(refusal("{ \"format\": \"afterglow-look\" }").find("afterglow-scene") !=
+    CHECK(scene_refusal("{ \"format\": \"afterglow-look\" }").find("afterglow-scene") !=
           std::string::npos);
-    CHECK(refusal(scene_text("")).find("nothing to draw") != std::string::npos);
-    CHECK(refusal("{ \"format\": \"afterglow-scene\", \"version\": 1,\n\"beam_speed\": 0,"
-                  " \"items\": [{ \"shape\": \"dot\" }] }")
+    CHECK(scene_refusal(scene_text("")).find("nothing to draw") != std::string::npos);
+    CHECK(scene_refusal("{ \"format\": \"afterglow-scene\", \"version\": 1,\n\"beam_speed\": 0,"
+                        " \"items\": [{ \"shape\": \"dot\" }] }")
               .find("s.json:2: error: 'beam_speed' must be above 0") != std::string::npos);
-    CHECK(refusal("{ \"x\": NaN }").find("s.json:1") != std::string::npos);
-    CHECK(refusal(scene_text("{ \"shape\": \"svg\", \"file\": \"../a.svg\" }"))
+    CHECK(scene_refusal("{ \"x\": NaN }").find("s.json:1") != std::string::npos);
+    CHECK(scene_refusal(scene_text("{ \"shape\": \"svg\", \"file\": \"../a.svg\" }"))
               .find("beside the scene") != std::string::npos);
-    CHECK(refusal(scene_text("{ \"shape\": \"svg\", \"file\": \"no-such.svg\" }"))
+    CHECK(scene_refusal(scene_text("{ \"shape\": \"svg\", \"file\": \"no-such.svg\" }"))
               .find("scenes/s.json:2: error: 'no-such.svg': there is no such file") !=
           std::string::npos);
-    CHECK(refusal(scene_text("{ \"shape\": \"dot\", \"spin\": \"fast\" }"))
+    CHECK(scene_refusal(scene_text("{ \"shape\": \"dot\", \"spin\": \"fast\" }"))
               .find("'spin' takes degrees: a number, or a list of 3") != std::string::npos);
 }
 

@@ -10,7 +10,7 @@
 #include <random>
 
 namespace {
-std::string error_of(std::string_view text) {
+std::string line_error(std::string_view text) {
     const auto preset = parse_share_line(text);
     REQUIRE_FALSE(preset.has_value());
     CHECK(preset.error().front().file.empty());
@@ -51,19 +51,20 @@ TEST_CASE("what a chat does to a line does no harm") {
 
 TEST_CASE("garbage, cut lines, other versions and bombs are refused with clear words") {
     CHECK_FALSE(is_share_line("phosphor"));
-    CHECK(error_of("") == "is no shared preset: that starts with 'afterglow:1:'");
-    CHECK(error_of("afterglow:2:AAAA") ==
+    CHECK(line_error("") == "is no shared preset: that starts with 'afterglow:1:'");
+    CHECK(line_error("afterglow:2:AAAA") ==
           "the shared preset was made by a newer version of the program");
-    CHECK(error_of("afterglow:") == "the shared preset is damaged: it starts with 'afterglow:1:'");
+    CHECK(line_error("afterglow:") ==
+          "the shared preset is damaged: it starts with 'afterglow:1:'");
     const std::string damaged = "the shared preset is damaged or not complete; copy the whole line";
-    CHECK(error_of("afterglow:1:") == damaged);
-    CHECK(error_of("afterglow:1:!!!") == damaged);
+    CHECK(line_error("afterglow:1:") == damaged);
+    CHECK(line_error("afterglow:1:!!!") == damaged);
     const std::string line = share_line(sample_preset());
     for (std::size_t size = 12; size < line.size(); ++size)
-        CHECK(error_of(line.substr(0, size)) == damaged);
-    CHECK(error_of(line_with(std::string(std::size_t{5} << 20, ' '))) == damaged);
-    CHECK(error_of(line_with("[]")) == "the shared preset: this must be an object, not a list");
-    CHECK(error_of("afterglow:1:" + std::string(std::size_t{9} << 20, 'A')) ==
+        CHECK(line_error(line.substr(0, size)) == damaged);
+    CHECK(line_error(line_with(std::string(std::size_t{5} << 20, ' '))) == damaged);
+    CHECK(line_error(line_with("[]")) == "the shared preset: this must be an object, not a list");
+    CHECK(line_error("afterglow:1:" + std::string(std::size_t{9} << 20, 'A')) ==
           "the shared preset is too large");
 }
 

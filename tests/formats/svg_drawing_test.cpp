@@ -21,7 +21,7 @@ Drawing read(const std::string& text) {
     return *drawing;
 }
 
-std::string refusal(const std::string& text) {
+std::string drawing_refusal(const std::string& text) {
     const auto drawing = parse_svg_drawing(text, "d.svg");
     REQUIRE_FALSE(drawing.has_value());
     return to_string(drawing.error());
@@ -74,19 +74,19 @@ TEST_CASE("an SVG of another program is one keyframe, which is not to scale") {
 }
 
 TEST_CASE("an SVG that holds nothing to draw, too much or a mistake is told") {
-    CHECK(refusal("<svg data-afterglow-drawing='1'><g data-keyframe='1'></g></svg>")
+    CHECK(drawing_refusal("<svg data-afterglow-drawing='1'><g data-keyframe='1'></g></svg>")
               .find("d.svg:1: error: has no paths") != std::string::npos);
-    CHECK(refusal("<svg></svg>").find("has no paths") != std::string::npos);
-    CHECK(refusal("\x89PNG\r\n\x1a\n").find("no tags") != std::string::npos);
-    CHECK(refusal("<svg>\n<path d='M0 0 L1'/></svg>").find("d.svg:2: error: ") !=
+    CHECK(drawing_refusal("<svg></svg>").find("has no paths") != std::string::npos);
+    CHECK(drawing_refusal("\x89PNG\r\n\x1a\n").find("no tags") != std::string::npos);
+    CHECK(drawing_refusal("<svg>\n<path d='M0 0 L1'/></svg>").find("d.svg:2: error: ") !=
           std::string::npos);
     std::string many = "<svg data-afterglow-drawing='1'>\n";
     for (std::size_t i = 0; i <= most_keyframes; ++i)
         many += "<g data-keyframe='1'><path d='M0 0L1 1'/></g>";
-    CHECK(refusal(many + "</svg>").find("more than 100 keyframes") != std::string::npos);
+    CHECK(drawing_refusal(many + "</svg>").find("more than 100 keyframes") != std::string::npos);
     std::string huge = "<svg><path d='M0 0";
     for (std::size_t i = 0; i <= most_scene_points; ++i)
         huge += i % 2 == 0 ? "H1" : "H0";
-    CHECK(refusal(huge + "'/></svg>").find("too many points") != std::string::npos);
+    CHECK(drawing_refusal(huge + "'/></svg>").find("too many points") != std::string::npos);
     CHECK_FALSE(load_svg_drawing("no-such.svg").has_value());
 }

@@ -13,7 +13,7 @@ Picture places(Extent extent) {
     return picture;
 }
 
-gpu::Texture texture_of(const Picture& picture, Format format) {
+gpu::Texture gathered_texture(const Picture& picture, Format format) {
     auto texture = gpu::Texture::make(picture.extent, format);
     REQUIRE(texture.has_value());
     std::vector<float> texels;
@@ -26,8 +26,8 @@ gpu::Texture texture_of(const Picture& picture, Format format) {
 TEST_CASE_FIXTURE(Headless, "texels of several targets come together, in the order asked for") {
     auto gatherer = Gatherer::make();
     REQUIRE(gatherer.has_value());
-    const gpu::Texture large = texture_of(places({7, 5}), Format::rgba32f);
-    const gpu::Texture lone = texture_of(places({2, 2}), Format::r32f);
+    const gpu::Texture large = gathered_texture(places({7, 5}), Format::rgba32f);
+    const gpu::Texture lone = gathered_texture(places({2, 2}), Format::r32f);
     auto whole = gpu::Canvas::make({1, 1}, Format::r32ui);
     REQUIRE(whole.has_value());
     whole->clear({70000, 0, 0, 0});

@@ -134,7 +134,7 @@ namespace {
 constexpr float no_number = std::numeric_limits<float>::quiet_NaN();
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-constexpr Rgba red{1, 0, 0, 1};
+constexpr Rgba pure_red{1, 0, 0, 1};
 constexpr Rgba green{0, 1, 0, 1};
 constexpr Rgba blue{0, 0, 1, 1};
 }  // namespace
@@ -142,7 +142,7 @@ constexpr Rgba blue{0, 0, 1, 1};
 TEST_CASE_FIXTURE(Viewing, "flaws are marked in pure colours, and what is right is grey beside") {
     ViewOptions options = plain;
     options.marks_flaws = true;
-    CHECK(shown(one({no_number, -1, infinity, 1}), options) == red);
+    CHECK(shown(one({no_number, -1, infinity, 1}), options) == pure_red);
     CHECK(shown(one({0, infinity, -1, 1}), options) == green);
     CHECK(shown(one({0, -infinity, 0, 1}), options) == green);
     CHECK(shown(one({0.5f, 0.5f, -0.001f, 1}), options) == blue);
@@ -151,7 +151,7 @@ TEST_CASE_FIXTURE(Viewing, "flaws are marked in pure colours, and what is right 
     CHECK(grey[1] == shade(0.7152));
     CHECK((grey[0] == grey[1] && grey[1] == grey[2]));
     options.channels = ChannelChoice::alpha;
-    CHECK(shown(one({0, 0, 0, no_number}), options) == red);
+    CHECK(shown(one({0, 0, 0, no_number}), options) == pure_red);
 }
 
 TEST_CASE_FIXTURE(Viewing, "one bad texel shows in a view that is smaller than the target") {
@@ -159,7 +159,7 @@ TEST_CASE_FIXTURE(Viewing, "one bad texel shows in a view that is smaller than t
     picture.pixels[picture.index(31, 17)] = no_number;
     picture.pixels[picture.index(5, 50)] = -1.0f;
     ViewOptions options{.marks_flaws = true};
-    CHECK(shown(picture, options, {6, 6}, 3, 1) == red);
+    CHECK(shown(picture, options, {6, 6}, 3, 1) == pure_red);
     CHECK(shown(picture, options, {6, 6}, 0, 5) == blue);
     for (int y = 0; y < 6; ++y)
         for (int x = 0; x < 6; ++x)

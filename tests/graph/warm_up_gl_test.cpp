@@ -4,7 +4,7 @@
 #include "graph/warm_up.h"
 
 namespace {
-const std::string shade = "uniform float k = 1.0;\nvoid main() { color = vec4(k); }\n";
+const std::string shade_text = "uniform float k = 1.0;\nvoid main() { color = vec4(k); }\n";
 
 Look shading_look(std::vector<Pass> passes) {
     return look_of(std::move(passes), {knob("k", {}, Value(1.0), {{0, "k"}})});
@@ -12,7 +12,7 @@ Look shading_look(std::vector<Pass> passes) {
 }  // namespace
 
 TEST_CASE_FIXTURE(Headless, "warming up leaves a program that is drawn with as it is") {
-    const Look look = shading_look({pass("a", shade)});
+    const Look look = shading_look({pass("a", shade_text)});
     const Programs first = programs_of(look);
     Executor executor(look, first);
     REQUIRE(executor.resize({4, 4}, {}).has_value());
@@ -20,7 +20,8 @@ TEST_CASE_FIXTURE(Headless, "warming up leaves a program that is drawn with as i
     executor.draw(frame(1));
     CHECK(red(executor, 0) == 3.0f);
 
-    const Look edited = shading_look({pass("a", shade), pass("b", shade, {reads("image", "a")})});
+    const Look edited =
+        shading_look({pass("a", shade_text), pass("b", shade_text, {reads("image", "a")})});
     const Programs second = programs_of(edited, &first);
     gpu::ErrorLog errors;
     WarmUp::make().value().draw(edited, second, &first, {1280, 720});
@@ -58,7 +59,7 @@ TEST_CASE_FIXTURE(Headless, "every kind of pass can be warmed up, and draws the 
 TEST_CASE_FIXTURE(Headless, "a program that was warmed up can be deleted while others are drawn") {
     const auto helper = gpu::Context::shared_with(**context);
     REQUIRE(helper.has_value());
-    const Look kept = shading_look({pass("kept", shade)});
+    const Look kept = shading_look({pass("kept", shade_text)});
     const Look gone = shading_look({pass("gone", "void main() { color = vec4(1.0); }\n")});
     const Look next = shading_look({pass("next", "void main() { color = vec4(2.0); }\n")});
     Executor stays(kept, programs_of(kept));

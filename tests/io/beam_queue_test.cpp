@@ -8,7 +8,7 @@
 #include <thread>
 
 namespace {
-constexpr int rate = 48000;
+constexpr int queue_rate = 48000;
 
 /// The beam at rest for so many frames.
 std::vector<float> at(float x, float y, std::size_t frames) {
@@ -43,7 +43,7 @@ float largest_step(const std::vector<float>& stereo, float before) {
 }  // namespace
 
 TEST_CASE("what is written is played as it is, and then the beam rests where it was") {
-    BeamQueue queue(rate);
+    BeamQueue queue(queue_rate);
     settle(queue, 0.0f, 0.0f);
     std::vector<float> ramp;
     for (int i = 0; i < 300; ++i)
@@ -60,7 +60,7 @@ TEST_CASE("what is written is played as it is, and then the beam rests where it 
 }
 
 TEST_CASE("the level is a factor, held to 0 .. 1, and is reached over a buffer") {
-    BeamQueue queue(rate);
+    BeamQueue queue(queue_rate);
     settle(queue, 0.5f, -1.0f);
     queue.set_level(0.25);
     const std::vector<float> heard = mixed(queue, 480);
@@ -72,7 +72,7 @@ TEST_CASE("the level is a factor, held to 0 .. 1, and is reached over a buffer")
 }
 
 TEST_CASE("after a jump the beam goes over within 5 ms, in even steps and without a click") {
-    BeamQueue queue(rate);
+    BeamQueue queue(queue_rate);
     settle(queue, 0.75f, 0.0f);
     queue.write(at(0.75f, 0.0f, 1000));
     mixed(queue, 10);
@@ -80,7 +80,7 @@ TEST_CASE("after a jump the beam goes over within 5 ms, in even steps and withou
     CHECK(queue.waiting() == 0);
     queue.write(at(-0.75f, 0.0f, 1000));
     const std::vector<float> heard = mixed(queue, 400);
-    const float frames = rate / 200.0f;
+    const float frames = queue_rate / 200.0f;
     CHECK(largest_step(heard, 0.75f) <= 1.5f / frames * 1.001f);
     CHECK(heard[2 * 239] > -0.75f);
     CHECK(heard[2 * 241] == -0.75f);
@@ -88,7 +88,7 @@ TEST_CASE("after a jump the beam goes over within 5 ms, in even steps and withou
 }
 
 TEST_CASE("what comes after a gap is joined without a click, too") {
-    BeamQueue queue(rate);
+    BeamQueue queue(queue_rate);
     settle(queue, -0.5f, 0.0f);
     mixed(queue, 1000);
     queue.write(at(0.5f, 0.0f, 480));
@@ -105,7 +105,7 @@ TEST_CASE("a second is kept, and what lies beyond the device's reach is cut off"
 }
 
 TEST_CASE("one thread writes while another plays; each sample comes once and in order") {
-    BeamQueue queue(rate);
+    BeamQueue queue(queue_rate);
     constexpr int count = 200000;
     settle(queue, 0.0f, 0.0f);
     std::atomic<bool> is_done = false;

@@ -14,7 +14,7 @@ const std::string smallest(
     "\0\0\0\0IEND\xae\x42\x60\x82",
     8 + 25 + 22 + 12);
 
-std::string error_of(std::string_view bytes) {
+std::string chunk_error(std::string_view bytes) {
     const auto chunks = parse_png_chunks(bytes);
     REQUIRE_FALSE(chunks.has_value());
     return chunks.error().front().message;
@@ -39,18 +39,18 @@ TEST_CASE("a chunk is written with length and check sum") {
 }
 
 TEST_CASE("a PNG cut anywhere or changed in any byte is refused") {
-    CHECK(error_of("") == "is no PNG picture");
-    CHECK(error_of("GIF89a") == "is no PNG picture");
+    CHECK(chunk_error("") == "is no PNG picture");
+    CHECK(chunk_error("GIF89a") == "is no PNG picture");
     for (std::size_t size = 0; size < smallest.size(); ++size)
-        CHECK_FALSE(error_of(smallest.substr(0, size)).empty());
+        CHECK_FALSE(chunk_error(smallest.substr(0, size)).empty());
     for (std::size_t at = 0; at < smallest.size(); ++at) {
         std::string damaged = smallest;
         damaged[at] = static_cast<char>(damaged[at] ^ 0x11);
-        CHECK_FALSE(error_of(damaged).empty());
+        CHECK_FALSE(chunk_error(damaged).empty());
     }
-    CHECK(
-        error_of(std::string(png_signature()) + std::string("\xff\xff\xff\xffIHDR\0\0\0\0", 12)) ==
-        "is damaged: the PNG ends too early");
-    CHECK(error_of(std::string(png_signature()) + png_chunk("IEND", "")) ==
+    CHECK(chunk_error(std::string(png_signature()) +
+                      std::string("\xff\xff\xff\xffIHDR\0\0\0\0", 12)) ==
+          "is damaged: the PNG ends too early");
+    CHECK(chunk_error(std::string(png_signature()) + png_chunk("IEND", "")) ==
           "is damaged: the PNG does not start with its size");
 }

@@ -37,7 +37,7 @@ bool save(const Sound& sound, const fs::path& file, int format) {
     return sf_close(target) == 0 && wrote;
 }
 
-std::string refusal(const fs::path& file) {
+std::string sound_refusal(const fs::path& file) {
     const auto sound = load_sound(file);
     REQUIRE_FALSE(sound.has_value());
     REQUIRE(sound.error().size() == 1);
@@ -140,17 +140,18 @@ TEST_CASE("of a file that breaks off, what is there is played, and how much that
 
     REQUIRE(save(sines(44100, 2, 44100), folder / "a.wav", SF_FORMAT_WAV | SF_FORMAT_PCM_16));
     fs::resize_file(folder / "a.wav", 44);
-    CHECK(refusal(folder / "a.wav") == "holds no sound: there is a header and nothing behind it");
+    CHECK(sound_refusal(folder / "a.wav") ==
+          "holds no sound: there is a header and nothing behind it");
 }
 
 TEST_CASE("what is no sound file is refused with its reason") {
     const TemporaryFolder folder;
-    CHECK(refusal(folder / "missing.wav") == "there is no such file");
-    CHECK(refusal(folder.path()) == "is a folder, not a file");
+    CHECK(sound_refusal(folder / "missing.wav") == "there is no such file");
+    CHECK(sound_refusal(folder.path()) == "is a folder, not a file");
     folder.write("empty.wav", "");
-    CHECK(refusal(folder / "empty.wav") == "is empty");
+    CHECK(sound_refusal(folder / "empty.wav") == "is empty");
     folder.write("text.wav", "this is not a sound\n");
-    CHECK(refusal(folder / "text.wav").starts_with("cannot be read as a sound: "));
+    CHECK(sound_refusal(folder / "text.wav").starts_with("cannot be read as a sound: "));
     std::string noise;
     for (int i = 0; i < 100000; ++i)
         noise += static_cast<char>(i * 7919 >> 3);
@@ -170,11 +171,12 @@ TEST_CASE("a header's absurd claims are refused or not believed") {
     CHECK(load_sound(folder / "good.wav")->samples == std::vector<float>(4, 0.5f));
 
     folder.write("rate.wav", wav({.rate = 0}));
-    CHECK_FALSE(refusal(folder / "rate.wav").empty());
+    CHECK_FALSE(sound_refusal(folder / "rate.wav").empty());
     folder.write("fast.wav", wav({.rate = 2000000000}));
-    CHECK(refusal(folder / "fast.wav") == "has a rate of 2000000000 Hz; 1 to 768000 can be read");
+    CHECK(sound_refusal(folder / "fast.wav") ==
+          "has a rate of 2000000000 Hz; 1 to 768000 can be read");
     folder.write("channels.wav", wav({.channels = 1000, .data_bytes = 0xfffffff0}));
-    CHECK(refusal(folder / "channels.wav") == "has 1000 channels; 1 to 32 can be read");
+    CHECK(sound_refusal(folder / "channels.wav") == "has 1000 channels; 1 to 32 can be read");
 
     folder.write("long.wav", wav({.data_bytes = 0xfffffff0}));
     const auto claims_gigabytes = load_sound(folder / "long.wav");
@@ -197,7 +199,7 @@ TEST_CASE("2^60 frames that a 64-bit header claims are not allocated") {
     if (sound)
         CHECK(sound->frame_count() <= 2);
     else
-        CHECK_FALSE(refusal(folder / "a.wav").empty());
+        CHECK_FALSE(sound_refusal(folder / "a.wav").empty());
 }
 
 TEST_CASE("samples that are no numbers become silence, and enormous ones are bounded") {
@@ -214,5 +216,5 @@ TEST_CASE("a sound of more than an hour is refused and the limit is said") {
     const TemporaryFolder folder;
     REQUIRE(save(Sound{10, 1, std::vector<float>(36001)}, folder / "a.wav",
                  SF_FORMAT_WAV | SF_FORMAT_PCM_U8));
-    CHECK(refusal(folder / "a.wav") == "is longer than an hour, which is the limit");
+    CHECK(sound_refusal(folder / "a.wav") == "is longer than an hour, which is the limit");
 }

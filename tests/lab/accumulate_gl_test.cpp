@@ -2,7 +2,7 @@
 #include "lab/small_lab.h"
 
 namespace {
-constexpr const char* manifest = R"({
+constexpr const char* accumulating_manifest = R"({
   "format": "afterglow-look", "version": 1, "name": "Small", "driven_by": "nothing", "settle_frames": 20, "orbit": true,
   "passes": [
     { "name": "sum", "fragment": "sum.frag", "format": "rgba32f", "blend": "add", "accumulate": true, "converge": 6 },
@@ -18,9 +18,9 @@ void main() { color = vec4(step_size * u_camera[0].x); }
 
 class Accumulating : public SmallLab {
 public:
-    Accumulating() : SmallLab(replaced(manifest, R"(, "orbit": true)", "").c_str()) {
+    Accumulating() : SmallLab(replaced(accumulating_manifest, R"(, "orbit": true)", "").c_str()) {
         write("sum.frag", sum);
-        write("look.json", manifest);
+        write("look.json", accumulating_manifest);
         REQUIRE(turn_until([&] { return lab().document()->look().has_orbit && held() >= 1; }));
         REQUIRE(turn_until([&] { return lab().has_converged(); }));
     }

@@ -11,7 +11,7 @@
 #include <thread>
 
 namespace {
-constexpr double sixtieth = 1.0 / 60.0;
+constexpr double feed_frame = 1.0 / 60.0;
 
 /// Another program, connected to a socket.
 class Sender {
@@ -49,7 +49,7 @@ template <class Wished>
 Beam play_until(Player& player, const Wished& is_wished) {
     const auto start = std::chrono::steady_clock::now();
     while (std::chrono::steady_clock::now() - start < std::chrono::seconds(20)) {
-        Beam beam = player.trace(player.advance(sixtieth)->span);
+        Beam beam = player.trace(player.advance(feed_frame)->span);
         if (is_wished(beam))
             return beam;
         std::this_thread::sleep_for(std::chrono::milliseconds(1));

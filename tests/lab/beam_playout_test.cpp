@@ -8,12 +8,12 @@
 #include <numbers>
 
 namespace {
-constexpr int rate = 48000;
-constexpr double sixtieth = 1.0 / 60.0;
+constexpr int playout_rate = 48000;
+constexpr double playout_frame = 1.0 / 60.0;
 
 /// A real scope in the hands of a test, at the end of a device.
 struct Scope {
-    BeamQueue queue{rate};
+    BeamQueue queue{playout_rate};
     bool has_stalled = false;
     int opened = 0;
 
@@ -31,7 +31,7 @@ public:
     ~ScopeOutput() override { --m_scope.opened; }
 
     std::string device_name() const override { return "Scope"; }
-    int rate() const override { return ::rate; }
+    int rate() const override { return playout_rate; }
     BeamQueue& queue() override { return m_scope.queue; }
     bool has_stalled() const override { return m_scope.has_stalled; }
 
@@ -74,11 +74,12 @@ struct Bench {
             player.set_signal(parse_spec("lissajous:x=3,y=2,amplitude=0.8").value()).has_value());
     }
 
-    /// Lets time go by; what the scope was given, `frames` samples for each frame of a sixtieth.
-    std::vector<float> run(double seconds, int frames = rate / 60) {
+    /// Lets time go by; what the scope was given, `frames` samples for each frame of a
+    /// sixtieth.
+    std::vector<float> run(double seconds, int frames = playout_rate / 60) {
         std::vector<float> seen;
         for (int i = 0; i < std::lround(seconds * 60.0); ++i) {
-            player.advance(sixtieth);
+            player.advance(playout_frame);
             const std::vector<float> some = scope.see(frames);
             seen.insert(seen.end(), some.begin(), some.end());
         }
@@ -97,8 +98,8 @@ float largest_step(const std::vector<float>& stereo) {
 }
 
 // Three sines in 1/60 s go no faster than 2 pi 180 * 0.8 a second; a jump is spread over 5 ms.
-const float steepest =
-    static_cast<float>(0.8 * 2.0 * std::numbers::pi * 180.0 / rate + 1.6 / (rate * 0.005));
+const float steepest = static_cast<float>(0.8 * 2.0 * std::numbers::pi * 180.0 / playout_rate +
+                                          1.6 / (playout_rate * 0.005));
 }  // namespace
 
 TEST_CASE("a real scope gets x on the left and y on the right, at the device's rate") {
@@ -109,7 +110,8 @@ TEST_CASE("a real scope gets x on the left and y on the right, at the device's r
     double largest = 0.0;
     for (std::size_t i = 0; i < seen.size() / 2; ++i) {
         // The picture of a time and its samples begin together.
-        const double turns = 60.0 * (start + sixtieth + static_cast<double>(i + 1) / rate);
+        const double turns =
+            60.0 * (start + playout_frame + static_cast<double>(i + 1) / playout_rate);
         const double x = 0.8 * std::sin(2.0 * std::numbers::pi * (3.0 * turns + 0.25));
         const double y = 0.8 * std::sin(2.0 * std::numbers::pi * 2.0 * turns);
         largest = std::max({largest, std::abs(static_cast<double>(seen[2 * i]) - x),
@@ -146,9 +148,10 @@ TEST_CASE("a device whose clock is not the picture's is followed without a gap")
         Bench bench;
         bench.run(1.0, frames);
         // No join: those of a gap are steeper than the signal itself.
-        CHECK(largest_step(bench.run(30.0, frames)) <= 0.8f * 2.0f * 3.15f * 180.0f / rate * 1.02f);
-        CHECK(bench.scope.queue.waiting() > rate / 20);
-        CHECK(bench.scope.queue.waiting() < rate / 5);
+        CHECK(largest_step(bench.run(30.0, frames)) <=
+              0.8f * 2.0f * 3.15f * 180.0f / playout_rate * 1.02f);
+        CHECK(bench.scope.queue.waiting() > playout_rate / 20);
+        CHECK(bench.scope.queue.waiting() < playout_rate / 5);
     }
 }
 
@@ -158,7 +161,7 @@ TEST_CASE("time that a slow machine does not show is left out, as a scope waits 
     CHECK(bench.player.leaves_out());
     for (int i = 0; i < 20; ++i) {
         bench.player.advance(0.1);
-        bench.scope.see(rate / 10);
+        bench.scope.see(playout_rate / 10);
     }
     CHECK(std::abs(bench.player.time() - 2.0) < 1e-6);
 }
@@ -173,7 +176,7 @@ TEST_CASE("a scope's device that is gone is told, and switching off lets go of i
     REQUIRE(bench.player.set_sound_settings(beam_switched(false)).has_value());
     CHECK(bench.scope.opened == 0);
     CHECK(bench.player.silence().empty());
-    REQUIRE(bench.player.advance(sixtieth).has_value());
+    REQUIRE(bench.player.advance(playout_frame).has_value());
 }
 
 TEST_CASE("without a device the switch goes back, it is told, and the picture goes on") {
@@ -190,6 +193,6 @@ TEST_CASE("without a device the switch goes back, it is told, and the picture go
         REQUIRE(player.set_sound_settings(beam_switched(true)).has_value());
         CHECK(player.silence() == "no device for a beam");
         CHECK_FALSE(player.sound_settings().plays_beam);
-        REQUIRE(player.advance(sixtieth).has_value());
+        REQUIRE(player.advance(playout_frame).has_value());
     }
 }

@@ -5,7 +5,7 @@
 #include <doctest/doctest.h>
 
 namespace {
-Parameter knob(const std::string& name, double initial, const std::string& unit) {
+Parameter changed_knob(const std::string& name, double initial, const std::string& unit) {
     Parameter parameter;
     parameter.name = name;
     parameter.label = label_from_name(name);
@@ -14,13 +14,14 @@ Parameter knob(const std::string& name, double initial, const std::string& unit)
     return parameter;
 }
 
-Look small_look() {
+Look changed_look() {
     Look look;
     look.id = "small";
     look.name = "Small";
     look.driven_by = Driver::signal;
     look.default_signal = Spec{"lissajous", {{"x", 3.0}}};
-    look.parameters = {knob("decay", 0.92, "per 1/60 s"), knob("exposure", 1.5, "")};
+    look.parameters = {changed_knob("decay", 0.92, "per 1/60 s"),
+                       changed_knob("exposure", 1.5, "")};
     return look;
 }
 
@@ -35,7 +36,7 @@ using Lines = std::vector<std::string>;
 }  // namespace
 
 TEST_CASE("only what differs is listed, with both values and the unit") {
-    const Look look = small_look();
+    const Look look = changed_look();
     DocumentState before = initial_state(look);
     DocumentState after = before;
     CHECK(changes_between(look, before, after).empty());
@@ -49,7 +50,7 @@ TEST_CASE("only what differs is listed, with both values and the unit") {
 }
 
 TEST_CASE("values that are nearly the same are told apart") {
-    const Look look = small_look();
+    const Look look = changed_look();
     DocumentState before = initial_state(look);
     DocumentState after = before;
     before.values["exposure"] = Value(1.000001);
@@ -58,7 +59,7 @@ TEST_CASE("values that are nearly the same are told apart") {
 }
 
 TEST_CASE("a signal's settings are compared as they are in force") {
-    const Look look = small_look();
+    const Look look = changed_look();
     DocumentState before = initial_state(look);
     DocumentState after = before;
     before.signal = Spec{"lissajous", {{"x", 3.0}, {"y", 2.0}}};
@@ -72,7 +73,7 @@ TEST_CASE("a signal's settings are compared as they are in force") {
 }
 
 TEST_CASE("source, bypass and passes that were set are listed too") {
-    const Look look = small_look();
+    const Look look = changed_look();
     DocumentState before = initial_state(look);
     before.stack = {{"a", "/a", "a"}, {"b", "/b", "b"}};
     DocumentState after = before;
@@ -96,7 +97,7 @@ TEST_CASE("a step is told in short") {
 }
 
 TEST_CASE("the history lists what was done and undone, and goes there in any number of steps") {
-    Document document(small_look());
+    Document document(changed_look());
     for (const double decay : {0.8, 0.7, 0.6})
         document.set_value("decay", Value(decay));
     document.undo();

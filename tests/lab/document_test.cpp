@@ -14,7 +14,7 @@ Parameter knob(const std::string& name, double initial) {
     return parameter;
 }
 
-Look small_look() {
+Look document_look() {
     Look look;
     look.id = "small";
     look.name = "Small";
@@ -26,7 +26,7 @@ Look small_look() {
 }  // namespace
 
 TEST_CASE("a drag is one step of undo") {
-    Document document(small_look());
+    Document document(document_look());
     document.set_value("decay", Value(0.5), true);
     document.set_value("decay", Value(0.6), true);
     document.set_value("decay", Value(0.7), true);
@@ -43,7 +43,7 @@ TEST_CASE("a drag is one step of undo") {
 }
 
 TEST_CASE("a value beyond the hard limit stops at it") {
-    Document document(small_look());
+    Document document(document_look());
     document.set_value("exposure", Value(1e9));
     CHECK(document.values().at("exposure") == Value(10.0));
     document.set_value("exposure", Value(std::nan("")));
@@ -51,7 +51,7 @@ TEST_CASE("a value beyond the hard limit stops at it") {
 }
 
 TEST_CASE("a value that is back at its default is no change") {
-    Document document(small_look());
+    Document document(document_look());
     document.set_value("decay", Value(0.5));
     CHECK(document.is_modified());
     document.set_value("decay", Value(0.92));
@@ -60,7 +60,7 @@ TEST_CASE("a value that is back at its default is no change") {
 }
 
 TEST_CASE("several values are set in one step, each within its limit") {
-    Document document(small_look());
+    Document document(document_look());
     document.set_values({{"decay", Value(0.5)}, {"exposure", Value(99.0)}, {"gone", Value(1.0)}},
                         "Both");
     CHECK(document.values() == Values{{"decay", Value(0.5)}, {"exposure", Value(10.0)}});
@@ -70,7 +70,7 @@ TEST_CASE("several values are set in one step, each within its limit") {
 }
 
 TEST_CASE("reset takes back one, and all") {
-    Document document(small_look());
+    Document document(document_look());
     document.set_value("decay", Value(0.5));
     document.set_value("exposure", Value(3.0));
     document.reset({"decay"});
@@ -84,10 +84,10 @@ TEST_CASE("reset takes back one, and all") {
 
 TEST_CASE(
     "an edited look keeps values, moves renamed ones and keeps what it lost, in all of undo") {
-    Document document(small_look());
+    Document document(document_look());
     document.set_value("decay", Value(0.5));
     document.set_value("exposure", Value(3.0));
-    Look edited = small_look();
+    Look edited = document_look();
     edited.parameters = {knob("persistence", 0.9)};
     edited.parameters[0].was = "decay";
     document.replace_look(edited);
@@ -97,20 +97,20 @@ TEST_CASE(
     document.undo();
     CHECK(document.values() == Values{{"persistence", Value(0.5)}});
 
-    document.replace_look(small_look());  // the uniform is back, under its old name
+    document.replace_look(document_look());  // the uniform is back, under its old name
     document.redo();
     CHECK(document.values().at("exposure") == Value(3.0));
 }
 
 TEST_CASE("a preset opens unmodified, is marked once changed and keeps its name and orphans") {
-    Document document(small_look());
+    Document document(document_look());
     Preset preset;
     preset.look = "small";
     preset.name = "Night";
     preset.values = {{"decay", Value(0.99)}, {"gone", Value(1.0)}};
     document.open_preset(preset, "night.json");
     CHECK_FALSE(document.is_modified());
-    CHECK(document.state().signal == *small_look().default_signal);
+    CHECK(document.state().signal == *document_look().default_signal);
     document.set_value("exposure", Value(2.0));
     CHECK(document.is_modified());
 
@@ -118,12 +118,12 @@ TEST_CASE("a preset opens unmodified, is marked once changed and keeps its name 
     CHECK(saved.name == "Night");
     CHECK(saved.values ==
           Values{{"decay", Value(0.99)}, {"exposure", Value(2.0)}, {"gone", Value(1.0)}});
-    CHECK(saved.digest == look_digest(small_look()));
+    CHECK(saved.digest == look_digest(document_look()));
     CHECK(document.complete_preset().values.size() == 3);
 }
 
 TEST_CASE("opening a preset is one step: undo gives back the unsaved values and what was open") {
-    Document document(small_look());
+    Document document(document_look());
     Preset night;
     night.name = "Night";
     night.values = {{"decay", Value(0.99)}};
@@ -152,7 +152,7 @@ TEST_CASE("opening a preset is one step: undo gives back the unsaved values and 
 }
 
 TEST_CASE("a preset that is renamed or saved has its new name in all of undo") {
-    Document document(small_look());
+    Document document(document_look());
     Preset preset;
     preset.name = "Night";
     document.open_preset(preset, "night.json");
@@ -166,13 +166,13 @@ TEST_CASE("a preset that is renamed or saved has its new name in all of undo") {
 }
 
 TEST_CASE("opening what is open already, unchanged, is no step") {
-    Document document(small_look());
+    Document document(document_look());
     document.open_defaults();
     CHECK_FALSE(document.history().can_undo());
 }
 
 TEST_CASE("what a person overrode of a pass belongs to the look and not to the preset") {
-    Look look = small_look();
+    Look look = document_look();
     look.passes.resize(1);
     look.passes[0].name = "beam";
     Document document(look);
@@ -185,7 +185,7 @@ TEST_CASE("what a person overrode of a pass belongs to the look and not to the p
 }
 
 TEST_CASE("a drag that turns the view is one step of undo and goes into the preset") {
-    Look look = small_look();
+    Look look = document_look();
     for (Parameter& part : orbit_parameters({}, {0}))
         look.parameters.push_back(std::move(part));
     Document document(look);
@@ -200,7 +200,7 @@ TEST_CASE("a drag that turns the view is one step of undo and goes into the pres
 }
 
 TEST_CASE("what is locked stays where it is, whatever changes many values at once") {
-    Document document(small_look());
+    Document document(document_look());
     document.set_value("decay", Value(0.5));
     document.set_value("exposure", Value(3.0));
     document.set_knob("decay", {.is_locked = true});
@@ -239,7 +239,7 @@ TEST_CASE("what is locked stays where it is, whatever changes many values at onc
 }
 
 TEST_CASE("a throw of the dice is one step of undo") {
-    Document document(small_look());
+    Document document(document_look());
     document.randomise(1);
     CHECK(document.values().size() == 2);
     CHECK(document.history().undo_name() == "Randomise");
@@ -249,9 +249,9 @@ TEST_CASE("a throw of the dice is one step of undo") {
 }
 
 TEST_CASE("a lock follows its parameter through an edit that renames it") {
-    Document document(small_look());
+    Document document(document_look());
     document.set_knob("decay", {.is_locked = true});
-    Look edited = small_look();
+    Look edited = document_look();
     edited.parameters[0].name = "glow";
     edited.parameters[0].was = "decay";
     document.replace_look(edited);

@@ -7,7 +7,7 @@
 #include <cmath>
 
 namespace {
-constexpr double pixel = 0.01;  // half screens
+constexpr double board_pixel = 0.01;  // half screens
 
 Look scope() {
     Look look;
@@ -28,16 +28,16 @@ struct Desk {
     }
 
     void click(double x, double y) {
-        board.press({x, y}, pixel, document);
-        board.release(pixel, document);
+        board.press({x, y}, board_pixel, document);
+        board.release(board_pixel, document);
     }
     /// A straight pull of the pen.
     void pull(BeamPlace from, BeamPlace to) {
-        board.press(from, pixel, document);
+        board.press(from, board_pixel, document);
         for (int i = 1; i <= 20; ++i)
             board.move({std::lerp(from[0], to[0], i / 20.0), std::lerp(from[1], to[1], i / 20.0)},
-                       pixel, document);
-        board.release(pixel, document);
+                       board_pixel, document);
+        board.release(board_pixel, document);
     }
     void undo() {
         document.undo();
@@ -132,7 +132,7 @@ TEST_CASE("a point of a finished stroke is dragged in one step of undo, the othe
     for (const BeamPlace place : {BeamPlace{-0.5, 0.0}, {0.0, 0.5}, {0.5, 0.0}})
         desk.click(place[0], place[1]);
     desk.board.set_pen({true, PenTool::edit, false}, desk.document);
-    CHECK(desk.board.grip_at({0.05, 0.45}, pixel) == StrokeGrip{0, 1});
+    CHECK(desk.board.grip_at({0.05, 0.45}, board_pixel) == StrokeGrip{0, 1});
     desk.pull({0.05, 0.45}, {0.15, -0.35});  // it follows the hand, and does not jump to it
     CHECK(desk.strokes() == "[L-0.5 0 0.1 -0.3 0.5 0]");
     CHECK(desk.document.history().undo_name() == "Move point");
@@ -164,7 +164,7 @@ TEST_CASE("a line is dragged as a whole where no point is near") {
     desk.pull({-0.5, 0.5}, {0.5, 0.5});
     desk.pull({-0.5, 0.0}, {0.5, 0.0});
     desk.board.set_pen({true, PenTool::edit, false}, desk.document);
-    CHECK(desk.board.grip_at({0.1, 0.05}, pixel) == StrokeGrip{1, std::nullopt});
+    CHECK(desk.board.grip_at({0.1, 0.05}, board_pixel) == StrokeGrip{1, std::nullopt});
     desk.pull({0.0, 0.0}, {0.25, -0.5});
     CHECK(desk.strokes() == "[L-0.5 0.5 0.5 0.5;L-0.25 -0.5 0.75 -0.5]");
     CHECK(desk.document.history().undo_name() == "Move stroke");
@@ -176,17 +176,17 @@ TEST_CASE("undo in the middle of a drag lets go of the point") {
     Desk desk;
     desk.pull({-0.5, 0.0}, {0.5, 0.0});
     desk.board.set_pen({true, PenTool::edit, false}, desk.document);
-    desk.board.press({0.5, 0.0}, pixel, desk.document);
-    desk.board.move({0.5, 0.4}, pixel, desk.document);
+    desk.board.press({0.5, 0.0}, board_pixel, desk.document);
+    desk.board.move({0.5, 0.4}, board_pixel, desk.document);
     CHECK(desk.strokes() == "[L-0.5 0 0.5 0.4]");
     desk.undo();
-    desk.board.move({0.5, 0.5}, pixel, desk.document);
-    desk.board.release(pixel, desk.document);
+    desk.board.move({0.5, 0.5}, board_pixel, desk.document);
+    desk.board.release(board_pixel, desk.document);
     CHECK(desk.strokes() == "[L-0.5 0 0.5 0]");
-    desk.board.press({0.5, 0.0}, pixel, desk.document);
+    desk.board.press({0.5, 0.0}, board_pixel, desk.document);
     desk.undo();  // the stroke itself, before the hand has moved
-    desk.board.move({0.5, 0.5}, pixel, desk.document);
-    desk.board.release(pixel, desk.document);
+    desk.board.move({0.5, 0.5}, board_pixel, desk.document);
+    desk.board.release(board_pixel, desk.document);
     CHECK(desk.strokes() == "[]");
 }
 
@@ -196,7 +196,7 @@ TEST_CASE("the other button deletes a point; of two points the stroke goes with 
         desk.click(place[0], place[1]);
     CHECK(desk.strokes() == "[L-0.5 0 0 0.5 0.5 0z]");
     const auto other_button = [&](const BeamPlace& place) {
-        desk.board.press_other(place, pixel, desk.document);
+        desk.board.press_other(place, board_pixel, desk.document);
     };
     other_button({0.0, 0.5});  // with another tool it deletes nothing
     desk.board.set_pen({true, PenTool::edit, false}, desk.document);

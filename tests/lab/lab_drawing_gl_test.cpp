@@ -4,7 +4,7 @@
 #include <cmath>
 
 namespace {
-constexpr const char* on_a_signal = R"({
+constexpr const char* drawn_signal = R"({
   "format": "afterglow-look", "version": 1, "name": "Small", "driven_by": "signal",
   "default_signal": { "kind": "lissajous", "x": 3, "y": 2 }, "settle_frames": 1,
   "passes": [
@@ -41,7 +41,7 @@ std::array<float, 2> lit_heights(const Lab& lab, double seconds) {
 }  // namespace
 
 TEST_CASE("with the pen in the hand its keyframe stands still; put down, the keyframes play") {
-    SmallLab small(on_a_signal);
+    SmallLab small(drawn_signal);
     Lab& lab = small.lab();
     lab.take_pen(true);
     CHECK(strokes_of(lab) == "[]");
@@ -59,7 +59,7 @@ TEST_CASE("with the pen in the hand its keyframe stands still; put down, the key
 }
 
 TEST_CASE("an SVG that is opened becomes the drawing; what is wrong with one is told") {
-    SmallLab small(on_a_signal);
+    SmallLab small(drawn_signal);
     Lab& lab = small.lab();
     lab.take_pen(true);
     lab.save_drawing(small.folder() / "empty.svg");
@@ -89,7 +89,7 @@ TEST_CASE("an SVG that is opened becomes the drawing; what is wrong with one is 
 }
 
 TEST_CASE("a scene that is opened is drawn") {
-    SmallLab small(on_a_signal);
+    SmallLab small(drawn_signal);
     write(small.folder() / "s.json",
           "{ \"format\": \"afterglow-scene\", \"version\": 1, \"items\": [\n"
           "{ \"shape\": \"line\", \"from\": [-0.5, 0.25], \"to\": [0.5, 0.25] } ] }");

@@ -19,7 +19,7 @@ void move_gain(SmallLab& small) {
     small.lab().edit([](Document& document) { document.set_modulation("gain", once_a_second); });
 }
 
-bool is_near(double number, double expected) {
+bool is_close(double number, double expected) {
     return std::abs(number - expected) <= 1e-4 * std::max(1.0, std::abs(expected));
 }
 
@@ -42,7 +42,7 @@ TEST_CASE("a modulation is an undoable change; that it runs is none") {
     small.lab().edit([](Document& changed) { changed.mark_saved(); });
     for (int i = 0; i < 20; ++i) {
         small.turn(1);
-        CHECK(is_near(small.shown(), small.frames() * gain_at(small.lab().player().time())));
+        CHECK(is_close(small.shown(), small.frames() * gain_at(small.lab().player().time())));
     }
     CHECK(document.values().empty());
     CHECK_FALSE(document.is_modified());
@@ -63,11 +63,11 @@ TEST_CASE("a paused picture shows a turned value where the modulation is, and a 
     small.lab().edit([](Document& document) { document.set_value("gain", Value(3.0)); });
     small.turn(2);
     const double time = small.lab().player().time();
-    CHECK(is_near(small.shown(), small.frames() * (2.0 + gain_at(time))));
+    CHECK(is_close(small.shown(), small.frames() * (2.0 + gain_at(time))));
     small.lab().transport().step();
     small.turn(1);
-    CHECK(is_near(small.lab().player().time(), time + 1.0 / 60.0));
-    CHECK(is_near(small.shown(), small.frames() * (2.0 + gain_at(time + 1.0 / 60.0))));
+    CHECK(is_close(small.lab().player().time(), time + 1.0 / 60.0));
+    CHECK(is_close(small.shown(), small.frames() * (2.0 + gain_at(time + 1.0 / 60.0))));
 }
 
 TEST_CASE("a past that is drawn again has the values of its own times") {
@@ -85,7 +85,7 @@ TEST_CASE("a past that is drawn again has the values of its own times") {
     double sum = 0.0;
     for (std::size_t i = past.size() - 20; i < past.size(); ++i)  // the look's settle_frames
         sum += gain_at(past[i].span.end);
-    CHECK(is_near(small.shown(), sum));
+    CHECK(is_close(small.shown(), sum));
 }
 
 TEST_CASE("a preset moves alike in the window and offline, at any frame rate") {
@@ -97,7 +97,7 @@ TEST_CASE("a preset moves alike in the window and offline, at any frame rate") {
         Offline offline = drawn_offline(small, fps);
         const int frames = static_cast<int>(std::lround(0.3 * fps));
         const Picture picture = offline.picture_after(frames);
-        CHECK(is_near(picture.pixels[0], frames * gain_at(0.3)));
+        CHECK(is_close(picture.pixels[0], frames * gain_at(0.3)));
         Document still = offline.document();
         still.set_modulation("gain", std::nullopt);
         REQUIRE(offline.start_again(still).has_value());

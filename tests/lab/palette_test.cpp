@@ -13,7 +13,7 @@ Parameter parameter(const char* name, const char* label, const char* group) {
     return parameter;
 }
 
-Look small_look() {
+Look palette_look() {
     Look look;
     look.id = "phosphor";
     look.passes.resize(2);
@@ -47,7 +47,7 @@ std::vector<PaletteEntry> all_entries() {
         {Kind::action, "Save preset", "Save preset", "File", {}, "Ctrl+S", {}},
         {Kind::action, "Undo", "Undo: Exposure", "Edit", {}, "Ctrl+Z", {}},
         {Kind::action, "Darker", "One stop darker", "Pass", {}, "Shift+E", {}}};
-    const Look look = small_look();
+    const Look look = palette_look();
     for (PaletteEntry& entry : palette_entries(&look, shelf()))
         entries.push_back(std::move(entry));
     return entries;
@@ -63,7 +63,7 @@ std::vector<std::string> found(const char* query, const std::vector<std::string>
 }  // namespace
 
 TEST_CASE("the palette lists what the open look has before the other looks") {
-    const Look look = small_look();
+    const Look look = palette_look();
     std::vector<std::string> labels;
     for (const PaletteEntry& entry : palette_entries(&look, shelf()))
         labels.push_back(entry.label + (entry.detail.empty() ? "" : " | " + entry.detail));

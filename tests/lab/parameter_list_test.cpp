@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 namespace {
-Parameter knob(const std::string& name, const std::string& group, int pass) {
+Parameter listed_knob(const std::string& name, const std::string& group, int pass) {
     Parameter parameter;
     parameter.name = name;
     parameter.label = label_from_name(name);
@@ -18,10 +18,10 @@ Look look() {
     made.passes.resize(2);
     made.passes[0].name = "beam";
     made.passes[1].name = "screen";
-    made.parameters = {knob("focus", "Beam", 0), knob("glow", "", 1), knob("gain", "Beam", 0),
-                       knob("tint", "", 1)};
+    made.parameters = {listed_knob("focus", "Beam", 0), listed_knob("glow", "", 1),
+                       listed_knob("gain", "Beam", 0), listed_knob("tint", "", 1)};
     made.parameters[1].help = "Light that stays in the glass.";
-    made.parameters.push_back(knob("secret", "Beam", 0));
+    made.parameters.push_back(listed_knob("secret", "Beam", 0));
     made.parameters.back().is_hidden = true;
     return made;
 }

@@ -5,7 +5,7 @@
 #include <doctest/doctest.h>
 
 namespace {
-constexpr double sixtieth = 1.0 / 60.0;
+constexpr double frame_seconds = 1.0 / 60.0;
 
 /// An input device in the hands of a test.
 class FakeCapture : public SoundCapture {
@@ -98,7 +98,7 @@ TEST_CASE("paused there is no frame; a step is a sixtieth of a second") {
     player.step();
     const auto frame = player.advance(0.05);
     REQUIRE(frame.has_value());
-    CHECK(frame->span.seconds() == doctest::Approx(sixtieth));
+    CHECK(frame->span.seconds() == doctest::Approx(frame_seconds));
     CHECK_FALSE(player.advance(0.05).has_value());
     player.play();
     CHECK(player.advance(0.05).has_value());
@@ -137,7 +137,7 @@ TEST_CASE("where a frame may cover only so much, time is shown more slowly, and 
     player.set_longest_frame(1.0);  // no more than a quarter of a second in any case
     CHECK(player.advance(0.6)->span.seconds() == doctest::Approx(0.25));
     for (int i = 0; i < 60; ++i)
-        player.advance(sixtieth);
+        player.advance(frame_seconds);
     CHECK(player.shown_share() == doctest::Approx(1.0).epsilon(0.01));
 }
 
@@ -164,9 +164,9 @@ TEST_CASE("a signal is set over its sound, and an unknown one leaves the last") 
     CHECK(player.sound().sound != nullptr);
     REQUIRE(player.set_signal(Spec{"lissajous", {}}).has_value());
     CHECK(player.sound_seconds() == 0.0);
-    CHECK_FALSE(player.trace({0.0, sixtieth}).empty());
+    CHECK_FALSE(player.trace({0.0, frame_seconds}).empty());
     REQUIRE(player.set_signal({}).has_value());
-    CHECK(player.trace({0.0, sixtieth}).empty());
+    CHECK(player.trace({0.0, frame_seconds}).empty());
 }
 
 TEST_CASE("a live sound is the clock, and what came in is drawn at its time") {

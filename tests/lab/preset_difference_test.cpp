@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 namespace {
-Parameter knob(const std::string& name, double initial) {
+Parameter preset_knob(const std::string& name, double initial) {
     Parameter parameter;
     parameter.name = name;
     parameter.label = label_from_name(name);
@@ -17,7 +17,8 @@ Document open_document() {
     look.id = "small";
     look.driven_by = Driver::signal;
     look.default_signal = Spec{"lissajous", {{"x", 3.0}}};
-    look.parameters = {knob("decay", 0.92), knob("exposure", 1.5), knob("gain", 1.0)};
+    look.parameters = {preset_knob("decay", 0.92), preset_knob("exposure", 1.5),
+                       preset_knob("gain", 1.0)};
     look.parameters[2].was = "amplitude";
     return Document(look);
 }

@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 namespace {
-Parameter knob(const std::string& name, Value initial) {
+Parameter scope_knob(const std::string& name, Value initial) {
     Parameter parameter;
     parameter.name = name;
     parameter.type.rows = static_cast<int>(initial.numbers.size());
@@ -15,9 +15,10 @@ Look scope_look(const std::string& scope = {}) {
     Look look;
     look.passes.resize(1);
     look.passes.front().scope = scope;
-    look.parameters = {knob(scope + "graticule", Value(0.15)),
-                       knob(scope + "graticule_divisions", Value(std::vector<double>{10, 10})),
-                       knob(scope + "fit", Value(0.0))};
+    look.parameters = {
+        scope_knob(scope + "graticule", Value(0.15)),
+        scope_knob(scope + "graticule_divisions", Value(std::vector<double>{10, 10})),
+        scope_knob(scope + "fit", Value(0.0))};
     return look;
 }
 

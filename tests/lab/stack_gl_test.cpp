@@ -7,7 +7,7 @@
 namespace fs = std::filesystem;
 
 namespace {
-constexpr const char* on_a_picture = R"({
+constexpr const char* stacked_picture = R"({
   "format": "afterglow-look", "version": 1, "name": "Gain", "driven_by": "picture",
   "default_source": "pattern:white", "source_encoding": "READS", "output": "linear",
   "passes": [ { "name": "show", "fragment": "show.frag", "format": "rgba32f", "scale": SCALE,
@@ -39,7 +39,7 @@ void main() { color = vec4(vec3(level + a_frame * float(u_frame)), 1.0); }
 
 void write_gain(const TemporaryFolder& folder, const std::string& id, const std::string& reads,
                 const std::string& source = "source", const std::string& scale = "1.0") {
-    std::string manifest = replaced(on_a_picture, "READS", reads);
+    std::string manifest = replaced(stacked_picture, "READS", reads);
     manifest = replaced(replaced(manifest, "SOURCE", source), "SCALE", scale);
     folder.write("shaders/" + id + "/look.json", manifest);
     folder.write("shaders/" + id + "/show.frag", gain);
@@ -156,8 +156,9 @@ struct StackLab : SmallLab {
     fs::path write_other(const std::string& text = gain) {
         fs::path other = look_folder().parent_path() / "gain";
         fs::create_directories(other);
-        const std::string manifest = replaced(
-            replaced(replaced(on_a_picture, "READS", "display"), "SOURCE", "source"), "SCALE", "1");
+        const std::string manifest =
+            replaced(replaced(replaced(stacked_picture, "READS", "display"), "SOURCE", "source"),
+                     "SCALE", "1");
         REQUIRE(write_atomically(other / "look.json", manifest).has_value());
         REQUIRE(write_atomically(other / "show.frag", text).has_value());
         return other;

@@ -1,4 +1,5 @@
 // The shared GLSL against closed forms and published tables, run on software GL.
+#include "about.h"
 #include "looks/glsl_function.h"
 #include "model/color.h"
 
@@ -9,10 +10,6 @@
 #include <cstdint>
 
 namespace {
-bool is_near(double value, double expected, double tolerance) {
-    return std::abs(value - expected) <= tolerance;
-}
-
 /// x: a grey; w: the number of the tone map.
 constexpr const char* tone_maps =
     "#include \"tonemap.glsl\"\n"

@@ -1,4 +1,5 @@
 // Phosphor as the article wrote it, against the article's own formulas.
+#include "about.h"
 #include "looks/tube.h"
 
 #include <doctest/doctest.h>
@@ -22,9 +23,6 @@ double away(double place) {
     return std::abs(place - std::floor(place) - 0.5);
 }
 
-bool is_near(double value, double expected, double tolerance) {
-    return std::abs(value - expected) <= tolerance;
-}
 }  // namespace
 
 TEST_CASE("the article's light fades by the frame, whatever its length and the point's age") {

@@ -1,4 +1,5 @@
 // Phosphor's glass against closed forms: fringes, graticule, corners, room light, dither.
+#include "about.h"
 #include "looks/glsl_function.h"
 #include "looks/tube.h"
 
@@ -8,10 +9,6 @@
 
 namespace {
 const double light = 3.75 / 4.75;  // what plain_glass() shows of flood(): Reinhard of 2.5 x 1.5
-
-bool is_near(double value, double expected, double tolerance) {
-    return std::abs(value - expected) <= tolerance;
-}
 
 /// Where the light of a channel lies across the picture, px from the left.
 double middle_of(const Picture& picture, std::size_t channel) {

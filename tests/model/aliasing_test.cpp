@@ -1,15 +1,13 @@
 #include "model/aliasing.h"
 
+#include "about.h"
+
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <limits>
 
-namespace {
-bool is_near(double value, double wanted) {
-    return std::abs(value - wanted) < 1e-9 * std::abs(wanted);
-}
-}  // namespace
+namespace {}  // namespace
 
 TEST_CASE("a period of whole pixels beats with nothing") {
     for (const double whole : {1.0, 2.0, 4.0, 100.0}) {
@@ -19,24 +17,24 @@ TEST_CASE("a period of whole pixels beats with nothing") {
 }
 
 TEST_CASE("the beat is that of the period and the nearest whole one") {
-    CHECK(is_near(beat_of(4.1), 164.0));  // 1 / (1/4 - 10/41)
-    CHECK(is_near(beat_of(3.75), 60.0));  // 1 / (4/15 - 1/4)
-    CHECK(is_near(beat_of(2.5), 15.0));   // 1 / (2/5 - 1/3)
-    CHECK(is_near(beat_of(0.8), 4.0));    // 1 / (5/4 - 1)
+    CHECK(beat_of(4.1) == about(164.0, 1e-9));  // 1 / (1/4 - 10/41)
+    CHECK(beat_of(3.75) == about(60.0, 1e-9));  // 1 / (4/15 - 1/4)
+    CHECK(beat_of(2.5) == about(15.0, 1e-9));   // 1 / (2/5 - 1/3)
+    CHECK(beat_of(0.8) == about(4.0, 1e-9));    // 1 / (5/4 - 1)
     // 15 px hold 6 stripes of 2.5 px and 5 of 3 px: both meet again there.
-    CHECK(is_near(beat_of(2.5) / 2.5 - beat_of(2.5) / 3.0, 1.0));
+    CHECK(beat_of(2.5) / 2.5 - beat_of(2.5) / 3.0 == about(1.0, 1e-9));
 }
 
 TEST_CASE(
     "a beat is seen that fits into the picture, of stripes that are coarse enough in pixels") {
-    CHECK(is_near(visible_beat(4.1, 720.0).value(), 164.0));
+    CHECK(visible_beat(4.1, 720.0).value() == about(164.0, 1e-9));
     CHECK_FALSE(visible_beat(4.1, 160.0));
     CHECK_FALSE(visible_beat(4.001, 1080.0));  // 16 004 px
     CHECK_FALSE(visible_beat(15.5, 1080.0));
     CHECK_FALSE(visible_beat(0.0, 1080.0));
     CHECK_FALSE(visible_beat(-3.0, 1080.0));
-    CHECK(is_near(unevenness_of(3.0), 0.5));  // cos 60 degrees
-    CHECK(is_near(unevenness_of(4.0), 1.0 - std::sqrt(0.5)));
+    CHECK(unevenness_of(3.0) == about(0.5, 1e-9));  // cos 60 degrees
+    CHECK(unevenness_of(4.0) == about(1.0 - std::sqrt(0.5), 1e-9));
     CHECK(unevenness_of(1.5) == 1.0);
 }
 

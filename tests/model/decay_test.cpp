@@ -1,15 +1,13 @@
 #include "model/decay.h"
 
+#include "about.h"
+
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <limits>
 
-namespace {
-bool is_near(double value, double wanted) {
-    return std::abs(value - wanted) < 1e-12;
-}
-}  // namespace
+namespace {}  // namespace
 
 TEST_CASE("a half-life says the factor per 1/60 s, and back") {
     CHECK(is_near(factor_leaving(0.5, 1.0 / 60.0), 0.5));

@@ -1,5 +1,6 @@
 #include "model/modulation.h"
 
+#include "about.h"
 #include "model/dice.h"
 
 #include <doctest/doctest.h>
@@ -13,7 +14,7 @@ Modulation lfo(LfoShape shape, double rate = 1.0, double phase = 0.0) {
 }
 
 /// The first parameter is turned over -1 .. 3 and held within 0 .. 3.
-Look small_look() {
+Look moving_look() {
     Look look;
     Parameter gain;
     gain.name = "gain";
@@ -36,13 +37,9 @@ Look small_look() {
 
 Value moved_to(const std::string& name, const Modulation& modulation, double seconds,
                const Values& values = {}, const Loudness* loudness = nullptr) {
-    const Look look = small_look();
+    const Look look = moving_look();
     const Values now = modulated(look, values, {{name, modulation}}, seconds, loudness);
     return value_of(*find_parameter(look, name), now);
-}
-
-bool is_near(double number, double expected) {
-    return std::abs(number - expected) <= 1e-12;
 }
 
 /// Loud by as much as the time constants say.
@@ -133,7 +130,7 @@ TEST_CASE("an envelope follows the level, a beat jumps and comes down; silence d
 }
 
 TEST_CASE("what is no number, or says how large a pass is, does not move") {
-    Look look = small_look();
+    Look look = moving_look();
     look.passes.resize(2);
     look.passes[1].repeat = Count(std::string("taps"));
     CHECK(why_unmodulated(look, look.parameters[0]).empty());

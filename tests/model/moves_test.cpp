@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 namespace {
-Look small_look() {
+Look knob_look() {
     Look look;
     for (const char* name : {"decay", "gain", "noise"}) {
         Parameter parameter;
@@ -33,7 +33,7 @@ TEST_CASE("moves are read as time goes on, the last one at or before it") {
 }
 
 TEST_CASE("what differs at the start is told at time 0, then each turn at its frame's time") {
-    const Look look = small_look();
+    const Look look = knob_look();
     MovesRecorder recorder;
     recorder.note({{"gain", 5.0}}, 1.0);  // nobody records
     CHECK(recorder.moves().empty());
@@ -50,7 +50,7 @@ TEST_CASE("what differs at the start is told at time 0, then each turn at its fr
 }
 
 TEST_CASE("after a way back the clock is recorded over") {
-    const Look look = small_look();
+    const Look look = knob_look();
     MovesRecorder recorder;
     recorder.start(look, {});
     recorder.note({{"gain", 2.0}}, 1.0);

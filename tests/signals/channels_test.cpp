@@ -4,12 +4,12 @@
 #include "signals/signal_making.h"
 
 namespace {
-constexpr int rate = 6000;  // 100 samples in 1/60 s
+constexpr int channels_rate = 6000;  // 100 samples in 1/60 s
 
 /// Of `channels` channels: channel c of sample i is value(c, i), c from 1.
 template <class Value>
 std::shared_ptr<const Sound> channels_of(int channels, int frames, const Value& value) {
-    auto sound = std::make_shared<Sound>(Sound{rate, channels, {}});
+    auto sound = std::make_shared<Sound>(Sound{channels_rate, channels, {}});
     for (int i = 0; i < frames; ++i)
         for (int channel = 1; channel <= channels; ++channel)
             sound->samples.push_back(static_cast<float>(value(channel, i)));
@@ -26,7 +26,7 @@ Beam second_frame(const std::string& settings, std::shared_ptr<const Sound> soun
                    frame_span(2, 60.0));
 }
 
-std::string refusal(const std::string& text, std::shared_ptr<const Sound> sound) {
+std::string channels_refusal(const std::string& text, std::shared_ptr<const Sound> sound) {
     const auto signal = make_signal(parse_spec(text).value(), {std::move(sound)});
     REQUIRE_FALSE(signal.has_value());
     return signal.error().front().message;
@@ -90,7 +90,8 @@ TEST_CASE(
     for (std::size_t i = 0; i < beam.size(); ++i) {
         const double value = 0.1 + static_cast<double>(i) / 4.0 * 0.001;
         REQUIRE(std::abs(beam.tints[i].r - value) < 1e-6);
-        REQUIRE(std::abs(beam[i].intensity / (4096.0 * 60.0 / (4.0 * rate)) - value) < 1e-5);
+        REQUIRE(std::abs(beam[i].intensity / (4096.0 * 60.0 / (4.0 * channels_rate)) - value) <
+                1e-5);
     }
 }
 
@@ -112,16 +113,18 @@ TEST_CASE("any cut of time gives the same colours, also in a loop and where a so
 
 TEST_CASE("a channel that the sound does not have is told; one channel alone is x and y") {
     const auto stereo = channels_of(2, 600, stair);
-    CHECK(refusal("audio:a.wav,r=5", stereo) == "r is channel 5, but the sound has 2 channels");
+    CHECK(channels_refusal("audio:a.wav,r=5", stereo) ==
+          "r is channel 5, but the sound has 2 channels");
     const auto mono = channels_of(1, 600, stair);
-    CHECK(refusal("audio:a.wav,x=2", mono) == "x is channel 2, but the sound has 1 channel");
+    CHECK(channels_refusal("audio:a.wav,x=2", mono) ==
+          "x is channel 2, but the sound has 1 channel");
     const Beam diagonal = second_frame("mode=xy", mono);
     CHECK(diagonal.back().x == diagonal.back().y);
     CHECK(make_signal(parse_spec("audio:a.wav,mode=spectrum,r=5").value(), {stereo}).has_value());
 }
 
 TEST_CASE("a live sound's channels are chosen in the same way") {
-    auto live = std::make_shared<LiveSound>(rate, 4);
+    auto live = std::make_shared<LiveSound>(channels_rate, 4);
     std::vector<float> samples;
     for (int i = 0; i < 200; ++i)
         for (int channel = 1; channel <= 4; ++channel)

@@ -26,7 +26,7 @@ bool goes_through(const std::vector<BeamPlace>& line, const BeamPlace& place) {
                        [&](const BeamPlace& point) { return is_at(point, place[0], place[1]); });
 }
 
-std::string refusal(const std::string& text) {
+std::string drawing_refusal(const std::string& text) {
     const auto drawing = parse_drawing(text);
     REQUIRE_FALSE(drawing.has_value());
     return drawing.error().front().message;
@@ -36,13 +36,6 @@ std::string refused_signal(const std::string& text) {
     const auto signal = make_signal(parse_spec(text).value(), {});
     REQUIRE_FALSE(signal.has_value());
     return signal.error().front().message;
-}
-
-double charge_of(const Beam& beam) {
-    double sum = 0.0;
-    for (const BeamPoint& point : beam)
-        sum += static_cast<double>(point.intensity);
-    return sum;
 }
 
 // The smallest and the largest x that is lit.
@@ -69,21 +62,21 @@ TEST_CASE("a drawing's text reads back as the same drawing") {
 }
 
 TEST_CASE("a drawing's text with a mistake is told, with its place") {
-    CHECK(refusal("") == "there is no keyframe: [] is an empty one");
-    CHECK(refusal("L0 0 1 1") == "each keyframe stands between [ and ]");
-    CHECK(refusal("[L0 0 1 1") == "each keyframe stands between [ and ]");
-    CHECK(refusal("[][L0 0 1 1;Q0 0]").starts_with("stroke 2 of keyframe 2 begins with L"));
-    CHECK(refusal("[L0 0 1]").starts_with("stroke 1 of keyframe 1 takes pairs"));
-    CHECK(refusal("[L]").starts_with("stroke 1 of keyframe 1 takes pairs"));
-    CHECK(refusal("[L0 nan]").starts_with("stroke 1 of keyframe 1 takes pairs"));
-    CHECK(refusal("[L0 1e9]").starts_with("stroke 1 of keyframe 1 takes pairs"));
+    CHECK(drawing_refusal("") == "there is no keyframe: [] is an empty one");
+    CHECK(drawing_refusal("L0 0 1 1") == "each keyframe stands between [ and ]");
+    CHECK(drawing_refusal("[L0 0 1 1") == "each keyframe stands between [ and ]");
+    CHECK(drawing_refusal("[][L0 0 1 1;Q0 0]").starts_with("stroke 2 of keyframe 2 begins with L"));
+    CHECK(drawing_refusal("[L0 0 1]").starts_with("stroke 1 of keyframe 1 takes pairs"));
+    CHECK(drawing_refusal("[L]").starts_with("stroke 1 of keyframe 1 takes pairs"));
+    CHECK(drawing_refusal("[L0 nan]").starts_with("stroke 1 of keyframe 1 takes pairs"));
+    CHECK(drawing_refusal("[L0 1e9]").starts_with("stroke 1 of keyframe 1 takes pairs"));
     std::string keyframes;
     for (std::size_t i = 0; i <= most_keyframes; ++i)
         keyframes += "[]";
-    CHECK(refusal(keyframes) == "there are more than 100 keyframes");
+    CHECK(drawing_refusal(keyframes) == "there are more than 100 keyframes");
     Drawing huge{{{{}}}};
     huge.keyframes[0][0].points.resize(most_drawing_points + 1);
-    CHECK(refusal(to_text(huge)) == "there are more than 20000 points");
+    CHECK(drawing_refusal(to_text(huge)) == "there are more than 20000 points");
 }
 
 TEST_CASE("another program's drawing is fitted, one to scale stays") {

@@ -9,7 +9,7 @@
 #include <set>
 
 namespace {
-std::string refusal(std::string_view text) {
+std::string spec_refusal(std::string_view text) {
     const auto spec = parse_spec(text);
     REQUIRE(spec.has_value());
     const auto complete = completed(*spec);
@@ -53,25 +53,25 @@ TEST_CASE("a bare word is the file, also when it looks like a number") {
 }
 
 TEST_CASE("a misspelt kind, key or word is refused with a suggestion") {
-    CHECK(refusal("lisajous") ==
+    CHECK(spec_refusal("lisajous") ==
           "error: there is no signal 'lisajous' (did you mean 'lissajous'?)\n");
-    CHECK(refusal("lissajous:phse=0") ==
+    CHECK(spec_refusal("lissajous:phse=0") ==
           "error: lissajous has no setting 'phse' (did you mean 'phase'?)\n");
-    CHECK(refusal("waveform:ch1=sin") ==
+    CHECK(spec_refusal("waveform:ch1=sin") ==
           "error: waveform: ch1 takes sine, triangle, square, saw, noise, off, not 'sin' "
           "(did you mean 'sine'?)\n");
-    CHECK(refusal("theremin").find("known are lissajous, waveform") != std::string::npos);
+    CHECK(spec_refusal("theremin").find("known are lissajous, waveform") != std::string::npos);
 }
 
 TEST_CASE("numbers that cannot be meant are refused, all at once") {
-    CHECK(refusal("lissajous:points=4096.5").find("whole number") != std::string::npos);
-    CHECK(refusal("lissajous:points=1e12").find("between 16 and 262144") != std::string::npos);
-    CHECK(refusal("audio:a.wav,upsample=0").find("between 1 and 16") != std::string::npos);
-    CHECK(refusal("lissajous:x=nan") == "error: lissajous: x takes a number, not 'nan'\n");
-    CHECK(refusal("lissajous:3") == "error: lissajous: '3' is not of the form key=value\n");
-    CHECK(refusal("audio") == "error: audio: file must be given\n");
-    CHECK(refusal("audio:a.wav,file=b.wav") == "error: audio: file is given twice\n");
-    const std::string both = refusal("am:depth=2,mode=zz");
+    CHECK(spec_refusal("lissajous:points=4096.5").find("whole number") != std::string::npos);
+    CHECK(spec_refusal("lissajous:points=1e12").find("between 16 and 262144") != std::string::npos);
+    CHECK(spec_refusal("audio:a.wav,upsample=0").find("between 1 and 16") != std::string::npos);
+    CHECK(spec_refusal("lissajous:x=nan") == "error: lissajous: x takes a number, not 'nan'\n");
+    CHECK(spec_refusal("lissajous:3") == "error: lissajous: '3' is not of the form key=value\n");
+    CHECK(spec_refusal("audio") == "error: audio: file must be given\n");
+    CHECK(spec_refusal("audio:a.wav,file=b.wav") == "error: audio: file is given twice\n");
+    const std::string both = spec_refusal("am:depth=2,mode=zz");
     CHECK(std::count(both.begin(), both.end(), '\n') == 2);
 
     Spec infinite{"lissajous", {{"x", std::numeric_limits<double>::infinity()}}};

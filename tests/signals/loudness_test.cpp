@@ -1,5 +1,6 @@
 #include "signals/loudness.h"
 
+#include "about.h"
 #include "signals/signal_making.h"
 
 namespace {
@@ -9,10 +10,6 @@ constexpr double release = 0.4;
 /// 0.8 for the first second, then silence.
 double step_peak(std::int64_t stretch) {
     return stretch < 100 ? 0.8 : 0.0;
-}
-
-bool is_near(double number, double expected, double tolerance) {
-    return std::abs(number - expected) <= tolerance;
 }
 
 /// Bursts of 60 Hz for 30 ms every half second, over a quiet hum.

@@ -7,7 +7,7 @@
 #include <set>
 
 namespace {
-std::vector<float> pixel(const Picture& picture, int x, int y) {
+std::vector<float> pixel_of(const Picture& picture, int x, int y) {
     const auto first = picture.pixels.begin() + static_cast<std::ptrdiff_t>(picture.index(x, y));
     return {first, first + picture.channels};
 }
@@ -20,14 +20,14 @@ TEST_CASE("the SMPTE bars stand in their order at 75 %") {
         {.75f, .75f, .75f}, {.75f, .75f, 0}, {0, .75f, .75f}, {0, .75f, 0},
         {.75f, 0, .75f},    {.75f, 0, 0},    {0, 0, .75f}};
     for (int i = 0; i < 7; ++i)
-        CHECK(pixel(*bars, 50 + 100 * i, 100) == expected[static_cast<std::size_t>(i)]);
-    CHECK(pixel(*bars, 50, 340) == expected[6]);  // reversed blue bars
-    CHECK(pixel(*bars, 150, 340) == std::vector<float>{0, 0, 0});
-    CHECK(pixel(*bars, 180, 460) == std::vector<float>{1, 1, 1});
+        CHECK(pixel_of(*bars, 50 + 100 * i, 100) == expected[static_cast<std::size_t>(i)]);
+    CHECK(pixel_of(*bars, 50, 340) == expected[6]);  // reversed blue bars
+    CHECK(pixel_of(*bars, 150, 340) == std::vector<float>{0, 0, 0});
+    CHECK(pixel_of(*bars, 180, 460) == std::vector<float>{1, 1, 1});
     // -I and +Q as 8-bit codes, and 4 % of black's step between the sixth bar's thirds.
     const auto codes = [&bars](int x) {
         std::vector<int> values;
-        for (const float part : pixel(*bars, x, 460))
+        for (const float part : pixel_of(*bars, x, 460))
             values.push_back(static_cast<int>(std::lround(part * 255.0f)));
         return values;
     };
@@ -37,16 +37,16 @@ TEST_CASE("the SMPTE bars stand in their order at 75 %") {
     CHECK(codes(550) == std::vector<int>{0, 0, 0});
     CHECK(codes(590) == std::vector<int>{10, 10, 10});
     CHECK(codes(650) == std::vector<int>{0, 0, 0});
-    CHECK(pixel(*bars, 250, 340) == expected[4]);  // magenta, cyan and grey below, black between
-    CHECK(pixel(*bars, 450, 340) == expected[2]);
-    CHECK(pixel(*bars, 650, 340) == expected[0]);
+    CHECK(pixel_of(*bars, 250, 340) == expected[4]);  // magenta, cyan and grey below, black between
+    CHECK(pixel_of(*bars, 450, 340) == expected[2]);
+    CHECK(pixel_of(*bars, 650, 340) == expected[0]);
 }
 
 TEST_CASE("a ramp of 256 px holds each 8-bit code at its place") {
     const auto ramp = make_pattern("ramp,size=256x2");
     REQUIRE(ramp.has_value());
     for (int x : {0, 100, 255})
-        CHECK(pixel(*ramp, x, 1)[0] == doctest::Approx((x + 0.5) / 256.0));
+        CHECK(pixel_of(*ramp, x, 1)[0] == doctest::Approx((x + 0.5) / 256.0));
 }
 
 TEST_CASE("the checkerboard is half white") {
@@ -104,32 +104,32 @@ TEST_CASE("the harbour has 320 x 240 pixels in sixteen colours, and grows by who
     std::set<std::vector<float>> colors;
     for (int y = 0; y < 240; ++y)
         for (int x = 0; x < 320; ++x)
-            colors.insert(pixel(*harbour, x, y));
+            colors.insert(pixel_of(*harbour, x, y));
     CHECK(colors.size() == 16);
     const auto twice = make_pattern("harbour,size=640x480");
     for (int i = 0; i < 200; ++i)
-        CHECK(pixel(*twice, 3 * i, 2 * i) == pixel(*harbour, 3 * i / 2, i));
+        CHECK(pixel_of(*twice, 3 * i, 2 * i) == pixel_of(*harbour, 3 * i / 2, i));
 }
 
 TEST_CASE("the zone plate's rings are r / width periods a pixel, the finest at its sides") {
     const auto plate = make_pattern("zone-plate,size=256x256");
     REQUIRE(plate.has_value());
-    CHECK(pixel(*plate, 128, 128)[0] == doctest::Approx(1.0));
+    CHECK(pixel_of(*plate, 128, 128)[0] == doctest::Approx(1.0));
     // pi r^2 / 256 is a whole number of half turns where r^2 is one of 256.
-    CHECK(pixel(*plate, 128 + 16, 128)[0] == doctest::Approx(0.0));
-    CHECK(pixel(*plate, 128 + 32, 128)[0] == doctest::Approx(1.0));
-    CHECK(pixel(*plate, 0, 128)[0] == doctest::Approx(1.0));
-    CHECK(pixel(*plate, 1, 128)[0] < 0.01f);
+    CHECK(pixel_of(*plate, 128 + 16, 128)[0] == doctest::Approx(0.0));
+    CHECK(pixel_of(*plate, 128 + 32, 128)[0] == doctest::Approx(1.0));
+    CHECK(pixel_of(*plate, 0, 128)[0] == doctest::Approx(1.0));
+    CHECK(pixel_of(*plate, 1, 128)[0] < 0.01f);
 }
 
 TEST_CASE("one dot is lit, and the circle of the grid touches top and bottom") {
     const auto dot = make_pattern("dot,size=64x48");
     CHECK(std::count(dot->pixels.begin(), dot->pixels.end(), 1.0f) == 3);
-    CHECK(pixel(*dot, 32, 24)[0] == 1.0f);
+    CHECK(pixel_of(*dot, 32, 24)[0] == 1.0f);
     const auto grid = make_pattern("grid,size=640x480");
-    CHECK(pixel(*grid, 320, 1)[0] == doctest::Approx(1.0));
-    CHECK(pixel(*grid, 320, 478)[0] == doctest::Approx(1.0));
-    CHECK(pixel(*grid, 320 - 239, 240)[0] == doctest::Approx(1.0));
+    CHECK(pixel_of(*grid, 320, 1)[0] == doctest::Approx(1.0));
+    CHECK(pixel_of(*grid, 320, 478)[0] == doctest::Approx(1.0));
+    CHECK(pixel_of(*grid, 320 - 239, 240)[0] == doctest::Approx(1.0));
 }
 
 TEST_CASE("the terminal page has 80 x 25 characters of 8 x 16 pixels") {
@@ -137,7 +137,7 @@ TEST_CASE("the terminal page has 80 x 25 characters of 8 x 16 pixels") {
     REQUIRE(page.has_value());
     CHECK(page->extent == Extent{640, 400});
     // The 'A' of the first line, its bar four dots down: the font's own dots.
-    CHECK(pixel(*page, 2 * 8 + 1, 2 * 4)[1] > 0.8f);
-    CHECK(pixel(*page, 2 * 8 + 3, 0)[1] > 0.8f);
-    CHECK(pixel(*page, 0, 0)[1] == 0.0f);
+    CHECK(pixel_of(*page, 2 * 8 + 1, 2 * 4)[1] > 0.8f);
+    CHECK(pixel_of(*page, 2 * 8 + 3, 0)[1] > 0.8f);
+    CHECK(pixel_of(*page, 0, 0)[1] == 0.0f);
 }

@@ -1,6 +1,7 @@
 #include "signals/scene.h"
 
 #include "signals/shapes.h"
+#include "signals/signal_making.h"
 #include "signals/stroke_font.h"
 
 #include <doctest/doctest.h>
@@ -10,14 +11,14 @@
 #include <set>
 
 namespace {
-constexpr double rate = 4096.0 * 60.0;
+constexpr double scene_rate = 4096.0 * 60.0;
 
 SceneItem line(ScenePoint from, ScenePoint to) {
     return {.paths = {{{from, to}}}};
 }
 
 std::unique_ptr<Signal> signal_of(BeamScene scene) {
-    auto made = make_scene_signal(std::make_shared<const BeamScene>(std::move(scene)), rate);
+    auto made = make_scene_signal(std::make_shared<const BeamScene>(std::move(scene)), scene_rate);
     REQUIRE(made.has_value());
     return std::move(*made);
 }
@@ -26,13 +27,6 @@ Beam traced(const Signal& signal, double from, double to) {
     Beam beam;
     signal.trace({from, to}, beam);
     return beam;
-}
-
-double charge_of(const Beam& beam) {
-    double sum = 0.0;
-    for (const BeamPoint& point : beam)
-        sum += static_cast<double>(point.intensity);
-    return sum;
 }
 
 double length_of(const std::vector<ScenePath>& paths) {
@@ -51,7 +45,7 @@ TEST_CASE("a line is drawn at the beam's speed, with full current, once a refres
                                    .move_speed = 1000.0,
                                    .refresh = 50.0});
     // One half screen at 200 a second takes 5 ms; 4096 * 60 of charge a second.
-    const double expected = 0.005 * rate;
+    const double expected = 0.005 * scene_rate;
     CHECK(std::abs(charge_of(traced(*signal, 0.0, 0.02)) / expected - 1.0) < 1e-5);
     CHECK(std::abs(charge_of(traced(*signal, 0.0, 0.1)) / expected - 5.0) < 1e-4);
     const Beam half = traced(*signal, 0.0, 0.0025);
@@ -85,9 +79,11 @@ TEST_CASE("between two paths the beam is blanked, or lit where moves are visible
                     .move_speed = 100.0,
                     .refresh = 0.0};
     // 0.1 + 0.1 are drawn, 0.8 and 1 back are moved.
-    CHECK(std::abs(charge_of(traced(*signal_of(scene), 0.0, 0.02)) / (0.002 * rate) - 1.0) < 1e-4);
+    CHECK(std::abs(charge_of(traced(*signal_of(scene), 0.0, 0.02)) / (0.002 * scene_rate) - 1.0) <
+          1e-4);
     scene.move_current = 0.5;
-    CHECK(std::abs(charge_of(traced(*signal_of(scene), 0.0, 0.02)) / (0.011 * rate) - 1.0) < 1e-4);
+    CHECK(std::abs(charge_of(traced(*signal_of(scene), 0.0, 0.02)) / (0.011 * scene_rate) - 1.0) <
+          1e-4);
 }
 
 TEST_CASE("a corner on which the beam dwells gets the light of that time") {
@@ -95,7 +91,7 @@ TEST_CASE("a corner on which the beam dwells gets the light of that time") {
     const double without = charge_of(traced(*signal_of(scene), 0.0, 1.0 / 60.0));
     scene.items[0].dwell_seconds = 0.002;
     const double with = charge_of(traced(*signal_of(scene), 0.0, 1.0 / 60.0));
-    CHECK(std::abs((with - without) / (2.0 * 0.002 * rate) - 1.0) < 1e-4);
+    CHECK(std::abs((with - without) / (2.0 * 0.002 * scene_rate) - 1.0) < 1e-4);
 }
 
 TEST_CASE("a turned and spun item lies where it should, as from afar or near") {
@@ -172,7 +168,7 @@ TEST_CASE("every printable character of the font is drawn, and no two look the s
 
 TEST_CASE("a scene that draws nothing or far too much is refused") {
     const auto refused = [](BeamScene scene) {
-        return !make_scene_signal(std::make_shared<const BeamScene>(std::move(scene)), rate)
+        return !make_scene_signal(std::make_shared<const BeamScene>(std::move(scene)), scene_rate)
                     .has_value();
     };
     CHECK(refused({}));

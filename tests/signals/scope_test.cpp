@@ -5,7 +5,7 @@
 #include <algorithm>
 
 namespace {
-constexpr double pixel = 2.0 / 1280.0;  // of a picture as wide as the signal's -1..1
+constexpr double pixel_width = 2.0 / 1280.0;  // of a picture as wide as the signal's -1..1
 
 /// Where a trace rises through 0, by straight lines between its points.
 std::vector<double> rising_places(const Beam& beam) {
@@ -55,7 +55,7 @@ TEST_CASE("a sine of 1 kHz at 1 ms/div has one period a division") {
         REQUIRE(places.size() > 9 * 30);
         for (const double place : places) {
             const double division = (place + 1.0) / 0.2;
-            REQUIRE(std::abs(division - std::round(division)) * 0.2 < pixel);
+            REQUIRE(std::abs(division - std::round(division)) * 0.2 < pixel_width);
         }
     }
 }
@@ -242,10 +242,10 @@ TEST_CASE("two sines a quarter turn apart draw a circle to half a pixel") {
         beam_of(*signal_of("waveform:mode=xy,ch1=sine,f1=3,p1=0.25,a1=0.9,ch2=sine,f2=3,a2=0.9"),
                 frame_span(5, 60.0));
     for (const BeamPoint& point : generators)
-        REQUIRE(std::abs(std::hypot(point.x, point.y) - 0.9) < 0.5 * pixel);
+        REQUIRE(std::abs(std::hypot(point.x, point.y) - 0.9) < 0.5 * pixel_width);
     const Beam sound = beam_of(*signal_of("audio:a.wav", circle(48000, 48000, 1000.0)), {0.2, 0.5});
     for (const BeamPoint& point : sound)
-        REQUIRE(std::abs(std::hypot(point.x, point.y) - 0.5) < 0.5 * pixel);
+        REQUIRE(std::abs(std::hypot(point.x, point.y) - 0.5) < 0.5 * pixel_width);
 }
 
 TEST_CASE("a Lissajous figure of 2 to 3 touches the side 2 times and the top 3 times") {

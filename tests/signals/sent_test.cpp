@@ -1,4 +1,5 @@
 #include "signals/sent_beam.h"
+#include "signals/signal_making.h"
 
 #include <doctest/doctest.h>
 
@@ -19,13 +20,6 @@ void append_float(std::string& bytes, float value) {
     const auto bits = std::bit_cast<std::uint32_t>(value);
     for (int shift = 0; shift < 32; shift += 8)
         bytes += static_cast<char>(bits >> shift & 255);
-}
-
-double charge_of(const Beam& beam) {
-    double sum = 0.0;
-    for (const BeamPoint& point : beam)
-        sum += static_cast<double>(point.intensity);
-    return sum;
 }
 }  // namespace
 

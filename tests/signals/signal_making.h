@@ -24,6 +24,13 @@ inline Beam beam_of(const Signal& signal, const TimeSpan& span) {
     return beam;
 }
 
+inline double charge_of(const Beam& beam) {
+    double sum = 0.0;
+    for (const BeamPoint& point : beam)
+        sum += static_cast<double>(point.intensity);
+    return sum;
+}
+
 /// A sound whose left and right are functions of the sample's number.
 template <class Left, class Right>
 std::shared_ptr<const Sound> sound_of(int rate, int frames, const Left& left, const Right& right) {

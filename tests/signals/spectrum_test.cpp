@@ -6,13 +6,13 @@
 #include <algorithm>
 
 namespace {
-constexpr int rate = 48000;
-constexpr double bin_hertz = rate / 2048.0;
+constexpr int spectrum_rate = 48000;
+constexpr double bin_hertz = spectrum_rate / 2048.0;
 
 std::shared_ptr<const Sound> sines(double hertz, double amplitude, double other_hertz = 0.0,
                                    double other_amplitude = 0.0) {
     return sound_of(
-        rate, 2 * rate,
+        spectrum_rate, 2 * spectrum_rate,
         [=](int i) {
             return amplitude * sine_at(hertz, i / 48000.0) +
                    other_amplitude * sine_at(other_hertz, i / 48000.0);
@@ -28,7 +28,7 @@ double level_at(const std::shared_ptr<const Sound>& sound, std::size_t at) {
 /// Bursts of 60 Hz for 30 ms, `gap` seconds apart, over a quiet hum.
 std::shared_ptr<const Sound> clicks(double gap) {
     return sound_of(
-        rate, 5 * rate,
+        spectrum_rate, 5 * spectrum_rate,
         [=](int i) {
             const double seconds = i / 48000.0;
             const bool is_click = std::fmod(seconds, gap) < 0.03;
@@ -58,8 +58,8 @@ TEST_CASE("a sine of full scale in the middle of a bin reads 0 dB, between two 1
 
 TEST_CASE("smoothing: 63 % of the way after its time constant, whatever the frame rate") {
     const auto sound = sound_of(
-        rate, 3 * rate,
-        [](int i) { return i < rate ? 0.0 : sine_at(100 * bin_hertz, i / 48000.0); },
+        spectrum_rate, 3 * spectrum_rate,
+        [](int i) { return i < spectrum_rate ? 0.0 : sine_at(100 * bin_hertz, i / 48000.0); },
         [](int) { return 0.0; });
     const SoundInput input(stream_of(sound, {}), {.channels = SoundChannels::left, .upsample = 1});
     const Spectrum spectrum(input, 256, 0.25);
@@ -118,7 +118,8 @@ TEST_CASE("the settings of a spectrum reach it: FFT size, smoothing, floor and c
     CHECK(std::abs(highest_at(*at_top, 1.0, 64 * bin_hertz) - 1.0f) < 0.01f);
     // Half a second after it began a tone has 1 - e^-1 of its amplitude: 3.99 dB less.
     const auto late = sound_of(
-        rate, 3 * rate, [](int i) { return i < rate ? 0.0 : sine_at(64 * bin_hertz, i / 48000.0); },
+        spectrum_rate, 3 * spectrum_rate,
+        [](int i) { return i < spectrum_rate ? 0.0 : sine_at(64 * bin_hertz, i / 48000.0); },
         [](int) { return 0.0; });
     const auto slow = signal_of(spectrum + "smoothing=0.5,floor=-20,fft=256,loop=off", late);
     const auto at_once = signal_of(spectrum + "smoothing=0,floor=-20,fft=256,loop=off", late);
@@ -127,7 +128,8 @@ TEST_CASE("the settings of a spectrum reach it: FFT size, smoothing, floor and c
     CHECK(std::abs(missing + 20.0 * std::log10(1.0 - std::exp(-1.0))) < 0.1);
 }
 
-TEST_CASE("what lies above half the sound's rate is at the floor, and a bad range is refused") {
+TEST_CASE(
+    "what lies above half the sound's rate is at the floor, and a bad range is refused") {
     const auto sound = sound_of(
         8000, 8000, [](int i) { return i % 2 == 0 ? 0.9 : -0.9; }, [](int) { return 0.0; });
     const Beam beam = beam_of(*signal_of("audio:a.wav,mode=spectrum,low=4100,high=20000", sound),

@@ -1,26 +1,24 @@
 #include "ui/slider.h"
 
+#include "about.h"
+
 #include <doctest/doctest.h>
 
 #include <cmath>
 
-namespace {
-bool is_near(double value, double wanted) {
-    return std::abs(value - wanted) < 1e-9;
-}
-}  // namespace
+namespace {}  // namespace
 
 TEST_CASE("a fine hand goes a tenth as far, a coarse one ten times, and none beyond the ends") {
-    CHECK(is_near(hand_after(0.5, 0.1, DragPace::fine), 0.51));
-    CHECK(is_near(hand_after(0.5, 0.01, DragPace::coarse), 0.6));
+    CHECK(is_near(hand_after(0.5, 0.1, DragPace::fine), 0.51, 1e-9));
+    CHECK(is_near(hand_after(0.5, 0.01, DragPace::coarse), 0.6, 1e-9));
     CHECK(hand_after(0.5, -0.2, DragPace::coarse) == 0.0);
 }
 
 TEST_CASE("a drag stops at numbers that read well, ten times finer or coarser ones as it is") {
     const SliderFacts facts{.low = 0.0, .high = 1.0};
-    CHECK(is_near(dragged_value(0.123456, facts, DragPace::direct), 0.123));
-    CHECK(is_near(dragged_value(0.123456, facts, DragPace::fine), 0.1235));
-    CHECK(is_near(dragged_value(0.123456, facts, DragPace::coarse), 0.12));
+    CHECK(is_near(dragged_value(0.123456, facts, DragPace::direct), 0.123, 1e-9));
+    CHECK(is_near(dragged_value(0.123456, facts, DragPace::fine), 0.1235, 1e-9));
+    CHECK(is_near(dragged_value(0.123456, facts, DragPace::coarse), 0.12, 1e-9));
 }
 
 TEST_CASE(
@@ -38,8 +36,8 @@ TEST_CASE("notches stand at the steps between the ends, where all of them have r
     const SliderFacts facts{.low = 0.0, .high = 4.0, .step = 1.0};
     const auto places = notch_places(facts, 100.0);
     REQUIRE(places.size() == 3);
-    CHECK(is_near(places[0], 0.25));
-    CHECK(is_near(places[2], 0.75));
+    CHECK(is_near(places[0], 0.25, 1e-9));
+    CHECK(is_near(places[2], 0.75, 1e-9));
     CHECK(notch_places(facts, 20.0).size() == 3);  // five pixels each
     CHECK(notch_places(facts, 19.0).empty());
     CHECK(notch_places({.low = 0.0, .high = 4.0}, 100.0).empty());  // any value
@@ -54,6 +52,6 @@ TEST_CASE("safe values are marked where they have room") {
     const SliderFacts facts{.low = 2.0, .high = 12.0, .safe = {2.0, 3.0, 4.0, 12.0}};
     const auto places = safe_places(facts, 100.0);
     REQUIRE(places.size() == 4);
-    CHECK(is_near(places[1], 0.1));
+    CHECK(is_near(places[1], 0.1, 1e-9));
     CHECK(safe_places(facts, 30.0).size() == 3);  // 3 px apart: only every other one
 }
