@@ -25,7 +25,8 @@ constexpr std::array verbs{
 
 constexpr const char* about =
     "The lab for the CRT, phosphor and oscilloscope look.\n\n"
-    "afterglow [LOOK] opens the window; the commands work without a display.\n"
+    "afterglow [LOOK] opens the window, also on a sound, picture or preset; the commands work "
+    "without a display.\n"
     "LOOK is a look's folder or name, a stack of looks as in phosphor+crt, or a preset: a file,\n"
     "a PNG that holds one, or its line of text.";
 

@@ -123,14 +123,19 @@ Extent fitted(Extent wanted) {
 }
 }  // namespace
 
-Result<std::unique_ptr<Window>> Window::create(const WindowOptions& options, GLFWwindow* shared) {
+Result<std::unique_ptr<Window>> Window::create(const WindowOptions& options, GLFWwindow* shared,
+                                               GLFWmonitor* monitor) {
     auto library = open_library();
     if (!library)
         return fail(library.error());
     set_hints(options);
-    const Extent size = fitted(options.size);
+    if (monitor) {  // as it is, and without going away when the panels are used
+        glfwWindowHint(GLFW_REFRESH_RATE, glfwGetVideoMode(monitor)->refreshRate);
+        glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);
+    }
+    const Extent size = monitor ? options.size : fitted(options.size);
     GLFWwindow* made =
-        glfwCreateWindow(size.width, size.height, options.title.c_str(), nullptr, shared);
+        glfwCreateWindow(size.width, size.height, options.title.c_str(), monitor, shared);
     if (!made)
         return fail({{}, 0, fmt::format("no OpenGL 4.1 window can be had: {}", last_problem())});
     return std::unique_ptr<Window>(new Window(std::move(*library), made));
@@ -235,31 +240,6 @@ float Window::content_scale() const {
     float scale = 1.0f;
     glfwGetWindowContentScale(m_window, &scale, nullptr);
     return scale;
-}
-
-namespace {
-// The display under the window's middle.
-GLFWmonitor* monitor_at(int x, int y) {
-    int count = 0;
-    GLFWmonitor** monitors = glfwGetMonitors(&count);
-    for (int i = 0; i < count; ++i) {
-        int left = 0;
-        int top = 0;
-        glfwGetMonitorPos(monitors[i], &left, &top);
-        const GLFWvidmode* mode = glfwGetVideoMode(monitors[i]);
-        if (mode && x >= left && y >= top && x < left + mode->width && y < top + mode->height)
-            return monitors[i];
-    }
-    return glfwGetPrimaryMonitor();
-}
-}  // namespace
-
-double Window::refresh_rate() const {
-    const auto [x, y] = position();
-    const Extent extent = size();
-    GLFWmonitor* monitor = monitor_at(x + extent.width / 2, y + extent.height / 2);
-    const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
-    return mode && mode->refreshRate > 0 ? mode->refreshRate : 60.0;
 }
 
 void Window::set_title(const std::string& title) {

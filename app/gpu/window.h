@@ -2,6 +2,7 @@
 
 #include "gpu/context.h"
 #include "gpu/input_event.h"
+#include "gpu/texture.h"
 #include "model/extent.h"
 
 #include <array>
@@ -10,6 +11,7 @@
 #include <string>
 #include <vector>
 
+struct GLFWmonitor;
 struct GLFWwindow;
 
 namespace gpu {
@@ -22,6 +24,14 @@ struct WindowOptions {
     bool is_visible = true;
 };
 
+/// A display of the desktop.
+struct Monitor {
+    std::string name;
+    Extent size;  // screen coordinates
+
+    bool operator==(const Monitor&) const = default;
+};
+
 /// A window on the desktop with the context that draws into it. Made and used on the main thread,
 /// but for wake(), make_current() and release().
 class Window : public Context {
@@ -29,6 +39,20 @@ public:
     /// Its context is current. Fails in plain words without a display or OpenGL 4.1.
     static Result<std::unique_ptr<Window>> open(const WindowOptions& options);
     ~Window() override;
+
+    /// The displays there are, the first one first; several may have the same name.
+    static std::vector<Monitor> monitors();
+    /// The display that most of the window's middle is on, by its place in monitors().
+    std::size_t monitor() const;
+    /// A window without frame or pointer over all of a display, at its present resolution, that
+    /// shares this one's textures and stays when another window gets the keyboard. This window's
+    /// context is current afterwards.
+    Result<std::unique_ptr<Window>> open_full_screen(std::size_t monitor);
+    /// Shows a picture alone, its bottom left corner in the window's; null: black. Leaves the
+    /// window's context current.
+    void show(const Texture* picture);
+    /// Asks the desktop for the keyboard.
+    void focus();
 
     void make_current() override;
     void release() override;
@@ -76,7 +100,8 @@ private:
 
     Window(std::shared_ptr<Library> library, GLFWwindow* window);
     Result<std::unique_ptr<Context>> make_sharing() const override;
-    static Result<std::unique_ptr<Window>> create(const WindowOptions& options, GLFWwindow* shared);
+    static Result<std::unique_ptr<Window>> create(const WindowOptions& options, GLFWwindow* shared,
+                                                  GLFWmonitor* monitor = nullptr);
     static Result<std::shared_ptr<Library>> open_library();
     struct Listeners;  // what GLFW calls
 

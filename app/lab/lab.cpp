@@ -95,6 +95,14 @@ bool Lab::would_lose_changes(const std::string& argument) const {
     return !fs::equivalent(manifest, present, error);
 }
 
+std::string Lab::look_for(const fs::path& file) const {
+    const bool is_beam = is_sound_file(file) || is_svg_file(file) || is_scene_file(file);
+    const Driver needed = is_beam ? Driver::signal : Driver::picture;
+    if (m_document && m_document->look().driven_by == needed)
+        return "";
+    return is_beam ? "phosphor" : "crt";
+}
+
 void Lab::open_file(const fs::path& file) {
     if (opens_document(file)) {
         open(file.string());

@@ -100,6 +100,9 @@ public:
     void open_file(const std::filesystem::path& file);
     /// Whether open_file() would open a look or preset.
     bool opens_document(const std::filesystem::path& file) const;
+    /// The look to open before a sound, drawing, scene, picture or video can be shown: "" where
+    /// the open one takes it.
+    std::string look_for(const std::filesystem::path& file) const;
     /// Whether open() would put another look in the place of unsaved changes. A preset of the open
     /// look does not: undo brings them back.
     bool would_lose_changes(const std::string& argument) const;

@@ -1,5 +1,7 @@
 #include "lab/pace.h"
 
+#include <algorithm>
+
 void Pace::add(double wall_seconds) {
     if (wall_seconds <= 0.0 || wall_seconds > 1.0)
         return;
@@ -8,4 +10,13 @@ void Pace::add(double wall_seconds) {
     constexpr double smoothing = 1.0 / 30.0;
     m_seconds =
         m_seconds == 0.0 ? wall_seconds : m_seconds + smoothing * (wall_seconds - m_seconds);
+}
+
+void Pace::expect(double wall_seconds, bool is_due) {
+    constexpr double late = 1.1 / 30.0;  // a display's own frames are not quite even
+    constexpr double most = 0.5;         // one long wait is no slow picture
+    if (!is_due || wall_seconds <= late)
+        m_slow_seconds = 0.0;
+    else
+        m_slow_seconds += std::min(wall_seconds, most);
 }

@@ -139,6 +139,7 @@ void Views::update(const Lab& lab, const WindowState& window) {
     if (!lab.renderer() || lab.renderer()->executor().plan().targets.empty()) {
         m_picture.reset();
         m_beside.reset();
+        m_output.reset();
         m_compared.stop();
         m_inspected.reset();
         m_thumbnails.clear();
@@ -152,6 +153,7 @@ void Views::update(const Lab& lab, const WindowState& window) {
         return;  // what was shown stays until the past has been drawn again
     const Executor& executor = lab.renderer()->executor();
     draw_picture(lab, window);
+    draw_output(executor, window.output.is_black ? Extent{} : window.views.output);
     const bool is_whole = !window.is_picture_only;
     const bool has_strip = is_whole && window.shows_strip;
     draw_thumbnails(executor, has_strip ? window.views.thumbnail_height : 0);
@@ -165,6 +167,15 @@ void Views::update(const Lab& lab, const WindowState& window) {
     else
         m_pins.stop();
     probe(lab, window.probe);
+}
+
+// Whatever the panels show; in whole pixels where the picture has a size of its own.
+void Views::draw_output(const Executor& executor, Extent extent) {
+    if (extent.is_empty())
+        return m_output.reset();
+    const int last = static_cast<int>(executor.look().passes.size()) - 1;
+    draw_part(executor.target(last), m_output, extent, {},
+              {.encoding = encoding_of(executor.look(), last)});
 }
 
 Views::Part Views::large_part(const Executor& executor, const WindowState& window) {

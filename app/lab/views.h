@@ -35,6 +35,8 @@ public:
     const ComparedPictures& compared() const { return m_compared; }
     /// What picture() shows, as numbers; empty when nothing. Waits for the GPU.
     Picture read_picture() const;
+    /// The picture as the output window shows it, its size; null: nothing.
+    const gpu::Texture* output() const { return m_output ? &m_output->texture() : nullptr; }
     Image inspected() const { return image_of(m_inspected); }
     /// What the inspected target's numbers come to; nothing while the inspector is closed.
     const Inspection& inspection() const { return m_inspection; }
@@ -68,6 +70,7 @@ private:
     void compare(const Lab& lab, const Part& part);
     void draw_wiped(const Lab& lab, Part part, const WindowState& window);
     void draw_difference(const Lab& lab, Part part, const WindowState& window);
+    void draw_output(const Executor& executor, Extent extent);
     void draw_inspected(const Executor& executor, const WindowState& window);
     void draw_thumbnails(const Executor& executor, int height);
     void probe(const Lab& lab, const std::optional<Probe>& probe);
@@ -79,6 +82,7 @@ private:
     ComparedPictures m_compared;
     std::optional<gpu::Canvas> m_picture;
     std::optional<gpu::Canvas> m_beside;
+    std::optional<gpu::Canvas> m_output;
     std::optional<gpu::Canvas> m_inspected;
     std::vector<std::optional<gpu::Canvas>> m_thumbnails;
     std::optional<std::array<float, 4>> m_probed;

@@ -51,15 +51,20 @@ std::optional<int> whole(const std::map<std::string, double>& numbers, const cha
 }  // namespace
 
 std::map<std::string, double> remembered(const WindowState& window) {
-    std::map<std::string, double> numbers{{"width", window.size.width},
-                                          {"height", window.size.height},
-                                          {"scale", window.scale},
-                                          {"wipe_share", window.wipe_share},
-                                          {"bottom_part", static_cast<int>(window.bottom_part)}};
+    std::map<std::string, double> numbers{
+        {"width", window.size.width},
+        {"height", window.size.height},
+        {"scale", window.scale},
+        {"wipe_share", window.wipe_share},
+        {"vsync", window.frame_rate.waits_for_display ? 1.0 : 0.0},
+        {"frame_cap", window.frame_rate.cap},
+        {"bottom_part", static_cast<int>(window.bottom_part)}};
     if (window.position) {
         numbers["left"] = (*window.position)[0];
         numbers["top"] = (*window.position)[1];
     }
+    if (window.output.monitor)
+        numbers["output_monitor"] = static_cast<double>(*window.output.monitor);
     for (const auto& [name, is_on] : switches)
         numbers[name] = window.*is_on ? 1.0 : 0.0;
     for (std::size_t i = 0; i < window.used.size(); ++i)
@@ -83,7 +88,13 @@ WindowState restored_window(const std::map<std::string, double>& numbers) {
         window.scale = *scale;
     if (const auto share = number(numbers, "wipe_share", 0.0, 1.0))
         window.wipe_share = *share;
-    if (const auto part = whole(numbers, "bottom_part", 0.0, 2.0))
+    if (const auto is_on = number(numbers, "vsync", 0.0, 1.0))
+        window.frame_rate.waits_for_display = *is_on != 0.0;
+    if (const auto cap = number(numbers, "frame_cap", 1.0, FrameRate::no_cap))
+        window.frame_rate.cap = *cap;
+    if (const auto monitor = whole(numbers, "output_monitor", 0.0, 63.0))
+        window.output.monitor = static_cast<std::size_t>(*monitor);
+    if (const auto part = whole(numbers, "bottom_part", 0.0, 4.0))
         window.bottom_part = static_cast<BottomPart>(*part);
     for (const auto& [name, is_on] : switches)
         if (const auto kept = number(numbers, name, 0.0, 1.0))

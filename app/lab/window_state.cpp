@@ -8,6 +8,16 @@ constexpr std::array zooms{0.125, 0.25, 0.5,  1.0,  2.0,  3.0,  4.0, 6.0,
                            8.0,   12.0, 16.0, 24.0, 32.0, 48.0, 64.0};
 }  // namespace
 
+double FrameRate::frame_seconds(double display_rate) const {
+    return 1.0 / (cap > 0.0 ? cap : std::clamp(display_rate, 24.0, 240.0));
+}
+
+std::size_t OutputState::monitor_for(std::size_t count, std::size_t panels) const {
+    if (monitor && *monitor < count)
+        return *monitor;
+    return count > 1 && panels == 0 ? 1 : 0;
+}
+
 double PictureView::zoom_for(Extent picture, Extent view) const {
     if (fit == Fit::free || picture.is_empty() || view.is_empty())
         return zoom;

@@ -107,6 +107,7 @@ enum class BottomPart { problems, timings, pins, inputs, text };
 struct ViewSizes {
     Extent picture;
     Extent inspector;
+    Extent output;  // empty while it is closed
     int thumbnail_height = 0;
 };
 
@@ -178,6 +179,43 @@ struct Revealed {
 /// Which parameters are listed.
 enum class ParameterFilter { all, changed, favourites, of_pass };
 
+/// How many frames a second the window draws.
+struct FrameRate {
+    static constexpr double no_cap = 1000.0;
+
+    bool waits_for_display = true;  // a frame is shown whole, when the display begins a new one
+    double cap = 0.0;               // frames/s; 0: as many as the display shows
+
+    bool operator==(const FrameRate&) const = default;
+    /// The least seconds from one frame to the next on a display that shows so many a second.
+    double frame_seconds(double display_rate) const;
+    /// Whether frames are to come more than 30 times a second.
+    bool wants_30(double display_rate) const { return frame_seconds(display_rate) < 1.0 / 31.0; }
+};
+
+/// The window that shows the picture alone, over all of a display.
+struct OutputState {
+    bool is_open = false;
+    bool is_black = false;
+    std::optional<std::size_t>
+        monitor;  // as the person chose; none: another than the panels are on
+
+    bool operator==(const OutputState&) const = default;
+    /// The display it belongs on, of `count`, while the panels are on `panels`.
+    std::size_t monitor_for(std::size_t count, std::size_t panels) const;
+};
+
+/// What is shown at the very first start: three things to do, each ticked off once done.
+struct FirstSteps {
+    bool is_shown = false;
+    bool has_turned = false;  // a parameter
+    bool has_driven = false;  // the look, by another signal or picture
+    bool has_looked = false;  // into a pass
+
+    bool operator==(const FirstSteps&) const = default;
+    bool are_done() const { return has_turned && has_driven && has_looked; }
+};
+
 /// How a person has arranged the window, and what they look at. A value; the session keeps the
 /// arrangement.
 struct WindowState {
@@ -185,6 +223,9 @@ struct WindowState {
     std::optional<std::array<int, 2>> position;
     bool is_maximised = false;
     double scale = 1.0;  // of text and controls, on top of the display's own
+    FrameRate frame_rate;
+    OutputState output;
+    FirstSteps first_steps;
 
     bool has_session_before = false;  // another look took the place of unsaved changes
     PaneSizes panes;

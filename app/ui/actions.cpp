@@ -2,6 +2,7 @@
 
 #include "gpu/input_event.h"
 #include "ui/compare_actions.h"
+#include "ui/display_actions.h"
 #include "ui/file_actions.h"
 #include "ui/pass_actions.h"
 #include "ui/rates_dialog.h"
@@ -178,9 +179,10 @@ std::vector<Action> help_actions() {
 
 std::vector<Action> make_actions() {
     std::vector<Action> actions;
-    for (const auto& part : {file_actions::list(), edit_actions(), tuning_actions::list(),
-                             view_actions::list(), compare_actions::list(), pass_actions::list(),
-                             playback_actions(), moves_actions(), help_actions()})
+    for (const auto& part :
+         {file_actions::list(), edit_actions(), tuning_actions::list(), view_actions::list(),
+          display_actions::list(), compare_actions::list(), pass_actions::list(),
+          playback_actions(), moves_actions(), help_actions()})
         actions.insert(actions.end(), part.begin(), part.end());
     return actions;
 }
@@ -197,7 +199,9 @@ bool can_run(const Action& action, const Scene& scene) {
 
 // Escape goes through what is in the way, nearest first.
 void escape(const Scene& scene, Edits& edits) {
-    if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup))
+    if (scene.is_behind_output)
+        edits.arrange([](WindowState& window) { window.output.is_open = false; });
+    else if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup))
         ImGui::ClosePopupToLevel(0, true);
     else if (scene.lab.drawing_board().open_line())
         edits.end_line();

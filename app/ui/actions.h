@@ -77,6 +77,15 @@ enum class ActionId {
     edit_pass,
     write_passes,
     passes_as_written,
+    show_output,
+    next_output,
+    blackout,
+    wait_for_display,
+    cap_display,
+    cap_30,
+    cap_60,
+    cap_120,
+    no_cap,
     larger_text,
     smaller_text,
     play_pause,
@@ -97,7 +106,7 @@ enum class ActionId {
     about,
 };
 
-enum class Menu { file, edit, view, compare, pass, playback, help };
+enum class Menu { file, edit, view, output, frame_rate, compare, pass, playback, help };
 
 /// A key with what is held down with it.
 struct Chord {

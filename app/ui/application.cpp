@@ -2,11 +2,14 @@
 
 #include "gpu/draw.h"
 #include "gpu/window.h"
+#include "lab/first_file.h"
 #include "lab/session.h"
 #include "lab/session_keeper.h"
 #include "lab/waker.h"
 #include "lab/window_session.h"
+#include "ui/first_steps.h"
 #include "ui/menu_bar.h"
+#include "ui/output_window.h"
 #include "ui/state_file.h"
 #include "ui/theme.h"
 #include "ui/toolkit.h"
@@ -14,6 +17,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 namespace {
 using Clock = std::chrono::steady_clock;
@@ -51,18 +55,22 @@ public:
     void start(const Session& session, const Diagnostics& warnings) {
         if (!warnings.empty())
             m_lab.say(warnings.front());
-        if (m_options.look && set_session_aside(m_options.roots, session))
+        std::optional<std::string> look = m_options.look;
+        if (look && FirstFile::is_one(*look, m_lab))
+            m_first_file = FirstFile(*std::exchange(look, {}));
+        if (look && set_session_aside(m_options.roots, session))
             m_lab.say(
                 "The unsaved changes of last time are kept: File, Back to the session before");
         m_state.has_session_before = is_session_aside(m_options.roots);
+        m_state.first_steps.is_shown = session.look.empty();
         m_lab.set_knobs(session.knobs);
         m_lab.set_slots(session.slots);
         m_lab.before_losing_changes([this](const Lab& lab) {
             if (set_session_aside(m_options.roots, session_of(lab, remembered(m_state))))
                 m_state.has_session_before = true;
         });
-        if (m_options.look)
-            m_lab.open(*m_options.look);
+        if (look)
+            m_lab.open(*look);
         else if (session.look.empty())
             m_lab.open("phosphor");
         else
@@ -81,6 +89,7 @@ public:
 
 private:
     bool wait();  // whether a turn is due
+    Extent view() const;
     void turn();
     void follow_remote();
     void draw();
@@ -91,7 +100,9 @@ private:
     const WindowOptions& m_options;
     gpu::Window& m_window;
     Toolkit m_toolkit;
+    OutputWindow m_output;
     Lab m_lab;
+    FirstFile m_first_file;
     Views m_views;
     HistoryPictures m_history_pictures;
     WindowState m_state;
@@ -105,6 +116,7 @@ private:
     Clock::time_point m_last = Clock::now();
     Clock::time_point m_awake_until = Clock::now() + awake;
     long m_turn = 0;
+    std::optional<bool> m_waits_for_display;  // as the window was last told
     bool m_is_quitting = false;
 };
 
@@ -123,7 +135,7 @@ bool Application::wait() {
         m_awake_until = Clock::now() + awake;
         return true;
     }
-    const double frame = 1.0 / std::clamp(m_window.refresh_rate(), 24.0, 240.0);
+    const double frame = m_state.frame_rate.frame_seconds(m_window.refresh_rate());
     const double left = frame - seconds_between(m_last, start);
     constexpr double slack = 0.001;
     if (left > slack)
@@ -133,13 +145,25 @@ bool Application::wait() {
     return true;
 }
 
+// The pixels that a picture which follows the view has: the output window's, where it is open.
+Extent Application::view() const {
+    if (!m_state.views.output.is_empty())
+        return m_state.views.output;
+    return m_state.views.picture.is_empty() ? Extent{1280, 720} : m_state.views.picture;
+}
+
 void Application::turn() {
     const Clock::time_point now = Clock::now();
     const double wall_seconds = seconds_between(m_last, now);
     m_last = now;
     m_pace.add(wall_seconds);
-    m_lab.set_view(m_state.views.picture.is_empty() ? Extent{1280, 720} : m_state.views.picture);
+    m_pace.expect(wall_seconds,
+                  m_lab.is_moving() && m_state.frame_rate.wants_30(m_window.refresh_rate()));
+    if (std::string problem = m_output.follow(m_state, m_window); !problem.empty())
+        m_lab.say(std::move(problem), true);
+    m_lab.set_view(view());
     m_lab.update(wall_seconds);
+    m_first_file.update(m_lab);
     follow_remote();
     if (m_window.framebuffer_size().is_empty())
         return;  // minimised
@@ -161,6 +185,7 @@ void Application::draw() {
     gpu::bind_screen(m_window.framebuffer_size());
     const theme::Color back = theme::surround;
     gpu::clear_screen({back.red, back.green, back.blue, 1.0f});
+    m_toolkit.also_take(m_output.take_keys());
     m_toolkit.begin(static_cast<float>(m_state.scale));
     Edits edits;
     const Scene scene{m_lab,
@@ -169,6 +194,8 @@ void Application::draw() {
                       m_history_pictures,
                       m_shelf,
                       m_pace,
+                      m_output.monitor(),
+                      m_output.covers_panels(),
                       m_toolkit.fonts(),
                       ++m_turn,
                       m_toolkit.is_behind(),
@@ -183,6 +210,7 @@ void Application::draw() {
     if (std::string complaint = m_toolkit.take_complaint(); !complaint.empty())
         m_lab.say(std::move(complaint), true);
     m_window.swap();
+    m_output.show(m_views.output(), m_window);
     if (!m_options.state_file.empty())
         if (std::string text = state_text(scene, edits); text != m_state_text)
             write_state(m_options.state_file, m_state_text = std::move(text));
@@ -191,6 +219,7 @@ void Application::draw() {
 
 void Application::apply(const Edits& edits) {
     edits.apply(m_lab, m_state);
+    note_first_steps(m_lab, m_state);
     if (edits.has_verbs() || m_toolkit.has_input())  // a frame shows what the one before it changed
         m_awake_until = Clock::now() + awake;
     if (edits.has_verbs())
@@ -198,6 +227,9 @@ void Application::apply(const Edits& edits) {
     if (edits.copied())
         m_window.set_clipboard(*edits.copied());
     m_is_quitting = edits.is_quitting();
+    const bool waits = m_state.frame_rate.waits_for_display && !m_output.is_open();
+    if (waits != m_waits_for_display)  // of two windows only the output waits, or each waits twice
+        m_window.set_vsync(*(m_waits_for_display = waits));
     note_geometry();
     update_title();
 }

@@ -54,6 +54,28 @@ void draw_lag(const Scene& scene, Edits& edits) {
         "picture or fewer points help.");
 }
 
+// Asked for by nobody, so it takes no more room than a few words.
+void draw_half_size_offer(const Scene& scene, Edits& edits) {
+    constexpr double smallest = 0.25;
+    PictureSize half = scene.lab.picture_size();
+    half.scale *= 0.5;
+    if (!scene.pace.is_slow() || half.scale < smallest)
+        return;
+    ImGui::SameLine();
+    {
+        const ScopedColor color(ImGuiCol_Text, theme::accent);
+        if (quiet_button("Draw at half size"))
+            edits.add([half](Lab& lab) {
+                lab.set_picture_size(half);
+                lab.say("The picture has half its size; the menu above it has the others");
+            });
+    }
+    edits.mark("half_size");
+    tooltip(
+        "For two seconds no frame has come within 1/30 s. A quarter of the pixels is drawn "
+        "about four times as fast.");
+}
+
 std::string cost_text(const Scene& scene) {
     const Renderer* renderer = scene.lab.renderer();
     if (!renderer || renderer->executor().plan().targets.empty())
@@ -137,6 +159,7 @@ void draw_status_bar(const Scene& scene, Edits& edits) {
         tooltip(help_of(ActionId::show_timings));
     }
     draw_lag(scene, edits);
+    draw_half_size_offer(scene, edits);
     const std::string pointer = pointer_text(scene);
     if (pointer.empty())
         return;

@@ -36,8 +36,11 @@ void draw_menu(Menu menu, const char* label, const Scene& scene, Edits& edits) {
     edits.mark(std::string("menu:") + label);
     if (!is_open)
         return;
-    if (menu == Menu::view)
+    if (menu == Menu::view) {
         draw_picture_submenus(scene, edits);
+        draw_menu(Menu::output, "Output", scene, edits);
+        draw_menu(Menu::frame_rate, "Frame rate", scene, edits);
+    }
     for (const Action& action : all_actions())
         if (action.menu == menu)
             draw_item(action, scene, edits);

@@ -1,6 +1,7 @@
 #include "ui/overlays.h"
 
 #include "ui/compare_bar.h"
+#include "ui/first_steps.h"
 #include "ui/icons.h"
 #include "ui/problem_list.h"
 #include "ui/scoped.h"
@@ -124,6 +125,7 @@ void draw_loading(const Scene& scene) {
 }  // namespace
 
 void draw_overlays(const Scene& scene, Edits& edits) {
+    draw_first_steps(scene, edits);
     draw_errors(scene, edits);
     draw_loading(scene);
     draw_replay(scene);

@@ -11,6 +11,10 @@ const char* menu_name(Menu menu) {
             return "Edit";
         case Menu::view:
             return "View";
+        case Menu::output:
+            return "View, Output";
+        case Menu::frame_rate:
+            return "View, Frame rate";
         case Menu::compare:
             return "Compare";
         case Menu::pass:

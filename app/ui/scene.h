@@ -17,6 +17,8 @@ struct Scene {
     const HistoryPictures& history_pictures;
     const Shelf& shelf;
     const Pace& pace;
+    std::size_t output_monitor;     // that the output window is on, or would open on
+    bool is_behind_output = false;  // the output window covers this one
     const Fonts& fonts;
     long turn = 0;           // frames of the window so far
     bool is_behind = false;  // the person did more than this frame can answer

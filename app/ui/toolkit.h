@@ -21,6 +21,8 @@ public:
     bool is_behind() const { return !m_input.is_empty(); }
     /// Whether the person did anything that this frame answers.
     bool has_input() const { return m_has_input; }
+    /// Takes what was done on another window as if it had been done on this one.
+    void also_take(std::vector<gpu::InputEvent> events) { m_input.add(std::move(events)); }
     /// Begins a frame at a scale of text and controls; `scale` 1 is the display's own.
     void begin(float scale);
     /// Draws what was asked for since begin().

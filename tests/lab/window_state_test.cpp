@@ -79,3 +79,26 @@ TEST_CASE("what the pane at the bottom holds comes back") {
     CHECK(restored_window(remembered(window)).bottom_part == BottomPart::pins);
     CHECK(restored_window({{"bottom_part", 9.0}}).bottom_part == BottomPart::problems);
 }
+
+TEST_CASE("how many frames are drawn comes back") {
+    WindowState window;
+    window.frame_rate = {false, 60.0};
+    CHECK(restored_window(remembered(window)).frame_rate == window.frame_rate);
+    CHECK(restored_window({{"frame_cap", -3.0}, {"vsync", 7.0}}).frame_rate == FrameRate{});
+    CHECK(FrameRate{}.frame_seconds(144.0) == 1.0 / 144.0);
+    CHECK(FrameRate{.cap = 30.0}.frame_seconds(144.0) == 1.0 / 30.0);
+    CHECK(FrameRate{}.frame_seconds(0.0) == 1.0 / 24.0);  // a display that does not tell
+}
+
+TEST_CASE("the output window leaves the panels their display where there is another") {
+    CHECK(OutputState{}.monitor_for(1, 0) == 0);
+    CHECK(OutputState{}.monitor_for(2, 0) == 1);
+    CHECK(OutputState{}.monitor_for(2, 1) == 0);
+    CHECK(OutputState{.monitor = 1}.monitor_for(2, 1) == 1);  // a person may want it so
+    CHECK(OutputState{.monitor = 2}.monitor_for(2, 0) == 1);  // it is no longer there
+    WindowState window;
+    window.output = {true, false, 3};
+    const OutputState restored = restored_window(remembered(window)).output;
+    CHECK(restored.monitor == 3);
+    CHECK_FALSE(restored.is_open);
+}

@@ -104,3 +104,23 @@ class Driving(Person):
         self.drop(self.presets / "phosphor/Mine.json")
         program.wait("the preset opens", lambda s: s["preset"] == "Mine" and
                      s["values"]["decay"] == [0.62] and s["signal"].startswith("audio:"))
+
+    def test_the_output_window_shows_the_picture_alone(self):
+        program, screen = self.program, self.screen
+        edge = (0, 0, 100, 100)
+        panels = screen.brightness(edge)
+        self.assertGreater(panels, 0)
+        program.key("F12")
+        program.wait_for("there is nothing beside the picture", lambda: screen.brightness(edge) == 0)
+        middle = (340, 180, 940, 680)
+        program.wait_for("the picture is there", lambda: screen.brightness(middle) > 1)
+        self.snapshot("output")
+        program.key("ctrl+Next")
+        program.wait("its keys are the panels'", lambda s: s["preset"] and s["output"] == "on")
+        program.key("ctrl+b")
+        program.wait_for("it is black", lambda: screen.brightness(middle) == 0)
+        program.key("ctrl+b")
+        program.wait_for("the picture is back", lambda: screen.brightness(middle) > 1)
+        program.key("Escape")
+        program.wait("it is closed", lambda s: s["output"] == "off")
+        program.wait_for("the panels are seen again", lambda: abs(screen.brightness(edge) - panels) < 1)

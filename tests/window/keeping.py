@@ -1,6 +1,6 @@
 """A person keeps and shares what they found."""
 
-from person import PICTURE, Person
+from person import PICTURE, WINDOW, Person, write_tones
 
 
 class Keeping(Person):
@@ -153,3 +153,22 @@ class Keeping(Person):
         self.snapshot("compared")
         program.key("Escape")
         program.wait("it is closed", lambda s: s["dialog"] == 0)
+
+    def test_the_first_start_shows_what_to_do_and_a_sound_can_be_its_argument(self):
+        program = self.program
+        song = program.folder / "song.wav"
+        write_tones(song, seconds=2)
+        program.quit()
+        program.session().unlink()
+        program.start(str(song))
+        program.wait("the sound draws, in the look of a first start", lambda s: s["look"] == "phosphor" and
+                     s["signal"].startswith("audio:") and not s["reading"])
+        self.snapshot("first_steps")
+        program.click("first_steps:close")
+        program.wait("it is closed", lambda s: "first_steps" not in s["widgets"])
+        program.quit()
+        again = program.start()
+        self.assertNotIn("first_steps", again["widgets"])
+        program.quit()
+        program.arrange(*WINDOW, self.size)
+        program.start()

@@ -33,13 +33,17 @@ class Program:
         look = json.loads(manifest.read_text())
         look["default_signal"]["points"] = 512
         manifest.write_text(json.dumps(look, indent=2))
-        session = self.folder / "state/afterglow/session.json"
+        session = self.session()
         session.parent.mkdir(parents=True, exist_ok=True)
         session.write_text(json.dumps({
             "format": "afterglow-session", "version": 1,
             "look": str(self.folder / "data/shaders/phosphor/look.json"),
             "follows_view": False, "width": picture[0], "height": picture[1],
             "window": {"width": width, "height": height}}))
+
+    def session(self):
+        """The file that keeps what was open."""
+        return self.folder / "state/afterglow/session.json"
 
     def start(self, *arguments):
         self.state_file.unlink(missing_ok=True)

@@ -1,0 +1,102 @@
+// The displays of the desktop, and a window that covers one.
+#include "gpu/window.h"
+
+#include <epoxy/gl.h>
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <span>
+
+namespace gpu {
+
+namespace {
+// Those whose resolution is known.
+std::vector<GLFWmonitor*> handles() {
+    int count = 0;
+    GLFWmonitor** all = glfwGetMonitors(&count);
+    std::vector<GLFWmonitor*> monitors;
+    for (GLFWmonitor* monitor : std::span(all, static_cast<std::size_t>(count)))
+        if (glfwGetVideoMode(monitor))
+            monitors.push_back(monitor);
+    return monitors;
+}
+
+bool holds(GLFWmonitor* monitor, int x, int y) {
+    int left = 0;
+    int top = 0;
+    glfwGetMonitorPos(monitor, &left, &top);
+    const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+    return x >= left && y >= top && x < left + mode->width && y < top + mode->height;
+}
+}  // namespace
+
+std::vector<Monitor> Window::monitors() {
+    std::vector<Monitor> monitors;
+    for (GLFWmonitor* handle : handles()) {
+        const GLFWvidmode* mode = glfwGetVideoMode(handle);
+        monitors.push_back({glfwGetMonitorName(handle), {mode->width, mode->height}});
+    }
+    return monitors;
+}
+
+std::size_t Window::monitor() const {
+    const auto [x, y] = position();
+    const Extent extent = size();
+    const std::vector<GLFWmonitor*> monitors = handles();
+    for (std::size_t i = 0; i < monitors.size(); ++i)
+        if (holds(monitors[i], x + extent.width / 2, y + extent.height / 2))
+            return i;
+    return 0;
+}
+
+double Window::refresh_rate() const {
+    const std::vector<GLFWmonitor*> monitors = handles();
+    if (monitors.empty())
+        return 60.0;
+    const int rate = glfwGetVideoMode(monitors[monitor()])->refreshRate;
+    return rate > 0 ? rate : 60.0;
+}
+
+Result<std::unique_ptr<Window>> Window::open_full_screen(std::size_t monitor) {
+    const std::vector<GLFWmonitor*> monitors = handles();
+    if (monitor >= monitors.size())
+        return fail({{}, 0, "that display is no longer there"});
+    const GLFWvidmode* mode = glfwGetVideoMode(monitors[monitor]);
+    auto window = create({"Afterglow, the picture", {mode->width, mode->height}}, m_window,
+                         monitors[monitor]);
+    if (!window)
+        return window;
+    GLFWwindow* made = (*window)->m_window;
+    glfwSetInputMode(made, GLFW_CURSOR, GLFW_CURSOR_HIDDEN);
+    (*window)->m_facts = m_facts;
+    (*window)->make_current();
+    (*window)->set_vsync(true);
+    make_current();
+    return window;
+}
+
+void Window::show(const Texture* picture) {
+    make_current();
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glClearColor(0.0f, 0.0f, 0.0f, 1.0f);
+    glClear(GL_COLOR_BUFFER_BIT);
+    if (picture) {  // framebuffers are not shared, so this context needs one of its own
+        GLuint framebuffer = 0;
+        glGenFramebuffers(1, &framebuffer);
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
+        glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
+                               picture->id(), 0);
+        const Extent extent = picture->extent();
+        glBlitFramebuffer(0, 0, extent.width, extent.height, 0, 0, extent.width, extent.height,
+                          GL_COLOR_BUFFER_BIT, GL_NEAREST);
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+        glDeleteFramebuffers(1, &framebuffer);
+    }
+    swap();
+}
+
+void Window::focus() {
+    glfwFocusWindow(m_window);
+}
+
+}  // namespace gpu

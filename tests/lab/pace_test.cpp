@@ -1,0 +1,28 @@
+#include "lab/pace.h"
+
+#include "lab/window_state.h"
+
+#include <doctest/doctest.h>
+
+TEST_CASE("a picture is slow once no frame has come within 1/30 s for two seconds") {
+    Pace pace;
+    for (int frame = 0; frame < 39; ++frame)
+        pace.expect(0.05, true);
+    CHECK_FALSE(pace.is_slow());
+    pace.expect(0.05, true);  // 40 times 1/20 s
+    pace.expect(0.05, true);
+    CHECK(pace.is_slow());
+    pace.expect(1.0 / 30.0, true);
+    CHECK_FALSE(pace.is_slow());
+}
+
+TEST_CASE("what rests, is capped, or waited once is not slow") {
+    Pace pace;
+    for (int frame = 0; frame < 100; ++frame)
+        pace.expect(0.05, false);
+    pace.expect(60.0, true);
+    CHECK_FALSE(pace.is_slow());
+    CHECK(FrameRate{.cap = 60.0}.wants_30(144.0));
+    CHECK_FALSE(FrameRate{.cap = 30.0}.wants_30(144.0));
+    CHECK_FALSE(FrameRate{.cap = 0.0}.wants_30(24.0));
+}
