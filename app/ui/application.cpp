@@ -201,7 +201,8 @@ void Application::draw() {
                       m_toolkit.is_behind(),
                       m_toolkit.scale(),
                       m_toolkit.density(),
-                      m_toolkit.pointer_path()};
+                      m_toolkit.pointer_path(),
+                      m_toolkit.panel_milliseconds()};
     edits.arrange([](WindowState& state) { state.probe.reset(); });  // panels set it anew
     draw_window(scene, edits);
     for (const std::filesystem::path& file : m_window.take_dropped_files())

@@ -30,6 +30,10 @@ const char* menu_name(Menu menu) {
 const char* why_not(const Action& action, const Scene& scene) {
     if (!action.is_enabled || action.is_enabled(scene))
         return "";
+    if (action.id == ActionId::next_output)
+        return "there is one display";
+    if (action.id == ActionId::blackout)
+        return "the output window is closed";
     if (!scene.lab.document())
         return action.id == ActionId::reopen_session ? "there is none" : "no look is open";
     switch (action.id) {
@@ -52,6 +56,12 @@ const char* why_not(const Action& action, const Scene& scene) {
         case ActionId::with_b:
         case ActionId::with_c:
             return "the slot is empty";
+        case ActionId::save_moves:
+            return "no moves are recorded";
+        case ActionId::fit_levels:
+            return "the inspector is closed, or has not measured yet";
+        case ActionId::pin:
+            return "the pointer is on no picture";
         case ActionId::draw:
             return "this look is not driven by a signal";
         case ActionId::write_passes:

@@ -25,6 +25,7 @@ struct Scene {
     float scale = 1.0f;      // coordinates of the window a pixel of the layout
     float density = 1.0f;    // device pixels a coordinate of the window
     std::vector<gpu::PointerEvent> pointer_path = {};  // since the last frame
+    double panel_milliseconds = 0.0;                   // CPU time of the last frame's panels
 
     Extent device_pixels(float width, float height) const {
         return {static_cast<int>(width * density), static_cast<int>(height * density)};

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <ctime>
 #include <iterator>
 #include <limits>
 
@@ -108,7 +109,16 @@ void Toolkit::take_input() {
     }
 }
 
+namespace {
+double cpu_seconds() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+}  // namespace
+
 void Toolkit::begin(float scale) {
+    m_begin_seconds = cpu_seconds();
     // Where the desktop scales windows itself, a coordinate of the window covers several pixels.
     const Extent size = m_window.size();
     const Extent pixels = m_window.framebuffer_size();
@@ -124,5 +134,6 @@ void Toolkit::begin(float scale) {
 
 void Toolkit::end() {
     ImGui::Render();
+    m_panel_milliseconds = 1e3 * (cpu_seconds() - m_begin_seconds);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }

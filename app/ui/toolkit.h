@@ -31,6 +31,10 @@ public:
     /// What is wrong with the number that was typed last, once; "" when nothing is.
     std::string take_complaint() { return std::exchange(m_typing.complaint, {}); }
 
+    /// CPU time of this thread from begin() to the end of the last frame's panels; what GL then makes
+    /// of their triangles does not count.
+    double panel_milliseconds() const { return m_panel_milliseconds; }
+
     const Fonts& fonts() const { return m_fonts; }
     /// Where the pointer has been since the last frame, in order, in coordinates of the window.
     const std::vector<gpu::PointerEvent>& pointer_path() const { return m_pointer_path; }
@@ -49,6 +53,8 @@ private:
     Typing m_typing;
     std::vector<gpu::PointerEvent> m_pointer_path;
     bool m_has_input = false;
+    double m_begin_seconds = 0.0;
+    double m_panel_milliseconds = 0.0;
     float m_scale = 0.0f;
     float m_density = 1.0f;
 };
