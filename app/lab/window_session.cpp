@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <string_view>
 #include <utility>
 
 namespace {
@@ -19,19 +20,27 @@ constexpr std::initializer_list<std::pair<const char*, float PaneSizes::*>> size
     {"bottom_size", &PaneSizes::bottom},
     {"inspector_size", &PaneSizes::inspector}};
 
-// Before an entry of the palette; its number says how many were used after it.
-constexpr const char* used_prefix = "used:";
+// Before an entry of the palette, and before a file; the number says how many were used after it.
+constexpr std::string_view used_prefix = "used:";
+constexpr std::string_view recent_prefix = "recent:";
 
-std::vector<std::string> restored_use(const std::map<std::string, double>& numbers) {
+std::vector<std::string> restored_use(const std::map<std::string, double>& numbers,
+                                      std::string_view prefix) {
     std::vector<std::pair<double, std::string>> ranked;
     for (const auto& [name, rank] : numbers)
-        if (name.starts_with(used_prefix))
-            ranked.emplace_back(rank, name.substr(std::string_view(used_prefix).size()));
+        if (name.starts_with(prefix))
+            ranked.emplace_back(rank, name.substr(prefix.size()));
     std::sort(ranked.begin(), ranked.end());
     std::vector<std::string> used;
     for (auto& [rank, id] : ranked)
         used.push_back(std::move(id));
     return used;
+}
+
+void remember_use(const std::vector<std::string>& used, std::string_view prefix,
+                  std::map<std::string, double>& numbers) {
+    for (std::size_t i = 0; i < used.size(); ++i)
+        numbers[std::string(prefix) + used[i]] = static_cast<double>(i);
 }
 
 // A number within its bounds, or nothing.
@@ -67,8 +76,8 @@ std::map<std::string, double> remembered(const WindowState& window) {
         numbers["output_monitor"] = static_cast<double>(*window.output.monitor);
     for (const auto& [name, is_on] : switches)
         numbers[name] = window.*is_on ? 1.0 : 0.0;
-    for (std::size_t i = 0; i < window.used.size(); ++i)
-        numbers[used_prefix + window.used[i]] = static_cast<double>(i);
+    remember_use(window.used, used_prefix, numbers);
+    remember_use(window.recent_files, recent_prefix, numbers);
     for (const auto& [name, size] : sizes)
         numbers[name] = static_cast<double>(window.panes.*size);
     return numbers;
@@ -102,6 +111,7 @@ WindowState restored_window(const std::map<std::string, double>& numbers) {
     for (const auto& [name, size] : sizes)
         if (const auto kept = number(numbers, name, 60.0, 2000.0))
             window.panes.*size = static_cast<float>(*kept);
-    window.used = restored_use(numbers);
+    window.used = restored_use(numbers, used_prefix);
+    window.recent_files = restored_use(numbers, recent_prefix);
     return window;
 }

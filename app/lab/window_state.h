@@ -249,7 +249,8 @@ struct WindowState {
     bool is_searching = false;  // the search box is to have the keyboard
     Revealed revealed;
     HistorySeen history_seen;
-    std::vector<std::string> used;  // ids of the palette's entries, the last used first
+    std::vector<std::string> used;          // ids of the palette's entries, the last used first
+    std::vector<std::string> recent_files;  // that were opened, the last one first
     ParameterFilter filter = ParameterFilter::all;
     Dialog dialog;
     std::filesystem::path last_folder;

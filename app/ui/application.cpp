@@ -3,6 +3,7 @@
 #include "gpu/draw.h"
 #include "gpu/window.h"
 #include "lab/first_file.h"
+#include "lab/palette.h"
 #include "lab/session.h"
 #include "lab/session_keeper.h"
 #include "lab/waker.h"
@@ -56,8 +57,10 @@ public:
         if (!warnings.empty())
             m_lab.say(warnings.front());
         std::optional<std::string> look = m_options.look;
-        if (look && FirstFile::is_one(*look, m_lab))
+        if (look && FirstFile::is_one(*look, m_lab)) {
+            note_use(m_state.recent_files, std::filesystem::absolute(*look).string());
             m_first_file = FirstFile(*std::exchange(look, {}));
+        }
         if (look && set_session_aside(m_options.roots, session))
             m_lab.say(
                 "The unsaved changes of last time are kept: File, Back to the session before");

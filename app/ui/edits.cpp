@@ -1,6 +1,7 @@
 #include "ui/edits.h"
 
 #include "lab/lab.h"
+#include "lab/palette.h"
 
 #include <imgui/imgui.h>
 
@@ -35,7 +36,16 @@ void Edits::open(const Lab& lab, const std::string& argument) {
         add([argument](Lab& opening) { opening.open(argument); });
 }
 
+void Edits::note_file(const std::filesystem::path& file) {
+    std::error_code ignored;
+    const std::filesystem::path whole = std::filesystem::absolute(file, ignored);
+    arrange([name = whole.lexically_normal().string()](WindowState& window) {
+        note_use(window.recent_files, name);
+    });
+}
+
 void Edits::open_file(const Lab& lab, const std::filesystem::path& file) {
+    note_file(file);
     if (lab.opens_document(file))
         open(lab, file.string());
     else

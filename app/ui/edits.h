@@ -39,6 +39,8 @@ public:
     void open(const Lab& lab, const std::string& argument);
     /// As open(), for any file: a sound becomes the signal.
     void open_file(const Lab& lab, const std::filesystem::path& file);
+    /// Puts a file first among those opened lately.
+    void note_file(const std::filesystem::path& file);
     /// To the clipboard of the desktop.
     void copy(std::string text) { m_copied = std::move(text); }
     void quit() { m_is_quitting = true; }

@@ -2,10 +2,12 @@
 
 #include "lab/snapshot.h"
 #include "ui/dialog_frame.h"
+#include "ui/recent_files.h"
 #include "ui/scoped.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
+#include <imgui/imgui_internal.h>
 #include <imgui/imgui_stdlib.h>
 
 #include <algorithm>
@@ -52,6 +54,14 @@ const char* title_for(Dialog::Kind kind) {
     }
 }
 
+// What the arrow keys chose is to be scrolled to, and the field to have the keyboard again.
+constexpr int shows_chosen = 1;
+
+bool is_saving(const Dialog& dialog) {
+    return dialog.kind == Dialog::Kind::save_picture || dialog.kind == Dialog::Kind::save_pass ||
+           dialog.kind == Dialog::Kind::save_drawing || dialog.kind == Dialog::Kind::save_moves;
+}
+
 void enter(const fs::path& folder, Edits& edits) {
     edits.arrange([folder = folder.lexically_normal()](WindowState& window) {
         window.dialog.folder = folder;
@@ -81,6 +91,8 @@ void start(const Scene& scene, Edits& edits) {
 void finish(const fs::path& file, const Scene& scene, Edits& edits) {
     const Dialog& dialog = scene.window.dialog;
     close_dialog(edits);
+    if (!is_saving(dialog))
+        edits.note_file(file);
     if (dialog.kind == Dialog::Kind::open_file)
         edits.open_file(scene.lab, file);
     else if (dialog.kind == Dialog::Kind::save_picture)
@@ -120,6 +132,59 @@ bool is_listed(const Dialog& dialog, const std::string& name) {
     });
 }
 
+// A folder is gone into, unless it is a look's.
+void accept(const fs::path& path, const Scene& scene, Edits& edits) {
+    std::error_code ignored;
+    const bool is_folder = fs::is_directory(path, ignored);
+    const bool is_look = scene.window.dialog.kind == Dialog::Kind::open_file &&
+                         fs::exists(path / "look.json", ignored);
+    if (!is_folder || is_look)
+        return finish(path, scene, edits);
+    enter(path, edits);
+    edits.arrange([](WindowState& window) { window.dialog.text.clear(); });
+}
+
+// Up and Down choose in the list while the name is being typed.
+void follow_arrows(const Dialog& dialog, Edits& edits) {
+    const int by = ImGui::IsKeyPressed(gpu::key::down) ? 1
+                   : ImGui::IsKeyPressed(gpu::key::up) ? -1
+                                                       : 0;
+    const int count = static_cast<int>(dialog.entries.size());
+    if (by == 0 || count == 0)
+        return;
+    const auto present = std::ranges::find(dialog.entries, dialog.text, &FolderEntry::name);
+    const int at =
+        present == dialog.entries.end()
+            ? (by > 0 ? 0 : count - 1)
+            : std::clamp(static_cast<int>(present - dialog.entries.begin()) + by, 0, count - 1);
+    ImGui::ClearActiveID();  // or the field would keep what it holds
+    edits.arrange([name = dialog.entries[static_cast<std::size_t>(at)].name](WindowState& window) {
+        window.dialog.text = name;
+        window.dialog.chosen = shows_chosen;
+    });
+}
+
+// Beside what the folder holds; a click opens one.
+void draw_recent(const Scene& scene, Edits& edits) {
+    const Dialog& dialog = scene.window.dialog;
+    if (is_saving(dialog))
+        return;
+    const std::vector<fs::path> files = recent_files(scene, endings_for(dialog.kind));
+    if (files.empty())
+        return;
+    const float letter = ImGui::GetFontSize();
+    const ScopedColor back(ImGuiCol_ChildBg, theme::surround);
+    const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(6.0f, 6.0f));
+    ImGui::BeginChild("##recent", {letter * 14.0f, letter * 20.0f}, false,
+                      ImGuiWindowFlags_AlwaysUseWindowPadding);
+    dim_text("Lately");
+    const auto clicked = draw_recent_files(files, edits);
+    ImGui::EndChild();
+    if (clicked)
+        finish(*clicked, scene, edits);
+    ImGui::SameLine();
+}
+
 // A look's folder opens as a look with a double click on its look.json.
 void draw_entries(const Scene& scene, Edits& edits) {
     const Dialog& dialog = scene.window.dialog;
@@ -142,6 +207,8 @@ void draw_entries(const Scene& scene, Edits& edits) {
                 finish(dialog.folder / entry.name, scene, edits);
         }
         edits.mark("file:" + entry.name);
+        if (dialog.chosen == shows_chosen && entry.name == dialog.text)
+            ImGui::SetScrollHereY();
     }
     if (dialog.entries.empty() && !dialog.is_new)
         dim_text("Nothing here that could be opened.");
@@ -157,21 +224,22 @@ void draw_file_dialog(const Scene& scene, Edits& edits) {
     if (dialog.is_new)
         start(scene, edits);
     draw_folder_line(dialog, edits);
+    draw_recent(scene, edits);
     draw_entries(scene, edits);
+    follow_arrows(dialog, edits);
     std::string name = dialog.text;
     ImGui::SetNextItemWidth(-1.0f);
-    if (dialog.is_new)
+    if (dialog.is_new || dialog.chosen == shows_chosen)
         ImGui::SetKeyboardFocusHere();
+    if (dialog.chosen == shows_chosen)
+        edits.arrange([](WindowState& window) { window.dialog.chosen = 0; });
     if (ImGui::InputTextWithHint("##file", "Name or path of a file", &name))
         edits.arrange([name](WindowState& window) { window.dialog.text = name; });
     edits.mark("dialog_file");
-    const bool is_saving =
-        dialog.kind == Dialog::Kind::save_picture || dialog.kind == Dialog::Kind::save_pass ||
-        dialog.kind == Dialog::Kind::save_drawing || dialog.kind == Dialog::Kind::save_moves;
-    const bool replaces = is_saving && is_listed(dialog, name);
+    const bool replaces = is_saving(dialog) && is_listed(dialog, name);
     if (replaces)
         dim_text("There is such a file; it will be replaced.");
-    const char* verb = replaces ? "Replace" : is_saving ? "Save" : "Open";
+    const char* verb = replaces ? "Replace" : is_saving(dialog) ? "Save" : "Open";
     if (draw_dialog_buttons(verb, !name.empty(), edits))
-        finish(dialog.folder / name, scene, edits);
+        accept(dialog.folder / name, scene, edits);
 }

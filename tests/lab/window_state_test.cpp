@@ -37,11 +37,14 @@ TEST_CASE("the picture's size follows the view or is fixed, and either is scaled
     CHECK(PictureSize{true, {}, 0.25}.extent({1, 1}) == Extent{1, 1});
 }
 
-TEST_CASE("what was used of the palette comes back in its order") {
+TEST_CASE("what was used of the palette and the files opened lately come back in their order") {
     WindowState window;
     window.used = {"Undo", "preset:/a: b.json", "Open…"};
     CHECK(restored_window(remembered(window)).used == window.used);
     CHECK(restored_window({}).used.empty());
+    window.recent_files = {"/songs/ä b.wav", "/a.json"};
+    CHECK(restored_window(remembered(window)).recent_files == window.recent_files);
+    CHECK(restored_window(remembered(window)).used == window.used);
 }
 
 TEST_CASE("where the line of a wipe stands comes back, and only within the picture") {
