@@ -72,12 +72,10 @@ public:
             if (set_session_aside(m_options.roots, session_of(lab, remembered(m_state))))
                 m_state.has_session_before = true;
         });
-        if (look)
-            m_lab.open(*look);
-        else if (session.look.empty())
-            m_lab.open("phosphor");
-        else
+        if (!look)
             restore(m_lab, session);
+        if (look || session.look.empty())
+            m_lab.open(look.value_or("phosphor"));
     }
 
     void run() {

@@ -159,7 +159,7 @@ class Keeping(Person):
         song = program.folder / "song.wav"
         write_tones(song, seconds=1)
         program.quit()
-        program.session().unlink()
+        program.forget_look()
         program.start(str(song))
         program.wait("the sound draws, in the look of a first start", lambda s: s["look"] == "phosphor" and
                      s["signal"].startswith("audio:") and not s["reading"])

@@ -41,6 +41,11 @@ class Program:
             "follows_view": False, "width": picture[0], "height": picture[1],
             "window": {"width": width, "height": height}}))
 
+    def forget_look(self):
+        """As if no look had ever been open."""
+        session = json.loads(self.session().read_text())
+        self.session().write_text(json.dumps({**session, "look": ""}))
+
     def session(self):
         """The file that keeps what was open."""
         return self.folder / "state/afterglow/session.json"
