@@ -81,6 +81,8 @@ Result<void> Executor::replace(Look look, Programs programs) {
     m_look = std::move(look);
     m_programs = std::move(programs);
     prepare();
+    if (m_tripwire)
+        m_tripwire->clear();
     return {};
 }
 

@@ -11,6 +11,7 @@
 #include "graph/programs.h"
 #include "graph/source_history.h"
 #include "graph/target_set.h"
+#include "graph/tripwire.h"
 
 #include <map>
 #include <memory>
@@ -69,6 +70,16 @@ public:
     /// As before the first frame.
     void clear_history();
 
+    /// What is done about numbers that are not finite: they are looked for (in what later frames
+    /// read in every frame, elsewhere in one pass in turn), or put right in every pass.
+    enum class Guard { off, watch, clamp };
+    Result<void> set_guard(Guard guard);
+    Guard guard() const { return m_guard; }
+    /// The first such number since last asked; see Tripwire::take.
+    std::optional<Trip> take_trip(bool waits = false);
+    /// Puts all that is kept right.
+    void mend();
+
     /// This frame's picture of a pass.
     const gpu::Texture& target(int pass) const;
     const Plan& plan() const { return m_plan; }
@@ -116,6 +127,7 @@ private:
     const gpu::Texture* texture_for(const BoundInput& input) const;
     void start_target(std::size_t pass, bool goes_on);
     void draw_shape(std::size_t pass);
+    bool is_watched(std::size_t pass, std::int64_t frame) const;
 
     Look m_look;
     Programs m_programs;
@@ -132,6 +144,8 @@ private:
     std::map<std::string, gpu::Texture> m_images;
     std::map<Format, gpu::Canvas> m_empty;  // one texel of transparent black
     gpu::Samplers m_samplers;
+    Guard m_guard = Guard::off;
+    std::optional<Tripwire> m_tripwire;
     bool m_has_points = false;
     bool m_has_segments = false;
     int m_draw_calls = 0;

@@ -49,6 +49,9 @@ void Executor::draw_pass(std::size_t index, const Frame& frame, bool is_again) {
         draw_samples(index, frame);
     else
         draw_repetitions(index, is_again);
+    if (is_watched(index, frame.number))
+        m_tripwire->look_at(index, m_targets[index].canvas(), frame.number,
+                            m_guard == Guard::clamp);
     m_targets[index].canvas().texture().generate_mipmaps();
 }
 

@@ -1,0 +1,191 @@
+#include "graph/tripwire.h"
+
+#include "gpu/draw.h"
+#include "gpu/readback.h"
+#include "model/gain.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace {
+constexpr int block_side = 16;
+constexpr int block_texels = block_side * block_side;
+constexpr std::int64_t most_frames = 65535;  // codes stay below 2^24, exact in a float
+
+constexpr const char* vertex_text = R"(#version 410 core
+void main() {
+    gl_Position = vec4(vec2((gl_VertexID << 1) & 2, gl_VertexID & 2) * 2.0 - 1.0, 0.0, 1.0);
+}
+)";
+
+// One fragment a block. The code is the greater the earlier the frame and the texel, and GL_MAX
+// keeps the greatest: what came first is not overwritten by what came of it.
+constexpr const char* finder_text = R"(#version 410 core
+uniform sampler2D shown;
+uniform float frames_left;
+out vec4 color;
+void main() {
+    const int side = 16;
+    ivec2 low = ivec2(gl_FragCoord.xy) * side;
+    ivec2 end = min(low + side, textureSize(shown, 0));
+    int found = -1;
+    for (int y = end.y - 1; y >= low.y; --y)
+        for (int x = end.x - 1; x >= low.x; --x) {
+            vec4 texel = texelFetch(shown, ivec2(x, y), 0);
+            if (any(isnan(texel)) || any(isinf(texel)))
+                found = (y - low.y) * side + x - low.x;
+        }
+    if (found < 0)
+        discard;
+    color = vec4(frames_left * 256.0 + float(255 - found));
+}
+)";
+
+constexpr const char* mender_text = R"(#version 410 core
+uniform sampler2D shown;
+uniform float most;
+out vec4 color;
+void main() {
+    vec4 texel = texelFetch(shown, ivec2(gl_FragCoord.xy), 0);
+    for (int i = 0; i < 4; ++i)
+        texel[i] = isnan(texel[i]) ? 0.0 : clamp(texel[i], -most, most);
+    color = texel;
+}
+)";
+
+Result<gpu::Program> build(const char* fragment) {
+    return gpu::Program::build({{}, vertex_text, {}}, {{}, fragment, {}});
+}
+
+Extent blocks_of(Extent extent) {
+    return {(extent.width + block_side - 1) / block_side,
+            (extent.height + block_side - 1) / block_side};
+}
+
+constexpr Sampler as_stored{Filter::nearest, Wrap::edge, false};
+}  // namespace
+
+Result<Tripwire> Tripwire::make() {
+    auto finder = build(finder_text);
+    if (!finder)
+        return fail(finder.error());
+    auto mender = build(mender_text);
+    if (!mender)
+        return fail(mender.error());
+    return Tripwire(std::move(*finder), std::move(*mender));
+}
+
+// Where there is no memory nothing is found; the passes themselves are what needs it.
+Tripwire::Watch* Tripwire::watch_for(std::size_t pass, const gpu::Texture& target) {
+    const auto found = m_watches.find(pass);
+    if (found != m_watches.end() && found->second.target == target.extent())
+        return &found->second;
+    if (found != m_watches.end())
+        m_watches.erase(found);
+    auto blocks = gpu::Canvas::make(blocks_of(target.extent()), Format::r32f);
+    if (!blocks)
+        return nullptr;
+    return &m_watches.emplace(pass, Watch{std::move(*blocks), target.extent()}).first->second;
+}
+
+void Tripwire::look_at(std::size_t pass, const gpu::Canvas& target, std::int64_t frame,
+                       bool clamps) {
+    if (m_first_frame && (frame < *m_first_frame || frame - *m_first_frame > most_frames)) {
+        const auto found = take(true);
+        clear();
+        m_found = found;
+    }
+    Watch* watch = watch_for(pass, target.texture());
+    if (!watch)
+        return;
+    if (!m_first_frame)
+        m_first_frame = frame;
+    Look& look = watch->looks[watch->next++ % watch->looks.size()];
+    look.is_open = true;
+    m_finder.write("frames_left",
+                   std::array{static_cast<double>(most_frames - (frame - *m_first_frame))});
+    m_samplers.bind(0, target.texture(), as_stored);
+    watch->blocks.bind();
+    gpu::set_blend(Blend::maximum);
+    m_finder.use();
+    m_vertices.bind();
+    look.query.begin();
+    gpu::draw_triangle();
+    look.query.end();
+    if (clamps) {
+        look.query.begin_condition();
+        draw_mended(*watch, target);
+        gpu::PixelQuery::end_condition();
+    }
+    m_samplers.release();
+}
+
+void Tripwire::mend(std::size_t pass, const gpu::Canvas& target) {
+    const gpu::DrawScope scope;
+    if (Watch* watch = watch_for(pass, target.texture()))
+        draw_mended(*watch, target);
+    m_samplers.release();
+}
+
+// There and back, as nobody may read what they draw into.
+void Tripwire::draw_mended(Watch& watch, const gpu::Canvas& target) {
+    const gpu::Texture& texture = target.texture();
+    if (!watch.spare || watch.spare->texture().extent() != texture.extent() ||
+        watch.spare->texture().format() != texture.format()) {
+        watch.spare.reset();
+        auto spare = gpu::Canvas::make(texture.extent(), texture.format());
+        if (!spare)
+            return;
+        watch.spare.emplace(std::move(*spare));
+    }
+    gpu::set_blend(Blend::replace);
+    m_mender.write("most", std::array{format_limit(texture.format())});
+    m_mender.use();
+    m_vertices.bind();
+    m_samplers.bind(0, texture, as_stored);
+    watch.spare->bind();
+    gpu::draw_triangle();
+    m_samplers.bind(0, watch.spare->texture(), as_stored);
+    target.bind();
+    gpu::draw_triangle();
+}
+
+std::optional<Trip> Tripwire::first_in(std::size_t pass, const Watch& watch) const {
+    const Picture codes = gpu::read_picture(watch.blocks.texture());
+    const auto greatest = std::max_element(codes.pixels.begin(), codes.pixels.end());
+    if (greatest == codes.pixels.end() || *greatest <= 0.0f)
+        return std::nullopt;
+    const auto block = static_cast<int>(greatest - codes.pixels.begin());
+    const auto code = static_cast<std::int64_t>(*greatest);
+    const auto texel = block_texels - 1 - static_cast<int>(code % block_texels);
+    const int row = codes.extent.height - 1 - block / codes.extent.width;  // from the bottom
+    return Trip{pass, block % codes.extent.width * block_side + texel % block_side,
+                watch.target.height - 1 - (row * block_side + texel / block_side),
+                *m_first_frame + most_frames - code / block_texels};
+}
+
+// Reading where it was waits for the GPU; it is seldom.
+std::optional<Trip> Tripwire::take(bool waits) {
+    bool is_any = waits && m_first_frame;
+    for (auto& [pass, watch] : m_watches)
+        for (Look& look : watch.looks)
+            if (look.is_open && (waits || look.query.has_come())) {
+                look.is_open = false;
+                is_any = is_any || look.query.is_any();
+            }
+    std::optional<Trip> first = std::exchange(m_found, std::nullopt);
+    if (!is_any)
+        return first;
+    for (const auto& [pass, watch] : m_watches)
+        if (const auto trip = first_in(pass, watch); trip && (!first || trip->frame < first->frame))
+            first = trip;
+    if (first)
+        clear();
+    return first;
+}
+
+void Tripwire::clear() {
+    m_watches.clear();
+    m_first_frame.reset();
+    m_found.reset();
+}

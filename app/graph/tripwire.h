@@ -1,0 +1,70 @@
+#pragma once
+
+#include "gpu/canvas.h"
+#include "gpu/pixel_query.h"
+#include "gpu/program.h"
+#include "gpu/samplers.h"
+#include "gpu/vertex_array.h"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+
+/// Where a number that is not finite was drawn first.
+struct Trip {
+    std::size_t pass = 0;
+    int x = 0;  // px from the left and from the top
+    int y = 0;
+    std::int64_t frame = 0;
+
+    bool operator==(const Trip&) const = default;
+};
+
+/// Looks at what passes have drawn for numbers that are not finite, and may put finite ones in
+/// their place before anybody reads them. One draw a target, and nobody waits for the GPU: what was
+/// found is known some frames later.
+class Tripwire {
+public:
+    static Result<Tripwire> make();
+
+    /// To be called within a DrawScope, right after the pass. Frames count up. With `clamps` what
+    /// is no number becomes 0, and an infinity the format's largest number.
+    void look_at(std::size_t pass, const gpu::Canvas& target, std::int64_t frame, bool clamps);
+    /// Puts finite numbers in the place of others, without looking where.
+    void mend(std::size_t pass, const gpu::Canvas& target);
+
+    /// The first that was found since last asked: of the earliest frame, in its first pass. With
+    /// `waits` also what the GPU is still at.
+    std::optional<Trip> take(bool waits = false);
+    /// Forgets what was found.
+    void clear();
+
+private:
+    Tripwire(gpu::Program finder, gpu::Program mender)
+        : m_finder(std::move(finder)), m_mender(std::move(mender)) {}
+
+    struct Look {
+        gpu::PixelQuery query;
+        bool is_open = false;
+    };
+    /// What is known of a pass: a number a block of texels, see the shader.
+    struct Watch {
+        gpu::Canvas blocks;
+        Extent target;                          // px
+        std::optional<gpu::Canvas> spare = {};  // of the target's size and format
+        std::array<Look, 4> looks = {};
+        std::size_t next = 0;
+    };
+    Watch* watch_for(std::size_t pass, const gpu::Texture& target);
+    void draw_mended(Watch& watch, const gpu::Canvas& target);
+    std::optional<Trip> first_in(std::size_t pass, const Watch& watch) const;
+
+    gpu::Program m_finder;
+    gpu::Program m_mender;
+    gpu::VertexArray m_vertices;
+    gpu::Samplers m_samplers;
+    std::map<std::size_t, Watch> m_watches;
+    std::optional<std::int64_t> m_first_frame;  // that the blocks count from
+    std::optional<Trip> m_found;                // before they began to count anew
+};

@@ -1,0 +1,129 @@
+#include "graph/looks.h"
+
+#include <cmath>
+#include <limits>
+
+namespace {
+/// A texel of what fades goes wrong in frame `frame`; the next pass adds a half to all of it.
+Look going_wrong(const std::string& number, const std::string& frame) {
+    const std::string glow =
+        "uniform sampler2D previous;\n"
+        "uniform int u_frame;\n"
+        "uniform vec2 u_resolution;\n"
+        "uniform float none = 0.0;\n"
+        "void main() {\n"
+        "    bool is_bad = u_frame == " +
+        frame +
+        " && ivec2(gl_FragCoord.xy) == ivec2(37, 5);\n"
+        "    color = is_bad ? vec4(1.0, " +
+        number +
+        ", 1.0, 1.0) : texture(previous, uv) * 0.5 + 1.0;\n"
+        "}\n";
+    return look_of({pass("glow", glow, {reads("previous", "glow", 1)}),
+                    pass("shown",
+                         "uniform sampler2D image;\n"
+                         "void main() { color = texture(image, uv) + 0.5; }\n",
+                         {reads("image", "glow")})});
+}
+
+struct Tripping : Headless {
+    std::unique_ptr<Executor> executor;
+
+    void open(const Look& look, Executor::Guard guard) {
+        auto programs = build_programs(look);
+        REQUIRE(programs.has_value());
+        executor = std::make_unique<Executor>(look, std::move(*programs));
+        REQUIRE(executor->resize({70, 40}, {70, 40}).has_value());
+        REQUIRE(executor->set_guard(guard).has_value());
+    }
+    void draw(int from, int to) {
+        for (int number = from; number <= to; ++number) {
+            Frame frame;
+            frame.time = number / 60.0;
+            frame.time_delta = 1.0 / 60.0;
+            frame.number = number;
+            executor->draw(frame);
+        }
+    }
+    float green(int pass) { return gpu::read_pixel(executor->target(pass), 37, 34)[1]; }
+};
+
+const std::string nan = "none / none";
+const std::string infinity = "1.0 / none";
+}  // namespace
+
+TEST_CASE_FIXTURE(Tripping, "the first number that is not finite is found, with its place") {
+    for (const std::string& number : {nan, infinity, "-" + infinity}) {
+        open(going_wrong(number, "3"), Executor::Guard::watch);
+        draw(1, 2);
+        CHECK_FALSE(executor->take_trip(true));
+        draw(3, 9);  // what came of it later is not the first
+        const auto trip = executor->take_trip(true);
+        REQUIRE(trip);
+        CHECK(*trip == Trip{0, 37, 40 - 1 - 5, 3});
+        CHECK_FALSE(std::isfinite(green(0)));
+    }
+}
+
+TEST_CASE_FIXTURE(Tripping, "without waiting it is known some frames later") {
+    open(going_wrong(nan, "2"), Executor::Guard::watch);
+    std::optional<Trip> trip;
+    for (int frame = 1; frame < 100 && !trip; ++frame) {
+        draw(frame, frame);
+        trip = executor->take_trip();
+    }
+    REQUIRE(trip);
+    CHECK(trip->frame == 2);
+}
+
+TEST_CASE_FIXTURE(Tripping, "clamped, it is gone before anybody reads it, and still told") {
+    open(going_wrong(nan, "3"), Executor::Guard::clamp);
+    draw(1, 3);
+    CHECK(green(0) == 0.0f);
+    CHECK(green(1) == 0.5f);
+    draw(4, 4);
+    CHECK(green(0) == 1.0f);
+    const auto trip = executor->take_trip(true);
+    REQUIRE(trip);
+    CHECK(*trip == Trip{0, 37, 34, 3});
+    CHECK_FALSE(executor->take_trip(true));
+    open(going_wrong(infinity, "3"), Executor::Guard::clamp);
+    draw(1, 3);
+    CHECK(green(0) == std::numeric_limits<float>::max());
+}
+
+TEST_CASE_FIXTURE(Tripping, "a pass that nobody reads later is looked at in its turn") {
+    const Look look = look_of({pass("one", "void main() { color = vec4(1.0); }\n"),
+                               pass("bad",
+                                    "uniform float none = 0.0;\n"
+                                    "void main() { color = vec4(none / none); }\n")});
+    open(look, Executor::Guard::watch);
+    draw(1, 4);
+    const auto trip = executor->take_trip(true);
+    REQUIRE(trip);
+    CHECK(trip->pass == 1);
+    CHECK(trip->frame <= 2);
+}
+
+TEST_CASE_FIXTURE(Tripping, "all that is kept can be put right, and what is not watched stays") {
+    open(going_wrong(nan, "2"), Executor::Guard::off);
+    draw(1, 3);
+    CHECK(std::isnan(green(0)));
+    CHECK_FALSE(executor->take_trip(true));
+    REQUIRE(executor->set_guard(Executor::Guard::clamp).has_value());
+    executor->mend();
+    CHECK(green(0) == 0.0f);
+    draw(4, 4);
+    CHECK(green(0) == 1.0f);
+    CHECK_FALSE(executor->take_trip(true));
+}
+
+TEST_CASE_FIXTURE(Tripping, "frames that begin anew are counted anew") {
+    open(going_wrong(nan, "3"), Executor::Guard::watch);
+    draw(1, 2);
+    executor->clear_history();
+    draw(1, 5);
+    const auto trip = executor->take_trip(true);
+    REQUIRE(trip);
+    CHECK(trip->frame == 3);
+}
