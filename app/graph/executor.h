@@ -70,13 +70,17 @@ public:
     /// As before the first frame.
     void clear_history();
 
-    /// What is done about numbers that are not finite: they are looked for (in what later frames
-    /// read in every frame, elsewhere in one pass in turn), or put right in every pass.
-    enum class Guard { off, watch, clamp };
+    /// What is done about numbers that are not finite: they are looked for in every frame in what
+    /// later frames read, elsewhere in one pass in turn (watch); or in every pass that is drawn
+    /// (search); or put right (clamp): in every pass of a frame that is drawn whole, else in what
+    /// later frames read. Where no format holds such numbers nothing is done.
+    enum class Guard { off, watch, search, clamp };
     Result<void> set_guard(Guard guard);
     Guard guard() const { return m_guard; }
     /// The first such number since last asked; see Tripwire::take.
     std::optional<Trip> take_trip(bool waits = false);
+    /// Whether the GPU is still at what take_trip() tells.
+    bool awaits_trip() const { return m_tripwire && m_tripwire->is_waiting(); }
     /// Puts all that is kept right.
     void mend();
 
@@ -127,7 +131,9 @@ private:
     const gpu::Texture* texture_for(const BoundInput& input) const;
     void start_target(std::size_t pass, bool goes_on);
     void draw_shape(std::size_t pass);
+    bool is_kept(std::size_t pass) const;
     bool is_watched(std::size_t pass, std::int64_t frame) const;
+    void look_behind(const Frame& frame, const std::vector<bool>& drawn);
 
     Look m_look;
     Programs m_programs;
@@ -145,6 +151,7 @@ private:
     std::map<Format, gpu::Canvas> m_empty;  // one texel of transparent black
     gpu::Samplers m_samplers;
     Guard m_guard = Guard::off;
+    bool m_draws_whole = false;  // the present frame
     std::optional<Tripwire> m_tripwire;
     bool m_has_points = false;
     bool m_has_segments = false;

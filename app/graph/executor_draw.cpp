@@ -24,10 +24,13 @@ void Executor::draw_passes(const Frame& frame, const std::vector<bool>* only, bo
     m_drawn.beam = {};
     m_drawn.tints = {};
     m_draw_calls = 0;
+    m_draws_whole = only == nullptr;
     const gpu::DrawScope scope;
     for (std::size_t i = 0; i < m_passes.size(); ++i)
         if (!only || (i < only->size() && (*only)[i]))
             draw_pass(i, frame, is_again);
+    if (only && m_tripwire)
+        look_behind(frame, *only);
     m_samplers.release();
 }
 

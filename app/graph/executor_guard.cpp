@@ -1,8 +1,13 @@
 // The part of Executor that looks for numbers that are not finite.
 #include "graph/executor.h"
 
+#include <algorithm>
+
 Result<void> Executor::set_guard(Guard guard) {
-    if (guard != Guard::off && !m_tripwire) {
+    const auto holds_floats = [](const PlannedTarget& target) {
+        return facts_of(target.format).is_float;
+    };
+    if (guard != Guard::off && !m_tripwire && std::ranges::any_of(m_plan.targets, holds_floats)) {
         auto made = Tripwire::make();
         if (!made)
             return fail(made.error());
@@ -14,12 +19,33 @@ Result<void> Executor::set_guard(Guard guard) {
     return {};
 }
 
+bool Executor::is_kept(std::size_t pass) const {
+    return m_plan.targets[pass].slots > 1 || m_look.passes[pass].accumulate;
+}
+
 bool Executor::is_watched(std::size_t pass, std::int64_t frame) const {
-    if (m_guard == Guard::off || !facts_of(m_plan.targets[pass].format).is_float)
+    if (m_guard == Guard::off || !m_tripwire || !facts_of(m_plan.targets[pass].format).is_float)
         return false;
-    const bool is_kept = m_plan.targets[pass].slots > 1 || m_look.passes[pass].accumulate;
     const bool is_next = static_cast<std::size_t>(frame) % m_passes.size() == pass;
-    return m_guard == Guard::clamp || is_kept || is_next;
+    switch (m_guard) {
+        case Guard::watch:
+            return is_kept(pass) || is_next;
+        case Guard::clamp:
+            return is_kept(pass) || m_draws_whole;
+        default:
+            return true;
+    }
+}
+
+// Where what is kept was put right, the pass that began it is one of those before.
+void Executor::look_behind(const Frame& frame, const std::vector<bool>& drawn) {
+    if (m_guard != Guard::clamp || m_draws_whole)
+        return;
+    for (std::size_t cause = 0; cause < m_passes.size(); ++cause)
+        for (std::size_t pass = 0; pass < cause; ++pass)
+            if (drawn[pass] && drawn[cause] && is_watched(cause, frame.number) &&
+                !is_watched(pass, frame.number) && facts_of(m_plan.targets[pass].format).is_float)
+                m_tripwire->look_behind(cause, pass, m_targets[pass].canvas(), frame.number);
 }
 
 std::optional<Trip> Executor::take_trip(bool waits) {

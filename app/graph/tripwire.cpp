@@ -28,16 +28,20 @@ void main() {
     const int side = 16;
     ivec2 low = ivec2(gl_FragCoord.xy) * side;
     ivec2 end = min(low + side, textureSize(shown, 0));
-    int found = -1;
-    for (int y = end.y - 1; y >= low.y; --y)
-        for (int x = end.x - 1; x >= low.x; --x) {
-            vec4 texel = texelFetch(shown, ivec2(x, y), 0);
-            if (any(isnan(texel)) || any(isinf(texel)))
-                found = (y - low.y) * side + x - low.x;
-        }
-    if (found < 0)
+    const uint not_finite = 0x7f800000u;  // an infinity's bits; those of NaN are greater
+    uvec4 greatest = uvec4(0u);
+    for (int y = low.y; y < end.y; ++y)
+        for (int x = low.x; x < end.x; ++x)
+            greatest = max(greatest, floatBitsToUint(abs(texelFetch(shown, ivec2(x, y), 0))));
+    if (all(lessThan(greatest, uvec4(not_finite))))
         discard;
-    color = vec4(frames_left * 256.0 + float(255 - found));
+    int found = side * side - 1;
+    for (int y = end.y - 1; y >= low.y; --y)
+        for (int x = end.x - 1; x >= low.x; --x)
+            if (any(greaterThanEqual(floatBitsToUint(abs(texelFetch(shown, ivec2(x, y), 0))),
+                                     uvec4(not_finite))))
+                found = (y - low.y) * side + x - low.x;
+    color = vec4(frames_left * 256.0 + float(side * side - 1 - found));
 }
 )";
 
@@ -88,35 +92,57 @@ Tripwire::Watch* Tripwire::watch_for(std::size_t pass, const gpu::Texture& targe
     return &m_watches.emplace(pass, Watch{std::move(*blocks), target.extent()}).first->second;
 }
 
-void Tripwire::look_at(std::size_t pass, const gpu::Canvas& target, std::int64_t frame,
-                       bool clamps) {
+// The codes of the blocks reach only so many frames.
+void Tripwire::begin(std::int64_t frame) {
     if (m_first_frame && (frame < *m_first_frame || frame - *m_first_frame > most_frames)) {
         const auto found = take(true);
         clear();
         m_found = found;
     }
-    Watch* watch = watch_for(pass, target.texture());
-    if (!watch)
-        return;
     if (!m_first_frame)
         m_first_frame = frame;
-    Look& look = watch->looks[watch->next++ % watch->looks.size()];
-    look.is_open = true;
+}
+
+void Tripwire::draw_found(const Watch& watch, const gpu::Texture& target, std::int64_t frame) {
     m_finder.write("frames_left",
                    std::array{static_cast<double>(most_frames - (frame - *m_first_frame))});
-    m_samplers.bind(0, target.texture(), as_stored);
-    watch->blocks.bind();
+    m_samplers.bind(0, target, as_stored);
+    watch.blocks.bind();
     gpu::set_blend(Blend::maximum);
     m_finder.use();
     m_vertices.bind();
-    look.query.begin();
     gpu::draw_triangle();
+}
+
+void Tripwire::look_at(std::size_t pass, const gpu::Canvas& target, std::int64_t frame,
+                       bool clamps) {
+    begin(frame);
+    Watch* watch = watch_for(pass, target.texture());
+    if (!watch)
+        return;
+    watch->latest = (watch->latest + 1) % watch->looks.size();
+    Look& look = watch->looks[watch->latest];
+    look.is_open = true;
+    look.query.begin();
+    draw_found(*watch, target.texture(), frame);
     look.query.end();
     if (clamps) {
         look.query.begin_condition();
         draw_mended(*watch, target);
         gpu::PixelQuery::end_condition();
     }
+    m_samplers.release();
+}
+
+void Tripwire::look_behind(std::size_t cause, std::size_t pass, const gpu::Canvas& target,
+                           std::int64_t frame) {
+    Watch* watch = watch_for(pass, target.texture());
+    const auto known = m_watches.find(cause);
+    if (!watch || known == m_watches.end() || !m_first_frame)
+        return;
+    known->second.looks[known->second.latest].query.begin_condition();
+    draw_found(*watch, target.texture(), frame);
+    gpu::PixelQuery::end_condition();
     m_samplers.release();
 }
 
@@ -182,6 +208,12 @@ std::optional<Trip> Tripwire::take(bool waits) {
     if (first)
         clear();
     return first;
+}
+
+bool Tripwire::is_waiting() const {
+    return std::ranges::any_of(m_watches, [](const auto& watch) {
+        return std::ranges::any_of(watch.second.looks, &Look::is_open);
+    });
 }
 
 void Tripwire::clear() {

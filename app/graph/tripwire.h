@@ -31,12 +31,18 @@ public:
     /// To be called within a DrawScope, right after the pass. Frames count up. With `clamps` what
     /// is no number becomes 0, and an infinity the format's largest number.
     void look_at(std::size_t pass, const gpu::Canvas& target, std::int64_t frame, bool clamps);
+    /// As look_at() without clamping, but only if the last look at `cause` found something: the GPU
+    /// sees to it.
+    void look_behind(std::size_t cause, std::size_t pass, const gpu::Canvas& target,
+                     std::int64_t frame);
     /// Puts finite numbers in the place of others, without looking where.
     void mend(std::size_t pass, const gpu::Canvas& target);
 
     /// The first that was found since last asked: of the earliest frame, in its first pass. With
     /// `waits` also what the GPU is still at.
     std::optional<Trip> take(bool waits = false);
+    /// Whether the GPU is still at something that was looked at.
+    bool is_waiting() const;
     /// Forgets what was found.
     void clear();
 
@@ -54,8 +60,10 @@ private:
         Extent target;                          // px
         std::optional<gpu::Canvas> spare = {};  // of the target's size and format
         std::array<Look, 4> looks = {};
-        std::size_t next = 0;
+        std::size_t latest = 0;
     };
+    void begin(std::int64_t frame);
+    void draw_found(const Watch& watch, const gpu::Texture& target, std::int64_t frame);
     Watch* watch_for(std::size_t pass, const gpu::Texture& target);
     void draw_mended(Watch& watch, const gpu::Canvas& target);
     std::optional<Trip> first_in(std::size_t pass, const Watch& watch) const;

@@ -153,6 +153,7 @@ void Lab::edit(const std::function<void(Document&)>& change) {
 }
 
 void Lab::restart() {
+    m_trip.trip.reset();
     m_player.restart();
     if (m_renderer)
         m_renderer->clear_history();

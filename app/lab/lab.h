@@ -46,6 +46,22 @@ struct Notice {
     std::string subject;  // of a problem: the file or device, so that it goes when that is mended
 };
 
+/// What a person wants done about a number that is not finite.
+enum class TripAnswer {
+    clear,  // history begins anew
+    clamp,  // such numbers become finite ones
+    go_on,  // they are left as they are
+};
+
+/// What is known and wanted about numbers that are not finite.
+struct TripState {
+    std::optional<Trip> trip;          // that has stopped the clock
+    std::optional<TripAnswer> answer;  // that holds until the look changes
+    bool is_unattended = false;
+    bool has_told = false;
+    bool plays_after = false;  // time flowed, and will when another value or text is the cure
+};
+
 /// All that a person has open. Owns the parts and lets each frame run through them.
 class Lab {
 public:
@@ -170,6 +186,11 @@ public:
     void compare_with_file(const std::filesystem::path& file);
     /// Shows the other picture in the place of ours until called again.
     void flash(bool is_flashing);
+    /// The number that is not finite that has stopped the clock; none: there is none.
+    const std::optional<Trip>& trip() const { return m_trip.trip; }
+    void answer_trip(TripAnswer answer);
+    /// Where nobody can be asked such numbers are clamped, and the first is told.
+    void set_unattended(bool is_unattended) { m_trip.is_unattended = is_unattended; }
     void cancel_replay();
     void cancel_loading();  // of a sound or picture; what was there before comes back
     void say(std::string text, bool is_problem = false, std::string subject = {});
@@ -223,6 +244,11 @@ private:
     void limit_frame(double wall_seconds);
     void draw_picture(double wall_seconds);
     void start_replay();
+    void set_guard();
+    void follow_trip();
+    void stop_at(const Trip& trip);
+    void reconsider_trip(const Redraw& redraw);
+    void forget_trip();
     void tell_preset(bool had_changes);
     void watch_extra_files();
     void extra_file_changed(const std::filesystem::path& file);
@@ -255,6 +281,7 @@ private:
     Comparing m_comparing;
     std::optional<Variant> m_variant;  // that the renderer draws
     ChosenImages m_variant_images;
+    TripState m_trip;
     LoadedImages m_images;  // that the renderer has
     ChosenImages m_chosen_images;
     Drive m_drive;

@@ -27,6 +27,7 @@ void Lab::update(double wall_seconds) {
     follow_variant(wall_seconds);
     update_drive();
     draw_picture(wall_seconds);
+    follow_trip();
     note_moves();
     tell_silence();
 }
@@ -47,7 +48,8 @@ void Lab::tell_silence() {
 bool Lab::is_moving() const {
     return (m_player.is_playing() && !has_converged()) || is_loading() || m_notice || m_wanted ||
            m_osc.is_turning() || m_rate_check.is_running() || !m_drive.loading().empty() ||
-           m_drive.is_source_late() || (m_renderer && m_renderer->replay().is_running());
+           m_drive.is_source_late() ||
+           (m_renderer && (m_renderer->replay().is_running() || m_renderer->awaits_trip()));
 }
 
 bool Lab::has_converged() const {
@@ -113,6 +115,7 @@ void Lab::apply(LoadedRequest loaded) {
         m_chosen_images.forget();
         m_variant_images.forget();
     }
+    forget_trip();
     m_programs = std::move(*loaded.programs);
     if (loaded.is_reload && m_document) {
         m_document->replace_look(std::move(*loaded.look));
@@ -256,6 +259,7 @@ void Lab::apply_document() {
     }
     m_applied = state;
     gather_problems();
+    reconsider_trip(redraw);
     want(redraw);
 }
 
@@ -329,6 +333,7 @@ void Lab::limit_frame(double wall_seconds) {
 
 void Lab::draw_picture(double wall_seconds) {
     resize_picture();
+    set_guard();
     limit_frame(wall_seconds);
     m_renderer->set_loudness(m_player.loudness());
     const bool rests = m_player.is_playing() && has_converged();

@@ -11,6 +11,7 @@
 #include "lab/moves_file.h"
 #include "lab/naming.h"
 #include "lab/signal_file.h"
+#include "lab/trip_words.h"
 #include "model/placing.h"
 #include "signals/kinds.h"
 
@@ -158,6 +159,8 @@ Result<Offline> Offline::create(Prepared prepared, Extent size, double fps) {
     offline.take_values();  // first: sizes may depend on them
     if (auto done = offline.m_renderer->resize(size, size); !done)
         return fail(done.error());
+    if (auto done = offline.set_guard(Executor::Guard::clamp); !done)
+        return fail(done.error());
     if (auto done = offline.load_signal(); !done)
         return fail(done.error());
     if (auto done = offline.load_pictures(); !done)
@@ -214,6 +217,10 @@ Diagnostics Offline::take_problems() {
     if (m_source) {
         const Diagnostics more = m_source->take_problems();
         problems.insert(problems.end(), more.begin(), more.end());
+    }
+    if (const auto trip = m_renderer->take_trip(true)) {
+        problems.push_back(diagnostic_of(*trip, executor().look()));
+        problems.back().message += "; such numbers were clamped";
     }
     const Diagnostics sent = m_player->sent_problems();
     problems.insert(problems.end(), sent.begin(), sent.end());

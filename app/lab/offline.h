@@ -58,6 +58,9 @@ public:
     /// From the first frame again, with another document of the same look: its values, its signal
     /// and its source. Costs a part of create(), as context and programs stay. Fails as that does.
     Result<void> start_again(Document document);
+    /// What is done about numbers that are not finite; at first they are clamped, and the first one
+    /// is told with the problems.
+    Result<void> set_guard(Executor::Guard guard) { return m_renderer->set_guard(guard); }
     /// Of the clock; to be followed by start_again().
     void set_fps(double fps) { m_fps = fps; }
     const Executor& executor() const { return m_renderer->executor(); }

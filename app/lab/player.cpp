@@ -241,6 +241,15 @@ void Player::seek(double seconds) {
         play_beam();  // its signal has another beginning, too
 }
 
+void Player::go_back_to(std::int64_t frame) {
+    if (m_past.empty() || frame < m_past.front().number || frame > m_past.back().number)
+        return;
+    while (m_past.back().number > frame)
+        m_past.pop_back();
+    m_frame = frame;
+    seek(m_past.back().span.end);
+}
+
 void Player::set_speed(double speed) {
     m_speed = std::clamp(speed, 0.01, 4.0);
     if (m_output)

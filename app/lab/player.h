@@ -77,6 +77,8 @@ public:
     void set_level(double level);  // 0 .. 2, of the loudspeaker
     /// The next advance() goes one frame of 1/60 s further, also while paused.
     void step() { m_is_stepping = true; }
+    /// Back to the end of a frame of the past, if it is still known.
+    void go_back_to(std::int64_t frame);
 
     /// The frame that `wall_seconds` since the last call bring; none while paused or at the
     /// signal's end. While a sound is heard or comes in, its device is the clock.

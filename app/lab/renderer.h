@@ -47,6 +47,12 @@ public:
     /// What drives the look is another: accumulating passes start anew.
     void restart_samples();
 
+    /// Of the picture itself; a variant is not looked at.
+    Result<void> set_guard(Executor::Guard guard) { return m_executor.set_guard(guard); }
+    std::optional<Trip> take_trip(bool waits = false) { return m_executor.take_trip(waits); }
+    bool awaits_trip() const { return m_executor.awaits_trip(); }
+    void mend() { m_executor.mend(); }
+
     void draw(const PlayedFrame& frame, const Beam& beam);
     /// A frame that nobody will look at: only what later frames are made of is drawn.
     void draw_unseen(const PlayedFrame& frame, const Beam& beam);

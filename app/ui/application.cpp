@@ -163,6 +163,7 @@ void Application::turn() {
     if (std::string problem = m_output.follow(m_state, m_window); !problem.empty())
         m_lab.say(std::move(problem), true);
     m_lab.set_view(view());
+    m_lab.set_unattended(m_state.is_picture_only || m_output.is_open());
     m_lab.update(wall_seconds);
     m_first_file.update(m_lab);
     follow_remote();

@@ -112,6 +112,56 @@ void draw_replay(const Scene& scene) {
               scene);
 }
 
+// What stopped the clock, and what may be done about it.
+void draw_trip(const Scene& scene, Edits& edits) {
+    const auto& trip = scene.lab.trip();
+    if (!trip || !scene.lab.renderer())
+        return;
+    const std::string& pass = scene.lab.renderer()->executor().look().passes[trip->pass].name;
+    const std::string words = fmt::format(
+        "The clock has stopped: pass '{}' drew a number that is not finite, at pixel "
+        "{}, {} in frame {}.",
+        pass, trip->x, trip->y, trip->frame);
+    const float margin = ImGui::GetFontSize() * 0.7f;
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float width = ImGui::GetWindowWidth() - 2.0f * margin;
+    const float inner = width - 2.0f * style.WindowPadding.x;
+    const float height = ImGui::CalcTextSize(words.c_str(), nullptr, false, inner).y +
+                         2.0f * style.WindowPadding.y + style.ItemSpacing.y +
+                         ImGui::GetFrameHeight();
+    ImGui::SetCursorPos({margin, margin});
+    const ScopedColor back(ImGuiCol_ChildBg, theme::problem_pane);
+    const ScopedStyle<float> rounding(ImGuiStyleVar_ChildRounding, 5.0f * scene.scale);
+    ImGui::BeginChild("##trip", {width, height}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+    ImGui::TextWrapped("%s", words.c_str());
+    struct Choice {
+        TripAnswer answer;
+        const char* label;
+        const char* help;
+        const char* name;
+    };
+    for (const Choice& choice :
+         {Choice{TripAnswer::clear, "Clear", "History begins anew, and time goes on", "trip_clear"},
+          Choice{TripAnswer::clamp, "Clamp",
+                 "NaN becomes 0 and an infinity the largest number, in every pass", "trip_clamp"},
+          Choice{TripAnswer::go_on, "Go on",
+                 "Such numbers stay as they are, until the look is edited", "trip_go_on"}}) {
+        if (ImGui::Button(choice.label))
+            edits.add([answer = choice.answer](Lab& lab) { lab.answer_trip(answer); });
+        edits.mark(choice.name);
+        tooltip(choice.help);
+        ImGui::SameLine();
+    }
+    if (quiet_button("Show the pass"))
+        edits.arrange([pass](WindowState& window) {
+            window.inspected.pass = pass;
+            window.inspected.marks_flaws = true;
+            window.shows_inspector = true;
+        });
+    edits.mark("trip_show");
+    ImGui::EndChild();
+}
+
 void draw_loading(const Scene& scene) {
     const std::filesystem::path file = scene.lab.drive().loading();
     if (file.empty())
@@ -127,6 +177,7 @@ void draw_loading(const Scene& scene) {
 void draw_overlays(const Scene& scene, Edits& edits) {
     draw_first_steps(scene, edits);
     draw_errors(scene, edits);
+    draw_trip(scene, edits);
     draw_loading(scene);
     draw_replay(scene);
     draw_notice(scene);

@@ -142,6 +142,13 @@ std::string comparison_text(const Scene& scene) {
         fmt::join(slots, ","));
 }
 
+// What has stopped the clock.
+std::string trip_text(const Lab& lab) {
+    const auto& trip = lab.trip();
+    return trip ? fmt::format(R"(,"trip":[{},{},{},{}])", trip->pass, trip->x, trip->y, trip->frame)
+                : R"(,"trip":null)";
+}
+
 std::string document_text(const Lab& lab) {
     const Document& document = *lab.document();
     return fmt::format(
@@ -174,7 +181,7 @@ std::string state_text(const Scene& scene, const Edits& edits) {
                     : scene.window.output.is_black ? "black"
                                                    : "on"),
         probe_text(scene) + inspection_text(scene) + pins_text(scene) + gains_text(scene) +
-            comparison_text(scene),
+            comparison_text(scene) + trip_text(lab),
         problems_json(lab), places_text(edits));
 }
 

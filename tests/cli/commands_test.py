@@ -111,6 +111,32 @@ class Rendering(ProgramTest):
                              self.folder / "a.png"))
         self.assertGreater(max(max(row) for row in read_png(self.folder / "a.png")[2]), 100)
 
+    def test_a_number_that_is_not_finite_is_clamped_and_told_once(self):
+        self.write("wrong/look.json", json.dumps({
+            "format": "afterglow-look", "version": 1, "name": "Wrong", "driven_by": "nothing",
+            "passes": [
+                {"name": "glow", "fragment": "glow.frag", "inputs": {"previous": "glow@1"}},
+                {"name": "shown", "fragment": "shown.frag", "inputs": {"image": "glow"}}]}, indent=1))
+        self.write("wrong/glow.frag", "#version 410 core\nuniform sampler2D previous;\n"
+                   "uniform float none = 0.0;\nuniform int u_frame;\nin vec2 uv;\nout vec4 color;\n"
+                   "void main() {\n    bool is_bad = u_frame == 3 && ivec2(gl_FragCoord.xy) == ivec2(4, 1);\n"
+                   "    color = is_bad ? vec4(none / none) : texture(previous, uv) * 0.5 + 0.25;\n}\n")
+        self.write("wrong/shown.frag", "#version 410 core\nuniform sampler2D image;\nin vec2 uv;\nout vec4 color;\n"
+                   "void main() { color = texture(image, uv); }\n")
+        for frames in (2, 3, 5):
+            done = run("render", self.folder / "wrong", "--size", "16x8", "--frames", str(frames), "-o",
+                       self.folder / f"{frames}.png")
+            self.assert_done(done)
+            told = [line for line in done.stderr.splitlines() if "not finite" in line]
+            self.assertEqual(len(told), 0 if frames < 3 else 1, done.stderr)
+            for line in told:
+                self.assertIn("look.json:", line)
+                self.assertIn("warning: pass 'glow'", line)
+                self.assertIn("pixel 4, 6 in frame 3", line)
+        # 0 in frame 3, so 1/4 in frame 4 and 3/8 in frame 5
+        _, _, rows = read_png(self.folder / "5.png")
+        self.assertEqual(rows[6][4 * 3], round(255 * 3 / 8))
+
     def test_a_sheet_shows_every_preset_of_a_look(self):
         self.write("data/shaders/plain/look.json", json.dumps({
             "format": "afterglow-look", "version": 1, "name": "Plain", "driven_by": "nothing",

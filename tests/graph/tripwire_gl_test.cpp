@@ -127,3 +127,32 @@ TEST_CASE_FIXTURE(Tripping, "frames that begin anew are counted anew") {
     REQUIRE(trip);
     CHECK(trip->frame == 3);
 }
+
+TEST_CASE_FIXTURE(
+    Tripping,
+    "of frames that nobody sees what is kept is clamped, and the pass told that began it") {
+    const Look look =
+        look_of({pass("calm", "void main() { color = vec4(1.0); }\n"),
+                 pass("spark",
+                      "uniform int u_frame;\n"
+                      "uniform float none = 0.0;\n"
+                      "void main() {\n"
+                      "    color = vec4(u_frame == 3 && int(gl_FragCoord.x) == 37 && "
+                      "int(gl_FragCoord.y) == 5 ? 1.0 / none : 1.0);\n"
+                      "}\n"),
+                 pass("sum",
+                      "uniform sampler2D fresh, before;\n"
+                      "void main() { color = texture(fresh, uv) - texture(before, uv); }\n",
+                      {reads("fresh", "spark"), reads("before", "sum", 1)})});
+    open(look, Executor::Guard::clamp);
+    const std::vector<bool> carried{false, true, true};
+    for (int number = 1; number <= 5; ++number) {
+        Frame frame;
+        frame.number = number;
+        executor->draw(frame, &carried);
+    }
+    CHECK(std::isfinite(green(2)));
+    const auto trip = executor->take_trip(true);
+    REQUIRE(trip);
+    CHECK(*trip == Trip{1, 37, 34, 3});
+}

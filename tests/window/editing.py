@@ -39,6 +39,25 @@ class Editing(Person):
         shader.write_text(text)
         program.wait("mending it clears the message", lambda s: not s["problems"])
 
+    def test_a_number_that_is_not_finite_stops_the_clock(self):
+        program = self.program
+        shader = self.looks / "phosphor/persistence.frag"
+        text = shader.read_text()
+        shader.write_text(text[:text.rindex("}")] + "    if (ivec2(gl_FragCoord.xy) == ivec2(9, 29))\n"
+                          "        color.r = sqrt(-u_time_delta);\n}\n")
+        state = program.wait("pass and pixel are named", lambda s: s["trip"])
+        self.assertEqual(state["trip"][:3], [3, 9, self.size[1] - 1 - 29])
+        self.assertFalse(state["is_playing"])
+        self.assertEqual(state["frame"], state["trip"][3])
+        program.click("trip_show")
+        program.wait("the pass is looked into", lambda s: s["inspected"] == "persistence")
+        self.snapshot("trip")
+        program.click("trip_clamp")
+        program.wait("time goes on, and nothing is asked again", lambda s: not s["trip"] and
+                     s["is_playing"] and s["frame"] > state["frame"] + 3)
+        shader.write_text(text)
+        program.wait("mended, it is watched again", lambda s: not s["is_loading"])
+
     def test_a_pass_is_changed_and_written_back(self):
         program = self.program
         manifest = self.looks / "phosphor/look.json"

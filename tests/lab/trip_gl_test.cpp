@@ -1,0 +1,167 @@
+// A number that is not finite stops the clock, as a person meets it in the window.
+#include "lab/small_lab.h"
+
+#include <cmath>
+
+namespace {
+constexpr const char* calm = R"(#version 410 core
+in vec2 uv;
+out vec4 color;
+void main() { color = vec4(0.5); }
+)";
+constexpr const char* spark = R"(#version 410 core
+uniform float none = 0.0;  // @hidden
+uniform int u_frame;
+in vec2 uv;
+out vec4 color;
+void main() {
+    bool is_bad = u_frame == 40 && ivec2(gl_FragCoord.xy) == ivec2(3, 4);
+    color = vec4(is_bad ? 1.0 / none : 0.0);
+}
+)";
+constexpr const char* sum_of_sparks = R"(#version 410 core
+uniform sampler2D previous;
+uniform sampler2D fresh;
+in vec2 uv;
+out vec4 color;
+void main() { color = texture(previous, uv) + texture(fresh, uv); }
+)";
+
+constexpr const char* wrong_at_40 = R"(#version 410 core
+uniform sampler2D previous;
+uniform float step_size = 1.0;  // @range 0 4
+uniform float none = 0.0;  // @hidden
+uniform float danger = 1.0;  // @range 0 1
+uniform int u_frame;
+in vec2 uv;
+out vec4 color;
+void main() {
+    bool is_bad = u_frame == 40 && danger > 0.5 && ivec2(gl_FragCoord.xy) == ivec2(3, 4);
+    color = is_bad ? vec4(none / none) : texture(previous, uv) + step_size;
+}
+)";
+
+/// A lab on a look that counts frames, one texel of which goes wrong in frame 40.
+struct Tripping : SmallLab {
+    Tripping() {
+        write_by_rename("sum.frag", wrong_at_40);
+        REQUIRE(turn_until([&] { return find_parameter(document().look(), "none"); }));
+        lab().restart();
+    }
+    void wait_for_trip() {
+        REQUIRE(turn_until([&] { return lab().trip().has_value(); }));
+        REQUIRE(turn_until([&] { return !lab().renderer()->replay().is_running(); }));
+    }
+    float sum(int frames_ago_row) {
+        return gpu::read_pixel(lab().renderer()->executor().target(0), 3, frames_ago_row)[0];
+    }
+};
+}  // namespace
+
+TEST_CASE("the first number that is not finite stops the clock at its frame, with a good history") {
+    Tripping lab;
+    lab.wait_for_trip();
+    CHECK(*lab.lab().trip() == Trip{0, 3, 3, 40});
+    CHECK_FALSE(lab.lab().player().is_playing());
+    CHECK(lab.lab().player().frame_number() == 40);
+    CHECK(std::isnan(lab.sum(3)));
+    CHECK(lab.sum(5) == 20.0f);  // settle_frames of the past
+}
+
+TEST_CASE("clamped, time goes on with a nought in the place of the NaN") {
+    Tripping lab;
+    lab.wait_for_trip();
+    lab.lab().answer_trip(TripAnswer::clamp);
+    CHECK_FALSE(lab.lab().trip());
+    CHECK(lab.lab().player().is_playing());
+    lab.turn(3);
+    CHECK(lab.frames() == 43.0f);
+    CHECK(lab.sum(3) == 3.0f);
+    CHECK(lab.sum(5) == 23.0f);
+}
+
+TEST_CASE("cleared, history begins anew; left as it is, nothing asks again") {
+    Tripping lab;
+    lab.wait_for_trip();
+    lab.lab().answer_trip(TripAnswer::clear);
+    lab.turn(2);
+    CHECK(lab.sum(3) == 2.0f);
+    lab.lab().restart();
+    lab.wait_for_trip();
+    lab.lab().answer_trip(TripAnswer::go_on);
+    lab.turn(10);
+    CHECK_FALSE(lab.lab().trip());
+    CHECK(std::isnan(lab.sum(3)));
+}
+
+TEST_CASE("where nobody can be asked it is clamped and told once") {
+    Tripping lab;
+    lab.lab().set_unattended(true);
+    REQUIRE(lab.turn_until([&] { return lab.lab().notice() && lab.lab().notice()->is_problem; }));
+    CHECK(lab.lab().notice()->text.find("pass 'sum'") != std::string::npos);
+    CHECK(lab.lab().notice()->text.find("pixel 3, 3 in frame 40") != std::string::npos);
+    CHECK_FALSE(lab.lab().trip());
+    CHECK(lab.lab().player().is_playing());
+    CHECK(std::isfinite(lab.sum(3)));
+}
+
+TEST_CASE("a value that is the cure lets time go on, with a past that never went wrong") {
+    Tripping lab;
+    lab.wait_for_trip();
+    lab.lab().edit([](Document& document) { document.set_value("danger", Value(0.0)); });
+    REQUIRE(lab.turn_until([&] { return lab.lab().player().is_playing(); }));
+    CHECK_FALSE(lab.lab().trip());
+    lab.turn(10);
+    CHECK_FALSE(lab.lab().trip());
+    CHECK(lab.frames() >= 49.0f);
+    CHECK(lab.sum(3) == lab.sum(5));
+}
+
+TEST_CASE("a value that is no cure leaves the clock where it was") {
+    Tripping lab;
+    lab.wait_for_trip();
+    lab.lab().edit([](Document& document) { document.set_value("danger", Value(0.9)); });
+    lab.turn(1);
+    CHECK_FALSE(lab.lab().trip());
+    lab.wait_for_trip();
+    CHECK(*lab.lab().trip() == Trip{0, 3, 3, 40});
+    CHECK_FALSE(lab.lab().player().is_playing());
+}
+
+TEST_CASE("an edit that is the cure lets time go on") {
+    Tripping lab;
+    lab.wait_for_trip();
+    lab.write_by_rename("sum.frag", small_look::sum);
+    REQUIRE(lab.turn_until([&] { return lab.lab().player().is_playing(); }));
+    lab.turn(10);
+    CHECK_FALSE(lab.lab().trip());
+    CHECK(std::isfinite(lab.sum(3)));
+}
+
+TEST_CASE("the pass that began it is named, though another one was looked at before") {
+    SmallLab lab;
+    lab.write("calm.frag", calm);
+    lab.write("spark.frag", spark);
+    lab.write_by_rename("sum.frag", sum_of_sparks);
+    lab.write_by_rename("look.json", R"({
+  "format": "afterglow-look", "version": 1, "name": "Small", "driven_by": "nothing", "settle_frames": 4,
+  "passes": [
+    { "name": "calm", "fragment": "calm.frag", "format": "rgba8" },
+    { "name": "spark", "fragment": "spark.frag", "format": "rgba16f" },
+    { "name": "sum", "fragment": "sum.frag", "format": "rgba32f", "inputs": { "previous": "sum@1", "fresh": "spark" } }
+  ]
+})");
+    REQUIRE(lab.turn_until([&] { return lab.document().look().passes.size() == 3; }));
+    lab.lab().restart();
+    REQUIRE(lab.turn_until([&] { return lab.lab().trip().has_value(); }));
+    CHECK(lab.lab().trip()->frame == 40);
+    REQUIRE(lab.turn_until([&] { return !lab.lab().renderer()->replay().is_running(); }));
+    lab.turn(1);
+    CHECK(*lab.lab().trip() == Trip{1, 3, 3, 40});
+}
+
+TEST_CASE("where no format holds such numbers nothing is looked for") {
+    SmallLab lab(replaced(replaced(small_look::manifest, "rgba32f", "rgba8"), "rgba32f", "rgba8"));
+    lab.turn(3);
+    CHECK_FALSE(lab.lab().renderer()->awaits_trip());
+}
