@@ -5,6 +5,7 @@
 #include "io/atomic_file.h"
 #include "io/picture_file.h"
 #include "lab/sharing.h"
+#include "model/flash_log.h"
 
 #include <fmt/format.h>
 
@@ -73,12 +74,17 @@ Result<void> draw(const RenderArguments& arguments, const FrameNames& names, Off
         return fail(pass.error());
     const int frames =
         arguments.frames > 0 ? arguments.frames : offline.document().look().settle_frames;
+    const bool is_picture = *pass + 1 == static_cast<int>(offline.executor().look().passes.size());
+    const double fps = arguments.look.request().fps;
+    FlashLog flashes;  // of frames that all become files; one alone does not flash
     Progress progress("render", frames);
     for (int frame = 0; frame < frames; ++frame) {
         const bool is_seen = names.is_sequence() || frame + 1 == frames;
         is_seen ? offline.advance() : offline.advance_unseen();
         if (is_seen) {
             const Picture picture = offline.picture(*pass);
+            if (names.is_sequence() && is_picture)
+                flashes.add(picture, (frame + 1) / fps);
             const auto file = names.name(frame);
             auto saved = names.is_sequence()
                              ? save_picture(picture, file)
@@ -88,6 +94,8 @@ Result<void> draw(const RenderArguments& arguments, const FrameNames& names, Off
         }
         progress.show(frame + 1);
     }
+    if (const auto warning = flashes.warning())
+        warn({{{}, 0, *warning, Severity::warning}});
     if (!arguments.all_passes.empty())
         return save_all_passes(offline, arguments.all_passes);
     return {};

@@ -6,30 +6,53 @@
 #include <chrono>
 #include <cmath>
 
+namespace {
+// Makes one part after the other; the first that fails says why.
+template <class Part>
+bool made(std::optional<Part>& part, Diagnostics& problems) {
+    if (!problems.empty())
+        return false;
+    auto result = Part::make();
+    if (result)
+        part.emplace(std::move(*result));
+    else
+        problems = std::move(result.error());
+    return part.has_value();
+}
+}  // namespace
+
+Views::Views(Parts parts)
+    : m_viewer(std::move(parts.viewer)),
+      m_inspection(std::move(parts.inspection)),
+      m_pins(std::move(parts.pins)),
+      m_gains(std::move(parts.gains)),
+      m_compared(std::move(parts.compared)),
+      m_flash_meter(std::move(parts.flash_meter)),
+      m_comfort(std::move(parts.comfort)) {}
+
 Result<Views> Views::make() {
-    auto viewer = Viewer::make();
-    if (!viewer)
-        return fail(viewer.error());
-    auto inspection = Inspection::make();
-    if (!inspection)
-        return fail(inspection.error());
-    auto pins = Pins::make();
-    if (!pins)
-        return fail(pins.error());
-    auto gains = GainMeters::make();
-    if (!gains)
-        return fail(gains.error());
-    auto compared = ComparedPictures::make();
-    if (!compared)
-        return fail(compared.error());
-    return Views(std::move(*viewer), std::move(*inspection), std::move(*pins), std::move(*gains),
-                 std::move(*compared));
+    Diagnostics problems;
+    std::optional<Viewer> viewer;
+    std::optional<Inspection> inspection;
+    std::optional<Pins> pins;
+    std::optional<GainMeters> gains;
+    std::optional<ComparedPictures> compared;
+    std::optional<FlashMeter> flash_meter;
+    std::optional<Comfort> comfort;
+    if (!made(viewer, problems) || !made(inspection, problems) || !made(pins, problems) ||
+        !made(gains, problems) || !made(compared, problems) || !made(flash_meter, problems) ||
+        !made(comfort, problems))
+        return fail(std::move(problems));
+    return Views({std::move(*viewer), std::move(*inspection), std::move(*pins), std::move(*gains),
+                  std::move(*compared), std::move(*flash_meter), std::move(*comfort)});
+}
+
+Views::Image Views::image_of(const gpu::Texture* texture) {
+    return texture ? Image{texture->handle(), texture->extent()} : Image{};
 }
 
 Views::Image Views::image_of(const std::optional<gpu::Canvas>& canvas) {
-    if (!canvas)
-        return {};
-    return {canvas->texture().handle(), canvas->texture().extent()};
+    return image_of(canvas ? &canvas->texture() : nullptr);
 }
 
 Picture Views::read_picture() const {
@@ -140,6 +163,8 @@ void Views::update(const Lab& lab, const WindowState& window) {
         m_picture.reset();
         m_beside.reset();
         m_output.reset();
+        m_shown = {};
+        m_flash_meter.stop();
         m_compared.stop();
         m_inspected.reset();
         m_thumbnails.clear();
@@ -154,6 +179,8 @@ void Views::update(const Lab& lab, const WindowState& window) {
     const Executor& executor = lab.renderer()->executor();
     draw_picture(lab, window);
     draw_output(executor, window.output.is_black ? Extent{} : window.views.output);
+    show_in_comfort(lab, window.comfort);
+    count_flashes(lab, window);
     const bool is_whole = !window.is_picture_only;
     const bool has_strip = is_whole && window.shows_strip;
     draw_thumbnails(executor, has_strip ? window.views.thumbnail_height : 0);
@@ -176,6 +203,32 @@ void Views::draw_output(const Executor& executor, Extent extent) {
     const int last = static_cast<int>(executor.look().passes.size()) - 1;
     draw_part(executor.target(last), m_output, extent, {},
               {.encoding = encoding_of(executor.look(), last)});
+}
+
+// The look's own picture, however it is looked at.
+void Views::count_flashes(const Lab& lab, const WindowState& window) {
+    if (!window.shows_flashes || window.is_picture_only)
+        return m_flash_meter.stop();
+    const Executor& executor = lab.renderer()->executor();
+    const int last = static_cast<int>(executor.look().passes.size()) - 1;
+    m_flash_meter.update(executor.target(last), encoding_of(executor.look(), last),
+                         present_seconds());
+}
+
+// All that is on the screen in its place, whatever it is compared with.
+void Views::show_in_comfort(const Lab& lab, const ComfortClamp& clamp) {
+    const double now = present_seconds();
+    if (lab.is_moving() || !clamp.is_on)
+        m_comfort.note_moving(clamp, now);
+    const std::array views{&m_picture, &m_beside, &m_output};
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        const gpu::Texture* own = *views[i] ? &(*views[i])->texture() : nullptr;
+        m_shown[i] = own ? &m_comfort.shown(i, *own, clamp, now) : nullptr;
+    }
+}
+
+bool Views::is_settling() const {
+    return m_flash_meter.is_counting() || m_comfort.is_settling(present_seconds());
 }
 
 Views::Part Views::large_part(const Executor& executor, const WindowState& window) {

@@ -2,7 +2,9 @@
 
 #include "gpu/canvas.h"
 #include "graph/viewer.h"
+#include "lab/comfort.h"
 #include "lab/compared_pictures.h"
+#include "lab/flash_meter.h"
 #include "lab/gain_meters.h"
 #include "lab/inspection.h"
 #include "lab/lab.h"
@@ -28,15 +30,20 @@ public:
         std::uintptr_t handle = 0;
         Extent extent;
     };
-    Image picture() const { return image_of(m_picture); }
+    Image picture() const { return image_of(m_shown[0]); }
     /// The other picture of two that are seen side by side; each has room_of_one() to itself.
-    Image beside() const { return image_of(m_beside); }
+    Image beside() const { return image_of(m_shown[1]); }
+    /// How often the picture flashed within the last second; 0 while nobody wants to know.
+    const Flashes& flashes() const { return m_flash_meter.flashes(); }
+    /// Whether what is shown changes yet for a while, though the lab rests.
+    bool is_settling() const;
     /// What the two pictures of a comparison come to.
     const ComparedPictures& compared() const { return m_compared; }
-    /// What picture() shows, as numbers; empty when nothing. Waits for the GPU.
+    /// What there is to show in picture(), as numbers without a person's clamp; empty when nothing.
+    /// Waits for the GPU.
     Picture read_picture() const;
     /// The picture as the output window shows it, its size; null: nothing.
-    const gpu::Texture* output() const { return m_output ? &m_output->texture() : nullptr; }
+    const gpu::Texture* output() const { return m_shown[2]; }
     Image inspected() const { return image_of(m_inspected); }
     /// What the inspected target's numbers come to; nothing while the inspector is closed.
     const Inspection& inspection() const { return m_inspection; }
@@ -49,13 +56,17 @@ public:
     const std::optional<std::array<float, 4>>& probed() const { return m_probed; }
 
 private:
-    Views(Viewer viewer, Inspection inspection, Pins pins, GainMeters gains,
-          ComparedPictures compared)
-        : m_viewer(std::move(viewer)),
-          m_inspection(std::move(inspection)),
-          m_pins(std::move(pins)),
-          m_gains(std::move(gains)),
-          m_compared(std::move(compared)) {}
+    struct Parts {
+        Viewer viewer;
+        Inspection inspection;
+        Pins pins;
+        GainMeters gains;
+        ComparedPictures compared;
+        FlashMeter flash_meter;
+        Comfort comfort;
+    };
+    explicit Views(Parts parts);
+    static Image image_of(const gpu::Texture* texture);
     static Image image_of(const std::optional<gpu::Canvas>& canvas);
     bool fit(std::optional<gpu::Canvas>& canvas, Extent extent);
     void draw_part(const gpu::Texture& from, std::optional<gpu::Canvas>& to, Extent size,
@@ -67,6 +78,8 @@ private:
     };
     static Part large_part(const Executor& executor, const WindowState& window);
     void draw_picture(const Lab& lab, const WindowState& window);
+    void count_flashes(const Lab& lab, const WindowState& window);
+    void show_in_comfort(const Lab& lab, const ComfortClamp& clamp);
     void compare(const Lab& lab, const Part& part);
     void draw_wiped(const Lab& lab, Part part, const WindowState& window);
     void draw_difference(const Lab& lab, Part part, const WindowState& window);
@@ -80,6 +93,9 @@ private:
     Pins m_pins;
     GainMeters m_gains;
     ComparedPictures m_compared;
+    FlashMeter m_flash_meter;
+    Comfort m_comfort;
+    std::array<const gpu::Texture*, 3> m_shown{};  // the three below, or what stands for them
     std::optional<gpu::Canvas> m_picture;
     std::optional<gpu::Canvas> m_beside;
     std::optional<gpu::Canvas> m_output;

@@ -11,7 +11,7 @@ constexpr std::initializer_list<std::pair<const char*, bool WindowState::*>> swi
     {"library", &WindowState::shows_library},     {"parameters", &WindowState::shows_parameters},
     {"inspector", &WindowState::shows_inspector}, {"strip", &WindowState::shows_strip},
     {"history", &WindowState::shows_history},     {"bottom", &WindowState::shows_bottom},
-    {"maximised", &WindowState::is_maximised}};
+    {"flashes", &WindowState::shows_flashes},     {"maximised", &WindowState::is_maximised}};
 
 constexpr std::initializer_list<std::pair<const char*, float PaneSizes::*>> sizes{
     {"left_size", &PaneSizes::left},
@@ -67,6 +67,8 @@ std::map<std::string, double> remembered(const WindowState& window) {
         {"wipe_share", window.wipe_share},
         {"vsync", window.frame_rate.waits_for_display ? 1.0 : 0.0},
         {"frame_cap", window.frame_rate.cap},
+        {"comfort", window.comfort.is_on ? 1.0 : 0.0},
+        {"comfort_rate", window.comfort.most_a_second},
         {"bottom_part", static_cast<int>(window.bottom_part)}};
     if (window.position) {
         numbers["left"] = (*window.position)[0];
@@ -97,6 +99,10 @@ WindowState restored_window(const std::map<std::string, double>& numbers) {
         window.scale = *scale;
     if (const auto share = number(numbers, "wipe_share", 0.0, 1.0))
         window.wipe_share = *share;
+    window.comfort.is_on = number(numbers, "comfort", 0.0, 1.0).value_or(0.0) != 0.0;
+    if (const auto rate =
+            number(numbers, "comfort_rate", ComfortClamp::lowest, ComfortClamp::highest))
+        window.comfort.most_a_second = *rate;
     if (const auto is_on = number(numbers, "vsync", 0.0, 1.0))
         window.frame_rate.waits_for_display = *is_on != 0.0;
     if (const auto cap = number(numbers, "frame_cap", 1.0, FrameRate::no_cap))

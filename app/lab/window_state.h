@@ -2,6 +2,7 @@
 
 #include "lab/changes.h"
 #include "lab/folder.h"
+#include "model/comfort_clamp.h"
 #include "model/extent.h"
 #include "model/levels.h"
 
@@ -237,6 +238,8 @@ struct WindowState {
     bool shows_bottom = false;
     BottomPart bottom_part = BottomPart::problems;
     bool is_picture_only = false;
+    bool shows_flashes = true;  // how often the picture does
+    ComfortClamp comfort;
 
     PictureView picture;
     PassView inspected;

@@ -98,6 +98,8 @@ enum class ActionId {
     save_moves,
     remote,
     compare_rates,
+    show_flashes,
+    comfort,
     palette,
     randomise,
     show_favourites,

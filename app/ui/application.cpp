@@ -128,7 +128,8 @@ bool Application::wait() {
     const Clock::time_point start = Clock::now();
     if (m_lab.is_moving())
         m_awake_until = start + awake;  // what is measured of the last frame comes a little later
-    const auto longer = std::chrono::seconds(owes_numbers(m_lab, m_views.compared()) ? 10 : 0);
+    const bool owes = owes_numbers(m_lab, m_views.compared()) || m_views.is_settling();
+    const auto longer = std::chrono::seconds(owes ? 10 : 0);
     if (!m_lab.is_moving() && !m_toolkit.is_behind() && start > m_awake_until + longer) {
         m_window.wait_events(rest_seconds);
         if (seconds_between(start, Clock::now()) >= rest_seconds)

@@ -149,6 +149,13 @@ std::string trip_text(const Lab& lab) {
                 : R"(,"trip":null)";
 }
 
+// How often the picture flashes, and whether a person's clamp is on.
+std::string flashes_text(const Scene& scene) {
+    const Flashes& flashes = scene.views.flashes();
+    return fmt::format(R"(,"flashes":[{},{}],"comfort":{})", flashes.general, flashes.red,
+                       scene.window.comfort.is_on);
+}
+
 std::string document_text(const Lab& lab) {
     const Document& document = *lab.document();
     return fmt::format(
@@ -181,7 +188,7 @@ std::string state_text(const Scene& scene, const Edits& edits) {
                     : scene.window.output.is_black ? "black"
                                                    : "on"),
         probe_text(scene) + inspection_text(scene) + pins_text(scene) + gains_text(scene) +
-            comparison_text(scene) + trip_text(lab),
+            comparison_text(scene) + trip_text(lab) + flashes_text(scene),
         problems_json(lab), places_text(edits));
 }
 

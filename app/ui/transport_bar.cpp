@@ -1,6 +1,7 @@
 #include "ui/transport_bar.h"
 
 #include "ui/actions.h"
+#include "ui/flash_button.h"
 #include "ui/icons.h"
 #include "ui/picture_menus.h"
 #include "ui/scoped.h"
@@ -99,8 +100,10 @@ void draw_facts(const Scene& scene, float room) {
 void draw_transport_bar(const Scene& scene, Edits& edits) {
     ImGui::SetCursorPosY((ImGui::GetWindowHeight() - ImGui::GetFrameHeight()) * 0.5f);
     draw_buttons(scene, edits);
-    const float menus =
-        picture_menus_width(scene) + slot_buttons_width() + ImGui::GetStyle().ItemSpacing.x;
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const float flashes = flash_button_width(scene);
+    const float menus = picture_menus_width(scene) + slot_buttons_width() + gap +
+                        (flashes > 0.0f ? flashes + gap : 0.0f);
     const auto end_of_last = [] { return ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x; };
     const float speed = ImGui::GetFontSize() * 11.0f;
     if (end_of_last() + speed + menus < ImGui::GetWindowContentRegionMax().x) {
@@ -110,6 +113,11 @@ void draw_transport_bar(const Scene& scene, Edits& edits) {
     const float end = end_of_last();
     draw_facts(scene, ImGui::GetWindowContentRegionMax().x - menus - end - ImGui::GetFontSize());
     same_line_right(menus);
+    if (flashes > 0.0f) {
+        const float place = ImGui::GetCursorPosX();
+        draw_flash_button(scene, edits);
+        ImGui::SameLine(place + flashes + gap);
+    }
     draw_slot_buttons(scene, edits);
     ImGui::SameLine();
     draw_picture_menus(scene, edits);

@@ -74,6 +74,14 @@ void zoom(const Scene& scene, Edits& edits) {
     });
 }
 
+void toggle_comfort(const Scene&, Edits& edits) {
+    edits.arrange([](WindowState& window) { window.comfort.is_on = !window.comfort.is_on; });
+}
+
+bool has_comfort(const Scene& scene) {
+    return scene.window.comfort.is_on;
+}
+
 template <int eighths>
 void scale_text(const Scene&, Edits& edits) {
     edits.arrange([](WindowState& window) {
@@ -139,6 +147,15 @@ std::vector<Action> view_actions::list() {
         bottom<BottomPart::text>(ActionId::show_text, "Text that the driver got", {'9', true}),
         toggling<&State::is_picture_only>(ActionId::picture_only, "Only the picture", {key_f11},
                                           true),
+        toggling<&State::shows_flashes>(ActionId::show_flashes, "Flash meter", {}, true),
+        {ActionId::comfort,
+         Menu::view,
+         "Comfort clamp",
+         {},
+         false,
+         toggle_comfort,
+         nullptr,
+         has_comfort},
         {ActionId::larger_text, Menu::view, "Larger text", {'=', true}, true, scale_text<1>},
         {ActionId::smaller_text, Menu::view, "Smaller text", {'-', true}, false, scale_text<-1>},
     };

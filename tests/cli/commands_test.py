@@ -137,6 +137,24 @@ class Rendering(ProgramTest):
         _, _, rows = read_png(self.folder / "5.png")
         self.assertEqual(rows[6][4 * 3], round(255 * 3 / 8))
 
+    def test_a_run_of_frames_that_flashes_too_often_is_told_once(self):
+        self.write("flash/look.json", json.dumps({
+            "format": "afterglow-look", "version": 1, "name": "Flash", "driven_by": "nothing",
+            "passes": [{"name": "shown", "fragment": "shown.frag"}]}))
+        self.write("flash/shown.frag", "#version 410 core\nuniform int period = 10;  // @range 2 60\n"
+                   "uniform int u_frame;\nin vec2 uv;\nout vec4 color;\n"
+                   "void main() { color = vec4(vec3(u_frame % period * 2 < period ? 0.0 : 1.0), 1.0); }\n")
+        for period, told in ((20, 0), (10, 1)):
+            done = run("render", self.folder / "flash", "--set", f"period={period}", "--size", "96x72",
+                       "--frames", "60", "-o", self.folder / "f_%04d.png")
+            self.assert_done(done)
+            lines = [line for line in done.stderr.splitlines() if "flashes up to" in line]
+            self.assertEqual(len(lines), told, done.stderr)
+            for line in lines:
+                self.assertIn("warning: the picture flashes up to 6 times a second (0 in red)", line)
+        done = run("render", self.folder / "flash", "--size", "96x72", "--frames", "60", "-o", self.folder / "f.png")
+        self.assertNotIn("flashes", done.stderr)  # one picture does not flash
+
     def test_a_sheet_shows_every_preset_of_a_look(self):
         self.write("data/shaders/plain/look.json", json.dumps({
             "format": "afterglow-look", "version": 1, "name": "Plain", "driven_by": "nothing",

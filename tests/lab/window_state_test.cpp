@@ -105,3 +105,12 @@ TEST_CASE("the output window leaves the panels their display where there is anot
     CHECK(restored.monitor == 3);
     CHECK_FALSE(restored.is_open);
 }
+
+TEST_CASE("a person's clamp comes back at the next start, and a rate beyond the limits does not") {
+    WindowState window;
+    CHECK_FALSE(restored_window(remembered(window)).comfort.is_on);
+    window.comfort = {true, 0.45};
+    CHECK(restored_window(remembered(window)).comfort == ComfortClamp{true, 0.45});
+    window.comfort.most_a_second = 5.0;
+    CHECK(restored_window(remembered(window)).comfort == ComfortClamp{true, 0.3});
+}

@@ -124,6 +124,17 @@ class Looking(Person):
         program.key("f")
         program.wait_for("F shows it whole again", lambda: self.column_at(x + 96, y) == right)
 
+    def test_flashes_are_counted_and_may_be_clamped(self):
+        program = self.program
+        program.click("flashes")
+        program.click("comfort")
+        program.wait("the clamp is on", lambda s: s["comfort"])
+        program.place("comfort_rate")
+        self.snapshot("flashes")
+        program.key("Escape")
+        program.choose("View", "Comfort clamp")
+        program.wait("the clamp is off", lambda s: not s["comfort"])
+
     def test_everything_fits_a_small_window(self):
         program = self.program
         width, height = 900, 600

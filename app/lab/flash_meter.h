@@ -1,0 +1,34 @@
+#pragma once
+
+#include "graph/light_cells.h"
+
+#include <deque>
+#include <vector>
+
+/// How often the picture flashes: its cells of every frame, counted when they have come.
+class FlashMeter {
+public:
+    static Result<FlashMeter> make();
+
+    /// To be called after a frame, with the time at which it is seen. Never waits for the GPU.
+    void update(const gpu::Texture& picture, Encoding encoding, double seconds);
+    /// Nobody looks any more.
+    void stop();
+
+    /// Within the last second.
+    const Flashes& flashes() const { return m_flashes; }
+    /// Whether frames are yet to be looked at, or a flash is yet to be forgotten.
+    bool is_counting() const { return !m_coming.empty() || m_flashes != Flashes{}; }
+
+private:
+    explicit FlashMeter(LightCells cells) : m_cells(std::move(cells)) {}
+
+    struct Coming {
+        double seconds = 0.0;
+        gpu::Download cells;
+    };
+    LightCells m_cells;
+    std::deque<Coming> m_coming;
+    FlashCounter m_counter;
+    Flashes m_flashes;
+};

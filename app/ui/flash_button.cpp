@@ -1,0 +1,93 @@
+#include "ui/flash_button.h"
+
+#include "ui/scoped.h"
+#include "ui/slider.h"
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+#include <fmt/format.h>
+
+namespace {
+constexpr const char* popup = "flashes";
+
+std::string label_of(const Scene& scene) {
+    const int most = scene.views.flashes().most();
+    return fmt::format("{} {}{}", most, most == 1 ? "flash/s" : "flashes/s",
+                       scene.window.comfort.is_on ? " · clamped" : "");
+}
+
+// As wide for any number, so that what stands beside it does not move.
+std::string widest_label(const Scene& scene) {
+    return fmt::format("00 flashes/s{}", scene.window.comfort.is_on ? " · clamped" : "");
+}
+
+theme::Color color_of(const Flashes& flashes) {
+    if (flashes.is_beyond_limit())
+        return theme::problem;
+    return flashes == Flashes{} ? theme::faint : theme::label;
+}
+
+void draw_counts(const Scene& scene) {
+    const Flashes& flashes = scene.views.flashes();
+    ImGui::TextUnformatted(fmt::format("Within the last second: {} general, {} red flashes",
+                                       flashes.general, flashes.red)
+                               .c_str());
+    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 26.0f);
+    wrapped_dim_text(
+        "WCAG 2.3.1 allows three of each over more than a quarter of any field of 10 degrees: here "
+        "a third of the picture's width and height, as if it filled the screen.");
+    ImGui::PopTextWrapPos();
+}
+
+void draw_clamp(const Scene& scene, Edits& edits) {
+    ComfortClamp clamp = scene.window.comfort;
+    bool is_changed = ImGui::Checkbox("Comfort clamp", &clamp.is_on);
+    edits.mark("comfort");
+    tooltip(
+        "Large parts of what is shown change their light no faster than this. It is a setting of "
+        "yours: presets, saved pictures and renders are without it.");
+    if (clamp.is_on) {
+        const SliderFacts facts{.low = ComfortClamp::lowest,
+                                .high = ComfortClamp::highest,
+                                .initial = ComfortClamp::default_most,
+                                .unit = "of full light a second",
+                                .limit = Limit{ComfortClamp::lowest, ComfortClamp::highest}};
+        is_changed |=
+            draw_slider("##comfort", clamp.most_a_second, facts, ImGui::GetFontSize() * 10.0f)
+                .is_changed;
+        edits.mark("comfort_rate");
+        ImGui::SameLine();
+        ImGui::TextUnformatted(
+            fmt::format("{:.2f} of full light a second", clamp.most_a_second).c_str());
+    }
+    if (is_changed)
+        edits.arrange([clamp](WindowState& window) { window.comfort = clamp; });
+}
+}  // namespace
+
+float flash_button_width(const Scene& scene) {
+    if (!scene.window.shows_flashes)
+        return 0.0f;
+    return ImGui::CalcTextSize(widest_label(scene).c_str()).x +
+           2.0f * ImGui::GetStyle().FramePadding.x;
+}
+
+void draw_flash_button(const Scene& scene, Edits& edits) {
+    if (!scene.window.shows_flashes)
+        return;
+    {
+        const ScopedColor color(ImGuiCol_Text, color_of(scene.views.flashes()));
+        if (quiet_button(label_of(scene) + "###flashes"))
+            ImGui::OpenPopup(popup);
+        edits.mark("flashes");
+    }
+    tooltip(
+        "How often a quarter of a field of the picture flashed within the last second. A click: "
+        "the limits, and a clamp for your comfort.");
+    if (ImGui::BeginPopup(popup)) {
+        draw_counts(scene);
+        ImGui::Separator();
+        draw_clamp(scene, edits);
+        ImGui::EndPopup();
+    }
+}
