@@ -17,10 +17,10 @@ struct Verb {
 };
 
 constexpr std::array verbs{
-    Verb{"list", add_list},         Verb{"render", add_render}, Verb{"check", add_check},
-    Verb{"describe", add_describe}, Verb{"preset", add_preset}, Verb{"compare", add_compare},
-    Verb{"bench", add_bench},       Verb{"sheet", add_sheet},   Verb{"sweep", add_sweep},
-    Verb{"signal", add_signal},
+    Verb{"list", add_list},         Verb{"render", add_render},   Verb{"check", add_check},
+    Verb{"describe", add_describe}, Verb{"preset", add_preset},   Verb{"compare", add_compare},
+    Verb{"bench", add_bench},       Verb{"sheet", add_sheet},     Verb{"sweep", add_sweep},
+    Verb{"signal", add_signal},     Verb{"impulse", add_impulse},
 };
 
 constexpr const char* about =

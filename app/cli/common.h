@@ -63,4 +63,5 @@ Command add_compare(CommandLine& program);
 Command add_bench(CommandLine& program);
 Command add_sheet(CommandLine& program);
 Command add_sweep(CommandLine& program);
+Command add_impulse(CommandLine& program);
 Command add_signal(CommandLine& program);

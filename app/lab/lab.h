@@ -6,6 +6,7 @@
 #include "lab/document.h"
 #include "lab/drawing_board.h"
 #include "lab/drive.h"
+#include "lab/impulse.h"
 #include "lab/library.h"
 #include "lab/open.h"
 #include "lab/osc_control.h"
@@ -172,6 +173,10 @@ public:
     void compare_rates();
     void cancel_rate_comparison() { m_rate_check.cancel(); }
     const RateCheck& rate_check() const { return m_rate_check; }
+    /// Fires a flash and watches it fall in every pass, beside what the window shows.
+    void fire_impulse(const Pin& place);
+    void cancel_impulse() { m_impulse.cancel(); }
+    const BackgroundWork<ImpulseResponse>& impulse() const { return m_impulse; }
     /// Keeps the present values, over what the slot held.
     void keep_in_slot(std::size_t number);
     /// The slot's values become the present ones, as one step.
@@ -286,6 +291,7 @@ private:
     ChosenImages m_chosen_images;
     Drive m_drive;
     RateCheck m_rate_check;
+    BackgroundWork<ImpulseResponse> m_impulse;
     Reloader m_reloader;
     std::vector<Problem> m_look_problems;
     std::vector<Problem> m_problems;  // with those of the signal or source

@@ -33,5 +33,14 @@ void Lab::set_slider_ends(const std::string& parameter, const std::optional<Limi
 
 void Lab::compare_rates() {
     if (m_document)
-        m_rate_check.start(*m_document, picture_extent());
+        m_rate_check.start([document = *m_document, picture = picture_extent()](Work& work) {
+            return ::compare_rates(document, picture, work);
+        });
+}
+
+void Lab::fire_impulse(const Pin& place) {
+    if (m_document)
+        m_impulse.start([document = *m_document, picture = picture_extent(), place](Work& work) {
+            return ::fire_impulse(document, picture, {.place = place}, work);
+        });
 }

@@ -18,6 +18,7 @@ void Lab::update(double wall_seconds) {
     take_reload();
     listen(wall_seconds);
     m_rate_check.update();
+    m_impulse.update();
     if (!m_document || !m_renderer)
         return;
     if (m_document->is_restacking())
@@ -47,8 +48,8 @@ void Lab::tell_silence() {
 
 bool Lab::is_moving() const {
     return (m_player.is_playing() && !has_converged()) || is_loading() || m_notice || m_wanted ||
-           m_osc.is_turning() || m_rate_check.is_running() || !m_drive.loading().empty() ||
-           m_drive.is_source_late() ||
+           m_osc.is_turning() || m_rate_check.is_running() || m_impulse.is_running() ||
+           !m_drive.loading().empty() || m_drive.is_source_late() ||
            (m_renderer && (m_renderer->replay().is_running() || m_renderer->awaits_trip()));
 }
 

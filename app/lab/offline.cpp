@@ -284,12 +284,21 @@ void Offline::make_moves(double seconds) {
         m_problems.insert(m_problems.end(), sized.error().begin(), sized.error().end());
 }
 
+Beam Offline::beam_of(const PlayedFrame& frame) const {
+    return m_beam ? m_beam(frame) : m_player->trace(frame.span);
+}
+
+Result<void> Offline::hold_source(const Picture& picture) {
+    m_source.reset();
+    return m_renderer->set_source(picture);
+}
+
 void Offline::advance() {
     const PlayedFrame frame = m_player->advance_fixed(m_fps);
     make_moves(frame.span.end);
     if (auto shown = show_source(frame.span.end); !shown)
         m_problems.insert(m_problems.end(), shown.error().begin(), shown.error().end());
-    m_renderer->draw(frame, m_player->trace(frame.span));
+    m_renderer->draw(frame, beam_of(frame));
 }
 
 Picture Offline::picture_after(int frames) {
@@ -305,7 +314,7 @@ void Offline::advance_unseen() {
     if (m_source_is_carried)
         if (auto shown = show_source(frame.span.end); !shown)
             m_problems.insert(m_problems.end(), shown.error().begin(), shown.error().end());
-    m_renderer->draw_unseen(frame, m_player->trace(frame.span));
+    m_renderer->draw_unseen(frame, beam_of(frame));
 }
 
 Picture Offline::picture(int pass) const {

@@ -9,6 +9,7 @@
 #include "lab/source.h"
 #include "model/moves.h"
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -61,6 +62,10 @@ public:
     /// What is done about numbers that are not finite; at first they are clamped, and the first one
     /// is told with the problems.
     Result<void> set_guard(Executor::Guard guard) { return m_renderer->set_guard(guard); }
+    /// From here on the beam is this in each frame, in the place of the signal's.
+    void drive_by(std::function<Beam(const PlayedFrame&)> beam) { m_beam = std::move(beam); }
+    /// From here on this is the source, in the place of the document's.
+    Result<void> hold_source(const Picture& picture);
     /// Of the clock; to be followed by start_again().
     void set_fps(double fps) { m_fps = fps; }
     const Executor& executor() const { return m_renderer->executor(); }
@@ -81,6 +86,7 @@ private:
     Result<void> load_signal();
     Result<void> load_pictures();
     Result<void> show_source(double seconds);
+    Beam beam_of(const PlayedFrame& frame) const;
     Offline(std::unique_ptr<gpu::Context> context, Prepared prepared, Programs programs,
             Extent size, double fps);
 
@@ -90,6 +96,7 @@ private:
     std::unique_ptr<Player> m_player;
     Extent m_size;
     double m_fps;
+    std::function<Beam(const PlayedFrame&)> m_beam;  // empty: the signal's
     std::optional<Source> m_source;
     SharedPicture m_shown;
     ChosenImages m_chosen_images;

@@ -144,7 +144,8 @@ struct Dialog {
         palette,
         compare_preset,  // with what is open; `changes` has the differences
         remote,
-        rates,  // how far pictures of several frame rates are apart
+        impulse,  // how a flash falls in every pass
+        rates,    // how far pictures of several frame rates are apart
         keys,
         about,
     };

@@ -4,6 +4,7 @@
 #include "ui/compare_actions.h"
 #include "ui/display_actions.h"
 #include "ui/file_actions.h"
+#include "ui/impulse_dialog.h"
 #include "ui/pass_actions.h"
 #include "ui/rates_dialog.h"
 #include "ui/tuning_actions.h"
@@ -123,6 +124,13 @@ std::vector<Action> playback_actions() {
          {},
          true,
          [](const Scene&, Edits& edits) { compare_rates(edits); },
+         file_actions::has_document},
+        {ActionId::impulse,
+         Menu::playback,
+         "Fire a flash, and see it fall in every pass…",
+         {'I'},
+         false,
+         fire_impulse,
          file_actions::has_document}};
 }
 

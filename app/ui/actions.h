@@ -98,6 +98,7 @@ enum class ActionId {
     save_moves,
     remote,
     compare_rates,
+    impulse,
     show_flashes,
     comfort,
     palette,

@@ -4,6 +4,7 @@
 #include "ui/dialog_frame.h"
 #include "ui/file_dialog.h"
 #include "ui/help_dialogs.h"
+#include "ui/impulse_dialog.h"
 #include "ui/palette_dialog.h"
 #include "ui/rates_dialog.h"
 #include "ui/remote_dialog.h"
@@ -188,6 +189,9 @@ void draw_dialogs(const Scene& scene, Edits& edits) {
             return;
         case Kind::remote:
             draw_remote_dialog(scene, edits);
+            return;
+        case Kind::impulse:
+            draw_impulse_dialog(scene, edits);
             return;
         case Kind::rates:
             draw_rates_dialog(scene, edits);

@@ -1,6 +1,7 @@
 """The command line as a person's script sees it."""
 
 import json
+import math
 import os
 import subprocess
 import wave
@@ -154,6 +155,33 @@ class Rendering(ProgramTest):
                 self.assertIn("warning: the picture flashes up to 6 times a second (0 in red)", line)
         done = run("render", self.folder / "flash", "--size", "96x72", "--frames", "60", "-o", self.folder / "f.png")
         self.assertNotIn("flashes", done.stderr)  # one picture does not flash
+
+    def test_a_flash_falls_as_the_look_says(self):
+        self.write("glow/look.json", json.dumps({
+            "format": "afterglow-look", "version": 1, "name": "Glow", "driven_by": "picture",
+            "default_source": "pattern:smpte", "output": "linear",
+            "passes": [{"name": "glow", "fragment": "glow.frag", "format": "rgba32f",
+                        "inputs": {"image": "source", "previous": "glow@1"}},
+                       {"name": "shown", "fragment": "shown.frag", "format": "rgba32f", "inputs": {"image": "glow"}}]}))
+        self.write("glow/glow.frag", "#version 410 core\nuniform sampler2D image, previous;\n"
+                   "uniform float decay = 0.9;  // @range 0 1\nuniform float u_time_delta;\nin vec2 uv;\nout vec4 color;\n"
+                   "void main() { color = texture(image, uv) + texture(previous, uv) * pow(decay, 60.0 * u_time_delta); }\n")
+        self.write("glow/shown.frag", "#version 410 core\nuniform sampler2D image;\nin vec2 uv;\nout vec4 color;\n"
+                   "void main() { color = 0.25 + 3.0 * texture(image, uv); }\n")
+        for fps in (24, 60):
+            done = run("impulse", self.folder / "glow", "--size", "32x18", "--fps", str(fps), "--json")
+            self.assert_done(done)
+            glow, shown = json.loads(done.stdout)["passes"]
+            rate = -60 * math.log(0.9)  # a second
+            for told, peak in ((glow, 1.0), (shown, 3.0)):
+                self.assertAlmostEqual(told["peak"], peak, places=4)
+                self.assertAlmostEqual(told["half_life_seconds"], math.log(2) / rate, places=4)
+                for share, key in ((10, "10"), (100, "1"), (1000, "0.1")):
+                    self.assertAlmostEqual(told[f"seconds_to_{key}_percent"], math.log(share) / rate, places=3)
+        self.assertIn("half ms", run("impulse", self.folder / "glow", "--size", "32x18").stdout)
+        done = run("impulse", self.folder / "glow", "--at", "2,0")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("--at takes two numbers from 0 to 1", done.stderr)
 
     def test_a_sheet_shows_every_preset_of_a_look(self):
         self.write("data/shaders/plain/look.json", json.dumps({

@@ -124,6 +124,16 @@ class Looking(Person):
         program.key("f")
         program.wait_for("F shows it whole again", lambda: self.column_at(x + 96, y) == right)
 
+    def test_a_flash_is_seen_to_fall_in_every_pass(self):
+        program = self.program
+        self.hover("picture")
+        program.wait("the pointer is on the picture", lambda s: s["probe"])
+        program.key("i")
+        program.place("impulse:persistence")
+        self.snapshot("impulse")
+        program.key("Escape")
+        program.wait("the dialog has gone", lambda s: not s["dialog"])
+
     def test_flashes_are_counted_and_may_be_clamped(self):
         program = self.program
         program.click("flashes")

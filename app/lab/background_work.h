@@ -1,0 +1,60 @@
+#pragma once
+
+#include "base/diagnostic.h"
+#include "base/work.h"
+
+#include <chrono>
+#include <functional>
+#include <future>
+#include <memory>
+#include <optional>
+#include <utility>
+
+/// Long work on a thread of its own: one at a time.
+template <class Outcome>
+class BackgroundWork {
+public:
+    using Task = std::function<Result<Outcome>(Work& work)>;
+
+    BackgroundWork() = default;
+    ~BackgroundWork() { cancel(); }  // the future waits for its thread, which ends soon
+    BackgroundWork(const BackgroundWork&) = delete;
+    BackgroundWork& operator=(const BackgroundWork&) = delete;
+
+    /// Begins anew; what was found before is forgotten.
+    void start(Task task) {
+        cancel();
+        m_outcome.reset();
+        m_work = std::make_shared<Work>();
+        m_is_wanted = true;
+        m_coming = std::async(std::launch::async,
+                              [task = std::move(task), work = m_work] { return task(*work); });
+    }
+    /// Nothing comes of what is under way.
+    void cancel() {
+        if (m_work)
+            m_work->is_cancelled = true;
+        m_is_wanted = false;
+    }
+    /// To be called every turn.
+    void update() {
+        if (!m_coming.valid() ||
+            m_coming.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+            return;
+        auto outcome = m_coming.get();
+        if (m_is_wanted)
+            m_outcome = std::move(outcome);
+        m_is_wanted = false;
+    }
+
+    bool is_running() const { return m_is_wanted && m_coming.valid(); }
+    double share() const { return m_work ? m_work->share.load() : 0.0; }
+    /// None before the work has come to its end.
+    const std::optional<Result<Outcome>>& outcome() const { return m_outcome; }
+
+private:
+    std::shared_ptr<Work> m_work;  // shared with the thread
+    std::future<Result<Outcome>> m_coming;
+    bool m_is_wanted = false;  // not cancelled
+    std::optional<Result<Outcome>> m_outcome;
+};

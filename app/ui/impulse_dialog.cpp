@@ -1,0 +1,190 @@
+#include "ui/impulse_dialog.h"
+
+#include "gpu/input_event.h"
+#include "ui/dialog_frame.h"
+#include "ui/scoped.h"
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace {
+constexpr std::array<theme::Color, 8> hues{{{0.95f, 0.75f, 0.35f, 1.0f},
+                                            {0.45f, 0.80f, 0.95f, 1.0f},
+                                            {0.55f, 0.85f, 0.50f, 1.0f},
+                                            {0.95f, 0.55f, 0.55f, 1.0f},
+                                            {0.75f, 0.65f, 0.95f, 1.0f},
+                                            {0.95f, 0.60f, 0.85f, 1.0f},
+                                            {0.60f, 0.75f, 0.65f, 1.0f},
+                                            {0.80f, 0.80f, 0.80f, 1.0f}}};
+constexpr double least = 0.001;  // of the peak; the floor of the plot
+
+const theme::Color& hue_of(std::size_t pass) {
+    return hues[pass % hues.size()];
+}
+
+Pin place_of_flash(const Scene& scene) {
+    if (!scene.window.pins.empty())
+        return scene.window.pins.front();
+    const auto& probe = scene.window.probe;
+    if (!probe || !scene.lab.renderer())
+        return {};
+    const Executor& executor = scene.lab.renderer()->executor();
+    const auto pass = find_pass(executor.look(), probe->pass);
+    return pass ? pin_at(*probe, executor.target(*pass).extent()) : Pin{};
+}
+
+// Up to the moment when the slowest pass is down at the floor, and a little more.
+double shown_seconds(const ImpulseResponse& response) {
+    double longest = 0.0;
+    for (const PassImpulse& pass : response.passes) {
+        if (pass.fall.peak <= 0.0)
+            continue;
+        if (!pass.fall.to_thousandth)
+            return response.seconds.back();
+        longest = std::max(longest, pass.fall.peak_seconds + *pass.fall.to_thousandth);
+    }
+    const double least_seconds = 4.0 / response.question.fps;
+    return std::min(std::max(longest * 1.1, least_seconds), response.seconds.back());
+}
+
+struct Plot {
+    ImVec2 low;  // top left
+    ImVec2 size;
+    double seconds;
+
+    ImVec2 at(double time, double share) const {
+        const double down =
+            std::clamp(std::log10(std::max(share, least)) / std::log10(least), 0.0, 1.0);
+        return {low.x + size.x * static_cast<float>(time / seconds),
+                low.y + size.y * static_cast<float>(down)};
+    }
+};
+
+void draw_grid(const Plot& plot, ImDrawList& list) {
+    const ImU32 line = ImGui::GetColorU32(theme::line);
+    const ImU32 words = ImGui::GetColorU32(theme::dim);
+    for (const auto& [share, label] : {std::pair{1.0, "peak"}, std::pair{0.1, "10 %"},
+                                       std::pair{0.01, "1 %"}, std::pair{0.001, "0.1 %"}}) {
+        const ImVec2 left = plot.at(0.0, share);
+        list.AddLine(left, {left.x + plot.size.x, left.y}, line);
+        const float up = share <= least ? ImGui::GetFontSize() : 0.0f;
+        const float width = ImGui::CalcTextSize(label).x;
+        list.AddText({left.x + plot.size.x - width - 2.0f, left.y - up}, words, label);
+    }
+    const double step = std::pow(10.0, std::floor(std::log10(plot.seconds)));
+    const double every = plot.seconds / step < 2.5 ? step / 2.0 : step;
+    for (int i = 1; every * i < plot.seconds; ++i) {
+        const ImVec2 top = plot.at(every * i, 1.0);
+        list.AddLine(top, {top.x, top.y + plot.size.y}, line);
+        const std::string label = fmt::format("{:g} ms", std::round(every * i * 1e4) / 10.0);
+        list.AddText({top.x + 2.0f, top.y + plot.size.y + 2.0f}, words, label.c_str());
+    }
+}
+
+void draw_plot(const ImpulseResponse& response, Edits& edits) {
+    const float height = ImGui::GetFontSize() * 14.0f;
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    ImGui::Dummy({width, height + ImGui::GetFontSize() * 1.4f});
+    edits.mark("impulse_plot");
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const Plot plot{low, {width, height}, shown_seconds(response)};
+    list.AddRectFilled(low, {low.x + width, low.y + height}, ImGui::GetColorU32(theme::field));
+    draw_grid(plot, list);
+    for (std::size_t pass = 0; pass < response.passes.size(); ++pass) {
+        const PassImpulse& impulse = response.passes[pass];
+        std::vector<ImVec2> points;
+        for (std::size_t i = 0; i < impulse.light.size() && impulse.fall.peak > 0.0; ++i) {
+            if (response.seconds[i] > plot.seconds)
+                break;
+            points.push_back(plot.at(response.seconds[i], impulse.light[i] / impulse.fall.peak));
+            if (impulse.light[i] < least * impulse.fall.peak)
+                break;
+        }
+        list.AddPolyline(points.data(), static_cast<int>(points.size()),
+                         ImGui::GetColorU32(hue_of(pass)), ImDrawFlags_None, 1.5f);
+    }
+}
+
+std::string time_text(const std::optional<double>& seconds) {
+    if (!seconds)
+        return "–";
+    return *seconds < 1.0 ? fmt::format("{:.1f} ms", *seconds * 1000.0)
+                          : fmt::format("{:.3f} s", *seconds);
+}
+
+void cell(const std::string& text) {
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(text.c_str());
+}
+
+void draw_times(const ImpulseResponse& response, const Scene& scene, Edits& edits) {
+    const ScopedColor stripe(ImGuiCol_TableRowBgAlt, theme::field);
+    if (!ImGui::BeginTable("##impulse", 6, ImGuiTableFlags_RowBg))
+        return;
+    for (const char* heading : {"pass", "peak", "to 10 %", "to 1 %", "to 0.1 %", "half-life"})
+        ImGui::TableSetupColumn(heading);
+    ImGui::TableHeadersRow();
+    for (std::size_t i = 0; i < response.passes.size(); ++i) {
+        const PassImpulse& pass = response.passes[i];
+        ImGui::TableNextColumn();
+        {
+            const ScopedColor color(ImGuiCol_Text, hue_of(i));
+            ImGui::TextUnformatted(pass.pass.c_str());
+        }
+        edits.mark("impulse:" + pass.pass);
+        const ScopedFont font(scene.fonts.numbers);
+        cell(pass.fall.peak > 0.0 ? fmt::format("{:.4g}", pass.fall.peak) : "no light");
+        cell(time_text(pass.fall.to_tenth));
+        cell(time_text(pass.fall.to_hundredth));
+        cell(time_text(pass.fall.to_thousandth));
+        cell(time_text(pass.fall.half_life));
+    }
+    ImGui::EndTable();
+}
+
+void draw_response(const ImpulseResponse& response, const Scene& scene, Edits& edits) {
+    draw_plot(response, edits);
+    draw_times(response, scene, edits);
+    ImGui::Spacing();
+    const Pin& place = response.question.place;
+    wrapped_dim_text(fmt::format(
+        "A flash of one frame in the dark at {:.1f} %, {:.1f} % of the picture, drawn at {} and "
+        "{:g} Hz. Light is linear, of the brightest colour, above what was there before; time "
+        "counts from the peak. – : not within {:g} s. Half-lives are of the exponential that fits "
+        "best down to 1 %.",
+        place.x * 100.0, place.y * 100.0, size_text(response.size), response.question.fps,
+        response.question.seconds));
+}
+}  // namespace
+
+void fire_impulse(const Scene& scene, Edits& edits) {
+    edits.add([place = place_of_flash(scene)](Lab& lab) { lab.fire_impulse(place); });
+    edits.show({.kind = Dialog::Kind::impulse});
+}
+
+void draw_impulse_dialog(const Scene& scene, Edits& edits) {
+    const auto& impulse = scene.lab.impulse();
+    const DialogFrame frame("One flash in every pass", 44.0f, scene, edits);
+    if (!frame.is_open())
+        return;
+    const bool is_running = impulse.is_running();
+    if (is_running) {
+        dim_text("Firing a flash, and watching it fall");
+        ImGui::ProgressBar(static_cast<float>(impulse.share()), {-1.0f, 0.0f});
+        edits.mark("impulse_progress");
+    } else if (impulse.outcome() && impulse.outcome()->has_value()) {
+        draw_response(**impulse.outcome(), scene, edits);
+    } else if (impulse.outcome()) {
+        const ScopedColor color(ImGuiCol_Text, theme::warning);
+        ImGui::TextWrapped("%s", impulse.outcome()->error().front().message.c_str());
+    }
+    const bool is_left = draw_close_button(is_running ? "Cancel" : "Close", edits);
+    if (is_left || ImGui::IsKeyPressed(gpu::key::escape, false))
+        edits.add([](Lab& lab) { lab.cancel_impulse(); });
+}
