@@ -123,11 +123,16 @@ double bytes_of(const PlannedTarget& target) {
 }
 }  // namespace
 
+std::size_t memory_of(const PlannedTarget& target) {
+    const double levels = target.mipmapped ? 4.0 / 3.0 : 1.0;
+    return static_cast<std::size_t>(bytes_of(target) * target.slots * levels);
+}
+
 std::size_t memory_of(const Plan& plan) {
-    double bytes = 0;
+    std::size_t bytes = 0;
     for (const PlannedTarget& target : plan.targets)
-        bytes += bytes_of(target) * target.slots * (target.mipmapped ? 4.0 / 3.0 : 1.0);
-    return static_cast<std::size_t>(bytes);
+        bytes += memory_of(target);
+    return bytes;
 }
 
 double bytes_per_pixel(const Look& look, const Plan& plan) {
@@ -172,7 +177,11 @@ Redraw redraw_after(const Look& look, const std::vector<std::string>& parameters
     std::vector<bool> driven;
     for (std::size_t i = 0; i < look.passes.size(); ++i)
         driven.push_back(is_driven(look, i, parameters));
-    Redraw redraw{reached_from(look, std::move(driven))};
+    return redraw_of(look, std::move(driven));
+}
+
+Redraw redraw_of(const Look& look, std::vector<bool> changed) {
+    Redraw redraw{reached_from(look, std::move(changed))};
     for (std::size_t i = 0; i < look.passes.size(); ++i) {
         redraw.needs_replay =
             redraw.needs_replay || (redraw.passes[i] && look.passes[i].accumulate);

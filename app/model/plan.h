@@ -51,6 +51,7 @@ Extent source_extent_of(const Look& look, const Pass& pass, const Plan& plan, Ex
 
 /// Bytes that the targets hold.
 std::size_t memory_of(const Plan& plan);
+std::size_t memory_of(const PlannedTarget& target);
 
 /// Bytes read and written in a frame by full-target passes, a pixel of the picture (points and
 /// segments count their target once).
@@ -65,7 +66,9 @@ struct Redraw {
 /// The passes that `changed` ones reach within a frame, these included.
 std::vector<bool> reached_from(const Look& look, std::vector<bool> changed);
 
-/// For a paused picture: what shows a change of these parameters.
+/// For a paused picture: what shows a change of these passes, one flag each.
+Redraw redraw_of(const Look& look, std::vector<bool> changed);
+/// The same for a change of these parameters.
 Redraw redraw_after(const Look& look, const std::vector<std::string>& parameters);
 
 /// Passes on which the picture of `pass` depends, itself included; over all frames.
