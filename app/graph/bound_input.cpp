@@ -31,6 +31,13 @@ void feed(BoundInput& bound, const Look& look, int reader, const Input& input) {
 }
 }  // namespace
 
+BoundInput bound_input(const Look& look, int pass, const Input& input) {
+    BoundInput bound;
+    bound.uniform = input.uniform;
+    feed(bound, look, pass, input);
+    return bound;
+}
+
 std::vector<BoundInput> bind_inputs(const Look& look, int pass, const gpu::Program& program) {
     const std::vector<Input>& inputs = look.passes[static_cast<std::size_t>(pass)].inputs;
     std::vector<BoundInput> all;

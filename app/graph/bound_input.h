@@ -19,6 +19,9 @@ struct BoundInput {
     Sampler sampler;
 };
 
+/// What feeds an input of the pass, wherever it is bound.
+BoundInput bound_input(const Look& look, int pass, const Input& input);
+
 /// Gives each sampler of the pass's program a unit of its own, and finds what feeds it: an input,
 /// else an image parameter.
 std::vector<BoundInput> bind_inputs(const Look& look, int pass, const gpu::Program& program);

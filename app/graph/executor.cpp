@@ -80,6 +80,7 @@ Result<void> Executor::replace(Look look, Programs programs) {
     }
     m_look = std::move(look);
     m_programs = std::move(programs);
+    ++m_picture_number;
     prepare();
     if (m_tripwire)
         m_tripwire->clear();
@@ -111,6 +112,7 @@ Result<void> Executor::resize(Extent viewport, Extent source) {
         m_targets = std::move(*targets);
         m_plan = std::move(*plan);
         m_source.set_slots(m_plan.source_slots);
+        ++m_picture_number;
         restart_samples();
     }
     m_viewport = viewport;
@@ -164,7 +166,10 @@ Result<void> Executor::set_image(const std::string& name, const Picture& picture
 }
 
 void Executor::clear_history() {
-    m_targets.clear();
+    ++m_picture_number;
+    for (std::size_t i = 0; i < m_targets.size(); ++i)
+        if (run_of(i) != PassRun::frozen)
+            m_targets[i].clear();
     m_source.clear();
     m_beam.clear();
     restart_samples();
@@ -176,8 +181,10 @@ const gpu::Texture& Executor::target(int pass) const {
 
 std::vector<double> Executor::pass_milliseconds() {
     std::vector<double> times;
-    for (PassState& state : m_passes)
-        times.push_back(state.timer->milliseconds().value_or(0.0));
+    for (std::size_t i = 0; i < m_passes.size(); ++i) {
+        const double time = m_passes[i].timer->milliseconds().value_or(0.0);
+        times.push_back(i < m_targets.size() && is_kept(i) ? 0.0 : time);
+    }
     return times;
 }
 

@@ -8,11 +8,14 @@
 #include "graph/frame.h"
 #include "graph/parameter_uniforms.h"
 #include "graph/pass_report.h"
+#include "graph/pass_through.h"
 #include "graph/programs.h"
 #include "graph/source_history.h"
 #include "graph/target_set.h"
 #include "graph/tripwire.h"
+#include "model/pass_switches.h"
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -49,6 +52,9 @@ public:
     /// Programs hold the values of whom they last drew for: to be called before each draw where two
     /// executors have the same ones.
     void claim_programs();
+    /// What is done about each pass from the next frame on; empty: all are drawn. A frozen pass
+    /// whose target holds nothing yet is drawn once.
+    Result<void> set_runs(std::vector<PassRun> runs);
     /// Converted to the look's source_encoding. The source's size in a plan is resize's business.
     Result<void> set_source(const Picture& picture);
     /// For an image of the look, or an image parameter, by its name. Without it that reads
@@ -67,8 +73,10 @@ public:
     void restart_samples(const std::vector<bool>& changed_passes);
     /// The mouse of the frames to come is elsewhere.
     void note_mouse_moved();
-    /// As before the first frame.
+    /// As before the first frame; frozen passes stay as they are.
     void clear_history();
+    /// What the pass has drawn is gone, also where it is frozen.
+    void clear_history(int pass);
 
     /// What is done about numbers that are not finite: they are looked for in every frame in what
     /// later frames read, elsewhere in one pass in turn (watch); or in every pass that is drawn
@@ -86,10 +94,13 @@ public:
 
     /// This frame's picture of a pass.
     const gpu::Texture& target(int pass) const;
+    /// Another one whenever any target may have changed.
+    std::uint64_t picture_number() const { return m_picture_number; }
     const Plan& plan() const { return m_plan; }
     const Look& look() const { return m_look; }
     const Programs& programs() const { return m_programs; }
-    /// The latest known GPU time of each pass, some frames old; 0 until one is known.
+    /// The latest known GPU time of each pass, some frames old; 0 until one is known, and while it
+    /// is not drawn.
     std::vector<double> pass_milliseconds();
     /// Of the last pass that accumulates; none when no pass does.
     std::optional<Samples> samples() const;
@@ -120,6 +131,10 @@ private:
 
     void draw_passes(const Frame& frame, const std::vector<bool>* only, bool is_again);
     void draw_pass(std::size_t pass, const Frame& frame, bool is_again);
+    PassRun run_of(std::size_t pass) const;
+    bool is_kept(std::size_t pass) const;  // shows its last picture once more
+    void pass_through(std::size_t pass);
+    bool rests(std::size_t pass) const;
     void draw_samples(std::size_t pass, const Frame& frame);
     void draw_repetitions(std::size_t pass, bool is_again);
     PassExtents extents_of(std::size_t pass) const;
@@ -144,6 +159,8 @@ private:
     Extent m_source_extent;
     BeamBuffer m_beam;
     std::vector<PassState> m_passes;
+    std::vector<PassRun> m_runs;
+    std::optional<PassThrough> m_pass_through;  // from the first bypass on
     ParameterUniforms m_parameters;
     TargetSet m_targets;
     SourceHistory m_source;
@@ -156,5 +173,6 @@ private:
     bool m_has_points = false;
     bool m_has_segments = false;
     int m_draw_calls = 0;
+    std::uint64_t m_picture_number = 0;
     Frame m_drawn;  // the last; without its beam
 };

@@ -8,6 +8,9 @@ void Executor::draw(const Frame& frame, const std::vector<bool>* passes) {
     if (frame.is_first)
         clear_history();
     m_targets.advance();
+    for (std::size_t i = 0; i < m_targets.size(); ++i)
+        if (is_kept(i))
+            m_targets[i].keep();
     m_source.advance();
     m_beam.advance(frame);
     draw_passes(frame, passes, false);
@@ -25,6 +28,7 @@ void Executor::draw_passes(const Frame& frame, const std::vector<bool>* only, bo
     m_drawn.tints = {};
     m_draw_calls = 0;
     m_draws_whole = only == nullptr;
+    ++m_picture_number;
     const gpu::DrawScope scope;
     for (std::size_t i = 0; i < m_passes.size(); ++i)
         if (!only || (i < only->size() && (*only)[i]))
@@ -43,6 +47,11 @@ double frame_number(const Frame& frame, const Pass& pass) {
 }  // namespace
 
 void Executor::draw_pass(std::size_t index, const Frame& frame, bool is_again) {
+    if (is_kept(index))
+        return;
+    m_targets[index].note_drawn();
+    if (run_of(index) == PassRun::bypassed)
+        return pass_through(index);
     if (m_look.passes[index].accumulate && is_again)
         return;
     PassState& state = m_passes[index];

@@ -47,17 +47,9 @@ int Executor::samples_before(std::size_t index) const {
 bool Executor::has_converged() const {
     if (m_look.driven_by == Driver::signal || m_targets.size() != m_passes.size() || !samples())
         return false;
-    for (std::size_t i = 0; i < m_passes.size(); ++i) {
-        const Pass& pass = m_look.passes[i];
-        const auto enough = enough_of(pass);
-        const bool rests = pass.accumulate
-                               ? enough.value_or(0) > 0 && m_passes[i].samples >= *enough
-                               : !m_passes[i].built_ins.tell_time();
-        const bool has_history = std::ranges::any_of(
-            pass.inputs, [](const Input& input) { return input.frames_ago > 0; });
-        if (!rests || (has_history && !pass.accumulate))
+    for (std::size_t i = 0; i < m_passes.size(); ++i)
+        if (!rests(i))
             return false;
-    }
     return true;
 }
 

@@ -24,7 +24,15 @@ void Target::advance() {
     m_current = (m_current + 1) % m_slots.size();
 }
 
+void Target::keep() {
+    if (m_slots.size() < 2)
+        return;
+    canvas(1).copy_to(canvas());
+    canvas().texture().generate_mipmaps();
+}
+
 void Target::clear() {
+    m_is_drawn = false;
     for (gpu::Canvas& canvas : m_slots) {
         canvas.clear();
         canvas.texture().generate_mipmaps();
@@ -32,6 +40,7 @@ void Target::clear() {
 }
 
 void Target::adopt(Target&& former) {
+    m_is_drawn = former.m_is_drawn;
     const int count = std::min(m_planned.slots, former.m_planned.slots);
     for (int ago = 0; ago < count; ++ago)
         canvas(ago) = std::move(former.canvas(ago));

@@ -21,6 +21,11 @@ public:
     /// The current picture becomes the one of a frame ago; the oldest is drawn over next.
     void advance();
     void clear();
+    /// It has been drawn into since it was empty.
+    void note_drawn() { m_is_drawn = true; }
+    bool is_drawn() const { return m_is_drawn; }
+    /// After advance(): the last picture once more, as if it had been drawn again.
+    void keep();
     /// Takes over the newest pictures of a target of the same size and format.
     void adopt(Target&& former);
 
@@ -30,6 +35,7 @@ private:
     PlannedTarget m_planned;
     std::vector<gpu::Canvas> m_slots;
     std::size_t m_current = 0;
+    bool m_is_drawn = false;
 };
 
 /// Whether a target of one plan can go on in another: all but the number of its pictures is the

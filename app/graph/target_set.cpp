@@ -56,8 +56,3 @@ void TargetSet::advance() {
     for (Named& named : m_targets)
         named.target.advance();
 }
-
-void TargetSet::clear() {
-    for (Named& named : m_targets)
-        named.target.clear();
-}

@@ -18,7 +18,6 @@ public:
     const Target& operator[](std::size_t pass) const { return m_targets[pass].target; }
 
     void advance();
-    void clear();
 
 private:
     struct Named {

@@ -2,13 +2,7 @@
 
 #include "base/elapsed.h"
 
-#include <algorithm>
 #include <chrono>
-
-namespace {
-constexpr double meter_pause = 0.2;
-constexpr double meter_share = 0.1;  // of the time, where measuring is slow
-}  // namespace
 
 Result<GainMeters> GainMeters::make() {
     auto meter = Meter::make();
@@ -21,7 +15,7 @@ void GainMeters::stop() {
     m_meter.stop();
     m_passes.clear();
     m_gains.clear();
-    m_due = 0.0;
+    m_rota.restart(0);
 }
 
 void GainMeters::take_answer() {
@@ -29,31 +23,24 @@ void GainMeters::take_answer() {
         m_gains[m_asked] = gain_of(measured->statistics, measured->clipped, m_ceiling);
 }
 
-void GainMeters::update(const Executor& executor, const Values& values, bool is_moving,
-                        double seconds) {
+void GainMeters::update(const Executor& executor, const Values& values, double seconds) {
     const Look& look = executor.look();
     if (m_passes != pass_names(look)) {
         stop();  // those numbers were another look's
         m_passes = pass_names(look);
         m_gains.resize(m_passes.size());
-        m_next = 0;
-        m_owed = m_passes.size();
+        m_rota.restart(m_passes.size());
     }
     take_answer();
-    if (is_moving)
-        m_owed = m_passes.size();
-    const bool is_due = is_moving ? seconds >= m_due : m_owed > 0;
-    if (m_meter.is_busy() || !is_due || m_passes.empty())
+    const auto due = m_rota.due(executor.picture_number(), seconds);
+    if (m_meter.is_busy() || !due)
         return;
-    if (!is_moving)
-        --m_owed;
-    m_asked = m_next % m_passes.size();
-    m_next = m_asked + 1;
+    m_asked = *due;
     m_ceiling = ceiling_of(look, m_asked, values);
     const auto start = std::chrono::steady_clock::now();
     m_meter.start(executor.target(static_cast<int>(m_asked)), ChannelChoice::rgb,
                   clips_from(m_ceiling));
-    m_due = seconds + std::max(meter_pause, seconds_since(start) / meter_share);
+    m_rota.done(seconds, seconds_since(start));
 }
 
 const Gain* GainMeters::gain(std::size_t pass) const {

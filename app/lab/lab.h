@@ -15,6 +15,7 @@
 #include "lab/reloader.h"
 #include "lab/renderer.h"
 #include "model/moves.h"
+#include "model/pass_switches.h"
 #include "model/remote_settings.h"
 
 #include <functional>
@@ -88,6 +89,11 @@ public:
     const Comparing& comparing() const { return m_comparing; }
     /// How two pictures are seen now: off where there is no other one.
     CompareMode compare_mode() const;
+    /// What is switched about the passes of the open look: nothing in one that has just been
+    /// opened.
+    const PassSwitches& pass_switches() const { return m_switches; }
+    /// The pass that is seen as the picture; 0 when nothing is open.
+    int picture_pass() const;
     /// The names of the two, while the other is at hand.
     std::optional<Sides> sides() const;
     /// Those of the open look.
@@ -186,6 +192,12 @@ public:
     /// Says why where there is nothing to compare with; then the picture is alone.
     void compare(Comparison comparison);
     void set_compare_mode(CompareMode mode);
+    /// Turns it on or off; says why where it cannot be.
+    void switch_pass(PassSwitch which, const std::string& pass);
+    void set_pass_switches(const PassSwitches& switches);
+    /// What a pass has drawn is forgotten, also where it is frozen.
+    void clear_history(const std::string& pass);
+    void clear_history();  // of every pass
     /// From here on with this; where nothing was compared, a wipe shows it.
     void compare_with(const Other& other);
     void compare_with_file(const std::filesystem::path& file);
@@ -235,6 +247,7 @@ private:
     void reference_changed();
     void follow_variant(double wall_seconds);
     void show_variant_images();
+    void forget_passes(const std::vector<bool>& passes);
     void start_variant();
     Result<void> follow_signal();
     void update_drive();
@@ -283,6 +296,7 @@ private:
     OscControl m_osc;
     double m_listened_seconds = 0.0;
     std::unique_ptr<Renderer> m_renderer;
+    PassSwitches m_switches;
     Comparing m_comparing;
     std::optional<Variant> m_variant;  // that the renderer draws
     ChosenImages m_variant_images;

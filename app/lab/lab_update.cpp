@@ -124,6 +124,7 @@ void Lab::apply(LoadedRequest loaded) {
     } else {
         open_document(std::move(*loaded.look), loaded.request);
     }
+    set_pass_switches(m_switches);
     show_images(loaded.images);
     m_applied.reset();
     if (m_when_opened)
@@ -154,8 +155,10 @@ void Lab::open_document(Look look, const OpenRequest& request) {
     const bool loses_changes = had_changes && has_unlocked_changes(*m_document);
     if (!is_same && had_changes && m_before_losing_changes)
         m_before_losing_changes(*this);
-    if (!is_same)
+    if (!is_same) {
         m_knobs = knobs();
+        m_switches = {};
+    }
     if (is_same)
         m_document->replace_look(std::move(look));
     else

@@ -75,6 +75,24 @@ Result<void> Renderer::set_image(Whose whose, const std::string& name, const Pic
     return done;
 }
 
+Result<void> Renderer::set_runs(const std::vector<PassRun>& runs) {
+    if (runs == m_runs)
+        return {};
+    m_runs = runs;
+    if (auto done = m_executor.set_runs(runs); !done || !m_variant)
+        return done;
+    auto done = m_variant->set_runs(runs);
+    if (!done)
+        end_variant();
+    return done;
+}
+
+void Renderer::clear_history(int pass) {
+    m_executor.clear_history(pass);
+    if (m_variant)
+        m_variant->clear_history(pass);
+}
+
 void Renderer::restart_samples() {
     m_executor.restart_samples();
     if (m_variant)
@@ -92,6 +110,10 @@ Result<void> Renderer::start_variant(const Values& values) {
     m_variant = std::make_unique<Executor>(m_executor.look(), m_executor.programs());
     m_is_variant_alone = true;
     set_variant_values(values);
+    if (auto switched = m_variant->set_runs(m_runs); !switched) {
+        end_variant();
+        return switched;
+    }
     auto sized = m_picture.is_empty() ? Result<void>() : m_variant->resize(m_picture, m_source);
     if (!sized)
         end_variant();
@@ -157,6 +179,7 @@ void Renderer::draw(const PlayedFrame& played, const Beam& beam) {
     draw_frame(played, beam, nullptr);
     m_point_count = beam.size();
     m_pass_milliseconds = m_executor.pass_milliseconds();
+    m_pass_times.add(m_pass_milliseconds);
     note_beam_cost(played);
     constexpr double smoothing = 0.1;
     m_frame_seconds += smoothing * (seconds_since(start) - m_frame_seconds);

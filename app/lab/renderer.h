@@ -1,6 +1,7 @@
 #pragma once
 
 #include "graph/executor.h"
+#include "lab/pass_times.h"
 #include "lab/player.h"
 
 #include <functional>
@@ -32,6 +33,10 @@ public:
     }
     /// As in the frame that was drawn last.
     const Values& drawn_values() const { return m_drawn_values; }
+    /// As Executor::set_runs, of the variant too.
+    Result<void> set_runs(const std::vector<PassRun>& runs);
+    /// What the pass has drawn is gone, of the variant too.
+    void clear_history(int pass);
     Result<void> resize(Extent picture, Extent source);
     /// As it was last asked for, with sizes that depend on values as these are now.
     Result<void> resize_again() { return resize(m_picture, m_source); }
@@ -85,6 +90,8 @@ public:
     std::vector<double> pass_milliseconds() { return m_executor.pass_milliseconds(); }
     /// As of the last frame; the driver is some frames behind.
     const std::vector<double>& latest_pass_milliseconds() const { return m_pass_milliseconds; }
+    /// Of the latest frames.
+    const PassTimes& pass_times() const { return m_pass_times; }
     /// Points of the beam in the last frame.
     std::size_t point_count() const { return m_point_count; }
     /// Of the latest frames, smoothed: how long the passes that draw points take for each second of
@@ -118,7 +125,9 @@ private:
     Extent m_source;
     std::array<double, 2> m_mouse{};
     double m_patience_seconds = 0.0;
+    std::vector<PassRun> m_runs;
     std::vector<double> m_pass_milliseconds;
+    PassTimes m_pass_times;
     std::size_t m_point_count = 0;
     double m_beam_cost = 0.0;
     Replay m_replay;

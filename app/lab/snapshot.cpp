@@ -12,9 +12,9 @@ void save_snapshot(Lab& lab, std::filesystem::path file) {
     if (file.extension().empty())
         file += ".png";
     const Executor& executor = lab.renderer()->executor();
-    const int last = static_cast<int>(executor.look().passes.size()) - 1;
-    Picture picture = gpu::read_picture(executor.target(last));
-    picture.encoding = executor.look().output;
+    const int shown = lab.picture_pass();
+    Picture picture = gpu::read_picture(executor.target(shown));
+    picture.encoding = encoding_of(executor.look(), shown);
     const auto saved =
         save_picture_with_preset(picture, *lab.document(), file, lab.drive().recent());
     if (saved)

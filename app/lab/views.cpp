@@ -60,7 +60,8 @@ Picture Views::read_picture() const {
 }
 
 Views::Image Views::thumbnail(std::size_t pass) const {
-    return pass < m_thumbnails.size() ? image_of(m_thumbnails[pass]) : Image{};
+    const gpu::Texture* picture = m_thumbnails.picture(pass);
+    return picture ? Image{picture->handle(), picture->extent()} : Image{};
 }
 
 // Where there is no memory the view stays empty; the passes themselves are what needs it.
@@ -77,32 +78,18 @@ bool Views::fit(std::optional<gpu::Canvas>& canvas, Extent extent) {
 }
 
 void Views::draw_part(const gpu::Texture& from, std::optional<gpu::Canvas>& to, Extent size,
-                      const PictureView& view, ViewOptions options) {
+                      const Part& part) {
     if (!fit(to, size))
         return;
-    const Extent whole = from.extent();
-    const PicturePlace place = place_of(view, whole, size);
-    options.width = size.width / place.zoom;
-    options.height = size.height / place.zoom;
-    options.left = -place.left / place.zoom;
-    options.bottom = whole.height + place.top / place.zoom - options.height;
+    const PicturePlace place = place_of(part.view, part.whole, size);
+    const double across = static_cast<double>(from.extent().width) / part.whole.width;
+    const double up = static_cast<double>(from.extent().height) / part.whole.height;
+    ViewOptions options = part.options;
+    options.width = size.width / place.zoom * across;
+    options.height = size.height / place.zoom * up;
+    options.left = -place.left / place.zoom * across;
+    options.bottom = from.extent().height + place.top / place.zoom * up - options.height;
     m_viewer.draw(from, *to, options);
-}
-
-void Views::draw_thumbnails(const Executor& executor, int height) {
-    const Look& look = executor.look();
-    m_thumbnails.resize(look.passes.size());
-    if (height <= 0)
-        return;
-    for (std::size_t pass = 0; pass < look.passes.size(); ++pass) {
-        const gpu::Texture& target = executor.target(static_cast<int>(pass));
-        const Extent whole = target.extent();
-        const int width = std::clamp(height * whole.width / std::max(whole.height, 1), height / 2,
-                                     height * 5 / 2);
-        if (fit(m_thumbnails[pass], {width, height}))
-            m_viewer.draw(target, *m_thumbnails[pass],
-                          {.encoding = encoding_of(look, static_cast<int>(pass))});
-    }
 }
 
 void Views::probe(const Lab& lab, const std::optional<Probe>& probe) {
@@ -126,6 +113,18 @@ ViewOptions options_for(const PassView& view, Encoding encoding) {
             .marks_flaws = view.marks_flaws,
             .marks_clipping = view.marks_clipping,
             .is_false_color = view.is_false_color};
+}
+
+Probe picture_probe(const Lab& lab, const std::array<double, 2>& place) {
+    const Executor& executor = lab.renderer()->executor();
+    const int shown = lab.picture_pass();
+    const Extent seen_as = lab.picture_extent();
+    const Extent own = executor.target(shown).extent();
+    const auto texel = [](double at, int whole, int length) {
+        return static_cast<int>(std::floor(at * length / std::max(whole, 1)));
+    };
+    return {executor.look().passes[static_cast<std::size_t>(shown)].name,
+            texel(place[0], seen_as.width, own.width), texel(place[1], seen_as.height, own.height)};
 }
 
 int inspected_pass(const Look& look, const WindowState& window) {
@@ -153,7 +152,8 @@ void Views::draw_inspected(const Executor& executor, const WindowState& window) 
     }
     const gpu::Texture& target = executor.target(*pass);
     const ViewOptions options = options_for(window.inspected, encoding_of(executor.look(), *pass));
-    draw_part(target, m_inspected, window.views.inspector, inspector_view(window), options);
+    draw_part(target, m_inspected, window.views.inspector,
+              {*pass, target.extent(), inspector_view(window), options});
     m_inspection.update(target, {window.inspected.pass, options.channels, options.levels},
                         present_seconds());
 }
@@ -167,7 +167,7 @@ void Views::update(const Lab& lab, const WindowState& window) {
         m_flash_meter.stop();
         m_compared.stop();
         m_inspected.reset();
-        m_thumbnails.clear();
+        m_thumbnails.stop();
         m_probed.reset();
         m_inspection.stop();
         m_pins.stop();
@@ -178,14 +178,15 @@ void Views::update(const Lab& lab, const WindowState& window) {
         return;  // what was shown stays until the past has been drawn again
     const Executor& executor = lab.renderer()->executor();
     draw_picture(lab, window);
-    draw_output(executor, window.output.is_black ? Extent{} : window.views.output);
+    draw_output(lab, window.output.is_black ? Extent{} : window.views.output);
     show_in_comfort(lab, window.comfort);
     count_flashes(lab, window);
     const bool is_whole = !window.is_picture_only;
     const bool has_strip = is_whole && window.shows_strip;
-    draw_thumbnails(executor, has_strip ? window.views.thumbnail_height : 0);
+    m_thumbnails.update(m_viewer, executor, has_strip ? window.views.thumbnail_height : 0,
+                        present_seconds());
     if (has_strip)
-        m_gains.update(executor, lab.document()->values(), lab.is_moving(), present_seconds());
+        m_gains.update(executor, lab.document()->values(), present_seconds());
     else
         m_gains.stop();
     draw_inspected(executor, window);
@@ -197,12 +198,13 @@ void Views::update(const Lab& lab, const WindowState& window) {
 }
 
 // Whatever the panels show; in whole pixels where the picture has a size of its own.
-void Views::draw_output(const Executor& executor, Extent extent) {
+void Views::draw_output(const Lab& lab, Extent extent) {
     if (extent.is_empty())
         return m_output.reset();
-    const int last = static_cast<int>(executor.look().passes.size()) - 1;
-    draw_part(executor.target(last), m_output, extent, {},
-              {.encoding = encoding_of(executor.look(), last)});
+    const Executor& executor = lab.renderer()->executor();
+    const int shown = lab.picture_pass();
+    draw_part(executor.target(shown), m_output, extent, {},
+              {.encoding = encoding_of(executor.look(), shown)});
 }
 
 // The look's own picture, however it is looked at.
@@ -231,20 +233,25 @@ bool Views::is_settling() const {
     return m_flash_meter.is_counting() || m_comfort.is_settling(present_seconds());
 }
 
-Views::Part Views::large_part(const Executor& executor, const WindowState& window) {
+Views::Part Views::large_part(const Lab& lab, const WindowState& window) {
+    const Executor& executor = lab.renderer()->executor();
     const auto inspected = find_pass(executor.look(), window.inspected.pass);
     if (inspected && window.shows_pass_large)
-        return {*inspected, window.inspected.view,
+        return {*inspected, executor.target(*inspected).extent(), window.inspected.view,
                 options_for(window.inspected, encoding_of(executor.look(), *inspected))};
     const int last = static_cast<int>(executor.look().passes.size()) - 1;
-    return {last, window.picture, {.encoding = encoding_of(executor.look(), last)}};
+    const int shown = lab.picture_pass();
+    return {shown,
+            executor.target(last).extent(),
+            window.picture,
+            {.encoding = encoding_of(executor.look(), shown)}};
 }
 
 // What the part is compared with; a picture from a file is no pass.
 void Views::compare(const Lab& lab, const Part& part) {
     const Executor& executor = lab.renderer()->executor();
     const Executor* variant = lab.renderer()->variant();
-    const bool is_picture = part.pass == static_cast<int>(executor.look().passes.size()) - 1;
+    const bool is_picture = part.pass == lab.picture_pass();
     const bool is_file = lab.comparing().chosen().other.kind == Other::Kind::file;
     const bool has_other = is_file ? is_picture : variant && !variant->plan().targets.empty();
     if (!lab.sides() || !has_other)
@@ -259,11 +266,11 @@ void Views::compare(const Lab& lab, const Part& part) {
 // The other picture goes over its side of ours.
 void Views::draw_wiped(const Lab& lab, Part part, const WindowState& window) {
     const Extent size = window.views.picture;
-    const Extent own = lab.renderer()->executor().target(part.pass).extent();
-    const int line = wipe_column(place_of(part.view, own, size), own, size, window.wipe_share);
+    const int line =
+        wipe_column(place_of(part.view, part.whole, size), part.whole, size, window.wipe_share);
     part.options.columns =
         lab.sides()->is_other_left ? std::array{0, line} : std::array{line, size.width};
-    draw_part(*m_compared.other(), m_picture, size, part.view, part.options);
+    draw_part(*m_compared.other(), m_picture, size, part);
 }
 
 // Its numbers are shown as they are: no light is meant by them.
@@ -272,20 +279,20 @@ void Views::draw_difference(const Lab& lab, Part part, const WindowState& window
         return;
     part.options = {.levels = {0.0, std::exp2(-lab.comparing().chosen().gain_stops)},
                     .encoding = Encoding::display};
-    draw_part(*m_compared.difference(), m_picture, window.views.picture, part.view, part.options);
+    draw_part(*m_compared.difference(), m_picture, window.views.picture, part);
 }
 
 void Views::draw_picture(const Lab& lab, const WindowState& window) {
     const CompareMode mode = lab.compare_mode();
     const Extent size = room_of_one(window.views.picture, mode);
-    const Part part = large_part(lab.renderer()->executor(), window);
+    const Part part = large_part(lab, window);
     compare(lab, part);
     const gpu::Texture& own = lab.renderer()->executor().target(part.pass);
     const gpu::Texture* other = m_compared.other();
     const bool is_flashing = other && lab.comparing().is_flashing();
-    draw_part(is_flashing ? *other : own, m_picture, size, part.view, part.options);
+    draw_part(is_flashing ? *other : own, m_picture, size, part);
     if (other && mode == CompareMode::side_by_side)
-        draw_part(*other, m_beside, size, part.view, part.options);
+        draw_part(*other, m_beside, size, part);
     else
         m_beside.reset();
     if (other && !is_flashing && mode == CompareMode::wipe)

@@ -9,6 +9,7 @@
 #include "lab/inspection.h"
 #include "lab/lab.h"
 #include "lab/pins.h"
+#include "lab/thumbnails.h"
 #include "lab/window_state.h"
 
 #include <array>
@@ -52,6 +53,9 @@ public:
     Image thumbnail(std::size_t pass) const;
     /// How loud each pass is; nothing while the strip is closed.
     const GainMeters& gains() const { return m_gains; }
+    /// What is shown of the passes is not all from the present picture yet: it comes when update()
+    /// is called again, also while nothing moves.
+    bool is_owing() const { return m_thumbnails.is_owing() || m_gains.is_owing(); }
     /// The stored numbers of WindowState::probe's pixel.
     const std::optional<std::array<float, 4>>& probed() const { return m_probed; }
 
@@ -69,28 +73,29 @@ private:
     static Image image_of(const gpu::Texture* texture);
     static Image image_of(const std::optional<gpu::Canvas>& canvas);
     bool fit(std::optional<gpu::Canvas>& canvas, Extent extent);
-    void draw_part(const gpu::Texture& from, std::optional<gpu::Canvas>& to, Extent size,
-                   const PictureView& view, ViewOptions options);
     struct Part {
         int pass = 0;
+        Extent whole;  // px that it is seen as: of the picture, where it stands in its place
         PictureView view;
         ViewOptions options;
     };
-    static Part large_part(const Executor& executor, const WindowState& window);
+    void draw_part(const gpu::Texture& from, std::optional<gpu::Canvas>& to, Extent size,
+                   const Part& part);
+    static Part large_part(const Lab& lab, const WindowState& window);
     void draw_picture(const Lab& lab, const WindowState& window);
     void count_flashes(const Lab& lab, const WindowState& window);
     void show_in_comfort(const Lab& lab, const ComfortClamp& clamp);
     void compare(const Lab& lab, const Part& part);
     void draw_wiped(const Lab& lab, Part part, const WindowState& window);
     void draw_difference(const Lab& lab, Part part, const WindowState& window);
-    void draw_output(const Executor& executor, Extent extent);
+    void draw_output(const Lab& lab, Extent extent);
     void draw_inspected(const Executor& executor, const WindowState& window);
-    void draw_thumbnails(const Executor& executor, int height);
     void probe(const Lab& lab, const std::optional<Probe>& probe);
 
     Viewer m_viewer;
     Inspection m_inspection;
     Pins m_pins;
+    Thumbnails m_thumbnails;
     GainMeters m_gains;
     ComparedPictures m_compared;
     FlashMeter m_flash_meter;
@@ -100,12 +105,14 @@ private:
     std::optional<gpu::Canvas> m_beside;
     std::optional<gpu::Canvas> m_output;
     std::optional<gpu::Canvas> m_inspected;
-    std::vector<std::optional<gpu::Canvas>> m_thumbnails;
     std::optional<std::array<float, 4>> m_probed;
 };
 
 /// How a target whose texels have this encoding is seen.
 ViewOptions options_for(const PassView& view, Encoding encoding);
+
+/// The texel of what is seen as the picture that lies at a place of it, px from the top left.
+Probe picture_probe(const Lab& lab, const std::array<double, 2>& place);
 
 /// The pass that is looked into: the last one where none is chosen, or one that is no more.
 int inspected_pass(const Look& look, const WindowState& window);

@@ -30,12 +30,13 @@ double seconds_between(Clock::time_point start, Clock::time_point end) {
 // A widget's answer to an event shows a frame or two later, a tooltip after a moment.
 constexpr auto awake = std::chrono::milliseconds(450);
 
-// The GPU is yet to tell what somebody waits to read; on a slow machine that takes long.
-bool owes_numbers(const Lab& lab, const ComparedPictures& compared) {
+// What somebody waits to see or to read is yet to come; on a slow machine that takes long.
+bool is_owing(const Lab& lab, const Views& views) {
+    const ComparedPictures& compared = views.compared();
     const Comparison& chosen = lab.comparing().chosen();
     const bool owes_distances = compared.difference() && !compared.distances();
     const bool owes_stops = chosen.has_equal_brightness && compared.other() && !compared.stops();
-    return owes_distances || owes_stops;
+    return owes_distances || owes_stops || views.is_owing();
 }
 
 /// The window with all that runs in it, turn by turn.
@@ -128,7 +129,7 @@ bool Application::wait() {
     const Clock::time_point start = Clock::now();
     if (m_lab.is_moving())
         m_awake_until = start + awake;  // what is measured of the last frame comes a little later
-    const bool owes = owes_numbers(m_lab, m_views.compared()) || m_views.is_settling();
+    const bool owes = is_owing(m_lab, m_views) || m_views.is_settling();
     const auto longer = std::chrono::seconds(owes ? 10 : 0);
     if (!m_lab.is_moving() && !m_toolkit.is_behind() && start > m_awake_until + longer) {
         m_window.wait_events(rest_seconds);

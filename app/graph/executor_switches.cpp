@@ -1,0 +1,62 @@
+// The part of Executor for passes that a person has switched: frozen, left out, bypassed.
+#include "graph/executor.h"
+
+#include <algorithm>
+
+Result<void> Executor::set_runs(std::vector<PassRun> runs) {
+    if (!m_pass_through && std::ranges::find(runs, PassRun::bypassed) != runs.end()) {
+        auto made = PassThrough::make();
+        if (!made)
+            return fail(made.error());
+        m_pass_through.emplace(std::move(*made));
+    }
+    std::vector<bool> changed(m_passes.size(), false);
+    for (std::size_t i = 0; i < changed.size(); ++i)
+        changed[i] = run_of(i) != (i < runs.size() ? runs[i] : PassRun::drawn);
+    m_runs = std::move(runs);
+    restart_samples(changed);
+    return {};
+}
+
+PassRun Executor::run_of(std::size_t pass) const {
+    return pass < m_runs.size() ? m_runs[pass] : PassRun::drawn;
+}
+
+bool Executor::is_kept(std::size_t pass) const {
+    const PassRun run = run_of(pass);
+    return run == PassRun::left_out || (run == PassRun::frozen && m_targets[pass].is_drawn());
+}
+
+void Executor::clear_history(int pass) {
+    ++m_picture_number;
+    m_targets[static_cast<std::size_t>(pass)].clear();
+    std::vector<bool> changed(m_passes.size(), false);
+    changed[static_cast<std::size_t>(pass)] = true;
+    restart_samples(changed);
+}
+
+void Executor::pass_through(std::size_t index) {
+    const Pass& pass = m_look.passes[index];
+    const BoundInput input = bound_input(m_look, static_cast<int>(index), *handed_on(pass));
+    const gpu::Texture* from = texture_for(input);
+    Target& target = m_targets[index];
+    m_passes[index].timer->begin();
+    m_pass_through->draw(from ? *from : m_empty.at(Format::rgba8).texture(), input.sampler,
+                         target.canvas(), m_samplers);
+    m_passes[index].timer->end();
+    target.canvas().texture().generate_mipmaps();
+}
+
+// It would draw the same again as long as what it reads of this frame stays.
+bool Executor::rests(std::size_t index) const {
+    const Pass& pass = m_look.passes[index];
+    if (is_kept(index))
+        return true;
+    if (run_of(index) == PassRun::bypassed)
+        return handed_on(pass)->frames_ago == 0;
+    if (pass.accumulate)
+        return enough_of(pass).value_or(0) > 0 && m_passes[index].samples >= *enough_of(pass);
+    const bool has_history =
+        std::ranges::any_of(pass.inputs, [](const Input& input) { return input.frames_ago > 0; });
+    return !has_history && !m_passes[index].built_ins.tell_time();
+}

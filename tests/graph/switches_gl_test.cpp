@@ -1,0 +1,200 @@
+// Passes that a person has switched: bypassed, frozen, left out.
+#include "about.h"
+#include "graph/looks.h"
+
+namespace {
+Pass numbered(const std::string& name) {
+    return pass(name, "uniform int u_frame;\nvoid main() { color = vec4(u_frame); }\n");
+}
+
+// Its input times ten.
+Pass tens(const std::string& name, const Input& input) {
+    return pass(name,
+                "uniform sampler2D image;\nvoid main() { color = 10.0 * texture(image, uv); }\n",
+                {input});
+}
+
+void run(Executor& executor, std::vector<PassRun> runs) {
+    REQUIRE(executor.set_runs(std::move(runs)).has_value());
+}
+
+constexpr PassRun drawn = PassRun::drawn;
+constexpr PassRun bypassed = PassRun::bypassed;
+constexpr PassRun frozen = PassRun::frozen;
+constexpr PassRun left_out = PassRun::left_out;
+}  // namespace
+
+TEST_CASE_FIXTURE(Headless, "a bypassed pass hands on its first input, at its own size") {
+    Look look = look_of({numbered("number"), tens("tens", reads("image", "number")),
+                         tens("more", reads("image", "tens"))});
+    look.passes[1].size.fill({Side::By::pixels, 2.0, {}});
+    Executor executor = executor_of(look);
+    executor.draw(frame(3));
+    CHECK(red(executor, 2) == 300.0f);
+    run(executor, {drawn, bypassed, drawn});
+    executor.draw(frame(4));
+    CHECK(red(executor, 1) == 4.0f);
+    CHECK(red(executor, 2) == 40.0f);
+    CHECK(executor.target(1).extent() == Extent{2, 2});
+    executor.redraw(frame(4), {false, true, true});  // with the present values again
+    CHECK(red(executor, 2) == 40.0f);
+    run(executor, {});
+    executor.draw(frame(5));
+    CHECK(red(executor, 2) == 500.0f);
+}
+
+TEST_CASE_FIXTURE(Headless, "a bypass reads through the input's own filter and history") {
+    // A texel of 0 beside one of 1: between them linear filtering reads a half.
+    Pass halves = pass("halves", "void main() { color = vec4(floor(uv.x * 2.0)); }\n");
+    halves.size = {Side{Side::By::pixels, 2.0, {}}, Side{Side::By::pixels, 1.0, {}}};
+    Input smooth = reads("image", "halves", 0, {Filter::linear, Wrap::edge, false});
+    Pass middle = tens("middle", smooth);
+    middle.size.fill({Side::By::pixels, 1.0, {}});
+    Look look =
+        look_of({halves, middle, numbered("number"), tens("late", reads("image", "number", 2))});
+    Executor executor = executor_of(look);
+    run(executor, {drawn, bypassed, drawn, bypassed});
+    for (int n = 1; n <= 5; ++n)
+        executor.draw(frame(n));
+    CHECK(red(executor, 1) == about(0.5, 1e-3));
+    CHECK(red(executor, 3) == 3.0f);
+}
+
+TEST_CASE_FIXTURE(Headless, "a bypass goes between integer and floating targets") {
+    Look look = look_of({pass("light", "void main() { color = vec4(2.75, -3.0, 0, 1); }\n"),
+                         tens("whole", reads("image", "light")),
+                         pass("back",
+                              "uniform usampler2D image;\nvoid main() { color = "
+                              "vec4(texelFetch(image, ivec2(0), 0).r); }\n",
+                              {reads("image", "whole")})});
+    look.passes[1].format = Format::r32ui;
+    look.passes[1].fragment = {
+        "test.frag",
+        "#version 410 core\nuniform sampler2D image;\nin vec2 uv;\nout uvec4 "
+        "color;\nvoid main() { color = uvec4(texture(image, uv)) * 10u; }\n",
+        {}};
+    Executor executor = executor_of(look);
+    executor.draw(frame(1));
+    CHECK(red(executor, 2) == 20.0f);
+    run(executor, {drawn, bypassed, bypassed});
+    executor.draw(frame(2));
+    CHECK(red(executor, 1) == 2.0f);
+    CHECK(red(executor, 2) == 2.0f);
+}
+
+TEST_CASE_FIXTURE(Headless, "a bypassed pass without a source is transparent black") {
+    Look look = look_of({tens("shown", {"image", Input::From::source, "", 0, {}})});
+    Executor executor = executor_of(look);
+    run(executor, {bypassed});
+    executor.draw(frame(1));
+    CHECK(pixel(executor, 0) == Rgba{0, 0, 0, 0});
+}
+
+TEST_CASE_FIXTURE(Headless, "a frozen pass keeps its picture, and was always so for its past") {
+    Executor executor =
+        executor_of(look_of({numbered("number"), tens("now", reads("image", "number")),
+                             tens("late", reads("image", "number", 2))}));
+    for (int n = 1; n <= 4; ++n)
+        executor.draw(frame(n));
+    CHECK(red(executor, 2) == 20.0f);
+    run(executor, {frozen, drawn, drawn});
+    const float late[] = {30, 40, 40, 40};
+    for (int n = 5; n <= 8; ++n) {
+        executor.draw(frame(n));
+        CHECK(red(executor, 0) == 4.0f);
+        CHECK(red(executor, 1) == 40.0f);
+        CHECK(red(executor, 2) == late[n - 5]);
+    }
+    CHECK(executor.draw_calls() == 2);
+    CHECK(executor.pass_milliseconds()[0] == 0.0);
+    executor.redraw(frame(8), {true, true, true});
+    CHECK(red(executor, 0) == 4.0f);
+    run(executor, {});
+    executor.draw(frame(9));
+    CHECK(red(executor, 0) == 9.0f);
+    CHECK(red(executor, 2) == 40.0f);
+}
+
+TEST_CASE_FIXTURE(Headless, "a pass that reads its own past goes on from where it was frozen") {
+    Executor executor = executor_of(look_of({counter()}));
+    for (int n = 1; n <= 3; ++n)
+        executor.draw(frame(n));
+    run(executor, {frozen});
+    for (int n = 4; n <= 7; ++n)
+        executor.draw(frame(n));
+    CHECK(red(executor, 0) == 3.0f);
+    run(executor, {});
+    executor.draw(frame(8));
+    CHECK(red(executor, 0) == 4.0f);
+}
+
+TEST_CASE_FIXTURE(Headless,
+                  "what is frozen outlives a new beginning; what holds nothing is drawn once") {
+    Executor executor = executor_of(look_of({numbered("number"), counter()}));
+    run(executor, {frozen, drawn});
+    executor.draw(frame(5));
+    executor.draw(frame(6));
+    CHECK(red(executor, 0) == 5.0f);
+    executor.clear_history();
+    executor.draw(frame(7));
+    CHECK(red(executor, 0) == 5.0f);
+    CHECK(red(executor, 1) == 1.0f);
+    executor.clear_history(0);
+    executor.draw(frame(8));
+    executor.draw(frame(9));
+    CHECK(red(executor, 0) == 8.0f);
+    REQUIRE(executor.resize({8, 8}, {}).has_value());
+    executor.draw(frame(10));
+    CHECK(red(executor, 0) == 10.0f);
+}
+
+TEST_CASE_FIXTURE(Headless,
+                  "passes that are left out are not drawn, and are forgotten with the past") {
+    Executor executor = executor_of(look_of({numbered("number"), counter()}));
+    executor.draw(frame(3));
+    executor.draw(frame(4));
+    run(executor, {drawn, left_out});
+    executor.draw(frame(5));
+    CHECK(red(executor, 0) == 5.0f);
+    CHECK(red(executor, 1) == 2.0f);
+    CHECK(executor.draw_calls() == 1);
+    executor.clear_history();
+    executor.draw(frame(6));
+    CHECK(red(executor, 1) == 0.0f);
+    run(executor, {});
+    executor.draw(frame(7));
+    CHECK(red(executor, 1) == 1.0f);
+}
+
+TEST_CASE_FIXTURE(Headless, "the history of one pass is cleared without that of the others") {
+    Pass other = counter();
+    other.name = "other";
+    other.inputs = {reads("previous", "other", 1)};
+    Executor executor = executor_of(look_of({counter(), other}));
+    for (int n = 1; n <= 5; ++n)
+        executor.draw(frame(n));
+    const auto number = executor.picture_number();
+    executor.clear_history(1);
+    CHECK(executor.picture_number() != number);
+    executor.redraw(frame(5), {false, true});
+    CHECK(red(executor, 0) == 5.0f);
+    CHECK(red(executor, 1) == 1.0f);
+}
+
+TEST_CASE_FIXTURE(Headless,
+                  "an accumulating pass that is frozen gathers no samples and lets time rest") {
+    Pass sum = counter();
+    sum.accumulate = true;
+    Executor executor = executor_of(look_of({sum}));
+    executor.draw(frame(1));
+    executor.draw(frame(2));
+    CHECK_FALSE(executor.has_converged());
+    run(executor, {frozen});
+    executor.draw(frame(3));
+    CHECK(red(executor, 0) == 2.0f);
+    CHECK(executor.has_converged());
+    run(executor, {});
+    executor.draw(frame(4));
+    CHECK_FALSE(executor.has_converged());
+    CHECK(executor.samples()->held == 1);
+}

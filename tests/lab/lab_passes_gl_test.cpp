@@ -1,0 +1,122 @@
+#include "lab/small_lab.h"
+#include "lab/views.h"
+
+namespace {
+// What is seen in the middle of the picture's place, of 255.
+int seen(const Lab& lab, Views& views) {
+    WindowState window;
+    window.views.picture = {8, 8};
+    window.is_picture_only = true;
+    views.update(lab, window);
+    const Picture picture = views.read_picture();
+    return picture.extent.is_empty()
+               ? -1
+               : static_cast<int>(picture.pixels[picture.index(4, 4)] * 255.0f + 0.5f);
+}
+
+void pause(SmallLab& small) {
+    small.lab().transport().pause();
+    REQUIRE(small.turn_until([&] { return !small.lab().is_moving(); }));
+}
+}  // namespace
+
+TEST_CASE("a bypassed pass hands on what it reads, in a picture that rests too") {
+    SmallLab small;
+    small.lab().edit([](Document& document) { document.set_value("gain", Value(4.0)); });
+    pause(small);
+    CHECK(small.shown() == 4 * small.frames());
+    small.lab().switch_pass(PassSwitch::bypass, "show");
+    small.turn(1);
+    CHECK(small.shown() == small.frames());
+    CHECK_FALSE(small.lab().is_moving());
+    small.lab().switch_pass(PassSwitch::bypass, "show");
+    small.turn(1);
+    CHECK(small.shown() == 4 * small.frames());
+}
+
+TEST_CASE("a bypass of nothing is a notice, and nothing is switched") {
+    SmallLab small;
+    small.lab().switch_pass(PassSwitch::bypass, "sum");
+    CHECK(small.lab().pass_switches().is_empty());
+    REQUIRE(small.lab().notice());
+    CHECK(small.lab().notice()->is_problem);
+    CHECK(small.lab().notice()->text.find("only its own past") != std::string::npos);
+}
+
+TEST_CASE("a frozen pass stays through edits, values and a replay, and comes back with the past") {
+    SmallLab small;
+    pause(small);
+    const float before = small.shown();
+    small.lab().switch_pass(PassSwitch::freeze, "sum");
+    small.lab().transport().play();
+    small.turn(5);
+    CHECK(small.shown() == before);
+    small.write_by_rename("show.frag", replaced(small_look::show, "* gain", "* gain * 4.0"));
+    REQUIRE(small.turn_until([&] { return small.shown() == 4 * before; }));
+    pause(small);
+    small.lab().edit([](Document& document) { document.set_value("step_size", Value(2.0)); });
+    REQUIRE(small.turn_until([&] { return !small.lab().is_moving(); }));
+    CHECK(small.shown() == 4 * before);
+    small.lab().switch_pass(PassSwitch::freeze, "sum");
+    REQUIRE(small.turn_until([&] { return !small.lab().is_moving(); }));
+    const float replayed = std::min(small.frames(), 20.0f);  // settle_frames
+    CHECK(small.shown() == 4 * 2 * replayed);
+}
+
+TEST_CASE("another look opens with all passes as usual, another preset of the look keeps them") {
+    SmallLab small;
+    small.lab().switch_pass(PassSwitch::solo, "sum");
+    small.lab().open("small");
+    REQUIRE(small.turn_until([&] { return !small.lab().is_loading(); }));
+    CHECK(small.lab().pass_switches().solo == "sum");
+    small.lab().new_look("other");
+    REQUIRE(small.turn_until([&] { return small.document().look().id == "other"; }));
+    CHECK(small.lab().pass_switches().is_empty());
+}
+
+TEST_CASE("a pass alone, or stopped at, is seen as the picture, and later ones are not drawn") {
+    SmallLab small;
+    auto views = Views::make();
+    REQUIRE(views.has_value());
+    small.write_by_rename("sum.frag",
+                          replaced(small_look::sum, "+ step_size", "* 0.0 + 0.25 * step_size"));
+    small.lab().edit([](Document& document) { document.set_value("gain", Value(2.0)); });
+    REQUIRE(small.turn_until([&] { return small.shown() == 0.5f; }));
+    pause(small);
+    CHECK(seen(small.lab(), *views) == 128);  // the last pass writes for the display
+    small.lab().switch_pass(PassSwitch::solo, "sum");
+    small.turn(1);
+    CHECK(seen(small.lab(), *views) == 137);  // linear 0.25 in sRGB: 0.5371
+    CHECK(small.shown() == 0.5f);
+    small.lab().switch_pass(PassSwitch::stop, "sum");
+    CHECK(small.lab().pass_switches().solo.empty());
+    small.lab().edit([](Document& document) { document.set_value("gain", Value(3.0)); });
+    small.turn(2);
+    CHECK(seen(small.lab(), *views) == 137);
+    CHECK(small.shown() == 0.5f);
+    small.lab().switch_pass(PassSwitch::stop, "sum");
+    small.turn(2);
+    CHECK(seen(small.lab(), *views) == 191);  // 0.75
+}
+
+TEST_CASE("history is cleared of one pass or of all, and a picture that rests shows it") {
+    SmallLab small;
+    pause(small);
+    small.lab().clear_history("sum");
+    small.turn(1);
+    CHECK(small.shown() == 1.0f);
+    small.lab().transport().play();
+    small.turn(4);
+    CHECK(small.shown() == 5.0f);
+    small.lab().clear_history();
+    small.turn(1);
+    CHECK(small.shown() == 1.0f);
+}
+
+TEST_CASE("the picture's pixel is told in the texels of the pass that is seen in its place") {
+    SmallLab small(replaced(small_look::manifest, R"("format": "rgba32f", "inputs": { "previous")",
+                            R"("format": "rgba32f", "scale": 0.5, "inputs": { "previous")"));
+    CHECK(picture_probe(small.lab(), {5.5, 6.9}) == Probe{"show", 5, 6});
+    small.lab().switch_pass(PassSwitch::solo, "sum");
+    CHECK(picture_probe(small.lab(), {5.5, 6.9}) == Probe{"sum", 2, 3});
+}
