@@ -69,6 +69,7 @@ std::map<std::string, double> remembered(const WindowState& window) {
         {"frame_cap", window.frame_rate.cap},
         {"comfort", window.comfort.is_on ? 1.0 : 0.0},
         {"comfort_rate", window.comfort.most_a_second},
+        {"budget_ms", window.budget_milliseconds},
         {"bottom_part", static_cast<int>(window.bottom_part)}};
     if (window.position) {
         numbers["left"] = (*window.position)[0];
@@ -109,7 +110,10 @@ WindowState restored_window(const std::map<std::string, double>& numbers) {
         window.frame_rate.cap = *cap;
     if (const auto monitor = whole(numbers, "output_monitor", 0.0, 63.0))
         window.output.monitor = static_cast<std::size_t>(*monitor);
-    if (const auto part = whole(numbers, "bottom_part", 0.0, 4.0))
+    if (const auto budget = number(numbers, "budget_ms", 0.1, 1000.0))
+        window.budget_milliseconds = *budget;
+    constexpr auto last_part = static_cast<double>(BottomPart::graph);
+    if (const auto part = whole(numbers, "bottom_part", 0.0, last_part))
         window.bottom_part = static_cast<BottomPart>(*part);
     for (const auto& [name, is_on] : switches)
         if (const auto kept = number(numbers, name, 0.0, 1.0))

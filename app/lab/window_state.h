@@ -102,7 +102,7 @@ struct Pin {
 Pin pin_at(const Probe& probe, Extent extent);
 
 /// What the pane at the bottom holds.
-enum class BottomPart { problems, timings, pins, inputs, text };
+enum class BottomPart { problems, timings, pins, inputs, text, graph };
 
 /// Device pixels that the panels have for pictures.
 struct ViewSizes {
@@ -248,6 +248,7 @@ struct WindowState {
     double wipe_share = 0.5;        // how far over the picture the line of a wipe stands
     std::optional<Probe> probe;
     std::vector<Pin> pins;
+    double budget_milliseconds = 1000.0 / 60.0;  // that all passes of a frame may take the GPU
     ViewSizes views;
     std::string search;         // among the parameters
     bool is_searching = false;  // the search box is to have the keyboard

@@ -6,6 +6,7 @@
 #include "ui/file_actions.h"
 #include "ui/impulse_dialog.h"
 #include "ui/pass_actions.h"
+#include "ui/pass_switch_actions.h"
 #include "ui/rates_dialog.h"
 #include "ui/tuning_actions.h"
 #include "ui/view_actions.h"
@@ -190,7 +191,7 @@ std::vector<Action> make_actions() {
     for (const auto& part :
          {file_actions::list(), edit_actions(), tuning_actions::list(), view_actions::list(),
           display_actions::list(), compare_actions::list(), pass_actions::list(),
-          playback_actions(), moves_actions(), help_actions()})
+          pass_switch_actions::list(), playback_actions(), moves_actions(), help_actions()})
         actions.insert(actions.end(), part.begin(), part.end());
     return actions;
 }

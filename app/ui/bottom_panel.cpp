@@ -2,6 +2,7 @@
 
 #include "ui/actions.h"
 #include "ui/icons.h"
+#include "ui/pass_graph_panel.h"
 #include "ui/pass_inputs.h"
 #include "ui/pass_text.h"
 #include "ui/pins_panel.h"
@@ -14,7 +15,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <numeric>
 
 namespace {
 std::string problems_text(const Lab& lab) {
@@ -76,12 +76,16 @@ void draw_half_size_offer(const Scene& scene, Edits& edits) {
         "about four times as fast.");
 }
 
+bool is_over_budget(const Scene& scene) {
+    const Renderer* renderer = scene.lab.renderer();
+    return renderer && renderer->pass_times().present_total() > scene.window.budget_milliseconds;
+}
+
 std::string cost_text(const Scene& scene) {
     const Renderer* renderer = scene.lab.renderer();
     if (!renderer || renderer->executor().plan().targets.empty())
         return {};
-    const std::vector<double>& times = renderer->latest_pass_milliseconds();
-    const double all = std::accumulate(times.begin(), times.end(), 0.0);
+    const double all = renderer->pass_times().present_total();
     const double memory =
         static_cast<double>(memory_of(renderer->executor().plan())) / (1024.0 * 1024.0);
     const int draws = renderer->executor().draw_calls();
@@ -109,7 +113,7 @@ void draw_problems(const Scene& scene, Edits& edits) {
 }  // namespace
 
 void draw_bottom_panel(const Scene& scene, Edits& edits) {
-    static constexpr std::array labels{"Problems", "Timings", "Pins", "Reads", "Text"};
+    static constexpr std::array labels{"Problems", "Timings", "Pins", "Reads", "Text", "Graph"};
     const int present = static_cast<int>(scene.window.bottom_part);
     const int chosen =
         choice("bottom", labels.data(), static_cast<int>(labels.size()), present, edits);
@@ -125,13 +129,15 @@ void draw_bottom_panel(const Scene& scene, Edits& edits) {
         ImGui::BeginChild("##content");
     }
     if (scene.window.bottom_part == BottomPart::timings)
-        draw_timings_panel(scene);
+        draw_timings_panel(scene, edits);
     else if (scene.window.bottom_part == BottomPart::pins)
         draw_pins_panel(scene, edits);
     else if (scene.window.bottom_part == BottomPart::inputs)
         draw_pass_inputs(scene, edits);
     else if (scene.window.bottom_part == BottomPart::text)
         draw_pass_text(scene, edits);
+    else if (scene.window.bottom_part == BottomPart::graph)
+        draw_pass_graph(scene, edits);
     else
         draw_problems(scene, edits);
     ImGui::EndChild();
@@ -153,7 +159,7 @@ void draw_status_bar(const Scene& scene, Edits& edits) {
     ImGui::SameLine();
     {
         const ScopedFont font(scene.fonts.numbers);
-        const ScopedColor color(ImGuiCol_Text, theme::dim);
+        const ScopedColor color(ImGuiCol_Text, is_over_budget(scene) ? theme::problem : theme::dim);
         if (quiet_button(pace_text(scene) + "   " + cost_text(scene) + "##timings"))
             run(ActionId::show_timings, scene, edits);
         tooltip(help_of(ActionId::show_timings));

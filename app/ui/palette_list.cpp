@@ -64,6 +64,8 @@ const char* why_not(const Action& action, const Scene& scene) {
             return "the pointer is on no picture";
         case ActionId::draw:
             return "this look is not driven by a signal";
+        case ActionId::passes_as_usual:
+            return "no pass is switched";
         case ActionId::write_passes:
         case ActionId::passes_as_written:
             return "the passes are as look.json says";

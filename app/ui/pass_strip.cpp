@@ -1,5 +1,6 @@
 #include "ui/pass_strip.h"
 
+#include "ui/pass_switch_actions.h"
 #include "ui/scoped.h"
 #include "ui/slider.h"
 #include "ui/theme.h"
@@ -17,6 +18,7 @@ struct Cell {
     double milliseconds = 0.0;
     const Gain* gain = nullptr;  // null: not measured yet
     bool is_chosen = false;
+    std::string state = {};  // what is switched about it; "": nothing
 };
 
 constexpr float word_lines = 3.7f;  // below the picture: name, facts, gain
@@ -74,7 +76,7 @@ std::string own_name(const std::string& pass) {
 }
 
 void draw_image(const Views::Image& image, const ImVec2& low, float width, float height,
-                float density) {
+                float density, bool is_faint) {
     const float image_width = static_cast<float>(image.extent.width) / density;
     const float image_height = static_cast<float>(image.extent.height) / density;
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -83,7 +85,8 @@ void draw_image(const Views::Image& image, const ImVec2& low, float width, float
     list.AddRectFilled(low, {low.x + width, low.y + height}, theme::packed(theme::surround));
     if (image.handle != 0)
         list.AddImage(texture_id(image.handle), start,
-                      {start.x + image_width, start.y + image_height}, {0.0f, 1.0f}, {1.0f, 0.0f});
+                      {start.x + image_width, start.y + image_height}, {0.0f, 1.0f}, {1.0f, 0.0f},
+                      is_faint ? IM_COL32(255, 255, 255, 96) : IM_COL32_WHITE);
 }
 
 // From 16 stops below the ceiling: filled up to the mean, a line at the peak. The ceiling of a
@@ -99,6 +102,19 @@ void draw_meter(const Gain& gain, const ImVec2& low, const ImVec2& high) {
     const float peak = std::clamp(at(gain.peak), low.x + 2.0f, high.x);
     if (gain.peak > 0.0)
         list.AddRectFilled({peak - 2.0f, low.y}, {peak, high.y}, theme::packed(color));
+}
+
+// What is switched about the pass, over its picture.
+void draw_state(const Cell& cell, const Scene& scene, const ImVec2& low, float width) {
+    const ScopedFont font(scene.fonts.numbers);
+    const ImVec2 pad(4.0f * scene.scale, 1.0f * scene.scale);
+    const std::string words = cut_to_fit(cell.state, width - 2.0f * pad.x);
+    const ImVec2 text = ImGui::CalcTextSize(words.c_str());
+    const ImVec2 right(low.x + width, low.y + text.y + 2.0f * pad.y);
+    const ImVec2 left(right.x - text.x - 2.0f * pad.x, low.y);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(left, right, theme::packed(theme::popup), 3.0f * scene.scale);
+    list.AddText({left.x + pad.x, left.y + pad.y}, theme::packed(theme::warning), words.c_str());
 }
 
 void draw_words(const Cell& cell, const Scene& scene, const ImVec2& at, float width) {
@@ -131,6 +147,17 @@ float cell_width(const Cell& cell, const Scene& scene, float image_width) {
     return std::max({image_width, name + time + ImGui::GetFontSize() * 0.6f, facts});
 }
 
+std::string cell_help(const Cell& cell) {
+    const double mebibytes = static_cast<double>(memory_of(cell.target)) / (1024.0 * 1024.0);
+    return fmt::format(
+        "{}\n{}, {:.1f} MiB{}{}{}\nA double click shows it as large as the picture, the right "
+        "button "
+        "switches it.",
+        cell.pass.name, facts_text(cell), mebibytes,
+        cell.milliseconds > 0.0 ? "\n" + time_text(cell.milliseconds) : "",
+        cell.gain ? gain_help(*cell.gain) : "", cell.state.empty() ? "" : "\n" + cell.state);
+}
+
 void draw_cell(const Cell& cell, const Scene& scene, float image_height, Edits& edits) {
     const ScopedId id(static_cast<int>(cell.index));
     const Views::Image image = scene.views.thumbnail(cell.index);
@@ -147,11 +174,13 @@ void draw_cell(const Cell& cell, const Scene& scene, float image_height, Edits& 
     const bool is_hovered = ImGui::IsItemHovered();
     if (is_hovered && ImGui::IsMouseDoubleClicked(0))
         edits.arrange([](WindowState& window) { window.shows_pass_large = true; });
-    tooltip(fmt::format("{}\n{}{}{}\nA double click shows it as large as the picture.",
-                        cell.pass.name, facts_text(cell),
-                        cell.milliseconds > 0.0 ? "\n" + time_text(cell.milliseconds) : "",
-                        cell.gain ? gain_help(*cell.gain) : ""));
-    draw_image(image, low, width, image_height, scene.density);
+    if (ImGui::BeginPopupContextItem("##switches")) {
+        pass_switch_actions::draw_items(cell.pass.name, scene, edits);
+        ImGui::EndPopup();
+    } else {
+        tooltip(cell_help(cell));
+    }
+    draw_image(image, low, width, image_height, scene.density, cell.state.ends_with("not drawn"));
     if (cell.gain && headroom_stops(*cell.gain).value_or(0.0) <= meter_stops)
         draw_meter(*cell.gain, {low.x, low.y + image_height - 4.0f * scene.scale},
                    {low.x + width, low.y + image_height});
@@ -159,6 +188,8 @@ void draw_cell(const Cell& cell, const Scene& scene, float image_height, Edits& 
         ImGui::GetWindowDrawList()->AddRect(
             low, {low.x + width, low.y + image_height},
             theme::packed(cell.is_chosen ? theme::accent : theme::faint));
+    if (!cell.state.empty())
+        draw_state(cell, scene, low, width);
     draw_words(cell, scene, {low.x, low.y + image_height + 3.0f * scene.scale}, width);
 }
 
@@ -229,7 +260,8 @@ void draw_pass_strip(const Scene& scene, Edits& edits) {
                    .target = targets[i],
                    .milliseconds = i < times.size() ? times[i] : 0.0,
                    .gain = scene.views.gains().gain(i),
-                   .is_chosen = look.passes[i].name == scene.window.inspected.pass},
+                   .is_chosen = look.passes[i].name == scene.window.inspected.pass,
+                   .state = pass_switch_actions::words_of(i, look, scene.lab.pass_switches())},
                   scene, image_height, edits);
         groups.back().right = ImGui::GetItemRectMax().x;
     }

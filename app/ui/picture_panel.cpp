@@ -4,6 +4,7 @@
 #include "ui/compare_bar.h"
 #include "ui/drawing_overlay.h"
 #include "ui/overlays.h"
+#include "ui/pass_switch_actions.h"
 #include "ui/picture_canvas.h"
 #include "ui/picture_menus.h"
 #include "ui/pins_panel.h"
@@ -35,7 +36,11 @@ void tell_pointer(const Place& place, const Scene& scene, Edits& edits) {
     const std::array<double, 2> mouse{x, extent.height - y};
     if (scene.lab.renderer() && scene.lab.renderer()->mouse() != mouse)  // or it would never rest
         edits.add([mouse](Lab& lab) { lab.set_mouse(mouse[0], mouse[1]); });
-    probe(scene.lab.document()->look().passes.back().name, place, edits);
+    if (!scene.lab.renderer() || scene.lab.renderer()->executor().plan().targets.empty())
+        return;
+    Probe probed = picture_probe(scene.lab, place.pixel);
+    probed.is_of_variant = place.is_of_variant;
+    edits.arrange([probed](WindowState& window) { window.probe = probed; });
 }
 
 void follow_pen(const CanvasInput& input, Edits& edits) {
@@ -49,19 +54,35 @@ void follow_pen(const CanvasInput& input, Edits& edits) {
         edits.add([pixel = *input.other_button](Lab& lab) { lab.other_button(pixel); });
 }
 
+// What stands in the picture's place; "" where that is the picture.
+std::string other_words(const Scene& scene) {
+    const PassSwitches& switches = scene.lab.pass_switches();
+    if (scene.window.shows_pass_large)
+        return "Pass " + scene.window.inspected.pass + " · back to the picture";
+    if (!switches.solo.empty())
+        return "Only " + switches.solo + " · back to the picture";
+    if (!switches.last.empty())
+        return "Stopped at " + switches.last + " · back to the picture";
+    return {};
+}
+
 // Says that this is not the picture, and how to get it back.
-void draw_large_pass_words(const Scene& scene, Edits& edits) {
-    if (!scene.window.shows_pass_large)
+void draw_other_words(const Scene& scene, Edits& edits) {
+    const std::string label = other_words(scene);
+    if (label.empty())
         return;
     const float margin = ImGui::GetFontSize() * 0.5f;
-    const std::string label = "Pass " + scene.window.inspected.pass + " · back to the picture";
     const float width =
         ImGui::CalcTextSize(label.c_str()).x + 2.0f * ImGui::GetStyle().FramePadding.x;
     ImGui::SetCursorPos({margin, margin});
     const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
     ImGui::BeginChild("##back", {width, ImGui::GetFrameHeight()});  // lies above the picture
-    if (ImGui::Button(label.c_str()))
-        run(ActionId::pass_large, scene, edits);
+    if (ImGui::Button(label.c_str())) {
+        if (scene.window.shows_pass_large)
+            run(ActionId::pass_large, scene, edits);
+        else
+            pass_switch_actions::show_picture(scene, edits);
+    }
     edits.mark("back_to_picture");
     ImGui::EndChild();
 }
@@ -150,7 +171,7 @@ void draw_picture_panel(const Scene& scene, const Rect& place, Edits& edits) {
         draw_shown(shown, scene, edits, {width, place.height});
     }
     draw_halves_names(low, low.x + place.width - width, scene);
-    draw_large_pass_words(scene, edits);
+    draw_other_words(scene, edits);
     draw_compare_bar(scene, edits);
     draw_overlays(scene, edits);
 }

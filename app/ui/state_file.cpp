@@ -156,6 +156,19 @@ std::string flashes_text(const Scene& scene) {
                        scene.window.comfort.is_on);
 }
 
+std::string switches_text(const Lab& lab) {
+    const PassSwitches& switches = lab.pass_switches();
+    std::vector<std::string> bypassed;
+    for (const std::string& name : switches.bypassed)
+        bypassed.push_back(json_string(name));
+    std::vector<std::string> frozen;
+    for (const std::string& name : switches.frozen)
+        frozen.push_back(json_string(name));
+    return fmt::format(R"(,"switches":{{"bypassed":[{}],"frozen":[{}],"solo":{},"last":{}}})",
+                       fmt::join(bypassed, ","), fmt::join(frozen, ","), json_string(switches.solo),
+                       json_string(switches.last));
+}
+
 std::string document_text(const Lab& lab) {
     const Document& document = *lab.document();
     return fmt::format(
@@ -188,7 +201,7 @@ std::string state_text(const Scene& scene, const Edits& edits) {
                     : scene.window.output.is_black ? "black"
                                                    : "on"),
         probe_text(scene) + inspection_text(scene) + pins_text(scene) + gains_text(scene) +
-            comparison_text(scene) + trip_text(lab) + flashes_text(scene),
+            comparison_text(scene) + trip_text(lab) + flashes_text(scene) + switches_text(lab),
         problems_json(lab), places_text(edits));
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "ui/edits.h"
 #include "ui/scene.h"
 
-/// The pace of the window's frames, the time of each pass, draw calls and memory.
-void draw_timings_panel(const Scene& scene);
+/// The pace of the window's frames; the time of all passes against the budget, and of each in the
+/// latest frames with its memory.
+void draw_timings_panel(const Scene& scene, Edits& edits);

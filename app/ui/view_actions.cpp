@@ -145,6 +145,7 @@ std::vector<Action> view_actions::list() {
         bottom<BottomPart::pins>(ActionId::show_pins, "Pinned pixels", {'7', true}),
         bottom<BottomPart::inputs>(ActionId::show_inputs, "What the pass reads", {'8', true}),
         bottom<BottomPart::text>(ActionId::show_text, "Text that the driver got", {'9', true}),
+        bottom<BottomPart::graph>(ActionId::show_graph, "Passes as a graph", {'0', true}),
         toggling<&State::is_picture_only>(ActionId::picture_only, "Only the picture", {key_f11},
                                           true),
         toggling<&State::shows_flashes>(ActionId::show_flashes, "Flash meter", {}, true),

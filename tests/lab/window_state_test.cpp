@@ -78,8 +78,10 @@ TEST_CASE("a pinned pixel is the same point in targets of every size") {
 
 TEST_CASE("what the pane at the bottom holds comes back") {
     WindowState window;
-    window.bottom_part = BottomPart::pins;
-    CHECK(restored_window(remembered(window)).bottom_part == BottomPart::pins);
+    window.bottom_part = BottomPart::graph;
+    CHECK(restored_window(remembered(window)).bottom_part == BottomPart::graph);
+    window.budget_milliseconds = 8.0;
+    CHECK(restored_window(remembered(window)).budget_milliseconds == 8.0);
     CHECK(restored_window({{"bottom_part", 9.0}}).bottom_part == BottomPart::problems);
 }
 

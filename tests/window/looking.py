@@ -111,6 +111,52 @@ class Looking(Person):
         self.assertLessEqual(state["gains"][-1][0], 1)
         self.snapshot("gains")
 
+    def test_a_pass_is_switched_to_see_what_it_does(self):
+        program = self.program
+
+        def switch(name, label, what, is_so):
+            self.screen.do("mousemove", *program.middle("pass:" + name), "click", 3)
+            program.click("switch:" + label)
+            program.wait(what, lambda s: is_so(s["switches"]) and "switch:Solo" not in s["widgets"])
+
+        lit = self.brightness()
+        switch("excitation", "Freeze", "it is frozen", lambda s: s["frozen"] == ["excitation"])
+        switch("persistence", "Bypass", "it is bypassed", lambda s: s["bypassed"] == ["persistence"])
+        switch("persistence", "Stop here", "later ones are not drawn",
+               lambda s: s["last"] == "persistence")
+        program.place("back_to_picture")
+        program.key("ctrl+0")
+        program.place("node:composite")
+        self.snapshot("switched")
+        program.click("node:beam")
+        program.wait("a click in the graph inspects", lambda s: s["inspected"] == "beam")
+        program.key("shift+b")
+        program.wait("a bypass of what reads nothing says why",
+                     lambda s: "reads no picture" in s["notice"])
+        program.click("back_to_picture")
+        program.wait("all are drawn again", lambda s: not s["switches"]["last"])
+        program.key("ctrl+p")
+        program.place("palette_query")
+        program.type("passes as usual")
+        program.key("Return")
+        program.wait("nothing is switched", lambda s: not any(s["switches"].values()))
+        program.click("pass:persistence")
+        program.key("shift+h", "ctrl+0")
+        program.wait_for("the picture is as it was", lambda: self.brightness() > lit / 2)
+
+    def test_the_time_of_passes_is_held_against_a_budget(self):
+        program = self.program
+        program.key("ctrl+6")
+        program.click("budget")
+        program.type("0.5")
+        program.key("Return")
+        program.place("budget")
+        self.snapshot("timings")
+        program.click("budget")
+        program.type("16.67")
+        program.key("Return", "ctrl+6")
+        program.wait("the pane is closed", lambda s: "budget" not in s["widgets"])
+
     def test_the_wheel_zooms_about_the_pointer(self):
         program = self.program
         program.key("f")
