@@ -45,6 +45,24 @@ void add(vec3 a, vec3 b, inout vec4 sums) {
 }
 )";
 
+// Apart, largest, level: the differences of all components, and the numbers they are differences
+// of.
+constexpr const char* change_text = R"(
+uniform bool as_shown;
+void add(vec3 a, vec3 b, inout vec4 sums) {
+    if (as_shown) {
+        a = displayed(a);
+        b = displayed(b);
+    }
+    vec3 away = apart(a, b);
+    sums.x += away.r + away.g + away.b;
+    sums.y = max(sums.y, max(away.r, max(away.g, away.b)));
+    vec3 size = abs(a);
+    float level = size.r + size.g + size.b;
+    sums.z += isnan(level) || isinf(level) ? 0.0 : level;
+}
+)";
+
 Extent blocks_of(Extent extent) {
     return {(extent.width + block_side - 1) / block_side,
             (extent.height + block_side - 1) / block_side};
@@ -71,10 +89,21 @@ Luminances summed_luminances(const std::vector<float>& blocks) {
     }
     return pixels > 0.0 ? Luminances{sums.ours / pixels, sums.other / pixels} : Luminances{};
 }
+
+PassChange summed_change(const std::vector<float>& blocks, Extent extent) {
+    PassChange sums;
+    for (std::size_t i = 0; i < blocks.size(); i += 4) {
+        sums.mean += static_cast<double>(blocks[i]);
+        sums.largest = std::max(sums.largest, static_cast<double>(blocks[i + 1]));
+        sums.level += static_cast<double>(blocks[i + 2]);
+    }
+    const double numbers = 3.0 * extent.width * extent.height;
+    return {sums.mean / numbers, sums.largest, sums.level / numbers};
+}
 }  // namespace
 
-PairMeter::PairMeter(gpu::Program distances, gpu::Program light)
-    : m_distances(std::move(distances)), m_light(std::move(light)) {}
+PairMeter::PairMeter(gpu::Program distances, gpu::Program light, gpu::Program change)
+    : m_distances(std::move(distances)), m_light(std::move(light)), m_change(std::move(change)) {}
 
 Result<PairMeter> PairMeter::make() {
     auto distances = build_pair_program(std::string(distances_text) + blocks_text);
@@ -83,7 +112,10 @@ Result<PairMeter> PairMeter::make() {
     auto light = build_pair_program(std::string(light_text) + blocks_text);
     if (!light)
         return fail(light.error());
-    return PairMeter(std::move(*distances), std::move(*light));
+    auto change = build_pair_program(std::string(change_text) + blocks_text);
+    if (!change)
+        return fail(change.error());
+    return PairMeter(std::move(*distances), std::move(*light), std::move(*change));
 }
 
 // False where there is no memory; then nothing is measured.
@@ -121,12 +153,21 @@ void PairMeter::start_luminances(const Pair& pair) {
         m_light_to_come.emplace(*m_blocks);
 }
 
+void PairMeter::start_change(const Pair& pair, bool as_shown) {
+    stop();
+    m_change.write("as_shown", std::array{as_shown ? 1.0 : 0.0});
+    if (draw(pair, m_change))
+        m_change_to_come.emplace(*m_blocks);
+}
+
 std::optional<PairMeasured> PairMeter::take() {
     std::optional<PairMeasured> measured;
     if (m_sums_to_come && m_sums_to_come->has_come())
-        measured = PairMeasured{summed_distances(m_sums_to_come->take(), m_measured), std::nullopt};
+        measured = PairMeasured{.distances = summed_distances(m_sums_to_come->take(), m_measured)};
     else if (m_light_to_come && m_light_to_come->has_come())
-        measured = PairMeasured{std::nullopt, summed_luminances(m_light_to_come->take())};
+        measured = PairMeasured{.luminances = summed_luminances(m_light_to_come->take())};
+    else if (m_change_to_come && m_change_to_come->has_come())
+        measured = PairMeasured{.change = summed_change(m_change_to_come->take(), m_measured)};
     if (measured)
         stop();
     return measured;
@@ -135,4 +176,5 @@ std::optional<PairMeasured> PairMeter::take() {
 void PairMeter::stop() {
     m_sums_to_come.reset();
     m_light_to_come.reset();
+    m_change_to_come.reset();
 }

@@ -41,6 +41,11 @@ vec3 ours_at(ivec2 texel) {
 vec3 other_at(ivec2 texel) {
     return stored_in(texelFetch(other, texel, 0), lone.y > 0.0, decoded.y > 0.0);
 }
+// As a display is sent it; black for what is no number.
+vec3 displayed(vec3 stored) {
+    vec3 within = clamp(mix(stored, vec3(0.0), isnan(stored)), 0.0, 1.0);
+    return is_encoded ? within : encode(within);
+}
 
 // As distance() in model/difference.cpp: NaN against a number is infinitely far.
 float apart(float a, float b) {

@@ -3,6 +3,7 @@
 #include "graph/comparer.h"
 #include "graph/looks.h"
 #include "graph/pair_meter.h"
+#include "graph/signed_difference.h"
 #include "model/color.h"
 
 #include <limits>
@@ -42,6 +43,12 @@ struct Comparing : Headless {
         const gpu::Texture b = texture_of(other);
         meter->start_distances({a, b}, tolerance);
         return answer().distances.value();
+    }
+    PassChange change(const Picture& ours, const Picture& other, bool as_shown) {
+        const gpu::Texture a = texture_of(ours);
+        const gpu::Texture b = texture_of(other);
+        meter->start_change({a, b, ours.encoding}, as_shown);
+        return answer().change.value();
     }
     Luminances luminances(const Picture& ours, const Picture& other) {
         const gpu::Texture a = texture_of(ours);
@@ -193,4 +200,45 @@ TEST_CASE_FIXTURE(Comparing, "pictures of two sizes, and whole numbers, are not 
     CHECK(are_comparable(a, a));
     CHECK_FALSE(are_comparable(a, b));
     CHECK_FALSE(are_comparable(a, *whole));
+}
+
+TEST_CASE_FIXTURE(Comparing,
+                  "what a pass is changed by is the mean of its differences and their level") {
+    const Picture a = even({40, 30}, {0.5f, 2.0f, -0.25f});
+    Picture b = a;
+    b.pixels[b.index(39, 29) + 1] = 8.0f;  // one number of 3600
+    const PassChange seen = change(a, b, false);
+    CHECK(seen.mean == about(6.0 / 3600.0, 1e-6));
+    CHECK(seen.largest == 6.0);
+    CHECK(seen.level == about(2.75 / 3.0, 1e-6));
+    // A display shows neither what is beyond white nor what is below black.
+    const PassChange shown = change(a, b, true);
+    CHECK_FALSE(shown.has_changed());
+    CHECK(shown.level == about(0.5, 1e-6));
+    const Picture light = even({40, 30}, {0.5f, 0.5f, 0.5f}, Encoding::linear);
+    const Picture more = even({40, 30}, {0.75f, 0.5f, 0.5f}, Encoding::linear);
+    CHECK(change(light, more, true).largest == about(srgb_encode(0.75) - srgb_encode(0.5), 1e-5));
+}
+
+TEST_CASE_FIXTURE(Comparing, "what is added and taken lies on both sides of a middle grey") {
+    auto drawing = SignedDifference::make();
+    REQUIRE(drawing.has_value());
+    const gpu::Texture a = texture_of(even({8, 8}, {0.5f, 0.5f, 2.0f}));
+    const gpu::Texture b = texture_of(even({8, 8}, {0.5625f, 0.375f, 4.0f}));
+    const gpu::Canvas canvas = canvas_of({8, 8});
+    drawing->draw({a, b}, 2.0, canvas);
+    const auto seen = gpu::read_pixel(canvas.texture(), 4, 4);
+    CHECK(seen[0] == 0.625f);
+    CHECK(seen[1] == 0.25f);
+    CHECK(seen[2] == 0.5f);  // both are white
+    CHECK(seen[3] == 1.0f);
+}
+
+TEST_CASE("a small difference is shown as many times as large, by a power of two") {
+    CHECK(gain_for(0.5) == 1.0);
+    CHECK(gain_for(1.0) == 1.0);
+    CHECK(gain_for(0.01) == 32.0);
+    CHECK(gain_for(0.125) == 4.0);
+    CHECK(gain_for(1e-9) == 256.0);
+    CHECK(gain_for(0.0) == 1.0);
 }
