@@ -120,7 +120,11 @@ Result<void> Drive::show_anew(const Player& player, Renderer& renderer) {
 }
 
 Extent Drive::source_extent() const {
-    return m_source ? placed_extent(m_source->extent(), m_source->spec(), m_viewport) : Extent{};
+    return source_extent(m_viewport);
+}
+
+Extent Drive::source_extent(Extent viewport) const {
+    return m_source ? placed_extent(m_source->extent(), m_source->spec(), viewport) : Extent{};
 }
 
 Result<bool> Drive::show_source(double seconds, Renderer& renderer) {
@@ -143,6 +147,25 @@ Result<void> Drive::show_past_source(double seconds, Renderer& renderer) {
         return {};
     const auto shown = show_source(seconds, renderer);
     return shown ? Result<void>() : fail(shown.error());
+}
+
+Result<void> Drive::show_beside(double seconds, const Beside& beside) {
+    if (!m_source)
+        return {};
+    SharedPicture picture = m_source->picture_at(seconds);
+    if (picture == beside.shown)
+        return {};
+    beside.shown = std::move(picture);
+    const SourceSpec& spec = m_source->spec();
+    const bool is_whole = spec.fit == Fit::stretch;
+    return beside.renderer.set_source(is_whole ? *beside.shown
+                                               : placed(*beside.shown, spec, beside.viewport));
+}
+
+Result<void> Drive::show_past_beside(double seconds, const Beside& beside) {
+    if (!m_source || m_source->is_film())
+        return {};
+    return show_beside(seconds, beside);
 }
 
 Diagnostics Drive::take_problems() {

@@ -57,6 +57,16 @@ public:
     Result<void> show_past_source(double seconds, Renderer& renderer);
     /// The same to a renderer that has lost it.
     Result<void> show_anew(const Player& player, Renderer& renderer);
+    /// A renderer beside the one that is shown: how large its picture is, and what it has so far.
+    struct Beside {
+        Renderer& renderer;
+        Extent viewport;
+        SharedPicture& shown;
+    };
+    Extent source_extent(Extent viewport) const;
+    /// As show_source and show_past_source.
+    Result<void> show_beside(double seconds, const Beside& beside);
+    Result<void> show_past_beside(double seconds, const Beside& beside);
     bool is_source_late() const { return m_source && m_source->is_late(); }
     const std::optional<Source>& source() const { return m_source; }
     /// What of the source could not be read since last asked; problems() keeps it.

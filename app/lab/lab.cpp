@@ -6,9 +6,11 @@
 #include "formats/scene_file.h"
 #include "formats/share_line.h"
 #include "lab/editor.h"
+#include "lab/morphing.h"
 #include "lab/sharing.h"
 #include "lab/sound_store.h"
 #include "lab/source.h"
+#include "lab/tryouts.h"
 
 #include <fmt/format.h>
 
@@ -29,11 +31,14 @@ Extent PictureSize::extent(Extent view) const {
 Lab::Lab(Library library, std::unique_ptr<gpu::Context> worker)
     : m_library(std::move(library)),
       m_drive(RecentMedia(m_library.roots())),
+      m_tryouts(std::make_unique<Tryouts>()),
       m_reloader(std::move(worker), m_library.roots().shared_includes()) {
     if (const auto settings = load_sound_settings(m_library.roots()); succeeded(settings))
         succeeded(m_player.set_sound_settings(*settings));
     open_remote();
 }
+
+Lab::~Lab() = default;
 
 void Lab::say(std::string text, bool is_problem, std::string subject) {
     if (is_problem && !text.empty() && text.find(": ") == std::string::npos)

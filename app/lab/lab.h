@@ -24,6 +24,11 @@
 #include <string>
 #include <vector>
 
+class Morphing;
+class Tryouts;
+struct SheetRequest;
+struct StepQuestion;
+
 /// A diagnostic with the line of text that it speaks of.
 struct Problem {
     Diagnostic diagnostic;
@@ -69,6 +74,9 @@ class Lab {
 public:
     /// `worker` is a context for the reloader's thread that shares with the current one.
     Lab(Library library, std::unique_ptr<gpu::Context> worker);
+    ~Lab();
+    Lab(const Lab&) = delete;
+    Lab& operator=(const Lab&) = delete;
 
     const Library& library() const { return m_library; }
     /// Null until a look has been opened.
@@ -208,6 +216,19 @@ public:
     void answer_trip(TripAnswer answer);
     /// Where nobody can be asked such numbers are clamped, and the first is told.
     void set_unattended(bool is_unattended) { m_trip.is_unattended = is_unattended; }
+    /// What is drawn with other values beside the picture.
+    const Tryouts& tryouts() const { return *m_tryouts; }
+    /// Shows what one step of a parameter changes, until end_step().
+    void ask_for_step(const StepQuestion& question);
+    void end_step();
+    void draw_sheet(const SheetRequest& request);
+    void take_from_sheet(std::size_t cell);  // one step of undo
+    void end_sheet();
+    /// Goes to the values of a preset of this look over some time, as one step of undo.
+    void morph_to(const std::filesystem::path& preset, double seconds);
+    void end_morph();
+    /// Null while none is under way.
+    const Morphing* morphing() const { return m_morphing.get(); }
     void cancel_replay();
     void cancel_loading();  // of a sound or picture; what was there before comes back
     void say(std::string text, bool is_problem = false, std::string subject = {});
@@ -249,6 +270,8 @@ private:
     void show_variant_images();
     void forget_passes(const std::vector<bool>& passes);
     void start_variant();
+    void try_out();
+    void go_on_morphing(double wall_seconds);
     Result<void> follow_signal();
     void update_drive();
     void tell_silence();
@@ -304,6 +327,8 @@ private:
     LoadedImages m_images;  // that the renderer has
     ChosenImages m_chosen_images;
     Drive m_drive;
+    std::unique_ptr<Tryouts> m_tryouts;
+    std::unique_ptr<Morphing> m_morphing;  // null: none is under way
     RateCheck m_rate_check;
     BackgroundWork<ImpulseResponse> m_impulse;
     Reloader m_reloader;

@@ -4,6 +4,8 @@
 #include "formats/preset_format.h"
 #include "lab/frame_limit.h"
 #include "lab/lab.h"
+#include "lab/morphing.h"
+#include "lab/tryouts.h"
 
 #include <algorithm>
 #include <utility>
@@ -21,6 +23,7 @@ void Lab::update(double wall_seconds) {
     m_impulse.update();
     if (!m_document || !m_renderer)
         return;
+    go_on_morphing(wall_seconds);
     if (m_document->is_restacking())
         m_reloader.restack(m_document->state().stack);  // the last picture goes on meanwhile
     else
@@ -29,6 +32,7 @@ void Lab::update(double wall_seconds) {
     update_drive();
     draw_picture(wall_seconds);
     follow_trip();
+    try_out();
     note_moves();
     tell_silence();
 }
@@ -48,8 +52,8 @@ void Lab::tell_silence() {
 
 bool Lab::is_moving() const {
     return (m_player.is_playing() && !has_converged()) || is_loading() || m_notice || m_wanted ||
-           m_osc.is_turning() || m_rate_check.is_running() || m_impulse.is_running() ||
-           !m_drive.loading().empty() || m_drive.is_source_late() ||
+           m_tryouts->is_busy() || m_morphing || m_osc.is_turning() || m_rate_check.is_running() ||
+           m_impulse.is_running() || !m_drive.loading().empty() || m_drive.is_source_late() ||
            (m_renderer && (m_renderer->replay().is_running() || m_renderer->awaits_trip()));
 }
 
@@ -118,6 +122,7 @@ void Lab::apply(LoadedRequest loaded) {
     }
     forget_trip();
     m_programs = std::move(*loaded.programs);
+    m_tryouts->stop();  // they draw with the former ones
     if (loaded.is_reload && m_document) {
         m_document->replace_look(std::move(*loaded.look));
         succeeded(m_renderer->replace(m_document->drawn_look(), *m_programs));
@@ -167,8 +172,11 @@ void Lab::open_document(Look look, const OpenRequest& request) {
     constexpr double patience_seconds = 0.05;
     m_renderer->set_patience(patience_seconds);
     m_variant.reset();
-    if (!is_same)
+    m_tryouts->stop();
+    if (!is_same) {
         m_comparing.end();
+        m_morphing.reset();
+    }
     m_drawn_extent = {};
     m_images.clear();
     m_chosen_images.forget();

@@ -65,6 +65,8 @@ public:
 
     /// Draws the present frame again; only the passes that the change reaches.
     void redraw(const Player& player, const std::vector<bool>& passes);
+    /// To be called where another renderer has drawn with the same programs.
+    void claim_programs() { m_executor.claim_programs(); }
     /// Begins to draw the latest `frames` frames of the player again from nothing.
     void start_replay(const Player& player, std::size_t frames);
     /// Called before a frame of the past is drawn again, to bring what it shows.

@@ -1,6 +1,7 @@
 #include "lab/views.h"
 
 #include "gpu/readback.h"
+#include "lab/tryouts.h"
 
 #include <algorithm>
 #include <chrono>
@@ -282,7 +283,20 @@ void Views::draw_difference(const Lab& lab, Part part, const WindowState& window
     draw_part(*m_compared.difference(), m_picture, window.views.picture, part);
 }
 
+// What a step changes, while somebody asks for it.
+bool Views::draw_step(const Lab& lab, const WindowState& window) {
+    const gpu::Texture* step = lab.tryouts().probe().picture();
+    if (!step || window.shows_pass_large)
+        return false;
+    draw_part(*step, m_picture, window.views.picture, window.picture,
+              {.encoding = Encoding::display});
+    m_beside.reset();
+    return true;
+}
+
 void Views::draw_picture(const Lab& lab, const WindowState& window) {
+    if (draw_step(lab, window))
+        return;
     const CompareMode mode = lab.compare_mode();
     const Extent size = room_of_one(window.views.picture, mode);
     const Part part = large_part(lab, window);

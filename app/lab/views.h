@@ -85,6 +85,7 @@ private:
     void draw_picture(const Lab& lab, const WindowState& window);
     void count_flashes(const Lab& lab, const WindowState& window);
     void show_in_comfort(const Lab& lab, const ComfortClamp& clamp);
+    bool draw_step(const Lab& lab, const WindowState& window);
     void compare(const Lab& lab, const Part& part);
     void draw_wiped(const Lab& lab, Part part, const WindowState& window);
     void draw_difference(const Lab& lab, Part part, const WindowState& window);

@@ -102,7 +102,7 @@ struct Pin {
 Pin pin_at(const Probe& probe, Extent extent);
 
 /// What the pane at the bottom holds.
-enum class BottomPart { problems, timings, pins, inputs, text, graph };
+enum class BottomPart { problems, timings, pins, inputs, text, graph, sheet };
 
 /// Device pixels that the panels have for pictures.
 struct ViewSizes {
@@ -168,6 +168,14 @@ struct HistorySeen {
     std::size_t size = 0;
 
     bool operator==(const HistorySeen&) const = default;
+};
+
+/// The parameter under the pointer, and which of its numbers.
+struct Pointed {
+    std::string parameter;
+    std::size_t component = 0;
+
+    bool operator==(const Pointed&) const = default;
 };
 
 /// A parameter that a person asked to see in its panel.
@@ -253,6 +261,7 @@ struct WindowState {
     std::string search;         // among the parameters
     bool is_searching = false;  // the search box is to have the keyboard
     Revealed revealed;
+    std::optional<Pointed> pointed;
     HistorySeen history_seen;
     std::vector<std::string> used;          // ids of the palette's entries, the last used first
     std::vector<std::string> recent_files;  // that were opened, the last one first

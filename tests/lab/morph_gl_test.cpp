@@ -1,0 +1,80 @@
+// From one preset to another over some time.
+#include "formats/preset_format.h"
+#include "lab/morphing.h"
+#include "lab/small_lab.h"
+
+#include <cmath>
+
+namespace {
+class Going : public SmallLab {
+public:
+    std::filesystem::path preset(const char* look, Values values) {
+        Preset preset;
+        preset.look = look;
+        preset.name = "Far";
+        preset.values = std::move(values);
+        const auto file = folder() / "far.json";
+        REQUIRE(save_preset(file, preset).has_value());
+        return file;
+    }
+    double gain() { return document().value(*find_parameter(document().look(), "gain")).number(); }
+};
+
+bool is_near(double a, double b) {
+    return std::abs(a - b) <= 1e-9;
+}
+}  // namespace
+
+TEST_CASE("a morph goes to a preset's values in its time, as one step of undo and in the moves") {
+    Going small;
+    small.lab().transport().pause();
+    small.lab().morph_to(small.preset("small", {{"gain", Value(5.0)}}), 2.0);
+    REQUIRE(small.lab().morphing());
+    small.lab().update(0.5);
+    CHECK(is_near(small.gain(), 2.0));  // a quarter of the way from 1 to 5
+    CHECK(is_near(small.lab().morphing()->share(), 0.25));
+    small.lab().update(0.5);
+    CHECK(is_near(small.gain(), 3.0));
+    small.lab().record_moves(true);
+    small.lab().transport().play();
+    small.lab().update(0.5);
+    CHECK(small.lab().moves().moves().back().name == "gain");
+    CHECK(is_near(small.lab().moves().moves().back().value.number(), 4.0));
+    small.lab().update(0.75);
+    CHECK_FALSE(small.lab().morphing());
+    CHECK(small.document().values() == Values{{"gain", Value(5.0)}});
+    CHECK(small.document().history().undo_name() == "Morph to Far");
+    CHECK(small.document().history().past().size() == 1);
+    small.lab().edit([](Document& document) { document.undo(); });
+    CHECK(small.document().values().empty());
+}
+
+TEST_CASE("what is locked stays, and what somebody turns ends a morph") {
+    Going small;
+    small.lab().edit([](Document& document) { document.set_knob("gain", {.is_locked = true}); });
+    const auto file = small.preset("small", {{"gain", Value(5.0)}, {"step_size", Value(3.0)}});
+    small.lab().morph_to(file, 1.0);
+    small.lab().update(0.5);
+    CHECK(is_near(small.gain(), 1.0));
+    CHECK(small.document().values() == Values{{"step_size", Value(2.0)}});
+    small.lab().edit([](Document& document) { document.set_value("gain", Value(7.0)); });
+    small.lab().update(0.25);
+    CHECK_FALSE(small.lab().morphing());
+    CHECK(small.document().values() == Values{{"gain", Value(7.0)}, {"step_size", Value(2.0)}});
+}
+
+TEST_CASE("a morph can be left half way, and goes to presets of the same look alone") {
+    Going small;
+    small.lab().morph_to(small.preset("small", {{"gain", Value(5.0)}}), 1.0);
+    small.lab().update(0.5);
+    small.lab().end_morph();
+    small.lab().update(0.5);
+    CHECK(is_near(small.gain(), 3.0));
+    CHECK_FALSE(small.document().history().is_in_gesture());
+    small.lab().morph_to(small.preset("small", {{"gain", Value(3.0)}}), 1.0);
+    CHECK_FALSE(small.lab().morphing());
+    CHECK(small.lab().notice()->text == "The values of 'Far' are what is here already");
+    small.lab().morph_to(small.preset("other", {{"gain", Value(3.0)}}), 1.0);
+    CHECK_FALSE(small.lab().morphing());
+    CHECK(small.lab().notice()->text == "'Far' is a preset of another look: it can only be opened");
+}
