@@ -1,6 +1,7 @@
 #include "ui/actions.h"
 
 #include "gpu/input_event.h"
+#include "lab/tryouts.h"
 #include "ui/compare_actions.h"
 #include "ui/display_actions.h"
 #include "ui/file_actions.h"
@@ -218,6 +219,12 @@ void escape(const Scene& scene, Edits& edits) {
         edits.add([](Lab& lab) { lab.cancel_loading(); });
     else if (scene.lab.renderer() && scene.lab.renderer()->replay().is_running())
         edits.add([](Lab& lab) { lab.cancel_replay(); });
+    else if (scene.lab.tryouts().probe().question())
+        edits.add([](Lab& lab) { lab.end_step(); });
+    else if (scene.lab.morphing())
+        edits.add([](Lab& lab) { lab.end_morph(); });
+    else if (scene.lab.tryouts().sheet().is_running())
+        edits.add([](Lab& lab) { lab.end_sheet(); });
     else if (scene.lab.comparing().is_flashing())
         edits.add([](Lab& lab) { lab.flash(false); });
     else if (scene.window.shows_pass_large)

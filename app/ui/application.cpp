@@ -207,7 +207,10 @@ void Application::draw() {
                       m_toolkit.density(),
                       m_toolkit.pointer_path(),
                       m_toolkit.panel_milliseconds()};
-    edits.arrange([](WindowState& state) { state.probe.reset(); });  // panels set it anew
+    edits.arrange([](WindowState& state) {  // panels set them anew
+        state.probe.reset();
+        state.pointed.reset();
+    });
     draw_window(scene, edits);
     for (const std::filesystem::path& file : m_window.take_dropped_files())
         edits.open_file(m_lab, file);

@@ -8,6 +8,7 @@
 #include "ui/pins_panel.h"
 #include "ui/problem_list.h"
 #include "ui/scoped.h"
+#include "ui/sheet_panel.h"
 #include "ui/theme.h"
 #include "ui/timings_panel.h"
 #include "ui/widgets.h"
@@ -113,7 +114,8 @@ void draw_problems(const Scene& scene, Edits& edits) {
 }  // namespace
 
 void draw_bottom_panel(const Scene& scene, Edits& edits) {
-    static constexpr std::array labels{"Problems", "Timings", "Pins", "Reads", "Text", "Graph"};
+    static constexpr std::array labels{"Problems", "Timings", "Pins",     "Reads",
+                                       "Text",     "Graph",   "Filmstrip"};
     const int present = static_cast<int>(scene.window.bottom_part);
     const int chosen =
         choice("bottom", labels.data(), static_cast<int>(labels.size()), present, edits);
@@ -138,6 +140,8 @@ void draw_bottom_panel(const Scene& scene, Edits& edits) {
         draw_pass_text(scene, edits);
     else if (scene.window.bottom_part == BottomPart::graph)
         draw_pass_graph(scene, edits);
+    else if (scene.window.bottom_part == BottomPart::sheet)
+        draw_sheet_panel(scene, edits);
     else
         draw_problems(scene, edits);
     ImGui::EndChild();

@@ -6,6 +6,8 @@
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
+#include <fmt/format.h>
+
 namespace {
 struct Line {
     std::string label;
@@ -45,6 +47,15 @@ void draw_preset_menu(bool is_open, const ShelfPreset& preset, const Scene& scen
     if (ImGui::MenuItem("Compare with what is open"))
         compare_preset(preset, scene, edits);
     edits.mark("compare:" + preset.entry.name);
+    if (ImGui::BeginMenu("Morph to it in")) {
+        for (const int seconds : {1, 3, 10, 30, 60}) {
+            if (ImGui::MenuItem(fmt::format("{} s", seconds).c_str()))
+                edits.add([file, seconds](Lab& lab) { lab.morph_to(file, seconds); });
+            edits.mark(fmt::format("morph:{}", seconds));
+        }
+        ImGui::EndMenu();
+    }
+    edits.mark("morph_to:" + preset.entry.name);
     if (is_open) {
         if (ImGui::MenuItem("Rename…"))
             edits.show(

@@ -1,5 +1,7 @@
 #include "ui/overlays.h"
 
+#include "lab/morphing.h"
+#include "lab/tryouts.h"
 #include "ui/compare_bar.h"
 #include "ui/first_steps.h"
 #include "ui/icons.h"
@@ -172,6 +174,26 @@ void draw_loading(const Scene& scene) {
                theme::dim, 2.0f},
               scene);
 }
+
+void draw_step(const Scene& scene, Edits& edits) {
+    const StepProbe& probe = scene.lab.tryouts().probe();
+    if (!probe.question() || probe.words().empty())
+        return;
+    const bool changes_nothing =
+        probe.has_failed() || (probe.effect() && probe.effect()->kind != StepEffect::Kind::seen);
+    draw_pill({"##step", probe.words(), changes_nothing ? theme::warning : theme::text, 1.0f},
+              scene);
+    edits.mark("step");
+}
+
+void draw_morph(const Scene& scene) {
+    if (const Morphing* morphing = scene.lab.morphing())
+        draw_pill({"##morph",
+                   fmt::format("Going to '{}': {:.0f} % · Esc stops here", morphing->name(),
+                               100.0 * morphing->share()),
+                   theme::dim, 2.0f},
+                  scene);
+}
 }  // namespace
 
 void draw_overlays(const Scene& scene, Edits& edits) {
@@ -180,6 +202,8 @@ void draw_overlays(const Scene& scene, Edits& edits) {
     draw_trip(scene, edits);
     draw_loading(scene);
     draw_replay(scene);
+    draw_morph(scene);
+    draw_step(scene, edits);
     draw_notice(scene);
 }
 

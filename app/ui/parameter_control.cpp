@@ -211,9 +211,31 @@ int expected_lines(const Parameter& parameter) {
     return parameter.type.columns > 1 ? parameter.type.rows : 1;
 }
 
+namespace {
+// Of the rows that were drawn since `top` the one that the pointer is on; a vector's parts are
+// below the line of its label.
+void tell_pointed(const Knob& knob, float top, Edits& edits) {
+    const float bottom = ImGui::GetCursorScreenPos().y - ImGui::GetStyle().ItemSpacing.y;
+    const float left = ImGui::GetWindowPos().x;
+    if (!ImGui::IsWindowHovered() ||
+        !ImGui::IsMouseHoveringRect({left, top}, {left + ImGui::GetWindowWidth(), bottom}))
+        return;
+    std::size_t component = 0;
+    if (has_parts(knob.parameter)) {
+        const float row = ImGui::GetFrameHeightWithSpacing();
+        const float part = (ImGui::GetMousePos().y - top) / row - 1.0f;
+        component = static_cast<std::size_t>(std::max(part, 0.0f));
+    }
+    edits.arrange([pointed = Pointed{knob.parameter.name, component}](WindowState& window) {
+        window.pointed = pointed;
+    });
+}
+}  // namespace
+
 bool draw_parameter(const Knob& knob, const Fonts& fonts, Edits& edits) {
     const Parameter& parameter = knob.parameter;
     const ScopedId scope(parameter.name);
+    const float top = ImGui::GetCursorScreenPos().y;
     const FormColumns columns = is_check_box(parameter) ? check_box_columns() : form_columns();
     const KnobMarks marks = knob_marks(knob.setting, columns);
     if (form_label(parameter.label, std::string(shown_unit(parameter)), marks.beside(columns),
@@ -240,5 +262,6 @@ bool draw_parameter(const Knob& knob, const Fonts& fonts, Edits& edits) {
         edits.finish();
     if (!is_vector)
         draw_reset(knob, columns, edits);
+    tell_pointed(knob, top, edits);
     return is_held;
 }

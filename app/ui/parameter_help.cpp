@@ -8,7 +8,9 @@
 #include "ui/modulation_editor.h"
 #include "ui/rates_dialog.h"
 #include "ui/scoped.h"
+#include "ui/sheet_panel.h"
 #include "ui/slider.h"
+#include "ui/step_view.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
@@ -191,6 +193,8 @@ void draw_parameter_help(const Knob& knob, const Fonts& fonts, Edits& edits) {
     draw_slider_ends(knob, fonts, edits);
     draw_modulation_editor(knob, fonts, edits);
     ImGui::Separator();
+    draw_step_items(parameter.name, edits);
+    draw_sheet_items(knob, edits);
     if (is_decay(parameter)) {
         if (ImGui::Selectable("Compare at 24, 30, 60 and 144 Hz…"))
             compare_rates(edits);

@@ -1,5 +1,6 @@
 #include "ui/pass_strip.h"
 
+#include "lab/tryouts.h"
 #include "ui/pass_switch_actions.h"
 #include "ui/scoped.h"
 #include "ui/slider.h"
@@ -16,7 +17,8 @@ struct Cell {
     const Pass& pass;
     const PlannedTarget& target;
     double milliseconds = 0.0;
-    const Gain* gain = nullptr;  // null: not measured yet
+    const Gain* gain = nullptr;             // null: not measured yet
+    std::optional<PassChange> change = {};  // by the step that somebody asks about
     bool is_chosen = false;
     std::string state = {};  // what is switched about it; "": nothing
 };
@@ -117,6 +119,22 @@ void draw_state(const Cell& cell, const Scene& scene, const ImVec2& low, float w
     list.AddText({left.x + pad.x, left.y + pad.y}, theme::packed(theme::warning), words.c_str());
 }
 
+// By how much, and a word where not at all.
+std::string change_text(const PassChange& change) {
+    if (!change.has_changed())
+        return "the same";
+    const double percent = 100.0 * change_share(change);
+    return percent < 0.01 ? "changed < 0.01 %" : fmt::format("changed {:.2g} %", percent);
+}
+
+// From a hundredth of a per cent on.
+void draw_change(const PassChange& change, const ImVec2& low, const ImVec2& high) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float width = (high.x - low.x) * static_cast<float>(change_place(change));
+    list.AddRectFilled(low, high, theme::packed(theme::field));
+    list.AddRectFilled(low, {low.x + width, high.y}, theme::packed(theme::accent));
+}
+
 void draw_words(const Cell& cell, const Scene& scene, const ImVec2& at, float width) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float line = ImGui::GetFontSize();
@@ -131,6 +149,12 @@ void draw_words(const Cell& cell, const Scene& scene, const ImVec2& at, float wi
                      time.c_str());
     const std::string facts = cut_to_fit(facts_text(cell), width);
     list.AddText({at.x, at.y + line * 1.2f}, theme::packed(theme::dim), facts.c_str());
+    if (cell.change) {
+        const std::string change = cut_to_fit(change_text(*cell.change), width);
+        const theme::Color color = cell.change->has_changed() ? theme::accent : theme::dim;
+        list.AddText({at.x, at.y + line * 2.4f}, theme::packed(color), change.c_str());
+        return;
+    }
     if (!cell.gain)
         return;
     const std::string gain = cut_to_fit(gain_text(*cell.gain), width);
@@ -181,7 +205,7 @@ void draw_cell(const Cell& cell, const Scene& scene, float image_height, Edits& 
         tooltip(cell_help(cell));
     }
     draw_image(image, low, width, image_height, scene.density, cell.state.ends_with("not drawn"));
-    if (cell.gain && headroom_stops(*cell.gain).value_or(0.0) <= meter_stops)
+    if (!cell.change && cell.gain && headroom_stops(*cell.gain).value_or(0.0) <= meter_stops)
         draw_meter(*cell.gain, {low.x, low.y + image_height - 4.0f * scene.scale},
                    {low.x + width, low.y + image_height});
     if (cell.is_chosen || is_hovered)
@@ -190,6 +214,9 @@ void draw_cell(const Cell& cell, const Scene& scene, float image_height, Edits& 
             theme::packed(cell.is_chosen ? theme::accent : theme::faint));
     if (!cell.state.empty())
         draw_state(cell, scene, low, width);
+    if (cell.change)
+        draw_change(*cell.change, {low.x, low.y + image_height - 6.0f * scene.scale},
+                    {low.x + width, low.y + image_height});
     draw_words(cell, scene, {low.x, low.y + image_height + 3.0f * scene.scale}, width);
 }
 
@@ -236,6 +263,7 @@ void draw_pass_strip(const Scene& scene, Edits& edits) {
     const Look& look = renderer->executor().look();
     const std::vector<PlannedTarget>& targets = renderer->executor().plan().targets;
     const std::vector<double>& times = renderer->latest_pass_milliseconds();
+    const auto& changes = scene.lab.tryouts().probe().changes();
     const float scrollbar = ImGui::GetStyle().ScrollbarSize;
     const float room =
         ImGui::GetContentRegionAvail().y - ImGui::GetFontSize() * word_lines - scrollbar;
@@ -260,6 +288,7 @@ void draw_pass_strip(const Scene& scene, Edits& edits) {
                    .target = targets[i],
                    .milliseconds = i < times.size() ? times[i] : 0.0,
                    .gain = scene.views.gains().gain(i),
+                   .change = i < changes.size() ? changes[i] : std::nullopt,
                    .is_chosen = look.passes[i].name == scene.window.inspected.pass,
                    .state = pass_switch_actions::words_of(i, look, scene.lab.pass_switches())},
                   scene, image_height, edits);

@@ -1,6 +1,8 @@
 #include "ui/state_file.h"
 
 #include "base/text.h"
+#include "lab/morphing.h"
+#include "lab/tryouts.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -169,6 +171,23 @@ std::string switches_text(const Lab& lab) {
                        json_string(switches.last));
 }
 
+// What a step changes of each pass (a null has not come yet), how far a sheet is, and a morph.
+std::string tryouts_text(const Scene& scene) {
+    const Lab& lab = scene.lab;
+    const StepProbe& probe = lab.tryouts().probe();
+    const VariantSheet& sheet = lab.tryouts().sheet();
+    std::vector<std::string> changes;
+    for (const auto& change : probe.changes())
+        changes.push_back(change ? fmt::format("\"{}\"", change_share(*change)) : "null");
+    const auto present = lab.document() ? sheet.present(*lab.document()) : std::nullopt;
+    return fmt::format(
+        R"(,"pointed":{},"step":{{"words":{},"is_busy":{},"changes":[{}]}},"sheet":{{"cells":{},"drawn":{},"columns":{},"present":{}}},"morph":{})",
+        json_string(scene.window.pointed ? scene.window.pointed->parameter : std::string()),
+        json_string(probe.words()), probe.is_busy(), fmt::join(changes, ","), sheet.cells().size(),
+        sheet.drawn(), sheet.columns(), present ? fmt::format("{}", *present) : "null",
+        lab.morphing() ? fmt::format("{:.3f}", lab.morphing()->share()) : "null");
+}
+
 std::string document_text(const Lab& lab) {
     const Document& document = *lab.document();
     return fmt::format(
@@ -201,7 +220,8 @@ std::string state_text(const Scene& scene, const Edits& edits) {
                     : scene.window.output.is_black ? "black"
                                                    : "on"),
         probe_text(scene) + inspection_text(scene) + pins_text(scene) + gains_text(scene) +
-            comparison_text(scene) + trip_text(lab) + flashes_text(scene) + switches_text(lab),
+            comparison_text(scene) + trip_text(lab) + flashes_text(scene) + switches_text(lab) +
+            tryouts_text(scene),
         problems_json(lab), places_text(edits));
 }
 

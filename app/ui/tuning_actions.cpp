@@ -1,6 +1,7 @@
 #include "ui/tuning_actions.h"
 
 #include "ui/file_actions.h"
+#include "ui/step_view.h"
 
 #include <random>
 
@@ -24,32 +25,65 @@ void toggle_filter(const Scene& scene, Edits& edits) {
         window.shows_parameters = true;
     });
 }
+
+// From the menu the pointer is on no slider: then it tells how.
+template <bool is_up>
+void show_step(const Scene& scene, Edits& edits) {
+    if (scene.window.pointed)
+        return ask_for_step(*scene.window.pointed, is_up, edits);
+    edits.add([](Lab& lab) { lab.say("Hold U, or Shift+U, while the pointer is on a parameter"); });
+}
+
+void end_step(const Scene&, Edits& edits) {
+    edits.add([](Lab& lab) { lab.end_step(); });
+}
+
+std::vector<Action> step_actions() {
+    Action up{ActionId::step_up,
+              Menu::edit,
+              "Show what a step up changes, while held over a parameter",
+              {'U'},
+              true,
+              show_step<true>,
+              file_actions::has_document};
+    Action down = up;
+    down.id = ActionId::step_down;
+    down.label = "The same of a step down";
+    down.chord.shift = true;
+    down.is_first = false;
+    down.act = show_step<false>;
+    up.let_go = down.let_go = end_step;
+    return {up, down};
+}
 }  // namespace
 
 std::vector<Action> tuning_actions::list() {
     constexpr auto favourites = ParameterFilter::favourites;
     constexpr auto of_pass = ParameterFilter::of_pass;
-    return {{ActionId::show_favourites,
-             Menu::edit,
-             "Show only favourites",
-             {},
-             false,
-             toggle_filter<favourites>,
-             file_actions::has_document,
-             is_filtered<favourites>},
-            {ActionId::show_of_pass,
-             Menu::edit,
-             "Show only what this pass uses",
-             {},
-             false,
-             toggle_filter<of_pass>,
-             file_actions::has_document,
-             is_filtered<of_pass>},
-            {ActionId::randomise,
-             Menu::edit,
-             "Randomise",
-             {'R', true},
-             true,
-             randomise,
-             file_actions::has_document}};
+    std::vector<Action> actions = step_actions();
+    const std::vector<Action> others{{ActionId::show_favourites,
+                                      Menu::edit,
+                                      "Show only favourites",
+                                      {},
+                                      false,
+                                      toggle_filter<favourites>,
+                                      file_actions::has_document,
+                                      is_filtered<favourites>},
+                                     {ActionId::show_of_pass,
+                                      Menu::edit,
+                                      "Show only what this pass uses",
+                                      {},
+                                      false,
+                                      toggle_filter<of_pass>,
+                                      file_actions::has_document,
+                                      is_filtered<of_pass>},
+                                     {ActionId::randomise,
+                                      Menu::edit,
+                                      "Randomise",
+                                      {'R', true},
+                                      true,
+                                      randomise,
+                                      file_actions::has_document}};
+    actions.insert(actions.end(), others.begin(), others.end());
+    return actions;
 }

@@ -12,8 +12,10 @@
 #include "ui/pass_strip.h"
 #include "ui/picture_panel.h"
 #include "ui/scoped.h"
+#include "ui/sheet_panel.h"
 #include "ui/signal_panel.h"
 #include "ui/stack_panel.h"
+#include "ui/step_view.h"
 #include "ui/theme.h"
 #include "ui/transport_bar.h"
 
@@ -108,6 +110,8 @@ void draw_window(const Scene& scene, Edits& edits) {
     draw_panes(scene, layout, edits);
     draw_splitters(layout, scene.window, scene.scale, edits);
     ImGui::End();
+    follow_pointer(scene, edits);
+    leave_hidden_sheet(scene, edits);
     draw_dialogs(scene, edits);
     run_keys(scene, edits);
 }

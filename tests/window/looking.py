@@ -125,7 +125,7 @@ class Looking(Person):
         switch("persistence", "Stop here", "later ones are not drawn",
                lambda s: s["last"] == "persistence")
         program.place("back_to_picture")
-        program.key("ctrl+0")
+        program.key("g")
         program.place("node:composite")
         self.snapshot("switched")
         program.click("node:beam")
@@ -141,7 +141,7 @@ class Looking(Person):
         program.key("Return")
         program.wait("nothing is switched", lambda s: not any(s["switches"].values()))
         program.click("pass:persistence")
-        program.key("shift+h", "ctrl+0")
+        program.key("shift+h", "g")
         program.wait_for("the picture is as it was", lambda: self.brightness() > lit / 2)
 
     def test_the_time_of_passes_is_held_against_a_budget(self):

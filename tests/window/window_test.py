@@ -13,12 +13,13 @@ from keeping import Keeping
 from looking import Looking
 from moving import Moving
 from person import Person
+from trying import Trying
 from tuning import Tuning
 
 Person.executable = Path(sys.argv[1]).resolve()
 
 
-class Tuner(Tuning, Keeping):
+class Tuner(Tuning, Keeping, Trying):
     """One person at one window: each test finds the look as it was first."""
 
 

@@ -1,0 +1,78 @@
+"""Seeing what a change would do before it is made, and going to a preset bit by bit."""
+
+from person import Person
+
+
+class Trying(Person):
+    def hold_over(self, parameter, key):
+        self.program.reveal(parameter)
+        self.hover("parameter:" + parameter)
+        self.program.wait("the pointer is on it", lambda s: s["pointed"] == parameter)
+        self.screen.do("keydown", key)
+
+    def test_while_a_key_is_held_over_a_slider_the_picture_shows_what_a_step_changes(self):
+        program = self.program
+        before = program.state()
+        self.hold_over("exposure", "u")
+        state = program.wait("a step up is told", lambda s: not s["step"]["is_busy"] and
+                             "of 255 levels" in s["step"]["words"])
+        self.assertIn("Exposure 1.5 → ", state["step"]["words"])
+        changes = [float(share) for share in state["step"]["changes"]]
+        self.assertGreater(changes[-1], 0)
+        self.assertEqual(changes[0], 0)  # the beam is before it
+        program.wait_for("grey is where nothing changes", lambda: 90 < self.brightness() < 160)
+        self.snapshot("step")
+        self.screen.do("keyup", "u")
+        state = program.wait("it is let go", lambda s: s["step"]["words"] == "")
+        program.wait_for("the picture is back", lambda: self.brightness() < 80)
+        self.assertEqual((state["values"], state["undo"]), (before["values"], before["undo"]))
+        self.assertGreater(state["frame"], before["frame"])  # time went on
+
+        program.set("bloom_intensity", "0")
+        self.hold_over("bloom_radius", "u")
+        program.wait("without bloom its width changes nothing, and it says where that ends",
+                     lambda s: "its effect ends in" in s["step"]["words"])
+        self.screen.do("keyup", "u")
+
+    def test_a_filmstrip_and_a_contact_sheet_are_clicked_to_take_a_value(self):
+        program = self.program
+        program.click("play")
+        program.reveal("exposure")
+        program.click("label:exposure")
+        program.click("filmstrip")
+        sheet = program.wait("all of it is drawn", lambda s: s["sheet"]["cells"] == 7 and
+                             s["sheet"]["drawn"] == 7)
+        self.snapshot("filmstrip")
+        program.click("cell:5")
+        state = program.wait("the value is taken", lambda s: s["sheet"]["present"] == 5)
+        self.assertTrue(state["undo"].startswith("Take Exposure"))
+        self.assertNotEqual(state["values"]["exposure"], sheet["values"]["exposure"])
+        program.key("ctrl+z")
+        program.wait("one step takes it back",
+                     lambda s: s["values"]["exposure"] == sheet["values"]["exposure"])
+        program.click("sheet_columns")
+        program.click("sheet_count:3")
+        program.click("sheet_down")
+        program.click("sheet_choice:bloom_intensity")
+        program.wait("a sheet of all combinations is drawn", lambda s: s["sheet"]["columns"] == 3 and
+                     s["sheet"]["cells"] == 15 and s["sheet"]["drawn"] == 15)
+        self.snapshot("sheet")
+        program.click("cell:5")
+        state = program.wait("both are taken", lambda s: s["sheet"]["present"] == 5)
+        self.assertEqual((state["values"]["exposure"], state["values"]["bloom_intensity"]),
+                         ([16], [0.75]))
+        program.key("ctrl+0")
+        program.wait("the pane is closed", lambda s: "sheet_down" not in s["widgets"])
+
+    def test_a_morph_goes_to_a_preset_in_its_time(self):
+        program = self.program
+        before = program.state()["values"]
+        self.screen.do("mousemove", *program.middle("preset:amber-p3"), "click", 3)
+        program.click("morph_to:amber-p3")
+        program.click("morph:1")
+        program.wait("it is on its way", lambda s: s["morph"] is not None)
+        state = program.wait("it has arrived", lambda s: s["morph"] is None)
+        self.assertTrue(state["undo"].startswith("Morph to "))
+        self.assertNotEqual(state["values"], before)
+        program.key("ctrl+z")
+        program.wait("one step takes it back", lambda s: s["values"] == before)
