@@ -14,7 +14,7 @@ Values complete(const Look& look, const Values& values) {
 }
 }  // namespace
 
-Morphing::Morphing(const Document& document, std::string name, Values to, double seconds)
+Morphing::Morphing(const Document& document, std::string name, const Values& to, double seconds)
     : m_look(document.look().id),
       m_name(std::move(name)),
       m_from(complete(document.look(), document.values())),

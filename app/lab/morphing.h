@@ -9,7 +9,7 @@
 class Morphing {
 public:
     /// `name` is the preset's.
-    Morphing(const Document& document, std::string name, Values to, double seconds);
+    Morphing(const Document& document, std::string name, const Values& to, double seconds);
 
     /// Goes on; false when it has ended.
     bool go_on(Document& document, double seconds);
