@@ -18,7 +18,7 @@ constexpr int dark_frames = 4;  // before the flash, so that what is there witho
 // In a circle smaller than a pixel, as a beam that moves is what draws segments.
 Beam flash_at(const BeamPlacing& placing, const PicturePixel& pixel, double frame_seconds) {
     constexpr int points = 16;
-    constexpr double charge = 64.0;  // of the 4096 of a sixtieth of a second
+    constexpr double charge = 16.0;  // of the 4096 of a sixtieth of a second
     const BeamPlace middle = placing.place_of(pixel);
     const double radius = placing.pixel_size() / 4.0;
     Beam beam;

@@ -33,9 +33,9 @@ struct ImpulseResponse {
     std::vector<PassImpulse> passes;
 };
 
-/// Fires a flash in the dark: the beam stands there for one frame with a 64th of the charge that it
-/// has in a sixtieth of a second; a source is white for one frame. `offline` has drawn nothing yet.
-/// Fails where nothing drives the look, and when it is cancelled.
+/// Fires a flash in the dark: the beam stands there for one frame with a 256th of the charge that
+/// it has in a sixtieth of a second; a source is white for one frame. `offline` has drawn nothing
+/// yet. Fails where nothing drives the look, and when it is cancelled.
 Result<ImpulseResponse> fire_impulse(Offline& offline, Extent size, const ImpulseQuestion& question,
                                      Work& work);
 
