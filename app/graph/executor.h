@@ -146,7 +146,7 @@ private:
     const gpu::Texture* texture_for(const BoundInput& input) const;
     void start_target(std::size_t pass, bool goes_on);
     void draw_shape(std::size_t pass);
-    bool is_kept(std::size_t pass) const;
+    bool is_remembered(std::size_t pass) const;  // later frames read it
     bool is_watched(std::size_t pass, std::int64_t frame) const;
     void look_behind(const Frame& frame, const std::vector<bool>& drawn);
 

@@ -19,7 +19,7 @@ Result<void> Executor::set_guard(Guard guard) {
     return {};
 }
 
-bool Executor::is_kept(std::size_t pass) const {
+bool Executor::is_remembered(std::size_t pass) const {
     return m_plan.targets[pass].slots > 1 || m_look.passes[pass].accumulate;
 }
 
@@ -29,9 +29,9 @@ bool Executor::is_watched(std::size_t pass, std::int64_t frame) const {
     const bool is_next = static_cast<std::size_t>(frame) % m_passes.size() == pass;
     switch (m_guard) {
         case Guard::watch:
-            return is_kept(pass) || is_next;
+            return is_remembered(pass) || is_next;
         case Guard::clamp:
-            return is_kept(pass) || m_draws_whole;
+            return is_remembered(pass) || m_draws_whole;
         default:
             return true;
     }

@@ -8,7 +8,7 @@
 #include <string>
 
 namespace {
-const std::string text = "#version 410 core\n" + curve_text + R"(
+const std::string cells_text = "#version 410 core\n" + curve_text + R"(
 uniform sampler2D shown;
 uniform vec2 cells;
 uniform bool is_lone;
@@ -34,7 +34,7 @@ bool holds_light(const gpu::Texture& texture, Encoding encoding) {
 }
 
 Result<LightCells> LightCells::make() {
-    auto program = build_measuring_program(text);
+    auto program = build_measuring_program(cells_text);
     if (!program)
         return fail(program.error());
     return LightCells(std::move(*program));

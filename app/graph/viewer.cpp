@@ -3,6 +3,8 @@
 #include "gpu/draw.h"
 #include "graph/texel_text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -39,12 +41,13 @@ uniform bool is_false_color;
 // Most views ask for nothing. What is constant costs nothing, also where a driver goes through
 // every branch.
 std::string nothing(bool is_encoded) {
-    return std::string(R"(
+    return fmt::format(R"(
 const vec2 levels = vec2(0.0, 1.0);
 const float gain = 1.0;
 const bool marks_flaws = false, marks_clipping = false, is_false_color = false;
-const bool is_encoded = )") +
-           (is_encoded ? "true;\n" : "false;\n");
+const bool is_encoded = {};
+)",
+                       is_encoded);
 }
 
 constexpr const char* view_end = R"(

@@ -204,8 +204,12 @@ void Views::draw_output(const Lab& lab, Extent extent) {
         return m_output.reset();
     const Executor& executor = lab.renderer()->executor();
     const int shown = lab.picture_pass();
-    draw_part(executor.target(shown), m_output, extent, {},
-              {.encoding = encoding_of(executor.look(), shown)});
+    const int last = static_cast<int>(executor.look().passes.size()) - 1;
+    draw_part(executor.target(shown), m_output, extent,
+              {.pass = shown,
+               .whole = executor.target(last).extent(),
+               .view = {},
+               .options = {.encoding = encoding_of(executor.look(), shown)}});
 }
 
 // The look's own picture, however it is looked at.
@@ -288,8 +292,10 @@ bool Views::draw_step(const Lab& lab, const WindowState& window) {
     const gpu::Texture* step = lab.tryouts().probe().picture();
     if (!step || window.shows_pass_large)
         return false;
-    draw_part(*step, m_picture, window.views.picture, window.picture,
-              {.encoding = Encoding::display});
+    draw_part(*step, m_picture, window.views.picture,
+              {.whole = step->extent(),
+               .view = window.picture,
+               .options = {.encoding = Encoding::display}});
     m_beside.reset();
     return true;
 }

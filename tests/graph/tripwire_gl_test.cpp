@@ -49,11 +49,11 @@ struct Tripping : Headless {
 };
 
 const std::string nan = "none / none";
-const std::string infinity = "1.0 / none";
+const std::string endless = "1.0 / none";
 }  // namespace
 
 TEST_CASE_FIXTURE(Tripping, "the first number that is not finite is found, with its place") {
-    for (const std::string& number : {nan, infinity, "-" + infinity}) {
+    for (const std::string& number : {nan, endless, "-" + endless}) {
         open(going_wrong(number, "3"), Executor::Guard::watch);
         draw(1, 2);
         CHECK_FALSE(executor->take_trip(true));
@@ -87,7 +87,7 @@ TEST_CASE_FIXTURE(Tripping, "clamped, it is gone before anybody reads it, and st
     REQUIRE(trip);
     CHECK(*trip == Trip{0, 37, 34, 3});
     CHECK_FALSE(executor->take_trip(true));
-    open(going_wrong(infinity, "3"), Executor::Guard::clamp);
+    open(going_wrong(endless, "3"), Executor::Guard::clamp);
     draw(1, 3);
     CHECK(green(0) == std::numeric_limits<float>::max());
 }

@@ -20,7 +20,7 @@ public:
     double gain() { return document().value(*find_parameter(document().look(), "gain")).number(); }
 };
 
-bool is_near(double a, double b) {
+bool is_near_on_way(double a, double b) {
     return std::abs(a - b) <= 1e-9;
 }
 }  // namespace
@@ -31,15 +31,15 @@ TEST_CASE("a morph goes to a preset's values in its time, as one step of undo an
     small.lab().morph_to(small.preset("small", {{"gain", Value(5.0)}}), 2.0);
     REQUIRE(small.lab().morphing());
     small.lab().update(0.5);
-    CHECK(is_near(small.gain(), 2.0));  // a quarter of the way from 1 to 5
-    CHECK(is_near(small.lab().morphing()->share(), 0.25));
+    CHECK(is_near_on_way(small.gain(), 2.0));  // a quarter of the way from 1 to 5
+    CHECK(is_near_on_way(small.lab().morphing()->share(), 0.25));
     small.lab().update(0.5);
-    CHECK(is_near(small.gain(), 3.0));
+    CHECK(is_near_on_way(small.gain(), 3.0));
     small.lab().record_moves(true);
     small.lab().transport().play();
     small.lab().update(0.5);
     CHECK(small.lab().moves().moves().back().name == "gain");
-    CHECK(is_near(small.lab().moves().moves().back().value.number(), 4.0));
+    CHECK(is_near_on_way(small.lab().moves().moves().back().value.number(), 4.0));
     small.lab().update(0.75);
     CHECK_FALSE(small.lab().morphing());
     CHECK(small.document().values() == Values{{"gain", Value(5.0)}});
@@ -55,7 +55,7 @@ TEST_CASE("what is locked stays, and what somebody turns ends a morph") {
     const auto file = small.preset("small", {{"gain", Value(5.0)}, {"step_size", Value(3.0)}});
     small.lab().morph_to(file, 1.0);
     small.lab().update(0.5);
-    CHECK(is_near(small.gain(), 1.0));
+    CHECK(is_near_on_way(small.gain(), 1.0));
     CHECK(small.document().values() == Values{{"step_size", Value(2.0)}});
     small.lab().edit([](Document& document) { document.set_value("gain", Value(7.0)); });
     small.lab().update(0.25);
@@ -69,7 +69,7 @@ TEST_CASE("a morph can be left half way, and goes to presets of the same look al
     small.lab().update(0.5);
     small.lab().end_morph();
     small.lab().update(0.5);
-    CHECK(is_near(small.gain(), 3.0));
+    CHECK(is_near_on_way(small.gain(), 3.0));
     CHECK_FALSE(small.document().history().is_in_gesture());
     small.lab().morph_to(small.preset("small", {{"gain", Value(3.0)}}), 1.0);
     CHECK_FALSE(small.lab().morphing());

@@ -48,7 +48,7 @@ public:
     double seen() { return static_cast<double>(gpu::read_pixel(*probe().picture(), 3, 3)[1]); }
 };
 
-bool is_near(double a, double b, double tolerance = 1e-6) {
+bool is_near_step(double a, double b, double tolerance = 1e-6) {
     return std::abs(a - b) <= tolerance;
 }
 }  // namespace
@@ -60,16 +60,16 @@ TEST_CASE("a step is shown as what it adds to the picture, and each pass by what
     CHECK(up.effect()->kind == StepEffect::Kind::seen);
     REQUIRE(up.changes().size() == 2);
     CHECK_FALSE(up.changes()[0]->has_changed());
-    CHECK(is_near(up.changes()[1]->mean, 0.01));  // a hundredth of the slider
-    CHECK(is_near(up.changes()[1]->level, 0.25));
+    CHECK(is_near_step(up.changes()[1]->mean, 0.01));  // a hundredth of the slider
+    CHECK(is_near_step(up.changes()[1]->level, 0.25));
     CHECK(up.gain() == 32.0);  // the power of two at most 0.5 / 0.01
-    CHECK(is_near(small.seen(), 0.5 + 32.0 * 0.01, 1e-5));
+    CHECK(is_near_step(small.seen(), 0.5 + 32.0 * 0.01, 1e-5));
     CHECK(up.words() ==
           "Level 0.25 → 0.26: changes the picture by up to 3 of 255 levels, 3 on "
           "average · shown 32 times as large");
 
     small.ask("level", false);
-    CHECK(is_near(small.seen(), 0.5 - 32.0 * 0.01, 1e-5));
+    CHECK(is_near_step(small.seen(), 0.5 - 32.0 * 0.01, 1e-5));
     small.lab().end_step();
     CHECK_FALSE(small.probe().picture());
     CHECK_FALSE(small.probe().question().has_value());
@@ -80,8 +80,8 @@ TEST_CASE("a step counts over the frames of the past") {
     const StepProbe& up = small.ask("light");
     REQUIRE(up.effect().has_value());
     // 0.01 a frame, halved in each: 0.02 in the end, all but 2^-20 of it after twenty frames.
-    CHECK(is_near(up.changes()[1]->mean, 0.02, 1e-4));
-    CHECK(is_near(up.changes()[0]->mean, 0.02 / 3.0, 1e-4));  // red, one of three channels
+    CHECK(is_near_step(up.changes()[1]->mean, 0.02, 1e-4));
+    CHECK(is_near_step(up.changes()[0]->mean, 0.02 / 3.0, 1e-4));  // red, one of three channels
 }
 
 TEST_CASE("a slider that changes nothing says so, and in which pass its effect ends") {
@@ -94,7 +94,7 @@ TEST_CASE("a slider that changes nothing says so, and in which pass its effect e
     const StepProbe& dead = small.ask("dead");
     CHECK(dead.effect()->kind == StepEffect::Kind::none);
     CHECK(dead.words().ends_with("changes nothing: 'show' uses it, and draws the same"));
-    CHECK(is_near(small.seen(), 0.5, 1e-6));
+    CHECK(is_near_step(small.seen(), 0.5, 1e-6));
 
     small.lab().edit([](Document& document) { document.set_value("opens", Value(1.0)); });
     small.lab().end_step();
@@ -111,11 +111,11 @@ TEST_CASE("asking for a step leaves clock, history and values as they are") {
     int turns = 0;
     for (; small.probe().is_busy() && turns < 2000; ++turns)
         small.lab().update(1.0 / 60.0);
-    CHECK(is_near(small.lab().player().time(), time + turns / 60.0, 1e-6));  // it went on
+    CHECK(is_near_step(small.lab().player().time(), time + turns / 60.0, 1e-6));  // it went on
     CHECK(small.document().state() == before);
-    CHECK(is_near(static_cast<double>(small.shown()), 0.5, 1e-5));
+    CHECK(is_near_step(static_cast<double>(small.shown()), 0.5, 1e-5));
     small.turn(1);
-    CHECK(is_near(static_cast<double>(small.shown()), 0.5, 1e-5));
+    CHECK(is_near_step(static_cast<double>(small.shown()), 0.5, 1e-5));
 }
 
 TEST_CASE("at a slider's end the answer says so, and it follows what is turned meanwhile") {

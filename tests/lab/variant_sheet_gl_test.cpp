@@ -40,7 +40,7 @@ double encoded(double light) {
     return light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
 }
 
-bool is_near(float a, double b) {
+bool is_near_cell(float a, double b) {
     return std::abs(static_cast<double>(a) - b) <= 1.0 / 255.0;
 }
 }  // namespace
@@ -53,7 +53,7 @@ TEST_CASE("a filmstrip shows the look along a slider; a click takes one of its v
     CHECK(strip.columns() == 5);
     for (std::size_t i = 0; i < 5; ++i) {
         const double light = static_cast<double>(i) / 4.0;
-        CHECK(is_near(small.color(i)[0], is_linear ? encoded(light) : light));
+        CHECK(is_near_cell(small.color(i)[0], is_linear ? encoded(light) : light));
     }
     CHECK(strip.present(small.document()) == 2);
     small.lab().take_from_sheet(3);
@@ -72,9 +72,9 @@ TEST_CASE("a contact sheet has a slider across and one down, and is drawn anew f
         small.lay_out({.across = "red", .columns = 3, .down = "kind", .rows = 2});
     REQUIRE(sheet.cells().size() == 9);  // all items of a list
     CHECK(sheet.columns() == 3);
-    CHECK(is_near(small.color(0)[1], 0.0));
-    CHECK(is_near(small.color(7)[0], small.color(1)[0]));
-    CHECK(is_near(small.color(8)[0], 1.0));
+    CHECK(is_near_cell(small.color(0)[1], 0.0));
+    CHECK(is_near_cell(small.color(7)[0], small.color(1)[0]));
+    CHECK(is_near_cell(small.color(8)[0], 1.0));
     CHECK(sheet.cells()[8].values.caption == "Red 1, Kind: All");
     small.lab().take_from_sheet(8);
     CHECK(small.document().values() == Values{{"kind", Value(2.0)}, {"red", Value(1.0)}});
@@ -84,7 +84,7 @@ TEST_CASE("a contact sheet has a slider across and one down, and is drawn anew f
     small.lab().update(0.0);
     CHECK(small.sheet().is_running());
     REQUIRE(small.turn_until([&] { return !small.sheet().is_running(); }));
-    CHECK(is_near(small.color(8)[1], 0.0));
+    CHECK(is_near_cell(small.color(8)[1], 0.0));
 }
 
 TEST_CASE("the stops of an axis lie along its slider, and what has none says so") {

@@ -1,5 +1,7 @@
 #include "model/morph.h"
 
+#include "about.h"
+
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -23,9 +25,6 @@ Value between(const Parameter& parameter, const Value& from, const Value& to, do
     return value_of(parameter, morphed(look, {{"knob", from}}, {{"knob", to}}, share));
 }
 
-bool is_near(double a, double b) {
-    return std::abs(a - b) <= 1e-12;
-}
 }  // namespace
 
 TEST_CASE("numbers go straight from one preset to the other, ratios on a logarithmic slider") {

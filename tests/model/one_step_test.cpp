@@ -1,5 +1,7 @@
 #include "model/one_step.h"
 
+#include "about.h"
+
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -24,9 +26,6 @@ std::string why_not(const Parameter& parameter, const Value& value, bool up = tr
     return next.error().front().message;
 }
 
-bool is_near(double a, double b) {
-    return std::abs(a - b) <= 1e-12 * std::max(1.0, std::abs(b));
-}
 }  // namespace
 
 TEST_CASE("one step of a slider is its step, else a hundredth of its length") {

@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 namespace {
-Pass named(const std::string& name, std::vector<Input> inputs = {}) {
+Pass switched_pass(const std::string& name, std::vector<Input> inputs = {}) {
     Pass pass;
     pass.name = name;
     pass.inputs = std::move(inputs);
@@ -19,10 +19,10 @@ using From = Input::From;
 // beam draws; light adds it to its own past; glow blurs light; the screen shows both.
 Look four_passes() {
     Look look;
-    look.passes = {named("beam"),
-                   named("light", {from(From::pass, "light", 1), from(From::pass, "beam")}),
-                   named("glow", {from(From::pass, "light")}),
-                   named("screen", {from(From::pass, "light"), from(From::pass, "glow")})};
+    look.passes = {switched_pass("beam"),
+                   switched_pass("light", {from(From::pass, "light", 1), from(From::pass, "beam")}),
+                   switched_pass("glow", {from(From::pass, "light")}),
+                   switched_pass("screen", {from(From::pass, "light"), from(From::pass, "glow")})};
     return look;
 }
 
@@ -50,14 +50,15 @@ TEST_CASE("a bypass hands on the first input that is not the pass's own past") {
     REQUIRE(handed_on(look.passes[1]));
     CHECK(handed_on(look.passes[1])->name == "beam");
     CHECK(handed_on(look.passes[3])->name == "light");
-    CHECK(handed_on(named("tinted", {from(From::image, "lut"), from(From::source)}))->from ==
-          From::source);
-    CHECK(handed_on(named("shown", {from(From::image, "lut")}))->name == "lut");
+    CHECK(
+        handed_on(switched_pass("tinted", {from(From::image, "lut"), from(From::source)}))->from ==
+        From::source);
+    CHECK(handed_on(switched_pass("shown", {from(From::image, "lut")}))->name == "lut");
 }
 
 TEST_CASE("a pass without anything to hand on says why it cannot be bypassed") {
     Look look = four_passes();
-    look.passes.push_back(named("count", {from(From::pass, "count", 1)}));
+    look.passes.push_back(switched_pass("count", {from(From::pass, "count", 1)}));
     CHECK(reason(switched(look, {}, PassSwitch::bypass, "beam")) ==
           "'beam' reads no picture, so there is nothing that a bypass could hand on");
     CHECK(reason(switched(look, {}, PassSwitch::bypass, "count")) ==
