@@ -2,7 +2,9 @@
 
 #include "graph/light_cells.h"
 
+#include <cstdint>
 #include <deque>
+#include <optional>
 #include <vector>
 
 /// How often the picture flashes: its cells of every frame, counted when they have come.
@@ -10,8 +12,15 @@ class FlashMeter {
 public:
     static Result<FlashMeter> make();
 
-    /// To be called after a frame, with the time at which it is seen. Never waits for the GPU.
-    void update(const gpu::Texture& picture, Encoding encoding, double seconds);
+    /// A frame; another `number` whenever it may be another picture.
+    struct Seen {
+        const gpu::Texture& picture;
+        Encoding encoding;
+        std::uint64_t number;
+    };
+    /// To be called after a frame, with the time at which it is seen. A picture that rests is
+    /// looked at again only until its flashes are forgotten. Never waits for the GPU.
+    void update(const Seen& seen, double seconds);
     /// Nobody looks any more.
     void stop();
 
@@ -31,4 +40,5 @@ private:
     std::deque<Coming> m_coming;
     FlashCounter m_counter;
     Flashes m_flashes;
+    std::optional<std::uint64_t> m_number;  // of the picture that was looked at last
 };

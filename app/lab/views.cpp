@@ -218,8 +218,9 @@ void Views::count_flashes(const Lab& lab, const WindowState& window) {
         return m_flash_meter.stop();
     const Executor& executor = lab.renderer()->executor();
     const int last = static_cast<int>(executor.look().passes.size()) - 1;
-    m_flash_meter.update(executor.target(last), encoding_of(executor.look(), last),
-                         present_seconds());
+    m_flash_meter.update(
+        {executor.target(last), encoding_of(executor.look(), last), executor.picture_number()},
+        present_seconds());
 }
 
 // All that is on the screen in its place, whatever it is compared with.

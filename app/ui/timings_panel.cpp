@@ -113,7 +113,7 @@ void draw_pass(std::size_t pass, const Scene& scene, float most, float height) {
     list.AddText({plot.low.x + 4.0f, plot.low.y}, theme::packed(theme::label), name.c_str());
     const double latest = scene.lab.renderer()->latest_pass_milliseconds()[pass];
     write(plot.low.x + room + gap + time_width, fmt::format("{:.2f} ms", latest), theme::text);
-    const double bytes = static_cast<double>(memory_of(executor.plan().targets[pass]));
+    const auto bytes = static_cast<double>(memory_of(executor.plan().targets[pass]));
     write(plot.low.x + width, fmt::format("{:.1f} MiB", bytes / mebibyte), theme::dim);
 }
 
@@ -131,7 +131,7 @@ void draw_passes(const Scene& scene) {
     const float height = ImGui::GetTextLineHeight() * 1.35f;
     for (std::size_t pass = 0; pass < count; ++pass)
         draw_pass(pass, scene, static_cast<float>(most), height);
-    const double bytes = static_cast<double>(memory_of(renderer.executor().plan()));
+    const auto bytes = static_cast<double>(memory_of(renderer.executor().plan()));
     const std::string sum = fmt::format("{:.1f} MiB in all", bytes / mebibyte);
     ImGui::SetCursorPosX(ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(sum.c_str()).x);
     dim_text(sum);

@@ -22,7 +22,7 @@ public:
     /// Whether the person did anything that this frame answers.
     bool has_input() const { return m_has_input; }
     /// Takes what was done on another window as if it had been done on this one.
-    void also_take(std::vector<gpu::InputEvent> events) { m_input.add(std::move(events)); }
+    void also_take(const std::vector<gpu::InputEvent>& events) { m_input.add(events); }
     /// Begins a frame at a scale of text and controls; `scale` 1 is the display's own.
     void begin(float scale);
     /// Draws what was asked for since begin().
@@ -31,8 +31,8 @@ public:
     /// What is wrong with the number that was typed last, once; "" when nothing is.
     std::string take_complaint() { return std::exchange(m_typing.complaint, {}); }
 
-    /// CPU time of this thread from begin() to the end of the last frame's panels; what GL then makes
-    /// of their triangles does not count.
+    /// CPU time of this thread from begin() to the end of the last frame's panels; what GL then
+    /// makes of their triangles does not count.
     double panel_milliseconds() const { return m_panel_milliseconds; }
 
     const Fonts& fonts() const { return m_fonts; }

@@ -352,12 +352,12 @@ class Measuring(ProgramTest):
 
 class WithoutDisplay(ProgramTest):
     def test_the_window_says_what_it_found_and_renders_instead(self):
-        result = run("phosphor", cwd=self.folder, XDG_STATE_HOME=self.folder)
+        result = run("crt", cwd=self.folder, XDG_STATE_HOME=self.folder)
         self.assert_done(result)
         self.assertIn("display", result.stderr.lower())
-        width, height, _ = read_png(self.folder / "afterglow-phosphor.png")
+        width, height, _ = read_png(self.folder / "afterglow-crt.png")
         self.assertEqual((width, height), (1280, 720))
-        self.assertIn("afterglow-phosphor.png", result.stdout)
+        self.assertIn("afterglow-crt.png", result.stdout)
 
 
 if __name__ == "__main__":

@@ -27,13 +27,14 @@ struct Flashing : Headless {
     /// The most that a meter tells of the frames that `shown` gives.
     template <class Shown>
     Flashes counted(int period, Shown shown) {
+        std::uint64_t number = 0;
         auto meter = FlashMeter::make();
         REQUIRE(meter.has_value());
         Flashes most;
         for (int frame = 0; frame < 120; ++frame) {
             draw(frame, period);
             const double seconds = frame / 60.0;
-            meter->update(shown(seconds), Encoding::display, seconds);
+            meter->update({shown(seconds), Encoding::display, ++number}, seconds);
             gpu::finish();  // else some frames might be passed over
             most = {std::max(most.general, meter->flashes().general),
                     std::max(most.red, meter->flashes().red)};

@@ -13,7 +13,7 @@ public:
         preset.look = look;
         preset.name = "Far";
         preset.values = std::move(values);
-        const auto file = folder() / "far.json";
+        auto file = folder() / "far.json";
         REQUIRE(save_preset(file, preset).has_value());
         return file;
     }

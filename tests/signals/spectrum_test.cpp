@@ -128,8 +128,7 @@ TEST_CASE("the settings of a spectrum reach it: FFT size, smoothing, floor and c
     CHECK(std::abs(missing + 20.0 * std::log10(1.0 - std::exp(-1.0))) < 0.1);
 }
 
-TEST_CASE(
-    "what lies above half the sound's rate is at the floor, and a bad range is refused") {
+TEST_CASE("what lies above half the sound's rate is at the floor, and a bad range is refused") {
     const auto sound = sound_of(
         8000, 8000, [](int i) { return i % 2 == 0 ? 0.9 : -0.9; }, [](int) { return 0.0; });
     const Beam beam = beam_of(*signal_of("audio:a.wav,mode=spectrum,low=4100,high=20000", sound),

@@ -1,6 +1,6 @@
 """A person keeps and shares what they found."""
 
-from person import PICTURE, WINDOW, Person, write_tones
+from person import PICTURE, Person, write_tones
 
 
 class Keeping(Person):
@@ -189,6 +189,3 @@ class Keeping(Person):
         program.key("Return")
         program.wait("the arrows chose the second folder", lambda s: "file:phosphor" in s["widgets"])
         program.key("Escape")
-        program.quit()
-        program.arrange(*WINDOW, self.size)
-        program.start()

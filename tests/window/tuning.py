@@ -212,9 +212,9 @@ class Tuning(Person):
         program = self.program
         program.key("ctrl+f", "ctrl+a", "BackSpace", "Return")
         x, y = program.middle("search")
-        self.screen.do("mousemove", x, y + 100, *["click", 5] * 60)
+        self.screen.do("mousemove", x, y + 100, *["click", 5] * 28)
         program.wait("the end is there", lambda s: "label:as_written" in s["widgets"])
-        self.screen.do(*["click", 4] * 60)
+        self.screen.do(*["click", 4] * 28)
         program.wait("and the beginning again", lambda s: "label:as_written" not in s["widgets"])
 
     def test_one_key_wipes_to_the_articles_own_picture(self):
