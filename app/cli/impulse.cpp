@@ -12,7 +12,7 @@
 namespace {
 constexpr std::array channels{"red", "green", "blue"};
 
-struct Arguments {
+struct ImpulseArguments {
     LookOptions look{"640x360"};
     std::string place = "0.5,0.5";
     double seconds = 2.0;
@@ -72,7 +72,7 @@ void print_table(const ImpulseResponse& response) {
             milliseconds(pass.fall.half_life));
 }
 
-int impulse(const Arguments& arguments, const std::string& data) {
+int impulse(const ImpulseArguments& arguments, const std::string& data) {
     const RenderRequest request = arguments.look.request();
     const ImpulseQuestion question{parse_place(arguments.place), request.fps, arguments.seconds};
     const auto work = [&](Offline& offline, const Library&) -> Result<void> {
@@ -91,7 +91,7 @@ int impulse(const Arguments& arguments, const std::string& data) {
 Command add_impulse(CommandLine& program) {
     Options options =
         program.add_verb("impulse", "Fire one flash and tell how it falls in every pass");
-    auto arguments = std::make_shared<Arguments>();
+    auto arguments = std::make_shared<ImpulseArguments>();
     arguments->look.add_to(options, LookOptions::Take::drawing);
     options
         .add("--at", arguments->place,

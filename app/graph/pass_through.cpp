@@ -5,7 +5,7 @@
 #include <string>
 
 namespace {
-constexpr const char* vertex_text = R"(#version 410 core
+constexpr const char* through_vertex = R"(#version 410 core
 out vec2 uv;
 void main() {
     uv = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);
@@ -28,7 +28,7 @@ Result<PassThrough> PassThrough::make() {
     std::vector<gpu::Program> programs;
     for (const bool to_naturals : {false, true})
         for (const bool from_naturals : {false, true}) {
-            auto program = gpu::Program::build({{}, vertex_text, {}},
+            auto program = gpu::Program::build({{}, through_vertex, {}},
                                                {{}, fragment_text(from_naturals, to_naturals), {}});
             if (!program)
                 return fail(program.error());

@@ -2,21 +2,16 @@
 
 #include "gpu/draw.h"
 #include "gpu/readback.h"
+#include "graph/measuring.h"
 #include "model/gain.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace {
-constexpr int block_side = 16;
-constexpr int block_texels = block_side * block_side;
+constexpr int trip_block_side = 16;
+constexpr int block_texels = trip_block_side * trip_block_side;
 constexpr std::int64_t most_frames = 65535;  // codes stay below 2^24, exact in a float
-
-constexpr const char* vertex_text = R"(#version 410 core
-void main() {
-    gl_Position = vec4(vec2((gl_VertexID << 1) & 2, gl_VertexID & 2) * 2.0 - 1.0, 0.0, 1.0);
-}
-)";
 
 // One fragment a block. The code is the greater the earlier the frame and the texel, and GL_MAX
 // keeps the greatest: what came first is not overwritten by what came of it.
@@ -57,23 +52,19 @@ void main() {
 }
 )";
 
-Result<gpu::Program> build(const char* fragment) {
-    return gpu::Program::build({{}, vertex_text, {}}, {{}, fragment, {}});
+Extent trip_blocks_of(Extent extent) {
+    return {(extent.width + trip_block_side - 1) / trip_block_side,
+            (extent.height + trip_block_side - 1) / trip_block_side};
 }
 
-Extent blocks_of(Extent extent) {
-    return {(extent.width + block_side - 1) / block_side,
-            (extent.height + block_side - 1) / block_side};
-}
-
-constexpr Sampler as_stored{Filter::nearest, Wrap::edge, false};
+constexpr Sampler trip_sampler{Filter::nearest, Wrap::edge, false};
 }  // namespace
 
 Result<Tripwire> Tripwire::make() {
-    auto finder = build(finder_text);
+    auto finder = build_measuring_program(finder_text);
     if (!finder)
         return fail(finder.error());
-    auto mender = build(mender_text);
+    auto mender = build_measuring_program(mender_text);
     if (!mender)
         return fail(mender.error());
     return Tripwire(std::move(*finder), std::move(*mender));
@@ -86,7 +77,7 @@ Tripwire::Watch* Tripwire::watch_for(std::size_t pass, const gpu::Texture& targe
         return &found->second;
     if (found != m_watches.end())
         m_watches.erase(found);
-    auto blocks = gpu::Canvas::make(blocks_of(target.extent()), Format::r32f);
+    auto blocks = gpu::Canvas::make(trip_blocks_of(target.extent()), Format::r32f);
     if (!blocks)
         return nullptr;
     return &m_watches.emplace(pass, Watch{std::move(*blocks), target.extent()}).first->second;
@@ -106,7 +97,7 @@ void Tripwire::begin(std::int64_t frame) {
 void Tripwire::draw_found(const Watch& watch, const gpu::Texture& target, std::int64_t frame) {
     m_finder.write("frames_left",
                    std::array{static_cast<double>(most_frames - (frame - *m_first_frame))});
-    m_samplers.bind(0, target, as_stored);
+    m_samplers.bind(0, target, trip_sampler);
     watch.blocks.bind();
     gpu::set_blend(Blend::maximum);
     m_finder.use();
@@ -168,10 +159,10 @@ void Tripwire::draw_mended(Watch& watch, const gpu::Canvas& target) {
     m_mender.write("most", std::array{format_limit(texture.format())});
     m_mender.use();
     m_vertices.bind();
-    m_samplers.bind(0, texture, as_stored);
+    m_samplers.bind(0, texture, trip_sampler);
     watch.spare->bind();
     gpu::draw_triangle();
-    m_samplers.bind(0, watch.spare->texture(), as_stored);
+    m_samplers.bind(0, watch.spare->texture(), trip_sampler);
     target.bind();
     gpu::draw_triangle();
 }
@@ -185,8 +176,8 @@ std::optional<Trip> Tripwire::first_in(std::size_t pass, const Watch& watch) con
     const auto code = static_cast<std::int64_t>(*greatest);
     const auto texel = block_texels - 1 - static_cast<int>(code % block_texels);
     const int row = codes.extent.height - 1 - block / codes.extent.width;  // from the bottom
-    return Trip{pass, block % codes.extent.width * block_side + texel % block_side,
-                watch.target.height - 1 - (row * block_side + texel / block_side),
+    return Trip{pass, block % codes.extent.width * trip_block_side + texel % trip_block_side,
+                watch.target.height - 1 - (row * trip_block_side + texel / trip_block_side),
                 *m_first_frame + most_frames - code / block_texels};
 }
 

@@ -6,8 +6,8 @@
 #include <chrono>
 
 namespace {
-constexpr double pause_seconds = 0.2;
-constexpr double most_share = 0.1;  // of the time
+constexpr double inspection_pause = 0.2;
+constexpr double inspection_share = 0.1;  // of the time
 constexpr std::size_t bin_count = 128;
 }  // namespace
 
@@ -47,5 +47,5 @@ void Inspection::update(const gpu::Texture& target, const Subject& subject, doub
         return;
     const auto start = std::chrono::steady_clock::now();
     m_meter.start(target, subject.channels);
-    m_due = seconds + std::max(pause_seconds, seconds_since(start) / most_share);
+    m_due = seconds + std::max(inspection_pause, seconds_since(start) / inspection_share);
 }

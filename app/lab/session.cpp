@@ -69,17 +69,17 @@ DocumentState document_state(const SessionState& saved, const Ground& ground) {
     return state;
 }
 
-using Steps = std::vector<Undo<DocumentState>::Step>;
+using HistorySteps = std::vector<Undo<DocumentState>::Step>;
 
-std::vector<SessionState> session_states(const Steps& steps, const Look& look) {
+std::vector<SessionState> session_states(const HistorySteps& steps, const Look& look) {
     std::vector<SessionState> states;
     for (const auto& step : steps)
         states.push_back(session_state(step.state, look, step.name));
     return states;
 }
 
-Steps document_steps(const std::vector<SessionState>& states, const Ground& ground) {
-    Steps steps;
+HistorySteps document_steps(const std::vector<SessionState>& states, const Ground& ground) {
+    HistorySteps steps;
     for (const SessionState& state : states)
         steps.push_back({document_state(state, ground), state.step});
     return steps;

@@ -1,14 +1,12 @@
 #include "lab/trial.h"
 
+#include "base/elapsed.h"
+
 #include <algorithm>
 #include <chrono>
 
 namespace {
 constexpr double patience_seconds = 0.01;  // of accumulating passes
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 std::vector<PlayedFrame> latest(const Player& player, std::size_t frames) {
     const auto& past = player.past();

@@ -52,7 +52,7 @@ double shown_seconds(const ImpulseResponse& response) {
     return std::min(std::max(longest * 1.1, least_seconds), response.seconds.back());
 }
 
-struct Plot {
+struct ImpulsePlot {
     ImVec2 low;  // top left
     ImVec2 size;
     double seconds;
@@ -65,7 +65,7 @@ struct Plot {
     }
 };
 
-void draw_grid(const Plot& plot, ImDrawList& list) {
+void draw_grid(const ImpulsePlot& plot, ImDrawList& list) {
     const ImU32 line = ImGui::GetColorU32(theme::line);
     const ImU32 words = ImGui::GetColorU32(theme::dim);
     for (const auto& [share, label] : {std::pair{1.0, "peak"}, std::pair{0.1, "10 %"},
@@ -93,7 +93,7 @@ void draw_plot(const ImpulseResponse& response, Edits& edits) {
     ImGui::Dummy({width, height + ImGui::GetFontSize() * 1.4f});
     edits.mark("impulse_plot");
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const Plot plot{low, {width, height}, shown_seconds(response)};
+    const ImpulsePlot plot{low, {width, height}, shown_seconds(response)};
     list.AddRectFilled(low, {low.x + width, low.y + height}, ImGui::GetColorU32(theme::field));
     draw_grid(plot, list);
     for (std::size_t pass = 0; pass < response.passes.size(); ++pass) {

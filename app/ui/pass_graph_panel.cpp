@@ -126,7 +126,7 @@ void draw_edge(const Edge& edge, const PassGraph& graph, const Paper& paper, ImU
         draw_forward(edge, graph, paper, color, width);
 }
 
-std::string own_name(const std::string& name) {
+std::string node_name(const std::string& name) {
     return name.substr(name.find('/') + 1);
 }
 
@@ -189,7 +189,7 @@ void draw_node(std::size_t index, const PassGraph& graph, const Paper& paper, co
     list.AddRectFilled(low, high, theme::packed(is_hovered ? theme::field_hovered : theme::field),
                        round);
     list.AddRect(low, high, theme::packed(is_chosen ? theme::accent : theme::faint), round);
-    const std::string words = own_name(node.name);
+    const std::string words = node_name(node.name);
     const ImVec2 text = ImGui::CalcTextSize(words.c_str());
     list.AddText({middle.x - text.x * 0.5f, middle.y - text.y * 0.5f},
                  theme::packed(is_pass ? theme::text : theme::dim), words.c_str());
@@ -205,7 +205,7 @@ Paper paper_for(const PassGraph& graph) {
     Paper paper;
     float widest = 0.0f;
     for (const Node& node : graph.nodes)
-        widest = std::max(widest, ImGui::CalcTextSize(own_name(node.name).c_str()).x);
+        widest = std::max(widest, ImGui::CalcTextSize(node_name(node.name).c_str()).x);
     const float letter = ImGui::GetFontSize();
     const ImVec2 room = ImGui::GetContentRegionAvail();
     paper.node = {widest + letter, std::floor(letter * 1.6f)};

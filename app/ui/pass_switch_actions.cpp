@@ -62,7 +62,7 @@ struct MenuLine {
     const char* help;
 };
 
-constexpr std::array items{
+constexpr std::array switch_items{
     MenuLine{PassSwitch::bypass, "Bypass",
              "It hands on the first picture that it reads, as it is."},
     MenuLine{PassSwitch::solo, "Solo", "This pass alone is seen, in the place of the picture."},
@@ -81,7 +81,7 @@ void pass_switch_actions::show_picture(const Scene& scene, Edits& edits) {
 }
 
 void pass_switch_actions::draw_items(const std::string& pass, const Scene& scene, Edits& edits) {
-    for (const MenuLine& item : items) {
+    for (const MenuLine& item : switch_items) {
         const bool is_on = scene.lab.pass_switches().has(item.which, pass);
         if (ImGui::MenuItem(item.label, nullptr, is_on))
             toggle(item.which, pass, edits);

@@ -15,7 +15,7 @@ struct SlotActions {
     ActionId recall;
     ActionId compare;
 };
-constexpr std::array<SlotActions, 3> slot_actions{
+constexpr std::array<SlotActions, 3> button_actions{
     {{ActionId::keep_a, ActionId::recall_a, ActionId::with_a},
      {ActionId::keep_b, ActionId::recall_b, ActionId::with_b},
      {ActionId::keep_c, ActionId::recall_c, ActionId::with_c}}};
@@ -39,7 +39,7 @@ void draw_menu(std::size_t number, const Scene& scene, Edits& edits) {
     if (!ImGui::BeginPopupContextItem())
         return;
     const ScopedFont font(scene.fonts.text);
-    const SlotActions& of = slot_actions[number];
+    const SlotActions& of = button_actions[number];
     const bool is_filled = scene.lab.slots()[number].has_value();
     const std::string name = "slot:" + slot_name(number);
     for (const ActionId id : {of.keep, of.recall, of.compare}) {
@@ -55,7 +55,7 @@ void draw_menu(std::size_t number, const Scene& scene, Edits& edits) {
 
 void click(std::size_t number, const Scene& scene, Edits& edits) {
     const ImGuiIO& io = ImGui::GetIO();
-    const SlotActions& of = slot_actions[number];
+    const SlotActions& of = button_actions[number];
     if (io.KeyShift || !scene.lab.slots()[number])
         run(of.keep, scene, edits);
     else
@@ -97,7 +97,7 @@ float slot_buttons_width() {
 
 void draw_slot_buttons(const Scene& scene, Edits& edits) {
     const ScopedDisabled off(!scene.lab.document());
-    for (std::size_t number = 0; number < slot_actions.size(); ++number) {
+    for (std::size_t number = 0; number < button_actions.size(); ++number) {
         if (number > 0)
             ImGui::SameLine(0.0f, 2.0f);
         draw_slot(number, scene, edits);

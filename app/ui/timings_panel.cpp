@@ -148,8 +148,9 @@ void draw_timings_panel(const Scene& scene, Edits& edits) {
     ImGui::BeginGroup();
     draw_pace(scene.pace, width, height, scene.scale);
     ImGui::AlignTextToFramePadding();
-    fitted_text(fmt::format("wall time, 60 and 30 Hz; panels {:.2f} ms", scene.panel_milliseconds),
-                width, theme::dim);
+    fitted_text("wall time, 60 and 30 Hz", width, theme::dim);
+    tooltip(fmt::format("From frame to frame. The panels took {:.2f} ms of CPU of the last one.",
+                        scene.panel_milliseconds));
     ImGui::EndGroup();
     ImGui::SameLine(0.0f, gap);
     ImGui::BeginGroup();

@@ -77,6 +77,7 @@ bool is_lingered_on() {
 void tooltip(const std::string& text) {
     if (text.empty() || !is_lingered_on())
         return;
+    const ScopedColor color(ImGuiCol_Text, theme::text);  // whatever the item's own is
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24.0f);
     ImGui::TextUnformatted(text.c_str());

@@ -13,7 +13,7 @@ constexpr const char* stacked_picture = R"({
   "passes": [ { "name": "show", "fragment": "show.frag", "format": "rgba32f", "scale": SCALE,
                 "inputs": { "image": "SOURCE" } } ]
 })";
-constexpr const char* gain = R"(#version 410 core
+constexpr const char* gain_text = R"(#version 410 core
 uniform sampler2D image;
 uniform vec2 u_source_resolution;
 uniform float gain = 0.5;  // @range 0 8
@@ -42,7 +42,7 @@ void write_gain(const TemporaryFolder& folder, const std::string& id, const std:
     std::string manifest = replaced(stacked_picture, "READS", reads);
     manifest = replaced(replaced(manifest, "SOURCE", source), "SCALE", scale);
     folder.write("shaders/" + id + "/look.json", manifest);
-    folder.write("shaders/" + id + "/show.frag", gain);
+    folder.write("shaders/" + id + "/show.frag", gain_text);
 }
 
 void write_constant(const TemporaryFolder& folder) {
@@ -153,7 +153,7 @@ struct StackLab : SmallLab {
         write("look.json", replaced(small_look::manifest, "\"sum@1\"", "\"show@1\"").c_str());
         wait_for_frames();
     }
-    fs::path write_other(const std::string& text = gain) {
+    fs::path write_other(const std::string& text = gain_text) {
         fs::path other = look_folder().parent_path() / "gain";
         fs::create_directories(other);
         const std::string manifest =
@@ -252,15 +252,16 @@ TEST_CASE("any look of a stack is followed when its files change; a mistake leav
     const fs::path other = small.write_other();
     small.lab().open("small+gain");
     REQUIRE(small.shows("small+gain"));
-    REQUIRE(write_atomically(other / "show.frag", replaced(gain, "gain = 0.5", "gain = 0.25"))
+    REQUIRE(write_atomically(other / "show.frag", replaced(gain_text, "gain = 0.5", "gain = 0.25"))
                 .has_value());
     REQUIRE(small.turn_until([&] { return small.value("gain/gain") == 0.25; }));
-    REQUIRE(write_atomically(other / "show.frag", replaced(gain, "uv) *", "uvv) *")).has_value());
+    REQUIRE(
+        write_atomically(other / "show.frag", replaced(gain_text, "uv) *", "uvv) *")).has_value());
     REQUIRE(small.turn_until([&] { return !small.lab().problems().empty(); }));
     CHECK(small.lab().problems().front().diagnostic.file == other / "show.frag");
     CHECK(small.document().look().id == "small+gain");
     small.write("gain.glsl", "uniform float gain = 2.0;  // @range 0 8\n");
-    REQUIRE(write_atomically(other / "show.frag", gain).has_value());
+    REQUIRE(write_atomically(other / "show.frag", gain_text).has_value());
     REQUIRE(small.turn_until([&] { return small.value("small/gain") == 2.0; }));
     CHECK(small.turn_until([&] { return small.lab().problems().empty(); }));
 }

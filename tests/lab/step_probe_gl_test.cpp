@@ -6,7 +6,7 @@
 
 namespace {
 // kept counts `light` up over the frames; show adds `level`, and `hidden` only where `opens` is on.
-constexpr const char* kept = R"(#version 410 core
+constexpr const char* counting_text = R"(#version 410 core
 uniform sampler2D previous;
 uniform float light = 0.0;   // @range 0 1
 uniform float hidden = 0.125;  // @range 0 1
@@ -14,7 +14,7 @@ in vec2 uv;
 out vec4 color;
 void main() { color = texture(previous, uv) * 0.5 + vec4(light, hidden, 0.0, 1.0); }
 )";
-constexpr const char* show = R"(#version 410 core
+constexpr const char* adding_text = R"(#version 410 core
 uniform sampler2D image;
 uniform float level = 0.25;  // @range 0 1
 uniform float dead = 0.5;    // @range 0 1
@@ -31,8 +31,8 @@ void main() {
 class Probing : public SmallLab {
 public:
     Probing() {
-        write_by_rename("sum.frag", kept);
-        write_by_rename("show.frag", show);
+        write_by_rename("sum.frag", counting_text);
+        write_by_rename("show.frag", adding_text);
         REQUIRE(turn_until([&] {
             return find_parameter(document().look(), "level") &&
                    find_parameter(document().look(), "light");

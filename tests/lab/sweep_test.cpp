@@ -40,7 +40,7 @@ std::vector<double> numbers_of(std::string_view text) {
     return numbers;
 }
 
-std::string refusal_of(std::string_view text) {
+std::string sweep_refusal(std::string_view text) {
     const Look look = look_to_vary();
     const auto axis = parse_sweep_axis(text, look);
     REQUIRE_FALSE(axis.has_value());
@@ -66,15 +66,17 @@ TEST_CASE("a list is taken as it is, items by their names") {
 }
 
 TEST_CASE("what cannot be varied is refused in plain words") {
-    CHECK(refusal_of("decay") == "'decay' is not of the form name=low:high:count or name=a,b,c");
-    CHECK(refusal_of("dekay=0:1:2") == "'test' has no parameter 'dekay' (did you mean 'decay'?)");
-    CHECK(refusal_of("decay=0:1") ==
+    CHECK(sweep_refusal("decay") == "'decay' is not of the form name=low:high:count or name=a,b,c");
+    CHECK(sweep_refusal("dekay=0:1:2") ==
+          "'test' has no parameter 'dekay' (did you mean 'decay'?)");
+    CHECK(sweep_refusal("decay=0:1") ==
           "'decay=0:1' is not of the form name=low:high:count, with a count from 2 to 100");
-    CHECK(refusal_of("decay=0:1:101") ==
+    CHECK(sweep_refusal("decay=0:1:101") ==
           "'decay=0:1:101' is not of the form name=low:high:count, with a count from 2 to 100");
-    CHECK(refusal_of("decay=0:2:3").find("'decay' must lie between 0 and 1") == 0);
-    CHECK(refusal_of("color=0:1:3") == "'color' is not a single number; only such can be varied");
-    CHECK(refusal_of("tone_map=Clamp,Acid").find("'tone_map' takes") == 0);
+    CHECK(sweep_refusal("decay=0:2:3").find("'decay' must lie between 0 and 1") == 0);
+    CHECK(sweep_refusal("color=0:1:3") ==
+          "'color' is not a single number; only such can be varied");
+    CHECK(sweep_refusal("tone_map=Clamp,Acid").find("'tone_map' takes") == 0);
 }
 
 TEST_CASE("every combination comes once, the first parameter fastest") {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace {
-constexpr const char* show = R"(#version 410 core
+constexpr const char* sheet_text = R"(#version 410 core
 uniform sampler2D image;
 uniform float red = 0.5;   // @range 0 1
 uniform float green = 0.5; // @range 0 1  @label "Green light"
@@ -20,7 +20,7 @@ void main() { color = vec4(red, green * float(kind), 0.0 * (texture(image, uv).r
 class Laying : public SmallLab {
 public:
     Laying() {
-        write_by_rename("show.frag", show);
+        write_by_rename("show.frag", sheet_text);
         REQUIRE(turn_until([&] { return find_parameter(document().look(), "red"); }));
         turn(5);
     }

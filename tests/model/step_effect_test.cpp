@@ -12,7 +12,7 @@ constexpr PassChange same{0.0, 0.0, 0.5};
 constexpr PassChange other{0.01, 0.2, 0.5};
 
 // beam -> kept (reads itself) -> bloom -> show, which reads kept too.
-Look scope() {
+Look scope_look() {
     Look look;
     const auto add = [&](const char* name, std::initializer_list<const char*> reads) {
         Pass pass;
@@ -37,7 +37,7 @@ Parameter used_by(int pass) {
 }  // namespace
 
 TEST_CASE("a change that reaches the picture is told in levels of a display") {
-    const Look look = scope();
+    const Look look = scope_look();
     const PassChange picture{0.8 / 255.0, 14.0 / 255.0, 0.3};
     const auto effect = effect_of(look, used_by(0), {other, other, other, picture});
     CHECK(effect.kind == Kind::seen);
@@ -52,7 +52,7 @@ TEST_CASE("a change that reaches the picture is told in levels of a display") {
 }
 
 TEST_CASE("a change that does not reach the picture names where it ends") {
-    const Look look = scope();
+    const Look look = scope_look();
     const auto effect = effect_of(look, used_by(2), {same, same, other, same});
     CHECK(effect.kind == Kind::lost);
     CHECK(effect.last_changed == "bloom");
@@ -75,7 +75,7 @@ TEST_CASE("a change that does not reach the picture names where it ends") {
 }
 
 TEST_CASE("where no pass changes, those that use the parameter are named") {
-    const Look look = scope();
+    const Look look = scope_look();
     const auto effect = effect_of(look, used_by(3), {same, same, same, same});
     CHECK(effect.kind == Kind::none);
     CHECK(effect_text(effect, same) == "changes nothing: 'show' uses it, and draws the same");
