@@ -4,7 +4,6 @@
 #include "model/picture.h"
 
 #include <filesystem>
-#include <string>
 
 /// A picture as stored: 1, 3 or 4 channels (grey with alpha becomes RGBA), alpha unassociated,
 /// turned upright as its file says. Whole-number files (PNG, JPEG) are display-encoded, float files
@@ -15,11 +14,7 @@ struct SaveOptions {
     bool half = false;  // .exr: 16-bit floats instead of 32-bit ones
 };
 
-/// By extension: `.png` is 8-bit RGB, display values as they are, linear ones clamped and
-/// sRGB-encoded;
-/// `.exr` holds the stored values, alpha associated. The same pixels give the same bytes; atomic.
+/// By extension: `.png` is 8-bit RGB as encode_png says; `.exr` holds the stored values, alpha
+/// associated. The same pixels give the same bytes; atomic.
 Result<void> save_picture(const Picture& picture, const std::filesystem::path& file,
                           const SaveOptions& options = {});
-
-/// The bytes of the `.png` that save_picture writes; errors carry no file.
-Result<std::string> encode_png(const Picture& picture);

@@ -6,6 +6,7 @@
 #include "formats/share_line.h"
 #include "io/atomic_file.h"
 #include "io/picture_file.h"
+#include "io/png_encoder.h"
 
 namespace fs = std::filesystem;
 

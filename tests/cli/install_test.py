@@ -31,6 +31,12 @@ class InstallTest(unittest.TestCase):
             run("render", "phosphor", "--preset", "amber-p3", "--size", "64x48", "--frames", "1",
                 "-o", picture)
             self.assertEqual(picture.read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
+            # reading takes the module of the picture formats, which was installed too
+            self.assertIn("max    0", run("compare", picture, picture).stdout)
+            next(prefix.glob("lib*/**/afterglow-pictures.so")).unlink()
+            with self.assertRaises(subprocess.CalledProcessError) as refused:
+                run("compare", picture, picture)
+            self.assertRegex(refused.exception.stderr, "trace.png: error: .*installed anew")
 
 
 if __name__ == "__main__":

@@ -4,6 +4,7 @@
 #include "formats/preset_format.h"
 #include "formats/sample_preset.h"
 #include "io/picture_file.h"
+#include "io/png_encoder.h"
 #include "io/png_chunks.h"
 #include "io/temporary_folder.h"
 

@@ -2,6 +2,7 @@
 
 #include "about.h"
 #include "io/temporary_folder.h"
+#include "io/png_encoder.h"
 #include "model/color.h"
 
 #include <OpenImageIO/imageio.h>

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "base/diagnostic.h"
+#include "model/picture.h"
+
+#include <filesystem>
+#include <string>
+
+/// What the module of the picture formats does (app/pictures/). It is no part of the program: the
+/// library behind it brings more than 200 others, and to load them takes longer than all else that
+/// a start does. Nothing of these throws.
+struct PictureCodec {
+    /// A file whose format has this name (picture_kind); sizes, channels, alpha and turning as
+    /// load_picture says.
+    Result<Picture> (*read)(const std::filesystem::path& file, const std::string& kind);
+
+    /// The bytes of an EXR of the stored values, 16-bit floats where `half`; errors carry no file.
+    Result<std::string> (*encode_exr)(const Picture& picture, bool half);
+};
+
+/// Loads the module at the first call, 0.3 s; from any thread. The error says why it cannot be.
+Result<const PictureCodec*> picture_codec();
+
+/// What the module exports, and under which name.
+extern "C" const PictureCodec* afterglow_picture_codec();
+constexpr const char* picture_codec_symbol = "afterglow_picture_codec";
+constexpr const char* picture_codec_file = "afterglow-pictures.so";

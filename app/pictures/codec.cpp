@@ -1,0 +1,165 @@
+#include "base/text.h"
+#include "io/picture_codec.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imagebufalgo.h>
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+
+#include <cassert>
+#include <cstdint>
+
+namespace fs = std::filesystem;
+
+namespace {
+constexpr int largest_side = 16384;
+constexpr std::int64_t most_pixels = std::int64_t{64} << 20;
+
+// Marks a file of ours whose alpha is data that the colours were never multiplied by.
+constexpr const char* as_stored = "afterglowAsStored";
+
+// The library's message without its own names, control characters and repeated lines.
+std::string cleaned(std::string_view message) {
+    const auto lines = split_lines(message);
+    std::string text(trim(lines.empty() ? message : lines.front()));
+    for (char& letter : text)
+        if (static_cast<unsigned char>(letter) < ' ')
+            letter = ' ';
+    constexpr std::size_t longest = 200;
+    if (text.size() > longest)
+        text.resize(longest);
+    while (text.ends_with('.') || text.ends_with(' '))
+        text.pop_back();
+    return text.empty() ? "its content is not understood" : text;
+}
+
+Result<void> check_spec(const OIIO::ImageSpec& spec, const fs::path& file) {
+    if (spec.width < 1 || spec.height < 1 || spec.depth > 1)
+        return fail({file, 0, "holds no flat picture"});
+    if (spec.width > largest_side || spec.height > largest_side ||
+        std::int64_t{spec.width} * spec.height > most_pixels)
+        return fail(
+            {file, 0,
+             fmt::format("is too large: {} x {} px; at most {} px a side and {} pixels are read",
+                         spec.width, spec.height, largest_side, most_pixels)});
+    const bool has_grey_alpha = spec.nchannels == 2 && spec.alpha_channel == 1;
+    if (spec.nchannels != 1 && spec.nchannels != 3 && spec.nchannels != 4 && !has_grey_alpha)
+        return fail(
+            {file, 0,
+             fmt::format("has {} channels; pictures of 1 (grey), 3 (RGB) and 4 (RGBA) are read",
+                         spec.nchannels)});
+    return {};
+}
+
+void unassociate(Picture& picture) {
+    for (std::size_t i = 0; i < picture.pixels.size(); i += 4) {
+        const float alpha = picture.pixels[i + 3];
+        if (alpha <= 0.0f || alpha >= 1.0f)
+            continue;
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            picture.pixels[i + channel] /= alpha;
+    }
+}
+
+std::vector<float> rgba_from_grey_alpha(const std::vector<float>& grey_alpha) {
+    std::vector<float> rgba;
+    rgba.reserve(grey_alpha.size() * 2);
+    for (std::size_t i = 0; i < grey_alpha.size(); i += 2)
+        rgba.insert(rgba.end(), {grey_alpha[i], grey_alpha[i], grey_alpha[i], grey_alpha[i + 1]});
+    return rgba;
+}
+
+// Cameras store a turned picture and say so.
+void turn_upright(Picture& picture, const OIIO::ImageSpec& spec) {
+    const int orientation = spec.get_int_attribute("Orientation", 1);
+    if (orientation == 1)
+        return;
+    OIIO::ImageSpec turned(picture.extent.width, picture.extent.height, picture.channels,
+                           OIIO::TypeDesc::FLOAT);
+    turned.attribute("Orientation", orientation);
+    const OIIO::ImageBuf upright =
+        OIIO::ImageBufAlgo::reorient(OIIO::ImageBuf(turned, picture.pixels.data()));
+    const OIIO::ImageSpec& now = upright.spec();
+    std::vector<float> pixels(picture.pixels.size());
+    if (now.image_pixels() != turned.image_pixels() ||
+        !upright.get_pixels(now.roi(), OIIO::TypeDesc::FLOAT, pixels.data()))
+        return;
+    picture.extent = {now.width, now.height};
+    picture.pixels = std::move(pixels);
+}
+
+Result<Picture> read_picture(const fs::path& file, const std::string& kind) {
+    OIIO::ImageSpec wishes;
+    wishes.attribute("oiio:UnassociatedAlpha", 1);
+    const auto input = OIIO::ImageInput::create(kind);
+    OIIO::ImageSpec spec;
+    if (!input || !input->open(file.string(), spec, wishes))
+        return fail({file, 0,
+                     "cannot be read as a picture: " +
+                         cleaned(input ? input->geterror() : OIIO::geterror())});
+    if (const auto good = check_spec(spec, file); !good)
+        return fail(good.error());
+
+    Picture picture{{spec.width, spec.height}, spec.nchannels, Encoding::display, {}};
+    if (spec.format.is_floating_point())
+        picture.encoding = Encoding::linear;
+    picture.pixels.resize(spec.image_pixels() * static_cast<std::size_t>(spec.nchannels));
+    if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, picture.pixels.data()))
+        return fail({file, 0, "is damaged: " + cleaned(input->geterror())});
+    if (spec.nchannels == 2) {
+        picture.pixels = rgba_from_grey_alpha(picture.pixels);
+        picture.channels = 4;
+    }
+    const bool is_associated = spec.get_int_attribute("oiio:UnassociatedAlpha") == 0 &&
+                               spec.get_int_attribute(as_stored) == 0;
+    if (picture.channels == 4 && spec.alpha_channel >= 0 && is_associated)
+        unassociate(picture);
+    turn_upright(picture, spec);
+    return picture;
+}
+
+Result<std::string> write_exr(const Picture& picture, bool half) {
+    OIIO::ImageSpec spec(picture.extent.width, picture.extent.height, picture.channels,
+                         half ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT);
+    spec.attribute("compression", "zip");
+    spec.attribute(as_stored, 1);
+    spec.attribute("DateTime", "");  // else the library writes the time of day
+    std::vector<unsigned char> bytes;
+    OIIO::Filesystem::IOVecOutput memory(bytes);
+    const char* const name = "picture.exr";
+    const auto output = OIIO::ImageOutput::create(name, &memory);
+    if (!output)
+        return fail({{}, 0, "cannot be encoded: " + cleaned(OIIO::geterror())});
+    if (!output->open(name, spec) ||
+        !output->write_image(OIIO::TypeDesc::FLOAT, picture.pixels.data()) || !output->close())
+        return fail({{}, 0, "cannot be encoded: " + cleaned(output->geterror())});
+    return std::string(bytes.begin(), bytes.end());
+}
+
+// The library's exceptions end here.
+template <class T, class Function>
+Result<T> guarded(const fs::path& file, const Function& function) {
+    try {
+        return function();
+    } catch (const std::exception& exception) {
+        return fail({file, 0, "cannot be used: " + cleaned(exception.what())});
+    }
+}
+
+const PictureCodec codec{
+    .read =
+        [](const fs::path& file, const std::string& kind) {
+            return guarded<Picture>(file, [&] { return read_picture(file, kind); });
+        },
+    .encode_exr =
+        [](const Picture& picture, bool half) {
+            assert(picture.pixels.size() == picture.index(0, picture.extent.height));
+            return guarded<std::string>({}, [&] { return write_exr(picture, half); });
+        },
+};
+}  // namespace
+
+const PictureCodec* afterglow_picture_codec() {
+    return &codec;
+}
