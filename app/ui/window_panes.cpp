@@ -22,6 +22,10 @@
 #include <algorithm>
 
 namespace {
+// What the screen was cleared with stays: software GL takes as long to fill it again as to draw the
+// panels.
+constexpr theme::Color nothing{0.0f, 0.0f, 0.0f, 0.0f};
+
 void draw_left(const Scene& scene, const Rect& place, Edits& edits) {
     Rect upper = place;
     Rect lower = place;
@@ -52,7 +56,7 @@ void draw_middle(const Scene& scene, const Layout& layout, Edits& edits) {
         draw_transport_bar(scene, edits);
     }
     {
-        const Pane pane("picture", layout.picture, theme::surround, false);
+        const Pane pane("picture", layout.picture, nothing, false);
         draw_picture_panel(scene, layout.picture, edits);
     }
     if (layout.strip.is_shown()) {
@@ -92,13 +96,13 @@ void draw_window(const Scene& scene, Edits& edits) {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({0.0f, 0.0f});
     ImGui::SetNextWindowSize(size);
-    ImGuiWindowFlags flags =
-        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-        ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse;
+    ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                             ImGuiWindowFlags_NoSavedSettings |
+                             ImGuiWindowFlags_NoBringToFrontOnFocus |
+                             ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoBackground;
     if (!scene.window.is_picture_only)
         flags |= ImGuiWindowFlags_MenuBar;
     {
-        const ScopedColor back(ImGuiCol_WindowBg, theme::surround);
         const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
         ImGui::Begin("Afterglow", nullptr, flags);
     }

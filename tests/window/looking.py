@@ -19,7 +19,9 @@ class Looking(Person):
         self.hover("picture")
         state = program.wait("it is as large as the picture, and its values are told",
                              lambda s: s["probe"] and s["probe"]["pass"] == "persistence")
-        self.assertLess(abs(state["probe"]["x"] - 160) + abs(state["probe"]["y"] - 120), 3)
+        middle = [length / 2 for length in self.size]
+        probe = state["probe"]
+        self.assertLess(abs(probe["x"] - middle[0]) + abs(probe["y"] - middle[1]), 3)
         program.click("channels:RGB")
         before = self.brightness()
         program.key("e", "e", "e")

@@ -15,7 +15,7 @@ from screen import Screen
 SOURCE = Path(__file__).resolve().parents[2]
 PICTURES = SOURCE / "build/window"
 WINDOW = (1280, 860)
-PICTURE = [320, 240]
+PICTURE = [240, 180]
 
 
 def write_tones(file, seconds):
