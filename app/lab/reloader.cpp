@@ -2,6 +2,7 @@
 
 #include "formats/stack_format.h"
 #include "graph/warm_up.h"
+#include "io/picture_codec.h"
 #include "io/picture_file.h"
 
 #include <algorithm>
@@ -102,6 +103,14 @@ bool Reloader::is_busy() const {
     return m_completed != m_submitted || m_finished;
 }
 
+namespace {
+// The first picture that a person chooses must not hold up the window. Why the module cannot be
+// loaded is told by who reads a picture.
+void load_picture_module() {
+    static_cast<void>(picture_codec());
+}
+}  // namespace
+
 void Reloader::run() {
     m_context->make_current();
     warm_up();
@@ -120,6 +129,9 @@ void Reloader::run() {
         m_completed = job.generation;
         if (job.generation == m_submitted)  // else it is older than the newest text
             m_finished = std::move(loaded);
+        lock.unlock();
+        load_picture_module();
+        lock.lock();
     }
     lock.unlock();
     m_finished.reset();

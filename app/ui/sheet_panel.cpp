@@ -81,8 +81,13 @@ void draw_progress(const VariantSheet& sheet, Edits& edits) {
         return;
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
-    dim_text(fmt::format("{} of {} drawn · Esc stops", sheet.drawn(), sheet.cells().size()));
+    const std::string count = fmt::format("{} of {}", sheet.drawn(), sheet.cells().size());
+    const std::string whole = count + " drawn · Esc stops";
+    const bool is_wide = ImGui::CalcTextSize(whole.c_str()).x <= ImGui::GetContentRegionAvail().x;
+    dim_text(is_wide ? whole : count);
     edits.mark("sheet_progress");
+    if (!is_wide)
+        tooltip(whole);
 }
 
 void draw_head(const VariantSheet& sheet, const Look& look, Edits& edits) {
