@@ -1,10 +1,10 @@
 #include "ui/impulse_dialog.h"
 
-#include "gpu/input_event.h"
 #include "ui/dialog_frame.h"
 #include "ui/scoped.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
+#include "ui/work_dialog.h"
 
 #include <fmt/format.h>
 
@@ -169,22 +169,11 @@ void fire_impulse(const Scene& scene, Edits& edits) {
 }
 
 void draw_impulse_dialog(const Scene& scene, Edits& edits) {
-    const auto& impulse = scene.lab.impulse();
     const DialogFrame frame("One flash in every pass", 44.0f, scene, edits);
     if (!frame.is_open())
         return;
-    const bool is_running = impulse.is_running();
-    if (is_running) {
-        dim_text("Firing a flash, and watching it fall");
-        ImGui::ProgressBar(static_cast<float>(impulse.share()), {-1.0f, 0.0f});
-        edits.mark("impulse_progress");
-    } else if (impulse.outcome() && impulse.outcome()->has_value()) {
-        draw_response(**impulse.outcome(), scene, edits);
-    } else if (impulse.outcome()) {
-        const ScopedColor color(ImGuiCol_Text, theme::warning);
-        ImGui::TextWrapped("%s", impulse.outcome()->error().front().message.c_str());
-    }
-    const bool is_left = draw_close_button(is_running ? "Cancel" : "Close", edits);
-    if (is_left || ImGui::IsKeyPressed(gpu::key::escape, false))
-        edits.add([](Lab& lab) { lab.cancel_impulse(); });
+    const auto draw = [&](const auto& outcome) { draw_response(outcome, scene, edits); };
+    draw_work(
+        scene.lab.impulse(), "Firing a flash, and watching it fall", draw,
+        [](Lab& lab) { lab.cancel_impulse(); }, edits);
 }

@@ -1,10 +1,10 @@
 #include "ui/rates_dialog.h"
 
-#include "gpu/input_event.h"
 #include "ui/dialog_frame.h"
 #include "ui/scoped.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
+#include "ui/work_dialog.h"
 
 #include <fmt/format.h>
 
@@ -61,22 +61,11 @@ void draw_comparison(const RateComparison& comparison, const Scene& scene, Edits
 }  // namespace
 
 void draw_rates_dialog(const Scene& scene, Edits& edits) {
-    const RateCheck& check = scene.lab.rate_check();
     const DialogFrame frame("The picture at 24, 30, 60 and 144 Hz", 34.0f, scene, edits);
     if (!frame.is_open())
         return;
-    const bool is_running = check.is_running();
-    if (is_running) {
-        dim_text("Drawing the same moment at every rate");
-        ImGui::ProgressBar(static_cast<float>(check.share()), {-1.0f, 0.0f});
-        edits.mark("rates_progress");
-    } else if (check.outcome() && check.outcome()->has_value()) {
-        draw_comparison(**check.outcome(), scene, edits);
-    } else if (check.outcome()) {
-        const ScopedColor color(ImGuiCol_Text, theme::warning);
-        ImGui::TextWrapped("%s", check.outcome()->error().front().message.c_str());
-    }
-    const bool is_left = draw_close_button(is_running ? "Cancel" : "Close", edits);
-    if (is_left || ImGui::IsKeyPressed(gpu::key::escape, false))
-        edits.add([](Lab& lab) { lab.cancel_rate_comparison(); });
+    const auto draw = [&](const auto& outcome) { draw_comparison(outcome, scene, edits); };
+    draw_work(
+        scene.lab.rate_check(), "Drawing the same moment at every rate", draw,
+        [](Lab& lab) { lab.cancel_rate_comparison(); }, edits);
 }

@@ -63,7 +63,7 @@ class Tuning(Person):
         program.wait("its help is open", lambda s: "compare_rates" in s["widgets"])
         self.snapshot("decay")
         program.click("compare_rates")
-        program.wait("the rates are being drawn", lambda s: "rates_progress" in s["widgets"])
+        program.wait("the rates are being drawn", lambda s: "dialog_progress" in s["widgets"])
         self.snapshot("rates_under_way")
         program.click("dialog_cancel")
         program.wait("no longer", lambda s: s["dialog"] == 0)
