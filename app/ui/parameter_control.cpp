@@ -175,7 +175,8 @@ Turned draw_control(const Knob& knob, Value& value, const FormColumns& columns, 
         case Control::color:
             return draw_color(parameter, value, columns, fonts);
         case Control::point:
-            return draw_point(parameter, value, facts_for(knob, 0).number(), columns, fonts);
+            return draw_point(parameter, value, knob.now, facts_for(knob, 0).number(), columns,
+                              fonts);
         case Control::event:
             return draw_trigger(value, columns);
         case Control::image:

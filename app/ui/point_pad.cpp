@@ -18,6 +18,12 @@ double value_at(double place, const Range& range) {
     return std::round((range.low + std::clamp(place, 0.0, 1.0) * span) / step) * step;
 }
 
+/// Where a point of the range is in the pad.
+ImVec2 place_in(const Range& range, double x, double y, const ImVec2& low, const ImVec2& high) {
+    return {low.x + (high.x - low.x) * static_cast<float>(place_of(x, range)),
+            high.y - (high.y - low.y) * static_cast<float>(place_of(y, range))};
+}
+
 void draw_cross(const ImVec2& low, const ImVec2& high, const ImVec2& at, bool is_changed) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(low, high, theme::packed(theme::field), ImGui::GetStyle().FrameRounding);
@@ -27,6 +33,11 @@ void draw_cross(const ImVec2& low, const ImVec2& high, const ImVec2& at, bool is
     list.AddLine({low.x, middle.y}, {high.x, middle.y}, faint);
     const ImU32 color = theme::packed(is_changed ? theme::accent : theme::text);
     list.AddCircleFilled(at, ImGui::GetFontSize() * 0.25f, color);
+}
+
+void draw_ring(const ImVec2& at) {
+    ImGui::GetWindowDrawList()->AddCircle(at, ImGui::GetFontSize() * 0.35f,
+                                          theme::packed(theme::text), 0, 1.5f);
 }
 
 Turned draw_pad(const Range& range, double& x, double& y, bool is_changed, float width) {
@@ -44,21 +55,21 @@ Turned draw_pad(const Range& range, double& x, double& y, bool is_changed, float
         turned.is_changed = true;
     }
     turned.is_finished = ImGui::IsItemDeactivated();
-    draw_cross(low, high,
-               {low.x + width * static_cast<float>(place_of(x, range)),
-                high.y - height * static_cast<float>(place_of(y, range))},
-               is_changed);
+    draw_cross(low, high, place_in(range, x, y, low, high), is_changed);
     return turned;
 }
 }  // namespace
 
-Turned draw_point(const Parameter& parameter, Value& value, const NumberFacts& facts,
-                  const FormColumns& columns, const Fonts& fonts) {
+Turned draw_point(const Parameter& parameter, Value& value, const Value* now,
+                  const NumberFacts& facts, const FormColumns& columns, const Fonts& fonts) {
     if (value.numbers.size() < 2)
         return {};
     const float width = columns.control_and_number();
     Turned turned =
         draw_pad(parameter.range, value.numbers[0], value.numbers[1], facts.is_changed, width);
+    if (now && now->numbers.size() >= 2)
+        draw_ring(place_in(parameter.range, now->numbers[0], now->numbers[1],
+                           ImGui::GetItemRectMin(), ImGui::GetItemRectMax()));
     const ScopedFont font(fonts.numbers);
     const float half = (width - 4.0f) * 0.5f;
     for (std::size_t i = 0; i < value.numbers.size(); ++i) {
