@@ -9,7 +9,10 @@ namespace gpu {
 namespace key {
 constexpr int escape = 256;
 constexpr int enter = 257;
+constexpr int backspace = 259;
 constexpr int del = 261;
+constexpr int right = 262;
+constexpr int left = 263;
 constexpr int down = 264;
 constexpr int up = 265;
 constexpr int page_up = 266;

@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 #include "model/parameter_use.h"
+#include "model/slider_range.h"
 
 #include <algorithm>
 
@@ -73,6 +74,29 @@ std::vector<ParameterGroup> listed_parameters(const Document& document,
         group.parameters.push_back(&parameter);
     }
     return groups;
+}
+
+ParameterQuery query_of(const WindowState& window) {
+    return {window.search, window.filter, window.inspected.pass};
+}
+
+std::optional<Pointed> listed_beside(const std::vector<ParameterGroup>& groups,
+                                     const Pointed& present, int by) {
+    std::vector<Pointed> lines;
+    for (const ParameterGroup& group : groups)
+        for (const Parameter* parameter : group.parameters) {
+            const int parts = has_parts(*parameter) ? parameter->type.rows : 1;
+            for (int i = 0; i < parts; ++i)
+                lines.push_back({parameter->name, static_cast<std::size_t>(i)});
+        }
+    if (lines.empty())
+        return std::nullopt;
+    const auto last = static_cast<std::ptrdiff_t>(lines.size()) - 1;
+    const auto found = std::ranges::find(lines, present);
+    if (found == lines.end())
+        return by > 0 ? lines.front() : lines.back();
+    const std::ptrdiff_t line = std::clamp<std::ptrdiff_t>(found - lines.begin() + by, 0, last);
+    return lines[static_cast<std::size_t>(line)];
 }
 
 std::string why_nothing_is_listed(const ParameterQuery& query) {

@@ -178,10 +178,12 @@ struct Pointed {
     bool operator==(const Pointed&) const = default;
 };
 
-/// A parameter that a person asked to see in its panel.
+/// The parameter that a person asked to see in its panel; keys turn it.
 struct Revealed {
-    std::string parameter;  // "": none
-    bool is_new = false;    // it is yet to be scrolled to
+    std::string parameter;        // "": none
+    bool is_new = false;          // it is yet to be scrolled to
+    std::size_t component = 0;    // which of its parts keys turn
+    bool is_to_be_typed = false;  // its number is to have the keyboard
 
     bool operator==(const Revealed&) const = default;
 };

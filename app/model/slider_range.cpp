@@ -52,3 +52,8 @@ double step_of(const Parameter& parameter) {
     const bool is_whole = parameter.type.scalar != Scalar::floating;
     return is_whole ? std::max(1.0, std::round(parameter.range.step)) : parameter.range.step;
 }
+
+bool has_parts(const Parameter& parameter) {
+    return parameter.control == Control::slider && parameter.type.scalar != Scalar::boolean &&
+           parameter.type.rows > 1 && parameter.type.columns == 1;
+}

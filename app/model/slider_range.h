@@ -30,3 +30,6 @@ std::optional<Steps> steps_in(const Range& range, double origin);
 
 /// The step that the parameter is turned by, 0 for any value; whole numbers have one of 1 at least.
 double step_of(const Parameter& parameter);
+
+/// Whether each number of a vector is turned on its own, by a slider on a line of its own.
+bool has_parts(const Parameter& parameter);

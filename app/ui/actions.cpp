@@ -6,6 +6,7 @@
 #include "ui/display_actions.h"
 #include "ui/file_actions.h"
 #include "ui/impulse_dialog.h"
+#include "ui/knob_actions.h"
 #include "ui/pass_actions.h"
 #include "ui/pass_switch_actions.h"
 #include "ui/rates_dialog.h"
@@ -15,6 +16,7 @@
 #include <imgui/imgui_internal.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace {
@@ -190,17 +192,23 @@ std::vector<Action> help_actions() {
 std::vector<Action> make_actions() {
     std::vector<Action> actions;
     for (const auto& part :
-         {file_actions::list(), edit_actions(), tuning_actions::list(), view_actions::list(),
-          display_actions::list(), compare_actions::list(), pass_actions::list(),
-          pass_switch_actions::list(), playback_actions(), moves_actions(), help_actions()})
+         {file_actions::list(), edit_actions(), tuning_actions::list(), knob_actions::list(),
+          view_actions::list(), display_actions::list(), compare_actions::list(),
+          pass_actions::list(), pass_switch_actions::list(), playback_actions(), moves_actions(),
+          help_actions()})
         actions.insert(actions.end(), part.begin(), part.end());
     return actions;
+}
+
+// Held down, it does the same again and again.
+bool repeats(int key) {
+    return key == '.' || key == 'Z' || (key >= gpu::key::right && key <= gpu::key::up);
 }
 
 bool is_pressed(const Chord& chord) {
     const ImGuiIO& io = ImGui::GetIO();
     return chord.key != 0 && io.KeyCtrl == chord.control && io.KeyShift == chord.shift &&
-           !io.KeyAlt && ImGui::IsKeyPressed(chord.key, chord.key == '.' || chord.key == 'Z');
+           !io.KeyAlt && ImGui::IsKeyPressed(chord.key, repeats(chord.key));
 }
 
 bool can_run(const Action& action, const Scene& scene) {
@@ -247,18 +255,27 @@ void run(ActionId id, const Scene& scene, Edits& edits) {
             action.act(scene, edits);
 }
 
+namespace {
+constexpr std::array<std::pair<int, const char*>, 10> named_keys{
+    {{' ', "Space"},
+     {gpu::key::enter, "Enter"},
+     {gpu::key::backspace, "Backspace"},
+     {gpu::key::del, "Delete"},
+     {gpu::key::left, "Left"},
+     {gpu::key::right, "Right"},
+     {gpu::key::up, "Up"},
+     {gpu::key::down, "Down"},
+     {gpu::key::page_up, "PageUp"},
+     {gpu::key::page_down, "PageDown"}}};
+}  // namespace
+
 std::string chord_text(const Chord& chord) {
     if (chord.key == 0)
         return {};
     std::string text = std::string(chord.control ? "Ctrl+" : "") + (chord.shift ? "Shift+" : "");
-    if (chord.key == ' ')
-        return text + "Space";
-    if (chord.key == gpu::key::del)
-        return text + "Delete";
-    if (chord.key == gpu::key::page_up)
-        return text + "PageUp";
-    if (chord.key == gpu::key::page_down)
-        return text + "PageDown";
+    for (const auto& [key, name] : named_keys)
+        if (chord.key == key)
+            return text + name;
     if (chord.key >= gpu::key::first_function && chord.key <= gpu::key::last_function)
         return text + "F" + std::to_string(chord.key - gpu::key::first_function + 1);
     return text + static_cast<char>(chord.key);

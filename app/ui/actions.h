@@ -116,11 +116,17 @@ enum class ActionId {
     show_sheet,
     show_favourites,
     show_of_pass,
+    next_knob,
+    previous_knob,
+    turn_up,
+    turn_down,
+    type_knob,
+    reset_knob,
     keys,
     about,
 };
 
-enum class Menu { file, edit, view, output, frame_rate, compare, pass, playback, help };
+enum class Menu { file, edit, knob, view, output, frame_rate, compare, pass, playback, help };
 
 /// A key with what is held down with it.
 struct Chord {

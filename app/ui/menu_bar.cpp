@@ -41,6 +41,8 @@ void draw_menu(Menu menu, const char* label, const Scene& scene, Edits& edits) {
         draw_menu(Menu::output, "Output", scene, edits);
         draw_menu(Menu::frame_rate, "Frame rate", scene, edits);
     }
+    if (menu == Menu::edit)
+        draw_menu(Menu::knob, "Parameter", scene, edits);
     for (const Action& action : all_actions())
         if (action.menu == menu)
             draw_item(action, scene, edits);

@@ -9,6 +9,8 @@ const char* menu_name(Menu menu) {
             return "File";
         case Menu::edit:
             return "Edit";
+        case Menu::knob:
+            return "Edit, Parameter";
         case Menu::view:
             return "View";
         case Menu::output:
@@ -56,6 +58,11 @@ const char* why_not(const Action& action, const Scene& scene) {
         case ActionId::with_b:
         case ActionId::with_c:
             return "the slot is empty";
+        case ActionId::turn_up:
+        case ActionId::turn_down:
+        case ActionId::type_knob:
+        case ActionId::reset_knob:
+            return "no parameter is chosen: the keys Down and Up choose one";
         case ActionId::save_moves:
             return "no moves are recorded";
         case ActionId::fit_levels:

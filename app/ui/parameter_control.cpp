@@ -29,7 +29,8 @@ SliderFacts facts_for(const Knob& knob, std::size_t component) {
         .limit = parameter.limit,
         .is_whole = parameter.type.scalar != Scalar::floating,
         .is_decay = is_decay(parameter),
-        .steps_from = knob.declared.low};
+        .steps_from = knob.declared.low,
+        .is_to_be_typed = knob.typed == component};
     if (component < parameter.initial.numbers.size())
         facts.initial = parameter.initial.numbers[component];
     return facts;
@@ -71,12 +72,6 @@ Turned draw_component(const Knob& knob, std::size_t component, Value& value,
     if (turned.is_changed)
         value.numbers[component] = shown / factor;
     return turned;
-}
-
-// A vector's components each have a line of their own, under that of the label.
-bool has_parts(const Parameter& parameter) {
-    return parameter.control == Control::slider && parameter.type.scalar != Scalar::boolean &&
-           parameter.type.rows > 1 && parameter.type.columns == 1;
 }
 
 Turned draw_parts(const Knob& knob, Value& value, const FormColumns& columns, const Fonts& fonts,

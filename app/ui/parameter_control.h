@@ -16,6 +16,7 @@ struct Knob {
     const Modulation* modulation = nullptr;  // null: it rests
     const Value* now = nullptr;              // as drawn, while it moves by itself
     Extent target = {};                      // of the first pass that uses it; empty: not known yet
+    std::optional<std::size_t> typed = {};   // which of its numbers has the keyboard from now on
 };
 
 /// Lines of the panel that a parameter takes, before it has been drawn.

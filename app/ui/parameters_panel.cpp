@@ -16,10 +16,6 @@
 #include <optional>
 
 namespace {
-ParameterQuery query_of(const WindowState& window) {
-    return {window.search, window.filter, window.inspected.pass};
-}
-
 void draw_search(const WindowState& window, float width, Edits& edits) {
     ImGui::SetNextItemWidth(width);
     if (window.is_searching) {
@@ -169,6 +165,9 @@ void draw_parameter_row(const Parameter& parameter, const Scene& scene, Edits& e
               .look = document.look(),
               .modulation = document.modulation(parameter),
               .target = target_of(parameter, scene)};
+    const Revealed& revealed = scene.window.revealed;
+    if (revealed.is_to_be_typed && revealed.parameter == parameter.name)
+        knob.typed = revealed.component;
     if (knob.modulation && scene.lab.renderer())
         knob.now = &value_of(parameter, scene.lab.renderer()->drawn_values());
     row.end(draw_parameter(knob, scene.fonts, edits));

@@ -75,10 +75,9 @@ Turned draw_point(const Parameter& parameter, Value& value, const Value* now,
     for (std::size_t i = 0; i < value.numbers.size(); ++i) {
         if (i > 0)
             ImGui::SameLine(0.0f, 4.0f);
-        turned |= draw_number(i == 0   ? "##x"
-                              : i == 1 ? "##y"
-                                       : "##z",
-                              value.numbers[i], half, facts);
+        NumberFacts own = facts;
+        own.is_to_be_typed = facts.is_to_be_typed && i == 0;
+        turned |= draw_number(i == 0 ? "##x" : i == 1 ? "##y" : "##z", value.numbers[i], half, own);
     }
     return turned;
 }

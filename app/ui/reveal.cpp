@@ -1,5 +1,6 @@
 #include "ui/reveal.h"
 
+#include "model/slider_range.h"
 #include "ui/theme.h"
 
 #include <algorithm>
@@ -16,7 +17,12 @@ void show_if_revealed(const Parameter& parameter, float top, const WindowState& 
     const Revealed& revealed = window.revealed;
     if (parameter.name != revealed.parameter)
         return;
-    const float bottom = ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y;
+    const float line = ImGui::GetFrameHeightWithSpacing();
+    float bottom = ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y;
+    if (has_parts(parameter)) {  // below the line of its label
+        top += line * static_cast<float>(1 + revealed.component);
+        bottom = top + ImGui::GetFrameHeight();
+    }
     const float scroll = ImGui::GetScrollY();
     const bool is_hidden = top < scroll || bottom > scroll + ImGui::GetWindowHeight();
     constexpr float from_top = 0.3f;
@@ -33,6 +39,7 @@ void show_if_revealed(const Parameter& parameter, float top, const WindowState& 
     const bool is_over = !revealed.is_new && ImGui::IsMouseClicked(0);
     edits.arrange([is_over](WindowState& state) {
         state.revealed.is_new = false;
+        state.revealed.is_to_be_typed = false;
         if (is_over)
             state.revealed = {};
     });

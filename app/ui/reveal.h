@@ -10,6 +10,7 @@
 bool is_to_be_shown(const std::vector<const Parameter*>& parameters, const WindowState& window);
 
 /// Scrolls the present child window to a parameter that a person asked to see, and tints it until
-/// the next click. To be called behind the parameter's controls; they begin at `top`.
+/// the next click (of a vector the part that keys turn). To be called behind the parameter's
+/// controls; they begin at `top`.
 void show_if_revealed(const Parameter& parameter, float top, const WindowState& window,
                       Edits& edits);

@@ -331,7 +331,10 @@ Turned draw_number(const char* id_text, double& value, float width, const Number
         ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
     const bool is_tabbed_to = (ImGui::GetCurrentContext()->LastItemData.StatusFlags &
                                ImGuiItemStatusFlags_FocusedByTabbing) != 0;
-    if (ImGui::TempInputIsActive(id) || is_tabbed_to || (is_hovered && ImGui::IsMouseClicked(0)))
+    if (facts.is_to_be_typed)
+        ImGui::GetCurrentContext()->NavActivateInputId = id;
+    if (ImGui::TempInputIsActive(id) || is_tabbed_to || facts.is_to_be_typed ||
+        (is_hovered && ImGui::IsMouseClicked(0)))
         return type_number(box, id, id_text, value, facts);
     const Turned turned = read_if_left(id, value, facts);
     if (is_hovered)

@@ -24,7 +24,11 @@ struct SliderFacts {
     std::string warning = {};               // about the value as it is; on hover
     std::vector<double> safe = {};          // values that are marked where they have room
 
-    NumberFacts number() const { return {is_changed, unit, limit, is_whole, is_decay}; }
+    bool is_to_be_typed = false;  // its number has the keyboard from now on
+
+    NumberFacts number() const {
+        return {is_changed, unit, limit, is_whole, is_decay, is_to_be_typed};
+    }
 };
 
 /// What a person just did to a control.

@@ -12,7 +12,8 @@ struct NumberFacts {
     std::string unit = {};
     std::optional<Limit> limit = {};  // what is typed beyond it stops there
     bool is_whole = false;
-    bool is_decay = false;  // may be typed as a time, see model/decay.h
+    bool is_decay = false;        // may be typed as a time, see model/decay.h
+    bool is_to_be_typed = false;  // has the keyboard from now on
 };
 
 /// What became of a text that was typed as a number.

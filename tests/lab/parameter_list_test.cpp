@@ -69,3 +69,22 @@ TEST_CASE("an empty list says why") {
     CHECK(why_nothing_is_listed({.filter = ParameterFilter::of_pass, .pass = "beam"}) ==
           "The pass 'beam' uses no parameter.");
 }
+
+TEST_CASE(
+    "keys go from line to line of the list, parts of vectors included, and stop at its ends") {
+    Look made = look();
+    made.parameters[2].type = {Scalar::floating, 2};  // gain
+    const Document document(made);
+    const auto groups = listed_parameters(document, {});
+    std::string way;
+    Pointed at{};
+    for (int i = 0; i < 6; ++i) {
+        at = *listed_beside(groups, at, 1);
+        way += at.parameter + char('0' + at.component) + ' ';
+    }
+    CHECK(way == "focus0 gain0 gain1 glow0 tint0 tint0 ");
+    CHECK(listed_beside(groups, {"glow", 0}, -1) == Pointed{"gain", 1});
+    CHECK(listed_beside(groups, {"focus", 0}, -1) == Pointed{"focus", 0});
+    CHECK(listed_beside(groups, {"gone", 0}, -1) == Pointed{"tint", 0});
+    CHECK(listed_beside({}, {"glow", 0}, 1) == std::nullopt);
+}

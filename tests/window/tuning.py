@@ -50,6 +50,31 @@ class Tuning(Person):
         program.click("label:decay")
         program.wait("leaving the field takes it too", lambda s: s["values"]["decay"] == [0.25])
 
+    def test_a_parameter_is_turned_by_keys_alone(self):
+        program = self.program
+        program.reveal("exposure")
+        program.place("picture")  # the search box has let go of the keyboard
+        program.key("Down")
+        program.place("revealed:exposure")
+        program.key("Right")
+        state = program.wait("it is a hundredth of its slider further", lambda s:
+                             abs(s["values"]["exposure"][0] - 1.5 * 160 ** 0.01) < 1e-5)
+        self.assertEqual(state["undo"], "Exposure")
+        program.key("Left", "Left")
+        program.wait("and back, beyond where it was", lambda s:
+                     abs(s["values"]["exposure"][0] - 1.5 / 160 ** 0.01) < 1e-5)
+        program.key("Return")
+        program.place("picture")  # the number has the keyboard
+        program.type("4")
+        program.key("Return")
+        program.wait("it is typed", lambda s: s["values"]["exposure"] == [4])
+        program.key("BackSpace")
+        program.wait("it is reset", lambda s: s["values"]["exposure"] == [1.5])
+        program.key("Down", "Right")
+        program.wait("the next one is a list", lambda s: s["values"]["tone_map"] == [2])
+        program.key("Left")
+        program.wait("nothing is changed", lambda s: not s["is_modified"])
+
     def test_a_decay_is_a_time_and_is_compared_at_other_frame_rates(self):
         program = self.program
         program.set("decay", "0.5")
