@@ -1,5 +1,6 @@
 #include "ui/pass_graph_panel.h"
 
+#include "model/own_name.h"
 #include "model/pass_graph.h"
 #include "ui/pass_switch_actions.h"
 #include "ui/scoped.h"
@@ -126,10 +127,6 @@ void draw_edge(const Edge& edge, const PassGraph& graph, const Paper& paper, ImU
         draw_forward(edge, graph, paper, color, width);
 }
 
-std::string node_name(const std::string& name) {
-    return name.substr(name.find('/') + 1);
-}
-
 // What is switched about a pass, on the upper edge of its node.
 void draw_state(const std::string& state, const ImVec2& middle, const Scene& scene) {
     const ScopedFont font(scene.fonts.numbers);
@@ -189,7 +186,7 @@ void draw_node(std::size_t index, const PassGraph& graph, const Paper& paper, co
     list.AddRectFilled(low, high, theme::packed(is_hovered ? theme::field_hovered : theme::field),
                        round);
     list.AddRect(low, high, theme::packed(is_chosen ? theme::accent : theme::faint), round);
-    const std::string words = node_name(node.name);
+    const std::string words = own_name(node.name);
     const ImVec2 text = ImGui::CalcTextSize(words.c_str());
     list.AddText({middle.x - text.x * 0.5f, middle.y - text.y * 0.5f},
                  theme::packed(is_pass ? theme::text : theme::dim), words.c_str());
@@ -205,7 +202,7 @@ Paper paper_for(const PassGraph& graph) {
     Paper paper;
     float widest = 0.0f;
     for (const Node& node : graph.nodes)
-        widest = std::max(widest, ImGui::CalcTextSize(node_name(node.name).c_str()).x);
+        widest = std::max(widest, ImGui::CalcTextSize(own_name(node.name).c_str()).x);
     const float letter = ImGui::GetFontSize();
     const ImVec2 room = ImGui::GetContentRegionAvail();
     paper.node = {widest + letter, std::floor(letter * 1.6f)};

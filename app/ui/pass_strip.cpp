@@ -1,6 +1,7 @@
 #include "ui/pass_strip.h"
 
 #include "lab/tryouts.h"
+#include "model/own_name.h"
 #include "ui/pass_switch_actions.h"
 #include "ui/scoped.h"
 #include "ui/slider.h"
@@ -71,10 +72,6 @@ std::string gain_help(const Gain& gain) {
 std::string look_key(const std::string& pass) {
     const std::size_t end = pass.find('/');
     return end == std::string::npos ? std::string() : pass.substr(0, end);
-}
-
-std::string own_name(const std::string& pass) {
-    return pass.substr(pass.find('/') + 1);
 }
 
 void draw_image(const Views::Image& image, const ImVec2& low, float width, float height,
