@@ -82,16 +82,43 @@ bool is_over_budget(const Scene& scene) {
     return renderer && renderer->pass_times().present_total() > scene.window.budget_milliseconds;
 }
 
-std::string cost_text(const Scene& scene) {
+/// What a frame costs, in words around the one number that may be too much.
+struct Cost {
+    std::string before;
+    std::string time;
+    std::string after;
+};
+
+Cost cost_of(const Scene& scene) {
     const Renderer* renderer = scene.lab.renderer();
     if (!renderer || renderer->executor().plan().targets.empty())
-        return {};
+        return {pace_text(scene), {}, {}};
     const double all = renderer->pass_times().present_total();
     const double memory =
         static_cast<double>(memory_of(renderer->executor().plan())) / (1024.0 * 1024.0);
     const int draws = renderer->executor().draw_calls();
-    return fmt::format("{:.2f} ms   {} {}   {:.1f} MiB", all, draws, draws == 1 ? "draw" : "draws",
-                       memory);
+    return {pace_text(scene) + "   ", fmt::format("{:.2f} ms", all),
+            fmt::format("   {} {}   {:.1f} MiB", draws, draws == 1 ? "draw" : "draws", memory)};
+}
+
+// One button; over the budget its time alone is red.
+void draw_cost(const Scene& scene, Edits& edits) {
+    const ScopedFont font(scene.fonts.numbers);
+    const Cost cost = cost_of(scene);
+    const bool is_over = is_over_budget(scene);
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    {
+        const ScopedColor color(ImGuiCol_Text, theme::dim);
+        const std::string time = is_over ? std::string(cost.time.size(), ' ') : cost.time;
+        if (quiet_button(cost.before + time + cost.after + "###timings"))
+            run(ActionId::show_timings, scene, edits);
+    }
+    tooltip(help_of(ActionId::show_timings));
+    if (!is_over)
+        return;
+    const ImVec2 pad = ImGui::GetStyle().FramePadding;
+    const ImVec2 at(start.x + pad.x + ImGui::CalcTextSize(cost.before.c_str()).x, start.y + pad.y);
+    ImGui::GetWindowDrawList()->AddText(at, theme::packed(theme::problem), cost.time.c_str());
 }
 
 std::string pointer_text(const Scene& scene) {
@@ -161,13 +188,7 @@ void draw_status_bar(const Scene& scene, Edits& edits) {
         edits.mark("status_problems");
     }
     ImGui::SameLine();
-    {
-        const ScopedFont font(scene.fonts.numbers);
-        const ScopedColor color(ImGuiCol_Text, is_over_budget(scene) ? theme::problem : theme::dim);
-        if (quiet_button(pace_text(scene) + "   " + cost_text(scene) + "##timings"))
-            run(ActionId::show_timings, scene, edits);
-        tooltip(help_of(ActionId::show_timings));
-    }
+    draw_cost(scene, edits);
     draw_lag(scene, edits);
     draw_half_size_offer(scene, edits);
     const std::string pointer = pointer_text(scene);
