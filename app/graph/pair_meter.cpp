@@ -2,6 +2,8 @@
 
 #include "gpu/draw.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <vector>
@@ -106,13 +108,13 @@ PairMeter::PairMeter(gpu::Program distances, gpu::Program light, gpu::Program ch
     : m_distances(std::move(distances)), m_light(std::move(light)), m_change(std::move(change)) {}
 
 Result<PairMeter> PairMeter::make() {
-    auto distances = build_pair_program(std::string(distances_text) + blocks_text);
+    auto distances = build_pair_program(fmt::format("{}{}", distances_text, blocks_text));
     if (!distances)
         return fail(distances.error());
-    auto light = build_pair_program(std::string(light_text) + blocks_text);
+    auto light = build_pair_program(fmt::format("{}{}", light_text, blocks_text));
     if (!light)
         return fail(light.error());
-    auto change = build_pair_program(std::string(change_text) + blocks_text);
+    auto change = build_pair_program(fmt::format("{}{}", change_text, blocks_text));
     if (!change)
         return fail(change.error());
     return PairMeter(std::move(*distances), std::move(*light), std::move(*change));

@@ -1,0 +1,33 @@
+#include "base/fitted_number.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace {
+// "1.5e-05" as "1.5e-5".
+std::string without_padding(std::string text) {
+    const std::size_t power = text.find('e');
+    if (power == std::string::npos)
+        return text;
+    const std::size_t sign = power + 1;
+    const std::size_t digits = text.find_first_not_of('0', sign + 1);
+    text.erase(sign + 1, digits - sign - 1);
+    if (text[sign] == '+')
+        text.erase(sign, 1);
+    return text;
+}
+}  // namespace
+
+std::string fitted_number(double number, int most) {
+    if (!std::isfinite(number))
+        return std::isnan(number) ? "NaN" : number > 0.0 ? "Inf" : "-Inf";
+    constexpr int most_digits = 7;
+    std::string text;
+    for (int digits = most_digits; digits > 0; --digits) {
+        text = without_padding(fmt::format("{:.{}g}", number, digits));
+        if (text.size() <= static_cast<std::size_t>(most))
+            break;
+    }
+    return text == "-0" ? "0" : text;
+}
