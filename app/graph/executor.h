@@ -14,6 +14,7 @@
 #include "graph/target_set.h"
 #include "graph/tripwire.h"
 #include "model/pass_switches.h"
+#include "model/texture_choice.h"
 
 #include <cstdint>
 #include <map>
@@ -94,6 +95,10 @@ public:
 
     /// This frame's picture of a pass.
     const gpu::Texture& target(int pass) const;
+    /// What it holds of this frame: what passes drew, the source, images.
+    std::vector<TextureChoice> textures() const;
+    /// Any of these or of former frames, with all of its levels; null where there is none such.
+    const gpu::Texture* texture(const TextureChoice& choice) const;
     /// Another one whenever any target may have changed.
     std::uint64_t picture_number() const { return m_picture_number; }
     const Plan& plan() const { return m_plan; }

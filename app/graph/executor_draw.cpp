@@ -81,12 +81,12 @@ void Executor::write_built_ins(std::size_t index, const Frame& frame) const {
 }
 
 namespace {
-std::string reference_of(const BoundInput& input, const Look& look) {
+std::optional<TextureChoice> choice_of(const BoundInput& input, const Look& look) {
     if (!input.from)
-        return {};
+        return std::nullopt;
     const std::string name =
         input.pass >= 0 ? look.passes[static_cast<std::size_t>(input.pass)].name : input.image;
-    return Input{{}, *input.from, name, input.frames_ago, {}}.reference();
+    return TextureChoice{*input.from, name, input.frames_ago};
 }
 }  // namespace
 
@@ -95,9 +95,7 @@ PassReport Executor::report(int pass) const {
     const PassState& state = m_passes[index];
     PassReport report;
     for (const BoundInput& input : state.inputs) {
-        SamplerReport sampler{input.uniform, reference_of(input, m_look), {}, {}, {}, {}};
-        if (input.pass >= 0)
-            sampler.pass = input.pass;
+        SamplerReport sampler{input.uniform, choice_of(input, m_look), {}, {}, {}};
         if (const gpu::Texture* texture = texture_for(input)) {
             sampler.extent = texture->extent();
             sampler.format = texture->format();

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "model/extent.h"
-#include "model/look.h"
+#include "model/texture_choice.h"
 
 #include <optional>
 #include <string>
@@ -10,9 +10,8 @@
 /// What one sampler of a pass reads, as it is bound.
 struct SamplerReport {
     std::string uniform;
-    std::string reads;        // "persistence@1", "source", an image's name; "": nothing feeds it
-    std::optional<int> pass;  // that is read
-    Extent extent;            // px; empty: nothing is there, and it reads transparent black
+    std::optional<TextureChoice> reads;  // none: nothing feeds it
+    Extent extent;  // px; empty: nothing is there, and it reads transparent black
     Format format = Format::rgba8;
     Sampler sampler;
 };

@@ -40,21 +40,22 @@ Result<Picture> seen_picture(const gpu::Texture& target, const ViewOptions& opti
 }  // namespace
 
 void save_target(Lab& lab, const PassView& view, std::filesystem::path file) {
-    const auto pass =
-        lab.renderer() ? find_pass(lab.renderer()->executor().look(), view.pass) : std::nullopt;
-    if (!pass)
+    const auto inspected =
+        lab.renderer() ? inspected_texture(lab.renderer()->executor(), view) : std::nullopt;
+    if (!inspected)
         return;
+    auto closer = CloserLook::make();
+    if (!closer)
+        return lab.say(closer.error().front());
     if (file.extension().empty())
         file += ".exr";
-    const Executor& executor = lab.renderer()->executor();
-    const gpu::Texture& target = executor.target(*pass);
+    const gpu::Texture& target = closer->level_of(*inspected);
     const bool is_seen = to_lower(file.extension().string()) == ".png";
-    const auto picture =
-        is_seen ? seen_picture(target, options_for(view, encoding_of(executor.look(), *pass)))
-                : gpu::read_picture(target);
+    const auto picture = is_seen ? seen_picture(target, options_for(view, inspected->encoding))
+                                 : gpu::read_picture(target);
     const auto saved = picture ? save_picture(*picture, file) : fail(picture.error());
     if (saved)
-        lab.say("Saved the pass '" + view.pass + "' as '" + file.filename().string() + "'");
+        lab.say("Saved '" + inspected->choice.label() + "' as '" + file.filename().string() + "'");
     else
         lab.say(saved.error().front());
 }

@@ -29,7 +29,8 @@ Views::Views(Parts parts)
       m_gains(std::move(parts.gains)),
       m_compared(std::move(parts.compared)),
       m_flash_meter(std::move(parts.flash_meter)),
-      m_comfort(std::move(parts.comfort)) {}
+      m_comfort(std::move(parts.comfort)),
+      m_closer(std::move(parts.closer)) {}
 
 Result<Views> Views::make() {
     Diagnostics problems;
@@ -40,12 +41,14 @@ Result<Views> Views::make() {
     std::optional<ComparedPictures> compared;
     std::optional<FlashMeter> flash_meter;
     std::optional<Comfort> comfort;
+    std::optional<CloserLook> closer;
     if (!made(viewer, problems) || !made(inspection, problems) || !made(pins, problems) ||
         !made(gains, problems) || !made(compared, problems) || !made(flash_meter, problems) ||
-        !made(comfort, problems))
+        !made(comfort, problems) || !made(closer, problems))
         return fail(std::move(problems));
     return Views({std::move(*viewer), std::move(*inspection), std::move(*pins), std::move(*gains),
-                  std::move(*compared), std::move(*flash_meter), std::move(*comfort)});
+                  std::move(*compared), std::move(*flash_meter), std::move(*comfort),
+                  std::move(*closer)});
 }
 
 Views::Image Views::image_of(const gpu::Texture* texture) {
@@ -97,10 +100,13 @@ void Views::probe(const Lab& lab, const std::optional<Probe>& probe) {
     m_probed.reset();
     const Executor& executor = lab.renderer()->executor();
     const auto pass = probe ? find_pass(executor.look(), probe->pass) : std::nullopt;
-    if (!pass)
+    const bool is_inspected = probe && m_inspected_part && probe->pass == m_inspected_part->name;
+    if (!pass && !is_inspected)
         return;
     const bool is_of_other = probe->is_of_variant && m_compared.other();
-    const gpu::Texture& target = is_of_other ? *m_compared.other() : executor.target(*pass);
+    const gpu::Texture& target = is_of_other    ? *m_compared.other()
+                                 : is_inspected ? *m_inspected_part->texture
+                                                : executor.target(*pass);
     if (probe->x >= 0 && probe->y >= 0 && probe->x < target.extent().width &&
         probe->y < target.extent().height)
         m_probed = gpu::read_pixel(target, probe->x, probe->y);
@@ -124,8 +130,10 @@ Probe picture_probe(const Lab& lab, const std::array<double, 2>& place) {
     const auto texel = [](double at, int whole, int length) {
         return static_cast<int>(std::floor(at * length / std::max(whole, 1)));
     };
-    return {executor.look().passes[static_cast<std::size_t>(shown)].name,
-            texel(place[0], seen_as.width, own.width), texel(place[1], seen_as.height, own.height)};
+    return {.pass = executor.look().passes[static_cast<std::size_t>(shown)].name,
+            .x = texel(place[0], seen_as.width, own.width),
+            .y = texel(place[1], seen_as.height, own.height),
+            .extent = own};
 }
 
 int inspected_pass(const Look& look, const WindowState& window) {
@@ -144,19 +152,67 @@ double present_seconds() {
 }
 }  // namespace
 
+CellNumbers::Subject Views::Part::cells(Extent room, Extent least, std::uint64_t picture) const {
+    return {.texture = *texture,
+            .name = name,
+            .whole = whole,
+            .place = place_of(view, whole, room),
+            .size = room,
+            .least = least,
+            .picture = picture,
+            .options = options};
+}
+
+// What the inspector and the picture's place show of what is looked into.
+void Views::inspect(const Executor& executor, const WindowState& window) {
+    const bool has_panel = !window.is_picture_only && window.shows_inspector;
+    const auto inspected = has_panel || window.shows_pass_large
+                               ? inspected_texture(executor, window.inspected)
+                               : std::nullopt;
+    m_inspected_part.reset();
+    if (!inspected)
+        return;
+    const gpu::Texture& texture = m_closer.level_of(*inspected);
+    m_inspected_part = Part{&texture,
+                            inspected->choice.label(),
+                            inspected->choice.is_present_pass() ? inspected->pass : -1,
+                            texture.extent(),
+                            window.inspected.view,
+                            options_for(window.inspected, inspected->encoding)};
+}
+
 void Views::draw_inspected(const Executor& executor, const WindowState& window) {
-    const auto pass = find_pass(executor.look(), window.inspected.pass);
-    if (!pass || window.is_picture_only || !window.shows_inspector) {
+    if (!m_inspected_part || window.is_picture_only || !window.shows_inspector) {
         m_inspected.reset();
         m_inspection.stop();
+        m_closer.update_inspected(nullptr, 0.0);
         return;
     }
-    const gpu::Texture& target = executor.target(*pass);
-    const ViewOptions options = options_for(window.inspected, encoding_of(executor.look(), *pass));
-    draw_part(target, m_inspected, window.views.inspector,
-              {*pass, target.extent(), inspector_view(window), options});
-    m_inspection.update(target, {window.inspected.pass, options.channels, options.levels},
-                        present_seconds());
+    Part part = *m_inspected_part;
+    part.view = inspector_view(window);
+    const double now = present_seconds();
+    const Extent room = window.views.inspector;
+    draw_part(*part.texture, m_inspected, room, part);
+    m_inspection.update(*part.texture, {part.name, part.options.channels, part.options.levels},
+                        now);
+    const CellNumbers::Subject cells =
+        part.cells(room, window.views.cell, executor.picture_number());
+    m_closer.update_inspected(&cells, now);
+}
+
+// Numbers in the texels that stand in the picture's place, and along the line over it.
+void Views::look_closer(const Lab& lab, const WindowState& window) {
+    const Part part = large_part(lab, window);
+    const double now = present_seconds();
+    const auto number = lab.renderer()->executor().picture_number();
+    const CellNumbers::Subject cells = part.cells(window.views.picture, window.views.cell, number);
+    const bool is_itself = lab.compare_mode() == CompareMode::off &&
+                           !lab.comparing().is_flashing() && !lab.tryouts().probe().picture();
+    m_closer.update_picture(is_itself && !window.is_picture_only ? &cells : nullptr, now);
+    const bool has_waveform = !window.is_picture_only && window.shows_bottom &&
+                              window.bottom_part == BottomPart::waveform;
+    const Waveform::Subject along{*part.texture, part.name, window.scan_line, number};
+    m_closer.update_waveform(has_waveform ? &along : nullptr, now);
 }
 
 void Views::update(const Lab& lab, const WindowState& window) {
@@ -173,12 +229,16 @@ void Views::update(const Lab& lab, const WindowState& window) {
         m_inspection.stop();
         m_pins.stop();
         m_gains.stop();
+        m_closer.stop();
+        m_inspected_part.reset();
         return;
     }
     if (lab.renderer()->replay().is_running())
         return;  // what was shown stays until the past has been drawn again
     const Executor& executor = lab.renderer()->executor();
+    inspect(executor, window);
     draw_picture(lab, window);
+    look_closer(lab, window);
     draw_output(lab, window.output.is_black ? Extent{} : window.views.output);
     show_in_comfort(lab, window.comfort);
     count_flashes(lab, window);
@@ -206,7 +266,8 @@ void Views::draw_output(const Lab& lab, Extent extent) {
     const int shown = lab.picture_pass();
     const int last = static_cast<int>(executor.look().passes.size()) - 1;
     draw_part(executor.target(shown), m_output, extent,
-              {.pass = shown,
+              {.texture = &executor.target(shown),
+               .pass = shown,
                .whole = executor.target(last).extent(),
                .view = {},
                .options = {.encoding = encoding_of(executor.look(), shown)}});
@@ -239,15 +300,15 @@ bool Views::is_settling() const {
     return m_flash_meter.is_counting() || m_comfort.is_settling(present_seconds());
 }
 
-Views::Part Views::large_part(const Lab& lab, const WindowState& window) {
+Views::Part Views::large_part(const Lab& lab, const WindowState& window) const {
+    if (m_inspected_part && window.shows_pass_large)
+        return *m_inspected_part;
     const Executor& executor = lab.renderer()->executor();
-    const auto inspected = find_pass(executor.look(), window.inspected.pass);
-    if (inspected && window.shows_pass_large)
-        return {*inspected, executor.target(*inspected).extent(), window.inspected.view,
-                options_for(window.inspected, encoding_of(executor.look(), *inspected))};
     const int last = static_cast<int>(executor.look().passes.size()) - 1;
     const int shown = lab.picture_pass();
-    return {shown,
+    return {&executor.target(shown),
+            executor.look().passes[static_cast<std::size_t>(shown)].name,
+            shown,
             executor.target(last).extent(),
             window.picture,
             {.encoding = encoding_of(executor.look(), shown)}};
@@ -255,14 +316,14 @@ Views::Part Views::large_part(const Lab& lab, const WindowState& window) {
 
 // What the part is compared with; a picture from a file is no pass.
 void Views::compare(const Lab& lab, const Part& part) {
-    const Executor& executor = lab.renderer()->executor();
     const Executor* variant = lab.renderer()->variant();
     const bool is_picture = part.pass == lab.picture_pass();
     const bool is_file = lab.comparing().chosen().other.kind == Other::Kind::file;
-    const bool has_other = is_file ? is_picture : variant && !variant->plan().targets.empty();
+    const bool has_variant = variant && !variant->plan().targets.empty() && part.pass >= 0;
+    const bool has_other = is_file ? is_picture : has_variant;
     if (!lab.sides() || !has_other)
         return m_compared.stop();
-    m_compared.update({.ours = executor.target(part.pass),
+    m_compared.update({.ours = *part.texture,
                        .other = is_file ? nullptr : &variant->target(part.pass),
                        .reference = lab.comparing().reference().picture(),
                        .encoding = part.options.encoding},
@@ -294,7 +355,8 @@ bool Views::draw_step(const Lab& lab, const WindowState& window) {
     if (!step || window.shows_pass_large)
         return false;
     draw_part(*step, m_picture, window.views.picture,
-              {.whole = step->extent(),
+              {.texture = step,
+               .whole = step->extent(),
                .view = window.picture,
                .options = {.encoding = Encoding::display}});
     m_beside.reset();
@@ -308,10 +370,9 @@ void Views::draw_picture(const Lab& lab, const WindowState& window) {
     const Extent size = room_of_one(window.views.picture, mode);
     const Part part = large_part(lab, window);
     compare(lab, part);
-    const gpu::Texture& own = lab.renderer()->executor().target(part.pass);
     const gpu::Texture* other = m_compared.other();
     const bool is_flashing = other && lab.comparing().is_flashing();
-    draw_part(is_flashing ? *other : own, m_picture, size, part);
+    draw_part(is_flashing ? *other : *part.texture, m_picture, size, part);
     if (other && mode == CompareMode::side_by_side)
         draw_part(*other, m_beside, size, part);
     else

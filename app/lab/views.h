@@ -2,6 +2,7 @@
 
 #include "gpu/canvas.h"
 #include "graph/viewer.h"
+#include "lab/closer_look.h"
 #include "lab/comfort.h"
 #include "lab/compared_pictures.h"
 #include "lab/flash_meter.h"
@@ -50,12 +51,16 @@ public:
     const Inspection& inspection() const { return m_inspection; }
     /// What each pass has at the pinned points; nothing while they are not shown.
     const Pins& pins() const { return m_pins; }
+    /// Numbers of single texels, and along a line; nothing where they are not shown.
+    const CloserLook& closer() const { return m_closer; }
     Image thumbnail(std::size_t pass) const;
     /// How loud each pass is; nothing while the strip is closed.
     const GainMeters& gains() const { return m_gains; }
     /// What is shown of the passes is not all from the present picture yet: it comes when update()
     /// is called again, also while nothing moves.
-    bool is_owing() const { return m_thumbnails.is_owing() || m_gains.is_owing(); }
+    bool is_owing() const {
+        return m_thumbnails.is_owing() || m_gains.is_owing() || m_closer.is_owing();
+    }
     /// The stored numbers of WindowState::probe's pixel.
     const std::optional<std::array<float, 4>>& probed() const { return m_probed; }
 
@@ -68,20 +73,25 @@ private:
         ComparedPictures compared;
         FlashMeter flash_meter;
         Comfort comfort;
+        CloserLook closer;
     };
     explicit Views(Parts parts);
     static Image image_of(const gpu::Texture* texture);
     static Image image_of(const std::optional<gpu::Canvas>& canvas);
     bool fit(std::optional<gpu::Canvas>& canvas, Extent extent);
     struct Part {
-        int pass = 0;
+        const gpu::Texture* texture = nullptr;  // never null
+        std::string name = {};                  // of what it holds
+        int pass = 0;  // of the look; below 0: it is no pass's present picture
         Extent whole;  // px that it is seen as: of the picture, where it stands in its place
         PictureView view;
         ViewOptions options;
+
+        CellNumbers::Subject cells(Extent room, Extent least, std::uint64_t picture) const;
     };
     void draw_part(const gpu::Texture& from, std::optional<gpu::Canvas>& to, Extent size,
                    const Part& part);
-    static Part large_part(const Lab& lab, const WindowState& window);
+    Part large_part(const Lab& lab, const WindowState& window) const;
     void draw_picture(const Lab& lab, const WindowState& window);
     void count_flashes(const Lab& lab, const WindowState& window);
     void show_in_comfort(const Lab& lab, const ComfortClamp& clamp);
@@ -90,7 +100,9 @@ private:
     void draw_wiped(const Lab& lab, Part part, const WindowState& window);
     void draw_difference(const Lab& lab, Part part, const WindowState& window);
     void draw_output(const Lab& lab, Extent extent);
+    void inspect(const Executor& executor, const WindowState& window);
     void draw_inspected(const Executor& executor, const WindowState& window);
+    void look_closer(const Lab& lab, const WindowState& window);
     void probe(const Lab& lab, const std::optional<Probe>& probe);
 
     Viewer m_viewer;
@@ -101,6 +113,8 @@ private:
     ComparedPictures m_compared;
     FlashMeter m_flash_meter;
     Comfort m_comfort;
+    CloserLook m_closer;
+    std::optional<Part> m_inspected_part;          // of this update; none: nobody looks
     std::array<const gpu::Texture*, 3> m_shown{};  // the three below, or what stands for them
     std::optional<gpu::Canvas> m_picture;
     std::optional<gpu::Canvas> m_beside;

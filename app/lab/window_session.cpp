@@ -112,7 +112,7 @@ WindowState restored_window(const std::map<std::string, double>& numbers) {
         window.output.monitor = static_cast<std::size_t>(*monitor);
     if (const auto budget = number(numbers, "budget_ms", 0.1, 1000.0))
         window.budget_milliseconds = *budget;
-    constexpr auto last_part = static_cast<double>(BottomPart::sheet);
+    constexpr auto last_part = static_cast<double>(BottomPart::waveform);
     if (const auto part = whole(numbers, "bottom_part", 0.0, last_part))
         window.bottom_part = static_cast<BottomPart>(*part);
     for (const auto& [name, is_on] : switches)

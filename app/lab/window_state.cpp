@@ -4,8 +4,8 @@
 #include <cmath>
 
 namespace {
-constexpr std::array zooms{0.125, 0.25, 0.5,  1.0,  2.0,  3.0,  4.0, 6.0,
-                           8.0,   12.0, 16.0, 24.0, 32.0, 48.0, 64.0};
+constexpr std::array zooms{0.125, 0.25, 0.5,  1.0,  2.0,  3.0,  4.0,  6.0,  8.0,
+                           12.0,  16.0, 24.0, 32.0, 48.0, 64.0, 96.0, 128.0};
 }  // namespace
 
 double FrameRate::frame_seconds(double display_rate) const {
@@ -31,6 +31,17 @@ void PictureView::zoom_about(double at_x, double at_y, double present, double ne
     y = std::clamp(at_y + (y - at_y) * present / next, 0.0, 1.0);
     zoom = next;
     fit = Fit::free;
+}
+
+void PassView::look_into(const std::string& name) {
+    pass = name;
+    other.reset();
+}
+
+void PassView::look_into(const TextureChoice& choice) {
+    if (choice.from == Input::From::pass)
+        pass = choice.name;
+    other = choice.is_present_pass() ? std::nullopt : std::optional(choice);
 }
 
 void PassView::fit(const Statistics& statistics) {
@@ -83,8 +94,19 @@ std::array<int, 2> Pin::texel(Extent extent) const {
     return {place(x, extent.width), place(y, extent.height)};
 }
 
-Pin pin_at(const Probe& probe, Extent extent) {
-    return {(probe.x + 0.5) / extent.width, (probe.y + 0.5) / extent.height};
+Pin pin_at(const Probe& probe) {
+    return {(probe.x + 0.5) / std::max(probe.extent.width, 1),
+            (probe.y + 0.5) / std::max(probe.extent.height, 1)};
+}
+
+ScanLine ScanLine::along_row(int row, int height) {
+    const double y = (row + 0.5) / std::max(height, 1);
+    return {{0.0, y}, {1.0, y}};
+}
+
+std::optional<int> ScanLine::row(Extent extent) const {
+    const int first = start.texel(extent)[1];
+    return first == end.texel(extent)[1] ? std::optional(first) : std::nullopt;
 }
 
 double next_zoom(double zoom, bool is_in) {

@@ -5,6 +5,7 @@
 #include "model/comfort_clamp.h"
 #include "model/extent.h"
 #include "model/levels.h"
+#include "model/texture_choice.h"
 
 #include <array>
 #include <filesystem>
@@ -33,7 +34,7 @@ struct PictureView {
     void zoom_about(double at_x, double at_y, double present, double next);
 };
 
-/// The zoom one notch further in (or out): 1/8 1/4 1/2 1 2 3 4 6 8 12 16 24 32 48 64.
+/// The zoom one notch further in (or out): 1/8 1/4 1/2 1 2 3 4 6 8 12 16 24 32 48 64 96 128.
 double next_zoom(double zoom, bool is_in);
 
 /// Where a picture lies in a view: both in device pixels, from the top left.
@@ -59,11 +60,12 @@ double wipe_share(const PicturePlace& place, Extent picture, Extent size, double
 /// What of a pass's numbers is shown.
 enum class Channels { color, red, green, blue, alpha, luminance };
 
-/// The pass that a person looks into, and how.
+/// What a person looks into, and how.
 struct PassView {
-    std::string pass;       // "": none
-    Levels levels;          // stored numbers that are seen as black and as white
-    double exposure = 0.0;  // stops, from black on
+    std::string pass;                    // that is chosen; "": none
+    std::optional<TextureChoice> other;  // in the place of its present picture
+    Levels levels;                       // stored numbers that are seen as black and as white
+    double exposure = 0.0;               // stops, from black on
     Channels channels = Channels::color;
     bool marks_flaws = false;  // what is not finite, and what is negative
     bool marks_clipping = false;
@@ -71,6 +73,12 @@ struct PassView {
     PictureView view{PictureView::Fit::all};
 
     bool operator==(const PassView&) const = default;
+    /// Into the present picture of a pass.
+    void look_into(const std::string& name);
+    /// Into anything: a pass's pictures choose the pass too.
+    void look_into(const TextureChoice& choice);
+    /// What it is looked into: "persistence", "noise mip 2".
+    std::string label() const { return other ? other->label() : pass; }
     /// So that every finite number is seen.
     void fit(const Statistics& statistics);
     /// Levels and exposure as at first.
@@ -80,10 +88,11 @@ struct PassView {
 
 /// A pixel under the pointer, from the top left.
 struct Probe {
-    std::string pass;
+    std::string pass;  // or what else is looked into, as TextureChoice::label says it
     int x = 0;
     int y = 0;
     bool is_of_variant = false;  // what is compared with
+    Extent extent = {};          // px of what it is a pixel of
 
     bool operator==(const Probe&) const = default;
 };
@@ -98,17 +107,30 @@ struct Pin {
     std::array<int, 2> texel(Extent extent) const;
 };
 
-/// The middle of a probed pixel of a target.
-Pin pin_at(const Probe& probe, Extent extent);
+/// The middle of a probed pixel.
+Pin pin_at(const Probe& probe);
+
+/// A line over the picture along which numbers are plotted.
+struct ScanLine {
+    Pin start{0.0, 0.5};
+    Pin end{1.0, 0.5};
+
+    bool operator==(const ScanLine&) const = default;
+    /// From the left to the right through the middle of a row of texels.
+    static ScanLine along_row(int row, int height);
+    /// The row that it lies in from end to end; none where it goes up or down.
+    std::optional<int> row(Extent extent) const;
+};
 
 /// What the pane at the bottom holds.
-enum class BottomPart { problems, timings, pins, inputs, text, graph, sheet };
+enum class BottomPart { problems, timings, pins, inputs, text, graph, sheet, waveform };
 
 /// Device pixels that the panels have for pictures.
 struct ViewSizes {
     Extent picture;
     Extent inspector;
     Extent output;  // empty while it is closed
+    Extent cell;    // that a texel needs for its numbers
     int thumbnail_height = 0;
 };
 
@@ -258,6 +280,9 @@ struct WindowState {
     double wipe_share = 0.5;        // how far over the picture the line of a wipe stands
     std::optional<Probe> probe;
     std::vector<Pin> pins;
+    ScanLine scan_line;
+    std::optional<double> scan_place;            // 0..1 along it, under the pointer in its plot
+    bool plots_luminance = false;                // in the place of red, green and blue
     double budget_milliseconds = 1000.0 / 60.0;  // that all passes of a frame may take the GPU
     ViewSizes views;
     std::string search;         // among the parameters

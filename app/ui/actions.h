@@ -114,6 +114,7 @@ enum class ActionId {
     step_up,
     step_down,
     show_sheet,
+    show_waveform,
     show_favourites,
     show_of_pass,
     next_knob,

@@ -210,6 +210,7 @@ void Application::draw() {
     edits.arrange([](WindowState& state) {  // panels set them anew
         state.probe.reset();
         state.pointed.reset();
+        state.scan_place.reset();
     });
     draw_window(scene, edits);
     for (const std::filesystem::path& file : m_window.take_dropped_files())

@@ -11,6 +11,7 @@
 #include "ui/sheet_panel.h"
 #include "ui/theme.h"
 #include "ui/timings_panel.h"
+#include "ui/waveform_panel.h"
 #include "ui/widgets.h"
 
 #include <fmt/format.h>
@@ -141,8 +142,8 @@ void draw_problems(const Scene& scene, Edits& edits) {
 }  // namespace
 
 void draw_bottom_panel(const Scene& scene, Edits& edits) {
-    static constexpr std::array labels{"Problems", "Timings", "Pins",     "Reads",
-                                       "Text",     "Graph",   "Filmstrip"};
+    static constexpr std::array labels{"Problems", "Timings", "Pins",      "Reads",
+                                       "Text",     "Graph",   "Filmstrip", "Waveform"};
     const int present = static_cast<int>(scene.window.bottom_part);
     const int chosen =
         choice("bottom", labels.data(), static_cast<int>(labels.size()), present, edits);
@@ -169,6 +170,8 @@ void draw_bottom_panel(const Scene& scene, Edits& edits) {
         draw_pass_graph(scene, edits);
     else if (scene.window.bottom_part == BottomPart::sheet)
         draw_sheet_panel(scene, edits);
+    else if (scene.window.bottom_part == BottomPart::waveform)
+        draw_waveform_panel(scene, edits);
     else
         draw_problems(scene, edits);
     ImGui::EndChild();

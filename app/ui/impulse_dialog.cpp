@@ -30,12 +30,7 @@ const theme::Color& hue_of(std::size_t pass) {
 Pin place_of_flash(const Scene& scene) {
     if (!scene.window.pins.empty())
         return scene.window.pins.front();
-    const auto& probe = scene.window.probe;
-    if (!probe || !scene.lab.renderer())
-        return {};
-    const Executor& executor = scene.lab.renderer()->executor();
-    const auto pass = find_pass(executor.look(), probe->pass);
-    return pass ? pin_at(*probe, executor.target(*pass).extent()) : Pin{};
+    return scene.window.probe ? pin_at(*scene.window.probe) : Pin{};
 }
 
 // Up to the moment when the slowest pass is down at the floor, and a little more.

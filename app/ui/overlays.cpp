@@ -156,7 +156,7 @@ void draw_trip(const Scene& scene, Edits& edits) {
     }
     if (quiet_button("Show the pass"))
         edits.arrange([pass](WindowState& window) {
-            window.inspected.pass = pass;
+            window.inspected.look_into(pass);
             window.inspected.marks_flaws = true;
             window.shows_inspector = true;
         });

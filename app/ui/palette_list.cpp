@@ -93,7 +93,7 @@ void reveal(const std::string& parameter, Edits& edits) {
 
 void inspect(const std::string& pass, Edits& edits) {
     edits.arrange([pass](WindowState& window) {
-        window.inspected.pass = pass;
+        window.inspected.look_into(pass);
         window.shows_inspector = true;
         window.is_picture_only = false;
     });

@@ -25,7 +25,7 @@ void choose_next(const Scene& scene, Edits& edits) {
     const int present = inspected_pass(scene.lab.document()->look(), scene.window);
     const auto next = static_cast<std::size_t>((present + by + count) % count);
     edits.arrange([name = passes[next].name](WindowState& window) {
-        window.inspected.pass = name;
+        window.inspected.look_into(name);
         window.shows_inspector = true;
     });
 }
@@ -83,12 +83,7 @@ bool has_probe(const Scene& scene) {
 }
 
 void pin(const Scene& scene, Edits& edits) {
-    const Executor& executor = scene.lab.renderer()->executor();
-    const auto pass = find_pass(executor.look(), scene.window.probe->pass);
-    if (!pass)
-        return;
-    const Pin pin = pin_at(*scene.window.probe, executor.target(*pass).extent());
-    edits.arrange([pin](WindowState& window) {
+    edits.arrange([pin = pin_at(*scene.window.probe)](WindowState& window) {
         constexpr std::size_t most = 4;  // that the table has room for
         if (window.pins.size() == most)
             window.pins.erase(window.pins.begin());
@@ -99,7 +94,7 @@ void pin(const Scene& scene, Edits& edits) {
 }
 
 void save_pass(const Scene& scene, Edits& edits) {
-    edits.show({.kind = Dialog::Kind::save_pass, .subject = scene.window.inspected.pass});
+    edits.show({.kind = Dialog::Kind::save_pass, .subject = scene.window.inspected.label()});
 }
 
 void edit_shader(const Scene& scene, Edits& edits) {

@@ -170,7 +170,7 @@ void draw_node(std::size_t index, const PassGraph& graph, const Paper& paper, co
     ImGui::SetCursorScreenPos(low);
     if (ImGui::InvisibleButton("##node", paper.node) && is_pass)
         edits.arrange([name = node.name](WindowState& window) {
-            window.inspected.pass = name;
+            window.inspected.look_into(name);
             window.shows_inspector = true;
         });
     edits.mark("node:" + node.name);

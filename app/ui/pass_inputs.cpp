@@ -23,23 +23,19 @@ const char* wrap_text(Wrap wrap) {
     return words[static_cast<std::size_t>(wrap)];
 }
 
-void draw_read(const SamplerReport& sampler, const Look& look, Edits& edits) {
-    if (sampler.reads.empty()) {
+void draw_read(const SamplerReport& sampler, Edits& edits) {
+    if (!sampler.reads) {
         dim_text("nothing: transparent black");
         return;
     }
-    if (!sampler.pass) {
-        ImGui::TextUnformatted(sampler.reads.c_str());
-        return;
-    }
-    if (quiet_button(sampler.reads + "##" + sampler.uniform))
-        edits.arrange([name = look.passes[static_cast<std::size_t>(*sampler.pass)].name](
-                          WindowState& window) { window.inspected.pass = name; });
+    if (quiet_button(sampler.reads->label() + "##" + sampler.uniform))
+        edits.arrange(
+            [choice = *sampler.reads](WindowState& window) { window.inspected.look_into(choice); });
     edits.mark("reads:" + sampler.uniform);
-    tooltip("A click looks into that pass.");
+    tooltip("A click looks into that picture.");
 }
 
-void draw_sampler(const SamplerReport& sampler, const Look& look, Edits& edits) {
+void draw_sampler(const SamplerReport& sampler, Edits& edits) {
     const auto cell = [](const std::string& text) {
         ImGui::TableNextColumn();
         ImGui::AlignTextToFramePadding();
@@ -50,9 +46,9 @@ void draw_sampler(const SamplerReport& sampler, const Look& look, Edits& edits) 
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(sampler.uniform.c_str());
     ImGui::TableNextColumn();
-    draw_read(sampler, look, edits);
+    draw_read(sampler, edits);
     if (sampler.extent.is_empty()) {
-        cell(sampler.reads.empty() ? "" : "not there yet: transparent black");
+        cell(!sampler.reads ? "" : "not there yet: transparent black");
         return;
     }
     cell(size_text(sampler.extent));
@@ -61,12 +57,12 @@ void draw_sampler(const SamplerReport& sampler, const Look& look, Edits& edits) 
     cell(wrap_text(sampler.sampler.wrap));
 }
 
-void draw_samplers(const PassReport& report, const Look& look, Edits& edits) {
+void draw_samplers(const PassReport& report, Edits& edits) {
     if (report.samplers.empty())
         dim_text("This pass reads no picture.");
     else if (ImGui::BeginTable("##samplers", 6, ImGuiTableFlags_SizingFixedFit)) {
         for (const SamplerReport& sampler : report.samplers)
-            draw_sampler(sampler, look, edits);
+            draw_sampler(sampler, edits);
         ImGui::EndTable();
     }
 }
@@ -101,7 +97,7 @@ void draw_pass_inputs(const Scene& scene, Edits& edits) {
         ImGuiStyleVar_CellPadding,
         ImVec2(ImGui::GetStyle().ItemSpacing.x, ImGui::GetStyle().CellPadding.y * 0.5f));
     ImGui::BeginGroup();
-    draw_samplers(report, executor.look(), edits);
+    draw_samplers(report, edits);
     ImGui::EndGroup();
     ImGui::SameLine(0.0f, 3.0f * ImGui::GetFontSize());
     ImGui::BeginGroup();

@@ -188,7 +188,7 @@ void draw_cell(const Cell& cell, const Scene& scene, float image_height, Edits& 
     const ImVec2 low = ImGui::GetCursorScreenPos();
     if (ImGui::InvisibleButton("##pass", {width, image_height + words}))
         edits.arrange([name = cell.pass.name](WindowState& window) {
-            window.inspected.pass = name;
+            window.inspected.look_into(name);
             window.shows_inspector = true;
         });
     edits.mark("pass:" + cell.pass.name);

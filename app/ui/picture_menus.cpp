@@ -53,10 +53,10 @@ void draw_button(const std::string& label, const char* popup, const std::string&
 
 Extent large_extent(const Scene& scene) {
     if (scene.window.shows_pass_large && scene.lab.renderer()) {
-        const Executor& executor = scene.lab.renderer()->executor();
-        const auto pass = find_pass(executor.look(), scene.window.inspected.pass);
-        if (pass && !executor.plan().targets.empty())
-            return executor.target(*pass).extent();
+        const auto inspected =
+            inspected_texture(scene.lab.renderer()->executor(), scene.window.inspected);
+        if (inspected)
+            return inspected->extent();
     }
     return scene.lab.picture_extent();
 }

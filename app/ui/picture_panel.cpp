@@ -1,6 +1,7 @@
 #include "ui/picture_panel.h"
 
 #include "ui/actions.h"
+#include "ui/cell_texts.h"
 #include "ui/compare_bar.h"
 #include "ui/drawing_overlay.h"
 #include "ui/overlays.h"
@@ -8,6 +9,7 @@
 #include "ui/picture_canvas.h"
 #include "ui/picture_menus.h"
 #include "ui/pins_panel.h"
+#include "ui/scan_line.h"
 #include "ui/scoped.h"
 #include "ui/wipe.h"
 
@@ -20,9 +22,10 @@ struct Place {
     bool is_of_variant;
 };
 
-void probe(const std::string& pass, const Place& place, Edits& edits) {
-    const Probe probe{pass, static_cast<int>(std::floor(place.pixel[0])),
-                      static_cast<int>(std::floor(place.pixel[1])), place.is_of_variant};
+void probe_inspected(const Place& place, const Scene& scene, Edits& edits) {
+    const Probe probe{scene.window.inspected.label(), static_cast<int>(std::floor(place.pixel[0])),
+                      static_cast<int>(std::floor(place.pixel[1])), place.is_of_variant,
+                      large_extent(scene)};
     edits.arrange([probe](WindowState& window) { window.probe = probe; });
 }
 
@@ -58,7 +61,7 @@ void follow_pen(const CanvasInput& input, Edits& edits) {
 std::string other_words(const Scene& scene) {
     const PassSwitches& switches = scene.lab.pass_switches();
     if (scene.window.shows_pass_large)
-        return "Pass " + scene.window.inspected.pass + " · back to the picture";
+        return scene.window.inspected.label() + " · back to the picture";
     if (!switches.solo.empty())
         return "Only " + switches.solo + " · back to the picture";
     if (!switches.last.empty())
@@ -108,12 +111,20 @@ std::vector<Shown> shown_pictures(const Scene& scene) {
     return {ours, beside};
 }
 
+// What tells of our own picture's texels.
+void draw_over_texels(const ImVec2& low, const ImVec2& size, const Scene& scene) {
+    draw_cell_texts(scene.views.closer().picture(), low, size, scene);
+    draw_scan_line(low, size, scene);
+}
+
 void draw_shown(const Shown& shown, const Scene& scene, Edits& edits, const ImVec2& size) {
     const bool is_large = scene.window.shows_pass_large;
     const bool is_turned = !is_large && scene.lab.document()->look().has_orbit;
     const bool has_pen = !is_large && scene.lab.drawing_board().has_pen();
     const Extent room = scene.device_pixels(size.x, size.y);
     const auto wipe = drag_wipe(size, scene, edits);
+    if (!shown.is_other)
+        drag_scan_line(size, scene, edits);
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const CanvasInput input = draw_picture_canvas({.id = shown.name,
                                                    .image = shown.image,
@@ -124,6 +135,8 @@ void draw_shown(const Shown& shown, const Scene& scene, Edits& edits, const ImVe
                                                    .has_pen = has_pen},
                                                   scene);
     edits.mark(shown.name);
+    if (!shown.is_other)
+        draw_over_texels(low, size, scene);
     if (!has_pen)
         pin_on_click(scene, edits);
     draw_pin_marks(scene, low, large_extent(scene), scene.window.large_view(), room);
@@ -135,7 +148,7 @@ void draw_shown(const Shown& shown, const Scene& scene, Edits& edits, const ImVe
         edits.finish();
     const bool is_other = shown.is_other || is_over_variant(wipe, scene);
     if (input.hovered && is_large)
-        probe(scene.window.inspected.pass, {*input.hovered, is_other}, edits);
+        probe_inspected({*input.hovered, is_other}, scene, edits);
     else if (input.hovered)
         tell_pointer({*input.hovered, is_other}, scene, edits);
     if (wipe)
@@ -153,8 +166,12 @@ void draw_shown(const Shown& shown, const Scene& scene, Edits& edits, const ImVe
 
 void draw_picture_panel(const Scene& scene, const Rect& place, Edits& edits) {
     const Extent room = scene.device_pixels(place.width, place.height);
-    if (room != scene.window.views.picture)
-        edits.arrange([room](WindowState& window) { window.views.picture = room; });
+    const Extent cell = least_cell(scene);
+    if (room != scene.window.views.picture || cell != scene.window.views.cell)
+        edits.arrange([room, cell](WindowState& window) {
+            window.views.picture = room;
+            window.views.cell = cell;
+        });
     if (!scene.lab.document()) {
         draw_welcome(scene);
         draw_overlays(scene, edits);

@@ -93,8 +93,21 @@ std::string inspection_text(const Scene& scene) {
                           all->minimum, all->maximum, all->mean, all->finite,
                           all->not_a_number + all->infinite)
             : "null";
-    return fmt::format(R"(,"levels":[{},{}],"measured":{})", view.levels.black, view.levels.white,
-                       measured);
+    return fmt::format(R"(,"looks_into":{},"levels":[{},{}],"measured":{})",
+                       json_string(view.label()), view.levels.black, view.levels.white, measured);
+}
+
+// Numbers that are seen in texels, of the picture's place and the inspector, and along a line.
+std::string closer_text(const Scene& scene) {
+    const CloserLook& closer = scene.views.closer();
+    const auto count = [](const CellNumbers& cells) {
+        return cells.block() ? cells.block()->numbers.size() : 0;
+    };
+    const ScanLine& line = scene.window.scan_line;
+    return fmt::format(
+        R"(,"cells":[{},{}],"scan_line":[{:.3f},{:.3f},{:.3f},{:.3f}],"waveform":{})",
+        count(closer.picture()), count(closer.inspected()), line.start.x, line.start.y, line.end.x,
+        line.end.y, closer.waveform().numbers().size());
 }
 
 // Of each pin the red of every pass; a null has not come yet.
@@ -219,9 +232,9 @@ std::string state_text(const Scene& scene, const Edits& edits) {
         json_string(!scene.window.output.is_open   ? "off"
                     : scene.window.output.is_black ? "black"
                                                    : "on"),
-        probe_text(scene) + inspection_text(scene) + pins_text(scene) + gains_text(scene) +
-            comparison_text(scene) + trip_text(lab) + flashes_text(scene) + switches_text(lab) +
-            tryouts_text(scene),
+        probe_text(scene) + inspection_text(scene) + closer_text(scene) + pins_text(scene) +
+            gains_text(scene) + comparison_text(scene) + trip_text(lab) + flashes_text(scene) +
+            switches_text(lab) + tryouts_text(scene),
         problems_json(lab), places_text(edits));
 }
 

@@ -147,6 +147,7 @@ std::vector<Action> view_actions::list() {
         bottom<BottomPart::text>(ActionId::show_text, "Text that the driver got", {'9', true}),
         bottom<BottomPart::graph>(ActionId::show_graph, "Passes as a graph", {'G'}),
         bottom<BottomPart::sheet>(ActionId::show_sheet, "Filmstrip and contact sheet", {'0', true}),
+        bottom<BottomPart::waveform>(ActionId::show_waveform, "Waveform along a line", {'L'}),
         toggling<&State::is_picture_only>(ActionId::picture_only, "Only the picture", {key_f11},
                                           true),
         toggling<&State::shows_flashes>(ActionId::show_flashes, "Flash meter", {}, true),

@@ -68,7 +68,7 @@ TEST_CASE("fitting shows every number of a pass, resetting shows it as it is") {
 }
 
 TEST_CASE("a pinned pixel is the same point in targets of every size") {
-    const Pin pin = pin_at({"beam", 100, 30}, {400, 60});
+    const Pin pin = pin_at({"beam", 100, 30, false, {400, 60}});
     CHECK(pin.texel({400, 60}) == std::array{100, 30});
     CHECK(pin.texel({200, 30}) == std::array{50, 15});
     CHECK(pin.texel({1200, 180}) == std::array{301, 91});
@@ -83,6 +83,20 @@ TEST_CASE("what the pane at the bottom holds comes back") {
     window.budget_milliseconds = 8.0;
     CHECK(restored_window(remembered(window)).budget_milliseconds == 8.0);
     CHECK(restored_window({{"bottom_part", 9.0}}).bottom_part == BottomPart::problems);
+}
+
+TEST_CASE("to look into another pass is to look into its present picture") {
+    PassView view;
+    view.look_into({Input::From::pass, "persistence", 1});
+    CHECK(view.pass == "persistence");
+    CHECK(view.label() == "persistence@1");
+    view.look_into({Input::From::image, "noise", 0, 2});
+    CHECK(view.pass == "persistence");
+    CHECK(view.label() == "noise mip 2");
+    view.look_into("beam");
+    CHECK(view.label() == "beam");
+    view.look_into({Input::From::pass, "glass"});
+    CHECK_FALSE(view.other.has_value());
 }
 
 TEST_CASE("how many frames are drawn comes back") {
