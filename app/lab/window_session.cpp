@@ -59,6 +59,61 @@ std::optional<int> whole(const std::map<std::string, double>& numbers, const cha
 }
 }  // namespace
 
+namespace {
+constexpr std::size_t most_pins = 9;
+
+std::string pin_name(std::size_t index, const char* side) {
+    return "pin" + std::to_string(index + 1) + side;
+}
+
+// What a person looks at, and how its numbers are seen; not which pass.
+void remember_looking(const WindowState& window, std::map<std::string, double>& numbers) {
+    const PassView& view = window.inspected;
+    numbers["black"] = view.levels.black;
+    numbers["white"] = view.levels.white;
+    numbers["exposure"] = view.exposure;
+    numbers["channels"] = static_cast<int>(view.channels);
+    numbers["plots_luminance"] = window.plots_luminance ? 1.0 : 0.0;
+    const ScanLine& line = window.scan_line;
+    numbers["line_start_x"] = line.start.x;
+    numbers["line_start_y"] = line.start.y;
+    numbers["line_end_x"] = line.end.x;
+    numbers["line_end_y"] = line.end.y;
+    for (std::size_t i = 0; i < std::min(window.pins.size(), most_pins); ++i) {
+        numbers[pin_name(i, "_x")] = window.pins[i].x;
+        numbers[pin_name(i, "_y")] = window.pins[i].y;
+    }
+}
+
+std::optional<Pin> pin_of(const std::map<std::string, double>& numbers, const std::string& x_name,
+                          const std::string& y_name) {
+    const auto x = number(numbers, x_name.c_str(), 0.0, 1.0);
+    const auto y = number(numbers, y_name.c_str(), 0.0, 1.0);
+    return x && y ? std::optional(Pin{*x, *y}) : std::nullopt;
+}
+
+void restore_looking(const std::map<std::string, double>& numbers, WindowState& window) {
+    constexpr double most = 1e9;
+    constexpr auto last_channels = static_cast<double>(Channels::luminance);
+    PassView& view = window.inspected;
+    const auto black = number(numbers, "black", -most, most);
+    const auto white = number(numbers, "white", -most, most);
+    if (black && white && *black < *white)
+        view.levels = {*black, *white};
+    view.exposure = number(numbers, "exposure", -60.0, 60.0).value_or(0.0);
+    view.channels =
+        static_cast<Channels>(whole(numbers, "channels", 0.0, last_channels).value_or(0));
+    window.plots_luminance = number(numbers, "plots_luminance", 0.0, 1.0).value_or(0.0) != 0.0;
+    const auto start = pin_of(numbers, "line_start_x", "line_start_y");
+    const auto end = pin_of(numbers, "line_end_x", "line_end_y");
+    if (start && end)
+        window.scan_line = {*start, *end};
+    for (std::size_t i = 0; i < most_pins; ++i)
+        if (const auto pin = pin_of(numbers, pin_name(i, "_x"), pin_name(i, "_y")))
+            window.pins.push_back(*pin);
+}
+}  // namespace
+
 std::map<std::string, double> remembered(const WindowState& window) {
     std::map<std::string, double> numbers{
         {"width", window.size.width},
@@ -79,6 +134,7 @@ std::map<std::string, double> remembered(const WindowState& window) {
         numbers["output_monitor"] = static_cast<double>(*window.output.monitor);
     for (const auto& [name, is_on] : switches)
         numbers[name] = window.*is_on ? 1.0 : 0.0;
+    remember_looking(window, numbers);
     remember_use(window.used, used_prefix, numbers);
     remember_use(window.recent_files, recent_prefix, numbers);
     for (const auto& [name, size] : sizes)
@@ -121,6 +177,7 @@ WindowState restored_window(const std::map<std::string, double>& numbers) {
     for (const auto& [name, size] : sizes)
         if (const auto kept = number(numbers, name, 60.0, 2000.0))
             window.panes.*size = static_cast<float>(*kept);
+    restore_looking(numbers, window);
     window.used = restored_use(numbers, used_prefix);
     window.recent_files = restored_use(numbers, recent_prefix);
     return window;

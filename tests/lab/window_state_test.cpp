@@ -85,6 +85,35 @@ TEST_CASE("what the pane at the bottom holds comes back") {
     CHECK(restored_window({{"bottom_part", 9.0}}).bottom_part == BottomPart::problems);
 }
 
+TEST_CASE("pins, the line of the waveform and how numbers are seen come back") {
+    WindowState window;
+    window.pins = {{0.25, 0.75}, {1.0, 0.0}};
+    window.scan_line = {{0.1, 0.2}, {0.3, 0.4}};
+    window.plots_luminance = true;
+    window.inspected.levels = {-0.5, 12.0};
+    window.inspected.exposure = -3.5;
+    window.inspected.channels = Channels::luminance;
+    const WindowState back = restored_window(remembered(window));
+    CHECK(back.pins == window.pins);
+    CHECK(back.scan_line == window.scan_line);
+    CHECK(back.plots_luminance);
+    CHECK(back.inspected == window.inspected);
+}
+
+TEST_CASE("what a session cannot mean is as at first") {
+    const WindowState back = restored_window({{"black", 2.0},
+                                              {"white", 1.0},
+                                              {"exposure", 1e6},
+                                              {"channels", 77.0},
+                                              {"pin1_x", 0.5},
+                                              {"pin2_x", 0.5},
+                                              {"pin2_y", 1.5},
+                                              {"line_start_x", 0.5}});
+    CHECK(back.inspected == PassView{});
+    CHECK(back.pins.empty());
+    CHECK(back.scan_line == ScanLine{});
+}
+
 TEST_CASE("to look into another pass is to look into its present picture") {
     PassView view;
     view.look_into({Input::From::pass, "persistence", 1});
