@@ -202,6 +202,9 @@ private:
                     session.knobs[look.key][knob.key] = read_knob(knob, m_file, m_problems);
         if (const JsonValue* looks = reader.find("slots"))
             read_slots(*looks, session.slots);
+        if (const JsonValue* stars = reader.find("preset_stars"))
+            for (const JsonValue& star : stars->children)
+                session.preset_stars.insert(star.text);
         if (const JsonValue* window = reader.find("window"))
             for (const JsonValue& number : window->children)
                 session.window[number.key] = number.number;
@@ -284,6 +287,7 @@ std::string session_to_json(const Session& session) {
                       {"picture_scale", session.picture_scale},
                       {"knobs", json_of(session.knobs)},
                       {"slots", json_of(session.slots)},
+                      {"preset_stars", session.preset_stars},
                       {"window", std::move(window)}});
 }
 

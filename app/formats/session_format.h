@@ -5,6 +5,7 @@
 #include "model/knob_settings.h"
 #include "model/plan.h"
 #include "model/preset.h"
+#include "model/preset_stars.h"
 
 #include <map>
 #include <string>
@@ -39,6 +40,7 @@ struct Session {
     double picture_scale = 1.0;
     LookKnobs knobs;  // what the person keeps about parameters, by look
     LookSlots slots;
+    PresetStars preset_stars;
     std::map<std::string, double> window;  // what the window remembers of itself, by its own names
 
     bool operator==(const Session&) const = default;

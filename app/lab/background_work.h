@@ -48,6 +48,8 @@ public:
     }
 
     bool is_running() const { return m_is_wanted && m_coming.valid(); }
+    /// Nothing is under way, not even what was cancelled: start() need not wait for it.
+    bool is_free() const { return !m_coming.valid(); }
     double share() const { return m_work ? m_work->share.load() : 0.0; }
     /// None before the work has come to its end.
     const std::optional<Result<Outcome>>& outcome() const { return m_outcome; }

@@ -278,6 +278,15 @@ void Document::open_defaults() {
     open(initial_state(m_look), {}, "Open " + m_look.name);
 }
 
+void Document::arrive_at(const Preset& preset, std::filesystem::path file,
+                         const std::string& gesture) {
+    if (file.empty())
+        open(initial_state(m_look), {}, gesture);
+    else
+        open(state_of(preset), {preset, std::move(file), {}}, gesture);
+    finish();
+}
+
 void Document::set_identity(Preset identity, std::filesystem::path file) {
     origin().identity = std::move(identity);
     origin().file = std::move(file);

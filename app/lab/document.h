@@ -95,6 +95,9 @@ public:
     void open_preset(const Preset& preset, std::filesystem::path file);
     /// The same with every parameter at its default and no preset.
     void open_defaults();
+    /// The same as the end of the gesture of that name, with which it is one step. `file` "": the
+    /// defaults.
+    void arrive_at(const Preset& preset, std::filesystem::path file, const std::string& gesture);
     /// The open preset and what differs from it; no file when looks have come or gone, or changed
     /// places, since it was opened.
     const std::filesystem::path& preset_file() const;

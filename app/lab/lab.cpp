@@ -232,9 +232,15 @@ void Lab::save_preset_to(const fs::path& file, const std::string& name) {
 void Lab::rename_preset(const std::string& name) {
     if (!m_document || m_document->preset_file().empty())
         return;
-    const auto file = m_library.rename_preset(m_document->preset_file(), name);
+    const fs::path before = m_document->preset_file();
+    const auto file = m_library.rename_preset(before, name);
     if (!succeeded(file))
         return;
+    const std::string former = star_of(m_document->look().id, before.stem().string());
+    if (m_preset_stars.contains(former)) {
+        m_preset_stars.erase(former);
+        m_preset_stars.insert(star_of(m_document->look().id, file->stem().string()));
+    }
     Preset identity = m_document->identity();
     identity.name = name;
     m_document->set_identity(identity, *file);

@@ -11,11 +11,13 @@
 #include "lab/open.h"
 #include "lab/osc_control.h"
 #include "lab/player.h"
+#include "lab/preset_ring.h"
 #include "lab/rate_check.h"
 #include "lab/reloader.h"
 #include "lab/renderer.h"
 #include "model/moves.h"
 #include "model/pass_switches.h"
+#include "model/preset_stars.h"
 #include "model/remote_settings.h"
 
 #include <functional>
@@ -175,8 +177,13 @@ public:
     void rename_preset(const std::string& name);
     void duplicate_preset();
     void delete_preset();
-    /// Opens the preset `by` places on in the list of the open look, and says which.
-    void step_preset(int by);
+    /// Opens the preset `by` places on in the list of the open look, perhaps of those with a star,
+    /// and says which.
+    void step_preset(int by, bool only_starred = false);
+    const PresetStars& preset_stars() const { return m_preset_stars; }
+    void set_preset_stars(PresetStars stars) { m_preset_stars = std::move(stars); }
+    /// Gives a preset of the open look a star, or takes it.
+    void star_preset(const std::string& name, bool has_star);
     std::string share_line() const;  // "" when nothing is open
     void paste(const std::string& line);
     void new_look(const std::string& id);
@@ -224,8 +231,11 @@ public:
     void draw_sheet(const SheetRequest& request);
     void take_from_sheet(std::size_t cell);  // one step of undo
     void end_sheet();
-    /// Goes to the values of a preset of this look over some time, as one step of undo.
+    /// Goes to a preset of this look over some time, as one step of undo, and opens it at the end;
+    /// "": to the look as it is.
     void morph_to(const std::filesystem::path& preset, double seconds);
+    /// The same to the one that step_preset() would open, or beside the one that it goes to now.
+    void morph_by(int by, double seconds, bool only_starred = false);
     void end_morph();
     /// Null while none is under way.
     const Morphing* morphing() const { return m_morphing.get(); }
@@ -290,6 +300,7 @@ private:
     void stop_at(const Trip& trip);
     void reconsider_trip(const Redraw& redraw);
     void forget_trip();
+    std::optional<PresetPlace> preset_on_ring(int by, bool only_starred);
     void tell_preset(bool had_changes);
     void watch_extra_files();
     void extra_file_changed(const std::filesystem::path& file);
@@ -338,13 +349,9 @@ private:
     PictureSize m_picture_size;
     Extent m_view{1280, 720};
     Extent m_drawn_extent;
-    struct PresetStep {
-        std::filesystem::path file;  // "": as the look has it
-        std::size_t number = 0;
-        std::size_t count = 0;
-    };
-    std::optional<PresetStep> m_preset_step;  // that is being opened
-    std::optional<Redraw> m_wanted;           // what the paused picture still owes
+    PresetStars m_preset_stars;
+    std::optional<PresetPlace> m_preset_step;  // that is being opened
+    std::optional<Redraw> m_wanted;            // what the paused picture still owes
     std::function<void(Lab&)> m_when_opened;
     std::function<void(const Lab&)> m_before_losing_changes;
 };

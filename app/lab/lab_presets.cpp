@@ -1,26 +1,52 @@
-// The part of Lab that goes from one preset to the next.
+// The part of Lab that goes from one preset to the next, at once or over some time.
+#include "formats/modulation_format.h"
+#include "formats/preset_format.h"
 #include "lab/lab.h"
-#include "lab/preset_ring.h"
+#include "lab/morphing.h"
 
 #include <fmt/format.h>
 
 namespace fs = std::filesystem;
 
-void Lab::step_preset(int by) {
+void Lab::star_preset(const std::string& name, bool has_star) {
     if (!m_document)
         return;
-    const Look& look = m_document->look();
-    const std::vector<PresetEntry> presets = m_library.presets(look.id);
-    if (presets.empty())
-        return say("This look has no presets yet");
-    // Pressed again before the last one is read, the key goes on from that.
+    const std::string star = star_of(m_document->look().id, name);
+    if (has_star)
+        m_preset_stars.insert(star);
+    else
+        m_preset_stars.erase(star);
+}
+
+// Pressed again before the last one is read, or while a morph is under way, a key goes on from
+// there.
+std::optional<PresetPlace> Lab::preset_on_ring(int by, bool only_starred) {
+    const std::vector<PresetEntry> presets = m_library.presets(m_document->look().id);
     const bool is_stepping = m_preset_step && is_loading();
-    const fs::path present = is_stepping ? m_preset_step->file : m_document->preset_file();
-    const PresetPlace next = preset_beside(presets, present, by);
+    const fs::path present = is_stepping  ? m_preset_step->file
+                             : m_morphing ? m_morphing->file()
+                                          : m_document->preset_file();
+    if (presets.empty()) {
+        say("This look has no presets yet");
+        return std::nullopt;
+    }
+    if (!only_starred)
+        return preset_beside(presets, present, by);
+    const auto starred = starred_beside(presets, m_preset_stars, present, by);
+    if (!starred)
+        say("No preset of this look has a star");
+    return starred;
+}
+
+void Lab::step_preset(int by, bool only_starred) {
+    const auto next = m_document ? preset_on_ring(by, only_starred) : std::nullopt;
+    if (!next)
+        return;
+    const Look& look = m_document->look();
     const std::string as_it_is =
         look.stack.size() > 1 ? look.id : look.manifest.parent_path().string();
-    open(next.file.empty() ? as_it_is : next.file.string());
-    m_preset_step = PresetStep{next.file, next.number, presets.size()};
+    open(next->file.empty() ? as_it_is : next->file.string());
+    m_preset_step = next;
 }
 
 void Lab::tell_preset(bool had_changes) {
@@ -34,4 +60,51 @@ void Lab::tell_preset(bool had_changes) {
             fmt::format("{}What was not saved comes back with Ctrl+Z", words.empty() ? "" : " · ");
     if (!words.empty())
         say(std::move(words));
+}
+
+void Lab::morph_to(const fs::path& file, double seconds) {
+    if (!m_document)
+        return;
+    const Look& look = m_document->look();
+    Preset to;
+    to.name = look.name;
+    if (!file.empty()) {
+        const auto preset = load_preset(file);
+        if (!succeeded(preset))
+            return;
+        if (preset->look != look.id)
+            return say("'" + preset->name + "' is a preset of another look: it can only be opened");
+        const auto values = fitted_values(look, *preset, file);
+        const auto modulations = fitted_modulations(look, *preset, file);
+        if (!succeeded(values) || !succeeded(modulations))
+            return;
+        to = with_found_media(*preset, media_folder(file), m_drive.recent());
+        to.values = *values;
+        to.modulations = *modulations;
+    }
+    end_morph();
+    m_morphing = std::make_unique<Morphing>(*m_document, std::move(to), file, seconds);
+}
+
+void Lab::morph_by(int by, double seconds, bool only_starred) {
+    if (const auto next = m_document ? preset_on_ring(by, only_starred) : std::nullopt)
+        morph_to(next->file, seconds);
+}
+
+void Lab::end_morph() {
+    if (m_morphing && m_document)
+        m_document->finish();
+    m_morphing.reset();
+}
+
+void Lab::go_on_morphing(double wall_seconds) {
+    if (!m_morphing || m_morphing->go_on(*m_document, wall_seconds))
+        return;
+    if (m_morphing->has_arrived()) {
+        watch_extra_files();
+        say("Arrived at '" + m_morphing->name() + "'");
+    } else {
+        say("Something else was turned: the morph has ended there");
+    }
+    m_morphing.reset();  // what was turned goes on as a step of its own
 }

@@ -173,10 +173,9 @@ void Lab::open_document(Look look, const OpenRequest& request) {
     m_renderer->set_patience(patience_seconds);
     m_variant.reset();
     m_tryouts->stop();
-    if (!is_same) {
+    m_morphing.reset();
+    if (!is_same)
         m_comparing.end();
-        m_morphing.reset();
-    }
     m_drawn_extent = {};
     m_images.clear();
     m_chosen_images.forget();

@@ -14,26 +14,32 @@ Values complete(const Look& look, const Values& values) {
 }
 }  // namespace
 
-Morphing::Morphing(const Document& document, std::string name, const Values& to, double seconds)
+Morphing::Morphing(const Document& document, Preset to, std::filesystem::path file, double seconds)
     : m_look(document.look().id),
-      m_name(std::move(name)),
+      m_to(std::move(to)),
+      m_file(std::move(file)),
       m_from(complete(document.look(), document.values())),
-      m_to(complete(document.look(), to)),
+      m_goal(complete(document.look(), renamed_values(document.look(), m_to.values))),
       m_last(document.values()),
       m_seconds(std::max(seconds, 1e-3)) {
     for (const auto& [knob, setting] : document.knobs())
-        if (setting.is_locked && m_to.contains(knob))
-            m_to[knob] = m_from[knob];
+        if (setting.is_locked && m_goal.contains(knob))
+            m_goal[knob] = m_from[knob];
+    if (m_goal == m_from)
+        m_elapsed = m_seconds;  // there is no way to go
 }
 
+// Signal, source and what moves by itself have no way between them: they change at the end.
 bool Morphing::go_on(Document& document, double seconds) {
     const bool is_ours = document.look().id == m_look && !document.is_restacking();
     if (!is_ours || document.values() != m_last)
         return false;
     m_elapsed = std::min(m_elapsed + seconds, m_seconds);
-    document.set_values(morphed(document.look(), m_from, m_to, share()), step_name(), true);
+    if (has_arrived()) {
+        document.arrive_at(m_to, m_file, step_name());
+        return false;
+    }
+    document.set_values(morphed(document.look(), m_from, m_goal, share()), step_name(), true);
     m_last = document.values();
-    if (has_arrived())
-        document.finish();
-    return !has_arrived();
+    return true;
 }

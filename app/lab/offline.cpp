@@ -19,6 +19,8 @@
 
 #include <utility>
 
+namespace fs = std::filesystem;
+
 namespace {
 Result<void> apply_values(const RenderRequest& request, Document& document) {
     Diagnostics problems;
@@ -53,16 +55,29 @@ Result<void> apply_drive(const RenderRequest& request, Document& document) {
 }
 }  // namespace
 
-namespace {
-void open_preset(OpenRequest request, const Library& library, Prepared& prepared) {
-    const auto folder = media_folder(request.preset_file);
-    const Preset preset =
-        with_found_media(std::move(*request.preset), folder, RecentMedia(library.roots()));
+Result<void> open_preset(OpenRequest request, const Library& library, Prepared& prepared) {
+    Preset& preset = *request.preset;
+    const fs::path& file = request.preset_file;
+    const Look& look = prepared.document.look();
+    if (preset.look != look.id)
+        return fail(
+            {file, 0, fmt::format("this preset is for '{}', not for '{}'", preset.look, look.id)});
+    const auto odd = compare_with_look(preset, look, file);
+    prepared.warnings.insert(prepared.warnings.end(), odd.begin(), odd.end());
+    auto values = fitted_values(look, preset, file);
+    if (!values)
+        return fail(values.error());
+    preset.values = std::move(*values);
+    auto modulations = fitted_modulations(look, preset, file);
+    if (!modulations)
+        return fail(modulations.error());
+    preset.modulations = std::move(*modulations);
+    preset = with_found_media(std::move(preset), media_folder(file), RecentMedia(library.roots()));
     const auto notes = compare_with_media(preset);
     prepared.warnings.insert(prepared.warnings.end(), notes.begin(), notes.end());
-    prepared.document.open_preset(preset, request.preset_file);
+    prepared.document.open_preset(preset, file);
+    return {};
 }
-}  // namespace
 
 namespace {
 // The request with the preset that is to be applied to its look; a preset says what of a stack is
@@ -93,24 +108,9 @@ Result<Prepared> prepare(const RenderRequest& request, const Library& library) {
     if (!loaded.look)
         return fail(std::move(loaded.look.error()));
     Prepared prepared{Document(std::move(*loaded.look)), std::move(loaded.warnings)};
-    if (preset->preset) {
-        const Look& look = prepared.document.look();
-        if (preset->preset->look != look.id)
-            return fail({preset->preset_file, 0,
-                         fmt::format("this preset is for '{}', not for '{}'", preset->preset->look,
-                                     look.id)});
-        const auto notes = compare_with_look(*preset->preset, look, preset->preset_file);
-        prepared.warnings.insert(prepared.warnings.end(), notes.begin(), notes.end());
-        auto values = fitted_values(look, *preset->preset, preset->preset_file);
-        if (!values)
-            return fail(values.error());
-        preset->preset->values = std::move(*values);
-        auto modulations = fitted_modulations(look, *preset->preset, preset->preset_file);
-        if (!modulations)
-            return fail(modulations.error());
-        preset->preset->modulations = std::move(*modulations);
-        open_preset(std::move(*preset), library, prepared);
-    }
+    if (preset->preset)
+        if (auto done = open_preset(std::move(*preset), library, prepared); !done)
+            return fail(done.error());
     if (auto done = apply_values(request, prepared.document); !done)
         return fail(done.error());
     if (auto done = apply_drive(request, prepared.document); !done)

@@ -35,6 +35,10 @@ struct Prepared {
 };
 Result<Prepared> prepare(const RenderRequest& request, const Library& library);
 
+/// Opens a preset, `request.preset`, in the document of its look; what is odd about it becomes a
+/// warning. Fails where it is another look's or its values do not fit.
+Result<void> open_preset(OpenRequest request, const Library& library, Prepared& prepared);
+
 /// The targets for a prepared look; needs no GL.
 Result<Plan> plan_of(const Prepared& prepared, Extent size);
 

@@ -1,5 +1,6 @@
 #include "lab/variant_sheet.h"
 
+#include "lab/small_picture.h"
 #include "model/slider_range.h"
 
 #include <fmt/format.h>
@@ -44,22 +45,13 @@ DocumentState without_axes(const Document& document, const SheetRequest& request
     return state;
 }
 
-// At most as large as it is worth for a small picture; patterns in pixels stay near what they are.
-Extent drawn_size(Extent picture) {
-    constexpr int most_lines = 270;
-    if (picture.height <= most_lines)
-        return picture;
-    const double scale = static_cast<double>(most_lines) / picture.height;
-    return {std::max(1, static_cast<int>(std::lround(picture.width * scale))), most_lines};
-}
-
 double texels_of(Extent extent) {
     return std::max(1.0, static_cast<double>(extent.width) * extent.height);
 }
 
 TrialSubject in_small(const TrialSubject& subject) {
     return {subject.document, subject.player, subject.drive,
-            subject.shown,    subject.images, drawn_size(subject.picture)};
+            subject.shown,    subject.images, size_for_small_picture(subject.picture)};
 }
 
 Values values_with(const Document& document, const SweepCell& cell) {
@@ -145,18 +137,9 @@ Result<void> VariantSheet::keep_picture() {
             return fail(viewer.error());
         m_viewer.emplace(std::move(*viewer));
     }
-    const Executor& executor = m_trial->executor();
-    const int last = static_cast<int>(executor.look().passes.size()) - 1;
-    const gpu::Texture& picture = executor.target(last);
-    const Extent whole = picture.extent();
-    const double scale = std::min(1.0, static_cast<double>(height) / whole.height);
-    auto canvas =
-        gpu::Canvas::make({std::max(1, static_cast<int>(std::lround(whole.width * scale))),
-                           std::max(1, static_cast<int>(std::lround(whole.height * scale)))},
-                          Format::rgba8);
+    auto canvas = small_picture(*m_viewer, m_trial->executor(), height);
     if (!canvas)
         return fail(canvas.error());
-    m_viewer->draw(picture, *canvas, {.encoding = encoding_of(executor.look(), last)});
     m_cells[m_next].picture.emplace(std::move(*canvas));
     return {};
 }

@@ -125,6 +125,8 @@ std::map<std::string, double> remembered(const WindowState& window) {
         {"comfort", window.comfort.is_on ? 1.0 : 0.0},
         {"comfort_rate", window.comfort.most_a_second},
         {"budget_ms", window.budget_milliseconds},
+        {"starred_presets", window.presets.only_starred ? 1.0 : 0.0},
+        {"morph_seconds", window.presets.morph_seconds},
         {"bottom_part", static_cast<int>(window.bottom_part)}};
     if (window.position) {
         numbers["left"] = (*window.position)[0];
@@ -168,7 +170,11 @@ WindowState restored_window(const std::map<std::string, double>& numbers) {
         window.output.monitor = static_cast<std::size_t>(*monitor);
     if (const auto budget = number(numbers, "budget_ms", 0.1, 1000.0))
         window.budget_milliseconds = *budget;
-    constexpr auto last_part = static_cast<double>(BottomPart::waveform);
+    if (const auto is_on = number(numbers, "starred_presets", 0.0, 1.0))
+        window.presets.only_starred = *is_on != 0.0;
+    if (const auto seconds = number(numbers, "morph_seconds", 0.1, 600.0))
+        window.presets.morph_seconds = *seconds;
+    constexpr auto last_part = static_cast<double>(BottomPart::presets);
     if (const auto part = whole(numbers, "bottom_part", 0.0, last_part))
         window.bottom_part = static_cast<BottomPart>(*part);
     for (const auto& [name, is_on] : switches)

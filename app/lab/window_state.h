@@ -123,7 +123,7 @@ struct ScanLine {
 };
 
 /// What the pane at the bottom holds.
-enum class BottomPart { problems, timings, pins, inputs, text, graph, sheet, waveform };
+enum class BottomPart { problems, timings, pins, inputs, text, graph, sheet, waveform, presets };
 
 /// Device pixels that the panels have for pictures.
 struct ViewSizes {
@@ -213,6 +213,15 @@ struct Revealed {
 /// Which parameters are listed.
 enum class ParameterFilter { all, changed, favourites, of_pass };
 
+/// Which presets are listed as pictures, and how long a morph to one takes.
+struct PresetBrowsing {
+    std::string search;
+    bool only_starred = false;  // also what the keys for the next and previous one go through
+    double morph_seconds = 3.0;
+
+    bool operator==(const PresetBrowsing&) const = default;
+};
+
 /// How many frames a second the window draws.
 struct FrameRate {
     static constexpr double no_cap = 1000.0;
@@ -293,9 +302,13 @@ struct WindowState {
     std::vector<std::string> used;          // ids of the palette's entries, the last used first
     std::vector<std::string> recent_files;  // that were opened, the last one first
     ParameterFilter filter = ParameterFilter::all;
+    PresetBrowsing presets;
     Dialog dialog;
     std::filesystem::path last_folder;
 
+    bool sees(BottomPart part) const {
+        return shows_bottom && bottom_part == part && !is_picture_only;
+    }
     /// How what lies in the picture's place is seen.
     PictureView& large_view() { return shows_pass_large ? inspected.view : picture; }
     const PictureView& large_view() const { return shows_pass_large ? inspected.view : picture; }

@@ -69,6 +69,7 @@ public:
         m_state.first_steps.is_shown = session.look.empty();
         m_lab.set_knobs(session.knobs);
         m_lab.set_slots(session.slots);
+        m_lab.set_preset_stars(session.preset_stars);
         m_lab.before_losing_changes([this](const Lab& lab) {
             if (set_session_aside(m_options.roots, session_of(lab, remembered(m_state))))
                 m_state.has_session_before = true;
@@ -107,6 +108,7 @@ private:
     FirstFile m_first_file;
     Views m_views;
     HistoryPictures m_history_pictures;
+    PresetPictures m_preset_pictures{[] { gpu::Window::wake(); }};
     WindowState m_state;
     Shelf m_shelf;
     Pace m_pace;
@@ -174,6 +176,7 @@ void Application::turn() {
     m_shelf.update(m_lab.library(), wall_seconds);
     m_views.update(m_lab, m_state);
     m_history_pictures.update(m_lab);
+    m_preset_pictures.update(m_lab, m_state.sees(BottomPart::presets), wall_seconds);
     draw();
 }
 
@@ -196,6 +199,7 @@ void Application::draw() {
                       m_state,
                       m_views,
                       m_history_pictures,
+                      m_preset_pictures,
                       m_shelf,
                       m_pace,
                       m_output.monitor(),

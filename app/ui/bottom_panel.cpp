@@ -6,6 +6,7 @@
 #include "ui/pass_inputs.h"
 #include "ui/pass_text.h"
 #include "ui/pins_panel.h"
+#include "ui/presets_panel.h"
 #include "ui/problem_list.h"
 #include "ui/scoped.h"
 #include "ui/sheet_panel.h"
@@ -142,8 +143,8 @@ void draw_problems(const Scene& scene, Edits& edits) {
 }  // namespace
 
 void draw_bottom_panel(const Scene& scene, Edits& edits) {
-    static constexpr std::array labels{"Problems", "Timings", "Pins",      "Reads",
-                                       "Text",     "Graph",   "Filmstrip", "Waveform"};
+    static constexpr std::array labels{"Problems", "Timings",   "Pins",     "Reads",  "Text",
+                                       "Graph",    "Filmstrip", "Waveform", "Presets"};
     const int present = static_cast<int>(scene.window.bottom_part);
     const int chosen =
         choice("bottom", labels.data(), static_cast<int>(labels.size()), present, edits);
@@ -172,6 +173,8 @@ void draw_bottom_panel(const Scene& scene, Edits& edits) {
         draw_sheet_panel(scene, edits);
     else if (scene.window.bottom_part == BottomPart::waveform)
         draw_waveform_panel(scene, edits);
+    else if (scene.window.bottom_part == BottomPart::presets)
+        draw_presets_panel(scene, edits);
     else
         draw_problems(scene, edits);
     ImGui::EndChild();

@@ -27,8 +27,17 @@ void duplicate(const Scene&, Edits& edits) {
 }
 
 template <int by>
-void step_preset(const Scene&, Edits& edits) {
-    edits.add([](Lab& lab) { lab.step_preset(by); });
+void step_preset(const Scene& scene, Edits& edits) {
+    edits.add([only_starred = scene.window.presets.only_starred](Lab& lab) {
+        lab.step_preset(by, only_starred);
+    });
+}
+
+template <int by>
+void morph_preset(const Scene& scene, Edits& edits) {
+    edits.add([wanted = scene.window.presets](Lab& lab) {
+        lab.morph_by(by, wanted.morph_seconds, wanted.only_starred);
+    });
 }
 
 void duplicate_look(const Scene& scene, Edits& edits) {
@@ -106,6 +115,12 @@ std::vector<Action> preset_actions() {
          false,
          show<Dialog::Kind::delete_preset>,
          has_preset},
+    };
+}
+
+std::vector<Action> preset_ring_actions() {
+    using file_actions::has_document;
+    return {
         {ActionId::next_preset,
          Menu::file,
          "Next preset",
@@ -119,6 +134,20 @@ std::vector<Action> preset_actions() {
          {gpu::key::page_up, true},
          false,
          step_preset<-1>,
+         has_document},
+        {ActionId::morph_to_next,
+         Menu::file,
+         "Morph to the next preset",
+         {gpu::key::page_down, true, true},
+         false,
+         morph_preset<1>,
+         has_document},
+        {ActionId::morph_to_previous,
+         Menu::file,
+         "Morph to the previous preset",
+         {gpu::key::page_up, true, true},
+         false,
+         morph_preset<-1>,
          has_document},
     };
 }
@@ -146,6 +175,8 @@ std::vector<Action> file_actions::list() {
     };
     const std::vector<Action> presets = preset_actions();
     actions.insert(actions.end(), presets.begin(), presets.end());
+    const std::vector<Action> ring = preset_ring_actions();
+    actions.insert(actions.end(), ring.begin(), ring.end());
     const std::vector<Action> others{
         {ActionId::copy_line,
          Menu::file,

@@ -1,12 +1,10 @@
 #include "ui/library_panel.h"
 
-#include "ui/compare_dialog.h"
+#include "ui/preset_menu.h"
 #include "ui/scoped.h"
 #include "ui/stack_panel.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
-
-#include <fmt/format.h>
 
 namespace {
 struct Line {
@@ -31,43 +29,6 @@ bool draw_line(const Line& line) {
     return is_clicked;
 }
 
-bool is_open_preset(const Document& document, const ShelfPreset& preset) {
-    std::error_code error;
-    return document.preset_file() == preset.entry.file ||
-           (!document.preset_file().empty() &&
-            std::filesystem::equivalent(document.preset_file(), preset.entry.file, error));
-}
-
-void draw_preset_menu(bool is_open, const ShelfPreset& preset, const Scene& scene, Edits& edits) {
-    const std::string file = preset.entry.file.string();
-    if (!ImGui::BeginPopupContextItem("##preset_menu"))
-        return;
-    if (ImGui::MenuItem("Open"))
-        edits.open(scene.lab, file);
-    if (ImGui::MenuItem("Compare with what is open"))
-        compare_preset(preset, scene, edits);
-    edits.mark("compare:" + preset.entry.name);
-    if (ImGui::BeginMenu("Morph to it in")) {
-        for (const int seconds : {1, 3, 10, 30, 60}) {
-            if (ImGui::MenuItem(fmt::format("{} s", seconds).c_str()))
-                edits.add([file, seconds](Lab& lab) { lab.morph_to(file, seconds); });
-            edits.mark(fmt::format("morph:{}", seconds));
-        }
-        ImGui::EndMenu();
-    }
-    edits.mark("morph_to:" + preset.entry.name);
-    if (is_open) {
-        if (ImGui::MenuItem("Rename…"))
-            edits.show(
-                {.kind = Dialog::Kind::rename_preset, .text = scene.lab.document()->preset_name()});
-        if (ImGui::MenuItem("Duplicate"))
-            edits.add([](Lab& lab) { lab.duplicate_preset(); });
-        if (ImGui::MenuItem("Delete…"))
-            edits.show({.kind = Dialog::Kind::delete_preset});
-    }
-    ImGui::EndPopup();
-}
-
 void draw_presets(const ShelfLook& look, const Scene& scene, Edits& edits) {
     const Document& document = *scene.lab.document();
     const float indent = ImGui::GetStyle().IndentSpacing;
@@ -80,19 +41,18 @@ void draw_presets(const ShelfLook& look, const Scene& scene, Edits& edits) {
         edits.open(scene.lab, look.argument());
     edits.mark("preset:");
     for (const ShelfPreset& preset : look.presets) {
-        const bool is_open = is_open_preset(document, preset);
-        const std::string file = preset.entry.file.string();
-        const ScopedId id(file);
+        const ListedPreset listed = as_listed(preset, document, scene.lab.preset_stars());
+        const ScopedId id(preset.entry.file.string());
         ImGui::BeginGroup();
         const bool is_clicked = draw_line({.label = preset.name,
                                            .about = preset.about,
-                                           .is_open = is_open,
-                                           .is_modified = is_open && document.is_modified()});
+                                           .is_open = listed.is_open,
+                                           .is_modified = listed.is_modified});
         ImGui::EndGroup();
         edits.mark("preset:" + preset.entry.name);
-        draw_preset_menu(is_open, preset, scene, edits);
+        draw_preset_menu(listed, scene, edits);
         if (is_clicked)
-            edits.open(scene.lab, file);
+            open_listed(listed, scene, edits);
     }
     ImGui::Unindent(indent);
 }

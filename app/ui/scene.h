@@ -4,6 +4,7 @@
 #include "lab/history_pictures.h"
 #include "lab/lab.h"
 #include "lab/pace.h"
+#include "lab/preset_pictures.h"
 #include "lab/shelf.h"
 #include "lab/views.h"
 #include "lab/window_state.h"
@@ -15,6 +16,7 @@ struct Scene {
     const WindowState& window;
     const Views& views;
     const HistoryPictures& history_pictures;
+    const PresetPictures& preset_pictures;
     const Shelf& shelf;
     const Pace& pace;
     std::size_t output_monitor;     // that the output window is on, or would open on

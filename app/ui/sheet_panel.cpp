@@ -217,9 +217,6 @@ void draw_sheet_items(const Knob& knob, Edits& edits) {
 }
 
 void leave_hidden_sheet(const Scene& scene, Edits& edits) {
-    const WindowState& window = scene.window;
-    const bool is_seen =
-        window.shows_bottom && window.bottom_part == BottomPart::sheet && !window.is_picture_only;
-    if (!is_seen && scene.lab.tryouts().sheet().is_running())
+    if (!scene.window.sees(BottomPart::sheet) && scene.lab.tryouts().sheet().is_running())
         edits.add([](Lab& lab) { lab.end_sheet(); });
 }

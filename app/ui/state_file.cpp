@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 #include "lab/morphing.h"
+#include "lab/preset_list.h"
 #include "lab/tryouts.h"
 
 #include <fmt/format.h>
@@ -201,6 +202,28 @@ std::string tryouts_text(const Scene& scene) {
         lab.morphing() ? fmt::format("{:.3f}", lab.morphing()->share()) : "null");
 }
 
+// The presets as they are listed, how many of them have a picture or say why not, and stars.
+std::string presets_text(const Scene& scene) {
+    const Lab& lab = scene.lab;
+    if (!lab.document())
+        return {};
+    std::vector<std::string> names;
+    std::vector<std::string> problems;
+    int pictures = 0;
+    for (const ListedPreset& preset : listed_presets(*lab.document(), scene.shelf.looks(),
+                                                     lab.preset_stars(), scene.window.presets)) {
+        const auto shown = scene.preset_pictures.of(preset.preset.entry.file);
+        names.push_back(json_string(preset.preset.entry.name));
+        pictures += shown.image.handle != 0 ? 1 : 0;
+        if (!shown.problem.empty())
+            problems.push_back(json_string(shown.problem));
+    }
+    return fmt::format(
+        R"(,"presets":{{"listed":[{}],"pictures":{},"drawn":{},"problems":[{}],"only_starred":{}}})",
+        fmt::join(names, ","), pictures, scene.preset_pictures.drawn(), fmt::join(problems, ","),
+        scene.window.presets.only_starred);
+}
+
 std::string document_text(const Lab& lab) {
     const Document& document = *lab.document();
     return fmt::format(
@@ -234,7 +257,7 @@ std::string state_text(const Scene& scene, const Edits& edits) {
                                                    : "on"),
         probe_text(scene) + inspection_text(scene) + closer_text(scene) + pins_text(scene) +
             gains_text(scene) + comparison_text(scene) + trip_text(lab) + flashes_text(scene) +
-            switches_text(lab) + tryouts_text(scene),
+            switches_text(lab) + tryouts_text(scene) + presets_text(scene),
         problems_json(lab), places_text(edits));
 }
 

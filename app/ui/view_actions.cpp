@@ -1,7 +1,9 @@
 #include "ui/view_actions.h"
 
 #include "gpu/input_event.h"
+#include "ui/file_actions.h"
 #include "ui/picture_menus.h"
+#include "ui/presets_panel.h"
 
 #include <algorithm>
 
@@ -148,6 +150,14 @@ std::vector<Action> view_actions::list() {
         bottom<BottomPart::graph>(ActionId::show_graph, "Passes as a graph", {'G'}),
         bottom<BottomPart::sheet>(ActionId::show_sheet, "Filmstrip and contact sheet", {'0', true}),
         bottom<BottomPart::waveform>(ActionId::show_waveform, "Waveform along a line", {'L'}),
+        {ActionId::show_presets,
+         Menu::view,
+         "Presets as pictures",
+         {'L', true},
+         false,
+         toggle_presets,
+         file_actions::has_document,
+         shows_presets},
         toggling<&State::is_picture_only>(ActionId::picture_only, "Only the picture", {key_f11},
                                           true),
         toggling<&State::shows_flashes>(ActionId::show_flashes, "Flash meter", {}, true),

@@ -35,6 +35,7 @@ Session session() {
     made.follows_view = false;
     made.knobs["phosphor"] = {{"decay", {.is_favourite = true}},
                               {"exposure", {.is_locked = true, .ends = Limit{0.5, 2.0}}}};
+    made.preset_stars = {"phosphor/P31 bench", "phosphor+crt/arcade"};
     made.window = {{"left_size", 250.5}, {"width", 1440.0}};
     return made;
 }

@@ -45,8 +45,13 @@ TEST_CASE("a morph goes to a preset's values in its time, as one step of undo an
     CHECK(small.document().values() == Values{{"gain", Value(5.0)}});
     CHECK(small.document().history().undo_name() == "Morph to Far");
     CHECK(small.document().history().past().size() == 1);
+    CHECK(small.document().preset_name() == "Far");
+    CHECK(small.document().preset_file() == small.folder() / "far.json");
+    CHECK_FALSE(small.document().is_modified());
     small.lab().edit([](Document& document) { document.undo(); });
     CHECK(small.document().values().empty());
+    CHECK(small.document().preset_name().empty());
+    CHECK_FALSE(small.document().is_modified());
 }
 
 TEST_CASE("what is locked stays, and what somebody turns ends a morph") {
@@ -57,8 +62,12 @@ TEST_CASE("what is locked stays, and what somebody turns ends a morph") {
     small.lab().update(0.5);
     CHECK(is_near_on_way(small.gain(), 1.0));
     CHECK(small.document().values() == Values{{"step_size", Value(2.0)}});
-    small.lab().edit([](Document& document) { document.set_value("gain", Value(7.0)); });
+    small.lab().edit([](Document& document) { document.set_value("gain", Value(6.0), true); });
     small.lab().update(0.25);
+    small.lab().edit([](Document& document) { document.set_value("gain", Value(7.0), true); });
+    small.lab().edit([](Document& document) { document.finish(); });
+    small.lab().update(0.25);
+    CHECK(small.document().history().past().size() == 2);  // the way so far, and the hand's
     CHECK_FALSE(small.lab().morphing());
     CHECK(small.document().values() == Values{{"gain", Value(7.0)}, {"step_size", Value(2.0)}});
 }
@@ -71,10 +80,70 @@ TEST_CASE("a morph can be left half way, and goes to presets of the same look al
     small.lab().update(0.5);
     CHECK(is_near_on_way(small.gain(), 3.0));
     CHECK_FALSE(small.document().history().is_in_gesture());
-    small.lab().morph_to(small.preset("small", {{"gain", Value(3.0)}}), 1.0);
+    CHECK(small.document().history().past().size() == 1);
+    CHECK(small.document().preset_name().empty());
+    CHECK(small.document().is_modified());
+    small.lab().morph_to(small.preset("small", {{"gain", Value(3.0)}}), 60.0);
+    small.lab().update(0.01);  // there is no way to go: it is opened at once
     CHECK_FALSE(small.lab().morphing());
-    CHECK(small.lab().notice()->text == "The values of 'Far' are what is here already");
+    CHECK(small.document().preset_name() == "Far");
+    CHECK_FALSE(small.document().is_modified());
     small.lab().morph_to(small.preset("other", {{"gain", Value(3.0)}}), 1.0);
     CHECK_FALSE(small.lab().morphing());
     CHECK(small.lab().notice()->text == "'Far' is a preset of another look: it can only be opened");
+}
+
+TEST_CASE("what lies on no way between two presets changes when a morph has arrived") {
+    Going small;
+    Preset preset;
+    preset.look = "small";
+    preset.name = "Breathing";
+    preset.values = {{"gain", Value(2.0)}};
+    preset.modulations = {{"step_size", Modulation{}}};
+    const auto file = small.folder() / "breathing.json";
+    REQUIRE(save_preset(file, preset).has_value());
+    small.lab().morph_to(file, 1.0);
+    small.lab().update(0.5);
+    CHECK(small.document().state().modulations.empty());
+    small.lab().update(0.5);
+    CHECK(small.document().state().modulations.contains("step_size"));
+    CHECK_FALSE(small.document().is_modified());
+    small.lab().morph_to("", 1.0);  // the look as it is
+    small.lab().update(2.0);
+    CHECK(small.document().values().empty());
+    CHECK(small.document().state().modulations.empty());
+    CHECK(small.document().preset_file().empty());
+    CHECK_FALSE(small.document().is_modified());
+    small.lab().edit([](Document& document) { document.undo(); });
+    CHECK(small.document().preset_name() == "Breathing");
+}
+
+TEST_CASE("a morph goes to the next preset, and pressed again to the one behind that") {
+    Going small;
+    for (const char* name : {"one", "two", "three"}) {
+        small.lab().edit([&](Document& document) {
+            document.set_value("gain", Value(static_cast<double>(std::string(name).size())));
+        });
+        small.lab().save_preset_as(name);
+    }
+    small.lab().star_preset("one", true);
+    small.lab().star_preset("two", true);
+    small.lab().morph_by(1, 1.0);  // by name: one, three, two
+    CHECK(small.lab().morphing()->name() == "two");
+    small.lab().morph_by(1, 1.0);
+    CHECK(small.lab().morphing()->name() == "Small");
+    small.lab().morph_by(1, 1.0, true);
+    REQUIRE(small.lab().morphing()->name() == "one");
+    small.lab().update(1.0);
+    CHECK(small.document().preset_name() == "one");
+    small.lab().morph_by(1, 1.0, true);
+    CHECK(small.lab().morphing()->name() == "two");
+    small.lab().morph_to("", 0.5);
+    small.lab().update(0.5);
+    small.lab().rename_preset("four");  // nothing is open: nothing happens
+    CHECK(small.lab().preset_stars() == PresetStars{"small/one", "small/two"});
+    small.lab().morph_by(1, 0.5, true);
+    small.lab().update(0.5);
+    small.lab().rename_preset("four");
+    CHECK(small.lab().preset_stars() == PresetStars{"small/four", "small/two"});
 }

@@ -64,15 +64,35 @@ class Trying(Person):
         program.key("ctrl+0")
         program.wait("the pane is closed", lambda s: "sheet_down" not in s["widgets"])
 
-    def test_a_morph_goes_to_a_preset_in_its_time(self):
+    def test_a_preset_is_chosen_by_its_picture_opened_or_morphed_to(self):
         program = self.program
-        before = program.state()["values"]
-        self.screen.do("mousemove", *program.middle("preset:amber-p3"), "click", 3)
-        program.click("morph_to:amber-p3")
-        program.click("morph:1")
-        program.wait("it is on its way", lambda s: s["morph"] is not None)
+        for preset in self.presets.glob("phosphor/*.json"):
+            if preset.stem != "amber-p3":
+                preset.unlink()
+        (self.presets / "phosphor/broken.json").write_text('{\n"format": 3 }')
+        program.click("play")
+        program.key("ctrl+l")
+        program.wait("it has a picture, and the look as it is; one says why not", lambda s:
+                     s["presets"]["listed"] == ["", "amber-p3", "broken"] and
+                     s["presets"]["pictures"] == 2 and len(s["presets"]["problems"]) == 1)
+        self.hover("picture:amber-p3")
+        program.click("preset_star:amber-p3")
+        program.click("only_starred")
+        program.wait("it alone is listed", lambda s: s["presets"]["listed"] == ["amber-p3"])
+        self.snapshot("presets")
+        program.click("morph_seconds")
+        program.click("morph_seconds:1")
+        program.key("ctrl+shift+Next")
+        program.wait("the key goes there bit by bit", lambda s: s["morph"] is not None)
         state = program.wait("it has arrived", lambda s: s["morph"] is None)
-        self.assertTrue(state["undo"].startswith("Morph to "))
-        self.assertNotEqual(state["values"], before)
+        self.assertEqual((state["preset"], state["is_modified"], state["undo"]),
+                         ("Amber P3", False, "Morph to Amber P3"))
         program.key("ctrl+z")
-        program.wait("one step takes it back", lambda s: s["values"] == before)
+        program.wait("one step takes it back", lambda s: s["preset"] == "")
+        program.click("picture:amber-p3")
+        state = program.wait("a click opens it", lambda s: s["preset"] == "Amber P3")
+        self.assertEqual(state["presets"]["drawn"], 2)  # none again
+        program.click("only_starred")
+        program.key("ctrl+l")
+        program.wait("the pane is closed", lambda s: "preset_search" not in s["widgets"])
+        self.assertIn('"phosphor/amber-p3"', program.session().read_text())

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "lab/preset_list.h"
+#include "ui/edits.h"
+#include "ui/scene.h"
+
+/// What can be done with a preset, behind the right button on the item that was drawn last.
+void draw_preset_menu(const ListedPreset& preset, const Scene& scene, Edits& edits);
+
+/// Opens it, or the look without one.
+void open_listed(const ListedPreset& preset, const Scene& scene, Edits& edits);
+
+void star_listed(const ListedPreset& preset, Edits& edits);
