@@ -28,8 +28,9 @@ Extent PictureSize::extent(Extent view) const {
     return {side(whole.width), side(whole.height)};
 }
 
-Lab::Lab(Library library, std::unique_ptr<gpu::Context> worker)
+Lab::Lab(Library library, std::unique_ptr<gpu::Context> worker, std::unique_ptr<MidiInputs> midi)
     : m_library(std::move(library)),
+      m_midi(std::move(midi)),
       m_drive(RecentMedia(m_library.roots())),
       m_tryouts(std::make_unique<Tryouts>()),
       m_reloader(std::move(worker), m_library.roots().shared_includes()) {

@@ -8,6 +8,7 @@
 #include "lab/drive.h"
 #include "lab/impulse.h"
 #include "lab/library.h"
+#include "lab/midi_control.h"
 #include "lab/open.h"
 #include "lab/osc_control.h"
 #include "lab/player.h"
@@ -75,7 +76,8 @@ struct TripState {
 class Lab {
 public:
     /// `worker` is a context for the reloader's thread that shares with the current one.
-    Lab(Library library, std::unique_ptr<gpu::Context> worker);
+    Lab(Library library, std::unique_ptr<gpu::Context> worker,
+        std::unique_ptr<MidiInputs> midi = machine_midi_inputs());
     ~Lab();
     Lab(const Lab&) = delete;
     Lab& operator=(const Lab&) = delete;
@@ -119,6 +121,8 @@ public:
     const MovesRecorder& moves() const { return m_moves; }
     /// Other programs that turn parameters.
     const OscControl& osc() const { return m_osc; }
+    /// Devices that do.
+    const MidiControl& midi() const { return m_midi; }
     const RemoteSettings& remote_settings() const { return m_remote; }
 
     /// The pen, and what it draws on.
@@ -171,6 +175,11 @@ public:
     void save_moves(const std::filesystem::path& file);  // as text
     /// Listens, or listens no more, and keeps the settings.
     void set_remote_settings(const RemoteSettings& settings);
+    /// Looks which devices there are now, and listens to them; says so where there are none.
+    void look_for_midi_devices();
+    /// The next controller that is turned will turn that; listens to devices from then on.
+    void learn_midi(const MidiGoal& goal);
+    void end_midi_learning() { m_midi.learn({}); }
     void save_preset();                            // over the open one
     void save_preset_as(const std::string& name);  // refused where there is one of that name
     void replace_preset(const std::string& name);  // as save_preset_as, over the one there is
@@ -254,6 +263,8 @@ public:
 
     /// Becomes readable when another program turns something; -1 while none is listened to.
     int remote_descriptor() const { return m_osc.descriptor(); }
+    /// The same for a device.
+    int midi_descriptor() const { return m_midi.descriptor(); }
 
     /// Calls `then` once, when the look that is being opened has been read.
     void when_opened(std::function<void(Lab&)> then) { m_when_opened = std::move(then); }
@@ -286,6 +297,8 @@ private:
     void update_drive();
     void tell_silence();
     void open_remote();
+    bool listen_to_midi(bool listens);
+    void bind_midi(const MidiBinding& binding);
     void listen(double wall_seconds);
     void note_moves();
     void show_source(double seconds);
@@ -327,7 +340,9 @@ private:
     std::string m_told_silence;  // the player's, as last said
     MovesRecorder m_moves;
     RemoteSettings m_remote;
+    RemoteHand m_hand;
     OscControl m_osc;
+    MidiControl m_midi;
     double m_listened_seconds = 0.0;
     std::unique_ptr<Renderer> m_renderer;
     PassSwitches m_switches;

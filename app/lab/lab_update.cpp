@@ -52,7 +52,7 @@ void Lab::tell_silence() {
 
 bool Lab::is_moving() const {
     return (m_player.is_playing() && !has_converged()) || is_loading() || m_notice || m_wanted ||
-           m_tryouts->is_busy() || m_morphing || m_osc.is_turning() || m_rate_check.is_running() ||
+           m_tryouts->is_busy() || m_morphing || m_hand.is_turning() || m_rate_check.is_running() ||
            m_impulse.is_running() || !m_drive.loading().empty() || m_drive.is_source_late() ||
            (m_renderer && (m_renderer->replay().is_running() || m_renderer->awaits_trip()));
 }

@@ -4,11 +4,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace {
 constexpr std::string_view osc_prefix = "/afterglow/";
-constexpr double quiet_seconds = 0.5;
 
 Result<Value> asked_value(const OscMessage& message, const Parameter& parameter) {
     const auto& arguments = message.arguments;
@@ -43,25 +40,6 @@ Result<RemoteTurn> turn_of(const OscMessage& message, const Look& look) {
     return RemoteTurn{(*parameter)->name, std::move(*value)};
 }
 
-bool RemoteGesture::goes_on(const std::string& parameter, double now_seconds) {
-    const auto last = m_touched.find(parameter);
-    const bool goes_on = last != m_touched.end() && now_seconds - last->second < quiet_seconds;
-    if (!goes_on)
-        m_touched.erase(parameter);
-    m_touched[parameter] = now_seconds;
-    return goes_on;
-}
-
-bool RemoteGesture::has_ended(double now_seconds) {
-    const bool is_quiet = std::ranges::all_of(m_touched, [&](const auto& touched) {
-        return now_seconds - touched.second >= quiet_seconds;
-    });
-    if (m_touched.empty() || !is_quiet)
-        return false;
-    m_touched.clear();
-    return true;
-}
-
 Result<void> OscControl::listen(int port) {
     m_port.reset();
     m_problem.clear();
@@ -80,7 +58,7 @@ void OscControl::refuse(const Diagnostics& reasons) {
     m_problem = reasons.front().message;
 }
 
-void OscControl::update(Document* document, double now_seconds) {
+void OscControl::update(Document* document, RemoteHand& hand, double now_seconds) {
     if (!m_port)
         return;
     constexpr int most = 1000;  // a turn: who sends without end shall not stop the picture
@@ -88,31 +66,22 @@ void OscControl::update(Document* document, double now_seconds) {
         const auto packet = m_port->take();
         if (!packet)
             break;
-        take(*packet, document, now_seconds);
+        take(*packet, document, hand, now_seconds);
     }
-    if (m_gesture.has_ended(now_seconds) && document)
-        document->finish();
 }
 
-void OscControl::take(const std::vector<std::uint8_t>& packet, Document* document,
+void OscControl::take(const std::vector<std::uint8_t>& packet, Document* document, RemoteHand& hand,
                       double now_seconds) {
     const auto messages = parse_osc(packet);
     if (!messages)
         return refuse(messages.error());
     for (const OscMessage& message : *messages) {
-        auto turn = document ? turn_of(message, document->look())
-                             : fail(Diagnostic{{}, 0, "no look is open"});
-        if (!turn) {
-            refuse(turn.error());
-            continue;
-        }
-        if (setting_of(turn->parameter, document->knobs()).is_locked) {
-            refuse({{{}, 0, fmt::format("'{}' is locked", turn->parameter)}});
-            continue;
-        }
-        ++m_turned;
-        if (!m_gesture.goes_on(turn->parameter, now_seconds))
-            document->finish();
-        document->set_values({{turn->parameter, std::move(turn->value)}}, "Remote control", true);
+        const auto turn = document ? turn_of(message, document->look())
+                                   : fail(Diagnostic{{}, 0, "no look is open"});
+        const auto turned = turn ? hand.turn(*document, *turn, now_seconds) : fail(turn.error());
+        if (turned)
+            ++m_turned;
+        else
+            refuse(turned.error());
     }
 }

@@ -227,6 +227,8 @@ void escape(const Scene& scene, Edits& edits) {
         edits.add([](Lab& lab) { lab.cancel_loading(); });
     else if (scene.lab.renderer() && scene.lab.renderer()->replay().is_running())
         edits.add([](Lab& lab) { lab.cancel_replay(); });
+    else if (scene.lab.midi().learning())
+        edits.add([](Lab& lab) { lab.end_midi_learning(); });
     else if (scene.lab.tryouts().probe().question())
         edits.add([](Lab& lab) { lab.end_step(); });
     else if (scene.lab.morphing())

@@ -113,6 +113,7 @@ private:
     Shelf m_shelf;
     Pace m_pace;
     Waker m_waker;
+    Waker m_midi_waker{m_lab.midi_descriptor(), [] { gpu::Window::wake(); }};
     std::optional<Waker> m_remote_waker;  // while another program may turn something
     int m_remote_port = 0;
     std::string m_title;

@@ -194,6 +194,19 @@ void draw_morph(const Scene& scene) {
                    theme::dim, 2.0f},
                   scene);
 }
+
+void draw_midi_learning(const Scene& scene, Edits& edits) {
+    const auto& goal = scene.lab.midi().learning();
+    const Parameter* parameter = goal && scene.lab.document()
+                                     ? find_parameter(scene.lab.document()->look(), goal->parameter)
+                                     : nullptr;
+    if (!parameter)
+        return;
+    draw_pill({"##midi", fmt::format("Move a knob or fader for '{}' · Esc stops", parameter->label),
+               theme::accent, 2.0f},
+              scene);
+    edits.mark("midi_learning");
+}
 }  // namespace
 
 void draw_overlays(const Scene& scene, Edits& edits) {
@@ -203,6 +216,7 @@ void draw_overlays(const Scene& scene, Edits& edits) {
     draw_loading(scene);
     draw_replay(scene);
     draw_morph(scene);
+    draw_midi_learning(scene, edits);
     draw_step(scene, edits);
     draw_notice(scene);
 }

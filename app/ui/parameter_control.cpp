@@ -251,6 +251,8 @@ bool draw_parameter(const Knob& knob, const Fonts& fonts, Edits& edits) {
                                     : draw_control(knob, value, columns, fonts, edits);
     ImGui::EndGroup();
     const bool is_held = ImGui::IsItemActive();
+    if (ImGui::IsItemClicked(ImGuiMouseButton_Right))
+        ImGui::OpenPopup("about");
     edits.mark("parameter:" + parameter.name);
     if (turned.is_changed)
         edits.set(parameter.name, value);

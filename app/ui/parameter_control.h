@@ -1,6 +1,7 @@
 #pragma once
 
 #include "model/knob_settings.h"
+#include "model/midi.h"
 #include "model/modulation.h"
 #include "ui/edits.h"
 #include "ui/fonts.h"
@@ -17,6 +18,7 @@ struct Knob {
     const Value* now = nullptr;              // as drawn, while it moves by itself
     Extent target = {};                      // of the first pass that uses it; empty: not known yet
     std::optional<std::size_t> typed = {};   // which of its numbers has the keyboard from now on
+    std::vector<MidiBinding> midi = {};      // what turns it
 };
 
 /// Lines of the panel that a parameter takes, before it has been drawn.

@@ -5,6 +5,7 @@
 #include "model/decay.h"
 #include "ui/icons.h"
 #include "ui/knob_marks.h"
+#include "ui/midi_items.h"
 #include "ui/modulation_editor.h"
 #include "ui/rates_dialog.h"
 #include "ui/scoped.h"
@@ -117,6 +118,8 @@ void draw_facts(const Knob& knob, const Fonts& fonts) {
     fact("default", short_value(parameter, parameter.initial));
     fact("range", range_text(parameter));
     fact("scale", parameter.scale == Scale::logarithmic ? "logarithmic" : "");
+    for (const MidiBinding& binding : knob.midi)
+        fact("MIDI", words_of(binding));
     if (knob.modulation)
         fact("moves", summary_of(*knob.modulation));
     fact("declared", place_text(parameter.declared));
@@ -207,6 +210,7 @@ void draw_parameter_help(const Knob& knob, const Fonts& fonts, Edits& edits) {
         edits.mark("open_declared");
     }
     draw_knob_items(knob, edits);
+    draw_midi_items(knob, edits);
     if (knob.is_changed && ImGui::Selectable("Reset"))
         reset_parameter(parameter.name, edits);
     if (ImGui::Selectable("Copy the name"))

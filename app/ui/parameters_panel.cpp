@@ -164,7 +164,8 @@ void draw_parameter_row(const Parameter& parameter, const Scene& scene, Edits& e
               .declared = parameter.range,
               .look = document.look(),
               .modulation = document.modulation(parameter),
-              .target = target_of(parameter, scene)};
+              .target = target_of(parameter, scene),
+              .midi = bindings_of(parameter, document.look(), scene.lab.remote_settings())};
     const Revealed& revealed = scene.window.revealed;
     if (revealed.is_to_be_typed && revealed.parameter == parameter.name)
         knob.typed = revealed.component;

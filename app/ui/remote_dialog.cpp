@@ -1,6 +1,7 @@
 #include "ui/remote_dialog.h"
 
 #include "ui/dialog_frame.h"
+#include "ui/midi_items.h"
 #include "ui/scoped.h"
 #include "ui/slider.h"
 #include "ui/theme.h"
@@ -53,5 +54,9 @@ void draw_remote_dialog(const Scene& scene, Edits& edits) {
     edits.mark("osc_listen");
     draw_port(scene, edits);
     draw_what_came(scene.lab.osc());
+    ImGui::Spacing();
+    ImGui::Separator();
+    ImGui::Spacing();
+    draw_midi_settings(scene, edits);
     draw_close_button("Close", edits);
 }

@@ -75,7 +75,12 @@ TEST_CASE("half a second without a turn ends a step; two knobs that are turned a
 
 TEST_CASE("a drag from another program is one step of undo; what is malformed is counted") {
     OscControl osc;
+    RemoteHand hand;
     Document document(sample_look());
+    const auto update = [&](Document* turned, double now_seconds) {
+        osc.update(turned, hand, now_seconds);
+        hand.update(turned, now_seconds);
+    };
     REQUIRE(osc.listen(0).has_value());
     CHECK_FALSE(osc.is_listening());
     int port = 0;
@@ -87,28 +92,28 @@ TEST_CASE("a drag from another program is one step of undo; what is malformed is
     REQUIRE(osc.listen(port).has_value());
     for (int i = 1; i <= 5; ++i) {
         send(port, "decay", static_cast<float>(i) * 0.125f);
-        osc.update(&document, i * 0.1);
+        update(&document, i * 0.1);
     }
     CHECK(document.values().at("decay") == Value(0.625));
     CHECK(document.history().past().size() == 1);
-    CHECK(osc.is_turning());
-    osc.update(&document, 1.0);
-    CHECK_FALSE(osc.is_turning());
+    CHECK(hand.is_turning());
+    update(&document, 1.0);
+    CHECK_FALSE(hand.is_turning());
     CHECK_FALSE(document.history().is_in_gesture());
     send(port, "decay", 0.25f);
-    osc.update(&document, 1.1);
+    update(&document, 1.1);
     CHECK(document.history().past().size() == 2);
     document.undo();
     CHECK(document.values().at("decay") == Value(0.625));
     send(port, "gone", 0.25f);
-    osc.update(&document, 1.2);
-    osc.update(nullptr, 1.3);
+    update(&document, 1.2);
+    update(nullptr, 1.3);
     CHECK(osc.turned() == 6);
     CHECK(osc.refused() == 1);
     CHECK(osc.problem().find("'gone'") != std::string::npos);
     document.set_knob("decay", {.is_locked = true});
     send(port, "decay", 0.75f);
-    osc.update(&document, 1.4);
+    update(&document, 1.4);
     CHECK(document.values().at("decay") == Value(0.625));
     CHECK(osc.problem() == "'decay' is locked");
     OscControl other;
@@ -116,10 +121,16 @@ TEST_CASE("a drag from another program is one step of undo; what is malformed is
 }
 
 TEST_CASE("remote settings come back; a port that is none is told at its line") {
-    const RemoteSettings settings{true, 57120};
+    const RemoteSettings settings{true, 57120, true, false, {{{"decay", 2}, 16, 31, true}}};
     CHECK(parse_remote_settings(remote_settings_to_json(settings), "a.json") == settings);
     const auto bad = parse_remote_settings(
         "{\"format\": \"afterglow-remote\", \"version\": 1,\n\"osc_port\": 70000}", "a.json");
     REQUIRE_FALSE(bad.has_value());
     CHECK(bad.error().front().line == 2);
+    const auto no_channel = parse_remote_settings(
+        "{\"format\": \"afterglow-remote\", \"version\": 1, \"midi_bindings\": [\n"
+        "{\"parameter\": \"decay\",\n\"channel\": 17}]}",
+        "a.json");
+    REQUIRE_FALSE(no_channel.has_value());
+    CHECK(no_channel.error().front().line == 3);
 }

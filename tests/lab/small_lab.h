@@ -61,12 +61,12 @@ public:
     ~SmallLab() { m_lab.reset(); }
 
     /// As when the program is started again: nothing is open.
-    void start() {
+    void start(std::unique_ptr<MidiInputs> midi = machine_midi_inputs()) {
         m_lab.reset();
         m_context->make_current();
         auto worker = gpu::Context::shared_with(*m_context);
         REQUIRE(worker.has_value());
-        m_lab = std::make_unique<Lab>(Library(m_roots), std::move(*worker));
+        m_lab = std::make_unique<Lab>(Library(m_roots), std::move(*worker), std::move(midi));
         m_lab->set_picture_size({false, {8, 8}, 1.0});
     }
     void wait_for_frames() {

@@ -51,6 +51,19 @@ class Moving(Person):
         self.assertEqual([line[1:] for line in lines], [["exposure", "0.75"], ["decay", "0.5"]])
         self.assertLess(float(lines[0][0]), float(lines[1][0]))
 
+    def test_a_knob_is_asked_for_and_where_there_is_none_that_is_said(self):
+        program = self.program
+        program.click("play")
+        program.reveal("exposure")
+        self.screen.do("mousemove", *program.middle("parameter:exposure"), "click", 3)
+        program.click("midi_learn:0")
+        state = program.wait("it waits for a knob, or says that there is none", lambda s:
+                             s["midi"][1] == "exposure" or "MIDI: no device" in s["notice"])
+        if state["midi"][0]:
+            program.key("Escape")
+            program.wait("it waits no more", lambda s: s["midi"][1] == "")
+        self.assertEqual(program.state()["midi"][2], 0)
+
     def test_another_program_turns_a_parameter(self):
         program = self.program
         with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as free:

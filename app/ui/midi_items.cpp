@@ -1,0 +1,129 @@
+#include "ui/midi_items.h"
+
+#include "lab/naming.h"
+#include "model/knob_turn.h"
+#include "ui/icons.h"
+#include "ui/scoped.h"
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace {
+void unbind(const MidiGoal& goal, Edits& edits) {
+    edits.add([goal](Lab& lab) {
+        RemoteSettings settings = lab.remote_settings();
+        settings.unbind(goal);
+        lab.set_remote_settings(settings);
+    });
+}
+
+void draw_learn_item(const char* label, const MidiGoal& goal, Edits& edits) {
+    if (ImGui::MenuItem(label))
+        edits.add([goal](Lab& lab) { lab.learn_midi(goal); });
+    edits.mark(fmt::format("midi_learn:{}", goal.component));
+}
+
+const Parameter* meant_here(const MidiGoal& goal, const Document* document) {
+    if (!document)
+        return nullptr;
+    const auto meant = meant_parameter(goal.parameter, document->look());
+    return meant ? *meant : nullptr;
+}
+
+// "Decay", "Centre · y".
+std::string label_of(const Parameter& parameter, const MidiGoal& goal) {
+    return parameter.type.size() > 1
+               ? parameter.label + " · " + part_label(parameter, goal.component)
+               : parameter.label;
+}
+
+void draw_binding(const MidiBinding& binding, const Scene& scene, Edits& edits) {
+    const ScopedId id(fmt::format("{}:{}", binding.goal.parameter, binding.goal.component));
+    ImGui::AlignTextToFramePadding();
+    const float width = ImGui::GetFontSize() * 13.0f;
+    if (const Parameter* parameter = meant_here(binding.goal, scene.lab.document()))
+        fitted_text(label_of(*parameter, binding.goal), width, theme::text);
+    else
+        fitted_text(binding.goal.parameter + ", not in this look", width, theme::dim);
+    ImGui::SameLine(width + ImGui::GetFontSize());
+    dim_text(words_of(binding));
+    same_line_right(ImGui::GetFrameHeight());
+    if (icon_button("##unbind", Icon::close, "Let it go", theme::dim))
+        unbind(binding.goal, edits);
+    edits.mark("midi_unbind:" + binding.goal.parameter);
+}
+
+void draw_devices(const MidiControl& midi, Edits& edits) {
+    ImGui::AlignTextToFramePadding();
+    if (midi.is_listening())
+        dim_text(fmt::format("Listens to {}", fmt::join(midi.devices(), ", ")));
+    else
+        dim_text("No device is listened to.");
+    same_line_right(ImGui::CalcTextSize("Look for devices").x +
+                    2.0f * ImGui::GetStyle().FramePadding.x);
+    if (ImGui::Button("Look for devices"))
+        edits.add([](Lab& lab) { lab.look_for_midi_devices(); });
+    edits.mark("midi_look");
+    if (const auto& last = midi.last(); midi.is_listening() && last)
+        dim_text(fmt::format("Came last: CC {}, channel {}: {}", last->controller, last->channel,
+                             last->value));
+    if (!midi.problem().empty())
+        wrapped_dim_text("Refused last: " + midi.problem());
+}
+}  // namespace
+
+void draw_midi_items(const Knob& knob, Edits& edits) {
+    const Parameter& parameter = knob.parameter;
+    if (!can_be_turned(parameter))
+        return;
+    const auto count = static_cast<std::size_t>(parameter.type.size());
+    if (count == 1) {
+        draw_learn_item("MIDI learn", {parameter.name}, edits);
+    } else if (ImGui::BeginMenu("MIDI learn")) {
+        for (std::size_t i = 0; i < count; ++i)
+            draw_learn_item(part_label(parameter, i).c_str(), {parameter.name, i}, edits);
+        ImGui::EndMenu();
+    }
+    edits.mark("midi_learn");
+    for (const MidiBinding& binding : knob.midi) {
+        const std::string part =
+            count > 1 ? part_label(parameter, binding.goal.component) + ": " : std::string();
+        if (ImGui::MenuItem((part + "Let go of " + words_of(binding)).c_str()))
+            unbind(binding.goal, edits);
+        edits.mark("midi_let_go");
+    }
+}
+
+void draw_midi_settings(const Scene& scene, Edits& edits) {
+    const MidiControl& midi = scene.lab.midi();
+    RemoteSettings settings = scene.lab.remote_settings();
+    ImGui::TextWrapped(
+        "Knobs and faders of MIDI devices turn parameters: press the right button on a parameter, "
+        "choose MIDI learn, then move the knob.");
+    ImGui::Spacing();
+    settings.listens_to_midi = midi.is_listening();
+    bool is_changed = ImGui::Checkbox("Listen to MIDI", &settings.listens_to_midi);
+    edits.mark("midi_listen");
+    ImGui::SameLine(0.0f, ImGui::GetFontSize() * 1.5f);
+    is_changed |= ImGui::Checkbox("Pick up", &settings.picks_up);
+    tooltip(
+        "A knob turns its parameter only from where it has come by its value, so that nothing "
+        "jumps.");
+    edits.mark("midi_picks_up");
+    if (is_changed)
+        edits.add([settings](Lab& lab) { lab.set_remote_settings(settings); });
+    draw_devices(midi, edits);
+    constexpr std::size_t most_rows = 8;
+    const std::size_t rows = std::min(settings.midi.size(), most_rows);
+    if (rows == 0)
+        return;
+    ImGui::BeginChild("##bindings",
+                      {0.0f, static_cast<float>(rows) * ImGui::GetFrameHeightWithSpacing()});
+    for (const MidiBinding& binding : settings.midi)
+        draw_binding(binding, scene, edits);
+    ImGui::EndChild();
+}
