@@ -6,15 +6,15 @@
 #include <cmath>
 
 namespace {
-using Light = std::array<double, 3>;
+using SeenColor = std::array<double, 3>;
 
-double luminance_of(const Light& light) {
+double luminance_of(const SeenColor& light) {
     return 0.2126 * light[0] + 0.7152 * light[1] + 0.0722 * light[2];  // ITU-R BT.709
 }
 
 // As chosen() of texel_text.h.
-Light chosen_of(const std::array<float, 4>& rgba, ChannelChoice channels) {
-    const Light rgb{rgba[0], rgba[1], rgba[2]};
+SeenColor chosen_of(const std::array<float, 4>& rgba, ChannelChoice channels) {
+    const SeenColor rgb{rgba[0], rgba[1], rgba[2]};
     if (channels == ChannelChoice::rgb)
         return rgb;
     const double lone = channels == ChannelChoice::luminance
@@ -23,26 +23,27 @@ Light chosen_of(const std::array<float, 4>& rgba, ChannelChoice channels) {
     return {lone, lone, lone};
 }
 
-bool has(const Light& numbers, bool (*is_so)(double)) {
+bool has(const SeenColor& numbers, bool (*is_so)(double)) {
     return std::ranges::any_of(numbers, is_so);
 }
 
 // What stands in the place of a colour that is no number, or is marked.
-std::optional<Light> mark_of(const Light& numbers, const Light& light, const ViewOptions& options) {
+std::optional<SeenColor> mark_of(const SeenColor& numbers, const SeenColor& light,
+                                 const ViewOptions& options) {
     const bool is_nan = has(numbers, [](double number) { return std::isnan(number); });
     const bool is_infinite = has(numbers, [](double number) { return std::isinf(number); });
     if (options.marks_flaws && is_nan)
-        return Light{1, 0, 0};
+        return SeenColor{1, 0, 0};
     if (options.marks_flaws && is_infinite)
-        return Light{0, 1, 0};
+        return SeenColor{0, 1, 0};
     if (options.marks_flaws && has(numbers, [](double number) { return number < 0.0; }))
-        return Light{0, 0, 1};
+        return SeenColor{0, 0, 1};
     if (options.marks_clipping && has(light, [](double one) { return one >= 1.0; }))
-        return Light{1, srgb_decode(0.8), 0};
+        return SeenColor{1, srgb_decode(0.8), 0};
     if (options.marks_clipping && !has(light, [](double one) { return one > 0.0; }))
-        return Light{0, srgb_decode(0.25), srgb_decode(0.3)};
+        return SeenColor{0, srgb_decode(0.25), srgb_decode(0.3)};
     if (is_nan || is_infinite)
-        return Light{1, 0, 1};
+        return SeenColor{1, 0, 1};
     return std::nullopt;
 }
 
@@ -56,7 +57,7 @@ double exposed_number(double number, const ViewOptions& options, bool is_encoded
     return std::copysign(srgb_encode(srgb_decode(std::abs(level)) * gain), level);
 }
 
-Light decoded(const Light& display) {
+SeenColor decoded(const SeenColor& display) {
     return {srgb_decode(display[0]), srgb_decode(display[1]), srgb_decode(display[2])};
 }
 }  // namespace
@@ -64,8 +65,8 @@ Light decoded(const Light& display) {
 double seen_luminance(const std::array<float, 4>& rgba, Format format, const ViewOptions& options) {
     const bool is_lone = options.channels == ChannelChoice::rgb && facts_of(format).channels == 1;
     const bool is_encoded = options.encoding == Encoding::display && format != Format::srgb8_alpha8;
-    const Light numbers = chosen_of(rgba, is_lone ? ChannelChoice::red : options.channels);
-    Light light;
+    const SeenColor numbers = chosen_of(rgba, is_lone ? ChannelChoice::red : options.channels);
+    SeenColor light;
     for (std::size_t i = 0; i < light.size(); ++i)
         light[i] = exposed_number(numbers[i], options, is_encoded);
     if (const auto mark = mark_of(numbers, light, options))
@@ -75,7 +76,7 @@ double seen_luminance(const std::array<float, 4>& rgba, Format format, const Vie
         const double place = has_colors ? luminance_of(light) : light[0];
         return luminance_of(decoded(false_color(std::clamp(place, 0.0, 1.0))));
     }
-    Light display;
+    SeenColor display;
     for (std::size_t i = 0; i < light.size(); ++i) {
         const double visible = std::clamp(light[i], 0.0, 1.0);
         display[i] = is_encoded ? visible : srgb_encode(visible);
