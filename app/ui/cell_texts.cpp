@@ -12,7 +12,7 @@
 namespace {
 constexpr int least_letters = 5;
 constexpr int most_letters = 7;
-constexpr float cell_margin = 2.0f;
+constexpr float cell_margin = 4.0f;
 
 struct CellNumber {
     std::array<double, 4> numbers{};
