@@ -116,7 +116,7 @@ TEST_CASE("history is cleared of one pass or of all, and a picture that rests sh
 TEST_CASE("the picture's pixel is told in the texels of the pass that is seen in its place") {
     SmallLab small(replaced(small_look::manifest, R"("format": "rgba32f", "inputs": { "previous")",
                             R"("format": "rgba32f", "scale": 0.5, "inputs": { "previous")"));
-    CHECK(picture_probe(small.lab(), {5.5, 6.9}) == Probe{"show", 5, 6});
+    CHECK(picture_probe(small.lab(), {5.5, 6.9}) == Probe{"show", 5, 6, false, {8, 8}});
     small.lab().switch_pass(PassSwitch::solo, "sum");
-    CHECK(picture_probe(small.lab(), {5.5, 6.9}) == Probe{"sum", 2, 3});
+    CHECK(picture_probe(small.lab(), {5.5, 6.9}) == Probe{"sum", 2, 3, false, {4, 4}});
 }
