@@ -43,8 +43,7 @@ public:
     /// Until the other side has its past.
     void wipe() {
         lab().set_compare_mode(CompareMode::wipe);
-        turn(1);
-        REQUIRE(lab().sides());
+        REQUIRE(turn_until([&] { return lab().sides().has_value(); }));
         for (int i = 0; i < 1000 && lab().renderer()->replay().is_running(); ++i)
             turn(1);
     }
