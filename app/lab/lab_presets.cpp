@@ -32,7 +32,7 @@ std::optional<PresetPlace> Lab::preset_on_ring(int by, bool only_starred) {
     }
     if (!only_starred)
         return preset_beside(presets, present, by);
-    const auto starred = starred_beside(presets, m_preset_stars, present, by);
+    auto starred = starred_beside(presets, m_preset_stars, present, by);
     if (!starred)
         say("No preset of this look has a star");
     return starred;

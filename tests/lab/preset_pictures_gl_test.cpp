@@ -5,6 +5,7 @@
 #include "lab/preset_pictures.h"
 #include "lab/small_lab.h"
 
+#include <algorithm>
 #include <cmath>
 #include <future>
 
@@ -22,7 +23,7 @@ public:
         preset.look = "small";
         preset.name = name;
         preset.values = {{"gain", Value(gain)}};
-        const auto file = folder() / "presets" / "small" / (std::string(name) + ".json");
+        auto file = folder() / "presets" / "small" / (std::string(name) + ".json");
         REQUIRE(save_preset(file, preset).has_value());
         return file;
     }
