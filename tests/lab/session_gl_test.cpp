@@ -5,11 +5,11 @@
 namespace fs = std::filesystem;
 
 namespace {
-const std::map<std::string, double> window{{"width", 1000.0}, {"scale", 1.25}};
+const std::map<std::string, double> kept_window{{"width", 1000.0}, {"scale", 1.25}};
 
 // As after the program's end, whether it was closed or killed.
 Session kept(SmallLab& small) {
-    REQUIRE(save_session(small.roots(), session_of(small.lab(), window)).has_value());
+    REQUIRE(save_session(small.roots(), session_of(small.lab(), kept_window)).has_value());
     Diagnostics warnings;
     Session session = load_session(small.roots(), warnings);
     CHECK(warnings.empty());
@@ -33,7 +33,7 @@ TEST_CASE("unsaved values, undo, redo, preset, time and picture size come back")
     small.lab().transport().pause();
     const double time = small.lab().player().time();
     const Session session = kept(small);
-    CHECK(session.window == window);
+    CHECK(session.window == kept_window);
 
     small.start();
     restore(small.lab(), session);
@@ -96,13 +96,13 @@ TEST_CASE("unsaved changes whose place another look takes are set aside, and com
     small.lab().open("small");
     small.wait_for_frames();
     set_gain(small, 5.0);
-    exchange_sessions(small.lab(), window);
+    exchange_sessions(small.lab(), kept_window);
     const auto has_gain = [&](double gain) {
         const auto value = small.document().values().find("gain");
         return value != small.document().values().end() && value->second == Value(gain);
     };
     REQUIRE(small.turn_until([&] { return has_gain(3.0); }));
-    exchange_sessions(small.lab(), window);
+    exchange_sessions(small.lab(), kept_window);
     CHECK(small.turn_until([&] { return has_gain(5.0); }));
 }
 

@@ -171,11 +171,11 @@ class Looking(Person):
         program.wait("its texels have numbers", lambda s: s["cells"][1] >= 4)
         self.snapshot("cells")
         program.key("l")
-        program.wait("the picture's middle row is plotted", lambda s: s["waveform"] == 320)
+        program.wait("the picture's middle row is plotted", lambda s: s["waveform"] == self.size[0])
         x, y = program.middle("picture")
         program.drag(program.middle("line_end"), (x, y))
         program.wait("a drag of its end makes it half as long",
-                     lambda s: abs(s["waveform"] - 160) < 4 and s["scan_line"][0] == 0)
+                     lambda s: abs(s["waveform"] - self.size[0] / 2) < 4 and s["scan_line"][0] == 0)
         self.snapshot("waveform")
         self.screen.do("keydown", "shift")
         program.drag((x - 40, y - 50), (x + 40, y + 50))

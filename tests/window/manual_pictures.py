@@ -13,6 +13,8 @@ import program
 SIZE = [640, 480]
 # The story that makes each picture.
 STORIES = {
+    "presets": "test_all_presets_have_a_picture",
+    "waveform": "test_a_frame_ago_is_looked_into_texel_by_texel_and_along_a_line",
     "step": "test_while_a_key_is_held_over_a_slider_the_picture_shows_what_a_step_changes",
     "filmstrip": "test_a_filmstrip_and_a_contact_sheet_are_clicked_to_take_a_value",
     "difference": "test_values_in_a_slot_are_compared_with_and_taken_back",
@@ -27,10 +29,20 @@ def main():
     program.PATIENCE_SECONDS = 120
     from window_test import WindowTest
 
+    class Manual(WindowTest):
+        """With what would take too long in a test."""
+
+        def test_all_presets_have_a_picture(self):
+            self.program.key("space", "ctrl+l")
+            self.program.wait("all of them are drawn", lambda s: s["presets"]["listed"] and
+                              s["presets"]["pictures"] == len(s["presets"]["listed"]))
+            self.snapshot("presets")
+            self.program.key("ctrl+l")
+
     with tempfile.TemporaryDirectory() as folder:
         person.PICTURES = Path(folder)
         told = unittest.TextTestRunner(verbosity=2).run(
-            unittest.TestSuite(WindowTest(name) for name in sorted(set(STORIES.values()))))
+            unittest.TestSuite(Manual(name) for name in sorted(set(STORIES.values()))))
         if not told.wasSuccessful():
             sys.exit(1)
         for name in STORIES:

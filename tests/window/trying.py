@@ -66,10 +66,12 @@ class Trying(Person):
 
     def test_a_preset_is_chosen_by_its_picture_opened_or_morphed_to(self):
         program = self.program
-        for preset in self.presets.glob("phosphor/*.json"):
-            if preset.stem != "amber-p3":
-                preset.unlink()
-        (self.presets / "phosphor/broken.json").write_text('{\n"format": 3 }')
+        others = {preset: preset.read_text() for preset in self.presets.glob("phosphor/*.json")
+                  if preset.stem != "amber-p3"}
+        for preset in others:
+            preset.unlink()
+        broken = self.presets / "phosphor/broken.json"
+        broken.write_text('{\n"format": 3 }')
         program.click("play")
         program.key("ctrl+l")
         program.wait("it has a picture, and the look as it is; one says why not", lambda s:
@@ -96,3 +98,7 @@ class Trying(Person):
         program.key("ctrl+l")
         program.wait("the pane is closed", lambda s: "preset_search" not in s["widgets"])
         self.assertIn('"phosphor/amber-p3"', program.session().read_text())
+        broken.unlink()
+        for preset, text in others.items():
+            preset.write_text(text)
+        program.place("preset:overdriven")
