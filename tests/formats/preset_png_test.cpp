@@ -4,8 +4,8 @@
 #include "formats/preset_format.h"
 #include "formats/sample_preset.h"
 #include "io/picture_file.h"
-#include "io/png_encoder.h"
 #include "io/png_chunks.h"
+#include "io/png_encoder.h"
 #include "io/temporary_folder.h"
 
 #include <doctest/doctest.h>

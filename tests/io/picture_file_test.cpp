@@ -1,8 +1,8 @@
 #include "io/picture_file.h"
 
 #include "about.h"
-#include "io/temporary_folder.h"
 #include "io/png_encoder.h"
+#include "io/temporary_folder.h"
 #include "model/color.h"
 
 #include <OpenImageIO/imageio.h>
