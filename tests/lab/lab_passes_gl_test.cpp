@@ -1,6 +1,8 @@
 #include "lab/small_lab.h"
 #include "lab/views.h"
 
+#include <cmath>
+
 namespace {
 // What is seen in the middle of the picture's place, of 255.
 int seen(const Lab& lab, Views& views) {
@@ -11,7 +13,7 @@ int seen(const Lab& lab, Views& views) {
     const Picture picture = views.read_picture();
     return picture.extent.is_empty()
                ? -1
-               : static_cast<int>(picture.pixels[picture.index(4, 4)] * 255.0f + 0.5f);
+               : static_cast<int>(std::lround(picture.pixels[picture.index(4, 4)] * 255.0f));
 }
 
 void pause(SmallLab& small) {
