@@ -22,6 +22,7 @@ struct InputQueue::Seen {
     gpu::PointerEvent wheel_turned_at;
     bool has_text = false;
     bool has_command = false;  // a key that does something rather than print
+    bool has_press = false;    // any key but those that are held with others
 };
 
 void InputQueue::add(const std::vector<gpu::InputEvent>& events) {
@@ -73,7 +74,8 @@ bool InputQueue::fits(const gpu::InputEvent& event, const Seen& seen) const {
                        if (!seen.buttons.empty())
                            return false;
                        if (is_modifier(key.key))
-                           return !is_seen && !seen.has_command && !seen.has_turned_wheel;
+                           return !is_seen && !seen.has_command && !seen.has_turned_wheel &&
+                                  (seen.is_typing || !seen.has_press);
                        if (only_prints(key.key, m_modifiers))
                            return !seen.is_settling && !seen.has_command &&
                                   (seen.is_typing || !is_seen);
@@ -104,7 +106,10 @@ void InputQueue::note(const gpu::InputEvent& event, Seen& seen) {
                               if (is_modifier(key.key)) {
                                   key.is_down ? void(m_modifiers.insert(key.key))
                                               : void(m_modifiers.erase(key.key));
-                              } else if (key.is_down && !only_prints(key.key, m_modifiers)) {
+                                  return;
+                              }
+                              seen.has_press |= key.is_down;
+                              if (key.is_down && !only_prints(key.key, m_modifiers)) {
                                   seen.has_command = true;
                                   m_frames_to_settle = frames_until_text;
                               }

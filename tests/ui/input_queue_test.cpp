@@ -74,6 +74,31 @@ TEST_CASE("A key with Control is seen while Control is down, whichever is releas
     CHECK(frames(queue) < 5);
 }
 
+TEST_CASE("A letter with Shift is seen while Shift is down, wherever frames cut the keys apart") {
+    constexpr int shift = gpu::key::left_shift;
+    const std::vector<gpu::InputEvent> keys{KeyEvent{shift, true}, KeyEvent{'M', true},
+                                            TextEvent{'M'}, KeyEvent{shift, false},
+                                            KeyEvent{'M', false}};
+    for (std::ptrdiff_t cut = 0; cut <= 5; ++cut) {
+        CAPTURE(cut);
+        InputQueue queue;
+        queue.add({keys.begin(), keys.begin() + cut});
+        bool is_shifted = false;
+        int shifted_presses = 0;
+        for (int i = 0; i < 10; ++i) {
+            bool is_pressed = false;
+            for (const gpu::InputEvent& event : queue.take_frame(false))
+                if (const auto* key = std::get_if<KeyEvent>(&event))
+                    (key->key == shift ? is_shifted : is_pressed) = key->is_down;
+            shifted_presses += is_pressed && is_shifted;
+            if (i == 0)
+                queue.add({keys.begin() + cut, keys.end()});
+        }
+        CHECK(shifted_presses == 1);
+        CHECK(!is_shifted);
+    }
+}
+
 TEST_CASE("Each of two clicks is pressed and released where it was made") {
     InputQueue queue;
     add(queue, {click(10, 10), click(50, 50)});
