@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 TEST_CASE("an end of a plot is the next larger number that reads well") {
     CHECK(rounded_up(0.93) == 1.0);
     CHECK(rounded_up(1.0) == 1.0);
