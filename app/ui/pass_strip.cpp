@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace {
 struct Cell {
@@ -48,6 +49,11 @@ bool is_clipped(const Gain& gain) {
     return gain.clipped >= counts;
 }
 
+// A peak at the ceiling may be a rounding above it: that is 0.0, not -0.0.
+std::string stops_text(double stops) {
+    return fmt::format("{:.1f}", std::round(stops * 10.0) / 10.0 + 0.0);
+}
+
 // What counts most, in the room there is.
 std::string gain_text(const Gain& gain) {
     if (is_clipped(gain))
@@ -57,7 +63,7 @@ std::string gain_text(const Gain& gain) {
         return "no light";
     if (*headroom > meter_stops)
         return fmt::format("peak {:.3g}", gain.peak);
-    return fmt::format("{:.3g} {:.1f} stops", gain.peak, *headroom);
+    return fmt::format("{:.3g} {} stops", gain.peak, stops_text(*headroom));
 }
 
 std::string gain_help(const Gain& gain) {
@@ -65,7 +71,7 @@ std::string gain_help(const Gain& gain) {
     return fmt::format(
         "\npeak {}, mean {}\n{} at the ceiling, {}\n{}", short_number(gain.peak),
         short_number(gain.mean), percent_text(gain.clipped), short_number(gain.ceiling),
-        headroom ? fmt::format("{:.1f} stops of headroom", *headroom) : std::string("no light"));
+        headroom ? stops_text(*headroom) + " stops of headroom" : std::string("no light"));
 }
 
 // In a stack the looks are named above their passes.
