@@ -4,8 +4,6 @@
 #include "graph/measuring.h"
 #include "graph/texel_text.h"
 
-#include <algorithm>
-
 namespace {
 constexpr const char* gather_start = R"(#version 410 core
 out vec4 color;
@@ -60,12 +58,5 @@ void Gatherer::start(const std::vector<TexelPlace>& places) {
 }
 
 std::optional<std::vector<std::array<float, 4>>> Gatherer::take() {
-    if (!m_to_come || !m_to_come->has_come())
-        return std::nullopt;
-    const std::vector<float> texels = m_to_come->take();
-    std::vector<std::array<float, 4>> numbers(texels.size() / 4);
-    for (std::size_t i = 0; i < numbers.size(); ++i)
-        std::copy_n(&texels[i * 4], 4, numbers[i].begin());
-    stop();
-    return numbers;
+    return take_texels(m_to_come);
 }

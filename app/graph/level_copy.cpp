@@ -35,21 +35,10 @@ Result<LevelCopy> LevelCopy::make() {
     return LevelCopy(std::move(*program));
 }
 
-bool LevelCopy::fit(Extent extent, Format format) {
-    if (m_canvas && m_canvas->texture().extent() == extent &&
-        m_canvas->texture().format() == format)
-        return true;
-    m_canvas.reset();
-    auto made = gpu::Canvas::make(extent, format);
-    if (made)
-        m_canvas.emplace(std::move(*made));
-    return made.has_value();
-}
-
 const gpu::Texture* LevelCopy::draw(const gpu::Texture& from, int level) {
     const Format format = from.format() == Format::srgb8_alpha8 ? Format::rgba32f : from.format();
     const bool is_there = level >= 0 && level < level_count(from) && !facts_of(format).is_integer;
-    if (!is_there || !fit(level_extent(from.extent(), level), format))
+    if (!is_there || !fit_canvas(m_canvas, level_extent(from.extent(), level), format))
         return nullptr;
     const gpu::DrawScope scope;
     m_program.write("level", std::array{static_cast<double>(level)});

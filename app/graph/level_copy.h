@@ -23,7 +23,6 @@ public:
 
 private:
     explicit LevelCopy(gpu::Program program) : m_program(std::move(program)) {}
-    bool fit(Extent extent, Format format);
 
     gpu::Program m_program;
     gpu::VertexArray m_vertices;

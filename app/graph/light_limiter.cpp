@@ -50,16 +50,6 @@ Result<gpu::Program> build(const std::string& text, std::initializer_list<const 
     return program;
 }
 
-bool fit(std::optional<gpu::Canvas>& canvas, Extent extent, Format format) {
-    if (canvas && canvas->texture().extent() == extent && canvas->texture().format() == format)
-        return true;
-    canvas.reset();
-    auto made = gpu::Canvas::make(extent, format);
-    if (made)
-        canvas.emplace(std::move(*made));
-    return made.has_value();
-}
-
 constexpr Sampler smooth{Filter::linear, Wrap::edge, false};
 constexpr Sampler as_stored{Filter::nearest, Wrap::edge, false};
 }  // namespace
@@ -94,7 +84,7 @@ const gpu::Texture* LightLimiter::limit(const Asked& asked) {
     const gpu::Texture& picture = asked.picture;
     const Extent extent = asked.cells.extent();
     if (!fit_floats(m_allowed[0], extent) || !fit_floats(m_allowed[1], extent) ||
-        !fit(m_shown, picture.extent(), picture.format()))
+        !fit_canvas(m_shown, picture.extent(), picture.format()))
         return nullptr;
     const gpu::DrawScope scope;
     follow(asked.cells, asked.most);

@@ -1,5 +1,7 @@
 #include "graph/measuring.h"
 
+#include <algorithm>
+
 namespace {
 constexpr const char* vertex_text = R"(#version 410 core
 void main() {
@@ -13,12 +15,28 @@ Result<gpu::Program> build_measuring_program(const std::string& fragment_text) {
     return gpu::Program::build({{}, vertex_text, {}}, {{}, fragment_text, {}});
 }
 
-bool fit_floats(std::optional<gpu::Canvas>& canvas, Extent extent) {
-    if (canvas && canvas->texture().extent() == extent)
+bool fit_canvas(std::optional<gpu::Canvas>& canvas, Extent extent, Format format) {
+    if (canvas && canvas->texture().extent() == extent && canvas->texture().format() == format)
         return true;
     canvas.reset();
-    auto made = gpu::Canvas::make(extent, Format::rgba32f);
+    auto made = gpu::Canvas::make(extent, format);
     if (made)
         canvas.emplace(std::move(*made));
     return made.has_value();
+}
+
+bool fit_floats(std::optional<gpu::Canvas>& canvas, Extent extent) {
+    return fit_canvas(canvas, extent, Format::rgba32f);
+}
+
+std::optional<std::vector<std::array<float, 4>>> take_texels(
+    std::optional<gpu::Download>& to_come) {
+    if (!to_come || !to_come->has_come())
+        return std::nullopt;
+    const std::vector<float> numbers = to_come->take();
+    to_come.reset();
+    std::vector<std::array<float, 4>> texels(numbers.size() / 4);
+    for (std::size_t i = 0; i < texels.size(); ++i)
+        std::copy_n(&numbers[i * 4], 4, texels[i].begin());
+    return texels;
 }

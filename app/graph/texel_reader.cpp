@@ -4,8 +4,6 @@
 #include "graph/measuring.h"
 #include "graph/texel_text.h"
 
-#include <algorithm>
-
 namespace {
 constexpr const char* reader_start = R"(#version 410 core
 out vec4 color;
@@ -61,12 +59,5 @@ void TexelAnswer::ask(TexelReader& reader, const gpu::Texture& from, const Texel
 }
 
 std::optional<std::vector<std::array<float, 4>>> TexelAnswer::take() {
-    if (!m_to_come || !m_to_come->has_come())
-        return std::nullopt;
-    const std::vector<float> texels = m_to_come->take();
-    std::vector<std::array<float, 4>> numbers(texels.size() / 4);
-    for (std::size_t i = 0; i < numbers.size(); ++i)
-        std::copy_n(&texels[i * 4], 4, numbers[i].begin());
-    stop();
-    return numbers;
+    return take_texels(m_to_come);
 }
