@@ -21,7 +21,7 @@ Json described(const Input& input) {
 
 Json described(const Pass& pass, const PlannedTarget& target) {
     Json json{{"name", pass.name},
-              {"draw", word_of(draw_words(), pass.draw)},
+              {"draw", pass.draw == Draw::quad ? "quad" : word_of(draw_words(), pass.draw)},
               {"vertex", pass.vertex.text},
               {"fragment", pass.fragment.text},
               {"format", word_of(format_words(), target.format)},

@@ -26,7 +26,10 @@ GLint gl_wrap(Wrap wrap) {
 GLuint new_sampler(const Sampler& sampler) {
     const bool is_linear = sampler.filter == Filter::linear;
     const GLint single = is_linear ? GL_LINEAR : GL_NEAREST;
-    const GLint mipmap = is_linear ? GL_LINEAR_MIPMAP_LINEAR : GL_NEAREST_MIPMAP_NEAREST;
+    const bool blends_levels = sampler.between_levels.value_or(sampler.filter) == Filter::linear;
+    const GLint mipmap =
+        is_linear ? (blends_levels ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR_MIPMAP_NEAREST)
+                  : (blends_levels ? GL_NEAREST_MIPMAP_LINEAR : GL_NEAREST_MIPMAP_NEAREST);
     GLuint id = 0;
     glGenSamplers(1, &id);
     glSamplerParameteri(id, GL_TEXTURE_MIN_FILTER, sampler.mipmap ? mipmap : single);

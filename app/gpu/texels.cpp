@@ -50,13 +50,15 @@ std::array<float, 4> rgba_of(const float* pixel, int channels) {
 }
 }  // namespace
 
-void fill_texels(const Picture& picture, Encoding wanted, std::vector<float>& texels) {
+void fill_texels(const Picture& picture, Encoding wanted, std::vector<float>& texels,
+                 RowOrder rows) {
     const Extent extent = picture.extent;
     texels.resize(static_cast<std::size_t>(extent.width) * static_cast<std::size_t>(extent.height) *
                   4);
     const Curve* curve = curve_between(picture.encoding, wanted);
     float* texel = texels.data();
-    for (int y = extent.height - 1; y >= 0; --y) {
+    for (int row = 0; row < extent.height; ++row) {
+        const int y = rows == RowOrder::top_first ? row : extent.height - 1 - row;
         const float* pixel = picture.pixels.data() + picture.index(0, y);
         for (int x = 0; x < extent.width; ++x, pixel += picture.channels, texel += 4) {
             const std::array<float, 4> rgba = rgba_of(pixel, picture.channels);

@@ -6,8 +6,10 @@
 
 namespace gpu {
 
-/// A picture as Texture::upload takes it: RGBA, the bottom row first, its colours (not alpha) taken
-/// to the `wanted` encoding. `texels` is used again, so that a video makes no new memory a frame.
-void fill_texels(const Picture& picture, Encoding wanted, std::vector<float>& texels);
+/// A picture as Texture::upload takes it: RGBA, its colours (not alpha) taken to the `wanted`
+/// encoding, its rows in the wanted order. `texels` is used again, so that a video makes no new
+/// memory a frame.
+void fill_texels(const Picture& picture, Encoding wanted, std::vector<float>& texels,
+                 RowOrder rows = RowOrder::bottom_first);
 
 }  // namespace gpu

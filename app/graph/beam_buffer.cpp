@@ -60,7 +60,7 @@ gpu::Attribute attribute_of(const gpu::Program& program, const Field& field, std
 
 gpu::VertexArray BeamBuffer::vertices_for(const gpu::Program& program, Draw draw) const {
     gpu::VertexArray vertices;
-    if (draw != Draw::fullscreen)
+    if (is_of_beam(draw))
         vertices.set(
             attribute_of(program, {"tint", 3, 0}, sizeof(BeamTint), draw == Draw::segments),
             draw == Draw::points ? m_point_tint_buffer : m_segment_tint_buffer);

@@ -1,37 +1,98 @@
 #include "graph/built_in_uniforms.h"
 
+#include <algorithm>
+#include <cmath>
 #include <span>
 
-BuiltInUniforms::BuiltInUniforms(const gpu::Program& program)
-    : m_time(program.find_uniform("u_time")),
-      m_time_delta(program.find_uniform("u_time_delta")),
-      m_frame(program.find_uniform("u_frame")),
-      m_resolution(program.find_uniform("u_resolution")),
-      m_output_resolution(program.find_uniform("u_output_resolution")),
-      m_source_resolution(program.find_uniform("u_source_resolution")),
-      m_mouse(program.find_uniform("u_mouse")),
-      m_samples(program.find_uniform("u_samples")) {}
-
-std::array<BuiltInUniforms::Told, 7> BuiltInUniforms::tell(const Frame& frame, double number,
-                                                           const PassExtents& extents) const {
-    const auto side = [](int pixels) { return static_cast<double>(pixels); };
-    const auto size = [&](const gpu::Uniform* uniform, Extent extent) {
-        return Told{uniform, {side(extent.width), side(extent.height)}, 2};
-    };
-    return {Told{m_time, {frame.time, 0.0}, 1},
-            Told{m_time_delta, {frame.time_delta, 0.0}, 1},
-            Told{m_frame, {number, 0.0}, 1},
-            size(m_resolution, extents.target),
-            size(m_output_resolution, extents.output),
-            size(m_source_resolution, extents.source),
-            Told{m_mouse, frame.mouse, 2}};
+BuiltInUniforms::BuiltInUniforms(const Look& look, int pass, const gpu::Program& program) {
+    for (const BuiltInUniform& built_in : look.passes[static_cast<std::size_t>(pass)].built_ins) {
+        const gpu::Uniform* uniform = program.find_uniform(built_in.name);
+        const bool is_turned = built_in.says == BuiltIn::view || built_in.says == BuiltIn::camera;
+        if (!uniform || is_turned)  // what is turned belongs to the parameters
+            continue;
+        if (built_in.says == BuiltIn::samples)
+            m_samples = uniform;
+        else
+            m_places.push_back(
+                {uniform, built_in.says,
+                 built_in.of ? bound_input(look, pass, *built_in.of) : BoundInput{}});
+    }
 }
 
-void BuiltInUniforms::write(const gpu::Program& program, const Frame& frame, double number,
-                            const PassExtents& extents) const {
-    for (const Told& told : tell(frame, number, extents))
-        if (told.uniform)
-            program.write(*told.uniform, std::span(told.numbers).first(told.count));
+namespace {
+using Sixteen = std::array<double, 16>;
+
+double width_of(Extent extent) {
+    return extent.width;
+}
+
+double height_of(Extent extent) {
+    return extent.height;
+}
+
+Sixteen with_reciprocals(Extent extent) {
+    const double width = std::max(extent.width, 1);
+    const double height = std::max(extent.height, 1);
+    return {width, height, 1.0 / width, 1.0 / height};
+}
+
+// From 0..1 to clip space, by column. The quad's y goes from the top of a picture down, which is up
+// in a target whose first row is its top.
+Sixteen quad_to_clip(RowOrder rows) {
+    const double down = rows == RowOrder::top_first ? 1.0 : -1.0;
+    return {2.0, 0.0, 0.0, 0.0, 0.0,  2.0 * down, 0.0, 0.0,
+            0.0, 0.0, 1.0, 0.0, -1.0, -down,      0.0, 1.0};
+}
+}  // namespace
+
+BuiltInUniforms::Numbers BuiltInUniforms::numbers_of(const Place& place, const Frame& frame,
+                                                     const PassFacts& facts) {
+    const auto size = [](Extent extent) {
+        return Numbers{{width_of(extent), height_of(extent)}, 2};
+    };
+    switch (place.says) {
+        case BuiltIn::time:
+            return {{frame.time}, 1};
+        case BuiltIn::time_delta:
+            return {{frame.time_delta}, 1};
+        case BuiltIn::frame:
+            return {{facts.number}, 1};
+        case BuiltIn::frame_before:
+            return {{facts.number_before}, 1};
+        case BuiltIn::microseconds:
+            return {{std::round(frame.time_delta * 1e6)}, 1};
+        case BuiltIn::target_size:
+            return size(facts.target);
+        case BuiltIn::output_size:
+            return size(facts.output);
+        case BuiltIn::source_size:
+            return size(facts.source);
+        case BuiltIn::source_aspect:
+            return {{width_of(facts.source) / std::max(height_of(facts.source), 1.0)}, 1};
+        case BuiltIn::mouse:
+            return {{frame.mouse[0], frame.mouse[1]}, 2};
+        case BuiltIn::quad_to_clip:
+            return {quad_to_clip(facts.rows), 16};
+        case BuiltIn::target_extent:
+            return {with_reciprocals(facts.target), 4};
+        case BuiltIn::output_extent:
+            return {with_reciprocals(facts.output), 4};
+        case BuiltIn::input_extent:
+            return {with_reciprocals(facts.extent_of(place.of)), 4};
+        case BuiltIn::samples:
+        case BuiltIn::view:
+        case BuiltIn::camera:
+            break;
+    }
+    return {{}, 0};
+}
+
+void BuiltInUniforms::write(const gpu::Program& program, const Frame& frame,
+                            const PassFacts& facts) const {
+    for (const Place& place : m_places) {
+        const Numbers told = numbers_of(place, frame, facts);
+        program.write(*place.uniform, std::span(told.numbers).first(told.count));
+    }
 }
 
 void BuiltInUniforms::write_samples(const gpu::Program& program, int samples) const {
@@ -39,15 +100,23 @@ void BuiltInUniforms::write_samples(const gpu::Program& program, int samples) co
         program.write(*m_samples, std::array{static_cast<double>(samples)});
 }
 
-std::vector<BuiltInReport> BuiltInUniforms::report(const Frame& frame, double number,
-                                                   const PassExtents& extents, int samples) const {
+std::vector<BuiltInReport> BuiltInUniforms::report(const Frame& frame, const PassFacts& facts,
+                                                   int samples) const {
     std::vector<BuiltInReport> all;
-    for (const Told& told : tell(frame, number, extents))
-        if (told.uniform)
-            all.push_back({told.uniform->name,
-                           {told.numbers.begin(),
-                            told.numbers.begin() + static_cast<std::ptrdiff_t>(told.count)}});
+    for (const Place& place : m_places) {
+        const Numbers told = numbers_of(place, frame, facts);
+        const auto end = told.numbers.begin() + static_cast<std::ptrdiff_t>(told.count);
+        all.push_back({place.uniform->name, {told.numbers.begin(), end}});
+    }
     if (m_samples)
         all.push_back({m_samples->name, {static_cast<double>(samples)}});
     return all;
+}
+
+bool BuiltInUniforms::tell_time() const {
+    return std::ranges::any_of(m_places, tells_time, &Place::says);
+}
+
+bool BuiltInUniforms::tell_mouse() const {
+    return std::ranges::find(m_places, BuiltIn::mouse, &Place::says) != m_places.end();
 }

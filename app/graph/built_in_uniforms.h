@@ -1,51 +1,52 @@
 #pragma once
 
 #include "gpu/program.h"
+#include "graph/bound_input.h"
 #include "graph/frame.h"
 #include "graph/pass_report.h"
-#include "model/extent.h"
 
 #include <array>
+#include <functional>
 #include <vector>
 
-/// Sizes that a pass is told.
-struct PassExtents {
+/// What a pass is told besides the frame.
+struct PassFacts {
+    double number = 0;         // the frame's, after the pass's modulo, from 1
+    double number_before = 0;  // the same from 0
     Extent target;
     Extent output;
     Extent source;
+    RowOrder rows = RowOrder::bottom_first;  // of the target
+    std::function<Extent(const BoundInput&)> extent_of;
 };
 
 /// The uniforms that the program itself drives, where a pass has them; each in whatever number type
 /// it was declared.
 class BuiltInUniforms {
 public:
-    explicit BuiltInUniforms(const gpu::Program& program);
+    BuiltInUniforms(const Look& look, int pass, const gpu::Program& program);
 
-    /// `number` is the frame's, after the pass's modulo.
-    void write(const gpu::Program& program, const Frame& frame, double number,
-               const PassExtents& extents) const;
+    void write(const gpu::Program& program, const Frame& frame, const PassFacts& facts) const;
     void write_samples(const gpu::Program& program, int samples) const;
     /// Those that the pass has, with what write() and write_samples() give them.
-    std::vector<BuiltInReport> report(const Frame& frame, double number, const PassExtents& extents,
+    std::vector<BuiltInReport> report(const Frame& frame, const PassFacts& facts,
                                       int samples) const;
     /// Whether it draws another picture when only time goes on.
-    bool tell_time() const { return m_time || m_time_delta || m_frame; }
-    bool tell_mouse() const { return m_mouse; }
+    bool tell_time() const;
+    bool tell_mouse() const;
 
 private:
-    struct Told {
-        const gpu::Uniform* uniform;  // null: the pass has none
-        std::array<double, 2> numbers;
+    struct Place {
+        const gpu::Uniform* uniform;
+        BuiltIn says;
+        BoundInput of;
+    };
+    struct Numbers {
+        std::array<double, 16> numbers;
         std::size_t count;
     };
-    std::array<Told, 7> tell(const Frame& frame, double number, const PassExtents& extents) const;
+    static Numbers numbers_of(const Place& place, const Frame& frame, const PassFacts& facts);
 
-    const gpu::Uniform* m_time;
-    const gpu::Uniform* m_time_delta;
-    const gpu::Uniform* m_frame;
-    const gpu::Uniform* m_resolution;
-    const gpu::Uniform* m_output_resolution;
-    const gpu::Uniform* m_source_resolution;
-    const gpu::Uniform* m_mouse;
-    const gpu::Uniform* m_samples;
+    std::vector<Place> m_places;  // of one that is written here
+    const gpu::Uniform* m_samples = nullptr;
 };

@@ -43,10 +43,11 @@ Executor::PassState Executor::make_state(std::size_t pass) const {
     const auto& program = m_programs.passes[pass].program;
     const Pass& declared = m_look.passes[pass];
     PassState state{program,
-                    BuiltInUniforms(*program),
+                    BuiltInUniforms(m_look, static_cast<int>(pass), *program),
                     bind_inputs(m_look, static_cast<int>(pass), *program),
-                    m_beam.vertices_for(*program, declared.draw),
-                    declared.draw == Draw::fullscreen ? -1 : program->attribute_location("tint"),
+                    declared.draw == Draw::quad ? m_quad.vertices()
+                                                : m_beam.vertices_for(*program, declared.draw),
+                    is_of_beam(declared.draw) ? program->attribute_location("tint") : -1,
                     std::make_unique<gpu::Timer>()};
     state.reads_itself = std::ranges::any_of(state.inputs, [&](const BoundInput& input) {
         return input.from == Input::From::pass && input.pass == static_cast<int>(pass);
@@ -62,6 +63,7 @@ void Executor::prepare() {
         m_passes.push_back(make_state(i));
     m_parameters = ParameterUniforms(m_look, m_programs);
     m_parameters.write(m_look, m_values);
+    m_upright.forget();
     m_has_points = has_draw(m_look, Draw::points);
     m_has_segments = has_draw(m_look, Draw::segments);
 }
@@ -142,7 +144,7 @@ Result<void> Executor::set_source(const Picture& picture) {
         readers.push_back(std::ranges::any_of(
             pass.inputs, [](const Input& input) { return input.from == Input::From::source; }));
     restart_samples(readers);
-    return m_source.set(picture, m_look.source_encoding,
+    return m_source.set(picture, m_look.source_encoding, m_look.source_rows,
                         reads_mipmaps(m_look, Input::From::source, {}));
 }
 
@@ -157,7 +159,8 @@ Result<void> Executor::set_image(const std::string& name, const Picture& picture
     const bool is_data = image && image->is_linear;
     std::vector<float> texels;
     const Encoding wanted = image && image->encoding ? *image->encoding : m_look.source_encoding;
-    gpu::fill_texels(picture, is_data ? picture.encoding : wanted, texels);
+    gpu::fill_texels(picture, is_data ? picture.encoding : wanted, texels,
+                     image ? image->rows : RowOrder::bottom_first);
     texture->upload(texels);
     texture->generate_mipmaps();
     m_images.insert_or_assign(name, std::move(*texture));
@@ -173,10 +176,6 @@ void Executor::clear_history() {
     m_source.clear();
     m_beam.clear();
     restart_samples();
-}
-
-const gpu::Texture& Executor::target(int pass) const {
-    return m_targets[static_cast<std::size_t>(pass)].canvas().texture();
 }
 
 std::vector<double> Executor::pass_milliseconds() {

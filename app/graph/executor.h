@@ -10,9 +10,11 @@
 #include "graph/pass_report.h"
 #include "graph/pass_through.h"
 #include "graph/programs.h"
+#include "graph/quad.h"
 #include "graph/source_history.h"
 #include "graph/target_set.h"
 #include "graph/tripwire.h"
+#include "graph/upright.h"
 #include "model/pass_switches.h"
 #include "model/texture_choice.h"
 
@@ -93,7 +95,8 @@ public:
     /// Puts all that is kept right.
     void mend();
 
-    /// This frame's picture of a pass.
+    /// This frame's picture of a pass; this and the following have their bottom row first, whatever
+    /// the look's own order is. Not within a draw.
     const gpu::Texture& target(int pass) const;
     /// What it holds of this frame: what passes drew, the source, images.
     std::vector<TextureChoice> textures() const;
@@ -142,13 +145,15 @@ private:
     bool rests(std::size_t pass) const;
     void draw_samples(std::size_t pass, const Frame& frame);
     void draw_repetitions(std::size_t pass, bool is_again);
-    PassExtents extents_of(std::size_t pass) const;
+    PassFacts facts_of_pass(std::size_t pass, const Frame& frame) const;
     void write_built_ins(std::size_t pass, const Frame& frame) const;
     std::optional<int> enough_of(const Pass& pass) const;
     int samples_due(std::size_t pass, const Frame& frame) const;
     int samples_before(std::size_t pass) const;
     void bind(const PassState& state);
     const gpu::Texture* texture_for(const BoundInput& input) const;
+    const gpu::Texture* stored_texture(const TextureChoice& choice) const;
+    RowOrder rows_of(const BoundInput& input) const;
     void start_target(std::size_t pass, bool goes_on);
     void draw_shape(std::size_t pass);
     bool is_remembered(std::size_t pass) const;  // later frames read it
@@ -163,6 +168,7 @@ private:
     Extent m_viewport;
     Extent m_source_extent;
     BeamBuffer m_beam;
+    Quad m_quad;
     std::vector<PassState> m_passes;
     std::vector<PassRun> m_runs;
     std::optional<PassThrough> m_pass_through;  // from the first bypass on
@@ -172,6 +178,7 @@ private:
     std::map<std::string, gpu::Texture> m_images;
     std::map<Format, gpu::Canvas> m_empty;  // one texel of transparent black
     gpu::Samplers m_samplers;
+    mutable Upright m_upright;
     Guard m_guard = Guard::off;
     bool m_draws_whole = false;  // the present frame
     std::optional<Tripwire> m_tripwire;

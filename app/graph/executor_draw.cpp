@@ -2,7 +2,9 @@
 #include "gpu/draw.h"
 #include "graph/executor.h"
 
+#include <algorithm>
 #include <cassert>
+#include <limits>
 
 void Executor::draw(const Frame& frame, const std::vector<bool>* passes) {
     if (frame.is_first)
@@ -38,14 +40,6 @@ void Executor::draw_passes(const Frame& frame, const std::vector<bool>* only, bo
     m_samplers.release();
 }
 
-namespace {
-double frame_number(const Frame& frame, const Pass& pass) {
-    const std::int64_t number =
-        pass.frame_modulo > 0 ? frame.number % pass.frame_modulo : frame.number;
-    return static_cast<double>(number);
-}
-}  // namespace
-
 void Executor::draw_pass(std::size_t index, const Frame& frame, bool is_again) {
     if (is_kept(index))
         return;
@@ -67,17 +61,31 @@ void Executor::draw_pass(std::size_t index, const Frame& frame, bool is_again) {
     m_targets[index].canvas().texture().generate_mipmaps();
 }
 
-PassExtents Executor::extents_of(std::size_t index) const {
+PassFacts Executor::facts_of_pass(std::size_t index, const Frame& frame) const {
+    const Pass& pass = m_look.passes[index];
     const gpu::Texture* texture = m_source.texture(0);
-    const Extent source = source_extent_of(m_look, m_look.passes[index], m_plan,
-                                           texture ? texture->extent() : m_source_extent);
-    return {m_plan.targets[index].extent, m_viewport, source};
+    const Extent source =
+        source_extent_of(m_look, pass, m_plan, texture ? texture->extent() : m_source_extent);
+    const std::int64_t modulo =
+        pass.frame_modulo > 0 ? pass.frame_modulo : std::numeric_limits<std::int64_t>::max();
+    const std::int64_t before = std::max<std::int64_t>(frame.number - 1, 0);
+    return {static_cast<double>(frame.number % modulo),
+            static_cast<double>(before % modulo),
+            m_plan.targets[index].extent,
+            m_viewport,
+            source,
+            pass.rows,
+            [this, source](const BoundInput& input) {
+                if (input.from == Input::From::pass && input.pass >= 0)
+                    return m_plan.targets[static_cast<std::size_t>(input.pass)].extent;
+                const gpu::Texture* read = texture_for(input);
+                return read ? read->extent() : source;
+            }};
 }
 
 void Executor::write_built_ins(std::size_t index, const Frame& frame) const {
     const PassState& state = m_passes[index];
-    state.built_ins.write(*state.program, frame, frame_number(frame, m_look.passes[index]),
-                          extents_of(index));
+    state.built_ins.write(*state.program, frame, facts_of_pass(index, frame));
 }
 
 namespace {
@@ -106,8 +114,7 @@ PassReport Executor::report(int pass) const {
     const Pass& declared = m_look.passes[index];
     const int samples = declared.accumulate ? std::max(state.samples - 1, 0)
                                             : samples_before(index) + repeats_of(declared) - 1;
-    report.built_ins = state.built_ins.report(m_drawn, frame_number(m_drawn, declared),
-                                              extents_of(index), samples);
+    report.built_ins = state.built_ins.report(m_drawn, facts_of_pass(index, m_drawn), samples);
     return report;
 }
 
@@ -180,6 +187,8 @@ void Executor::draw_shape(std::size_t index) {
         gpu::draw_points(m_beam.point_count());
     else if (shape == Draw::segments)
         gpu::draw_quads(m_beam.segment_count());
+    else if (shape == Draw::quad)
+        gpu::draw_quads(1);
     else
         gpu::draw_triangle();
 }

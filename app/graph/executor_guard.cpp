@@ -49,7 +49,10 @@ void Executor::look_behind(const Frame& frame, const std::vector<bool>& drawn) {
 }
 
 std::optional<Trip> Executor::take_trip(bool waits) {
-    return m_tripwire ? m_tripwire->take(waits) : std::nullopt;
+    std::optional<Trip> trip = m_tripwire ? m_tripwire->take(waits) : std::nullopt;
+    if (trip && m_look.passes[trip->pass].rows == RowOrder::top_first)
+        trip->y = m_plan.targets[trip->pass].extent.height - 1 - trip->y;
+    return trip;
 }
 
 void Executor::mend() {

@@ -1,5 +1,7 @@
-// The part of Executor that tells which pictures it holds.
+// The part of Executor that tells which pictures it holds, and hands them out as people see them.
 #include "graph/executor.h"
+
+#include <algorithm>
 
 std::vector<TextureChoice> Executor::textures() const {
     std::vector<TextureChoice> choices;
@@ -12,7 +14,29 @@ std::vector<TextureChoice> Executor::textures() const {
     return choices;
 }
 
+RowOrder Executor::rows_of(const BoundInput& input) const {
+    if (input.from == Input::From::pass && input.pass >= 0)
+        return m_look.passes[static_cast<std::size_t>(input.pass)].rows;
+    if (input.from == Input::From::source)
+        return m_look.source_rows;
+    const auto image = std::ranges::find(m_look.images, input.image, &Image::name);
+    return image == m_look.images.end() ? RowOrder::bottom_first : image->rows;
+}
+
+const gpu::Texture& Executor::target(int pass) const {
+    const auto index = static_cast<std::size_t>(pass);
+    const gpu::Texture& stored = m_targets[index].canvas().texture();
+    return m_upright.view(stored, m_look.passes[index].rows, m_picture_number);
+}
+
 const gpu::Texture* Executor::texture(const TextureChoice& choice) const {
+    const BoundInput read = bound_input(m_look, static_cast<int>(m_look.passes.size()),
+                                        {{}, choice.from, choice.name, choice.frames_ago, {}});
+    const gpu::Texture* stored = stored_texture(choice);
+    return stored ? &m_upright.view(*stored, rows_of(read), m_picture_number) : nullptr;
+}
+
+const gpu::Texture* Executor::stored_texture(const TextureChoice& choice) const {
     if (choice.from == Input::From::source)
         return choice.frames_ago < m_plan.source_slots ? m_source.texture(choice.frames_ago)
                                                        : nullptr;

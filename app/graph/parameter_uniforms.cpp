@@ -14,7 +14,7 @@ ParameterUniforms::ParameterUniforms(const Look& look, const Programs& programs)
             programs.passes[i].program->write(uniform, value.numbers);
 
     for (std::size_t i = 0; i < programs.passes.size(); ++i)
-        find_turned(static_cast<int>(i), *programs.passes[i].program);
+        find_turned(look, static_cast<int>(i), *programs.passes[i].program);
     for (std::size_t i = 0; i < look.parameters.size(); ++i) {
         if (look.parameters[i].orbit != OrbitPart::none)
             continue;
@@ -31,11 +31,16 @@ ParameterUniforms::ParameterUniforms(const Look& look, const Programs& programs)
     }
 }
 
-void ParameterUniforms::find_turned(int pass, const gpu::Program& program) {
-    if (const gpu::Uniform* view = program.find_uniform("u_view"))
-        m_turned.push_back({pass, {&program, view}, view_matrix, {}});
-    if (const gpu::Uniform* camera = program.find_uniform("u_camera"))
-        m_turned.push_back({pass, {&program, camera}, camera_matrix, {}});
+void ParameterUniforms::find_turned(const Look& look, int pass, const gpu::Program& program) {
+    for (const BuiltInUniform& built_in : look.passes[static_cast<std::size_t>(pass)].built_ins) {
+        if (built_in.says != BuiltIn::view && built_in.says != BuiltIn::camera)
+            continue;
+        if (const gpu::Uniform* uniform = program.find_uniform(built_in.name))
+            m_turned.push_back({pass,
+                                {&program, uniform},
+                                built_in.says == BuiltIn::view ? view_matrix : camera_matrix,
+                                {}});
+    }
 }
 
 void ParameterUniforms::forget_written() {

@@ -36,7 +36,7 @@ private:
         std::optional<Orbit> written;
     };
 
-    void find_turned(int pass, const gpu::Program& program);
+    void find_turned(const Look& look, int pass, const gpu::Program& program);
 
     std::vector<Driven> m_driven;
     std::vector<Turned> m_turned;

@@ -2,14 +2,17 @@
 
 #include "gpu/draw.h"
 
+#include <array>
 #include <string>
 
 namespace {
 constexpr const char* through_vertex = R"(#version 410 core
+uniform bool is_flipped;
 out vec2 uv;
 void main() {
     uv = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);
     gl_Position = vec4(uv * 2.0 - 1.0, 0.0, 1.0);
+    uv.y = is_flipped ? 1.0 - uv.y : uv.y;
 }
 )";
 
@@ -38,10 +41,12 @@ Result<PassThrough> PassThrough::make() {
 }
 
 void PassThrough::draw(const gpu::Texture& from, const Sampler& sampler, const gpu::Canvas& to,
-                       gpu::Samplers& samplers) const {
+                       gpu::Samplers& samplers, bool is_flipped) const {
     const bool from_naturals = facts_of(from.format()).is_integer;
     const bool to_naturals = facts_of(to.texture().format()).is_integer;
-    m_programs[(to_naturals ? 2U : 0U) + (from_naturals ? 1U : 0U)].use();
+    const gpu::Program& program = m_programs[(to_naturals ? 2U : 0U) + (from_naturals ? 1U : 0U)];
+    program.write("is_flipped", std::array{is_flipped ? 1.0 : 0.0});
+    program.use();
     samplers.bind(0, from, sampler);
     to.bind();
     gpu::set_blend(Blend::replace);

@@ -13,9 +13,9 @@ class PassThrough {
 public:
     static Result<PassThrough> make();
 
-    /// Within a gpu::DrawScope.
+    /// Within a gpu::DrawScope. Flipped, the first row of the one is the last of the other.
     void draw(const gpu::Texture& from, const Sampler& sampler, const gpu::Canvas& to,
-              gpu::Samplers& samplers) const;
+              gpu::Samplers& samplers, bool is_flipped = false) const;
 
 private:
     explicit PassThrough(std::vector<gpu::Program> programs) : m_programs(std::move(programs)) {}

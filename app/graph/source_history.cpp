@@ -18,7 +18,8 @@ int SourceHistory::free_place() const {
     return place;
 }
 
-Result<void> SourceHistory::set(const Picture& picture, Encoding wanted, bool is_mipmapped) {
+Result<void> SourceHistory::set(const Picture& picture, Encoding wanted, RowOrder rows,
+                                bool is_mipmapped) {
     if (picture.extent.is_empty())
         return fail({{}, 0, "the source picture is empty"});
     const int place = free_place();
@@ -30,7 +31,7 @@ Result<void> SourceHistory::set(const Picture& picture, Encoding wanted, bool is
             return fail(made.error());
         texture = std::move(*made);
     }
-    gpu::fill_texels(picture, wanted, m_texels);
+    gpu::fill_texels(picture, wanted, m_texels, rows);
     texture->upload(m_texels);
     texture->generate_mipmaps();
     m_newest = place;

@@ -12,8 +12,9 @@ class SourceHistory {
 public:
     /// So many pictures, the newest among them, are read.
     void set_slots(int slots);
-    /// The picture from now on, in the `wanted` encoding; uploaded here and nowhere else.
-    Result<void> set(const Picture& picture, Encoding wanted, bool is_mipmapped);
+    /// The picture from now on, in the `wanted` encoding and order of rows; uploaded here and
+    /// nowhere else.
+    Result<void> set(const Picture& picture, Encoding wanted, RowOrder rows, bool is_mipmapped);
     /// A frame begins: what it reads as the source is a frame ago in the next one.
     void advance();
     /// Forgets the former pictures.

@@ -189,7 +189,7 @@ void Renderer::note_beam_cost(const PlayedFrame& played) {
     const std::vector<Pass>& passes = m_executor.look().passes;
     double milliseconds = 0.0;
     for (std::size_t i = 0; i < std::min(passes.size(), m_pass_milliseconds.size()); ++i)
-        if (passes[i].draw != Draw::fullscreen)
+        if (is_of_beam(passes[i].draw))
             milliseconds += m_pass_milliseconds[i];
     if (m_variant)
         milliseconds *= 2.0;

@@ -12,6 +12,10 @@ std::string Input::reference() const {
     return frames_ago > 0 ? fmt::format("{}@{}", base, frames_ago) : base;
 }
 
+bool is_of_beam(Draw draw) {
+    return draw == Draw::points || draw == Draw::segments;
+}
+
 std::optional<int> find_pass(const Look& look, std::string_view name) {
     for (std::size_t i = 0; i < look.passes.size(); ++i)
         if (look.passes[i].name == name)

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "base/text.h"
+#include "model/built_in.h"
 #include "model/extent.h"
 #include "model/format.h"
+#include "model/input.h"
 #include "model/parameter.h"
 #include "model/picture.h"
 #include "model/spec.h"
@@ -15,36 +17,10 @@
 #include <variant>
 #include <vector>
 
-enum class Filter { nearest, linear };
-enum class Wrap { edge, border, repeat, mirror };
-
-/// How a texture is read by one input of one pass.
-struct Sampler {
-    Filter filter = Filter::linear;
-    Wrap wrap = Wrap::edge;
-    bool mipmap = false;
-
-    bool operator==(const Sampler&) const = default;
-};
-
-/// A sampler uniform of a pass and what it reads.
-struct Input {
-    enum class From { pass, source, image };
-
-    std::string uniform;
-    From from = From::pass;
-    std::string name;    // of the pass or image
-    int frames_ago = 0;  // pass and source only
-    Sampler sampler;
-
-    bool operator==(const Input&) const = default;
-    /// "persistence@1", "source", "noise": as look.json says it.
-    std::string reference() const;
-};
-
 /// One side of a target's size: `factor` times what it is measured by.
 struct Side {
-    enum class By { viewport, source, pixels, expression };
+    enum class By { viewport, source, before, pixels, expression };
+    // before: the target of the pass before; of the first one the source
 
     By by = By::viewport;
     double factor = 1.0;     // pixels: the size itself
@@ -65,7 +41,10 @@ struct Stage {
 /// A whole number, or the parameter that says it.
 using Count = std::variant<int, std::string>;
 
-enum class Draw { fullscreen, points, segments };
+// quad: four corners, `position` at location 0 and texture coordinates at 1, both from 0 to 1.
+enum class Draw { fullscreen, quad, points, segments };
+/// Whether it draws the beam of a signal.
+bool is_of_beam(Draw draw);
 enum class Blend { replace, add, alpha, multiply, maximum };
 
 /// One draw: a vertex and a fragment shader, inputs, one target.
@@ -78,12 +57,14 @@ struct Pass {
     std::array<Side, 2> size;  // width, height
     Blend blend = Blend::replace;
     std::vector<Input> inputs;
-    Values set;                                 // uniforms with a fixed value
+    Values set;  // uniforms with a fixed value
+    std::vector<BuiltInUniform> built_ins = own_built_ins();
     std::map<std::string, std::string> rename;  // uniform -> parameter
     bool accumulate = false;  // goes on until anything changes, counted in u_samples
     Count repeat = 1;         // draws a frame
     std::optional<Count> converge = std::nullopt;  // samples that are enough to accumulate
     int frame_modulo = 0;                          // u_frame counts modulo this; 0: never
+    RowOrder rows = RowOrder::bottom_first;        // of its target
     Location declared;                             // in look.json
     // Of a pass in a stack:
     std::string scope;   // stands before the names of its look's parameters, "crt/"
@@ -98,8 +79,9 @@ struct Image {
     std::string name;
     std::filesystem::path file;
     Sampler sampler;
-    bool is_linear = false;                 // data, not display-encoded colours
-    std::optional<Encoding> encoding = {};  // that its look reads; none: as the source
+    bool is_linear = false;                  // data, not display-encoded colours
+    std::optional<Encoding> encoding = {};   // that its look reads; none: as the source
+    RowOrder rows = RowOrder::bottom_first;  // as it is uploaded
 
     bool operator==(const Image&) const = default;
 };
@@ -128,6 +110,7 @@ struct Look {
     std::optional<Spec> default_signal;
     std::string default_source;
     Encoding source_encoding = Encoding::linear;
+    RowOrder source_rows = RowOrder::bottom_first;
     Encoding output = Encoding::display;
     int settle_frames = 1;
     bool has_orbit = false;

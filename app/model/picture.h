@@ -8,6 +8,10 @@
 /// Whether numbers are amounts of light or what a display is sent (sRGB).
 enum class Encoding { linear, display };
 
+/// Which row of a texture comes first, at v = 0: GL's own order, or that of files and of shaders
+/// made for Vulkan.
+enum class RowOrder { bottom_first, top_first };
+
 /// Pixels in memory: floats, interleaved channels, row 0 on top.
 struct Picture {
     Extent extent;

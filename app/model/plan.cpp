@@ -41,13 +41,22 @@ struct Measures {
     }
 };
 
-Result<double> length_of(const Side& side, int viewport, int source, const Pass& pass,
+/// What a side may be measured by, px.
+struct Lengths {
+    int viewport;
+    int source;
+    int before;
+};
+
+Result<double> length_of(const Side& side, const Lengths& of, const Pass& pass,
                          const Measures& measures) {
     switch (side.by) {
         case Side::By::viewport:
-            return viewport * side.factor;
+            return of.viewport * side.factor;
         case Side::By::source:
-            return source * side.factor;
+            return of.source * side.factor;
+        case Side::By::before:
+            return of.before * side.factor;
         case Side::By::pixels:
             return side.factor;
         case Side::By::expression:
@@ -56,12 +65,12 @@ Result<double> length_of(const Side& side, int viewport, int source, const Pass&
     return 0.0;
 }
 
-Result<Extent> extent_of(const Pass& pass, const Extent& source, const Measures& measures,
-                         int largest_side) {
-    const auto width =
-        length_of(pass.size[0], measures.viewport.width, source.width, pass, measures);
-    const auto height =
-        length_of(pass.size[1], measures.viewport.height, source.height, pass, measures);
+Result<Extent> extent_of(const Pass& pass, const Extent& source, const Extent& before,
+                         const Measures& measures, int largest_side) {
+    const auto width = length_of(
+        pass.size[0], {measures.viewport.width, source.width, before.width}, pass, measures);
+    const auto height = length_of(
+        pass.size[1], {measures.viewport.height, source.height, before.height}, pass, measures);
     for (const auto* length : {&width, &height})
         if (!*length)
             return fail(
@@ -94,9 +103,12 @@ Result<Plan> plan_targets(const Look& look, Extent viewport, Extent source, cons
                           int largest_side) {
     Plan plan;
     const Measures measures = measures_of(look, viewport, source, values);
-    for (const Pass& pass : look.passes) {
-        const auto extent =
-            extent_of(pass, source_extent_of(look, pass, plan, source), measures, largest_side);
+    for (std::size_t i = 0; i < look.passes.size(); ++i) {
+        const Pass& pass = look.passes[i];
+        const Extent read = source_extent_of(look, pass, plan, source);
+        const bool is_first = i == 0 || look.passes[i - 1].scope != pass.scope;
+        const auto extent = extent_of(pass, read, is_first ? read : plan.targets.back().extent,
+                                      measures, largest_side);
         if (!extent)
             return fail(extent.error());
         plan.targets.push_back({*extent, pass.format});

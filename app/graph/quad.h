@@ -1,0 +1,15 @@
+#pragma once
+
+#include "gpu/vertex_array.h"
+
+/// The four corners that a Draw::quad pass draws, from (0, 0) to (1, 1), as a strip.
+class Quad {
+public:
+    Quad();
+
+    /// Corners at locations 0 and 1.
+    gpu::VertexArray vertices() const;
+
+private:
+    gpu::StreamBuffer m_corners;
+};

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "graph/pass_through.h"
+#include "model/picture.h"
+
+#include <cstdint>
+#include <map>
+#include <optional>
+
+/// Pictures whose top row comes first, turned over for those who look at them. Each is turned when
+/// it is first looked at after it may have changed, and forgotten when nobody does.
+class Upright {
+public:
+    /// The texture itself where its bottom row comes first. `number` is another one whenever the
+    /// texture may hold something else. Draws; valid until the next call but one with another
+    /// number.
+    const gpu::Texture& view(const gpu::Texture& stored, RowOrder rows, std::uint64_t number);
+    void forget() { m_copies.clear(); }
+
+private:
+    struct Copy {
+        gpu::Canvas canvas;
+        std::uint64_t number;
+    };
+
+    Copy* copy_for(const gpu::Texture& stored, std::uint64_t number);
+
+    std::optional<PassThrough> m_pass_through;
+    gpu::Samplers m_samplers;
+    std::map<std::uintptr_t, Copy> m_copies;  // by the handle of what they are of
+};

@@ -1,0 +1,28 @@
+#include "model/built_in.h"
+
+const std::vector<BuiltInUniform>& own_built_ins() {
+    static const std::vector<BuiltInUniform> all{{"u_time", BuiltIn::time},
+                                                 {"u_time_delta", BuiltIn::time_delta},
+                                                 {"u_frame", BuiltIn::frame},
+                                                 {"u_resolution", BuiltIn::target_size},
+                                                 {"u_output_resolution", BuiltIn::output_size},
+                                                 {"u_source_resolution", BuiltIn::source_size},
+                                                 {"u_mouse", BuiltIn::mouse},
+                                                 {"u_samples", BuiltIn::samples},
+                                                 {"u_view", BuiltIn::view},
+                                                 {"u_camera", BuiltIn::camera}};
+    return all;
+}
+
+bool tells_time(BuiltIn says) {
+    switch (says) {
+        case BuiltIn::time:
+        case BuiltIn::time_delta:
+        case BuiltIn::frame:
+        case BuiltIn::frame_before:
+        case BuiltIn::microseconds:
+            return true;
+        default:
+            return false;
+    }
+}

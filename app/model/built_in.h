@@ -1,0 +1,44 @@
+#pragma once
+
+#include "model/input.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+/// What the program itself says in a uniform of a pass. Sizes are in pixels.
+enum class BuiltIn {
+    time,           // of the frame's end, s
+    time_delta,     // s
+    frame,          // from 1, after the pass's modulo
+    samples,        // accumulated so far
+    target_size,    // of the pass
+    output_size,    // of the whole picture
+    source_size,    // of what the look reads as the source
+    mouse,          // from the bottom left of the picture
+    view,           // orbit: the object's turn, a matrix
+    camera,         // orbit: the camera's
+    frame_before,   // from 0, after the pass's modulo
+    microseconds,   // since the frame before
+    source_aspect,  // width to height
+    quad_to_clip,   // the matrix that draws the quad over the whole target, a picture's top on top
+    // width, height, 1/width, 1/height:
+    target_extent,
+    output_extent,
+    input_extent,  // of what `of` reads
+};
+
+/// A uniform that no person turns, and what it says.
+struct BuiltInUniform {
+    std::string name;
+    BuiltIn says = BuiltIn::time;
+    std::optional<Input> of = std::nullopt;  // of input_extent
+
+    bool operator==(const BuiltInUniform&) const = default;
+};
+
+/// Those that a look of Afterglow's own has: `u_time` and so on.
+const std::vector<BuiltInUniform>& own_built_ins();
+
+/// Whether it says something else in the next frame.
+bool tells_time(BuiltIn says);
