@@ -4,6 +4,7 @@
 #include "glsl/compiler_log.h"
 #include "glsl/include.h"
 #include "glsl/interface.h"
+#include "glsl/start.h"
 #include "glsl/tokens.h"
 #include "glsl/tree.h"
 #include "glsl/uniform_lines.h"
@@ -16,11 +17,6 @@
 namespace {
 constexpr int glsl_version = 410;
 constexpr EShMessages messages = EShMsgDefault;
-
-void start_glslang() {
-    static const bool started = glslang::InitializeProcess();
-    static_cast<void>(started);
-}
 
 Diagnostic diagnostic_from(const CompilerMessage& message, const Stage& stage,
                            const std::string& text) {

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "model/look.h"
+
+#include <cstdint>
+#include <vector>
+
+/// A vertex and a fragment stage as SPIR-V 1.0.
+struct SpirvPair {
+    std::vector<std::uint32_t> vertex;
+    std::vector<std::uint32_t> fragment;
+    Diagnostics warnings;
+};
+
+/// Compiles GLSL that is written for Vulkan 1.0 (uniform blocks, push constants, locations), as
+/// libretro's shaders are. Errors are glslang's messages at the author's file and line. The code
+/// holds the lines of the texts that it comes from.
+Result<SpirvPair> compile_for_vulkan(const Stage& vertex, const Stage& fragment);
