@@ -1,15 +1,13 @@
 #pragma once
 
 #include "base/diagnostic.h"
+#include "base/line_map.h"
 
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
-
-/// Where each line of an assembled text was written: line n of the text is origins[n - 1].
-using LineMap = std::vector<Location>;
 
 /// The place where line `line` (from 1) of an assembled text was written; past the end the last
 /// one.

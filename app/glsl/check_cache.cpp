@@ -8,13 +8,9 @@ constexpr std::size_t most_programs = 512;
 // Places are part of the answer, so they are part of the question.
 std::string places_of(const LineMap& lines) {
     std::string places;
-    const std::filesystem::path* last = nullptr;
-    for (const Location& at : lines) {
-        if (!last || at.file != *last)
-            places += '\n' + at.file.string() + '\n';
-        last = &at.file;
-        places += fmt::format("{} ", at.line);
-    }
+    for (const LineMap::Stretch& stretch : lines.stretches())
+        places += fmt::format("{}\n{} {}\n", stretch.first.file.string(), stretch.first.line,
+                              stretch.end);
     return places;
 }
 

@@ -203,9 +203,7 @@ Result<Stage> load_stage(const fs::path& file, const IncludeRoots& roots,
 
 Stage builtin_stage(std::string text) {
     Stage stage;
-    const auto count = static_cast<int>(split_lines(text).size());
-    for (int line = 1; line <= count; ++line)
-        stage.lines.push_back({{}, line});
+    stage.lines.append({{}, 1}, split_lines(text).size());
     stage.text = without_line_directives(std::move(text));
     return stage;
 }

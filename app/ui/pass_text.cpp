@@ -17,8 +17,13 @@ std::string origin_text(const Location& origin) {
 
 float origin_width(const Stage& stage) {
     float widest = 0.0f;
-    for (const Location& origin : stage.lines)
-        widest = std::max(widest, ImGui::CalcTextSize(origin_text(origin).c_str()).x);
+    for (std::size_t i = 0; const LineMap::Stretch& stretch : stage.lines.stretches()) {
+        // The last line of a stretch has the most digits.
+        const Location last{stretch.first.file,
+                            stretch.first.line + static_cast<int>(stretch.end - i) - 1};
+        widest = std::max(widest, ImGui::CalcTextSize(origin_text(last).c_str()).x);
+        i = stretch.end;
+    }
     return std::max(widest, ImGui::CalcTextSize("Afterglow").x);
 }
 

@@ -11,8 +11,9 @@
 inline Stage stage_of(const std::string& file, const std::string& text) {
     Stage stage = builtin_stage(text);
     stage.file = file;
-    for (Location& at : stage.lines)
-        at.file = file;
+    const std::size_t count = stage.lines.size();
+    stage.lines = {};
+    stage.lines.append({file, 1}, count);
     return stage;
 }
 

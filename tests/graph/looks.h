@@ -16,6 +16,14 @@ inline Stage fragment(const std::string& body) {
     return stage;
 }
 
+/// The map with another origin of its line `index`.
+inline LineMap with_line(const LineMap& lines, std::size_t index, const Location& at) {
+    LineMap changed;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        changed.push_back(i == index ? at : lines[i]);
+    return changed;
+}
+
 inline Input reads(const std::string& uniform, const std::string& pass, int frames_ago = 0,
                    Sampler sampler = {Filter::nearest, Wrap::edge, false}) {
     return {uniform, Input::From::pass, pass, frames_ago, sampler};

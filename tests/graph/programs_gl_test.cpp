@@ -4,7 +4,8 @@
 
 TEST_CASE_FIXTURE(Headless, "what only the driver refuses is told at the author's file and line") {
     Look look = look_of({counter(), pass("bad", "void main() { color = vec4(oops); }\n")});
-    look.passes[1].fragment.lines[3] = {"include/light.glsl", 88};
+    Stage& bad = look.passes[1].fragment;
+    bad.lines = with_line(bad.lines, 3, {"include/light.glsl", 88});
     const auto programs = build_programs(look);
     REQUIRE_FALSE(programs.has_value());
     CHECK(programs.error().front().file == "include/light.glsl");
@@ -40,7 +41,8 @@ TEST_CASE_FIXTURE(Headless,
     CHECK(first.passes[0].program != first.passes[1].program);
 
     Look edited = look_of({counter(), pass("c", body), pass("d", body), pass("e", body)});
-    edited.passes[1].fragment.lines[3].line = 99;  // an edit above it moves its lines, not its text
+    Stage& moved = edited.passes[1].fragment;  // an edit above it moves its lines, not its text
+    moved.lines = with_line(moved.lines, 3, {"test.frag", 99});
     const Programs second = programs_of(edited, &first);
     CHECK(second.passes[0].program == first.passes[2].program);
     CHECK(second.passes[1].program == first.passes[0].program);
