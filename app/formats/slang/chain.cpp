@@ -1,0 +1,112 @@
+#include "formats/slang/chain.h"
+
+#include "formats/slang/wildcards.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace fs = std::filesystem;
+
+namespace {
+constexpr std::size_t most_open_presets = 16;
+constexpr int most_references = 256;
+
+class ChainReader {
+public:
+    ChainReader(const fs::path& opened, SlangFiles& files, Diagnostics& warnings)
+        : m_opened(opened), m_files(files), m_warnings(warnings) {}
+
+    // What a reference of `file` and everything behind it says, in the order of application: the
+    // owner comes first. Where passes are `wanted` the first file must be an owner, else none may.
+    Result<std::vector<SlangSettings>> read(const fs::path& file, bool are_passes_wanted) {
+        auto own = read_slang_settings(file, m_files, m_warnings);
+        if (!own)
+            return fail(own.error());
+        const SlangSetting* shaders = own->find("shaders");
+        if (own->references.empty() && are_passes_wanted && !shaders)
+            return fail(without_passes(file));
+        if (shaders && !are_passes_wanted)
+            return fail({shaders->declared.file, shaders->declared.line,
+                         "this file is referred to for its values, so it cannot have passes: only "
+                         "the first #reference of a preset leads to passes"});
+        if (shaders && !own->references.empty())
+            m_warnings.push_back({shaders->declared.file, shaders->declared.line,
+                                  "the passes of this file are not used: its #reference leads to "
+                                  "other ones",
+                                  Severity::warning});
+        std::vector<SlangSettings> all;
+        m_open.push_back(real_path(file));
+        for (std::size_t i = 0; i < own->references.size(); ++i) {
+            auto more = follow(own->references[i], are_passes_wanted && i == 0);
+            if (!more)
+                return more;
+            std::ranges::move(*more, std::back_inserter(all));
+        }
+        m_open.pop_back();
+        all.push_back(std::move(*own));
+        return all;
+    }
+
+private:
+    Result<std::vector<SlangSettings>> follow(const SlangSetting& reference,
+                                              bool are_passes_wanted) {
+        const Location& at = reference.declared;
+        const fs::path file = find_slang_file(reference.value, at.file, m_opened, m_files);
+        const auto refuse = [&](std::string message) {
+            return fail({at.file, at.line, std::move(message)});
+        };
+        if (const auto text = m_files.read(file); !text)
+            return refuse(fmt::format("'{}' cannot be read: {} ({})", reference.value,
+                                      text.error().front().message, file.string()));
+        if (const auto open = std::ranges::find(m_open, real_path(file)); open != m_open.end()) {
+            std::string chain;
+            for (auto link = open; link != m_open.end(); ++link)
+                chain += link->filename().string() + " -> ";
+            return refuse("references go round in a circle: " + chain + open->filename().string());
+        }
+        if (m_open.size() >= most_open_presets)
+            return refuse(
+                fmt::format("references are nested more than {} deep", most_open_presets));
+        if (++m_followed > most_references)
+            return refuse(fmt::format("more than {} references in one preset", most_references));
+        return read(file, are_passes_wanted);
+    }
+
+    static fs::path real_path(const fs::path& file) {
+        std::error_code unknown;
+        const fs::path real = fs::canonical(file, unknown);
+        return real.empty() ? file : real;
+    }
+
+    Diagnostic without_passes(const fs::path& file) const {
+        if (m_open.empty())
+            return {file, 1,
+                    "holds values only, no passes ('shaders'): open a preset that refers to it"};
+        return {
+            file, 1,
+            fmt::format("holds values only, no passes ('shaders'), so '{}', which refers to it, "
+                        "has nothing to draw",
+                        m_opened.filename().string())};
+    }
+
+    const fs::path& m_opened;
+    SlangFiles& m_files;
+    Diagnostics& m_warnings;
+    std::vector<fs::path> m_open;  // from the opened preset to the one being read
+    int m_followed = 0;
+};
+}  // namespace
+
+Result<SlangChain> read_slang_chain(const fs::path& file, SlangFiles& files,
+                                    Diagnostics& warnings) {
+    auto all = ChainReader(file, files, warnings).read(file, true);
+    if (!all)
+        return fail(all.error());
+    SlangChain chain;
+    chain.owner = std::move(all->front());
+    chain.changes.assign(std::make_move_iterator(all->begin() + 1),
+                         std::make_move_iterator(all->end()));
+    return chain;
+}

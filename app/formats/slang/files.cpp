@@ -1,0 +1,69 @@
+#include "formats/slang/files.h"
+
+#include "base/file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace fs = std::filesystem;
+
+namespace {
+constexpr std::size_t most_text_bytes = std::size_t{4} << 20;
+
+// "\r\n", a lone "\r" and "\n" all end a line.
+std::string with_newlines(std::string text) {
+    if (text.find('\r') != std::string::npos) {
+        std::size_t end = 0;
+        for (std::size_t i = 0; i < text.size(); ++i) {
+            const bool is_pair = text[i] == '\r' && i + 1 < text.size() && text[i + 1] == '\n';
+            if (!is_pair)
+                text[end++] = text[i] == '\r' ? '\n' : text[i];
+        }
+        text.resize(end);
+    }
+    if (!text.empty() && text.back() != '\n')
+        text += '\n';
+    return text;
+}
+}  // namespace
+
+Result<const SlangText*> SlangFiles::read(const fs::path& file) {
+    const auto known = m_by_name.find(file.native());
+    if (known != m_by_name.end())
+        return known->second;
+    note(file);
+    return m_by_name.emplace(file.native(), read_anew(file)).first->second;
+}
+
+Result<const SlangText*> SlangFiles::read_anew(const fs::path& file) {
+    std::error_code error;
+    fs::path real = fs::canonical(file, error);
+    if (error)
+        real = file;
+    const auto known = m_by_real_name.find(real.native());
+    if (known != m_by_real_name.end())
+        return known->second.get();
+    auto text = read_text(file);
+    if (!text)
+        return fail(text.error());
+    if (text->size() > most_text_bytes)
+        return fail({file, 0, fmt::format("is too large: a text has at most 4 MiB")});
+    auto made = std::make_unique<SlangText>();
+    made->file = file;
+    made->real = real;
+    made->text = with_newlines(std::move(*text));
+    made->directives = find_slang_directives(made->text);
+    return m_by_real_name.emplace(real.native(), std::move(made)).first->second.get();
+}
+
+void SlangFiles::note(const fs::path& file) {
+    if (m_noted.insert(file.native()).second)
+        m_seen.push_back(file);
+}
+
+fs::path path_beside(const fs::path& file, std::string_view written) {
+    std::string path(written);
+    std::ranges::replace(path, '\\', '/');
+    return (file.parent_path() / path).lexically_normal();
+}

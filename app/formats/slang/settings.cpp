@@ -1,0 +1,187 @@
+#include "formats/slang/settings.h"
+
+#include "base/text.h"
+#include "formats/slang/words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace fs = std::filesystem;
+
+namespace {
+constexpr std::size_t most_open_settings = 16;
+constexpr int most_settings_includes = 256;
+constexpr std::string_view blanks = " \t\r\n\f\v";
+
+struct Line {
+    std::string_view key;
+    std::string_view value;
+};
+
+// What stands in the quotes that `text` begins with, or up to its next blank. Quotes that never
+// close go on to the end of the line.
+std::string_view value_of(std::string_view text) {
+    if (text.starts_with('"'))
+        return trim(text.substr(1, text.find('"', 1) - 1));
+    return text.substr(0, std::min(text.find_first_of(blanks), text.size()));
+}
+
+// Without what follows '#' outside of quotes.
+std::string_view without_comment(std::string_view line) {
+    bool is_quoted = false;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (line[i] == '"')
+            is_quoted = !is_quoted;
+        else if (line[i] == '#' && !is_quoted)
+            return line.substr(0, i);
+    }
+    return line;
+}
+
+std::optional<Line> key_and_value(std::string_view line) {
+    const std::size_t key_end = line.find_first_of(" \t=");
+    if (key_end == 0 || key_end == std::string_view::npos)
+        return std::nullopt;
+    const std::string_view rest = trim(line.substr(key_end));
+    if (!rest.starts_with('='))
+        return std::nullopt;
+    return Line{line.substr(0, key_end), value_of(trim(rest.substr(1)))};
+}
+
+// What follows `word` on a line that begins with it.
+std::optional<std::string_view> argument_of(std::string_view line, std::string_view word) {
+    if (!line.starts_with(word))
+        return std::nullopt;
+    const std::string_view rest = line.substr(word.size());
+    if (rest.empty() || (blanks.find(rest.front()) == rest.npos && rest.front() != '"'))
+        return std::nullopt;
+    return value_of(trim(rest));
+}
+
+class SettingsReader {
+public:
+    SettingsReader(SlangFiles& files, Diagnostics& warnings)
+        : m_files(files), m_warnings(warnings) {}
+
+    Result<SlangSettings> read(const fs::path& file) {
+        m_read.file = file;
+        const auto text = m_files.read(file);
+        if (!text)
+            return fail(text.error());
+        add(**text);
+        if (!m_errors.empty())
+            return fail(std::move(m_errors));
+        return std::move(m_read);
+    }
+
+private:
+    void add(const SlangText& text) {
+        m_open.push_back(&text);
+        Location at{text.file, 0};
+        bool is_in_block = false;
+        for (const std::string_view whole : split_lines(text.text)) {
+            ++at.line;
+            const std::string_view line = trim(whole);
+            is_in_block = is_in_block || line.starts_with("/*");
+            if (!line.empty() && !line.starts_with("//"))
+                add_line(line, at, is_in_block);
+            if (line.find("*/") != line.npos)
+                is_in_block = false;
+        }
+        m_open.pop_back();
+    }
+
+    void add_line(std::string_view line, const Location& at, bool is_in_block) {
+        if (const auto path = argument_of(line, "#reference"))
+            m_read.references.push_back({{}, readable_text(*path), at});
+        else if (const auto included = argument_of(line, "#include"))
+            include(*included, at);
+        else if (line.starts_with('#'))
+            return;
+        else if (const auto pair = key_and_value(without_comment(line)))
+            add_setting(*pair, at);
+        else if (!is_in_block)
+            warn(at, "this line is not 'key = value' and says nothing");
+    }
+
+    void add_setting(const Line& line, const Location& at) {
+        SlangSetting setting{readable_text(line.key), readable_text(line.value), at};
+        const auto [place, is_new] = m_read.places.emplace(setting.key, m_read.settings.size());
+        if (is_new) {
+            m_read.settings.push_back(std::move(setting));
+            return;
+        }
+        const SlangSetting& first = m_read.settings[place->second];
+        if (first.value != setting.value)
+            warn(at, fmt::format("'{}' is set already, to '{}' on line {}; that counts",
+                                 setting.key, first.value, first.declared.line));
+    }
+
+    void include(std::string_view path, const Location& at) {
+        const fs::path wanted = path_beside(at.file, path);
+        const auto text = m_files.read(wanted);
+        if (!text)
+            m_errors.push_back({at.file, at.line,
+                                fmt::format("'{}' cannot be included: {}", readable_text(path),
+                                            text.error().front().message)});
+        else if (std::ranges::find(m_open, *text) != m_open.end())
+            m_errors.push_back({at.file, at.line, "includes go round in a circle"});
+        else if (m_open.size() >= most_open_settings)
+            m_errors.push_back(
+                {at.file, at.line,
+                 fmt::format("includes are nested more than {} deep", most_open_settings)});
+        else if (++m_included > most_settings_includes)
+            m_errors.push_back(
+                {at.file, at.line,
+                 fmt::format("more than {} includes in one preset", most_settings_includes)});
+        else if (m_errors.empty())
+            add(**text);
+    }
+
+    void warn(const Location& at, std::string message) {
+        m_warnings.push_back({at.file, at.line, std::move(message), Severity::warning});
+    }
+
+    SlangFiles& m_files;
+    Diagnostics& m_warnings;
+    SlangSettings m_read;
+    std::vector<const SlangText*> m_open;
+    Diagnostics m_errors;
+    int m_included = 0;
+};
+}  // namespace
+
+const SlangSetting* SlangSettings::find(const std::string& key) const {
+    const auto place = places.find(key);
+    return place == places.end() ? nullptr : &settings[place->second];
+}
+
+Result<SlangSettings> read_slang_settings(const fs::path& file, SlangFiles& files,
+                                          Diagnostics& warnings) {
+    return SettingsReader(files, warnings).read(file);
+}
+
+std::optional<bool> read_slang_boolean(const SlangSetting& setting, Diagnostics& warnings) {
+    std::string word = to_lower(setting.value);
+    while (word.ends_with(';'))
+        word.pop_back();
+    if (word == "true" || word == "1")
+        return true;
+    if (word == "false" || word == "0")
+        return false;
+    warnings.push_back({setting.declared.file, setting.declared.line,
+                        fmt::format("'{}' is true or false, not '{}'", setting.key, setting.value),
+                        Severity::warning});
+    return std::nullopt;
+}
+
+double read_slang_number(const SlangSetting& setting, Diagnostics& warnings) {
+    const auto number = leading_number(setting.value);
+    if (!number)
+        warnings.push_back(
+            {setting.declared.file, setting.declared.line,
+             fmt::format("'{}' is a number, not '{}'; read as 0", setting.key, setting.value),
+             Severity::warning});
+    return number.value_or(0.0);
+}

@@ -1,0 +1,61 @@
+#include "formats/slang/words.h"
+
+#include "base/text.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace {
+// The bytes of the UTF-8 letter that `bytes` begins with; 0 when it begins with none. Unicode's
+// table 3-7: no letter written longer than it must be, none beyond U+10FFFF, no surrogates.
+std::size_t letter_size(std::string_view bytes) {
+    const auto byte = [&](std::size_t i) {
+        return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0u;
+    };
+    const auto is_next = [&](std::size_t i) { return (byte(i) & 0xc0u) == 0x80u; };
+    const unsigned first = byte(0);
+    if (first < 0x80)
+        return 1;
+    if (first >= 0xc2 && first <= 0xdf)
+        return is_next(1) ? 2 : 0;
+    if (first >= 0xe0 && first <= 0xef) {
+        const bool is_shortest = first != 0xe0 || byte(1) >= 0xa0;
+        const bool is_surrogate = first == 0xed && byte(1) >= 0xa0;
+        return is_next(1) && is_next(2) && is_shortest && !is_surrogate ? 3 : 0;
+    }
+    if (first >= 0xf0 && first <= 0xf4) {
+        const bool is_in_range =
+            (first != 0xf0 || byte(1) >= 0x90) && (first != 0xf4 || byte(1) < 0x90);
+        return is_next(1) && is_next(2) && is_next(3) && is_in_range ? 4 : 0;
+    }
+    return 0;
+}
+}  // namespace
+
+std::optional<double> leading_number(std::string_view text) {
+    text = trim(text);
+    if (text.starts_with('+'))
+        text.remove_prefix(1);
+    double number = 0.0;
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (read.ec != std::errc{} || !std::isfinite(number))
+        return std::nullopt;
+    return number;
+}
+
+std::string readable_text(std::string_view bytes) {
+    std::string text;
+    text.reserve(bytes.size());
+    while (!bytes.empty()) {
+        const std::size_t size = letter_size(bytes);
+        if (size > 0) {
+            text.append(bytes.substr(0, size));
+        } else {
+            const auto letter = static_cast<unsigned char>(bytes.front());
+            text += static_cast<char>(0xc0u | (letter >> 6));
+            text += static_cast<char>(0x80u | (letter & 0x3fu));
+        }
+        bytes.remove_prefix(std::max<std::size_t>(size, 1));
+    }
+    return text;
+}
