@@ -58,7 +58,8 @@ std::optional<Found> directive_of(std::string_view line) {
 
 // Whether a comment that goes on is open at the end of a line.
 bool is_comment_open_after(std::string_view line, bool is_open) {
-    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const std::size_t first = std::min(line.find(is_open ? '*' : '/'), line.size());
+    for (std::size_t i = first; i + 1 < line.size(); ++i) {
         const std::string_view two = line.substr(i, 2);
         if (!is_open && two == "//")
             return false;

@@ -50,9 +50,8 @@ private:
             done = directive.end;
             line = directive.line + 1;
         }
-        const std::string_view rest = std::string_view(text.text).substr(done);
         add_lines(text, done, text.text.size(), line,
-                  static_cast<std::size_t>(std::ranges::count(rest, '\n')));
+                  static_cast<std::size_t>(text.line_count + 1 - line));
         m_open.pop_back();
     }
 

@@ -8,7 +8,7 @@ struct SlangPiece {
     const SlangText* text = nullptr;
     int first_line = 0;
     std::size_t line_count = 0;
-    std::string_view lines;                     // each with its '\n'
+    std::string_view lines = {};                // each with its '\n'
     const SlangDirective* directive = nullptr;  // none: lines for the compiler
 };
 

@@ -26,6 +26,14 @@ std::string with_newlines(std::string text) {
         text += '\n';
     return text;
 }
+
+std::shared_ptr<const SlangParameter> parameter_of(const SlangDirective& directive,
+                                                   const fs::path& file) {
+    if (directive.kind != SlangDirective::Kind::parameter)
+        return nullptr;
+    auto parameter = parse_slang_parameter(directive.argument, {file, directive.line});
+    return parameter ? std::make_shared<const SlangParameter>(std::move(*parameter)) : nullptr;
+}
 }  // namespace
 
 Result<const SlangText*> SlangFiles::read(const fs::path& file) {
@@ -53,7 +61,10 @@ Result<const SlangText*> SlangFiles::read_anew(const fs::path& file) {
     made->file = file;
     made->real = real;
     made->text = with_newlines(std::move(*text));
+    made->line_count = static_cast<int>(std::ranges::count(made->text, '\n'));
     made->directives = find_slang_directives(made->text);
+    for (const SlangDirective& directive : made->directives)
+        made->parameters.push_back(parameter_of(directive, file));
     return m_by_real_name.emplace(real.native(), std::move(made)).first->second.get();
 }
 

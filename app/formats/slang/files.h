@@ -2,6 +2,7 @@
 
 #include "base/diagnostic.h"
 #include "formats/slang/directives.h"
+#include "formats/slang/parameters.h"
 
 #include <filesystem>
 #include <map>
@@ -16,7 +17,9 @@ struct SlangText {
     std::filesystem::path file;  // as it was first asked for
     std::filesystem::path real;  // after links; two texts with the same one are one file
     std::string text;            // every line ends with '\n'
+    int line_count = 0;
     std::vector<SlangDirective> directives;
+    SlangParameters parameters;  // one a directive; none where it is another or cannot be read
 };
 
 /// The texts of presets and shaders, each read once however many passes and includes ask for it.

@@ -9,8 +9,6 @@
 #include <unordered_map>
 
 namespace {
-constexpr std::size_t most_slang_parameters = 1024;
-
 // The numbers that `text` begins with, at most four.
 std::vector<double> leading_numbers(std::string_view text) {
     std::vector<double> numbers;
@@ -65,31 +63,27 @@ Result<SlangParameter> parse_slang_parameter(std::string_view text, const Locati
     return parameter;
 }
 
-Result<std::vector<SlangParameter>> unique_slang_parameters(
-    std::span<const SlangParameter> declared, Diagnostics& warnings) {
-    std::vector<SlangParameter> unique;
+SlangParameters unique_slang_parameters(const SlangParameters& declared, Diagnostics& warnings) {
+    SlangParameters unique;
     std::unordered_map<std::string_view, std::size_t> places;
-    for (const SlangParameter& parameter : declared) {
-        const auto [place, is_new] = places.emplace(parameter.id, unique.size());
-        if (is_new) {
+    places.reserve(declared.size());
+    for (const auto& parameter : declared) {
+        const auto place = places.find(parameter->id);
+        if (place == places.end()) {
+            places.emplace(parameter->id, unique.size());
             unique.push_back(parameter);
             continue;
         }
-        const SlangParameter& first = unique[place->second];
-        if (are_same_numbers(first, parameter))
+        const SlangParameter& first = *unique[place->second];
+        if (are_same_numbers(first, *parameter))
             continue;
         warnings.push_back(
-            {parameter.declared.file, parameter.declared.line,
+            {parameter->declared.file, parameter->declared.line,
              fmt::format("parameter '{}' has other numbers here ({}) than at {}:{} "
-                         "({}); those count",
-                         parameter.id, numbers_of(parameter), first.declared.file.string(),
+                         "({}), which count",
+                         parameter->id, numbers_of(*parameter), first.declared.file.string(),
                          first.declared.line, numbers_of(first)),
              Severity::warning});
-    }
-    if (unique.size() > most_slang_parameters) {
-        const Location& at = unique[most_slang_parameters].declared;
-        return fail({at.file, at.line,
-                     fmt::format("more than {} parameters in one preset", most_slang_parameters)});
     }
     return unique;
 }

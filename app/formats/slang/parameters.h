@@ -2,7 +2,7 @@
 
 #include "base/diagnostic.h"
 
-#include <span>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,8 +24,9 @@ struct SlangParameter {
 /// Reads what follows `#pragma parameter`: id "Text" initial minimum maximum [step].
 Result<SlangParameter> parse_slang_parameter(std::string_view text, const Location& declared);
 
-/// The parameters of several shaders, or of several lines of one, each id once: the first
-/// declaration counts. One that gives other numbers is a warning at its own place; "1.0" and "1.00"
-/// are the same. More than 1,024 are an error.
-Result<std::vector<SlangParameter>> unique_slang_parameters(
-    std::span<const SlangParameter> declared, Diagnostics& warnings);
+/// Shared, as an include with hundreds of them may stand in every pass of a preset.
+using SlangParameters = std::vector<std::shared_ptr<const SlangParameter>>;
+
+/// The parameters in the order in which they are declared, each id once: the first one counts. One
+/// that gives other numbers is a warning at its own place; "1.0" and "1.00" are the same.
+SlangParameters unique_slang_parameters(const SlangParameters& declared, Diagnostics& warnings);

@@ -36,90 +36,108 @@ public:
             return fail({m_shader.vertex.file, 1, "a shader's first line must be #version"});
         add_version(pieces[0]);
         for (std::size_t i = 1; i < pieces.size(); ++i)
-            pieces[i].directive ? obey(*pieces[i].directive, pieces[i]) : add_lines(pieces[i]);
-        auto parameters = unique_slang_parameters(m_declared, m_shader.warnings);
-        if (!parameters)
-            m_errors.push_back(parameters.error().front());
+            pieces[i].directive ? obey(pieces[i]) : add(pieces[i]);
+        place_lines();
         if (!m_errors.empty())
             return fail(std::move(m_errors));
-        m_shader.parameters = std::move(*parameters);
+        m_shader.parameters = unique_slang_parameters(m_declared, m_shader.warnings);
         return std::move(m_shader);
     }
 
 private:
-    void add(std::string_view lines, const Location& first, std::size_t count) {
-        for (Stage* stage : {&m_shader.vertex, &m_shader.fragment}) {
-            if (m_only && m_only != stage)
-                continue;
-            stage->text += lines;
-            stage->lines.append(first, count);
+    void add(const SlangPiece& piece) {
+        for (Stage* stage : {&m_shader.vertex, &m_shader.fragment})
+            if (!m_only || m_only == stage)
+                stage->text += piece.lines;
+        const bool follows =
+            m_placed.text == piece.text &&
+            m_placed.first_line + static_cast<int>(m_placed.line_count) == piece.first_line;
+        if (follows) {
+            m_placed.line_count += piece.line_count;
+            return;
         }
+        place_lines();
+        m_placed = piece;
     }
 
-    void add_lines(const SlangPiece& piece) {
-        add(piece.lines, {piece.text->file, piece.first_line}, piece.line_count);
+    // Writes down where the last lines come from, those that follow each other at once.
+    void place_lines() {
+        if (m_placed.text)
+            for (Stage* stage : {&m_shader.vertex, &m_shader.fragment})
+                if (!m_only || m_only == stage)
+                    stage->lines.append({m_placed.text->file, m_placed.first_line},
+                                        m_placed.line_count);
+        m_placed = {};
     }
 
     void add_version(const SlangPiece& piece) {
         const std::size_t end = piece.lines.find('\n') + 1;
-        add(piece.lines.substr(0, end), {piece.text->file, 1}, 1);
+        add({piece.text, 1, 1, piece.lines.substr(0, end)});
         for (const std::string_view definition : host_definitions)
-            add(definition, {piece.text->file, 1}, 1);
-        add(piece.lines.substr(end), {piece.text->file, 2}, piece.line_count - 1);
+            add({piece.text, 1, 1, definition});
+        add({piece.text, 2, piece.line_count - 1, piece.lines.substr(end)});
     }
 
-    void obey(const SlangDirective& directive, const SlangPiece& piece) {
+    void obey(const SlangPiece& piece) {
         using Kind = SlangDirective::Kind;
-        const Location at{piece.text->file, directive.line};
+        const SlangDirective& directive = *piece.directive;
         if (directive.kind == Kind::stage)
-            open_stage(first_word(directive.argument), at);
+            open_stage(first_word(directive.argument), piece);
         else if (directive.kind == Kind::name)
-            set_once(m_shader.alias, m_shader.alias_declared, directive.argument, at, "name");
+            set_once(m_shader.alias, m_shader.alias_declared, piece, "name");
         else if (directive.kind == Kind::format)
-            set_once(m_shader.format, m_shader.format_declared, directive.argument, at, "format");
+            set_once(m_shader.format, m_shader.format_declared, piece, "format");
         else if (directive.kind == Kind::parameter)
-            add_parameter(directive.argument, at);
-        add("\n", at, 1);
+            add_parameter(piece);
+        add({piece.text, piece.first_line, 1, "\n"});
     }
 
-    void open_stage(std::string_view word, const Location& at) {
+    static Location place_of(const SlangPiece& piece) {
+        return {piece.text->file, piece.first_line};
+    }
+
+    void open_stage(std::string_view word, const SlangPiece& piece) {
+        place_lines();
         if (word == "vertex")
             m_only = &m_shader.vertex;
         else if (word == "fragment")
             m_only = &m_shader.fragment;
         else
             m_errors.push_back(
-                {at.file, at.line,
+                {piece.text->file, piece.first_line,
                  fmt::format("unknown stage '{}': #pragma stage vertex or #pragma stage fragment",
                              readable_text(word))});
     }
 
-    void set_once(std::string& value, Location& declared, std::string_view argument,
-                  const Location& at, std::string_view pragma) {
-        const std::string word = readable_text(first_word(argument));
+    void set_once(std::string& value, Location& declared, const SlangPiece& piece,
+                  std::string_view pragma) {
+        const std::string word = readable_text(first_word(piece.directive->argument));
         if (value.empty()) {
             value = word;
-            declared = at;
+            declared = place_of(piece);
         } else if (value != word) {
             m_shader.warnings.push_back(
-                {at.file, at.line,
+                {piece.text->file, piece.first_line,
                  fmt::format("a second #pragma {} '{}': '{}' of line {} counts", pragma, word,
                              value, declared.line),
                  Severity::warning});
         }
     }
 
-    void add_parameter(std::string_view argument, const Location& at) {
-        auto parameter = parse_slang_parameter(argument, at);
-        if (parameter)
-            m_declared.push_back(std::move(*parameter));
+    void add_parameter(const SlangPiece& piece) {
+        const std::size_t index =
+            static_cast<std::size_t>(piece.directive - piece.text->directives.data());
+        if (const auto& parameter = piece.text->parameters[index])
+            m_declared.push_back(parameter);
         else
-            m_errors.push_back(parameter.error().front());
+            m_errors.push_back(
+                parse_slang_parameter(piece.directive->argument, place_of(piece)).error().front());
     }
 
     SlangShader m_shader;
     Stage* m_only = nullptr;  // the open stage; none: both
-    std::vector<SlangParameter> m_declared;
+    SlangPiece m_placed;      // lines whose places are not written down yet
+    SlangParameters m_declared;
     Diagnostics m_errors;
 };
 }  // namespace

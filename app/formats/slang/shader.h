@@ -15,7 +15,7 @@ struct SlangShader {
     std::string format;  // #pragma format, the word as it stands there; "": none
     Location alias_declared;
     Location format_declared;
-    std::vector<SlangParameter> parameters;  // in order, each id once
+    SlangParameters parameters;  // in order, each id once
     Diagnostics warnings;
 };
 

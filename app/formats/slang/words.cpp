@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -44,8 +45,10 @@ std::optional<double> leading_number(std::string_view text) {
 }
 
 std::string readable_text(std::string_view bytes) {
+    const auto is_ascii = [](char letter) { return static_cast<unsigned char>(letter) < 0x80; };
+    if (std::ranges::all_of(bytes, is_ascii))
+        return std::string(bytes);
     std::string text;
-    text.reserve(bytes.size());
     while (!bytes.empty()) {
         const std::size_t size = letter_size(bytes);
         if (size > 0) {

@@ -1,0 +1,136 @@
+#include "formats/slang/slang_folder.h"
+
+#include <fmt/format.h>
+
+namespace {
+const std::string owner_text =
+    "shaders = 1\nshader0 = a.slang\nalias0 = Owner\ntextures = lut\nlut = base.png\na = 1\nb = "
+    "1\n";
+}
+
+TEST_CASE("the first reference leads to the passes, which the files on the way cannot change") {
+    SlangFolder folder;
+    folder.write("deep/base.slangp", owner_text);
+    folder.write("middle.slangp",
+                 "#reference \"deep/base.slangp\"\nalias0 = Middle\nscale_type0 = viewport\n");
+    const auto preset = folder.preset_of(
+        "#reference \"middle.slangp\"\nwrap_mode0 = repeat\ntextures = other\nlut_linear = "
+        "false\n");
+    REQUIRE(preset.has_value());
+    REQUIRE(preset->passes.size() == 1);
+    CHECK(preset->passes[0].shader == folder / "deep/a.slang");
+    CHECK(preset->passes[0].alias == "Owner");
+    CHECK(preset->passes[0].wrap == Wrap::border);
+    CHECK_FALSE(preset->passes[0].scale.has_value());
+    REQUIRE(preset->textures.size() == 1);
+    CHECK(preset->textures[0].name == "lut");
+    CHECK_FALSE(preset->textures[0].is_linear.has_value());
+    CHECK(preset->values.size() == 2);
+    CHECK(preset->warnings.empty());
+    CHECK(folder.has_seen("middle.slangp"));
+    CHECK(folder.has_seen("deep/base.slangp"));
+}
+
+TEST_CASE("values and texture paths are applied deepest first, the opened file last") {
+    SlangFolder folder;
+    folder.write("deep/base.slangp", owner_text + "c = 1\nd = 1\ne = 1\n");
+    folder.write("deep/middle.slangp",
+                 "#reference \"base.slangp\"\nb = 2\nc = 2\nd = 2\ne = 2\nlut = middle.png\n");
+    folder.write("values/first.params", "c = 3\nd = 3\ne = 3\nlut = first.png\n");
+    folder.write("values/second.params", "#reference \"inner.params\"\nd = 4\ne = 4\n");
+    folder.write("values/inner.params", "d = 3.5\ninner = 7\n");
+    const auto preset = folder.preset_of(
+        "#reference \"deep/middle.slangp\"\n#reference \"values/first.params\"\n"
+        "#reference \"values/second.params\"\ne = 5\n");
+    REQUIRE(preset.has_value());
+    for (const auto& [name, number] : std::map<std::string, double>{
+             {"a", 1}, {"b", 2}, {"c", 3}, {"d", 4}, {"e", 5}, {"inner", 7}})
+        CHECK_MESSAGE(preset->values.at(name).number == number, name);
+    CHECK(preset->values.at("d").declared == Location{folder / "values/second.params", 2});
+    CHECK(preset->textures[0].file == folder / "values/first.png");
+    CHECK(preset->textures[0].declared == Location{folder / "values/first.params", 4});
+}
+
+TEST_CASE("a preset of values only says that it has nothing to draw") {
+    SlangFolder folder;
+    CHECK(folder.refusal(folder.preset_of("glow = 1\n")) ==
+          "a.slangp:1: error: holds values only, no passes ('shaders'): open a preset that refers "
+          "to it");
+    folder.write("values.params", "glow = 1\n");
+    CHECK(folder.refusal(folder.preset_of("#reference \"values.params\"\n")) ==
+          "values.params:1: error: holds values only, no passes ('shaders'), so 'a.slangp', which "
+          "refers to it, has nothing to draw");
+}
+
+TEST_CASE("only the first reference may have passes") {
+    SlangFolder folder;
+    folder.write("base.slangp", owner_text);
+    folder.write("other.slangp", "\nshaders = 1\nshader0 = a.slang\n");
+    CHECK(folder.refusal(folder.preset_of("#reference base.slangp\n#reference other.slangp\n")) ==
+          "other.slangp:2: error: this file is referred to for its values, so it cannot have "
+          "passes: only the first #reference of a preset leads to passes");
+}
+
+TEST_CASE("passes beside a reference are not used, which is told") {
+    SlangFolder folder;
+    folder.write("base.slangp", owner_text);
+    const auto preset = folder.preset_of("#reference base.slangp\nshaders = 2\n");
+    REQUIRE(preset.has_value());
+    CHECK(preset->passes.size() == 1);
+    CHECK(folder.told(preset->warnings) ==
+          "a.slangp:2: warning: the passes of this file are not used: its #reference leads to "
+          "other ones");
+}
+
+TEST_CASE("a missing reference is told where it is referred to, and looked out for") {
+    SlangFolder folder;
+    folder.write("deep/base.slangp", "\n#reference \"gone.slangp\"\n");
+    CHECK(folder.refusal(folder.preset_of("#reference \"deep/base.slangp\"\n")) ==
+          "deep/base.slangp:2: error: 'gone.slangp' cannot be read: there is no such file "
+          "(deep/gone.slangp)");
+    CHECK(folder.has_seen("deep/gone.slangp"));
+}
+
+TEST_CASE("references in a circle are told, also by way of a link") {
+    SlangFolder folder;
+    folder.write("b.slangp", "x = 1\n#reference \"a.slangp\"\n");
+    CHECK(folder.refusal(folder.preset_of("#reference \"b.slangp\"\n")) ==
+          "b.slangp:2: error: references go round in a circle: a.slangp -> b.slangp -> a.slangp");
+    std::filesystem::create_symlink(folder / "a.slangp", folder / "link.slangp");
+    folder.write("b.slangp", "#reference \"link.slangp\"\n");
+    CHECK(folder.refusal(folder.preset("a.slangp")).find("circle") != std::string::npos);
+}
+
+TEST_CASE("references may be 16 files deep and not 17") {
+    SlangFolder folder;
+    // a.slangp is the first file, 14.slangp the 16th.
+    for (int i = 0; i < 14; ++i)
+        folder.write(fmt::format("{}.slangp", i), fmt::format("#reference {}.slangp\n", i + 1));
+    folder.write("14.slangp", owner_text);
+    CHECK(folder.preset_of("#reference 0.slangp\n").has_value());
+    folder.write("14.slangp", "#reference 15.slangp\n");
+    folder.write("15.slangp", owner_text);
+    CHECK(folder.refusal(folder.preset("a.slangp")) ==
+          "14.slangp:1: error: references are nested more than 16 deep");
+}
+
+TEST_CASE("references that double with every file end at their limit") {
+    SlangFolder folder;
+    for (int i = 0; i < 12; ++i)
+        folder.write(fmt::format("{}.params", i),
+                     fmt::format("#reference {0}.params\n#reference {0}.params\n", i + 1));
+    folder.write("12.params", "a = 1\n");
+    folder.write("base.slangp", owner_text);
+    CHECK(folder.refusal(folder.preset_of("#reference base.slangp\n#reference 0.params\n"))
+              .find("more than 256 references in one preset") != std::string::npos);
+}
+
+TEST_CASE("a reference's wildcards are replaced where there is such a file") {
+    SlangFolder folder;
+    folder.write("Ref_$PRESET$.slangp", owner_text + "which = 1\n");
+    const std::string text = "#reference \"Ref_$PRESET$.slangp\"\n";
+    CHECK(folder.preset_of(text)->values.at("which").number == 1.0);
+    CHECK(folder.has_seen("Ref_a.slangp"));
+    folder.write("Ref_a.slangp", owner_text + "which = 2\n");
+    CHECK(folder.preset_of(text)->values.at("which").number == 2.0);
+}

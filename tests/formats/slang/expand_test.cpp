@@ -1,0 +1,133 @@
+#include "formats/slang/expand.h"
+
+#include "formats/slang/slang_folder.h"
+
+#include <fmt/format.h>
+
+namespace {
+// The lines of the vertex stage behind #version and what the host defines.
+std::string body_of(SlangFolder& folder, const std::string& text) {
+    const auto shader = folder.shader_of("#version 450\n" + text);
+    REQUIRE_MESSAGE(shader.has_value(), to_string(shader.error()));
+    std::string body;
+    for (const std::string_view line : split_lines(shader->vertex.text))
+        if (!line.starts_with("#version") && !line.starts_with("#define _HAS_"))
+            body += std::string(line) + "|";
+    return body;
+}
+}  // namespace
+
+TEST_CASE("a slang include is relative to the file that includes it, upwards too") {
+    SlangFolder folder;
+    folder.write("deep/one.inc", "#include \"two.inc\"\n#include \"../three.inc\"\n");
+    folder.write("deep/two.inc", "2\n");
+    folder.write("three.inc", "3\n");
+    CHECK(body_of(folder, "#include \"deep/one.inc\"\nend\n") == "2|3|end|");
+    CHECK(body_of(folder, "#include \"deep\\two.inc\"  // with a backslash\n") == "2|");
+    CHECK(folder.has_seen("deep/two.inc"));
+}
+
+TEST_CASE("a slang include is put in each time, whatever #if it stands under") {
+    SlangFolder folder;
+    folder.write("x.inc", "x");
+    CHECK(body_of(folder, "#if 0\n#include \"x.inc\"\n#endif\n#include \"x.inc\"\n") ==
+          "#if 0|x|#endif|x|");
+}
+
+TEST_CASE("in a comment only an include at the beginning of a line counts") {
+    SlangFolder folder;
+    folder.write("x.inc", "x\n");
+    CHECK(body_of(folder, "/* as in\n   #include \"missing.inc\"\n*/ a\n  #include \"x.inc\"\n") ==
+          "/* as in|   #include \"missing.inc\"|*/ a|x|");
+    CHECK(body_of(folder, "/*\n#include \"x.inc\"\n*/\n") == "/*|x|*/|");
+    CHECK(body_of(folder, "a // /* no block\n  #include \"x.inc\"\n") == "a // /* no block|x|");
+    CHECK(body_of(folder, "// #include \"missing.inc\"\n") == "// #include \"missing.inc\"|");
+}
+
+TEST_CASE("what an optional include does not find is left out, and looked out for") {
+    SlangFolder folder;
+    const std::string text = "a\n#pragma include_optional \"user.inc\"\nb\n";
+    CHECK(body_of(folder, text) == "a|b|");
+    CHECK(folder.has_seen("user.inc"));
+    folder.write("user.inc", "u\n");
+    CHECK(body_of(folder, text) == "a|u|b|");
+    folder.write("user.inc", std::string(1, '\0'));
+    CHECK(folder.refusal(folder.shader("a.slang"))
+              .starts_with("user.inc:1: error: is not a text file"));
+}
+
+TEST_CASE("a missing include is told where it is included, each of them") {
+    SlangFolder folder;
+    folder.write("one.inc", "\n#include \"gone.inc\"\n");
+    const auto shader = folder.shader_of(
+        "#version 450\n#include \"one.inc\"\n#include \"lost.inc\"\n#include lost.inc\n");
+    CHECK(folder.refusal(shader) ==
+          "one.inc:2: error: 'gone.inc' cannot be included: there is no such file (gone.inc)\n"
+          "a.slang:3: error: 'lost.inc' cannot be included: there is no such file (lost.inc)\n"
+          "a.slang:4: error: an include is written #include \"file\"");
+    CHECK(folder.has_seen("gone.inc"));
+    CHECK(folder.has_seen("lost.inc"));
+    CHECK(folder.has_seen("a.slang"));
+}
+
+TEST_CASE("slang includes in a circle are told with the files of the circle") {
+    SlangFolder folder;
+    folder.write("one.inc", "#include \"./two.inc\"\n");
+    folder.write("two.inc", "#include \"one.inc\"\n");
+    CHECK(folder.refusal(folder.shader_of("#version 450\n#include \"one.inc\"\n")) ==
+          "two.inc:1: error: includes go round in a circle: one.inc -> two.inc -> one.inc");
+    std::filesystem::create_symlink(folder / "one.inc", folder / "link.inc");
+    folder.write("two.inc", "#include \"link.inc\"\n");
+    CHECK(folder.refusal(folder.shader("a.slang")).find("circle") != std::string::npos);
+}
+
+TEST_CASE("slang includes may be 64 files deep and not 65") {
+    SlangFolder folder;
+    // a.slang is the first file, 62.inc the 64th.
+    for (int i = 0; i < 62; ++i)
+        folder.write(fmt::format("{}.inc", i), fmt::format("#include \"{}.inc\"\n", i + 1));
+    folder.write("62.inc", "deep\n");
+    CHECK(body_of(folder, "#include \"0.inc\"\n") == "deep|");
+    folder.write("62.inc", "#include \"63.inc\"\n");
+    folder.write("63.inc", "too deep\n");
+    CHECK(folder.refusal(folder.shader("a.slang")) ==
+          "62.inc:1: error: includes are nested more than 64 deep");
+}
+
+TEST_CASE("a shader may have 8 MiB with its includes and no more") {
+    SlangFolder folder;
+    folder.write("mega.inc", std::string((1 << 20) - 1, 'x') + "\n");
+    std::string text = "#version 450\n";
+    for (int i = 0; i < 7; ++i)
+        text += "#include \"mega.inc\"\n";
+    CHECK(folder.shader_of(text).has_value());
+    text += "#include \"mega.inc\"\n";
+    CHECK(folder.refusal(folder.shader_of(text)) ==
+          "mega.inc:1: error: the shader with its includes is larger than 8 MiB");
+}
+
+TEST_CASE("includes that double with every file end at their limit") {
+    SlangFolder folder;
+    for (int i = 0; i < 40; ++i)
+        folder.write(fmt::format("{}.inc", i),
+                     fmt::format("#include \"{0}.inc\"\n#include \"{0}.inc\"\n", i + 1));
+    folder.write("40.inc", "");
+    CHECK(folder.refusal(folder.shader_of("#version 450\n#include \"0.inc\"\n"))
+              .find("more than 16384 includes in one shader") != std::string::npos);
+}
+
+TEST_CASE("a slang text is read once and has at most 4 MiB") {
+    SlangFolder folder;
+    SlangFiles files;
+    const auto file = folder.write("a.inc", "first\n");
+    const SlangText* first = *files.read(file);
+    folder.write("a.inc", "second\n");
+    CHECK(*files.read(file) == first);
+    CHECK(first->text == "first\n");
+    CHECK(files.seen() == std::vector{file});
+
+    const auto large = folder.write("large.inc", std::string((4 << 20) + 1, ' '));
+    const auto refused = files.read(large);
+    REQUIRE_FALSE(refused.has_value());
+    CHECK(refused.error().front().message == "is too large: a text has at most 4 MiB");
+}
