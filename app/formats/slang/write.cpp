@@ -1,0 +1,33 @@
+#include "formats/slang/write.h"
+
+#include "base/text.h"
+
+#include <fmt/format.h>
+
+namespace fs = std::filesystem;
+
+namespace {
+// Shaders have 32-bit floats; a preset that says more digits would only be harder to read.
+std::string shortest_number(double number) {
+    const auto single = static_cast<float>(number);
+    return static_cast<double>(single) == number ||
+                   std::abs(number - single) <= 1e-7 * std::abs(number)
+               ? format_float(single)
+               : format_number(number);
+}
+}  // namespace
+
+std::string simple_slang_preset(const fs::path& referred,
+                                const std::map<std::string, double>& values,
+                                const fs::path& saved_as) {
+    const fs::path target = fs::absolute(referred).lexically_normal();
+    const fs::path folder = fs::absolute(saved_as).lexically_normal().parent_path();
+    const fs::path relative = target.lexically_relative(folder);
+    const fs::path& written = relative.empty() ? target : relative;
+    std::string text = fmt::format("#reference \"{}\"\n", written.generic_string());
+    if (!values.empty())
+        text += '\n';
+    for (const auto& [name, number] : values)
+        text += fmt::format("{} = \"{}\"\n", name, shortest_number(number));
+    return text;
+}

@@ -1,0 +1,33 @@
+#include "formats/slang/write.h"
+
+#include "formats/slang/slang_folder.h"
+
+TEST_CASE("a simple preset refers to the other one from its own folder, values sorted and short") {
+    CHECK(simple_slang_preset("/shaders/crt/a b.slangp", {{"b", 0.1}, {"a", -2.0}, {"c", 1e-5}},
+                              "/shaders/mine/own.slangp") ==
+          "#reference \"../crt/a b.slangp\"\n\na = \"-2\"\nb = \"0.1\"\nc = \"1e-05\"\n");
+    CHECK(simple_slang_preset("/shaders/crt/../a.slangp", {}, "/shaders/own.slangp") ==
+          "#reference \"a.slangp\"\n");
+}
+
+TEST_CASE("a value that went through a shader's float is written as it was typed") {
+    const double stored = static_cast<double>(0.92f);
+    CHECK(simple_slang_preset("/a.slangp", {{"x", stored}}, "/b.slangp") ==
+          "#reference \"a.slangp\"\n\nx = \"0.92\"\n");
+}
+
+TEST_CASE("what is saved as a simple preset is read back over what it refers to") {
+    SlangFolder folder;
+    const auto base =
+        folder.write("deep/base.slangp", "shaders = 1\nshader0 = a.slang\nglow = 1\nbend = 1\n");
+    const auto own = folder / "own/mine.slangp";
+    const std::map<std::string, double> values{{"glow", 0.123456789}, {"odd-name", 3e20}};
+    folder.write("own/mine.slangp", simple_slang_preset(base, values, own));
+    const auto preset = folder.preset("own/mine.slangp");
+    REQUIRE(preset.has_value());
+    CHECK(preset->passes[0].shader == folder / "deep/a.slang");
+    CHECK(static_cast<float>(preset->values.at("glow").number) == 0.123456789f);
+    CHECK(static_cast<float>(preset->values.at("odd-name").number) == 3e20f);
+    CHECK(preset->values.at("bend").number == 1.0);
+    CHECK(preset->warnings.empty());
+}
