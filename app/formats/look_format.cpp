@@ -1,6 +1,7 @@
 #include "formats/look_format.h"
 
 #include "formats/look_manifest.h"
+#include "formats/slang/slang_format.h"
 #include "glsl/include.h"
 #include "glsl/parameters.h"
 #include "model/plan.h"
@@ -101,10 +102,16 @@ fs::path manifest_of(const fs::path& folder_or_manifest) {
 
 LoadedLook load_look(const fs::path& folder_or_manifest, const fs::path& shared_includes,
                      CheckCache* cache) {
+    if (is_foreign_look(folder_or_manifest))
+        return load_slang_look(folder_or_manifest, cache);
     const fs::path manifest = manifest_of(folder_or_manifest);
     LoadedLook loaded;
     loaded.look = read_look(manifest, shared_includes, cache, loaded);
     if (loaded.look)
         loaded.look->files = loaded.files;
     return loaded;
+}
+
+bool is_foreign_look(const fs::path& file) {
+    return is_slang_file(file);
 }

@@ -20,7 +20,11 @@ struct LoadedLook {
 std::filesystem::path manifest_of(const std::filesystem::path& folder_or_manifest);
 
 /// Reads a look: its manifest, its shaders with their includes, and its parameters, all checked.
-/// `folder_or_manifest` is the look's folder or its look.json; `shared_includes` the program's
-/// shaders/include. With a cache, shaders that did not change are not checked again.
+/// `folder_or_manifest` is the look's folder, its look.json or a foreign file (.slangp, .slang);
+/// `shared_includes` the program's shaders/include. With a cache, shaders that did not change are
+/// not checked again.
 LoadedLook load_look(const std::filesystem::path& folder_or_manifest,
                      const std::filesystem::path& shared_includes, CheckCache* cache = nullptr);
+
+/// Whether a file is a look of another program, by its name.
+bool is_foreign_look(const std::filesystem::path& file);

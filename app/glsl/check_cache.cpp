@@ -17,20 +17,33 @@ std::string places_of(const LineMap& lines) {
 std::uint64_t digest_of_stage(const Stage& stage) {
     return digest_of(stage.file.string() + '\0' + places_of(stage.lines) + '\0' + stage.text);
 }
+
+std::uint64_t digest_of_pair(const Stage& vertex, const Stage& fragment) {
+    return digest_of(fmt::format("{:x} {:x}", digest_of_stage(vertex), digest_of_stage(fragment)));
+}
+
+template <class Answer, class Question>
+Answer remembered(std::mutex& mutex, std::map<std::uint64_t, Answer>& known, const Stage& vertex,
+                  const Stage& fragment, Question&& question) {
+    const std::uint64_t key = digest_of_pair(vertex, fragment);
+    {
+        const std::scoped_lock lock(mutex);
+        if (const auto found = known.find(key); found != known.end())
+            return found->second;
+    }
+    Answer answer = question(vertex, fragment);
+    const std::scoped_lock lock(mutex);
+    if (known.size() >= most_programs)
+        known.clear();
+    known.insert_or_assign(key, answer);
+    return answer;
+}
 }  // namespace
 
 Result<Reflection> CheckCache::check(const Stage& vertex, const Stage& fragment) {
-    const std::uint64_t key =
-        digest_of(fmt::format("{:x} {:x}", digest_of_stage(vertex), digest_of_stage(fragment)));
-    {
-        const std::scoped_lock lock(m_mutex);
-        if (const auto found = m_known.find(key); found != m_known.end())
-            return found->second;
-    }
-    Result<Reflection> result = check_program(vertex, fragment);
-    const std::scoped_lock lock(m_mutex);
-    if (m_known.size() >= most_programs)
-        m_known.clear();
-    m_known.insert_or_assign(key, result);
-    return result;
+    return remembered(m_mutex, m_known, vertex, fragment, check_program);
+}
+
+Result<Translation> CheckCache::translate(const Stage& vertex, const Stage& fragment) {
+    return remembered(m_mutex, m_translated, vertex, fragment, translate_from_vulkan);
 }

@@ -16,7 +16,7 @@ void append_faults(const Result<T>& read, Diagnostics& problems) {
 Diagnostics check_media(const Look& look) {
     Diagnostics problems;
     for (const Image& image : look.images)
-        append_faults(load_picture(image.file), problems);
+        append_faults(load_image(image, problems), problems);
     if (look.driven_by == Driver::picture)
         append_faults(Source::open(look.default_source), problems);
     if (look.default_signal)
@@ -26,4 +26,18 @@ Diagnostics check_media(const Look& look) {
         if (problem.file.empty())  // a test pattern's
             problem.file = look.manifest;
     return problems;
+}
+
+Result<std::optional<Picture>> load_image(const Image& image, Diagnostics& warnings) {
+    auto picture = load_picture(image.file);
+    if (picture)
+        return std::optional(std::move(*picture));
+    if (image.is_needed)
+        return fail(picture.error());
+    for (Diagnostic& reason : picture.error()) {
+        reason.severity = Severity::warning;
+        reason.message += "; '" + image.name + "' reads black";
+        warnings.push_back(std::move(reason));
+    }
+    return std::optional<Picture>();
 }

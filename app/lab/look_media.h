@@ -3,6 +3,12 @@
 #include "base/diagnostic.h"
 #include "model/look.h"
 
+#include <optional>
+
 /// What is wrong with the pictures and sounds that a look brings along, and with the test pattern
 /// that it starts with. Reads them all.
 Diagnostics check_media(const Look& look);
+
+/// The picture of an image of a look. One that is not needed may be unreadable: then there is
+/// nothing, and `warnings` says why.
+Result<std::optional<Picture>> load_image(const Image& image, Diagnostics& warnings);

@@ -6,7 +6,7 @@
 #include "formats/modulation_format.h"
 #include "formats/preset_format.h"
 #include "gpu/readback.h"
-#include "io/picture_file.h"
+#include "lab/look_media.h"
 #include "lab/media.h"
 #include "lab/moves_file.h"
 #include "lab/naming.h"
@@ -242,10 +242,12 @@ Result<void> Offline::load_pictures() {
             return done;
     }
     for (const Image& image : look.images) {
-        const auto picture = load_picture(image.file);
+        const auto picture = load_image(image, m_problems);
         if (!picture)
             return fail(picture.error());
-        if (auto done = m_renderer->set_image(image.name, *picture); !done)
+        if (!*picture)
+            continue;
+        if (auto done = m_renderer->set_image(image.name, **picture); !done)
             return done;
     }
     return m_chosen_images.show(look, m_document.values(), *m_renderer);

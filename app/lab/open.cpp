@@ -51,10 +51,12 @@ Result<OpenRequest> request_of_file(const fs::path& file, const Library& library
         auto preset = load_preset(file);
         return preset ? request_of_preset(std::move(*preset), file, library) : fail(preset.error());
     }
-    if (extension == ".json")
+    if (extension == ".json" || is_foreign_look(file))
         return OpenRequest{file, {}, {}};
     return fail(
-        {file, 0, "is neither a look's folder, a look.json, a preset nor a PNG that holds one"});
+        {file, 0,
+         "is neither a look's folder, a look.json, a .slangp or .slang file, a preset nor a "
+         "PNG that holds one"});
 }
 // A name goes before a folder, as for a look alone.
 Result<StackPart> resolve_part(const std::string& argument, const Library& library) {
@@ -64,7 +66,8 @@ Result<StackPart> resolve_part(const std::string& argument, const Library& libra
         return fail({{}, 0, "a stack is written as LOOK+LOOK, without blanks"});
     if (const auto look = library.find_look(argument))
         return StackPart{look->id, look->folder, {}};
-    if (fs::is_directory(path, error) || path.filename() == "look.json")
+    if (fs::is_directory(path, error) || path.filename() == "look.json" ||
+        (fs::exists(path, error) && is_foreign_look(path)))
         return StackPart{{}, path, {}};
     if (fs::exists(path, error))
         return fail({path, 0, "is not a look's folder; a stack is made of looks"});

@@ -3,7 +3,7 @@
 #include "formats/stack_format.h"
 #include "graph/warm_up.h"
 #include "io/picture_codec.h"
-#include "io/picture_file.h"
+#include "lab/look_media.h"
 
 #include <algorithm>
 
@@ -140,7 +140,7 @@ void Reloader::run() {
     m_context->release();
 }
 
-Result<LoadedImages> Reloader::load_images(const Look& look) {
+Result<LoadedImages> Reloader::load_images(const Look& look, Diagnostics& warnings) {
     LoadedImages images;
     std::map<fs::path, ReadImage> read;
     Diagnostics problems;
@@ -150,11 +150,13 @@ Result<LoadedImages> Reloader::load_images(const Look& look) {
         const auto before = m_read.find(image.file);
         if (!error && before != m_read.end() && before->second.time == time) {
             images[image.name] = before->second.picture;
-        } else if (auto picture = load_picture(image.file)) {
-            images[image.name] = std::make_shared<const Picture>(std::move(*picture));
         } else {
-            problems.insert(problems.end(), picture.error().begin(), picture.error().end());
-            continue;
+            auto picture = load_image(image, warnings);
+            if (!picture)
+                problems.insert(problems.end(), picture.error().begin(), picture.error().end());
+            if (!picture || !*picture)
+                continue;
+            images[image.name] = std::make_shared<const Picture>(std::move(**picture));
         }
         read[image.file] = {time, images[image.name]};
     }
@@ -174,7 +176,7 @@ LoadedRequest Reloader::load(const Job& job) {
                                read.look.error().end());
         return loaded;
     }
-    auto images = load_images(*read.look);
+    auto images = load_images(*read.look, loaded.problems);
     if (!images) {
         loaded.problems.insert(loaded.problems.begin(), images.error().begin(),
                                images.error().end());

@@ -76,7 +76,7 @@ private:
     void watch(const std::vector<std::filesystem::path>& files);
     void run();
     LoadedRequest load(const Job& job);
-    Result<LoadedImages> load_images(const Look& look);
+    Result<LoadedImages> load_images(const Look& look, Diagnostics& warnings);
 
     std::filesystem::path m_shared_includes;
     std::unique_ptr<gpu::Context> m_context;

@@ -82,6 +82,7 @@ struct Image {
     bool is_linear = false;                  // data, not display-encoded colours
     std::optional<Encoding> encoding = {};   // that its look reads; none: as the source
     RowOrder rows = RowOrder::bottom_first;  // as it is uploaded
+    bool is_needed = true;  // where it cannot be read the look cannot; else it reads black
 
     bool operator==(const Image&) const = default;
 };

@@ -1,0 +1,131 @@
+#include "formats/slang/slang_format.h"
+
+#include "base/text.h"
+#include "formats/slang/chain_look.h"
+#include "glsl/check_cache.h"
+
+#include <algorithm>
+
+namespace fs = std::filesystem;
+
+namespace {
+constexpr const char* pixel_art = "pattern:harbour";
+
+void add_unknown(Diagnostics& all, const Diagnostics& some) {
+    for (const Diagnostic& diagnostic : some)
+        if (std::ranges::find(all, diagnostic) == all.end())
+            all.push_back(diagnostic);
+}
+
+bool is_alone(const fs::path& file) {
+    return to_lower(file.extension().string()) == ".slang";
+}
+
+/// Shaders and their translations, each once however many passes have it.
+class ChainLoader {
+public:
+    ChainLoader(SlangFiles& files, CheckCache* cache) : m_files(files), m_cache(cache) {}
+
+    void read(const fs::path& file, WholeChain& chain) {
+        auto known = m_known.find(file);
+        if (known == m_known.end())
+            known = m_known.emplace(file, read_anew(file)).first;
+        if (!known->second)
+            return;
+        chain.shaders.push_back(known->second->shader);
+        chain.translations.push_back(known->second->translation);
+    }
+
+    Diagnostics problems;
+
+private:
+    struct Read {
+        SlangShader shader;
+        Translation translation;
+    };
+
+    std::optional<Read> read_anew(const fs::path& file) {
+        auto shader = read_slang_shader(file, m_files);
+        if (!shader) {
+            add_unknown(problems, shader.error());
+            return std::nullopt;
+        }
+        auto translation = m_cache ? m_cache->translate(shader->vertex, shader->fragment)
+                                   : translate_from_vulkan(shader->vertex, shader->fragment);
+        if (!translation) {
+            add_unknown(problems, translation.error());
+            return std::nullopt;
+        }
+        return Read{std::move(*shader), std::move(*translation)};
+    }
+
+    SlangFiles& m_files;
+    CheckCache* m_cache;
+    std::map<fs::path, std::optional<Read>> m_known;
+};
+
+Result<WholeChain> read_chain(const fs::path& file, SlangFiles& files, CheckCache* cache) {
+    WholeChain chain;
+    if (is_alone(file)) {
+        chain.preset = slang_preset_of(file);
+    } else {
+        auto preset = read_slang_preset(file, files);
+        if (!preset)
+            return fail(preset.error());
+        chain.preset = std::move(*preset);
+    }
+    ChainLoader reader(files, cache);
+    for (const SlangPass& pass : chain.preset.passes)
+        reader.read(pass.shader, chain);
+    if (!reader.problems.empty())
+        return fail(std::move(reader.problems));
+    return chain;
+}
+
+bool reads_the_past(const Look& look) {
+    return std::ranges::any_of(look.passes, [](const Pass& pass) {
+        return std::ranges::any_of(pass.inputs,
+                                   [](const Input& input) { return input.frames_ago > 0; });
+    });
+}
+
+Result<Look> read_look_of(const fs::path& file, SlangFiles& files, CheckCache* cache,
+                          Diagnostics& warnings) {
+    constexpr int frames_of_a_past = 60;
+    const auto chain = read_chain(file, files, cache);
+    if (!chain)
+        return fail(chain.error());
+    add_unknown(warnings, chain->preset.warnings);
+    for (const SlangShader& shader : chain->shaders)
+        add_unknown(warnings, shader.warnings);
+    auto look = look_of_chain(*chain, {}, warnings);
+    if (!look)
+        return look;
+    look->id = file.filename().string();
+    look->name = file.stem().string();
+    look->driven_by = Driver::picture;
+    look->default_source = pixel_art;
+    look->source_encoding = Encoding::display;
+    look->source_rows = RowOrder::top_first;
+    look->output = Encoding::display;
+    look->settle_frames = reads_the_past(*look) ? frames_of_a_past : 1;
+    look->manifest = file;
+    return look;
+}
+}  // namespace
+
+bool is_slang_file(const fs::path& file) {
+    return is_alone(file) || to_lower(file.extension().string()) == ".slangp";
+}
+
+LoadedLook load_slang_look(const fs::path& file, CheckCache* cache) {
+    SlangFiles files;
+    LoadedLook loaded;
+    loaded.look = read_look_of(file, files, cache, loaded.warnings);
+    loaded.files = files.seen();
+    if (std::ranges::find(loaded.files, file) == loaded.files.end())
+        loaded.files.push_back(file);
+    if (loaded.look)
+        loaded.look->files = loaded.files;
+    return loaded;
+}

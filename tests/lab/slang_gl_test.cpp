@@ -1,0 +1,227 @@
+// What chains of libretro's shaders draw, rule by rule.
+#include "io/picture_file.h"
+#include "io/temporary_folder.h"
+#include "lab/offline.h"
+#include "lab/small_lab.h"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace {
+constexpr const char* chain_head = R"(#version 450
+layout(std140, set = 0, binding = 0) uniform UBO {
+    mat4 MVP; vec4 SourceSize; vec4 OutputSize; vec4 FinalViewportSize; vec4 OriginalHistorySize1;
+    uint FrameCount; uint FrameTimeDelta; int FrameDirection; uint Rotation; float OriginalFPS;
+    uint TotalSubFrames; float level;
+} u;
+#pragma parameter level "Level" 0.25 0.0 1.0 0.01
+#pragma stage vertex
+layout(location = 0) in vec4 Position;
+layout(location = 1) in vec2 TexCoord;
+layout(location = 0) out vec2 at;
+void main() { gl_Position = u.MVP * Position; at = TexCoord; }
+#pragma stage fragment
+layout(location = 0) in vec2 at;
+)";
+
+std::string chain_shader(const std::string& color, const std::vector<std::string>& samplers = {},
+                         const std::string& pragmas = "", const std::string& type = "vec4") {
+    std::string text = chain_head + pragmas + "layout(location = 0) out " + type + " FragColor;\n";
+    int binding = 1;
+    for (const std::string& sampler : samplers)
+        text += fmt::format("layout(set = 0, binding = {}) uniform {}sampler2D {};\n", ++binding,
+                            sampler.starts_with("Whole") ? "u" : "", sampler);
+    return text + "void main() { FragColor = " + color + "; }\n";
+}
+
+const std::string copies_source = chain_shader("texture(Source, at)", {"Source"});
+
+/// Draws a preset over shaders 0.slang, 1.slang, ...
+class DrawnChain {
+public:
+    DrawnChain(const std::vector<std::string>& shaders, const std::string& lines) {
+        std::string text = fmt::format("shaders = {}\n", shaders.size());
+        for (std::size_t i = 0; i < shaders.size(); ++i) {
+            m_folder.write(fmt::format("{}.slang", i), shaders[i]);
+            text += fmt::format("shader{0} = {0}.slang\n", i);
+        }
+        m_folder.write("a.slangp", text + lines);
+    }
+
+    Offline open(Extent size, const Picture& source, const std::string& level = "") const {
+        const auto roots = find_roots({});
+        REQUIRE(roots.has_value());
+        RenderRequest request;
+        request.look = (m_folder / "a.slangp").string();
+        request.size = size;
+        request.source = (m_folder / "source.png").string();
+        REQUIRE(save_picture(source, request.source).has_value());
+        if (!level.empty())
+            request.values.emplace_back("level", level);
+        auto prepared = prepare(request, Library(*roots));
+        REQUIRE_MESSAGE(prepared.has_value(), to_string(prepared.error()));
+        CHECK(to_string(prepared->warnings) == "");
+        auto offline = Offline::create(std::move(*prepared), size, 60.0);
+        REQUIRE_MESSAGE(offline.has_value(), to_string(offline.error()));
+        return std::move(*offline);
+    }
+
+private:
+    TemporaryFolder m_folder;
+};
+
+// Display values 0, 1/8, ... row by row from the top in red; blue is 1.
+Picture counted(Extent extent) {
+    Picture picture{extent, 4, Encoding::display, {}};
+    for (int i = 0; i < extent.width * extent.height; ++i)
+        for (const float number : {static_cast<float>(i) / 8.0f, 0.0f, 1.0f, 1.0f})
+            picture.pixels.push_back(number);
+    return picture;
+}
+
+Picture flat(float level) {
+    return {{1, 1}, 4, Encoding::display, {level, level, level, 1.0f}};
+}
+
+// Of 255.
+int red(const Picture& picture, int x, int y) {
+    return static_cast<int>(std::lround(picture.pixels[picture.index(x, y)] * 255.0f));
+}
+
+int first_red(const Picture& picture) {
+    return red(picture, 0, 0);
+}
+}  // namespace
+
+TEST_CASE("the picture stands as its source does, however many passes there are") {
+    const Picture source = counted({2, 3});
+    for (const std::size_t passes : {1U, 2U, 3U})
+        for (const char* last : {"", "scale_type0 = source\n"}) {
+            const DrawnChain chain(std::vector<std::string>(passes, copies_source),
+                                   passes == 1 ? last : "");
+            Offline offline = chain.open({2, 3}, source);
+            const Picture picture = offline.picture_after(1);
+            for (int y = 0; y < 3; ++y)
+                for (int x = 0; x < 2; ++x)
+                    CHECK(red(picture, x, y) == std::lround((y * 2 + x) / 8.0 * 255.0));
+            CHECK(first_red(offline.picture(0)) == 0);
+        }
+}
+
+TEST_CASE("the texture coordinates begin at the top left in every pass") {
+    const DrawnChain chain({chain_shader("vec4(at.y)"),
+                            chain_shader("texture(Source, at) * 0.5 + at.y * 0.5", {"Source"})},
+                           "");
+    Offline offline = chain.open({1, 4}, flat(0.0f));
+    const Picture picture = offline.picture_after(1);
+    // The first pass is of the source's one pixel: 0.5 everywhere.
+    for (int y = 0; y < 4; ++y)
+        CHECK(std::abs(red(picture, 0, y) - (0.25 + (y + 0.5) / 8.0) * 255.0) <= 1.0);
+}
+
+TEST_CASE("FrameCount counts from 0, and anew after its modulo") {
+    const DrawnChain chain({chain_shader("vec4(float(u.FrameCount) / 8.0)")},
+                           "frame_count_mod0 = 3\n");
+    Offline offline = chain.open({1, 1}, flat(0.0f));
+    for (const int expected : {0, 32, 64, 0, 32})
+        CHECK(first_red(offline.picture_after(1)) == expected);
+}
+
+TEST_CASE("what never changes on a desktop is told as it is there") {
+    const DrawnChain chain(
+        {chain_shader("vec4(u.FrameDirection == 1 && u.Rotation == 0u && u.OriginalFPS == 60.0 && "
+                      "u.TotalSubFrames == 1u && u.FrameTimeDelta == 16667u ? 1.0 : 0.0)")},
+        "");
+    CHECK(first_red(chain.open({1, 1}, flat(0.0f)).picture_after(1)) == 255);
+}
+
+TEST_CASE("a parameter is turned in both stages at once") {
+    std::string shader = chain_shader("vec4(at.x * u.level)");
+    const DrawnChain chain({replaced(shader, "at = TexCoord", "at = vec2(u.level)")}, "");
+    CHECK(first_red(chain.open({1, 1}, flat(0.0f)).picture_after(1)) ==
+          std::lround(0.0625 * 255.0));
+    CHECK(first_red(chain.open({1, 1}, flat(0.0f), "1").picture_after(1)) == 255);
+}
+
+TEST_CASE("a last pass with a scale is drawn at its own size and stretched") {
+    const std::string sizes =
+        chain_shader("vec4(u.OutputSize.x / 16.0, u.FinalViewportSize.x / 16.0, 0.0, 1.0)");
+    Offline own =
+        DrawnChain({sizes}, "scale_type0 = source\nscale0 = 2.0\n").open({8, 4}, flat(0.0f));
+    const Picture stretched = own.picture_after(1);
+    CHECK(stretched.extent == Extent{8, 4});
+    CHECK(first_red(stretched) == std::lround(2.0 / 16.0 * 255.0));
+    CHECK(std::lround(stretched.pixels[1] * 255.0f) == std::lround(8.0 / 16.0 * 255.0));
+    Offline whole = DrawnChain({sizes}, "").open({8, 4}, flat(0.0f));
+    CHECK(first_red(whole.picture_after(1)) == std::lround(8.0 / 16.0 * 255.0));
+}
+
+TEST_CASE("feedback is what the pass drew a frame ago, at first transparent black") {
+    const DrawnChain chain(
+        {chain_shader("texture(PassFeedback0, at) + 0.125", {"PassFeedback0"}), copies_source}, "");
+    Offline offline = chain.open({1, 1}, flat(0.0f));
+    for (const int expected : {32, 64, 96})
+        CHECK(std::abs(first_red(offline.picture_after(1)) - expected) <= 1);
+}
+
+TEST_CASE("feedback by an alias may be of a pass that comes later") {
+    const DrawnChain chain(
+        {chain_shader("texture(LaterFeedback, at) + 0.25", {"LaterFeedback"}),
+         chain_shader("texture(Source, at) * 0.5", {"Source"}, "#pragma name Later\n"),
+         copies_source},
+        "");
+    Offline offline = chain.open({1, 1}, flat(0.0f));
+    // 0.25 / 2; (0.125 + 0.25) / 2; (0.1875 + 0.25) / 2
+    for (const double expected : {0.125, 0.1875, 0.21875})
+        CHECK(std::abs(first_red(offline.picture_after(1)) - expected * 255.0) <= 1.0);
+}
+
+TEST_CASE("history is the source of former frames, at first transparent black") {
+    const DrawnChain chain({chain_shader("texture(OriginalHistory2, at) * u.OriginalHistorySize1.x",
+                                         {"OriginalHistory2"})},
+                           "");
+    Offline offline = chain.open({1, 1}, flat(0.2f));
+    CHECK(first_red(offline.picture_after(1)) == 0);
+    REQUIRE(offline.hold_source(flat(0.4f)));
+    CHECK(first_red(offline.picture_after(1)) == 0);
+    REQUIRE(offline.hold_source(flat(0.6f)));
+    CHECK(first_red(offline.picture_after(1)) == 51);
+    CHECK(first_red(offline.picture_after(1)) == 102);
+}
+
+TEST_CASE("outside of a texture there is transparent black unless its wrap says otherwise") {
+    const std::string shader = chain_shader("texture(Source, at + vec2(1.0, 0.0))", {"Source"});
+    CHECK(first_red(DrawnChain({shader}, "").open({1, 1}, flat(1.0f)).picture_after(1)) == 0);
+    CHECK(first_red(DrawnChain({shader}, "wrap_mode0 = clamp_to_edge\n")
+                        .open({1, 1}, flat(1.0f))
+                        .picture_after(1)) == 255);
+}
+
+TEST_CASE("an sRGB target is encoded when drawn and decoded when read") {
+    const DrawnChain chain(
+        {chain_shader("vec4(0.5)"), chain_shader("texture(Source, at)", {"Source"})},
+        "scale_type0 = source\nsrgb_framebuffer0 = true\n");
+    Offline offline = chain.open({1, 1}, flat(0.0f));
+    // 0.5 is encoded as 187.5 of 255 (IEC 61966-2-1).
+    CHECK(std::abs(first_red(offline.picture_after(1)) - 127.5) <= 1.0);
+    CHECK(std::abs(first_red(offline.picture(0)) - 187.5) <= 1.0);
+}
+
+TEST_CASE("whole numbers go through an integer target as they are") {
+    const DrawnChain chain(
+        {chain_shader("uvec4(4000000000u)", {}, "#pragma format R32_UINT\n#pragma name Whole\n",
+                      "uvec4"),
+         chain_shader("vec4(texture(Whole, at).r == 4000000000u ? 1.0 : 0.0)", {"Whole"})},
+        "");
+    CHECK(first_red(chain.open({1, 1}, flat(0.0f)).picture_after(1)) == 255);
+}
+
+TEST_CASE("an input with smaller levels is the mean of what it covers in its smallest") {
+    const DrawnChain chain(
+        {copies_source, chain_shader("textureLod(Source, at, 1.0)", {"Source"})},
+        "mipmap_input1 = true\nfilter_linear1 = true\nwrap_mode1 = clamp_to_edge\n");
+    const Picture source{{2, 2}, 1, Encoding::display, {0.0f, 1.0f, 1.0f, 0.0f}};
+    CHECK(std::abs(first_red(chain.open({2, 2}, source).picture_after(1)) - 127.5) <= 1.0);
+}
