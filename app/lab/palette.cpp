@@ -3,6 +3,7 @@
 #include "base/fuzzy.h"
 
 #include <algorithm>
+#include <set>
 #include <tuple>
 
 namespace {
@@ -19,7 +20,7 @@ void add_presets(const ShelfLook& look, std::vector<PaletteEntry>& entries) {
 void add_parts(const Look& look, std::vector<PaletteEntry>& entries) {
     for (const Pass& pass : look.passes)
         entries.push_back(
-            {Kind::pass, "pass:" + pass.name, "Pass: " + pass.name, {}, pass.name, {}, {}});
+            {Kind::pass, "pass:" + pass.name, "Pass: " + pass.name, "Inspect", pass.name, {}, {}});
     for (const Parameter& parameter : look.parameters)
         if (!parameter.is_hidden)
             entries.push_back({Kind::parameter,
@@ -37,7 +38,7 @@ std::size_t name_start(const PaletteEntry& entry) {
 }
 
 struct Ranked {
-    std::tuple<int, std::size_t, std::size_t, std::size_t> order;  // the least comes first
+    std::tuple<int, std::size_t, bool, std::size_t, std::size_t> order;  // the least comes first
     PaletteMatch match;
 };
 
@@ -83,6 +84,56 @@ std::vector<PaletteEntry> palette_entries(const Look* open, const std::vector<Sh
     return entries;
 }
 
+std::vector<PaletteEntry> choice_entries(const std::vector<ChoiceList>& lists) {
+    std::vector<PaletteEntry> entries;
+    std::set<std::string> labels;
+    for (const ChoiceList& list : lists)
+        for (const Choice& choice : list.choices) {
+            const std::string label = list.label_of(choice);
+            if (labels.insert(label).second)
+                entries.push_back({Kind::choice,
+                                   label,
+                                   label,
+                                   choice.is_present ? "now" : "",
+                                   {},
+                                   {},
+                                   {},
+                                   choice});
+        }
+    return entries;
+}
+
+std::vector<PaletteEntry> file_entries(const std::vector<std::string>& recent) {
+    std::vector<PaletteEntry> entries;
+    for (const std::string& file : recent) {
+        const std::filesystem::path path(file);
+        entries.push_back({Kind::file,
+                           "file:" + file,
+                           "File: " + path.filename().string(),
+                           path.parent_path().string(),
+                           file,
+                           {},
+                           {}});
+    }
+    return entries;
+}
+
+std::vector<PaletteEntry> difference_entries(const Look& open,
+                                             const std::vector<ShelfLook>& looks) {
+    std::vector<PaletteEntry> entries;
+    for (const ShelfLook& look : looks)
+        for (const ShelfPreset& preset : look.presets)
+            if (look.entry.id == open.id)
+                entries.push_back({Kind::difference,
+                                   "difference:" + preset.name,
+                                   "Differences: " + preset.name,
+                                   "from what is open",
+                                   preset.entry.file.string(),
+                                   {},
+                                   {}});
+    return entries;
+}
+
 std::vector<PaletteMatch> find_entries(const std::vector<PaletteEntry>& entries,
                                        std::string_view query,
                                        const std::vector<std::string>& used) {
@@ -94,9 +145,10 @@ std::vector<PaletteMatch> find_entries(const std::vector<PaletteEntry>& entries,
         const auto use = std::find(used.begin(), used.end(), entries[i].id);
         const std::size_t start = name_start(entries[i]);
         const bool is_named = !match->places.empty() && match->places.back() >= start;
-        ranked.push_back({{-match->score, static_cast<std::size_t>(use - used.begin()),
-                           is_named ? entries[i].label.size() - start : 0, i},
-                          {i, match->places}});
+        ranked.push_back(
+            {{-match->score, static_cast<std::size_t>(use - used.begin()),
+              entries[i].kind == Kind::choice, is_named ? entries[i].label.size() - start : 0, i},
+             {i, match->places}});
     }
     std::sort(ranked.begin(), ranked.end(),
               [](const Ranked& a, const Ranked& b) { return a.order < b.order; });

@@ -170,6 +170,7 @@ struct Dialog {
         rates,    // how far pictures of several frame rates are apart
         keys,
         about,
+        asked,  // a number or words for the choice of the id in `subject`
     };
 
     Kind kind = Kind::none;

@@ -1,5 +1,6 @@
 #include "ui/dialogs.h"
 
+#include "ui/asked_dialog.h"
 #include "ui/compare_dialog.h"
 #include "ui/dialog_frame.h"
 #include "ui/file_dialog.h"
@@ -201,6 +202,9 @@ void draw_dialogs(const Scene& scene, Edits& edits) {
             return;
         case Kind::about:
             draw_about_dialog(scene, edits);
+            return;
+        case Kind::asked:
+            draw_asked_dialog(scene, edits);
             return;
     }
 }

@@ -1,5 +1,6 @@
 #include "ui/layout.h"
 
+#include "lab/pane_sizes.h"
 #include "ui/scoped.h"
 #include "ui/theme.h"
 
@@ -67,11 +68,9 @@ float dragged(const char* id, const Rect& bar, bool is_upright) {
     return is_upright ? moved.x : moved.y;
 }
 
-void resize(Edits& edits, float PaneSizes::*size, float by, float low, float high) {
+void resize(Edits& edits, float PaneSizes::*size, float by) {
     if (by != 0.0f)
-        edits.arrange([=](WindowState& window) {
-            window.panes.*size = std::clamp(window.panes.*size + by, low, high);
-        });
+        edits.arrange([=](WindowState& window) { resize_pane(window.panes, size, by); });
 }
 }  // namespace
 
@@ -109,29 +108,29 @@ void draw_splitters(const Layout& layout, const WindowState& window, float scale
     };
     if (layout.library.is_shown()) {
         const float by = dragged("##left", upright(layout.library.right()), true);
-        resize(edits, &PaneSizes::left, by / scale, 170.0f, 520.0f);
+        resize(edits, &PaneSizes::left, by / scale);
     }
     const Rect& right = layout.parameters.is_shown() ? layout.parameters : layout.inspector;
     if (right.is_shown()) {
         const float by = dragged("##right", upright(right.left - width), true);
-        resize(edits, &PaneSizes::right, -by / scale, 270.0f, 700.0f);
+        resize(edits, &PaneSizes::right, -by / scale);
     }
     if (layout.strip.is_shown()) {
         const Rect& strip = layout.strip;
         const float by =
             dragged("##strip", {strip.left, strip.top - width, strip.width, width}, false);
-        resize(edits, &PaneSizes::strip, -by / scale, 84.0f, 260.0f);
+        resize(edits, &PaneSizes::strip, -by / scale);
     }
     if (layout.bottom.is_shown()) {
         const Rect& bottom = layout.bottom;
         const float by =
             dragged("##bottom", {bottom.left, bottom.top - width, bottom.width, width}, false);
-        resize(edits, &PaneSizes::bottom, -by / scale, 80.0f, 500.0f);
+        resize(edits, &PaneSizes::bottom, -by / scale);
     }
     if (layout.inspector.is_shown() && layout.parameters.is_shown()) {
         const Rect& pane = layout.inspector;
         const float by =
             dragged("##inspector", {pane.left, pane.top - width, pane.width, width}, false);
-        resize(edits, &PaneSizes::inspector, -by / scale, 160.0f, 900.0f);
+        resize(edits, &PaneSizes::inspector, -by / scale);
     }
 }

@@ -1,6 +1,7 @@
 #include "ui/menu_bar.h"
 
 #include "ui/actions.h"
+#include "ui/choice_items.h"
 #include "ui/picture_menus.h"
 #include "ui/scoped.h"
 #include "ui/theme.h"
@@ -31,6 +32,16 @@ void draw_picture_submenus(const Scene& scene, Edits& edits) {
     }
 }
 
+// What is chosen from a list stands above the actions.
+void draw_lists(Menu menu, const Scene& scene, Edits& edits) {
+    using In = ChoiceList::Place;
+    for (const auto& [of, place] :
+         {std::pair{Menu::file, In::file}, std::pair{Menu::edit, In::edit},
+          std::pair{Menu::compare, In::compare}, std::pair{Menu::pass, In::pass}})
+        if (of == menu)
+            draw_choice_menus(place, scene, edits);
+}
+
 void draw_menu(Menu menu, const char* label, const Scene& scene, Edits& edits) {
     const bool is_open = ImGui::BeginMenu(label);
     edits.mark(std::string("menu:") + label);
@@ -43,6 +54,7 @@ void draw_menu(Menu menu, const char* label, const Scene& scene, Edits& edits) {
     }
     if (menu == Menu::edit)
         draw_menu(Menu::knob, "Parameter", scene, edits);
+    draw_lists(menu, scene, edits);
     for (const Action& action : all_actions())
         if (action.menu == menu)
             draw_item(action, scene, edits);

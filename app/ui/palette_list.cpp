@@ -1,6 +1,9 @@
 #include "ui/palette_list.h"
 
+#include "lab/lab_choices.h"
 #include "ui/actions.h"
+#include "ui/choice_items.h"
+#include "ui/compare_dialog.h"
 
 namespace {
 const char* menu_name(Menu menu) {
@@ -104,6 +107,17 @@ void run_action(const std::string& label, const Scene& scene, Edits& edits) {
         if (action.label == label && action.id != ActionId::palette)
             action.act(scene, edits);
 }
+
+void compare(const std::string& file, const Scene& scene, Edits& edits) {
+    for (const ShelfLook& look : scene.shelf.looks())
+        for (const ShelfPreset& preset : look.presets)
+            if (preset.entry.file == file)
+                return compare_preset(preset, scene, edits);
+}
+
+void add(std::vector<PaletteEntry> more, std::vector<PaletteEntry>& entries) {
+    std::move(more.begin(), more.end(), std::back_inserter(entries));
+}
 }  // namespace
 
 std::vector<PaletteEntry> palette_list(const Scene& scene) {
@@ -118,9 +132,12 @@ std::vector<PaletteEntry> palette_list(const Scene& scene) {
                                chord_text(action.chord),
                                why_not(action, scene)});
     const Document* document = scene.lab.document();
-    for (PaletteEntry& entry :
-         palette_entries(document ? &document->look() : nullptr, scene.shelf.looks()))
-        entries.push_back(std::move(entry));
+    const std::vector<ShelfLook>& looks = scene.shelf.looks();
+    add(choice_entries(all_choices(scene.lab, scene.window, looks)), entries);
+    add(palette_entries(document ? &document->look() : nullptr, looks), entries);
+    if (document)
+        add(difference_entries(document->look(), looks), entries);
+    add(file_entries(scene.window.recent_files), entries);
     return entries;
 }
 
@@ -136,5 +153,11 @@ void run(const PaletteEntry& entry, const Scene& scene, Edits& edits) {
             return inspect(entry.subject, edits);
         case PaletteEntry::Kind::parameter:
             return reveal(entry.subject, edits);
+        case PaletteEntry::Kind::choice:
+            return take(entry.choice, entry.id, edits);
+        case PaletteEntry::Kind::file:
+            return edits.open_file(scene.lab, entry.subject);
+        case PaletteEntry::Kind::difference:
+            return compare(entry.subject, scene, edits);
     }
 }

@@ -1,6 +1,7 @@
 #include "ui/pass_actions.h"
 
 #include "gpu/input_event.h"
+#include "lab/looking_choices.h"
 
 #include <algorithm>
 
@@ -83,14 +84,8 @@ bool has_probe(const Scene& scene) {
 }
 
 void pin(const Scene& scene, Edits& edits) {
-    edits.arrange([pin = pin_at(*scene.window.probe)](WindowState& window) {
-        constexpr std::size_t most = 4;  // that the table has room for
-        if (window.pins.size() == most)
-            window.pins.erase(window.pins.begin());
-        window.pins.push_back(pin);
-        window.shows_bottom = true;
-        window.bottom_part = BottomPart::pins;
-    });
+    edits.arrange(
+        [pin = pin_at(*scene.window.probe)](WindowState& window) { add_pin(window, pin); });
 }
 
 void save_pass(const Scene& scene, Edits& edits) {

@@ -1,5 +1,6 @@
 #include "ui/pass_settings.h"
 
+#include "lab/looking_choices.h"
 #include "ui/form.h"
 #include "ui/picture_menus.h"
 #include "ui/scoped.h"
@@ -11,8 +12,6 @@
 #include <cmath>
 
 namespace {
-constexpr std::array pass_scales{0.125, 0.25, 0.5, 1.0, 2.0};
-
 PassOverride present_override(const Document& document, const std::string& pass) {
     const PassOverrides& overrides = document.state().overrides;
     const auto found = overrides.find(pass);
@@ -64,19 +63,10 @@ void draw_format(const Pass& drawn, PassOverride changed, float width, Edits& ed
     edits.mark("pass_format");
 }
 
-// As the first pass reads it that does.
-Filter filter_of(const Look& look, const std::string& pass) {
-    for (const Pass& reader : look.passes)
-        for (const Input& input : reader.inputs)
-            if (input.from == Input::From::pass && input.name == pass)
-                return input.sampler.filter;
-    return Filter::linear;
-}
-
 void draw_filter(const Look& drawn, const std::string& pass, PassOverride changed, float width,
                  Edits& edits) {
     static constexpr std::array labels{"nearest", "linear"};
-    int chosen = filter_of(drawn, pass) == Filter::linear ? 1 : 0;
+    int chosen = filter_of_pass(drawn, pass) == Filter::linear ? 1 : 0;
     if (form_list("##filter", labels.data(), 2, chosen, width)) {
         changed.filter = chosen == 1 ? Filter::linear : Filter::nearest;
         set_override(pass, changed, edits);

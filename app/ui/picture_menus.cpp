@@ -1,5 +1,6 @@
 #include "ui/picture_menus.h"
 
+#include "lab/looking_choices.h"
 #include "ui/scoped.h"
 #include "ui/slider.h"
 #include "ui/theme.h"
@@ -9,12 +10,6 @@
 #include <cmath>
 
 namespace {
-constexpr std::array<Extent, 9> sizes{Extent{320, 240}, {640, 480},   {800, 600},
-                                      {1024, 1024},     {1280, 720},  {1920, 1080},
-                                      {2560, 1440},     {3840, 2160}, {1080, 1920}};
-constexpr std::array picture_scales{0.25, 0.5, 1.0, 1.5, 2.0};
-constexpr std::array<double, 8> zooms{0.25, 0.5, 1.0, 2.0, 3.0, 4.0, 8.0, 16.0};
-
 std::string size_label(const Scene& scene) {
     return size_text(scene.lab.picture_extent());
 }
@@ -104,7 +99,7 @@ void draw_size_items(const Scene& scene, Edits& edits) {
         size.follows_view = true;
         set_size(size, edits);
     }
-    for (const Extent& extent : sizes) {
+    for (const Extent& extent : picture_sizes) {
         const bool is_chosen = !present.follows_view && present.fixed == extent;
         if (ImGui::MenuItem(size_text(extent).c_str(), nullptr, is_chosen))
             set_size({false, extent, present.scale}, edits);
@@ -130,7 +125,7 @@ void draw_zoom_items(const Scene& scene, Edits& edits) {
     fit_item("Whole pixels, as large as fits", "", PictureView::Fit::whole);
     fit_item("All of it", "F", PictureView::Fit::all);
     ImGui::Separator();
-    for (const double zoom : zooms) {
+    for (const double zoom : picture_zooms) {
         const bool is_chosen = present.fit == PictureView::Fit::free && present.zoom == zoom;
         if (ImGui::MenuItem(zoom_text(zoom).c_str(), zoom == 1.0 ? "1" : nullptr, is_chosen))
             edits.arrange([zoom](WindowState& window) {

@@ -1,5 +1,6 @@
 #include "ui/presets_panel.h"
 
+#include "lab/preset_choices.h"
 #include "ui/icons.h"
 #include "ui/preset_menu.h"
 #include "ui/scoped.h"
@@ -62,7 +63,7 @@ void draw_morph_time(const PresetBrowsing& wanted, Edits& edits) {
     ImGui::SameLine();
     const std::string present = fmt::format("{:g} s", wanted.morph_seconds);
     if (begin_combo("##morph_seconds", present, ImGui::GetFontSize() * 4.4f)) {
-        for (const double seconds : {1.0, 3.0, 10.0, 30.0, 60.0}) {
+        for (const double seconds : morph_lengths) {
             if (ImGui::Selectable(fmt::format("{:g} s", seconds).c_str(),
                                   seconds == wanted.morph_seconds))
                 edits.arrange(

@@ -1,6 +1,8 @@
 #include "ui/sheet_panel.h"
 
 #include "lab/tryouts.h"
+#include "lab/tuning_choices.h"
+#include "ui/choice_items.h"
 #include "ui/icons.h"
 #include "ui/parameter_help.h"
 #include "ui/scoped.h"
@@ -10,26 +12,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 namespace {
-constexpr std::array counts{3, 5, 7, 9, 11, 15};
-
 void show_sheet(const SheetRequest& request, Edits& edits) {
-    edits.add([request](Lab& lab) { lab.draw_sheet(request); });
-    edits.arrange([is_grid = !request.down.empty()](WindowState& window) {
-        constexpr float room_of_grid = 330.0f;
-        if (is_grid)
-            window.panes.bottom = std::max(window.panes.bottom, room_of_grid);
-        window.shows_bottom = true;
-        window.bottom_part = BottomPart::sheet;
-        window.is_picture_only = false;
-    });
-}
-
-bool can_be_varied(const Parameter& parameter) {
-    const bool is_file = parameter.control == Control::image || parameter.control == Control::sound;
-    return !is_file && parameter.control != Control::event && parameter.type.size() == 1;
+    run(sheet_deeds(request), edits);
 }
 
 // "Bloom · Intensity": labels alone come more than once.
@@ -67,7 +53,7 @@ bool draw_count_choice(const char* id, int& count, Edits& edits) {
     const int before = count;
     if (!begin_combo(id, std::to_string(count), ImGui::GetFontSize() * 3.6f))
         return false;
-    for (const int choice : counts) {
+    for (const int choice : sheet_counts) {
         if (ImGui::Selectable(std::to_string(choice).c_str(), choice == count))
             count = choice;
         edits.mark(fmt::format("sheet_count:{}", choice));

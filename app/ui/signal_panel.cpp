@@ -2,7 +2,9 @@
 
 #include "base/text.h"
 #include "lab/scope_graticule.h"
+#include "lab/signal_choices.h"
 #include "signals/kinds.h"
+#include "ui/choice_items.h"
 #include "ui/drawing_panel.h"
 #include "ui/form.h"
 #include "ui/problem_list.h"
@@ -15,7 +17,6 @@
 #include <imgui/imgui_stdlib.h>
 
 #include <algorithm>
-#include <cctype>
 
 namespace {
 void set_signal(const Spec& spec, Edits& edits) {
@@ -68,15 +69,6 @@ void draw_reset(const SettingFacts& setting, Spec& spec, const FormColumns& colu
     spec.settings[setting.key] = *facts.initial;
     set_signal(spec, edits);
     edits.finish();
-}
-
-// "constant" as "Constant", "xy" as "XY".
-std::string label_of_word(std::string word) {
-    if (word.size() != 2)
-        return label_from_name(word);
-    for (char& letter : word)
-        letter = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
-    return word;
 }
 
 void draw_word_setting(const SettingFacts& setting, Spec& spec, const FormColumns& columns,
@@ -177,22 +169,6 @@ void draw_settings(const SignalKind& kind, Spec& spec, const Scene& scene, Edits
     }
 }
 
-// A kind that plays a file is chosen by choosing the file; a drawing begins empty.
-void choose_kind(const SignalKind& kind, Edits& edits) {
-    if (kind.kind == "drawing") {
-        edits.add([](Lab& lab) { lab.take_pen(true); });
-        return;
-    }
-    if (!kind.file_setting.empty()) {
-        edits.show({.kind = Dialog::Kind::open_file});
-        return;
-    }
-    if (const auto spec = completed(Spec{kind.kind, {}})) {
-        set_signal(*spec, edits);
-        edits.finish();
-    }
-}
-
 void draw_kinds(const std::string& present, Edits& edits) {
     std::vector<const char*> labels;
     int chosen = -1;
@@ -203,7 +179,7 @@ void draw_kinds(const std::string& present, Edits& edits) {
     }
     if (form_list("##kind", labels.data(), static_cast<int>(labels.size()), chosen,
                   ImGui::GetContentRegionAvail().x))
-        choose_kind(signal_kinds()[static_cast<std::size_t>(chosen)], edits);
+        run({deed_for(signal_kinds()[static_cast<std::size_t>(chosen)])}, edits);
     edits.mark("signal");
     if (const SignalKind* kind = find_kind(present))
         tooltip(kind->help);

@@ -1,5 +1,6 @@
 #include "ui/sound_controls.h"
 
+#include "lab/device_choices.h"
 #include "ui/form.h"
 #include "ui/scoped.h"
 #include "ui/theme.h"
@@ -169,9 +170,10 @@ void draw_sound_devices(bool is_live, const Scene& scene, Edits& edits) {
     if (!is_live && !is_heard)
         return;
     draw_number_choice("Rate", "Samples a second.", &SoundSettings::rate,
-                       {0, 44100, 48000, 96000, 192000}, scene, edits);
+                       {sound_rates.begin(), sound_rates.end()}, scene, edits);
     draw_number_choice("Buffer", "Samples at once. Fewer come sooner, more never stutter.",
-                       &SoundSettings::buffer, {128, 256, 512, 1024, 2048, 4096}, scene, edits);
+                       &SoundSettings::buffer, {sound_buffers.begin(), sound_buffers.end()}, scene,
+                       edits);
     if (is_live || player.sound().sound)
         draw_delay(scene, edits);
 }

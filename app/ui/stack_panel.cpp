@@ -1,40 +1,18 @@
 #include "ui/stack_panel.h"
 
+#include "lab/stack_choices.h"
+#include "ui/choice_items.h"
 #include "ui/icons.h"
 #include "ui/scoped.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
-#include <algorithm>
-
 namespace {
-// A part by its tag: what a person clicked on may have moved since.
-void change(const std::string& tag, const std::string& step, Edits& edits,
-            const std::function<void(Stack& stack, std::size_t part)>& change) {
-    edits.document([tag, step, change](Document& document) {
-        Stack stack = document.state().stack;
-        const auto part = std::ranges::find(stack, tag, &StackPart::tag);
-        if (part == stack.end())
-            return;
-        change(stack, static_cast<std::size_t>(part - stack.begin()));
-        document.set_stack(std::move(stack), step);
-    });
-}
-
-std::string name_of(const StackPart& part, const std::string& key, const Shelf& shelf) {
-    const auto known = std::ranges::find_if(
-        shelf.looks(), [&](const ShelfLook& look) { return look.entry.id == part.look; });
-    const std::string name = known == shelf.looks().end() ? part.look : known->name;
-    const std::size_t copy = key.find('#');
-    return copy == std::string::npos ? name : name + ' ' + key.substr(copy + 1);
-}
-
 void draw_bypass(const StackPart& part, const std::string& key, const std::string& name,
                  Edits& edits) {
     bool is_drawn = !part.is_bypassed;
     if (ImGui::Checkbox("##drawn", &is_drawn))
-        change(part.tag, (is_drawn ? "Draw " : "Bypass ") + name, edits,
-               [is_drawn](Stack& stack, std::size_t i) { stack[i].is_bypassed = !is_drawn; });
+        run({bypass_part(part, name)}, edits);
     edits.mark("stack_bypass:" + key);
     tooltip(is_drawn ? "Bypass: the picture goes past this look" : "Draw this look again");
 }
@@ -46,18 +24,13 @@ void draw_move(const char* id, int by, const StackPart& part, const std::string&
                                       by < 0 ? "Draw it earlier" : "Draw it later",
                                       is_possible ? theme::dim : theme::faint);
     if (is_asked && is_possible)
-        change(part.tag, "Move " + name, edits, [by](Stack& stack, std::size_t i) {
-            const auto other = static_cast<std::size_t>(static_cast<int>(i) + by);
-            if (other < stack.size())
-                std::swap(stack[i], stack[other]);
-        });
+        run({move_part(part, name, by)}, edits);
 }
 
-void draw_part(const Stack& stack, std::size_t i, const Shelf& shelf, Edits& edits) {
+void draw_part(const Stack& stack, std::size_t i, const std::string& name, Edits& edits) {
     const StackPart& part = stack[i];
     const ScopedId id(part.tag);
     const std::string key = stack_keys(stack)[i];
-    const std::string name = name_of(part, key, shelf);
     const float side = ImGui::GetFrameHeight();
     draw_bypass(part, key, name, edits);
     ImGui::SameLine();
@@ -73,10 +46,7 @@ void draw_part(const Stack& stack, std::size_t i, const Shelf& shelf, Edits& edi
     edits.mark("stack_down:" + key);
     ImGui::SameLine();
     if (icon_button("##remove", Icon::close, "Take it out of the stack", theme::dim))
-        change(part.tag, "Remove " + name, edits, [](Stack& left, std::size_t place) {
-            if (left.size() > 1)
-                left.erase(left.begin() + static_cast<std::ptrdiff_t>(place));
-        });
+        run({remove_part(part, name)}, edits);
     edits.mark("stack_remove:" + key);
 }
 
@@ -99,11 +69,7 @@ void draw_add(const Scene& scene, Edits& edits) {
 }  // namespace
 
 void add_to_stack(const ShelfLook& look, Edits& edits) {
-    edits.document([entry = look.entry, name = look.name](Document& document) {
-        Stack stack = document.state().stack;
-        stack.push_back({entry.id, entry.folder, free_tag(stack, entry.id)});
-        document.set_stack(std::move(stack), "Add " + name);
-    });
+    run({add_part(look)}, edits);
 }
 
 void draw_stack_panel(const Scene& scene, Edits& edits) {
@@ -112,9 +78,9 @@ void draw_stack_panel(const Scene& scene, Edits& edits) {
         return;
     heading("Stack");
     const Stack& stack = document->state().stack;
-    const bool is_stack = stack.size() > 1 || (!stack.empty() && stack.front().is_bypassed);
-    for (std::size_t i = 0; is_stack && i < stack.size(); ++i)
-        draw_part(stack, i, scene.shelf, edits);
+    const std::vector<std::string> names = part_names(stack, scene.shelf.looks());
+    for (std::size_t i = 0; is_worth_listing(stack) && i < stack.size(); ++i)
+        draw_part(stack, i, names[i], edits);
     draw_add(scene, edits);
     ImGui::Spacing();
 }

@@ -227,13 +227,13 @@ std::string presets_text(const Scene& scene) {
 std::string document_text(const Lab& lab) {
     const Document& document = *lab.document();
     return fmt::format(
-        R"("look":{},"bypass":{},"preset":{},"is_modified":{},"undo":{},"redo":{},"signal":{},"values":{},"favourites":{},"locked":{},"moving":{},)",
+        R"("look":{},"bypass":{},"preset":{},"is_modified":{},"undo":{},"redo":{},"signal":{},"driving_source":{},"values":{},"favourites":{},"locked":{},"moving":{},)",
         json_string(document.look().id),
         json_string(fmt::format("{}", fmt::join(bypassed_keys(document.look().stack), ","))),
         json_string(document.preset_name()), document.is_modified(),
         json_string(document.history().undo_name()), json_string(document.history().redo_name()),
-        json_string(to_string(document.state().signal)), values_text(document),
-        marked_text(document.knobs(), &KnobSetting::is_favourite),
+        json_string(to_string(document.state().signal)), json_string(document.state().source),
+        values_text(document), marked_text(document.knobs(), &KnobSetting::is_favourite),
         marked_text(document.knobs(), &KnobSetting::is_locked), moving_text(lab));
 }
 }  // namespace
@@ -242,7 +242,7 @@ std::string state_text(const Scene& scene, const Edits& edits) {
     const Lab& lab = scene.lab;
     const Extent picture = lab.picture_extent();
     return fmt::format(
-        R"({{{}"turn":{},"panel_ms":{:.3f},"is_behind":{},"is_loading":{},"reading":{},"is_playing":{},"frame":{},"samples":{},"osc":{},"midi":[{},{},{}],"has_converged":{},"time":{:.4f},"shown_share":{:.3f},"picture":[{},{}],"notice":{},"dialog":{},"inspected":{},"wipe":{},"output":{},"probe":{},"problems":{},"widgets":{}}})",
+        R"({{{}"turn":{},"panel_ms":{:.3f},"is_behind":{},"is_loading":{},"reading":{},"is_playing":{},"frame":{},"samples":{},"osc":{},"midi":[{},{},{}],"has_converged":{},"time":{:.4f},"shown_share":{:.3f},"picture":[{},{}],"notice":{},"dialog":{},"inspected":{},"channels":{},"wipe":{},"output":{},"probe":{},"problems":{},"widgets":{}}})",
         lab.document() ? document_text(lab) : std::string(), scene.turn, scene.panel_milliseconds,
         scene.is_behind, lab.is_loading(), json_string(lab.drive().loading()),
         lab.player().is_playing(), lab.player().frame_number(),
@@ -252,6 +252,7 @@ std::string state_text(const Scene& scene, const Edits& edits) {
         lab.player().shown_share(), picture.width, picture.height,
         json_string(lab.notice() ? lab.notice()->text : std::string()),
         static_cast<int>(scene.window.dialog.kind), json_string(scene.window.inspected.pass),
+        static_cast<int>(scene.window.inspected.channels),
         lab.compare_mode() == CompareMode::wipe ? fmt::format("{:.3f}", scene.window.wipe_share)
                                                 : "null",
         json_string(!scene.window.output.is_open   ? "off"

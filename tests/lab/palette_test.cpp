@@ -67,11 +67,11 @@ TEST_CASE("the palette lists what the open look has before the other looks") {
     std::vector<std::string> labels;
     for (const PaletteEntry& entry : palette_entries(&look, shelf()))
         labels.push_back(entry.label + (entry.detail.empty() ? "" : " | " + entry.detail));
-    CHECK(labels == std::vector<std::string>{"Preset: Amber | Phosphor", "Pass: beam",
-                                             "Pass: bloom_x", "Parameter: Exposure bias | Camera",
-                                             "Parameter: Exposure | Camera",
-                                             "Parameter: Bloom | Glass", "Look: CRT",
-                                             "Look: Phosphor", "Preset: Amber | CRT"});
+    CHECK(labels ==
+          std::vector<std::string>{"Preset: Amber | Phosphor", "Pass: beam | Inspect",
+                                   "Pass: bloom_x | Inspect", "Parameter: Exposure bias | Camera",
+                                   "Parameter: Exposure | Camera", "Parameter: Bloom | Glass",
+                                   "Look: CRT", "Look: Phosphor", "Preset: Amber | CRT"});
     CHECK(palette_entries(nullptr, shelf()).size() == 4);  // two looks, a preset each
 }
 

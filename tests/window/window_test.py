@@ -5,6 +5,7 @@ import sys
 import unittest
 from pathlib import Path
 
+from choosing import Choosing
 from comparing import Comparing
 from drawing import Drawing
 from driving import Driving
@@ -23,7 +24,7 @@ class Tuner(Tuning, Keeping, Trying):
     """One person at one window: each test finds the look as it was first."""
 
 
-class Looker(Driving, Drawing, Editing, Looking, Moving, Comparing):
+class Looker(Driving, Drawing, Editing, Looking, Moving, Comparing, Choosing):
     """Another one."""
 
 

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "io/sound_devices.h"
+#include "lab/choice.h"
+#include "model/remote_settings.h"
+#include "model/sound_settings.h"
+
+/// The sound that is played or taken in. `sound_seconds`: of a file that is heard; 0: none.
+struct SoundFacts {
+    SoundSettings settings;
+    std::vector<SoundDevice> devices;
+    double level = 1.0;
+    double place = 0.0;  // s
+    double sound_seconds = 0.0;
+};
+ChoiceList sound_choices(const SoundFacts& facts);
+
+/// What may turn parameters from outside.
+ChoiceList remote_choices(const RemoteSettings& settings, bool hears_osc, bool hears_midi);
+
+inline constexpr std::array sound_rates{0, 44100, 48000, 96000, 192000};
+inline constexpr std::array sound_buffers{128, 256, 512, 1024, 2048, 4096};

@@ -1,0 +1,147 @@
+#include "lab/looking_choices.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace {
+Deed look_into(const TextureChoice& choice) {
+    return [choice](WindowState& window) {
+        window.inspected.look_into(choice);
+        window.shows_inspector = true;
+        window.is_picture_only = false;
+    };
+}
+
+// The passes' own pictures are entries of their own.
+ChoiceList texture_choices(const InspectedParts& parts) {
+    ChoiceList list{"Inspect", ChoiceList::Place::pass};
+    const auto offer = [&](const TextureChoice& choice) {
+        list.choices.push_back({.name = choice.label(),
+                                .deeds = {look_into(choice)},
+                                .is_present = choice == parts.present});
+    };
+    std::ranges::for_each(parts.textures, offer);
+    for (int ago = 1; ago < parts.frames; ++ago) {
+        TextureChoice choice = parts.present;
+        choice.frames_ago = ago;
+        list.choices.push_back({.name = fmt::format("{}, {} frame{} ago", choice.present().label(),
+                                                    ago, ago == 1 ? "" : "s"),
+                                .deeds = {look_into(choice)},
+                                .is_present = choice == parts.present});
+    }
+    for (int level = 1; level < parts.levels; ++level) {
+        TextureChoice choice = parts.present;
+        choice.level = level;
+        offer(choice);
+    }
+    return list;
+}
+
+ChoiceList channel_choices(Channels present) {
+    ChoiceList list{"Channels", ChoiceList::Place::pass};
+    for (const auto& [channels, name] :
+         {std::pair{Channels::color, "Red, green and blue"},
+          std::pair{Channels::red, "Red as grey"}, std::pair{Channels::green, "Green as grey"},
+          std::pair{Channels::blue, "Blue as grey"}, std::pair{Channels::alpha, "Alpha as grey"},
+          std::pair{Channels::luminance, "Luminance as grey"}})
+        list.choices.push_back({.name = name,
+                                .deeds = {[chosen = channels](WindowState& window) {
+                                    window.inspected.channels = chosen;
+                                    window.shows_inspector = true;
+                                }},
+                                .is_present = channels == present});
+    return list;
+}
+
+Choice view_number(const char* name, double present, Limit limit, std::string unit,
+                   void (*set)(PassView& view, double number)) {
+    return {.name = name,
+            .number = AskedNumber{.present = present,
+                                  .unit = std::move(unit),
+                                  .limit = limit,
+                                  .answer = [set](double number) -> Deeds {
+                                      return {[set, number](WindowState& window) {
+                                          set(window.inspected, number);
+                                          window.shows_inspector = true;
+                                      }};
+                                  }}};
+}
+
+ChoiceList level_choices(const PassView& view) {
+    constexpr Limit any{-1e9, 1e9};
+    ChoiceList list{"Inspect"};
+    list.choices = {
+        view_number("Black point…", view.levels.black, any, {},
+                    [](PassView& changed, double number) {
+                        changed.levels = with_black(changed.levels, number);
+                    }),
+        view_number("White point…", view.levels.white, any, {},
+                    [](PassView& changed, double number) {
+                        changed.levels = with_white(changed.levels, number);
+                    }),
+        view_number("Exposure…", view.exposure, {-60.0, 60.0}, "EV",
+                    [](PassView& changed, double number) { changed.exposure = number; })};
+    return list;
+}
+
+Deed override_pass(const std::string& pass, const PassOverride& changed) {
+    return [=](Document& document) { document.set_override(pass, changed); };
+}
+}  // namespace
+
+InspectedParts inspected_parts(const Executor& executor, const PassView& view) {
+    const auto inspected = inspected_texture(executor, view);
+    if (!inspected)
+        return {executor.textures(), {}};
+    return {executor.textures(), inspected->choice, frame_count(executor, inspected->choice),
+            inspected->levels()};
+}
+
+std::vector<ChoiceList> inspector_choices(const InspectedParts& parts, const PassView& view) {
+    return {texture_choices(parts), channel_choices(view.channels), level_choices(view)};
+}
+
+Filter filter_of_pass(const Look& look, const std::string& pass) {
+    for (const Pass& reader : look.passes)
+        for (const Input& input : reader.inputs)
+            if (input.from == Input::From::pass && input.name == pass)
+                return input.sampler.filter;
+    return Filter::linear;
+}
+
+ChoiceList pass_setting_choices(const Document& document, const std::string& pass) {
+    ChoiceList list{"This pass"};
+    const Look drawn = document.drawn_look();
+    const auto place = find_pass(drawn, pass);
+    if (!place)
+        return list;
+    const Pass& shown = drawn.passes[static_cast<std::size_t>(*place)];
+    const PassOverrides& overrides = document.state().overrides;
+    const auto found = overrides.find(pass);
+    const PassOverride present = found == overrides.end() ? PassOverride{} : found->second;
+    const auto offer = [&](std::string name, const PassOverride& changed, bool is_present) {
+        list.choices.push_back({.name = std::move(name),
+                                .deeds = {override_pass(pass, changed)},
+                                .is_present = is_present});
+    };
+    const Side& side = shown.size[0];
+    for (const double scale : pass_scales) {
+        PassOverride changed = present;
+        changed.scale = scale;
+        offer("Size " + times_text(scale), changed,
+              side.by == Side::By::viewport && side.factor == scale);
+    }
+    for (const FormatFacts& facts : all_formats()) {
+        PassOverride changed = present;
+        changed.format = facts.format;
+        offer("Format " + std::string(facts.name), changed, facts.format == shown.format);
+    }
+    for (const Filter filter : {Filter::nearest, Filter::linear}) {
+        PassOverride changed = present;
+        changed.filter = filter;
+        offer(filter == Filter::nearest ? "Read nearest" : "Read linear", changed,
+              filter_of_pass(drawn, pass) == filter);
+    }
+    return list;
+}

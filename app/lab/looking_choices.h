@@ -1,0 +1,41 @@
+#pragma once
+
+#include "lab/choice.h"
+#include "lab/inspected_texture.h"
+#include "lab/lab.h"
+
+/// What the inspector can look into beside the passes themselves: the source, images, former frames
+/// and mip levels.
+struct InspectedParts {
+    std::vector<TextureChoice> textures;
+    TextureChoice present;
+    int frames = 1;  // of `present` that are held
+    int levels = 1;
+};
+InspectedParts inspected_parts(const Executor& executor, const PassView& view);
+
+/// What is looked into, its channels and its numbers.
+std::vector<ChoiceList> inspector_choices(const InspectedParts& parts, const PassView& view);
+
+/// Size, format and filter of a pass; nothing where the look has none of that name.
+ChoiceList pass_setting_choices(const Document& document, const std::string& pass);
+
+/// Size of the picture, zoom, panes, pins, the waveform's line and what else the window holds.
+std::vector<ChoiceList> window_choices(const WindowState& window, const PictureSize& size,
+                                       Extent picture);
+
+/// Keeps four, the first one gives way; and shows them.
+void add_pin(WindowState& window, const Pin& pin);
+
+inline constexpr std::array<Extent, 9> picture_sizes{Extent{320, 240}, {640, 480},   {800, 600},
+                                                     {1024, 1024},     {1280, 720},  {1920, 1080},
+                                                     {2560, 1440},     {3840, 2160}, {1080, 1920}};
+inline constexpr std::array picture_scales{0.25, 0.5, 1.0, 1.5, 2.0};
+inline constexpr std::array picture_zooms{0.25, 0.5, 1.0, 2.0, 3.0, 4.0, 8.0, 16.0};
+inline constexpr std::array pass_scales{0.125, 0.25, 0.5, 1.0, 2.0};
+
+/// "1/4×", "1.5×".
+std::string times_text(double factor);
+
+/// As the first pass reads it that does.
+Filter filter_of_pass(const Look& look, const std::string& pass);

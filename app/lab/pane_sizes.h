@@ -1,0 +1,17 @@
+#pragma once
+
+#include "lab/window_state.h"
+#include "model/parameter.h"
+
+/// A pane that a person may make larger, and within what.
+struct PaneSide {
+    const char* name;     // "Left pane"
+    const char* larger;   // "wider"
+    const char* smaller;  // "narrower"
+    float PaneSizes::*size;
+    Limit limit;  // px at a scale of 1
+};
+const std::array<PaneSide, 5>& pane_sides();
+
+/// Within its limit.
+void resize_pane(PaneSizes& panes, float PaneSizes::*size, float by);

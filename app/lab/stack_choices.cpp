@@ -1,0 +1,90 @@
+#include "lab/stack_choices.h"
+
+#include <algorithm>
+
+namespace {
+using StackChange = std::function<void(Stack& stack, std::size_t part)>;
+
+Deed change_of_stack(const std::string& tag, const std::string& step, const StackChange& change) {
+    return [=](Document& document) {
+        Stack stack = document.state().stack;
+        const auto part = std::ranges::find(stack, tag, &StackPart::tag);
+        if (part == stack.end())
+            return;
+        change(stack, static_cast<std::size_t>(part - stack.begin()));
+        document.set_stack(std::move(stack), step);
+    };
+}
+}  // namespace
+
+Deed bypass_part(const StackPart& part, const std::string& name) {
+    const bool next = !part.is_bypassed;
+    return change_of_stack(
+        part.tag, (next ? "Bypass " : "Draw ") + name,
+        [next](Stack& stack, std::size_t place) { stack[place].is_bypassed = next; });
+}
+
+Deed move_part(const StackPart& part, const std::string& name, int by) {
+    return change_of_stack(part.tag, "Move " + name, [by](Stack& stack, std::size_t place) {
+        const auto other = static_cast<std::size_t>(static_cast<int>(place) + by);
+        if (other < stack.size())
+            std::swap(stack[place], stack[other]);
+    });
+}
+
+Deed remove_part(const StackPart& part, const std::string& name) {
+    return change_of_stack(part.tag, "Remove " + name, [](Stack& left, std::size_t place) {
+        if (left.size() > 1)
+            left.erase(left.begin() + static_cast<std::ptrdiff_t>(place));
+    });
+}
+
+Deed add_part(const ShelfLook& look) {
+    return [entry = look.entry, name = look.name](Document& document) {
+        Stack stack = document.state().stack;
+        stack.push_back({entry.id, entry.folder, free_tag(stack, entry.id)});
+        document.set_stack(std::move(stack), "Add " + name);
+    };
+}
+
+std::vector<std::string> part_names(const Stack& stack, const std::vector<ShelfLook>& looks) {
+    std::vector<std::string> names;
+    const std::vector<std::string> keys = stack_keys(stack);
+    for (std::size_t i = 0; i < stack.size(); ++i) {
+        const auto known = std::ranges::find_if(
+            looks, [&](const ShelfLook& look) { return look.entry.id == stack[i].look; });
+        names.push_back(known == looks.end() ? stack[i].look : known->name);
+        if (const std::size_t copy = keys[i].find('#'); copy != std::string::npos)
+            names.back() += ' ' + keys[i].substr(copy + 1);
+    }
+    return names;
+}
+
+bool is_worth_listing(const Stack& stack) {
+    return stack.size() > 1 || (!stack.empty() && stack.front().is_bypassed);
+}
+
+ChoiceList stack_choices(const Stack& stack, const std::vector<ShelfLook>& looks) {
+    ChoiceList list{"Stack", ChoiceList::Place::edit};
+    for (const ShelfLook& look : looks)
+        if (!look.is_stack())
+            list.choices.push_back(
+                {.name = "Add " + look.name + " behind", .deeds = {add_part(look)}});
+    if (!is_worth_listing(stack))
+        return list;
+    const std::vector<std::string> names = part_names(stack, looks);
+    for (std::size_t i = 0; i < stack.size(); ++i) {
+        const auto offer = [&](const std::string& name, Deed deed, bool is_present = false) {
+            list.choices.push_back(
+                {.name = name, .deeds = {std::move(deed)}, .is_present = is_present});
+        };
+        offer("Bypass " + names[i], bypass_part(stack[i], names[i]), stack[i].is_bypassed);
+        if (i > 0)
+            offer("Draw " + names[i] + " earlier", move_part(stack[i], names[i], -1));
+        if (i + 1 < stack.size())
+            offer("Draw " + names[i] + " later", move_part(stack[i], names[i], 1));
+        if (stack.size() > 1)
+            offer("Remove " + names[i], remove_part(stack[i], names[i]));
+    }
+    return list;
+}

@@ -1,0 +1,57 @@
+"""A person chooses from lists by typing, with the keyboard alone."""
+
+from person import Person
+
+
+class Choosing(Person):
+    def ask(self, words, entry):
+        """Types two words into the palette, and takes what stands there first."""
+        program = self.program
+        program.key("ctrl+p")
+        program.place("palette_query")
+        program.type(words)
+        program.wait("'%s' finds '%s'" % (words, entry), lambda s: "palette:" + entry in s["widgets"])
+        program.key("Return")
+
+    def test_a_signal_and_its_frequency_are_chosen_by_keys(self):
+        program = self.program
+        self.ask("signal two", "Signal: Two-channel waveform")
+        program.wait("it draws", lambda s: s["signal"].startswith("waveform:") and s["undo"] == "Signal")
+        self.ask("wave 2 freq", "Signal: Wave 2 · Frequency…")
+        program.place("asked")
+        self.snapshot("asked")
+        program.type("4.5")
+        program.key("Return")
+        program.wait("its number is taken", lambda s: "f2=4.5" in s["signal"] and s["dialog"] == 0)
+        self.ask("wave 2 freq", "Signal: Wave 2 · Frequency…")
+        program.place("asked")
+        program.type("7")
+        program.key("Escape")
+        program.wait("Escape leaves it", lambda s: s["dialog"] == 0 and "f2=4.5" in s["signal"])
+        program.key("ctrl+z", "ctrl+z")
+        program.wait("undo gives the figure back", lambda s: s["signal"].startswith("lissajous:"))
+
+    def test_a_look_behind_its_source_and_the_inspector_are_chosen_by_keys(self):
+        program = self.program
+        self.ask("pass persist", "Pass: persistence")
+        program.wait("it is looked into", lambda s: s["inspected"] == "persistence")
+        self.ask("inspect ago", "Inspect: persistence, 1 frame ago")
+        program.wait("a frame ago, too", lambda s: s["looks_into"] == "persistence@1")
+        self.ask("green grey", "Channels: Green as grey")
+        program.wait("one channel is seen", lambda s: s["channels"] == 2)
+        self.ask("channels red green", "Channels: Red, green and blue")
+        self.ask("inspect white", "Inspect: White point…")
+        program.place("asked")
+        program.type("4")
+        program.key("Return")
+        program.wait("white is four", lambda s: s["levels"][1] == 4 and s["channels"] == 0)
+        program.key("shift+a")
+        self.ask("pass persist", "Pass: persistence")
+        self.ask("add crt", "Stack: Add CRT behind")
+        program.wait("both looks draw", lambda s: s["look"] == "phosphor+crt" and s["undo"] == "Add CRT")
+        self.ask("remove phos", "Stack: Remove Phosphor")
+        program.wait("the look behind works on a picture alone", lambda s: s["look"] == "crt")
+        self.ask("source smpte", "Source: SMPTE bars")
+        program.wait("it gets bars", lambda s: s["driving_source"] == "pattern:smpte")
+        program.key(*["ctrl+z"] * 3)
+        program.wait("undo gives the look back", lambda s: s["look"] == "phosphor" and not s["is_loading"])
