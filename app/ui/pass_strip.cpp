@@ -138,18 +138,24 @@ void draw_change(const PassChange& change, const ImVec2& low, const ImVec2& high
     list.AddRectFilled(low, {low.x + width, high.y}, theme::packed(theme::accent));
 }
 
+// To the left of that point; gives its width.
+float draw_time(const std::string& time, const ImVec2& right, const Scene& scene) {
+    const ScopedFont font(scene.fonts.numbers);
+    const float width = ImGui::CalcTextSize(time.c_str()).x;
+    ImGui::GetWindowDrawList()->AddText({right.x - width, right.y}, theme::packed(theme::dim),
+                                        time.c_str());
+    return width;
+}
+
 void draw_words(const Cell& cell, const Scene& scene, const ImVec2& at, float width) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float line = ImGui::GetFontSize();
-    const std::string name = cut_to_fit(own_name(cell.pass.name), width);
+    const std::string time = time_text(cell.milliseconds);
+    const float time_width = draw_time(time, {at.x + width, at.y + 1.0f}, scene);
+    const float room = time.empty() ? width : width - time_width - line * 0.6f;
+    const std::string name = cut_to_fit(own_name(cell.pass.name), room);
     list.AddText(at, theme::packed(cell.is_chosen ? theme::accent : theme::text), name.c_str());
     const ScopedFont font(scene.fonts.numbers);
-    const std::string time = time_text(cell.milliseconds);
-    const float time_width = ImGui::CalcTextSize(time.c_str()).x;
-    const float name_width = scene.fonts.text->CalcTextSizeA(line, 10000.0f, 0.0f, name.c_str()).x;
-    if (name_width + time_width < width)
-        list.AddText({at.x + width - time_width, at.y + 1.0f}, theme::packed(theme::dim),
-                     time.c_str());
     const std::string facts = cut_to_fit(facts_text(cell), width);
     list.AddText({at.x, at.y + line * 1.2f}, theme::packed(theme::dim), facts.c_str());
     if (cell.change) {
@@ -169,7 +175,7 @@ void draw_words(const Cell& cell, const Scene& scene, const ImVec2& at, float wi
 float cell_width(const Cell& cell, const Scene& scene, float image_width) {
     const float name = ImGui::CalcTextSize(own_name(cell.pass.name).c_str()).x;
     const ScopedFont font(scene.fonts.numbers);
-    const float time = ImGui::CalcTextSize("00.0 ms").x;
+    const float time = ImGui::CalcTextSize("00.00 ms").x;
     const float facts = ImGui::CalcTextSize(facts_text(cell).c_str()).x;
     return std::max({image_width, name + time + ImGui::GetFontSize() * 0.6f, facts});
 }
