@@ -54,10 +54,16 @@ Choice text_setting(const SettingFacts& setting, const SignalKind& kind, const S
                               }}};
 }
 
+// A drawing begins at once, whatever file it may also be taken from.
+std::string name_of_kind(const SignalKind& kind) {
+    const bool asks = !kind.file_setting.empty() && kind.kind != "drawing";
+    return kind.label + (asks ? "…" : "");
+}
+
 ChoiceList kind_choices(const std::string& present) {
     ChoiceList list{"Signal", ChoiceList::Place::edit};
     for (const SignalKind& kind : signal_kinds())
-        list.choices.push_back({.name = kind.label + (kind.file_setting.empty() ? "" : "…"),
+        list.choices.push_back({.name = name_of_kind(kind),
                                 .deeds = {deed_for(kind)},
                                 .is_present = kind.kind == present});
     return list;

@@ -75,7 +75,8 @@ TEST_CASE("every kind of signal is chosen by its name, as one step of undo") {
     const auto lists = signal_choices(document);
     CHECK(lists.front().choices.size() == signal_kinds().size());
     for (const SignalKind& kind : signal_kinds()) {
-        const std::string name = kind.label + (kind.file_setting.empty() ? "" : "…");
+        const std::string name =
+            kind.label + (kind.kind == "audio" || kind.kind == "scene" ? "…" : "");
         CHECK(choice_of(lists, "Signal: " + name).is_present == (kind.kind == "lissajous"));
     }
     take(choice_of(lists, "Signal: " + find_kind("waveform")->label).deeds, document);
