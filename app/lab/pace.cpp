@@ -15,8 +15,15 @@ void Pace::add(double wall_seconds) {
 void Pace::expect(double wall_seconds, bool is_due) {
     constexpr double late = 1.1 / 30.0;  // a display's own frames are not quite even
     constexpr double most = 0.5;         // one long wait is no slow picture
-    if (!is_due || wall_seconds <= late)
+    if (!is_due || wall_seconds <= late) {
         m_slow_seconds = 0.0;
-    else
-        m_slow_seconds += std::min(wall_seconds, most);
+        return;
+    }
+    const double milliseconds = 1e3 * std::min(wall_seconds, most);
+    constexpr double smoothing = 1.0 / 8.0;  // few frames come in two seconds
+    m_slow_milliseconds =
+        m_slow_seconds == 0.0
+            ? milliseconds
+            : m_slow_milliseconds + smoothing * (milliseconds - m_slow_milliseconds);
+    m_slow_seconds += std::min(wall_seconds, most);
 }

@@ -62,7 +62,9 @@ void draw_half_size_offer(const Scene& scene, Edits& edits) {
     constexpr double smallest = 0.25;
     PictureSize half = scene.lab.picture_size();
     half.scale *= 0.5;
-    if (!scene.pace.is_slow() || half.scale < smallest)
+    const Renderer* renderer = scene.lab.renderer();
+    const double passes = renderer ? renderer->pass_times().present_total() : 0.0;
+    if (!scene.pace.is_slow_by_passes(passes) || half.scale < smallest)
         return;
     ImGui::SameLine();
     {
@@ -75,8 +77,8 @@ void draw_half_size_offer(const Scene& scene, Edits& edits) {
     }
     edits.mark("half_size");
     tooltip(
-        "For two seconds no frame has come within 1/30 s. A quarter of the pixels is drawn "
-        "about four times as fast.");
+        "For two seconds no frame has come within 1/30 s, and the passes take most of its time. A "
+        "quarter of the pixels is drawn about four times as fast.");
 }
 
 bool is_over_budget(const Scene& scene) {

@@ -26,3 +26,20 @@ TEST_CASE("what rests, is capped, or waited once is not slow") {
     CHECK_FALSE(FrameRate{.cap = 30.0}.wants_30(144.0));
     CHECK_FALSE(FrameRate{.cap = 0.0}.wants_30(24.0));
 }
+
+TEST_CASE("half the size is offered only where the passes take half of a slow frame") {
+    Pace pace;
+    for (int frame = 0; frame < 39; ++frame)
+        pace.expect(0.05, true);
+    CHECK_FALSE(pace.is_slow_by_passes(45.0));  // not yet two seconds
+    for (int frame = 0; frame < 3; ++frame)
+        pace.expect(0.05, true);
+    CHECK(pace.is_slow_by_passes(45.0));
+    CHECK(pace.is_slow_by_passes(25.1));  // of 50 ms
+    CHECK_FALSE(pace.is_slow_by_passes(24.9));
+    CHECK_FALSE(pace.is_slow_by_passes(0.0));  // the driver tells no times
+    for (int frame = 0; frame < 40; ++frame)
+        pace.expect(0.2, true);
+    CHECK_FALSE(pace.is_slow_by_passes(45.0));  // now the rest takes more
+    CHECK(pace.is_slow_by_passes(120.0));
+}
