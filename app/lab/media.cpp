@@ -6,6 +6,7 @@
 #include "io/file_digest.h"
 #include "io/picture_sequence.h"
 #include "io/video_file.h"
+#include "lab/file_stamp.h"
 #include "model/source_spec.h"
 #include "signals/kinds.h"
 
@@ -55,14 +56,6 @@ std::string digest_of_media(const fs::path& file) {
     if (is_video_file(file) || is_sequence_name(file))
         return {};
     return file_digest(file).value_or(std::string());
-}
-
-// Changes when the file does; "" when it cannot be read.
-std::string stamp_of(const fs::path& file) {
-    std::error_code error;
-    const auto size = fs::file_size(file, error);
-    const auto time = fs::last_write_time(file, error).time_since_epoch().count();
-    return error ? std::string() : std::to_string(size) + " " + std::to_string(time);
 }
 }  // namespace
 

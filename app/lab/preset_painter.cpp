@@ -7,6 +7,7 @@
 #include "gpu/readback.h"
 #include "io/picture_file.h"
 #include "lab/drive.h"
+#include "lab/file_stamp.h"
 #include "lab/small_picture.h"
 #include "signals/kinds.h"
 
@@ -56,6 +57,20 @@ int frames_of(const Look& look) {
     return std::clamp(look.settle_frames / 2, 12, 24);
 }
 
+// What drives it, and what its parameters choose.
+std::vector<fs::path> files_named_in(const Document& document) {
+    std::vector<fs::path> files;
+    const auto source = parse_source(document.state().source);
+    const bool is_pattern =
+        document.look().driven_by == Driver::picture && source && source->is_pattern();
+    if (const std::string file = driving_file(document); !file.empty() && !is_pattern)
+        files.emplace_back(file);
+    for (const auto& [name, value] : document.values())
+        if (!value.path.empty())
+            files.emplace_back(value.path);
+    return files;
+}
+
 bool has_samples(const Executor& executor) {
     const auto samples = executor.samples();
     return !samples || samples->held >= samples->enough.value_or(0);
@@ -83,8 +98,8 @@ PresetPainter::PresetPainter(Look look, Library library)
 
 fs::path PresetPainter::kept_file(const fs::path& preset) const {
     const std::string drawn_from = preset.empty() ? "" : read_text(preset).value_or(std::string());
-    const std::string all = fmt::format("1 {}x{}\n{}\n{}\n{}", drawn_size.width, kept_lines,
-                                        m_plain.look().id, m_look_text, drawn_from);
+    const std::string all = fmt::format("2 {}x{}\n{}\n{}\n{}\n{}", drawn_size.width, kept_lines,
+                                        m_plain.look().id, m_look_text, drawn_from, m_stamp);
     return m_library.roots().state / "preset-pictures" / fmt::format("{:016x}.png", digest_of(all));
 }
 
@@ -150,14 +165,18 @@ Result<Picture> PresetPainter::draw(Prepared prepared, const Work& work) {
 }
 
 Result<Picture> PresetPainter::paint(const fs::path& preset, const Work& work) {
+    m_named.clear();
+    m_stamp.clear();
+    auto made = prepared(preset);
+    if (!made)
+        return fail(made.error());
+    m_named = files_named_in(made->document);
+    m_stamp = stamp_of(m_named);
     const fs::path file = kept_file(preset);
     std::error_code error;
     if (fs::exists(file, error))
         if (auto kept = load_picture(file))
             return kept;
-    auto made = prepared(preset);
-    if (!made)
-        return fail(made.error());
     auto picture = draw(std::move(*made), work);
     if (!picture)
         return picture;

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 /// Draws small pictures of the presets of one look, each from a fresh start as `render` does, with
 /// what drives it. What has been drawn is kept in a folder of the person's, by what it was drawn
@@ -20,6 +21,10 @@ public:
     /// the window has most of the machine. Fails where the preset cannot be opened or drawn, and
     /// when it is cancelled.
     Result<Picture> paint(const std::filesystem::path& preset, const Work& work);
+    /// The sounds and pictures that the last preset names, there or not.
+    const std::vector<std::filesystem::path>& named_files() const { return m_named; }
+    /// Of these, before it was drawn.
+    const std::string& stamp() const { return m_stamp; }
 
     /// How many were drawn, and not found as they were kept.
     int drawn() const { return m_drawn; }
@@ -35,5 +40,7 @@ private:
     std::string m_look_text;           // all that the look was read from
     std::optional<Offline> m_offline;  // owns the context, so it goes last
     std::optional<Viewer> m_viewer;
+    std::vector<std::filesystem::path> m_named;
+    std::string m_stamp;
     int m_drawn = 0;
 };

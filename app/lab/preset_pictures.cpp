@@ -1,6 +1,7 @@
 #include "lab/preset_pictures.h"
 
 #include "gpu/texels.h"
+#include "lab/file_stamp.h"
 #include "lab/lab.h"
 #include "lab/preset_painter.h"
 
@@ -25,6 +26,8 @@ struct PresetPictures::Basket {
         fs::path preset;
         fs::file_time_type written;  // when it was asked for
         Result<Picture> picture;
+        std::vector<fs::path> named;
+        std::string stamp;
         int drawn = 0;
     };
 
@@ -73,7 +76,8 @@ void PresetPictures::list(const Lab& lab) {
         Entry& entry = listed[file];
         if (const auto known = m_entries.find(file); known != m_entries.end())
             entry = std::move(known->second);
-        entry.is_due = entry.is_due || is_edited || entry.written != written;
+        entry.is_due = entry.is_due || is_edited || entry.written != written ||
+                       stamp_of(entry.named) != entry.stamp;
         entry.written = written;
     };
     add({}, {});
@@ -99,6 +103,8 @@ void PresetPictures::take_one() {
         return;
     Entry& entry = found->second;
     entry.is_due = false;
+    entry.named = std::move(painted->named);
+    entry.stamp = std::move(painted->stamp);
     entry.problem.clear();
     entry.picture.reset();
     if (!painted->picture) {
@@ -132,8 +138,8 @@ void PresetPictures::start(const Lab& lab) {
                 return true;
             {
                 const std::lock_guard lock(basket->mutex);
-                basket->painted.push_back(
-                    {file, written, std::move(picture), painter.drawn() - before});
+                basket->painted.push_back({file, written, std::move(picture), painter.named_files(),
+                                           painter.stamp(), painter.drawn() - before});
             }
             if (wake)
                 wake();

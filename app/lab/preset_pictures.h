@@ -44,6 +44,8 @@ private:
     struct Basket;
     struct Entry {
         std::filesystem::file_time_type written;
+        std::vector<std::filesystem::path> named;  // sounds and pictures that it was drawn with
+        std::string stamp;                         // of these, then
         std::optional<gpu::Texture> picture;
         std::string problem;
         bool is_due = true;

@@ -37,6 +37,19 @@ public:
     }
 };
 
+// A look that shows the picture it works on.
+const std::string showing_a_source = R"({
+  "format": "afterglow-look", "version": 1, "name": "Small", "driven_by": "picture",
+  "default_source": "pattern:white", "source_encoding": "linear", "settle_frames": 1,
+  "passes": [{ "name": "show", "fragment": "show.frag", "format": "rgba32f", "inputs": { "image": "source" } }]
+})";
+
+// As an editor saves it: another file takes its place.
+void save_grey(const std::filesystem::path& file, float level) {
+    const Picture grey{{4, 4}, 3, Encoding::linear, std::vector<float>(48, level)};
+    REQUIRE(save_picture(grey, file).has_value());
+}
+
 // On a thread of its own, as each has one current context.
 Result<Picture> painted(const SmallLab& small, const std::filesystem::path& file, int* drawn) {
     return std::async(std::launch::async,
@@ -119,4 +132,39 @@ TEST_CASE("pictures come while somebody looks; a broken preset says why it has n
     CHECK(pictures.of(broken).problem.empty());
     CHECK(pictures.of({}).image.handle == handle);  // the others stayed
     CHECK(pictures.drawn() == 3);
+}
+
+TEST_CASE("a preset's picture follows the file that the preset names") {
+    SmallLab small(showing_a_source);
+    const auto grey = small.folder() / "grey.exr";
+    save_grey(grey, 0.08f);
+    Preset preset;
+    preset.look = "small";
+    preset.name = "grey";
+    preset.source = grey.string();
+    const auto file = small.folder() / "presets" / "small" / "grey.json";
+    REQUIRE(save_preset(file, preset).has_value());
+    int drawn = 0;
+    CHECK(std::abs(painted(small, file, &drawn)->pixels[0] * 255.0f - 20.4f) <= 0.5f);
+    painted(small, file, &drawn);
+    CHECK(drawn == 1);
+    PresetPictures pictures;
+    const auto look = [&] {
+        REQUIRE(small.turn_until([&] {
+            pictures.update(small.lab(), true, 1.0);
+            return !pictures.of(file).is_due && !pictures.of({}).is_due;
+        }));
+    };
+    look();
+    CHECK(pictures.drawn() == 1);  // the look as it is
+    save_grey(grey, 0.5f);
+    std::filesystem::last_write_time(
+        grey, std::filesystem::last_write_time(grey) + std::chrono::seconds(2));
+    pictures.update(small.lab(), true, 1.0);
+    CHECK(pictures.of(file).is_due);
+    CHECK_FALSE(pictures.of({}).is_due);
+    look();
+    CHECK(pictures.drawn() == 2);
+    CHECK(std::abs(painted(small, file, &drawn)->pixels[0] * 255.0f - 127.5f) <= 0.5f);
+    CHECK(drawn == 1);  // it was kept
 }
