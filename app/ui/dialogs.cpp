@@ -128,13 +128,18 @@ void draw_unsaved_dialog(const Scene& scene, Edits& edits) {
         close_dialog(edits);
     edits.mark("dialog_cancel");
     ImGui::SameLine();
-    if (ImGui::Button("Discard", {width, 0.0f}))
+    if (ImGui::Button("Discard (D)", {width, 0.0f}) || ImGui::IsKeyPressed('D', false))
         open_next(scene, edits);
     edits.mark("dialog_discard");
     ImGui::SameLine();
     const ScopedColor color(ImGuiCol_Button, theme::accent_filled);
-    if (ImGui::Button(preset.empty() ? "Save as…" : "Save", {width, 0.0f}))
+    const bool is_entered = ImGui::IsKeyPressed(gpu::key::enter, false) ||
+                            ImGui::IsKeyPressed(gpu::key::pad_enter, false);
+    if (ImGui::Button(preset.empty() ? "Save as…" : "Save", {width, 0.0f}) ||
+        (is_entered && !scene.window.dialog.is_new))
         save_then_open(scene, edits);
+    if (scene.window.dialog.is_new)  // Enter may have chosen the other look just now
+        edits.arrange([](WindowState& window) { window.dialog.is_new = false; });
     edits.mark("dialog_ok");
 }
 

@@ -30,6 +30,12 @@ class Choosing(Person):
         program.wait("Escape leaves it", lambda s: s["dialog"] == 0 and "f2=4.5" in s["signal"])
         program.key("ctrl+z", "ctrl+z")
         program.wait("undo gives the figure back", lambda s: s["signal"].startswith("lissajous:"))
+        program.key("ctrl+shift+z")
+        program.wait("and redo the waves", lambda s: s["signal"].startswith("waveform:"))
+        self.ask("look crt", "Look: CRT")
+        program.place("dialog_discard")
+        program.key("d")
+        program.wait("D discards the change, and the look opens", lambda s: s["look"] == "crt" and s["dialog"] == 0)
 
     def test_a_look_behind_its_source_and_the_inspector_are_chosen_by_keys(self):
         program = self.program
