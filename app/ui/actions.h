@@ -60,6 +60,7 @@ enum class ActionId {
     difference,
     next_measure,
     equal_brightness,
+    fit_gain,
     with_article,
     with_file,
     keep_a,
@@ -126,6 +127,7 @@ enum class ActionId {
     turn_down,
     type_knob,
     reset_knob,
+    copy_knob_name,
     keys,
     about,
 };

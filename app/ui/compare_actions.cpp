@@ -87,6 +87,15 @@ bool is_other(const Scene& scene) {
     return is_compared(scene, {Other::Kind::slot, slot});
 }
 
+bool can_fit_gain(const Scene& scene) {
+    return compare_actions::fitting_gain(scene).has_value();
+}
+
+void fit_gain(const Scene& scene, Edits& edits) {
+    compare_actions::choose(edits, [gain = *compare_actions::fitting_gain(scene)](
+                                       Comparison& comparison) { comparison.gain_stops = gain; });
+}
+
 void compare_with_article(const Scene&, Edits& edits) {
     edits.add([](Lab& lab) { lab.compare_with({}); });
 }
@@ -132,6 +141,7 @@ std::vector<Action> seeing_actions() {
                is_seen<Mode::difference>),
         action(Id::next_measure, "Difference: absolute, relative, squared", {'M', false, true},
                next_measure, nullptr),
+        action(Id::fit_gain, "Largest difference as white", {}, fit_gain, nullptr),
         action(Id::equal_brightness, "Equal brightness", {'B'}, toggle_brightness,
                has_equal_brightness),
         action(Id::with_article, "Compare with the article's own picture", {f5 + 3, true},
@@ -139,7 +149,8 @@ std::vector<Action> seeing_actions() {
         action(Id::with_file, "Compare with a picture from a file…", {f5 + 4, true},
                choose_reference, is_file_other)};
     actions[0].let_go = end_flash;
-    actions[5].is_first = actions[6].is_first = true;
+    actions[5].is_enabled = can_fit_gain;
+    actions[6].is_first = actions[7].is_first = true;
     return actions;
 }
 }  // namespace

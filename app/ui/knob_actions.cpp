@@ -32,9 +32,17 @@ void go(const Scene& scene, Edits& edits) {
     });
 }
 
+// Held down it is on, as with the mouse.
+bool is_trigger(const Scene& scene) {
+    const Parameter* parameter = knob_in_hand(scene);
+    return parameter && parameter->control == Control::event;
+}
+
 template <bool is_up>
 void turn(const Scene& scene, Edits& edits) {
     const Document& document = *scene.lab.document();
+    if (is_trigger(scene))
+        return edits.set(scene.window.revealed.parameter, Value(1.0));
     const Parameter parameter = with_ends(
         *knob_in_hand(scene), setting_of(scene.window.revealed.parameter, document.knobs()));
     const auto next =
@@ -48,6 +56,8 @@ void turn(const Scene& scene, Edits& edits) {
 }
 
 void let_go(const Scene& scene, Edits& edits) {
+    if (is_trigger(scene) && scene.lab.document()->value(*knob_in_hand(scene)).number() != 0.0)
+        edits.set(scene.window.revealed.parameter, Value(0.0));
     if (has_knob(scene))
         edits.finish();
 }
@@ -59,6 +69,10 @@ void type(const Scene&, Edits& edits) {
 void reset(const Scene& scene, Edits& edits) {
     edits.document(
         [name = scene.window.revealed.parameter](Document& document) { document.reset({name}); });
+}
+
+void copy_name(const Scene& scene, Edits& edits) {
+    edits.copy(scene.window.revealed.parameter);
 }
 
 Action turning(ActionId id, const char* label, int key, void (*act)(const Scene&, Edits&)) {
@@ -89,5 +103,6 @@ std::vector<Action> knob_actions::list() {
         turning(ActionId::turn_down, "Turn down by a step", key::left, turn<false>),
         {ActionId::type_knob, Menu::knob, "Type its number", {key::enter}, false, type, has_knob},
         {ActionId::reset_knob, Menu::knob, "Reset it", {key::backspace}, false, reset, has_knob},
+        {ActionId::copy_knob_name, Menu::knob, "Copy its name", {}, false, copy_name, has_knob},
     };
 }

@@ -68,6 +68,10 @@ const char* why_not(const Action& action, const Scene& scene) {
             return "no parameter is chosen: the keys Down and Up choose one";
         case ActionId::save_moves:
             return "no moves are recorded";
+        case ActionId::fit_gain:
+            return "no difference is shown";
+        case ActionId::copy_knob_name:
+            return "no parameter is chosen: the keys Down and Up choose one";
         case ActionId::fit_levels:
             return "the inspector is closed, or has not measured yet";
         case ActionId::pin:
