@@ -145,7 +145,7 @@ std::vector<Item> listed_names(std::string_view body, int low, int high) {
     std::vector<std::string_view> pieces = split(body, separator);
     for (std::string_view& piece : pieces)
         piece = trim(piece);
-    if (pieces.size() != static_cast<std::size_t>(high - low + 1))
+    if (static_cast<int>(pieces.size()) != high - low + 1)
         return {};
     const bool is_named = std::ranges::all_of(pieces, [](std::string_view piece) {
         return !piece.empty() && piece.size() <= longest_name;

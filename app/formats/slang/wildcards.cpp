@@ -52,13 +52,13 @@ fs::path find_slang_file(std::string_view written, const fs::path& from, const f
                          SlangFiles& files) {
     const std::string replaced = with_wildcards_replaced(written, opened);
     if (replaced != written) {
-        const fs::path file = path_beside(from, replaced);
+        fs::path file = path_beside(from, replaced);
         files.note(file);
         std::error_code unknown;
         if (fs::exists(file, unknown))
             return file;
     }
-    const fs::path file = path_beside(from, written);
+    fs::path file = path_beside(from, written);
     files.note(file);
     return file;
 }
