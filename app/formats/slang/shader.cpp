@@ -125,7 +125,7 @@ private:
     }
 
     void add_parameter(const SlangPiece& piece) {
-        const std::size_t index =
+        const auto index =
             static_cast<std::size_t>(piece.directive - piece.text->directives.data());
         if (const auto& parameter = piece.text->parameters[index])
             m_declared.push_back(parameter);

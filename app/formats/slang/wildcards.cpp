@@ -1,6 +1,7 @@
 #include "formats/slang/wildcards.h"
 
 #include <array>
+#include <optional>
 #include <utility>
 
 namespace fs = std::filesystem;
