@@ -14,10 +14,9 @@ bool is_good(const std::string& argument, const Library& library) {
     warn(prepared->warnings);
     const Look& look = prepared->document.look();
     const Diagnostics media = check_media(look);
-    if (!media.empty()) {
-        report(media);
+    report(media);
+    if (has_errors(media))
         return false;
-    }
     std::cout << argument << ": good, " << look.passes.size() << " passes, "
               << look.parameters.size() << " parameters\n";
     return true;

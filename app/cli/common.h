@@ -65,3 +65,4 @@ Command add_sheet(CommandLine& program);
 Command add_sweep(CommandLine& program);
 Command add_impulse(CommandLine& program);
 Command add_signal(CommandLine& program);
+Command add_corpus(CommandLine& program);

@@ -82,6 +82,7 @@ Result<Look> read_look(const fs::path& manifest, const fs::path& shared, CheckCa
     Diagnostics problems = load_stages(*look, shared, loaded.files);
     if (!problems.empty())
         return fail(std::move(problems));
+    loaded.is_parsed = true;
     auto parameters = find_parameters(*look, cache, loaded.warnings);
     if (!parameters)
         return fail(std::move(parameters.error()));

@@ -14,6 +14,7 @@ struct LoadedLook {
     std::vector<std::filesystem::path>
         files;  // read, or missed: what a watcher watches, also on failure
     Diagnostics warnings;
+    bool is_parsed = false;  // its texts were read, whatever glslang said of them
 };
 
 /// The look.json of a look that is named by its folder or by that file.

@@ -29,6 +29,7 @@ LoadedLook load_stack(Stack stack, const fs::path& shared_includes, CheckCache* 
     std::map<fs::path, LoadedLook> read;
     std::vector<Look> looks;
     LoadedLook whole;
+    whole.is_parsed = true;
     Diagnostics errors;
     for (const StackPart& part : stack) {
         const bool is_new = !read.contains(part.place);
@@ -42,6 +43,7 @@ LoadedLook load_stack(Stack stack, const fs::path& shared_includes, CheckCache* 
         if (!loaded.look)
             append(errors, loaded.look.error());
         append(whole.warnings, loaded.warnings);
+        whole.is_parsed = whole.is_parsed && loaded.is_parsed;
         for (const fs::path& file : loaded.files)
             if (std::ranges::find(whole.files, file) == whole.files.end())
                 whole.files.push_back(file);

@@ -2,11 +2,14 @@
 
 #include "base/text.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>
+#include <poll.h>
 #include <spawn.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
@@ -108,6 +111,30 @@ std::string ChildProcess::read_all(std::size_t most) {
     std::string text(most, '\0');
     text.resize(read(text.data(), most));
     return text;
+}
+
+std::optional<std::string> ChildProcess::read_all_within(double seconds, std::size_t most) {
+    using Clock = std::chrono::steady_clock;
+    const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+    std::string text;
+    std::array<char, 4096> piece{};
+    for (;;) {
+        const auto left =
+            std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
+        pollfd waits{m_output.get(), POLLIN, 0};
+        const int ready = ::poll(&waits, 1, static_cast<int>(std::clamp<long>(left, 0, 1 << 30)));
+        if (ready < 0 && errno == EINTR)
+            continue;
+        if (ready <= 0)
+            return std::nullopt;
+        const ssize_t got =
+            ::read(m_output.get(), piece.data(), std::min(piece.size(), most - text.size()));
+        if (got < 0 && errno == EINTR)
+            continue;
+        if (got <= 0)
+            return text;
+        text.append(piece.data(), static_cast<std::size_t>(got));
+    }
 }
 
 bool ChildProcess::finish() {

@@ -3,6 +3,7 @@
 #include "base/diagnostic.h"
 #include "io/descriptor.h"
 
+#include <optional>
 #include <string>
 #include <sys/types.h>
 #include <vector>
@@ -22,6 +23,8 @@ public:
     std::size_t read(char* bytes, std::size_t size);
     /// All that is left of its output, at most `most` bytes.
     std::string read_all(std::size_t most);
+    /// The same, but nothing where its output has not ended within so many seconds.
+    std::optional<std::string> read_all_within(double seconds, std::size_t most);
     /// Waits for its end; true when it was satisfied.
     bool finish();
     /// What it has said on stderr so far: the first line.

@@ -37,6 +37,7 @@ public:
     }
 
     Diagnostics problems;
+    bool is_parsed = true;
 
 private:
     struct Read {
@@ -48,6 +49,7 @@ private:
         auto shader = read_slang_shader(file, m_files);
         if (!shader) {
             add_unknown(problems, shader.error());
+            is_parsed = false;
             return std::nullopt;
         }
         auto translation = m_cache ? m_cache->translate(shader->vertex, shader->fragment)
@@ -64,7 +66,8 @@ private:
     std::map<fs::path, std::optional<Read>> m_known;
 };
 
-Result<WholeChain> read_chain(const fs::path& file, SlangFiles& files, CheckCache* cache) {
+Result<WholeChain> read_chain(const fs::path& file, SlangFiles& files, CheckCache* cache,
+                              bool& is_parsed) {
     WholeChain chain;
     if (is_alone(file)) {
         chain.preset = slang_preset_of(file);
@@ -77,6 +80,7 @@ Result<WholeChain> read_chain(const fs::path& file, SlangFiles& files, CheckCach
     ChainLoader reader(files, cache);
     for (const SlangPass& pass : chain.preset.passes)
         reader.read(pass.shader, chain);
+    is_parsed = reader.is_parsed;
     if (!reader.problems.empty())
         return fail(std::move(reader.problems));
     return chain;
@@ -90,15 +94,15 @@ bool reads_the_past(const Look& look) {
 }
 
 Result<Look> read_look_of(const fs::path& file, SlangFiles& files, CheckCache* cache,
-                          Diagnostics& warnings) {
+                          LoadedLook& loaded) {
     constexpr int frames_of_a_past = 60;
-    const auto chain = read_chain(file, files, cache);
+    const auto chain = read_chain(file, files, cache, loaded.is_parsed);
     if (!chain)
         return fail(chain.error());
-    add_unknown(warnings, chain->preset.warnings);
+    add_unknown(loaded.warnings, chain->preset.warnings);
     for (const SlangShader& shader : chain->shaders)
-        add_unknown(warnings, shader.warnings);
-    auto look = look_of_chain(*chain, {}, warnings);
+        add_unknown(loaded.warnings, shader.warnings);
+    auto look = look_of_chain(*chain, {}, loaded.warnings);
     if (!look)
         return look;
     look->id = file.filename().string();
@@ -121,7 +125,7 @@ bool is_slang_file(const fs::path& file) {
 LoadedLook load_slang_look(const fs::path& file, CheckCache* cache) {
     SlangFiles files;
     LoadedLook loaded;
-    loaded.look = read_look_of(file, files, cache, loaded.warnings);
+    loaded.look = read_look_of(file, files, cache, loaded);
     loaded.files = files.seen();
     if (std::ranges::find(loaded.files, file) == loaded.files.end())
         loaded.files.push_back(file);
