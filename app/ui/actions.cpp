@@ -283,12 +283,21 @@ std::string chord_text(const Chord& chord) {
     return text + static_cast<char>(chord.key);
 }
 
-std::string help_of(ActionId id) {
+namespace {
+const Action& action_of(ActionId id) {
     const auto& actions = all_actions();
-    const auto found = std::find_if(actions.begin(), actions.end(),
-                                    [id](const Action& action) { return action.id == id; });
-    const std::string keys = chord_text(found->chord);
-    return found->label + (keys.empty() ? "" : " (" + keys + ")");
+    return *std::find_if(actions.begin(), actions.end(),
+                         [id](const Action& action) { return action.id == id; });
+}
+}  // namespace
+
+std::string key_of(ActionId id) {
+    return chord_text(action_of(id).chord);
+}
+
+std::string help_of(ActionId id) {
+    const std::string keys = key_of(id);
+    return action_of(id).label + (keys.empty() ? "" : " (" + keys + ")");
 }
 
 std::string label_of(const Action& action, const Scene& scene) {

@@ -164,6 +164,8 @@ void run(ActionId id, const Scene& scene, Edits& edits);
 std::string help_of(ActionId id);
 /// "Ctrl+Shift+S"; "" for none.
 std::string chord_text(const Chord& chord);
+/// The same of an action: "F4".
+std::string key_of(ActionId id);
 /// With what it is about now: "Undo Decay".
 std::string label_of(const Action& action, const Scene& scene);
 

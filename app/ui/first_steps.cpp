@@ -1,9 +1,12 @@
 #include "ui/first_steps.h"
 
+#include "ui/actions.h"
 #include "ui/icons.h"
 #include "ui/scoped.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
+
+#include <fmt/format.h>
 
 namespace {
 // A ring, filled once it is done.
@@ -20,7 +23,7 @@ void draw_tick(bool is_done) {
     ImGui::SameLine(0.0f, size * 0.6f);
 }
 
-void draw_step(bool is_done, const char* what, const char* how) {
+void draw_step(bool is_done, const char* what, const std::string& how) {
     draw_tick(is_done);
     ImGui::BeginGroup();
     {
@@ -77,8 +80,10 @@ void draw_first_steps(const Scene& scene, Edits& edits) {
     draw_step(steps.has_turned, "Turn something", "Drag a slider on the right.");
     draw_step(steps.has_driven, "Put in your own", "Drop a sound, a picture or a preset here.");
     draw_step(steps.has_looked, "Look inside",
-              "Click a pass below; E opens its shader in your editor.");
-    wrapped_dim_text("Ctrl+P finds everything, F1 lists the keys.");
+              fmt::format("Click a pass below; {} opens its shader in your editor.",
+                          key_of(ActionId::edit_pass)));
+    wrapped_dim_text(fmt::format("{} finds everything, {} lists the keys.",
+                                 key_of(ActionId::palette), key_of(ActionId::keys)));
     height = ImGui::GetCursorPosY() + letter * 0.4f;
     ImGui::EndChild();
     edits.mark("first_steps");

@@ -94,7 +94,7 @@ void draw_keys_dialog(const Scene& scene, Edits& edits) {
 }
 
 void draw_about_dialog(const Scene& scene, Edits& edits) {
-    const DialogFrame frame("Afterglow", 32.0f, scene, edits);
+    const DialogFrame frame("About Afterglow", 32.0f, scene, edits);
     if (!frame.is_open())
         return;
     ImGui::TextWrapped(

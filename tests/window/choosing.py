@@ -61,3 +61,28 @@ class Choosing(Person):
         program.wait("it gets bars", lambda s: s["driving_source"] == "pattern:smpte")
         program.key(*["ctrl+z"] * 3)
         program.wait("undo gives the look back", lambda s: s["look"] == "phosphor" and not s["is_loading"])
+
+    def test_every_menu_and_all_that_asks_in_a_window_of_its_own_opens(self):
+        program = self.program
+        program.click("preset:overdriven")
+        program.wait("it is open, and can be renamed", lambda s: s["preset"] == "overdriven")
+        asking = {}
+        for menu in ("File", "Edit", "View", "Compare", "Pass", "Playback", "Help"):
+            before = {name for name in program.state()["widgets"] if name.startswith("menu:")}
+            program.click("menu:" + menu)
+            program.place("menu:" + {"File": "Quit", "Edit": "Undo", "View": "Zoom 1:1", "Compare": "Wipe",
+                                     "Pass": "Next pass", "Playback": "Restart", "Help": "Keys"}[menu])
+            there = {name for name in program.state()["widgets"] if name.startswith("menu:")} - before
+            asking[menu] = sorted(name[5:] for name in there if name.endswith("…") or menu == "Help")
+            asking[menu] = [name for name in asking[menu] if name != "Save the moves…"]  # there are none
+            program.key("Escape")
+            program.wait("the menu is closed", lambda s: not there & set(s["widgets"]))
+        for menu, actions in asking.items():
+            for action in actions:
+                with self.subTest(action):
+                    program.choose(menu, action)
+                    program.wait("it asks", lambda s: s["dialog"])
+                    turn = program.state()["turn"]
+                    program.wait("it is drawn", lambda s: s["turn"] > turn + 1)
+                    program.key("Escape")
+                    program.wait("Escape leaves it", lambda s: s["dialog"] == 0)
