@@ -241,6 +241,20 @@ void Player::seek(double seconds) {
         play_beam();  // its signal has another beginning, too
 }
 
+void Player::seek_with_past(double seconds, std::size_t frames) {
+    constexpr double span = 1.0 / 60.0;
+    seek(seconds);
+    const auto since_start = static_cast<std::int64_t>(m_time / span);
+    const auto most = static_cast<std::int64_t>(std::min(frames, frames_remembered));
+    const std::int64_t count = std::min(since_start, most);
+    m_past.clear();
+    m_frame = since_start - count;
+    for (std::int64_t left = count; left > 0; --left) {
+        const auto ago = static_cast<double>(left) * span;
+        m_past.push_back({++m_frame, {m_time - ago, m_time - ago + span}});
+    }
+}
+
 void Player::go_back_to(std::int64_t frame) {
     if (m_past.empty() || frame < m_past.front().number || frame > m_past.back().number)
         return;

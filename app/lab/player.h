@@ -73,6 +73,8 @@ public:
     void pause();
     void restart();
     void seek(double seconds);
+    /// As seek(), and as if up to so many frames had been shown before: there is a past to show.
+    void seek_with_past(double seconds, std::size_t frames);
     void set_speed(double speed);  // 0.01 .. 4
     void set_level(double level);  // 0 .. 2, of the loudspeaker
     /// The next advance() goes one frame of 1/60 s further, also while paused.

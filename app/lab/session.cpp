@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -202,6 +204,18 @@ Session session_of(const Lab& lab, std::map<std::string, double> window) {
     return session;
 }
 
+namespace {
+// As it was left: with the afterglow of what came before.
+void rest_at(double seconds, Lab& lab) {
+    Player& player = lab.transport();
+    const int settling = lab.document()->look().settle_frames;
+    player.pause();
+    player.seek_with_past(seconds, static_cast<std::size_t>(std::max(settling, 1)));
+    if (player.past().empty())
+        player.step();
+}
+}  // namespace
+
 void restore(Lab& lab, const Session& session) {
     lab.set_picture_size({session.follows_view, session.fixed_size, session.picture_scale});
     lab.transport().set_speed(session.speed);
@@ -211,11 +225,10 @@ void restore(Lab& lab, const Session& session) {
     lab.open(OpenRequest{session.look, {}, {}, stack_in(session.current.preset, session.looks)});
     lab.when_opened([session](Lab& opened) {
         restore_document(*opened.mutable_document(), session);
-        opened.transport().seek(session.time);
-        if (!session.is_playing) {
-            opened.transport().pause();
-            opened.transport().step();
-        }
+        if (session.is_playing)
+            opened.transport().seek(session.time);
+        else
+            rest_at(session.time, opened);
         opened.compare(session.comparison);
     });
 }

@@ -310,3 +310,21 @@ TEST_CASE("a sound that is heard is the clock; when its device goes, it is told 
     CHECK(player.advance(0.1)->span.end == doctest::Approx(0.12));
     CHECK(player.silence() == "'Line out' plays no longer; the picture runs without sound");
 }
+
+TEST_CASE("who comes back to a moment finds the frames before it, as if they had been shown") {
+    Player player;
+    player.seek_with_past(2.0, 30);
+    CHECK(player.time() == doctest::Approx(2.0));
+    CHECK(player.frame_number() == 120);
+    REQUIRE(player.past().size() == 30);
+    CHECK(player.past().front().number == 91);
+    CHECK(player.past().front().span.start == doctest::Approx(1.5));
+    CHECK(player.past().back().span.end == doctest::Approx(2.0));
+    CHECK(player.past().back().span.seconds() == doctest::Approx(frame_seconds));
+
+    player.seek_with_past(0.1, 30);  // there were no more
+    CHECK(player.past().size() == 6);
+    CHECK(player.past().front().number == 1);
+    player.seek_with_past(0.0, 30);
+    CHECK(player.past().empty());
+}
