@@ -85,6 +85,12 @@ std::string range_text(const Parameter& parameter) {
     return range_text(facts);
 }
 
+// The control shows a colour as a display is told it.
+std::string told_value(const Parameter& parameter, const Value& value) {
+    const bool is_color = parameter.control == Control::color;
+    return short_value(parameter, value) + (is_color ? " in linear light" : "");
+}
+
 std::string place_text(const Location& place) {
     if (place.file.empty())
         return {};
@@ -95,7 +101,7 @@ void draw_facts(const Knob& knob, const Fonts& fonts) {
     const Parameter& parameter = knob.parameter;
     {
         const ScopedFont strong(fonts.strong);
-        ImGui::TextUnformatted(parameter.label.c_str());
+        ImGui::TextUnformatted(wrapped(parameter.label, ImGui::GetFontSize() * 24.0f).c_str());
     }
     if (!parameter.help.empty()) {
         ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24.0f);
@@ -104,7 +110,7 @@ void draw_facts(const Knob& knob, const Fonts& fonts) {
     }
     ImGui::Spacing();
     fact("name", parameter.name + "  (" + type_name(parameter) + ")");
-    fact("value", short_value(parameter, knob.value));
+    fact("value", told_value(parameter, knob.value));
     if (is_decay(parameter)) {
         fact("half-life", duration_text(half_life(knob.value.number())));
         fact("10 % left", "after " + duration_text(seconds_to(0.1, knob.value.number())));
@@ -115,7 +121,7 @@ void draw_facts(const Knob& knob, const Fonts& fonts) {
         ImGui::TextUnformatted(warning.c_str());
         ImGui::PopTextWrapPos();
     }
-    fact("default", short_value(parameter, parameter.initial));
+    fact("default", told_value(parameter, parameter.initial));
     fact("range", range_text(parameter));
     fact("scale", parameter.scale == Scale::logarithmic ? "logarithmic" : "");
     for (const MidiBinding& binding : knob.midi)

@@ -32,7 +32,7 @@ void draw_pairs(const RateComparison& comparison, const Scene& scene, Edits& edi
         ImGui::TextUnformatted(fmt::format("{:.0f} – {:.0f}", pair.first, pair.second).c_str());
         edits.mark(fmt::format("rates:{:.0f}-{:.0f}", pair.first, pair.second));
         ImGui::TableNextColumn();
-        ImGui::TextUnformatted(fmt::format("{:.1f}", apart.largest * most_levels).c_str());
+        ImGui::TextUnformatted(fmt::format("{:.4g}", apart.largest * most_levels).c_str());
         ImGui::TableNextColumn();
         ImGui::TextUnformatted(fmt::format("{}, {}", apart.largest_x, apart.largest_y).c_str());
         ImGui::TableNextColumn();
@@ -43,12 +43,13 @@ void draw_pairs(const RateComparison& comparison, const Scene& scene, Edits& edi
 
 void draw_comparison(const RateComparison& comparison, const Scene& scene, Edits& edits) {
     const RatePair& worst = comparison.worst();
-    ImGui::TextWrapped(
-        "%s", fmt::format("The largest difference is {:.1f} of 255 levels, between {:.0f} and "
-                          "{:.0f} Hz at pixel {}, {}.",
-                          worst.difference.largest * most_levels, worst.first, worst.second,
-                          worst.difference.largest_x, worst.difference.largest_y)
-                  .c_str());
+    ImGui::TextUnformatted(
+        wrapped(fmt::format("The largest difference is {:.4g} of 255 levels, between {:.0f} and "
+                            "{:.0f} Hz at pixel {}, {}.",
+                            worst.difference.largest * most_levels, worst.first, worst.second,
+                            worst.difference.largest_x, worst.difference.largest_y),
+                ImGui::GetContentRegionAvail().x)
+            .c_str());
     edits.mark("rates_worst");
     ImGui::Spacing();
     draw_pairs(comparison, scene, edits);

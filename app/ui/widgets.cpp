@@ -1,5 +1,6 @@
 #include "ui/widgets.h"
 
+#include "ui/line_breaks.h"
 #include "ui/scoped.h"
 #include "ui/theme.h"
 
@@ -42,6 +43,11 @@ void wrapped_dim_text(const std::string& text) {
     ImGui::PopTextWrapPos();
 }
 
+std::string wrapped(const std::string& text, float width) {
+    return broken_at_blanks(
+        text, width, [](const std::string& line) { return ImGui::CalcTextSize(line.c_str()).x; });
+}
+
 std::string cut_to_fit(const std::string& text, float width) {
     const auto width_of = [](const std::string& part) {
         return ImGui::CalcTextSize(part.c_str()).x;
@@ -79,9 +85,7 @@ void tooltip(const std::string& text) {
         return;
     const ScopedColor color(ImGuiCol_Text, theme::text);  // whatever the item's own is
     ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24.0f);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
+    ImGui::TextUnformatted(wrapped(text, ImGui::GetFontSize() * 24.0f).c_str());
     ImGui::EndTooltip();
 }
 
@@ -105,10 +109,12 @@ bool section(const std::string& label, bool opens_first) {
     const theme::Color color = ImGui::IsItemHovered() ? theme::accent : theme::text;
     const float middle = at.y + height * 0.5f;
     const float size = ImGui::GetFontSize();
+    const float room = ImGui::GetItemRectSize().x - size * 0.95f;
+    const std::string shown = cut_to_fit(label, room);  // a small button may stand at the end
     draw_chevron({at.x + size * 0.3f, middle}, is_open,
                  ImGui::IsItemHovered() ? theme::accent : theme::dim);
     ImGui::GetWindowDrawList()->AddText({at.x + size * 0.95f, middle - size * 0.5f},
-                                        theme::packed(color), label.c_str());
+                                        theme::packed(color), shown.c_str());
     return is_open;
 }
 

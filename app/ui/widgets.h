@@ -35,6 +35,8 @@ public:
 void dim_text(const std::string& text);
 /// As dim_text, over as many lines as it takes.
 void wrapped_dim_text(const std::string& text);
+/// As many lines as `width` takes; they end at blanks.
+std::string wrapped(const std::string& text, float width);
 /// Cut at the right with "…" where it does not fit `width`; the whole in a tooltip.
 void fitted_text(const std::string& text, float width, const ImVec4& color);
 std::string cut_to_fit(const std::string& text, float width);
