@@ -12,12 +12,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <numeric>
+#include <vector>
 
 namespace {
-constexpr theme::Color red{0.85f, 0.30f, 0.26f, 0.55f};
-constexpr theme::Color green{0.32f, 0.72f, 0.32f, 0.55f};
-constexpr theme::Color blue{0.32f, 0.46f, 0.92f, 0.60f};
-constexpr theme::Color grey{0.60f, 0.60f, 0.60f, 0.60f};
+// Their sum is a grey.
+constexpr theme::Color red{0.50f, 0.12f, 0.12f, 1.0f};
+constexpr theme::Color green{0.10f, 0.40f, 0.10f, 1.0f};
+constexpr theme::Color blue{0.10f, 0.18f, 0.48f, 1.0f};
+constexpr theme::Color grey{0.55f, 0.55f, 0.55f, 1.0f};
 
 float strip_height() {
     return std::round(ImGui::GetFontSize() * 3.2f);
@@ -27,28 +31,46 @@ void set_levels(const Levels& levels, Edits& edits) {
     edits.arrange([levels](WindowState& window) { window.inspected.levels = levels; });
 }
 
-theme::Color color_of(std::size_t channel, std::size_t count) {
+// The light of several channels together, as the waveform mixes it.
+theme::Color sum_of(const std::vector<std::size_t>& channels, std::size_t count) {
     static constexpr std::array colors{red, green, blue};
-    return count == 1 ? grey : colors[channel];
+    if (count == 1)
+        return grey;
+    theme::Color sum{0.0f, 0.0f, 0.0f, 1.0f};
+    for (const std::size_t channel : channels) {
+        sum.red += colors[channel].red;
+        sum.green += colors[channel].green;
+        sum.blue += colors[channel].blue;
+    }
+    return sum;
 }
 
 // Heights are logarithmic: what a single texel in a dark picture does is seen too.
 void draw_bars(const Histogram& histogram, const ImVec2& low, const ImVec2& high) {
     const double most = std::log1p(static_cast<double>(histogram.highest()));
-    if (most <= 0.0)
+    if (most <= 0.0 || histogram.bins.empty())
         return;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    for (std::size_t channel = 0; channel < histogram.bins.size(); ++channel) {
-        const auto& bins = histogram.bins[channel];
-        const ImU32 color = theme::packed(color_of(channel, histogram.bins.size()));
-        const float width = (high.x - low.x) / static_cast<float>(bins.size());
-        for (std::size_t i = 0; i < bins.size(); ++i) {
-            if (bins[i] == 0)
-                continue;
-            const double share = std::log1p(static_cast<double>(bins[i])) / most;
-            const float left = low.x + width * static_cast<float>(i);
-            list.AddRectFilled({left, high.y - (high.y - low.y) * static_cast<float>(share)},
-                               {left + width, high.y}, color);
+    const std::size_t count = histogram.bins.size();
+    const std::size_t places = histogram.bins.front().size();
+    const float width = (high.x - low.x) / static_cast<float>(places);
+    std::vector<std::size_t> channels;
+    for (std::size_t i = 0; i < places; ++i) {
+        channels.resize(count);
+        std::iota(channels.begin(), channels.end(), std::size_t{0});
+        std::ranges::sort(channels, std::greater(),
+                          [&](std::size_t channel) { return histogram.bins[channel][i]; });
+        const float left = low.x + width * static_cast<float>(i);
+        float bottom = high.y;
+        // From below: as high as the lowest of them is the light of all.
+        for (; !channels.empty(); channels.pop_back()) {
+            const double share =
+                std::log1p(static_cast<double>(histogram.bins[channels.back()][i])) / most;
+            const float top = high.y - (high.y - low.y) * static_cast<float>(share);
+            if (top < bottom)
+                list.AddRectFilled({left, top}, {left + width, bottom},
+                                   theme::packed(sum_of(channels, count)));
+            bottom = std::min(bottom, top);
         }
     }
 }
