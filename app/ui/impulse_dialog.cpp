@@ -7,6 +7,7 @@
 #include "ui/work_dialog.h"
 
 #include <fmt/format.h>
+#include <imgui/imgui_internal.h>
 
 #include <algorithm>
 #include <array>
@@ -20,7 +21,7 @@ constexpr std::array<theme::Color, 8> hues{{{0.95f, 0.75f, 0.35f, 1.0f},
                                             {0.75f, 0.65f, 0.95f, 1.0f},
                                             {0.95f, 0.60f, 0.85f, 1.0f},
                                             {0.60f, 0.75f, 0.65f, 1.0f},
-                                            {0.80f, 0.80f, 0.80f, 1.0f}}};
+                                            {0.60f, 0.60f, 1.00f, 1.0f}}};
 constexpr double least = 0.001;  // of the peak; the floor of the plot
 
 const theme::Color& hue_of(std::size_t pass) {
@@ -81,6 +82,68 @@ void draw_grid(const ImpulsePlot& plot, ImDrawList& list) {
     }
 }
 
+using Curve = std::vector<ImVec2>;
+
+Curve curve_of(const PassImpulse& impulse, const std::vector<double>& seconds,
+               const ImpulsePlot& plot) {
+    Curve curve;
+    for (std::size_t i = 0; i < impulse.light.size() && impulse.fall.peak > 0.0; ++i) {
+        if (seconds[i] > plot.seconds)
+            break;
+        curve.push_back(plot.at(seconds[i], impulse.light[i] / impulse.fall.peak));
+        if (impulse.light[i] < least * impulse.fall.peak)
+            break;
+    }
+    return curve;
+}
+
+bool lies_on(const Curve& one, const Curve& other) {
+    constexpr float hardly_seen = 1.5f;
+    return !one.empty() && std::ranges::equal(one, other, [](const ImVec2& a, const ImVec2& b) {
+        return std::abs(a.y - b.y) < hardly_seen;
+    });
+}
+
+// All that pass near the pointer, which may lie on each other.
+std::vector<std::size_t> curves_at_pointer(const std::vector<Curve>& curves) {
+    constexpr float reach = 6.0f;
+    std::vector<std::size_t> found;
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    if (!ImGui::IsItemHovered())
+        return found;
+    for (std::size_t pass = 0; pass < curves.size(); ++pass)
+        for (std::size_t i = 1; i < curves[pass].size(); ++i) {
+            const ImVec2 near = ImLineClosestPoint(curves[pass][i - 1], curves[pass][i], mouse);
+            if (std::hypot(near.x - mouse.x, near.y - mouse.y) > reach)
+                continue;
+            found.push_back(pass);
+            break;
+        }
+    return found;
+}
+
+// In dashes one that lies on another is seen too.
+void draw_fall(const Curve& curve, ImU32 color, float thickness, bool is_dashed, ImDrawList& list) {
+    if (!is_dashed) {
+        list.AddPolyline(curve.data(), static_cast<int>(curve.size()), color, ImDrawFlags_None,
+                         thickness);
+        return;
+    }
+    constexpr float dash = 5.0f;
+    float done = 0.0f;
+    for (std::size_t i = 1; i < curve.size(); ++i) {
+        const ImVec2 step(curve[i].x - curve[i - 1].x, curve[i].y - curve[i - 1].y);
+        const auto parts = std::max(1.0f, std::round(std::hypot(step.x, step.y) / dash));
+        for (float part = 0.0f; part < parts; part += 1.0f, done += 1.0f)
+            if (std::fmod(done, 2.0f) < 1.0f)
+                list.AddLine({curve[i - 1].x + step.x * part / parts,
+                              curve[i - 1].y + step.y * part / parts},
+                             {curve[i - 1].x + step.x * (part + 1.0f) / parts,
+                              curve[i - 1].y + step.y * (part + 1.0f) / parts},
+                             color, thickness);
+    }
+}
+
 void draw_plot(const ImpulseResponse& response, Edits& edits) {
     const float height = ImGui::GetFontSize() * 14.0f;
     const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -91,19 +154,24 @@ void draw_plot(const ImpulseResponse& response, Edits& edits) {
     const ImpulsePlot plot{low, {width, height}, shown_seconds(response)};
     list.AddRectFilled(low, {low.x + width, low.y + height}, ImGui::GetColorU32(theme::field));
     draw_grid(plot, list);
-    for (std::size_t pass = 0; pass < response.passes.size(); ++pass) {
-        const PassImpulse& impulse = response.passes[pass];
-        std::vector<ImVec2> points;
-        for (std::size_t i = 0; i < impulse.light.size() && impulse.fall.peak > 0.0; ++i) {
-            if (response.seconds[i] > plot.seconds)
-                break;
-            points.push_back(plot.at(response.seconds[i], impulse.light[i] / impulse.fall.peak));
-            if (impulse.light[i] < least * impulse.fall.peak)
-                break;
-        }
-        list.AddPolyline(points.data(), static_cast<int>(points.size()),
-                         ImGui::GetColorU32(hue_of(pass)), ImDrawFlags_None, 1.5f);
+    std::vector<Curve> curves;
+    for (const PassImpulse& pass : response.passes)
+        curves.push_back(curve_of(pass, response.seconds, plot));
+    const std::vector<std::size_t> named = curves_at_pointer(curves);
+    for (std::size_t pass = 0; pass < curves.size(); ++pass) {
+        const bool is_named = std::ranges::count(named, pass) > 0;
+        const auto before = curves.begin() + static_cast<std::ptrdiff_t>(pass);
+        const bool is_dashed = std::any_of(curves.begin(), before, [&](const Curve& other) {
+            return lies_on(curves[pass], other);
+        });
+        draw_fall(curves[pass], ImGui::GetColorU32(hue_of(pass)), is_named ? 3.0f : 1.5f, is_dashed,
+                  list);
     }
+    std::string names;
+    for (const std::size_t pass : named)
+        names += (names.empty() ? "" : "\n") + response.passes[pass].pass;
+    if (!names.empty())
+        ImGui::SetTooltip("%s", names.c_str());
 }
 
 std::string time_text(const std::optional<double>& seconds) {
