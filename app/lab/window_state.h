@@ -296,6 +296,7 @@ struct WindowState {
     double budget_milliseconds = 1000.0 / 60.0;  // that all passes of a frame may take the GPU
     ViewSizes views;
     std::string search;         // among the parameters
+    std::string listed_look;    // the one whose parameters were listed last
     bool is_searching = false;  // the search box is to have the keyboard
     Revealed revealed;
     std::optional<Pointed> pointed;

@@ -225,18 +225,33 @@ void draw_orphans(const Document& document) {
         fitted_text(name + " = " + to_string(document.values().at(name)),
                     ImGui::GetContentRegionAvail().x, theme::dim);
 }
+// Words and place of one look's list say nothing about another's. Gives whether it is another.
+bool begin_list(const Document& document, const WindowState& window, Edits& edits) {
+    const std::string look = document.look().manifest.string();
+    if (window.listed_look == look)
+        return false;
+    edits.arrange([look, is_first = window.listed_look.empty()](WindowState& state) {
+        state.listed_look = look;
+        if (!is_first)
+            state.search.clear();
+    });
+    return true;
+}
 }  // namespace
 
 void draw_parameters_panel(const Scene& scene, Edits& edits) {
     const Document* document = scene.lab.document();
     if (!document)
         return;
+    const bool is_other = begin_list(*document, scene.window, edits);
     draw_toolbar(scene, edits);
     ImGui::Spacing();
     {  // of the list alone: what pops up above it has its own
         const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
         ImGui::BeginChild("##groups");
     }
+    if (is_other)
+        ImGui::SetScrollY(0.0f);
     const std::vector<ParameterGroup> groups = listed_parameters(*document, query_of(scene.window));
     for (const ParameterGroup& group : groups)
         draw_group(group, scene, edits);
