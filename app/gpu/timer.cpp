@@ -40,8 +40,10 @@ void Timer::collect() {
             return;
         GLuint64 nanoseconds = 0;
         glGetQueryObjectui64v(query, GL_QUERY_RESULT, &nanoseconds);
-        m_milliseconds = static_cast<double>(nanoseconds) * 1e-6;
-        m_measured_parts = m_parts[m_read % ring];
+        if (m_read > 0) {  // the first one waits for the driver's compiler
+            m_milliseconds = static_cast<double>(nanoseconds) * 1e-6;
+            m_measured_parts = m_parts[m_read % ring];
+        }
         ++m_read;
     }
 }

@@ -18,7 +18,7 @@ public:
     /// `parts`: how many equal pieces of work follow.
     void begin(int parts = 1);
     void end();
-    /// The newest measure that has arrived, of the whole and of one of its parts.
+    /// The newest measure that has arrived, of the whole and of one of its parts; never the first.
     std::optional<double> milliseconds();
     std::optional<double> milliseconds_a_part();
 

@@ -29,6 +29,8 @@ std::string problems_text(const Lab& lab) {
 
 std::string pace_text(const Scene& scene) {
     const double pace = scene.pace.frames_a_second();
+    if (scene.lab.renderer() && scene.lab.renderer()->replay().is_running())
+        return "drawing the past";
     return scene.lab.player().is_playing() && pace > 0.0 ? fmt::format("{:.0f} fps", pace)
                                                          : "resting";
 }
@@ -64,7 +66,9 @@ void draw_half_size_offer(const Scene& scene, Edits& edits) {
     half.scale *= 0.5;
     const Renderer* renderer = scene.lab.renderer();
     const double passes = renderer ? renderer->pass_times().present_total() : 0.0;
-    if (!scene.pace.is_slow_by_passes(passes) || half.scale < smallest)
+    const bool runs = scene.lab.player().is_playing() && !scene.lab.has_converged();
+    const bool may_be_smaller = half.follows_view && half.scale >= smallest;
+    if (!runs || !may_be_smaller || !scene.pace.is_slow_by_passes(passes))
         return;
     ImGui::SameLine();
     {
@@ -79,11 +83,6 @@ void draw_half_size_offer(const Scene& scene, Edits& edits) {
     tooltip(
         "For two seconds no frame has come within 1/30 s, and the passes take most of its time. A "
         "quarter of the pixels is drawn about four times as fast.");
-}
-
-bool is_over_budget(const Scene& scene) {
-    const Renderer* renderer = scene.lab.renderer();
-    return renderer && renderer->pass_times().present_total() > scene.window.budget_milliseconds;
 }
 
 /// What a frame costs, in words around the one number that may be too much.

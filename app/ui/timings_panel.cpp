@@ -72,7 +72,12 @@ void draw_budget(const PassTimes& times, double budget, float width, float heigh
     draw_bars(
         plot, times.frames(), PassTimes::length, [&](std::size_t i) { return times.total(i); },
         [&](double time) { return time > budget ? theme::problem : theme::faint; });
-    draw_line(plot, budget, times.present_total() > budget ? theme::problem : theme::label);
+    draw_line(plot, budget, theme::text);
+}
+
+float budget_width(double budget) {
+    return ImGui::CalcTextSize((short_number(budget) + " ms").c_str()).x +
+           ImGui::GetFontSize() * 0.6f;
 }
 
 void draw_budget_words(const Scene& scene, Edits& edits) {
@@ -80,11 +85,11 @@ void draw_budget_words(const Scene& scene, Edits& edits) {
     double budget = scene.window.budget_milliseconds;
     const ScopedFont font(scene.fonts.numbers);
     ImGui::AlignTextToFramePadding();
-    const ScopedColor color(ImGuiCol_Text, present > budget ? theme::problem : theme::dim);
+    const ScopedColor color(ImGuiCol_Text, is_over_budget(scene) ? theme::problem : theme::dim);
     ImGui::TextUnformatted(fmt::format("GPU {:.2f} of", present).c_str());
     ImGui::SameLine();
     const NumberFacts facts{.is_changed = false, .unit = "ms", .limit = Limit{0.1, 1000.0}};
-    if (draw_number("##budget", budget, ImGui::CalcTextSize("1000.00 ms").x, facts).is_changed)
+    if (draw_number("##budget", budget, budget_width(budget), facts).is_changed)
         edits.arrange([budget](WindowState& window) { window.budget_milliseconds = budget; });
     edits.mark("budget");
     tooltip("What all passes of a frame may take the GPU together. A click types.");
@@ -98,7 +103,11 @@ void draw_pass(std::size_t pass, const Scene& scene, float most, float height) {
     const float memory_width = ImGui::CalcTextSize("0000.0 MiB").x;
     const float time_width = ImGui::CalcTextSize("000.00 ms").x;
     const float gap = ImGui::GetFontSize() * 0.5f;
-    const float room = std::max(width - memory_width - time_width - 2.0f * gap, 20.0f);
+    const float name_width = std::min(ImGui::GetFontSize() * 9.0f, width * 0.3f);
+    const float left = name_width + gap;
+    const float room = std::max(width - left - memory_width - time_width - 2.0f * gap, 20.0f);
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + left);
     const Plot plot = begin_plot(room, height - 3.0f * scene.scale, most, scene.scale);
     draw_bars(
         plot, times.frames(), PassTimes::length,
@@ -109,12 +118,12 @@ void draw_pass(std::size_t pass, const Scene& scene, float most, float height) {
         list.AddText({right - ImGui::CalcTextSize(text.c_str()).x, plot.low.y},
                      theme::packed(color), text.c_str());
     };
-    const std::string name = cut_to_fit(executor.look().passes[pass].name, room - 4.0f);
-    list.AddText({plot.low.x + 4.0f, plot.low.y}, theme::packed(theme::label), name.c_str());
+    const std::string name = cut_to_fit(executor.look().passes[pass].name, name_width);
+    list.AddText({start.x, plot.low.y}, theme::packed(theme::label), name.c_str());
     const double latest = scene.lab.renderer()->latest_pass_milliseconds()[pass];
     write(plot.low.x + room + gap + time_width, fmt::format("{:.2f} ms", latest), theme::text);
     const auto bytes = static_cast<double>(memory_of(executor.plan().targets[pass]));
-    write(plot.low.x + width, fmt::format("{:.1f} MiB", bytes / mebibyte), theme::dim);
+    write(start.x + width, fmt::format("{:.1f} MiB", bytes / mebibyte), theme::dim);
 }
 
 void draw_passes(const Scene& scene) {
@@ -128,7 +137,9 @@ void draw_passes(const Scene& scene) {
             most = std::max(most, times.milliseconds(pass, frame));
     const ScopedFont font(scene.fonts.numbers);
     const ScopedStyle<ImVec2> spacing(ImGuiStyleVar_ItemSpacing, ImVec2(0.0f, 3.0f * scene.scale));
-    const float height = ImGui::GetTextLineHeight() * 1.35f;
+    const float line = ImGui::GetTextLineHeight();  // with the sum below there are one more
+    const float fitting = ImGui::GetContentRegionAvail().y / static_cast<float>(count + 1);
+    const float height = std::clamp(fitting - 3.0f * scene.scale, line * 0.9f, line * 1.35f);
     for (std::size_t pass = 0; pass < count; ++pass)
         draw_pass(pass, scene, static_cast<float>(most), height);
     const auto bytes = static_cast<double>(memory_of(renderer.executor().plan()));
@@ -138,17 +149,32 @@ void draw_passes(const Scene& scene) {
 }
 }  // namespace
 
+namespace {
+std::string wall_text(const Scene& scene) {
+    const double pace = scene.pace.frames_a_second();
+    return pace > 0.0 ? fmt::format("{:.1f} ms a frame; lines at 60 and 30 Hz", 1000.0 / pace)
+                      : std::string("lines at 60 and 30 Hz");
+}
+}  // namespace
+
+bool is_over_budget(const Scene& scene) {
+    const Lab& lab = scene.lab;
+    return lab.renderer() && lab.player().is_playing() && !lab.has_converged() &&
+           lab.renderer()->pass_times().present_total() > scene.window.budget_milliseconds;
+}
+
 void draw_timings_panel(const Scene& scene, Edits& edits) {
     if (!scene.lab.renderer() || scene.lab.renderer()->executor().plan().targets.empty())
         return;
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float gap = ImGui::GetFontSize();
-    const float width = std::floor((room.x - 2.0f * gap) * 0.27f);
+    const float most = ImGui::GetFontSize() * 26.0f;  // each frame is a few pixels wide
+    const float width = std::min(std::floor((room.x - 2.0f * gap) * 0.27f), most);
     const float height = std::max(20.0f, room.y - ImGui::GetFrameHeightWithSpacing());
     ImGui::BeginGroup();
     draw_pace(scene.pace, width, height, scene.scale);
     ImGui::AlignTextToFramePadding();
-    fitted_text("wall time, 60 and 30 Hz", width, theme::dim);
+    fitted_text(wall_text(scene), width, theme::dim);
     tooltip(fmt::format("From frame to frame. The panels took {:.2f} ms of CPU of the last one.",
                         scene.panel_milliseconds));
     ImGui::EndGroup();
