@@ -3,9 +3,25 @@
 #include "base/text.h"
 
 #include <algorithm>
+#include <fstream>
 #include <tuple>
 
 namespace fs = std::filesystem;
+
+namespace {
+// A .json is a look or preset by its "format"; of texts one is known to be neither sound nor scene.
+bool is_of_others(const fs::path& file, const std::string& ending) {
+    if (ending != ".json")
+        return file.filename() == "CMakeLists.txt";
+    constexpr std::size_t beginning = 4096;  // bytes, in which a format is told
+    std::string text(beginning, '\0');
+    std::ifstream stream(file, std::ios::binary);
+    stream.read(text.data(), static_cast<std::streamsize>(beginning));
+    text.resize(static_cast<std::size_t>(stream.gcount()));
+    return stream.gcount() > 0 && text.find("\"afterglow-") == std::string::npos &&
+           file.filename() != "look.json";
+}
+}  // namespace
 
 std::vector<FolderEntry> list_folder(const fs::path& folder,
                                      const std::vector<std::string>& endings) {
@@ -19,8 +35,8 @@ std::vector<FolderEntry> list_folder(const fs::path& folder,
         std::error_code ignored;  // what cannot be looked at is listed as a file
         const bool is_folder = entry->is_directory(ignored);
         const std::string ending = to_lower(entry->path().extension().string());
-        if (is_folder || endings.empty() ||
-            std::find(endings.begin(), endings.end(), ending) != endings.end())
+        const bool is_wanted = endings.empty() || std::ranges::count(endings, ending) > 0;
+        if (is_folder || endings.empty() || (is_wanted && !is_of_others(entry->path(), ending)))
             entries.push_back({name, is_folder});
     }
     std::sort(entries.begin(), entries.end(), [](const FolderEntry& a, const FolderEntry& b) {

@@ -10,6 +10,7 @@
 #include "lab/sharing.h"
 #include "lab/sound_store.h"
 #include "lab/source.h"
+#include "lab/told_name.h"
 #include "lab/tryouts.h"
 
 #include <fmt/format.h>
@@ -48,7 +49,7 @@ void Lab::say(std::string text, bool is_problem, std::string subject) {
 }
 
 void Lab::say(const Diagnostic& problem) {
-    const std::string name = problem.file.filename().string();
+    const std::string name = told_name(problem.file);
     const std::string line = problem.line > 0 ? fmt::format(":{}", problem.line) : std::string();
     say(name.empty() ? problem.message : fmt::format("{}{}: {}", name, line, problem.message), true,
         problem.file.string());
@@ -69,6 +70,18 @@ void Lab::open(const OpenRequest& request) {
     m_when_opened = {};
     m_preset_step.reset();
     m_reloader.open(request);
+}
+
+void Lab::put_problems_away() {
+    m_are_problems_away = true;
+    if (!std::exchange(m_unopened, {}).empty() && m_opened)
+        m_reloader.go_back_to(*m_opened);
+}
+
+std::string Lab::slow_look() const {
+    constexpr double noticed_seconds = 0.3;
+    const OpenRequest* request = m_reloader.request();
+    return request && m_loading_seconds > noticed_seconds ? name_of(*request) : std::string();
 }
 
 namespace {
@@ -98,7 +111,7 @@ bool Lab::would_lose_changes(const std::string& argument) const {
     const fs::path present = m_document->look().manifest;
     const fs::path manifest =
         fs::is_directory(request->look, error) ? request->look / present.filename() : request->look;
-    return !fs::equivalent(manifest, present, error);
+    return !fs::equivalent(manifest, present, error) && load_requested(*request, m_library).look;
 }
 
 std::string Lab::look_for(const fs::path& file) const {

@@ -89,8 +89,15 @@ public:
     /// Null until a look has drawn.
     const Renderer* renderer() const { return m_renderer.get(); }
     const std::vector<Problem>& problems() const { return m_problems; }
+    /// The look that could not be opened and whose problems are told; "": they are the open one's.
+    const std::string& unopened() const { return m_unopened; }
+    /// Whether the person has put them away since the last one came.
+    bool has_put_problems_away() const { return m_are_problems_away; }
+    void put_problems_away();
     const std::optional<Notice>& notice() const { return m_notice; }
     bool is_loading() const { return m_reloader.is_busy(); }
+    /// The look that takes long to be read; "": none does.
+    std::string slow_look() const;
     /// How far the open look's accumulating has come; none when it does not accumulate.
     std::optional<Samples> samples() const {
         return m_renderer ? m_renderer->executor().samples() : std::nullopt;
@@ -360,6 +367,10 @@ private:
     Reloader m_reloader;
     std::vector<Problem> m_look_problems;
     std::vector<Problem> m_problems;  // with those of the signal or source
+    bool m_are_problems_away = false;
+    std::string m_unopened;
+    std::optional<OpenRequest> m_opened;  // that the open look came from
+    double m_loading_seconds = 0.0;
     std::optional<Notice> m_notice;
     PictureSize m_picture_size;
     Extent m_view{1280, 720};

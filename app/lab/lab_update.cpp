@@ -13,6 +13,9 @@
 namespace fs = std::filesystem;
 
 void Lab::update(double wall_seconds) {
+    constexpr double longest_turn = 0.1;  // a rest before it is no reading
+    m_loading_seconds =
+        is_loading() ? m_loading_seconds + std::min(wall_seconds, longest_turn) : 0.0;
     if (m_notice && (m_notice->seconds_left -= wall_seconds) <= 0.0)
         m_notice.reset();
     for (const fs::path& file : m_reloader.update())
@@ -94,11 +97,16 @@ void Lab::gather_problems() {
     };
     const std::string subject = m_notice ? m_notice->subject : std::string();
     const bool was_listed = !subject.empty() && is_listed(subject);
-    m_problems = m_look_problems;
+    const std::vector<Problem> before = std::exchange(m_problems, m_look_problems);
     for (const Diagnostic& problem : m_drive.problems())
         m_problems.push_back({problem, {}});
     for (const Diagnostic& problem : m_chosen_images.problems())
         m_problems.push_back({problem, {}});
+    const auto is_new = [&before](const Problem& problem) {
+        return std::ranges::find(before, problem.diagnostic, &Problem::diagnostic) == before.end();
+    };
+    if (std::ranges::any_of(m_problems, is_new))
+        m_are_problems_away = false;
     if (was_listed && !is_listed(subject))
         mended(subject);
 }
@@ -113,9 +121,13 @@ bool reads_images_alike(const Look& one, const Look& other) {
 }  // namespace
 
 void Lab::apply(LoadedRequest loaded) {
+    const bool is_read = loaded.look && loaded.programs;
+    const bool is_reload = loaded.is_reload && m_unopened.empty();
+    m_unopened = is_read || is_reload || !m_document ? "" : name_of(loaded.request);
     show_problems(loaded.problems);
-    if (!loaded.look || !loaded.programs)
+    if (!is_read)
         return;  // the last good picture goes on
+    m_opened = loaded.request;
     if (m_document && !reads_images_alike(m_document->look(), *loaded.look)) {
         m_images.clear();
         m_chosen_images.forget();
@@ -124,7 +136,7 @@ void Lab::apply(LoadedRequest loaded) {
     forget_trip();
     m_programs = std::move(*loaded.programs);
     m_tryouts->stop();  // they draw with the former ones
-    if (loaded.is_reload && m_document) {
+    if (is_reload && m_document) {
         m_document->replace_look(std::move(*loaded.look));
         succeeded(m_renderer->replace(m_document->drawn_look(), *m_programs));
     } else {

@@ -98,6 +98,17 @@ Stack stack_of(const OpenRequest& request) {
     return request.stack.empty() ? Stack{{{}, request.look, {}}} : request.stack;
 }
 
+std::string name_of(const OpenRequest& request) {
+    std::string name;
+    for (const StackPart& part : stack_of(request)) {
+        const fs::path& place = part.place;
+        const bool is_in_folder = place.filename() == "look.json" || !place.has_filename();
+        const fs::path named = is_in_folder ? place.parent_path() : place;
+        name += (name.empty() ? "" : "+") + named.filename().string();
+    }
+    return name;
+}
+
 Result<OpenRequest> resolve(const std::string& argument, const Library& library) {
     if (argument.starts_with("afterglow:")) {
         auto preset = parse_share_line(argument);

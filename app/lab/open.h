@@ -32,4 +32,6 @@ Result<OpenRequest> resolve_preset(const std::string& argument, const std::strin
                                    const Library& library);
 
 /// Reads the look or stack that a request names.
+/// As its folders are called: "crt", "phosphor+crt".
+std::string name_of(const OpenRequest& request);
 LoadedLook load_requested(const OpenRequest& request, const Library& library);

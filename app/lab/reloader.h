@@ -48,6 +48,10 @@ public:
     void open(const OpenRequest& request);
     /// Reads the open look again although no file changed.
     void reload();
+    /// Reads a look that is open once more, after another could not be opened.
+    void go_back_to(const OpenRequest& request) { submit(request, true); }
+    /// What was asked for last; null: nothing yet.
+    const OpenRequest* request() const { return m_request ? &*m_request : nullptr; }
     /// Reads the looks of another stack in place of the open ones, once.
     void restack(const Stack& stack);
     /// Looks at the watched files and submits the look again when one has changed.

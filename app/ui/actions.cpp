@@ -7,6 +7,7 @@
 #include "ui/file_actions.h"
 #include "ui/impulse_dialog.h"
 #include "ui/knob_actions.h"
+#include "ui/overlays.h"
 #include "ui/pass_actions.h"
 #include "ui/pass_switch_actions.h"
 #include "ui/rates_dialog.h"
@@ -237,6 +238,8 @@ void escape(const Scene& scene, Edits& edits) {
         edits.add([](Lab& lab) { lab.end_sheet(); });
     else if (scene.lab.comparing().is_flashing())
         edits.add([](Lab& lab) { lab.flash(false); });
+    else if (shows_errors(scene))
+        edits.add([](Lab& lab) { lab.put_problems_away(); });
     else if (scene.window.shows_pass_large)
         edits.arrange([](WindowState& window) { window.shows_pass_large = false; });
     else if (scene.window.is_picture_only)

@@ -118,7 +118,8 @@ void draw_unsaved_dialog(const Scene& scene, Edits& edits) {
         return;
     const std::string& preset = scene.lab.document()->preset_name();
     ImGui::TextWrapped(
-        "The changes to %s would be lost when another look opens.",
+        "The changes to %s are not saved. Discarded, they stay at hand until the next time: File, "
+        "Back to the session before.",
         preset.empty() ? scene.lab.document()->look().name.c_str() : ("'" + preset + "'").c_str());
     ImGui::Spacing();
     const float width = ImGui::GetFontSize() * 6.5f;

@@ -1,6 +1,7 @@
 #include "ui/overlays.h"
 
 #include "lab/morphing.h"
+#include "lab/told_name.h"
 #include "lab/tryouts.h"
 #include "ui/compare_bar.h"
 #include "ui/first_steps.h"
@@ -33,35 +34,59 @@ std::vector<const Problem*> errors_of(const Lab& lab) {
 // Of a problem as draw_problem() writes it: place and message in a row, the source line below.
 float height_of(const Problem& problem, float width) {
     const std::string words =
-        problem.diagnostic.file.filename().string() + ":9999  " + problem.diagnostic.message;
+        told_name(problem.diagnostic.file) + ":9999  " + problem.diagnostic.message;
     const float message = ImGui::CalcTextSize(words.c_str(), nullptr, false, width).y;
     const float line = ImGui::GetTextLineHeightWithSpacing();
     return message + ImGui::GetStyle().ItemSpacing.y + (problem.source_line.empty() ? 0.0f : line);
 }
 
+// Of a look that is not the one that is seen.
+std::string headline_of(const Lab& lab) {
+    if (lab.unopened().empty() || !lab.document())
+        return {};
+    return fmt::format("Could not open '{}'; {} stays open.", lab.unopened(),
+                       lab.document()->look().name);
+}
+
 void draw_errors(const Scene& scene, Edits& edits) {
-    const std::vector<const Problem*> errors = errors_of(scene.lab);
-    if (errors.empty())
+    if (!shows_errors(scene))
         return;
+    const std::vector<const Problem*> errors = errors_of(scene.lab);
     constexpr std::size_t most = 4;
+    const float side = ImGui::GetFrameHeight();
+    const std::string headline = headline_of(scene.lab);
     const float margin = ImGui::GetFontSize() * 0.7f;
     const float width = ImGui::GetWindowWidth() - 2.0f * margin;
     const float line = ImGui::GetTextLineHeightWithSpacing();
     const ImGuiStyle& style = ImGui::GetStyle();
-    float height = 2.0f * style.WindowPadding.y + (errors.size() > most ? line : 0.0f);
+    const float inner = width - 2.0f * style.WindowPadding.x - side;
+    float height = 2.0f * style.WindowPadding.y + (errors.size() > most ? line : 0.0f) +
+                   (headline.empty() ? 0.0f : line);
     for (std::size_t i = 0; i < std::min(errors.size(), most); ++i)
-        height += height_of(*errors[i], width - 2.0f * style.WindowPadding.x) + style.ItemSpacing.y;
+        height += height_of(*errors[i], inner) + style.ItemSpacing.y;
     height = std::min(height, ImGui::GetWindowHeight() * 0.6f);
     ImGui::SetCursorPos({margin, margin});
     const ScopedColor back(ImGuiCol_ChildBg, theme::problem_pane);
     const ScopedStyle<float> rounding(ImGuiStyleVar_ChildRounding, 5.0f * scene.scale);
     ImGui::BeginChild("##errors", {width, height}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+    {  // of the list alone
+        const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
+        ImGui::BeginChild("##list", {inner, 0.0f});
+    }
+    if (!headline.empty())
+        fitted_text(headline, inner, theme::text);
     for (std::size_t i = 0; i < std::min(errors.size(), most); ++i) {
         draw_problem(*errors[i], scene.fonts, edits);
         ImGui::Spacing();
     }
     if (errors.size() > most)
         dim_text(fmt::format("and {} more, in the problems below", errors.size() - most));
+    ImGui::EndChild();
+    ImGui::SameLine(0.0f, 0.0f);
+    if (icon_button("##away", Icon::close, "Put away (Escape); the list of problems keeps it",
+                    theme::label))
+        edits.add([](Lab& lab) { lab.put_problems_away(); });
+    edits.mark("errors_away");
     ImGui::EndChild();
     edits.mark("errors");
 }
@@ -77,7 +102,8 @@ struct Pill {
 void draw_pill(const Pill& pill, const Scene& scene) {
     const float pad = ImGui::GetFontSize() * 0.8f;
     const float most = ImGui::GetWindowWidth() * 0.8f - 2.0f * pad;
-    const ImVec2 text = ImGui::CalcTextSize(pill.text.c_str(), nullptr, false, most);
+    const std::string words = wrapped(pill.text, most);
+    const ImVec2 text = ImGui::CalcTextSize(words.c_str());
     const ImVec2 size(text.x + 2.0f * pad, text.y + pad);
     const ImVec2 window = ImGui::GetWindowPos();
     const float bottom = window.y + ImGui::GetWindowHeight() - compare_bar_height(scene) - pad -
@@ -90,7 +116,7 @@ void draw_pill(const Pill& pill, const Scene& scene) {
     list.AddRect(low, {low.x + size.x, bottom}, ImGui::GetColorU32(theme::line),
                  6.0f * scene.scale);
     list.AddText(scene.fonts.text, ImGui::GetFontSize(), {low.x + pad, low.y + pad * 0.5f},
-                 ImGui::GetColorU32(pill.color), pill.text.c_str(), nullptr, most);
+                 ImGui::GetColorU32(pill.color), words.c_str());
 }
 
 void draw_notice(const Scene& scene) {
@@ -166,6 +192,9 @@ void draw_trip(const Scene& scene, Edits& edits) {
 
 void draw_loading(const Scene& scene) {
     const std::filesystem::path file = scene.lab.drive().loading();
+    const std::string look = scene.lab.document() ? scene.lab.slow_look() : std::string();
+    if (file.empty() && !look.empty())
+        draw_pill({"##loading", fmt::format("Reading {}…", look), theme::dim, 2.0f}, scene);
     if (file.empty())
         return;
     draw_pill({"##loading",
@@ -208,6 +237,10 @@ void draw_midi_learning(const Scene& scene, Edits& edits) {
     edits.mark("midi_learning");
 }
 }  // namespace
+
+bool shows_errors(const Scene& scene) {
+    return !scene.lab.has_put_problems_away() && !errors_of(scene.lab).empty();
+}
 
 void draw_overlays(const Scene& scene, Edits& edits) {
     draw_first_steps(scene, edits);

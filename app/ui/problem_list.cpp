@@ -1,5 +1,6 @@
 #include "ui/problem_list.h"
 
+#include "lab/told_name.h"
 #include "ui/scoped.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
@@ -10,7 +11,7 @@ namespace {
 std::string place_text(const Diagnostic& diagnostic) {
     if (diagnostic.file.empty())
         return {};
-    const std::string name = diagnostic.file.filename().string();
+    const std::string name = told_name(diagnostic.file);
     return diagnostic.line > 0 ? fmt::format("{}:{}", name, diagnostic.line) : name;
 }
 
@@ -20,7 +21,7 @@ void draw_place(const Diagnostic& diagnostic, const ImVec4& color, Edits& edits)
         return;
     const ScopedColor scoped(ImGuiCol_Text, color);
     ImGui::TextUnformatted(text.c_str());
-    edits.mark("problem:" + text);
+    edits.mark("problem:" + text.substr(text.rfind('/') + 1));
     if (ImGui::IsItemHovered()) {
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
         const ImVec2 low = ImGui::GetItemRectMin();

@@ -1,5 +1,6 @@
 #include "ui/recent_files.h"
 
+#include "lab/told_name.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
@@ -29,7 +30,7 @@ std::optional<fs::path> draw_recent_files(const std::vector<fs::path>& files, Ed
     for (const fs::path& file : files) {
         ImGui::PushID(file.c_str());
         const float width = ImGui::GetContentRegionAvail().x;
-        if (ImGui::Selectable(cut_to_fit(file.filename().string(), width).c_str(), false,
+        if (ImGui::Selectable(cut_to_fit(told_name(file), width).c_str(), false,
                               ImGuiSelectableFlags_DontClosePopups))
             clicked = file;
         edits.mark("recent:" + file.filename().string());
