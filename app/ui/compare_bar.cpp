@@ -10,10 +10,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 namespace {
+float gain_number_width() {
+    return ImGui::GetFontSize() * 2.8f;
+}
+
 constexpr theme::Color bar_color{0.098f, 0.098f, 0.102f, 0.92f};
 
 void draw_modes(const Scene& scene, Edits& edits) {
@@ -97,7 +102,8 @@ void draw_choices(const Scene& scene, Edits& edits) {
     edits.mark("compare_end");
 }
 
-void draw_gain(const Scene& scene, Edits& edits) {
+// `room`: for the label, the slider and its number.
+void draw_gain(const Scene& scene, float room, Edits& edits) {
     double gain = scene.lab.comparing().chosen().gain_stops;
     const SliderFacts facts{.low = -4.0,
                             .high = 12.0,
@@ -105,14 +111,20 @@ void draw_gain(const Scene& scene, Edits& edits) {
                             .is_changed = gain != 0.0,
                             .unit = "stops",
                             .limit = Limit{-16.0, 16.0}};
-    Turned turned = draw_slider("##gain", gain, facts, ImGui::GetFontSize() * 6.0f);
+    ImGui::AlignTextToFramePadding();
+    dim_text("Gain");
+    ImGui::SameLine(0.0f, 4.0f);
+    const float taken = ImGui::CalcTextSize("Gain").x + 6.0f + gain_number_width();
+    const float letter = ImGui::GetFontSize();
+    Turned turned =
+        draw_slider("##gain", gain, facts, std::clamp(room - taken, 2.0f * letter, 8.0f * letter));
     edits.mark("difference_gain");
     tooltip(fmt::format("How much the difference is multiplied to be seen: white is {}.",
                         short_number(std::exp2(-gain))));
     ImGui::SameLine(0.0f, 2.0f);
     {
         const ScopedFont font(scene.fonts.numbers);
-        turned |= draw_number("##gain_number", gain, ImGui::GetFontSize() * 5.2f, facts.number());
+        turned |= draw_number("##gain_number", gain, gain_number_width(), facts.number());
         edits.mark("number:difference_gain");
     }
     ImGui::SameLine(0.0f, 0.0f);
@@ -159,6 +171,14 @@ void draw_numbers(const Scene& scene, Edits& edits) {
                         100.0 * distances->share_beyond));
 }
 
+// What the numbers leave of the row.
+float gain_room(const Scene& scene) {
+    const ScopedFont font(scene.fonts.numbers);
+    const float gaps = 2.0f * ImGui::GetStyle().ItemSpacing.x + ImGui::GetFrameHeight();
+    return ImGui::GetContentRegionAvail().x - gaps -
+           ImGui::CalcTextSize(numbers_text(scene).c_str()).x;
+}
+
 void draw_difference_row(const Scene& scene, Edits& edits) {
     static constexpr std::array labels{"Absolute", "Relative", "Squared"};
     const int chosen = static_cast<int>(scene.lab.comparing().chosen().measure);
@@ -169,7 +189,7 @@ void draw_difference_row(const Scene& scene, Edits& edits) {
             comparison.measure = static_cast<DifferenceMeasure>(next);
         });
     ImGui::SameLine();
-    draw_gain(scene, edits);
+    draw_gain(scene, gain_room(scene), edits);
     ImGui::SameLine();
     draw_numbers(scene, edits);
 }
@@ -181,7 +201,7 @@ float padding() {
 
 float compare_bar_height(const Scene& scene) {
     const CompareMode mode = scene.lab.compare_mode();
-    if (mode == CompareMode::off)
+    if (mode == CompareMode::off || scene.window.is_picture_only)
         return 0.0f;
     const float rows = mode == CompareMode::difference ? 2.0f : 1.0f;
     return rows * ImGui::GetFrameHeight() + (rows - 1.0f) * ImGui::GetStyle().ItemSpacing.y +
@@ -190,7 +210,7 @@ float compare_bar_height(const Scene& scene) {
 
 void draw_compare_bar(const Scene& scene, Edits& edits) {
     const float height = compare_bar_height(scene);
-    if (height <= 0.0f || scene.window.is_picture_only)
+    if (height <= 0.0f)
         return;
     ImGui::SetCursorPos({0.0f, ImGui::GetWindowHeight() - height});
     const ScopedColor color(ImGuiCol_ChildBg, bar_color);

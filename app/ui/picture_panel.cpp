@@ -13,6 +13,7 @@
 #include "ui/scoped.h"
 #include "ui/wipe.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -165,7 +166,8 @@ void draw_shown(const Shown& shown, const Scene& scene, Edits& edits, const ImVe
 }  // namespace
 
 void draw_picture_panel(const Scene& scene, const Rect& place, Edits& edits) {
-    const Extent room = scene.device_pixels(place.width, place.height);
+    const float height = std::max(place.height - compare_bar_height(scene), 1.0f);
+    const Extent room = scene.device_pixels(place.width, height);
     const Extent cell = least_cell(scene);
     if (room != scene.window.views.picture || cell != scene.window.views.cell)
         edits.arrange([room, cell](WindowState& window) {
@@ -185,7 +187,7 @@ void draw_picture_panel(const Scene& scene, const Rect& place, Edits& edits) {
         is_alone ? place.width : static_cast<float>(large_room(scene).width) / scene.density;
     for (const Shown& shown : pictures) {
         ImGui::SetCursorPos({start.x + shown.left, start.y});
-        draw_shown(shown, scene, edits, {width, place.height});
+        draw_shown(shown, scene, edits, {width, height});
     }
     draw_halves_names(low, low.x + place.width - width, scene);
     draw_other_words(scene, edits);
