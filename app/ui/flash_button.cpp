@@ -24,7 +24,7 @@ std::string widest_label(const Scene& scene) {
 theme::Color color_of(const Flashes& flashes) {
     if (flashes.is_beyond_limit())
         return theme::problem;
-    return flashes == Flashes{} ? theme::faint : theme::label;
+    return flashes == Flashes{} ? theme::dim : theme::label;
 }
 
 void draw_counts(const Scene& scene) {

@@ -73,7 +73,7 @@ void draw_slot(std::size_t number, const Scene& scene, Edits& edits) {
     {
         const ScopedColor text(ImGuiCol_Text, is_here     ? theme::accent
                                               : is_filled ? theme::text
-                                                          : theme::faint);
+                                                          : theme::dim);
         const ScopedColor back(ImGuiCol_Button, is_filled ? theme::field : theme::none);
         if (ImGui::Button((name + "##slot").c_str(), {side, side}))
             click(number, scene, edits);

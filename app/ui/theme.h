@@ -21,7 +21,7 @@ constexpr Color filled{0.262f, 0.262f, 0.270f, 1.0f};
 constexpr Color line{0.165f, 0.165f, 0.170f, 1.0f};
 constexpr Color text{0.790f, 0.790f, 0.780f, 1.0f};
 constexpr Color label{0.640f, 0.640f, 0.635f, 1.0f};
-constexpr Color dim{0.520f, 0.520f, 0.520f, 1.0f};
+constexpr Color dim{0.570f, 0.570f, 0.570f, 1.0f};
 constexpr Color faint{0.340f, 0.340f, 0.345f, 1.0f};
 constexpr Color accent{0.850f, 0.610f, 0.330f, 1.0f};
 constexpr Color accent_filled{0.420f, 0.315f, 0.195f, 1.0f};
