@@ -22,6 +22,7 @@ struct Cell {
     const Gain* gain = nullptr;             // null: not measured yet
     std::optional<PassChange> change = {};  // by the step that somebody asks about
     bool is_chosen = false;
+    float width = 0.0f;
     std::string state = {};  // what is switched about it; "": nothing
 };
 
@@ -57,13 +58,13 @@ std::string stops_text(double stops) {
 // What counts most, in the room there is.
 std::string gain_text(const Gain& gain) {
     if (is_clipped(gain))
-        return fmt::format("{:.3g} {} clipped", gain.peak, percent_text(gain.clipped));
+        return fmt::format("peak {:.3g}, {} clipped", gain.peak, percent_text(gain.clipped));
     const auto headroom = headroom_stops(gain);
     if (!headroom)
         return "no light";
     if (*headroom > meter_stops)
         return fmt::format("peak {:.3g}", gain.peak);
-    return fmt::format("{:.3g} {} stops", gain.peak, stops_text(*headroom));
+    return fmt::format("peak {:.3g}, {} stops", gain.peak, stops_text(*headroom));
 }
 
 std::string gain_help(const Gain& gain) {
@@ -171,13 +172,31 @@ void draw_words(const Cell& cell, const Scene& scene, const ImVec2& at, float wi
                  theme::packed(is_clipped(*cell.gain) ? theme::warning : theme::dim), gain.c_str());
 }
 
-// Wide enough for the picture, and for the name beside its time; it does not change with the time.
-float cell_width(const Cell& cell, const Scene& scene, float image_width) {
-    const float name = ImGui::CalcTextSize(own_name(cell.pass.name).c_str()).x;
+// Wide enough for the picture, and for a name of some length beside its time; it does not change
+// with the time.
+float wanted_width(const Cell& cell, const Scene& scene, float image_width) {
+    const float longest = ImGui::GetFontSize() * 11.0f;
+    const float name = std::min(ImGui::CalcTextSize(own_name(cell.pass.name).c_str()).x, longest);
     const ScopedFont font(scene.fonts.numbers);
     const float time = ImGui::CalcTextSize("00.00 ms").x;
     const float facts = ImGui::CalcTextSize(facts_text(cell).c_str()).x;
     return std::max({image_width, name + time + ImGui::GetFontSize() * 0.6f, facts});
+}
+
+float image_width(const Cell& cell, const Scene& scene) {
+    return static_cast<float>(scene.views.thumbnail(cell.index).extent.width) / scene.density;
+}
+
+// Where there is room they have some for their gains.
+void share_room(std::vector<Cell>& cells, float room, const Scene& scene) {
+    if (cells.empty())
+        return;
+    const float gaps = ImGui::GetFontSize() * 0.6f * static_cast<float>(cells.size() - 1);
+    const float each = (room - gaps) / static_cast<float>(cells.size());
+    const float gain = ImGui::CalcTextSize("peak 0.000, 0.0 stops").x;
+    for (Cell& cell : cells)
+        cell.width =
+            std::max(wanted_width(cell, scene, image_width(cell, scene)), std::min(gain, each));
 }
 
 std::string cell_help(const Cell& cell) {
@@ -194,8 +213,7 @@ std::string cell_help(const Cell& cell) {
 void draw_cell(const Cell& cell, const Scene& scene, float image_height, Edits& edits) {
     const ScopedId id(static_cast<int>(cell.index));
     const Views::Image image = scene.views.thumbnail(cell.index);
-    const float width =
-        cell_width(cell, scene, static_cast<float>(image.extent.width) / scene.density);
+    const float width = cell.width;
     const float words = ImGui::GetFontSize() * word_lines;
     const ImVec2 low = ImGui::GetCursorScreenPos();
     if (ImGui::InvisibleButton("##pass", {width, image_height + words}))
@@ -285,22 +303,26 @@ void draw_pass_strip(const Scene& scene, Edits& edits) {
         ImGui::BeginChild("##cells", {0.0f, 0.0f}, false, ImGuiWindowFlags_HorizontalScrollbar);
     }
     const float top = ImGui::GetCursorScreenPos().y;
+    std::vector<Cell> cells;
+    for (std::size_t i = 0; i < std::min(look.passes.size(), targets.size()); ++i)
+        cells.push_back(
+            {.index = i,
+             .pass = look.passes[i],
+             .target = targets[i],
+             .milliseconds = i < times.size() ? times[i] : 0.0,
+             .gain = scene.views.gains().gain(i),
+             .change = i < changes.size() ? changes[i] : std::nullopt,
+             .is_chosen = look.passes[i].name == scene.window.inspected.pass,
+             .state = pass_switch_actions::words_of(i, look, scene.lab.pass_switches())});
+    share_room(cells, ImGui::GetContentRegionAvail().x, scene);
     std::vector<Group> groups;
-    for (std::size_t i = 0; i < std::min(look.passes.size(), targets.size()); ++i) {
+    for (std::size_t i = 0; i < cells.size(); ++i) {
         const std::string key = look_key(look.passes[i].name);
         if (i > 0)
             go_on(groups, key, scene);
         if (groups.empty() || groups.back().key != key)
             groups.push_back({key, ImGui::GetCursorScreenPos().x, 0.0f});
-        draw_cell({.index = i,
-                   .pass = look.passes[i],
-                   .target = targets[i],
-                   .milliseconds = i < times.size() ? times[i] : 0.0,
-                   .gain = scene.views.gains().gain(i),
-                   .change = i < changes.size() ? changes[i] : std::nullopt,
-                   .is_chosen = look.passes[i].name == scene.window.inspected.pass,
-                   .state = pass_switch_actions::words_of(i, look, scene.lab.pass_switches())},
-                  scene, image_height, edits);
+        draw_cell(cells[i], scene, image_height, edits);
         groups.back().right = ImGui::GetItemRectMax().x;
     }
     for (const Group& group : groups)
