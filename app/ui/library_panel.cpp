@@ -72,14 +72,34 @@ void draw_look_menu(const ShelfLook& look, const Scene& scene, Edits& edits) {
         add_to_stack(look, edits);
     ImGui::EndPopup();
 }
+// The open look, where the list does not have it.
+void draw_look_from_elsewhere(const Scene& scene, Edits& edits) {
+    const Look& look = scene.lab.document()->look();
+    ShelfLook elsewhere{
+        .entry = {}, .name = look.name, .about = look.manifest.string(), .presets = {}};
+    elsewhere.entry.id = look.id;
+    if (look.stack.size() == 1)
+        elsewhere.entry.folder = look.manifest.parent_path();
+    const ScopedId id("elsewhere");
+    {
+        const ScopedFont font(scene.fonts.strong);
+        ImGui::BeginGroup();
+        draw_line({.label = elsewhere.name, .about = elsewhere.about});
+        ImGui::EndGroup();
+        edits.mark("look_elsewhere");
+    }
+    draw_presets(elsewhere, scene, edits);
+}
 }  // namespace
 
 void draw_library_panel(const Scene& scene, Edits& edits) {
     const Document* document = scene.lab.document();
+    bool is_listed = !document;
     heading("Looks");
     for (const ShelfLook& look : scene.shelf.looks()) {
         const ScopedId id(look.argument());
         const bool is_open = document && is_open_look(*document, look);
+        is_listed |= is_open;
         bool is_clicked = false;
         {
             const ScopedFont font(is_open ? scene.fonts.strong : scene.fonts.text);
@@ -94,6 +114,8 @@ void draw_library_panel(const Scene& scene, Edits& edits) {
         if (is_open)
             draw_presets(look, scene, edits);
     }
+    if (!is_listed)
+        draw_look_from_elsewhere(scene, edits);
     if (scene.shelf.looks().empty())
         dim_text("There is none yet.");
 }
