@@ -165,13 +165,17 @@ void draw_marks(const ImRect& box, const SliderFacts& facts) {
                      theme::packed(safe));
 }
 
-void draw_note(const ImRect& box, const std::string& note, bool is_warning) {
+// Left of the hand where it has room there, else right of it.
+void draw_note(const ImRect& box, const std::string& note, float hand, bool is_warning) {
     const ImVec2 size = ImGui::CalcTextSize(note.c_str());
-    if (note.empty() || size.x + 8.0f > box.GetWidth())
+    constexpr float gap = 4.0f;
+    const bool is_left = box.Min.x + size.x + 2.0f * gap <= hand;
+    const float left = (is_left ? box.Min.x : std::max(hand, box.Min.x)) + gap;
+    if (note.empty() || left + size.x + gap > box.Max.x)
         return;
-    ImGui::GetWindowDrawList()->AddText(
-        {box.Min.x + 4.0f, box.Min.y + (box.GetHeight() - size.y) * 0.5f},
-        theme::packed(is_warning ? theme::warning : theme::label), note.c_str());
+    ImGui::GetWindowDrawList()->AddText({left, box.Min.y + (box.GetHeight() - size.y) * 0.5f},
+                                        theme::packed(is_warning ? theme::warning : theme::label),
+                                        note.c_str());
 }
 
 void draw_bar(const ImRect& box, double value, const SliderFacts& facts, bool is_hot) {
@@ -189,7 +193,7 @@ void draw_bar(const ImRect& box, double value, const SliderFacts& facts, bool is
     list.AddRectFilled({std::min(origin, place), box.Min.y}, {std::max(origin, place), box.Max.y},
                        theme::packed(fill), rounding);
     draw_marks(box, facts);
-    draw_note(box, facts.note, !facts.warning.empty());
+    draw_note(box, facts.note, place, !facts.warning.empty());
     if (facts.initial && facts.is_changed) {
         const float tick = std::clamp(at(*facts.initial), box.Min.x + 1.0f, box.Max.x - 1.0f);
         list.AddLine({tick, box.Max.y - box.GetHeight() * 0.3f}, {tick, box.Max.y},
@@ -286,15 +290,14 @@ bool is_short(const std::string& unit) {
 
 std::string range_text(const SliderFacts& facts) {
     const std::string unit = facts.unit.empty() ? "" : " " + facts.unit;
-    std::string text =
-        fmt::format("{} to {}{}", short_number(facts.low), short_number(facts.high), unit);
+    std::string text = fmt::format("{} to {}", short_number(facts.low), short_number(facts.high));
     const auto& limit = facts.limit;
     constexpr double practically_none = 1e6;
     if (limit && limit->high - limit->low < practically_none &&
         (limit->low < facts.low || limit->high > facts.high))
-        text += fmt::format("; typed: {} to {}{}", short_number(limit->low),
-                            short_number(limit->high), unit);
-    return text;
+        text +=
+            fmt::format("; typed: {} to {}", short_number(limit->low), short_number(limit->high));
+    return text + unit;
 }
 
 namespace {
