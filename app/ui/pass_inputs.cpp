@@ -57,10 +57,21 @@ void draw_sampler(const SamplerReport& sampler, Edits& edits) {
     cell(wrap_text(sampler.sampler.wrap));
 }
 
+void name_columns(int columns) {
+    ImGui::TableNextRow();
+    for (int i = 0; i < columns; ++i) {
+        ImGui::TableSetColumnIndex(i);
+        dim_text(ImGui::TableGetColumnName(i));
+    }
+}
+
 void draw_samplers(const PassReport& report, Edits& edits) {
     if (report.samplers.empty())
         dim_text("This pass reads no picture.");
     else if (ImGui::BeginTable("##samplers", 6, ImGuiTableFlags_SizingFixedFit)) {
+        for (const char* head : {"sampler", "reads", "size", "format", "filter", "beyond the edge"})
+            ImGui::TableSetupColumn(head);
+        name_columns(6);
         for (const SamplerReport& sampler : report.samplers)
             draw_sampler(sampler, edits);
         ImGui::EndTable();
@@ -71,6 +82,9 @@ void draw_built_ins(const PassReport& report) {
     if (report.built_ins.empty())
         dim_text("This pass uses no built-in uniform.");
     else if (ImGui::BeginTable("##built_ins", 2, ImGuiTableFlags_SizingFixedFit)) {
+        for (const char* head : {"built-in", "now"})
+            ImGui::TableSetupColumn(head);
+        name_columns(2);
         for (const BuiltInReport& built_in : report.built_ins) {
             ImGui::TableNextRow();
             ImGui::TableNextColumn();

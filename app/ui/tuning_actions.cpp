@@ -60,30 +60,31 @@ std::vector<Action> step_actions() {
 std::vector<Action> tuning_actions::list() {
     constexpr auto favourites = ParameterFilter::favourites;
     constexpr auto of_pass = ParameterFilter::of_pass;
-    std::vector<Action> actions = step_actions();
-    const std::vector<Action> others{{ActionId::show_favourites,
-                                      Menu::edit,
-                                      "Show only favourites",
-                                      {},
-                                      false,
-                                      toggle_filter<favourites>,
-                                      file_actions::has_document,
-                                      is_filtered<favourites>},
-                                     {ActionId::show_of_pass,
-                                      Menu::edit,
-                                      "Show only what this pass uses",
-                                      {},
-                                      false,
-                                      toggle_filter<of_pass>,
-                                      file_actions::has_document,
-                                      is_filtered<of_pass>},
-                                     {ActionId::randomise,
-                                      Menu::edit,
-                                      "Randomise",
-                                      {'R', true},
-                                      true,
-                                      randomise,
-                                      file_actions::has_document}};
-    actions.insert(actions.end(), others.begin(), others.end());
+    // The first two go on the list of what is shown that ends the actions before these.
+    std::vector<Action> actions{{ActionId::show_favourites,
+                                 Menu::edit,
+                                 "Show only favourites",
+                                 {},
+                                 false,
+                                 toggle_filter<favourites>,
+                                 file_actions::has_document,
+                                 is_filtered<favourites>},
+                                {ActionId::show_of_pass,
+                                 Menu::edit,
+                                 "Show only what this pass uses",
+                                 {},
+                                 false,
+                                 toggle_filter<of_pass>,
+                                 file_actions::has_document,
+                                 is_filtered<of_pass>},
+                                {ActionId::randomise,
+                                 Menu::edit,
+                                 "Randomise",
+                                 {'R', true},
+                                 true,
+                                 randomise,
+                                 file_actions::has_document}};
+    const std::vector<Action> steps = step_actions();
+    actions.insert(actions.end() - 1, steps.begin(), steps.end());
     return actions;
 }
