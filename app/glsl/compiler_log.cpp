@@ -91,6 +91,9 @@ std::string with_single_blanks(std::string_view message) {
     return text;
 }
 
+// Not of which extensions would know one.
+constexpr std::string_view no_quotes = "GLSL knows no text in quotes";
+
 // "'' :  syntax error" and "'foo' : undeclared identifier " -> the words alone.
 std::string cleaned(std::string_view message) {
     message = trim(message);
@@ -98,6 +101,8 @@ std::string cleaned(std::string_view message) {
         message = trim(message.substr(4));
     if (message.starts_with("memory exhausted"))
         return "this is nested too deeply to be compiled";
+    if (message.starts_with("'string literal'"))
+        return std::string(no_quotes);
     if (message.starts_with("syntax error"))
         return with_signs_spelled(message);
     return with_single_blanks(message);
@@ -166,7 +171,7 @@ std::vector<CompilerMessage> parse_compiler_log(std::string_view log) {
             message.is_warning = is_warning;
             if (messages.empty() || !follows_from(message, messages.back()))
                 messages.push_back(std::move(message));
-        } else if (!messages.empty()) {
+        } else if (!messages.empty() && messages.back().text != no_quotes) {
             add_detail(messages.back(), line);
         }
     }

@@ -146,6 +146,8 @@ Result<std::unique_ptr<Window>> Window::open(const WindowOptions& options) {
     if (!window)
         return window;
     GLFWwindow* made = (*window)->m_window;
+    constexpr Extent least{480, 320};  // below that the controls lie on each other
+    glfwSetWindowSizeLimits(made, least.width, least.height, GLFW_DONT_CARE, GLFW_DONT_CARE);
     if (options.position && !options.is_maximised)
         glfwSetWindowPos(made, (*options.position)[0], (*options.position)[1]);
     if (options.is_visible)

@@ -46,6 +46,12 @@ TEST_CASE("glslang's message comes clean, at the author's line") {
     CHECK(one.error().size() == 1);
 }
 
+TEST_CASE("a text in quotes is not taken for an extension") {
+    CHECK(first_error(
+              stage_of("a.frag", "#version 410 core\nvoid main() {\n  int x = \"x\";\n}\n")) ==
+          "a.frag:3: error: GLSL knows no text in quotes");
+}
+
 TEST_CASE("errors of both stages are reported together") {
     const auto reflection =
         check_program(stage_of("a.vert", "#version 410 core\nvoid main() { gl_Position = up; }\n"),
