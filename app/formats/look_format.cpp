@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <map>
+#include <string_view>
 
 namespace fs = std::filesystem;
 
@@ -115,4 +116,24 @@ LoadedLook load_look(const fs::path& folder_or_manifest, const fs::path& shared_
 
 bool is_foreign_look(const fs::path& file) {
     return is_slang_file(file);
+}
+
+namespace {
+std::string with_each(std::string text, std::string_view from, std::string_view to) {
+    for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+        text.replace(at, from.size(), to);
+    return text;
+}
+}  // namespace
+
+std::string foreign_look_id(const fs::path& file) {
+    return with_each(with_each(file.filename().string(), "+", "%2B"), "#", "%23");
+}
+
+std::string foreign_file_name(std::string_view id) {
+    return with_each(with_each(std::string(id), "%2B", "+"), "%23", "#");
+}
+
+std::string look_id_at(const fs::path& place) {
+    return is_foreign_look(place) ? foreign_look_id(place) : look_id_of(manifest_of(place));
 }

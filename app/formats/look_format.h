@@ -29,3 +29,11 @@ LoadedLook load_look(const std::filesystem::path& folder_or_manifest,
 
 /// Whether a file is a look of another program, by its name.
 bool is_foreign_look(const std::filesystem::path& file);
+/// What such a look is called in presets and stacks: its file's name, with "%2B" and "%23" in the
+/// place of the signs that stacks are written with.
+std::string foreign_look_id(const std::filesystem::path& file);
+/// The name of the file behind such an id.
+std::string foreign_file_name(std::string_view id);
+
+/// The id of the look in a folder, manifest or foreign file, from its name alone.
+std::string look_id_at(const std::filesystem::path& place);

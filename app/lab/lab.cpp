@@ -315,6 +315,9 @@ void Lab::duplicate_look(const std::string& id) {
         return;
     if (m_document->look().stack.size() > 1)
         return say("a stack is not one look; open one of its looks to duplicate it", true);
+    if (is_foreign_look(m_document->look().manifest))
+        return say("a look of another program stays where its files are; it cannot be duplicated",
+                   true);
     const auto folder = m_library.duplicate_look(m_document->look().manifest.parent_path(), id);
     if (!succeeded(folder))
         return;
@@ -333,6 +336,10 @@ void Lab::write_overrides() {
         for (const auto& [pass, override] : m_document->state().overrides)
             if (pass.starts_with(scope))
                 own.emplace(pass.substr(scope.size()), override);
+        if (!own.empty() && is_foreign_look(stack[i].place))
+            return say(
+                "what a pass of another program's look is changed to cannot be written there",
+                true);
         if (!own.empty() && !succeeded(::write_overrides(manifest_of(stack[i].place), own)))
             return;
     }

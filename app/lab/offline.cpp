@@ -2,7 +2,6 @@
 
 #include "base/text.h"
 #include "formats/describe.h"
-#include "formats/look_manifest.h"
 #include "formats/modulation_format.h"
 #include "formats/preset_format.h"
 #include "gpu/readback.h"
@@ -89,7 +88,7 @@ Result<OpenRequest> requested(const RenderRequest& request, const Library& libra
     found->stack = stack_of(*found);
     for (StackPart& part : found->stack)
         if (part.look.empty())
-            part.look = look_id_of(manifest_of(part.place));
+            part.look = look_id_at(part.place);
     auto named = resolve_preset(request.preset, stack_id(found->stack), library);
     if (!named)
         return named;

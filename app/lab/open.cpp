@@ -6,6 +6,7 @@
 #include "formats/preset_format.h"
 #include "formats/share_line.h"
 #include "formats/stack_format.h"
+#include "lab/media.h"
 
 #include <fmt/format.h>
 
@@ -30,15 +31,37 @@ bool is_look_manifest(const fs::path& file) {
     return file.filename() == "look.json";
 }
 
+// A look of another program lies beside the preset, or where it was when the preset was made.
+std::optional<StackPart> foreign_part(const std::string& id, const fs::path& preset_file,
+                                      const Library& library) {
+    const std::string name = foreign_file_name(id);
+    if (!is_foreign_look(name))
+        return std::nullopt;
+    std::error_code error;
+    const fs::path beside = media_folder(preset_file) / name;
+    if (fs::is_regular_file(beside, error))
+        return StackPart{id, beside, {}};
+    const auto found = RecentMedia(library.roots()).find(name, {});
+    return found ? std::optional(StackPart{id, *found, {}}) : std::nullopt;
+}
+
+std::optional<StackPart> part_of_preset(const std::string& id, const fs::path& preset_file,
+                                        const Library& library) {
+    if (const auto look = library.find_look(id))
+        return StackPart{id, look->folder, {}};
+    return foreign_part(id, preset_file, library);
+}
+
 Result<OpenRequest> request_of_preset(Preset preset, fs::path file, const Library& library) {
     Stack stack;
     for (const std::string& id : look_ids(preset.look)) {
-        const auto look = library.find_look(id);
-        if (!look)
+        auto part = part_of_preset(id, file, library);
+        if (!part)
             return fail({file, 0,
                          fmt::format("this preset is for the look '{}', which is not here{}", id,
                                      did_you_mean(id, known_looks(library)))});
-        stack.push_back({id, look->folder, free_tag(stack, id)});
+        part->tag = free_tag(stack, id);
+        stack.push_back(std::move(*part));
     }
     stack = with_bypass(std::move(stack), preset.bypass);
     const fs::path first = stack.front().place;

@@ -1,6 +1,7 @@
 #include "lab/sharing.h"
 
 #include "base/text.h"
+#include "formats/look_format.h"
 #include "formats/preset_format.h"
 #include "formats/preset_png.h"
 #include "formats/share_line.h"
@@ -10,15 +11,31 @@
 
 namespace fs = std::filesystem;
 
+namespace {
+// A preset names a look of another program by its file's name alone, as it does sounds and
+// pictures; it is found again in the same way.
+void remember_foreign_looks(const Document& document, const RecentMedia& recent) {
+    for (const StackPart& part : document.look().stack)
+        if (is_foreign_look(part.place))
+            recent.remember(part.place, {});
+}
+
+Preset portable(Preset preset, const Document& document, const fs::path& folder,
+                const RecentMedia& recent) {
+    remember_foreign_looks(document, recent);
+    return with_portable_media(std::move(preset), folder, recent);
+}
+}  // namespace
+
 std::string share_line_of(const Document& document, const RecentMedia& recent) {
-    return share_line(with_portable_media(document.complete_preset(), {}, recent));
+    return share_line(portable(document.complete_preset(), document, {}, recent));
 }
 
 Result<void> write_preset(const Document& document, const std::string& name, const fs::path& file,
                           const RecentMedia& recent) {
     if (to_lower(file.extension().string()) != ".json")
         return fail({file, 0, "a preset's file ends in .json"});
-    Preset preset = with_portable_media(document.preset(), media_folder(file), recent);
+    Preset preset = portable(document.preset(), document, media_folder(file), recent);
     if (!name.empty())
         preset.name = name;
     if (preset.name.empty())
@@ -34,7 +51,7 @@ Result<void> save_picture_with_preset(const Picture& picture, const Document& do
     if (!png)
         return fail(png.error());
     const auto whole =
-        with_preset(std::move(*png), with_portable_media(document.complete_preset(), {}, recent));
+        with_preset(std::move(*png), portable(document.complete_preset(), document, {}, recent));
     if (!whole)
         return fail(whole.error());
     return write_atomically(file, *whole);

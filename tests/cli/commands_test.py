@@ -360,5 +360,57 @@ class WithoutDisplay(ProgramTest):
         self.assertIn("afterglow-crt.png", result.stdout)
 
 
+class OtherPrograms(ProgramTest):
+    """Looks of other programs on the command line."""
+
+    SHADER = """#version 450
+layout(push_constant) uniform Push { float level; uint FrameCount; } params;
+layout(binding = 0, std140) uniform UBO { mat4 MVP; } global;
+#pragma parameter level "Level" 0.2 0.0 1.0 0.1
+#pragma stage vertex
+layout(location = 0) in vec4 Position;
+layout(location = 1) in vec2 TexCoord;
+void main() { gl_Position = global.MVP * Position; }
+#pragma stage fragment
+layout(location = 0) out vec4 FragColor;
+void main() { FragColor = vec4(params.level, 0.0, 0.0, 1.0); }
+"""
+
+    def red_of(self, *look):
+        self.assert_done(run("render", *look, "-o", self.folder / "out.png", "--size", "4x4"))
+        return read_png(self.folder / "out.png")[2][0][0]
+
+    def test_a_slang_preset_is_drawn_and_its_parameter_kept_in_a_preset(self):
+        self.write("red.slang", self.SHADER)
+        chain = self.write("red.slangp", "shaders = 1\nshader0 = red.slang\nlevel = 0.4\n")
+        self.assertEqual(self.red_of(chain), 102)
+        self.assertEqual(self.red_of(self.folder / "red.slang"), 51)
+        preset = self.folder / "presets" / "more.json"
+        preset.parent.mkdir()
+        state = {"XDG_STATE_HOME": self.folder / "state"}
+        self.assert_done(run("preset", chain, "--set", "level=0.6", "-o", preset, **state))
+        self.assertEqual(json.loads(preset.read_text())["look"], "red.slangp")
+        self.assert_done(run("render", preset, "-o", self.folder / "out.png", "--size", "4x4", **state))
+        self.assertEqual(read_png(self.folder / "out.png")[2][0][0], 153)
+        (self.folder / "presets" / "red.slangp").write_text("shaders = 1\nshader0 = ../red.slang\n")
+        self.assertEqual(self.red_of(preset), 153)  # found beside the preset, too
+
+    def test_a_corpus_is_told_file_by_file(self):
+        self.write("corpus/good.slang", self.SHADER)
+        self.write("corpus/good.slangp", "shaders = 1\nshader0 = good.slang\n")
+        self.write("corpus/bad/wrong.slang", self.SHADER.replace("vec4(params", "vec5(params"))
+        self.write("corpus/bad/wrong.slangp", "shaders = 1\nshader0 = wrong.slang\n")
+        self.write("corpus/bad/lost.slangp", "shaders = 1\nshader0 = none.slang\n")
+        result = run("corpus", self.folder / "corpus", "--json", "--frames", "2", "--size", "8x8")
+        self.assertEqual(result.returncode, 1, result.stderr)
+        told = json.loads(result.stdout)
+        self.assertEqual(told["sum"], {"files": 3, "parsed": 2, "compiled": 1, "linked": 1, "drew": 1})
+        lost, wrong, good = told["files"]
+        self.assertIn("none.slang", lost["why"])
+        self.assertIn("wrong.slang:11: error: ", wrong["why"])
+        self.assertEqual((good["why"], good["passes"], good["parameters"]), ("", 1, 1))
+        self.assertEqual(run("corpus", self.folder / "corpus", "--only", "good").returncode, 0)
+
+
 if __name__ == "__main__":
     main()

@@ -203,3 +203,11 @@ TEST_CASE("every preset that comes with the program fits its look and is written
         }
     }
 }
+
+TEST_CASE("a look of another program is called after its file, without the signs of stacks") {
+    CHECK(foreign_look_id("aa/fxaa+linear.slangp") == "fxaa%2Blinear.slangp");
+    CHECK(foreign_file_name("fxaa%2Blinear.slangp") == "fxaa+linear.slangp");
+    CHECK(look_id_at("crt/a#1.slang") == "a%231.slang");
+    CHECK(foreign_file_name("a%231.slang") == "a#1.slang");
+    CHECK(look_id_at("shaders/phosphor/look.json") == "phosphor");
+}

@@ -105,7 +105,7 @@ Result<Look> read_look_of(const fs::path& file, SlangFiles& files, CheckCache* c
     auto look = look_of_chain(*chain, {}, loaded.warnings);
     if (!look)
         return look;
-    look->id = file.filename().string();
+    look->id = foreign_look_id(file);
     look->name = file.stem().string();
     look->driven_by = Driver::picture;
     look->default_source = pixel_art;
