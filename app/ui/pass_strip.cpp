@@ -23,6 +23,7 @@ struct Cell {
     std::optional<PassChange> change = {};  // by the step that somebody asks about
     bool is_chosen = false;
     float width = 0.0f;
+    bool is_narrow = false;  // the time stands in the place of size and format
     std::string state = {};  // what is switched about it; "": nothing
 };
 
@@ -56,13 +57,15 @@ std::string stops_text(double stops) {
 }
 
 // What counts most, in the room there is.
-std::string gain_text(const Gain& gain) {
+std::string gain_text(const Gain& gain, bool is_narrow) {
+    if (is_narrow && is_clipped(gain))
+        return percent_text(gain.clipped) + " clipped";
     if (is_clipped(gain))
         return fmt::format("peak {:.3g}, {} clipped", gain.peak, percent_text(gain.clipped));
     const auto headroom = headroom_stops(gain);
     if (!headroom)
         return "no light";
-    if (*headroom > meter_stops)
+    if (is_narrow || *headroom > meter_stops)
         return fmt::format("peak {:.3g}", gain.peak);
     return fmt::format("peak {:.3g}, {} stops", gain.peak, stops_text(*headroom));
 }
@@ -152,12 +155,13 @@ void draw_words(const Cell& cell, const Scene& scene, const ImVec2& at, float wi
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float line = ImGui::GetFontSize();
     const std::string time = time_text(cell.milliseconds);
-    const float time_width = draw_time(time, {at.x + width, at.y + 1.0f}, scene);
-    const float room = time.empty() ? width : width - time_width - line * 0.6f;
+    float room = width;
+    if (!cell.is_narrow && !time.empty())
+        room -= draw_time(time, {at.x + width, at.y + 1.0f}, scene) + line * 0.6f;
     const std::string name = cut_to_fit(own_name(cell.pass.name), room);
     list.AddText(at, theme::packed(cell.is_chosen ? theme::accent : theme::text), name.c_str());
     const ScopedFont font(scene.fonts.numbers);
-    const std::string facts = cut_to_fit(facts_text(cell), width);
+    const std::string facts = cut_to_fit(cell.is_narrow ? time : facts_text(cell), width);
     list.AddText({at.x, at.y + line * 1.2f}, theme::packed(theme::dim), facts.c_str());
     if (cell.change) {
         const std::string change = cut_to_fit(change_text(*cell.change), width);
@@ -167,7 +171,7 @@ void draw_words(const Cell& cell, const Scene& scene, const ImVec2& at, float wi
     }
     if (!cell.gain)
         return;
-    const std::string gain = cut_to_fit(gain_text(*cell.gain), width);
+    const std::string gain = cut_to_fit(gain_text(*cell.gain, cell.is_narrow), width);
     list.AddText({at.x, at.y + line * 2.4f},
                  theme::packed(is_clipped(*cell.gain) ? theme::warning : theme::dim), gain.c_str());
 }
@@ -187,16 +191,28 @@ float image_width(const Cell& cell, const Scene& scene) {
     return static_cast<float>(scene.views.thumbnail(cell.index).extent.width) / scene.density;
 }
 
-// Where there is room they have some for their gains.
+// Where there is room they have some for their gains; where there is too little, as many as
+// possible are in sight.
 void share_room(std::vector<Cell>& cells, float room, const Scene& scene) {
     if (cells.empty())
         return;
-    const float gaps = ImGui::GetFontSize() * 0.6f * static_cast<float>(cells.size() - 1);
-    const float each = (room - gaps) / static_cast<float>(cells.size());
+    const float gap = ImGui::GetFontSize() * 0.6f;
+    const float gaps = gap * static_cast<float>(cells.size() - 1);
+    const float each = std::floor((room - gaps) / static_cast<float>(cells.size()));
     const float gain = ImGui::CalcTextSize("peak 0.000, 0.0 stops").x;
-    for (Cell& cell : cells)
-        cell.width =
-            std::max(wanted_width(cell, scene, image_width(cell, scene)), std::min(gain, each));
+    float sum = gaps;
+    for (Cell& cell : cells) {
+        const float wanted = wanted_width(cell, scene, image_width(cell, scene));
+        cell.width = std::max(wanted, std::min(gain, each));
+        sum += cell.width;
+    }
+    if (sum <= room)
+        return;
+    const float least = ImGui::GetFontSize() * 4.8f;
+    for (Cell& cell : cells) {
+        cell.width = std::max({image_width(cell, scene), least, each});
+        cell.is_narrow = true;
+    }
 }
 
 std::string cell_help(const Cell& cell) {
