@@ -1,6 +1,7 @@
 #include "ui/line_breaks.h"
 
 #include <algorithm>
+#include <utility>
 
 std::string broken_at_blanks(const std::string& text, float most,
                              const std::function<float(const std::string&)>& width_of) {
@@ -10,9 +11,12 @@ std::string broken_at_blanks(const std::string& text, float most,
     while (start <= text.size()) {
         const std::size_t end = std::min(text.find_first_of(" \n", start), text.size());
         const std::string word = text.substr(start, end - start);
-        const bool is_first = line.empty();
-        if (is_first || width_of(line + ' ' + word) <= most) {
-            line += (is_first ? "" : " ") + word;
+        std::string longer = line;
+        if (!line.empty())
+            longer += ' ';
+        longer += word;
+        if (line.empty() || width_of(longer) <= most) {
+            line = std::move(longer);
         } else {
             broken += line + '\n';
             line = word;

@@ -4,6 +4,7 @@
 #include "shader_texts.h"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <thread>
 
@@ -150,17 +151,17 @@ TEST_CASE("types are named as GLSL names them, and say why they have no control"
     CHECK(matrix.type_name == "mat2x3");
     CHECK(uniform_of("uniform sampler2D a;").kind == Uniform::Kind::sampler);
     CHECK(uniform_of("uniform usampler3D a;").type_name == "usampler3D");
-    for (const auto& [declaration, name] :
+    for (const auto& row :
          {std::pair{"uniform float a[3];", "float[3]"}, std::pair{"uniform double a;", "double"},
           std::pair{"uniform dvec2 a;", "dvec2"},
           std::pair{"uniform struct S { float x; } a;", "struct S"},
           std::pair{"uniform a { float x; };", "block a"},
           std::pair{"uniform sampler2D a[2];", "sampler2D[2]"}}) {
-        CAPTURE(declaration);
-        const Uniform uniform = uniform_of(declaration);
+        CAPTURE(row.first);
+        const Uniform uniform = uniform_of(row.first);
         CHECK(uniform.name == "a");
         CHECK(uniform.kind == Uniform::Kind::other);
-        CHECK(uniform.type_name == name);
+        CHECK(uniform.type_name == row.second);
         CHECK(uniform.why_no_control.starts_with("is "));
         CHECK(uniform.declared == std::vector<Location>{{"a.frag", 2}});
     }
@@ -192,8 +193,7 @@ TEST_CASE("shaders that would break the compiler are refused with a line") {
 TEST_CASE("macros that multiply are refused before they are expanded") {
     std::string plain = "#version 410 core\n#define M0 1.0\n";
     for (int i = 0; i < 40; ++i) {
-        const std::string name = "M" + std::to_string(i);
-        plain += "#define M" + std::to_string(i + 1) + ' ' + name + '+' + name + '\n';
+        plain += fmt::format("#define M{} M{}+M{}\n", i + 1, i, i);
     }
     CHECK(first_error(stage_of("a.frag", plain + "float x = M40;\nvoid main() {}\n"))
               .starts_with("a.frag:43: error: this is too long"));
