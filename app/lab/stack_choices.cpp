@@ -26,7 +26,7 @@ Deed bypass_part(const StackPart& part, const std::string& name) {
 
 Deed move_part(const StackPart& part, const std::string& name, int by) {
     return change_of_stack(part.tag, "Move " + name, [by](Stack& stack, std::size_t place) {
-        const auto other = static_cast<std::size_t>(static_cast<int>(place) + by);
+        const std::size_t other = place + static_cast<std::size_t>(by);  // before the first: huge
         if (other < stack.size())
             std::swap(stack[place], stack[other]);
     });

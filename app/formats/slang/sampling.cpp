@@ -10,7 +10,7 @@ Filter filter_of(std::optional<bool> is_linear, Filter unspecified) {
 
 // A pass has smaller levels where the one behind it asks for them.
 bool SlangSampling::has_levels(int pass) const {
-    const auto next = static_cast<std::size_t>(pass + 1);
+    const std::size_t next = static_cast<std::size_t>(pass) + 1;
     return next < m_preset.passes.size() && m_preset.passes[next].reads_mipmaps;
 }
 
