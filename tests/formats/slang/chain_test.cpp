@@ -43,9 +43,9 @@ TEST_CASE("values and texture paths are applied deepest first, the opened file l
         "#reference \"deep/middle.slangp\"\n#reference \"values/first.params\"\n"
         "#reference \"values/second.params\"\ne = 5\n");
     REQUIRE(preset.has_value());
-    for (const auto& [name, number] : std::map<std::string, double>{
+    for (const auto& value : std::map<std::string, double>{
              {"a", 1}, {"b", 2}, {"c", 3}, {"d", 4}, {"e", 5}, {"inner", 7}})
-        CHECK_MESSAGE(preset->values.at(name).number == number, name);
+        CHECK_MESSAGE(preset->values.at(value.first).number == value.second, value.first);
     CHECK(preset->values.at("d").declared == Location{folder / "values/second.params", 2});
     CHECK(preset->textures[0].file == folder / "values/first.png");
     CHECK(preset->textures[0].declared == Location{folder / "values/first.params", 4});

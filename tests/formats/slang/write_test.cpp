@@ -11,7 +11,7 @@ TEST_CASE("a simple preset refers to the other one from its own folder, values s
 }
 
 TEST_CASE("a value that went through a shader's float is written as it was typed") {
-    const double stored = static_cast<double>(0.92f);
+    const auto stored = static_cast<double>(0.92f);
     CHECK(simple_slang_preset("/a.slangp", {{"x", stored}}, "/b.slangp") ==
           "#reference \"a.slangp\"\n\nx = \"0.92\"\n");
 }
