@@ -7,6 +7,7 @@
 #include "formats/share_line.h"
 #include "lab/editor.h"
 #include "lab/morphing.h"
+#include "lab/session.h"
 #include "lab/sharing.h"
 #include "lab/sound_store.h"
 #include "lab/source.h"
@@ -31,6 +32,7 @@ Extent PictureSize::extent(Extent view) const {
 
 Lab::Lab(Library library, std::unique_ptr<gpu::Context> worker, std::unique_ptr<MidiInputs> midi)
     : m_library(std::move(library)),
+      m_kept_sessions(m_library.roots()),
       m_midi(std::move(midi)),
       m_drive(RecentMedia(m_library.roots())),
       m_tryouts(std::make_unique<Tryouts>()),
@@ -101,17 +103,20 @@ bool Lab::opens_document(const fs::path& file) const {
     return !is_sound_file(file) && !is_svg_file(file) && !is_scene_file(file) && !is_source;
 }
 
-bool Lab::would_lose_changes(const std::string& argument) const {
-    if (!m_document || !m_document->is_modified())
-        return false;
-    const auto request = resolve(argument, m_library);
-    if (!request)
-        return false;  // nothing will open
-    std::error_code error;
-    const fs::path present = m_document->look().manifest;
-    const fs::path manifest =
-        fs::is_directory(request->look, error) ? request->look / present.filename() : request->look;
-    return !fs::equivalent(manifest, present, error) && load_requested(*request, m_library).look;
+void Lab::keep_unsaved(const Session& session) {
+    const auto kept = m_kept_sessions.keep(session);
+    if (succeeded(kept) && *kept)
+        say("Unsaved changes are kept: File, Unsaved changes");
+}
+
+void Lab::take_up(const fs::path& kept) {
+    const auto session = KeptSessions::read(kept);
+    if (!succeeded(session))
+        return;
+    // What another look takes the place of is kept when it opens.
+    if (m_document && m_document->look().manifest == session->look)
+        keep_unsaved(session_of(*this, {}));
+    restore(*this, *session, [kept](Lab& opened) { opened.m_kept_sessions.forget(kept); });
 }
 
 std::string Lab::look_for(const fs::path& file) const {

@@ -7,6 +7,7 @@
 #include "lab/drawing_board.h"
 #include "lab/drive.h"
 #include "lab/impulse.h"
+#include "lab/kept_sessions.h"
 #include "lab/library.h"
 #include "lab/midi_control.h"
 #include "lab/open.h"
@@ -137,6 +138,9 @@ public:
     /// Where the signal's places lie in the picture.
     BeamPlacing beam_placing() const;
 
+    /// Unsaved changes whose place another look took.
+    const KeptSessions& kept_sessions() const { return m_kept_sessions; }
+
     // Verbs. Each shows its failure as a notice.
     void open(const std::string& argument);
     void open(const OpenRequest& request);
@@ -147,9 +151,10 @@ public:
     /// The look to open before a sound, drawing, scene, picture or video can be shown: "" where
     /// the open one takes it.
     std::string look_for(const std::filesystem::path& file) const;
-    /// Whether open() would put another look in the place of unsaved changes. A preset of the open
-    /// look does not: undo brings them back.
-    bool would_lose_changes(const std::string& argument) const;
+    /// Keeps its unsaved changes and says so, where it has some.
+    void keep_unsaved(const Session& session);
+    /// Opens what was kept; unsaved changes of what is open now are kept instead.
+    void take_up(const std::filesystem::path& kept);
     void edit(const std::function<void(Document&)>& change);
     Player& transport() { return m_player; }
     /// What the person keeps about the knobs of all looks, those of the open one included.
@@ -275,10 +280,6 @@ public:
 
     /// Calls `then` once, when the look that is being opened has been read.
     void when_opened(std::function<void(Lab&)> then) { m_when_opened = std::move(then); }
-    /// Calls `then` each time before a look or preset takes the place of unsaved changes.
-    void before_losing_changes(std::function<void(const Lab&)> then) {
-        m_before_losing_changes = std::move(then);
-    }
     Document* mutable_document() { return m_document ? &*m_document : nullptr; }
 
 private:
@@ -336,6 +337,7 @@ private:
     }
 
     Library m_library;
+    KeptSessions m_kept_sessions;
     std::optional<Document> m_document;
     LookKnobs m_knobs;                       // of looks that are not open
     std::optional<DocumentState> m_applied;  // what player and renderer were last told
@@ -379,5 +381,4 @@ private:
     std::optional<PresetPlace> m_preset_step;  // that is being opened
     std::optional<Redraw> m_wanted;            // what the paused picture still owes
     std::function<void(Lab&)> m_when_opened;
-    std::function<void(const Lab&)> m_before_losing_changes;
 };

@@ -117,6 +117,14 @@ ChoiceList drawing_choices(const DrawingBoard& board) {
     return list;
 }
 
+ChoiceList unsaved_choices(const KeptSessions& kept) {
+    ChoiceList list{"Unsaved changes", ChoiceList::Place::file};
+    for (const std::filesystem::path& file : kept.files())
+        list.choices.push_back({.name = title_of_kept(file),
+                                .deeds = {[file](Lab& changed) { changed.take_up(file); }}});
+    return list;
+}
+
 // What stopped the clock, and what is wrong with files.
 ChoiceList trouble_choices(const Lab& lab) {
     ChoiceList list{"Problem"};
@@ -159,6 +167,7 @@ void add_of_look(const Lab& lab, const WindowState& window, const std::vector<Sh
                   inspector_choices(inspected_parts(lab.renderer()->executor(), window.inspected),
                                     window.inspected));
     all.push_back(comparing_choices(lab));
+    all.push_back(unsaved_choices(lab.kept_sessions()));
     add_lists(all, preset_choices(listed_presets(document, looks, lab.preset_stars(), {}),
                                   window.presets));
 }

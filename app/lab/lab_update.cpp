@@ -5,6 +5,7 @@
 #include "lab/frame_limit.h"
 #include "lab/lab.h"
 #include "lab/morphing.h"
+#include "lab/session.h"
 #include "lab/tryouts.h"
 
 #include <algorithm>
@@ -171,8 +172,8 @@ void Lab::open_document(Look look, const OpenRequest& request) {
     const bool is_same = m_document && m_document->look().manifest == look.manifest;
     const bool had_changes = m_document && m_document->is_modified();
     const bool loses_changes = had_changes && has_unlocked_changes(*m_document);
-    if (!is_same && had_changes && m_before_losing_changes)
-        m_before_losing_changes(*this);
+    const std::optional<Session> left =
+        !is_same && had_changes ? std::optional(session_of(*this, {})) : std::nullopt;
     if (!is_same) {
         m_knobs = knobs();
         m_switches = {};
@@ -202,6 +203,8 @@ void Lab::open_document(Look look, const OpenRequest& request) {
     if (!is_same && (!request.preset || !request.preset_file.empty()))
         m_document->forget_past();
     tell_preset(is_same && loses_changes && !m_when_opened);
+    if (left)
+        keep_unsaved(*left);
 }
 
 void Lab::open_values(const OpenRequest& request) {

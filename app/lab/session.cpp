@@ -14,10 +14,6 @@ fs::path session_file(const Roots& roots) {
     return roots.state / "session.json";
 }
 
-fs::path aside_file(const Roots& roots) {
-    return roots.state / "session-before.json";
-}
-
 SessionState session_state(const DocumentState& state, const Look& look, std::string step) {
     SessionState saved{std::move(step), {}, state.overrides};
     saved.preset.look = state.stack.empty() ? look.id : stack_id(state.stack);
@@ -135,39 +131,6 @@ Session load_session(const Roots& roots, Diagnostics& warnings) {
     return load_file(session_file(roots), warnings);
 }
 
-bool has_unsaved(const Session& session) {
-    return session.current.preset.values != session.saved.preset.values ||
-           session.current.preset.modulations != session.saved.preset.modulations ||
-           session.current.preset.signal != session.saved.preset.signal ||
-           session.current.preset.source != session.saved.preset.source ||
-           session.current.overrides != session.saved.overrides;
-}
-
-bool set_session_aside(const Roots& roots, const Session& session) {
-    return has_unsaved(session) &&
-           write_atomically(aside_file(roots), session_to_json(session)).has_value();
-}
-
-bool is_session_aside(const Roots& roots) {
-    std::error_code error;
-    return fs::exists(aside_file(roots), error);
-}
-
-void exchange_sessions(Lab& lab, const std::map<std::string, double>& window) {
-    const Roots& roots = lab.library().roots();
-    Diagnostics warnings;
-    const Session before = load_file(aside_file(roots), warnings);
-    if (!warnings.empty())
-        lab.say(warnings.front());
-    if (before.look.empty())
-        return;
-    const Session now = session_of(lab, window);
-    std::error_code error;
-    if (!set_session_aside(roots, now))
-        fs::remove(aside_file(roots), error);
-    restore(lab, before);
-}
-
 Result<void> save_session(const Roots& roots, const Session& session) {
     return write_atomically(session_file(roots), session_to_json(session));
 }
@@ -216,19 +179,21 @@ void rest_at(double seconds, Lab& lab) {
 }
 }  // namespace
 
-void restore(Lab& lab, const Session& session) {
+void restore(Lab& lab, const Session& session, const std::function<void(Lab&)>& then) {
     lab.set_picture_size({session.follows_view, session.fixed_size, session.picture_scale});
     lab.transport().set_speed(session.speed);
     lab.transport().set_level(session.level);
     if (session.look.empty())
         return;
     lab.open(OpenRequest{session.look, {}, {}, stack_in(session.current.preset, session.looks)});
-    lab.when_opened([session](Lab& opened) {
+    lab.when_opened([session, then](Lab& opened) {
         restore_document(*opened.mutable_document(), session);
         if (session.is_playing)
             opened.transport().seek(session.time);
         else
             rest_at(session.time, opened);
         opened.compare(session.comparison);
+        if (then)
+            then(opened);
     });
 }

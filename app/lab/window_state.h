@@ -162,7 +162,6 @@ struct Dialog {
         delete_preset,
         new_look,
         duplicate_look,
-        unsaved,  // another look is to be opened over changes
         palette,
         compare_preset,  // with what is open; `changes` has the differences
         remote,
@@ -271,7 +270,6 @@ struct WindowState {
     OutputState output;
     FirstSteps first_steps;
 
-    bool has_session_before = false;  // another look took the place of unsaved changes
     PaneSizes panes;
     bool shows_library = true;
     bool shows_history = false;  // in the place of looks and signal

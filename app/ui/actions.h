@@ -9,7 +9,7 @@
 /// What a menu, a key or a button can do.
 enum class ActionId {
     open,
-    reopen_session,
+    take_up_unsaved,
     new_look,
     duplicate_look,
     save_preset,

@@ -62,18 +62,12 @@ public:
             note_use(m_state.recent_files, std::filesystem::absolute(*look).string());
             m_first_file = FirstFile(*std::exchange(look, {}));
         }
-        if (look && set_session_aside(m_options.roots, session))
-            m_lab.say(
-                "The unsaved changes of last time are kept: File, Back to the session before");
-        m_state.has_session_before = is_session_aside(m_options.roots);
+        if (look)
+            m_lab.keep_unsaved(session);
         m_state.first_steps.is_shown = session.look.empty();
         m_lab.set_knobs(session.knobs);
         m_lab.set_slots(session.slots);
         m_lab.set_preset_stars(session.preset_stars);
-        m_lab.before_losing_changes([this](const Lab& lab) {
-            if (set_session_aside(m_options.roots, session_of(lab, remembered(m_state))))
-                m_state.has_session_before = true;
-        });
         if (!look)
             restore(m_lab, session);
         if (look || session.look.empty())
@@ -219,7 +213,7 @@ void Application::draw() {
     });
     draw_window(scene, edits);
     for (const std::filesystem::path& file : m_window.take_dropped_files())
-        edits.open_file(m_lab, file);
+        edits.open_file(file);
     m_toolkit.end();
     if (std::string complaint = m_toolkit.take_complaint(); !complaint.empty())
         m_lab.say(std::move(complaint), true);

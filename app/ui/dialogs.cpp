@@ -79,11 +79,6 @@ void draw_name_dialog(const Question& question, const Scene& scene, Edits& edits
     edits.add([text, answer = replaces ? question.replace : question.answer](Lab& lab) {
         (lab.*answer)(text);
     });
-    if (const std::string& next = scene.window.dialog.subject; !next.empty())
-        edits.add([next](Lab& lab) {
-            if (!lab.document()->is_modified())  // else it could not be saved
-                lab.open(next);
-        });
 }
 
 void draw_delete_dialog(const Scene& scene, Edits& edits) {
@@ -96,52 +91,6 @@ void draw_delete_dialog(const Scene& scene, Edits& edits) {
         return;
     close_dialog(edits);
     edits.add([](Lab& lab) { lab.delete_preset(); });
-}
-
-void open_next(const Scene& scene, Edits& edits) {
-    close_dialog(edits);
-    edits.add([next = scene.window.dialog.subject](Lab& lab) { lab.open(next); });
-}
-
-void save_then_open(const Scene& scene, Edits& edits) {
-    if (scene.lab.document()->preset_file().empty()) {
-        edits.show({.kind = Dialog::Kind::save_preset_as, .subject = scene.window.dialog.subject});
-        return;
-    }
-    edits.add([](Lab& lab) { lab.save_preset(); });
-    open_next(scene, edits);
-}
-
-void draw_unsaved_dialog(const Scene& scene, Edits& edits) {
-    const DialogFrame frame("Save the changes?", 30.0f, scene, edits);
-    if (!frame.is_open() || !scene.lab.document())
-        return;
-    const std::string& preset = scene.lab.document()->preset_name();
-    ImGui::TextWrapped(
-        "The changes to %s are not saved. Discarded, they stay at hand until the next time: File, "
-        "Back to the session before.",
-        preset.empty() ? scene.lab.document()->look().name.c_str() : ("'" + preset + "'").c_str());
-    ImGui::Spacing();
-    const float width = ImGui::GetFontSize() * 6.5f;
-    const float gap = ImGui::GetStyle().ItemSpacing.x;
-    ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - 3.0f * width - 2.0f * gap);
-    if (ImGui::Button("Cancel", {width, 0.0f}))
-        close_dialog(edits);
-    edits.mark("dialog_cancel");
-    ImGui::SameLine();
-    if (ImGui::Button("Discard (D)", {width, 0.0f}) || ImGui::IsKeyPressed('D', false))
-        open_next(scene, edits);
-    edits.mark("dialog_discard");
-    ImGui::SameLine();
-    const ScopedColor color(ImGuiCol_Button, theme::accent_filled);
-    const bool is_entered = ImGui::IsKeyPressed(gpu::key::enter, false) ||
-                            ImGui::IsKeyPressed(gpu::key::pad_enter, false);
-    if (ImGui::Button(preset.empty() ? "Save as…" : "Save", {width, 0.0f}) ||
-        (is_entered && !scene.window.dialog.is_new))
-        save_then_open(scene, edits);
-    if (scene.window.dialog.is_new)  // Enter may have chosen the other look just now
-        edits.arrange([](WindowState& window) { window.dialog.is_new = false; });
-    edits.mark("dialog_ok");
 }
 
 Question name_question(Dialog::Kind kind) {
@@ -184,9 +133,6 @@ void draw_dialogs(const Scene& scene, Edits& edits) {
             return;
         case Kind::delete_preset:
             draw_delete_dialog(scene, edits);
-            return;
-        case Kind::unsaved:
-            draw_unsaved_dialog(scene, edits);
             return;
         case Kind::palette:
             draw_palette_dialog(scene, edits);

@@ -29,11 +29,8 @@ void Edits::show(Dialog dialog) {
     arrange([dialog = std::move(dialog)](WindowState& window) { window.dialog = dialog; });
 }
 
-void Edits::open(const Lab& lab, const std::string& argument) {
-    if (lab.would_lose_changes(argument))
-        show({.kind = Dialog::Kind::unsaved, .subject = argument});
-    else
-        add([argument](Lab& opening) { opening.open(argument); });
+void Edits::open(const std::string& argument) {
+    add([argument](Lab& lab) { lab.open(argument); });
 }
 
 void Edits::note_file(const std::filesystem::path& file) {
@@ -44,12 +41,9 @@ void Edits::note_file(const std::filesystem::path& file) {
     });
 }
 
-void Edits::open_file(const Lab& lab, const std::filesystem::path& file) {
+void Edits::open_file(const std::filesystem::path& file) {
     note_file(file);
-    if (lab.opens_document(file))
-        open(lab, file.string());
-    else
-        add([file](Lab& opening) { opening.open_file(file); });
+    add([file](Lab& lab) { lab.open_file(file); });
 }
 
 void Edits::mark(const std::string& name) {

@@ -35,10 +35,10 @@ public:
     void end_line();
 
     void show(Dialog dialog);
-    /// Opens a look or preset; asks first when that would lose changes.
-    void open(const Lab& lab, const std::string& argument);
+    /// Opens a look or preset; unsaved changes to another one are kept.
+    void open(const std::string& argument);
     /// As open(), for any file: a sound becomes the signal.
-    void open_file(const Lab& lab, const std::filesystem::path& file);
+    void open_file(const std::filesystem::path& file);
     /// Puts a file first among those opened lately.
     void note_file(const std::filesystem::path& file);
     /// To the clipboard of the desktop.

@@ -55,12 +55,13 @@ void paste_line(const Scene&, Edits& edits) {
     edits.add([line = std::string(text ? text : "")](Lab& lab) { lab.paste(line); });
 }
 
-void reopen_session(const Scene& scene, Edits& edits) {
-    edits.add([window = remembered(scene.window)](Lab& lab) { exchange_sessions(lab, window); });
+void take_up_unsaved(const Scene& scene, Edits& edits) {
+    edits.add(
+        [latest = scene.lab.kept_sessions().files().front()](Lab& lab) { lab.take_up(latest); });
 }
 
-bool has_session_before(const Scene& scene) {
-    return scene.window.has_session_before;
+bool has_kept_session(const Scene& scene) {
+    return !scene.lab.kept_sessions().files().empty();
 }
 
 void quit(const Scene&, Edits& edits) {
@@ -157,13 +158,13 @@ std::vector<Action> file_actions::list() {
     using Kind = Dialog::Kind;
     std::vector<Action> actions{
         {ActionId::open, Menu::file, "Open…", {'O', true}, false, show<Kind::open_file>},
-        {ActionId::reopen_session,
+        {ActionId::take_up_unsaved,
          Menu::file,
-         "Back to the session before",
+         "Back to unsaved changes",
          {'O', true, true},
          false,
-         reopen_session,
-         has_session_before},
+         take_up_unsaved,
+         has_kept_session},
         {ActionId::new_look, Menu::file, "New look…", {'N', true}, true, show<Kind::new_look>},
         {ActionId::duplicate_look,
          Menu::file,

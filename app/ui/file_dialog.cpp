@@ -94,7 +94,7 @@ void finish(const fs::path& file, const Scene& scene, Edits& edits) {
     if (!is_saving(dialog))
         edits.note_file(file);
     if (dialog.kind == Dialog::Kind::open_file)
-        edits.open_file(scene.lab, file);
+        edits.open_file(file);
     else if (dialog.kind == Dialog::Kind::save_picture)
         edits.add([file](Lab& lab) { save_snapshot(lab, file); });
     else if (dialog.kind == Dialog::Kind::save_pass)

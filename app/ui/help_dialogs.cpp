@@ -22,11 +22,10 @@ constexpr std::array<std::pair<const char*, const char*>, 7> mouse_habits{
      {"Right button, Ctrl + wheel", "there: move the camera around, nearer or farther"},
      {"Escape", "stop what takes long, go back to the picture, close a dialog"}}};
 
-void line(const std::string& keys, const std::string& words, const Scene& scene) {
+void line(const std::string& keys, const std::string& words) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     {
-        const ScopedFont font(scene.fonts.numbers);
         const ScopedColor color(ImGuiCol_Text, theme::accent);
         ImGui::TextUnformatted(keys.c_str());
     }
@@ -34,11 +33,58 @@ void line(const std::string& keys, const std::string& words, const Scene& scene)
     ImGui::TextWrapped("%s", words.c_str());
 }
 
+/// The keys of one menu.
+struct KeyGroup {
+    const char* title;
+    std::vector<const Action*> actions;
+
+    std::size_t lines() const { return actions.size() + 2; }  // with its title and a gap
+};
+
+std::vector<KeyGroup> key_groups() {
+    std::vector<KeyGroup> groups;
+    for (const auto& [menu, title] :
+         {std::pair{Menu::file, "File"}, std::pair{Menu::edit, "Edit"},
+          std::pair{Menu::knob, "Parameter"}, std::pair{Menu::playback, "Playback"},
+          std::pair{Menu::view, "View"}, std::pair{Menu::output, "Output"},
+          std::pair{Menu::frame_rate, "Frame rate"}, std::pair{Menu::compare, "Compare"},
+          std::pair{Menu::pass, "Pass"}, std::pair{Menu::help, "Help"}}) {
+        KeyGroup group{title, {}};
+        for (const Action& action : all_actions())
+            if (action.menu == menu && action.chord.key != 0)
+                group.actions.push_back(&action);
+        if (!group.actions.empty())
+            groups.push_back(std::move(group));
+    }
+    return groups;
+}
+
+// Whole groups, in their order, so that the longest column is as short as can be.
+std::vector<std::vector<KeyGroup>> in_columns(std::vector<KeyGroup> groups, std::size_t count) {
+    const auto filled = [&](std::size_t most) {
+        std::vector<std::vector<KeyGroup>> columns(1);
+        std::size_t lines = 0;
+        for (const KeyGroup& group : groups) {
+            if (lines > 0 && lines + group.lines() > most) {
+                columns.emplace_back();
+                lines = 0;
+            }
+            lines += group.lines();
+            columns.back().push_back(group);
+        }
+        return columns;
+    };
+    std::size_t most = 1;
+    while (filled(most).size() > count)
+        ++most;
+    return filled(most);
+}
+
 template <class Lines>
-void draw_table(const char* id, const Lines& lines) {
+void draw_table(const char* id, float keys_width, const Lines& lines) {
     if (!ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingFixedFit))
         return;
-    ImGui::TableSetupColumn("keys");
+    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, keys_width);
     ImGui::TableSetupColumn("words", ImGuiTableColumnFlags_WidthStretch);
     lines();
     ImGui::EndTable();
@@ -58,29 +104,45 @@ void draw_in_room(const char* id, const std::function<void()>& draw) {
     ImGui::EndChild();
 }
 
+float width_of_keys(const std::vector<KeyGroup>& column) {
+    float widest = 0.0f;
+    for (const KeyGroup& group : column)
+        for (const Action* action : group.actions)
+            widest = std::max(widest, ImGui::CalcTextSize(chord_text(action->chord).c_str()).x);
+    return widest + ImGui::GetFontSize() * 0.5f;
+}
+
+void draw_group(const KeyGroup& group, float keys_width, const Scene& scene) {
+    {
+        const ScopedFont strong(scene.fonts.strong);
+        ImGui::TextUnformatted(group.title);
+    }
+    draw_table(group.title, keys_width, [&] {
+        for (const Action* action : group.actions)
+            line(chord_text(action->chord), action->label);
+    });
+    ImGui::Spacing();
+}
+
 void draw_keys(const Scene& scene) {
     const ScopedStyle<ImVec2> padding(ImGuiStyleVar_CellPadding,
                                       ImVec2(4.0f * scene.scale, 0.5f * scene.scale));
-    std::vector<const Action*> with_keys;
-    for (const Action& action : all_actions())
-        if (action.chord.key != 0)
-            with_keys.push_back(&action);
     constexpr std::size_t columns = 3;
-    const std::size_t length = (with_keys.size() + columns - 1) / columns;
     if (ImGui::BeginTable("##columns", static_cast<int>(columns))) {
-        for (std::size_t first = 0; first < with_keys.size(); first += length) {
+        for (const std::vector<KeyGroup>& column : in_columns(key_groups(), columns)) {
             ImGui::TableNextColumn();
-            draw_table(std::to_string(first).c_str(), [&] {
-                for (std::size_t i = first; i < std::min(first + length, with_keys.size()); ++i)
-                    line(chord_text(with_keys[i]->chord), with_keys[i]->label, scene);
-            });
+            for (const KeyGroup& group : column)
+                draw_group(group, width_of_keys(column), scene);
         }
         ImGui::EndTable();
     }
     ImGui::Separator();
-    draw_table("##mouse", [&] {
+    float mouse_width = 0.0f;
+    for (const auto& [keys, words] : mouse_habits)
+        mouse_width = std::max(mouse_width, ImGui::CalcTextSize(keys).x);
+    draw_table("##mouse", mouse_width + ImGui::GetFontSize(), [&] {
         for (const auto& [keys, words] : mouse_habits)
-            line(keys, words, scene);
+            line(keys, words);
     });
 }
 }  // namespace

@@ -38,7 +38,7 @@ void draw_presets(const ShelfLook& look, const Scene& scene, Edits& edits) {
                    .about = "Every parameter at its default.",
                    .is_open = has_none,
                    .is_modified = has_none && document.is_modified()}))
-        edits.open(scene.lab, look.argument());
+        edits.open(look.argument());
     edits.mark("preset:");
     for (const ShelfPreset& preset : look.presets) {
         const ListedPreset listed = as_listed(preset, document, scene.lab.preset_stars());
@@ -67,7 +67,7 @@ void draw_look_menu(const ShelfLook& look, const Scene& scene, Edits& edits) {
     if (!ImGui::BeginPopupContextItem("##look_menu"))
         return;
     if (ImGui::MenuItem("Open"))
-        edits.open(scene.lab, look.argument());
+        edits.open(look.argument());
     if (!look.is_stack() && scene.lab.document() && ImGui::MenuItem("Add behind the open look"))
         add_to_stack(look, edits);
     ImGui::EndPopup();
@@ -110,7 +110,7 @@ void draw_library_panel(const Scene& scene, Edits& edits) {
         }
         draw_look_menu(look, scene, edits);
         if (is_clicked && !is_open)
-            edits.open(scene.lab, look.argument());
+            edits.open(look.argument());
         if (is_open)
             draw_presets(look, scene, edits);
     }

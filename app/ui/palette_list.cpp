@@ -40,9 +40,9 @@ const char* why_not(const Action& action, const Scene& scene) {
     if (action.id == ActionId::blackout)
         return "the output window is closed";
     if (!scene.lab.document())
-        return action.id == ActionId::reopen_session ? "there is none" : "no look is open";
+        return action.id == ActionId::take_up_unsaved ? "there is none" : "no look is open";
     switch (action.id) {
-        case ActionId::reopen_session:
+        case ActionId::take_up_unsaved:
             return "there is none";
         case ActionId::rename_preset:
         case ActionId::duplicate_preset:
@@ -152,7 +152,7 @@ void run(const PaletteEntry& entry, const Scene& scene, Edits& edits) {
             return run_action(entry.id, scene, edits);
         case PaletteEntry::Kind::look:
         case PaletteEntry::Kind::preset:
-            return edits.open(scene.lab, entry.subject);
+            return edits.open(entry.subject);
         case PaletteEntry::Kind::pass:
             return inspect(entry.subject, edits);
         case PaletteEntry::Kind::parameter:
@@ -160,7 +160,7 @@ void run(const PaletteEntry& entry, const Scene& scene, Edits& edits) {
         case PaletteEntry::Kind::choice:
             return take(entry.choice, entry.id, edits);
         case PaletteEntry::Kind::file:
-            return edits.open_file(scene.lab, entry.subject);
+            return edits.open_file(entry.subject);
         case PaletteEntry::Kind::difference:
             return compare(entry.subject, scene, edits);
     }

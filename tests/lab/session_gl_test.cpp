@@ -84,26 +84,68 @@ TEST_CASE("values follow a look that was edited between two uses") {
     CHECK(small.document().values() == Values{{"strength", Value(3.0)}});
 }
 
-TEST_CASE("unsaved changes whose place another look takes are set aside, and come back") {
+TEST_CASE("unsaved changes whose place another look takes are kept, and come back") {
     SmallLab small;
-    CHECK_FALSE(set_session_aside(small.roots(), kept(small)));  // nothing to lose
+    small.lab().keep_unsaved(kept(small));
+    CHECK(small.lab().kept_sessions().files().empty());  // nothing to lose
     set_gain(small, 3.0);
-    const Session unsaved = kept(small);
-    CHECK(set_session_aside(small.roots(), unsaved));
-    CHECK(is_session_aside(small.roots()));
+    small.lab().keep_unsaved(kept(small));
+    small.lab().keep_unsaved(kept(small));
+    REQUIRE(small.lab().kept_sessions().files().size() == 1);  // the same but once
+    const fs::path three = small.lab().kept_sessions().files().front();
+    CHECK(title_of_kept(three) == "small");
 
     small.start();
     small.lab().open("small");
     small.wait_for_frames();
     set_gain(small, 5.0);
-    exchange_sessions(small.lab(), kept_window);
+    small.lab().take_up(three);
     const auto has_gain = [&](double gain) {
         const auto value = small.document().values().find("gain");
         return value != small.document().values().end() && value->second == Value(gain);
     };
     REQUIRE(small.turn_until([&] { return has_gain(3.0); }));
-    exchange_sessions(small.lab(), kept_window);
+    REQUIRE(small.lab().kept_sessions().files().size() == 1);
+    const fs::path five = small.lab().kept_sessions().files().front();
+    CHECK_FALSE(fs::exists(three));
+    small.lab().take_up(five);
     CHECK(small.turn_until([&] { return has_gain(5.0); }));
+}
+
+TEST_CASE("the latest dozen of unsaved changes are kept") {
+    const SmallLab small;
+    KeptSessions sessions(small.roots());
+    Session session;
+    session.look = "small";
+    session.current.preset.look = "small";
+    session.saved.preset.look = "small";
+    for (int i = 1; i <= 14; ++i) {
+        session.current.preset.values["gain"] = Value(static_cast<double>(i));
+        CHECK(sessions.keep(session).value_or(false));
+    }
+    const KeptSessions again(small.roots());
+    REQUIRE(again.files().size() == 12);
+    CHECK(again.files() == sessions.files());
+    const auto latest = KeptSessions::read(again.files().front());
+    const auto oldest = KeptSessions::read(again.files().back());
+    REQUIRE(latest.has_value());
+    REQUIRE(oldest.has_value());
+    CHECK(latest->current.preset.values.at("gain") == Value(14.0));
+    CHECK(oldest->current.preset.values.at("gain") == Value(3.0));
+}
+
+TEST_CASE("what a person called a preset names no folder of the unsaved changes") {
+    const SmallLab small;
+    KeptSessions sessions(small.roots());
+    Session session;
+    session.current.preset.look = "small";
+    session.current.preset.values["gain"] = Value(2.0);
+    session.saved.preset.name = "../up\n" + std::string(115, 'x') + "\u00e9";
+    REQUIRE(sessions.keep(session).value_or(false));
+    const fs::path file = sessions.files().front();
+    CHECK(file.parent_path() == small.roots().state / "unsaved");
+    CHECK(fs::exists(file));
+    CHECK(title_of_kept(file).starts_with("small \u2013 ..-up-xxx"));
 }
 
 TEST_CASE("a damaged session is set aside and said; the program starts without it") {

@@ -33,9 +33,10 @@ class Choosing(Person):
         program.key("ctrl+shift+z")
         program.wait("and redo the waves", lambda s: s["signal"].startswith("waveform:"))
         self.ask("look crt", "Look: CRT")
-        program.place("dialog_discard")
-        program.key("d")
-        program.wait("D discards the change, and the look opens", lambda s: s["look"] == "crt" and s["dialog"] == 0)
+        program.wait("the look opens at once", lambda s: s["look"] == "crt" and s["dialog"] == 0)
+        program.wait("the other signal is kept", lambda s: s["notice"].startswith("Unsaved changes are kept"))
+        self.ask("unsaved phosphor", "Unsaved changes: phosphor")
+        program.wait("and comes back", lambda s: s["look"] == "phosphor" and s["signal"].startswith("waveform:"))
 
     def test_a_look_behind_its_source_and_the_inspector_are_chosen_by_keys(self):
         program = self.program
