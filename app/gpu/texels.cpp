@@ -69,4 +69,14 @@ void fill_texels(const Picture& picture, Encoding wanted, std::vector<float>& te
     }
 }
 
+Result<Texture> texture_of(const Picture& picture, Format format, Encoding wanted) {
+    auto texture = Texture::make(picture.extent, format);
+    if (!texture)
+        return texture;
+    std::vector<float> texels;
+    fill_texels(picture, wanted, texels);
+    texture->upload(texels);
+    return texture;
+}
+
 }  // namespace gpu

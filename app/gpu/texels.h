@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gpu/texture.h"
 #include "model/picture.h"
 
 #include <vector>
@@ -11,5 +12,8 @@ namespace gpu {
 /// memory a frame.
 void fill_texels(const Picture& picture, Encoding wanted, std::vector<float>& texels,
                  RowOrder rows = RowOrder::bottom_first);
+
+/// A texture that holds a picture in the `wanted` encoding.
+Result<Texture> texture_of(const Picture& picture, Format format, Encoding wanted);
 
 }  // namespace gpu

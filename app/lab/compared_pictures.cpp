@@ -9,18 +9,6 @@
 #include <utility>
 #include <vector>
 
-namespace {
-std::optional<gpu::Texture> uploaded(const Picture& picture) {
-    auto texture = gpu::Texture::make(picture.extent, Format::rgba32f);
-    if (!texture)
-        return std::nullopt;
-    std::vector<float> texels;
-    gpu::fill_texels(picture, picture.encoding, texels);
-    texture->upload(texels);
-    return std::move(*texture);
-}
-}  // namespace
-
 ComparedPictures::ComparedPictures(Comparer comparer, PairMeter distances, PairMeter light)
     : m_comparer(std::move(comparer)),
       m_distance_meter(std::move(distances)),
@@ -77,7 +65,8 @@ const gpu::Texture* ComparedPictures::reference(const Subject& subject) {
     if (!picture)
         return nullptr;
     if (m_uploaded != picture) {
-        m_reference = uploaded(*picture);
+        auto texture = gpu::texture_of(*picture, Format::rgba32f, picture->encoding);
+        m_reference = texture ? std::optional(std::move(*texture)) : std::nullopt;
         m_uploaded = picture;
         m_fitted.reset();
     }

@@ -15,6 +15,7 @@
 #include "lab/player.h"
 #include "lab/preset_ring.h"
 #include "lab/rate_check.h"
+#include "lab/rate_pictures.h"
 #include "lab/reloader.h"
 #include "lab/renderer.h"
 #include "model/moves.h"
@@ -215,6 +216,9 @@ public:
     void compare_rates();
     void cancel_rate_comparison() { m_rate_check.cancel(); }
     const RateCheck& rate_check() const { return m_rate_check; }
+    /// One of the pairs that were compared, to be seen; at first the one farthest apart.
+    void show_rate_pair(std::size_t pair);
+    const RatePictures& rate_pictures() const { return m_rate_pictures; }
     /// Fires a flash and watches it fall in every pass, beside what the window shows.
     void fire_impulse(const Pin& place);
     void cancel_impulse() { m_impulse.cancel(); }
@@ -365,6 +369,7 @@ private:
     std::unique_ptr<Tryouts> m_tryouts;
     std::unique_ptr<Morphing> m_morphing;  // null: none is under way
     RateCheck m_rate_check;
+    RatePictures m_rate_pictures;
     BackgroundWork<ImpulseResponse> m_impulse;
     Reloader m_reloader;
     std::vector<Problem> m_look_problems;

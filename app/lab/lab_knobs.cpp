@@ -32,10 +32,16 @@ void Lab::set_slider_ends(const std::string& parameter, const std::optional<Limi
 }
 
 void Lab::compare_rates() {
+    m_rate_pictures.clear();
     if (m_document)
         m_rate_check.start([document = *m_document, picture = picture_extent()](Work& work) {
             return ::compare_rates(document, picture, work);
         });
+}
+
+void Lab::show_rate_pair(std::size_t pair) {
+    if (const auto& outcome = m_rate_check.outcome(); outcome && *outcome)
+        succeeded(m_rate_pictures.show(**outcome, pair));
 }
 
 void Lab::fire_impulse(const Pin& place) {

@@ -23,7 +23,10 @@ void Lab::update(double wall_seconds) {
         extra_file_changed(file);
     take_reload();
     listen(wall_seconds);
+    const bool was_comparing = m_rate_check.is_running();
     m_rate_check.update();
+    if (const auto& compared = m_rate_check.outcome(); was_comparing && compared && *compared)
+        show_rate_pair((*compared)->worst_place());
     m_impulse.update();
     if (!m_document || !m_renderer)
         return;

@@ -111,14 +111,11 @@ void PresetPictures::take_one() {
         entry.problem = words_of(painted->picture.error().front());
         return;
     }
-    auto texture = gpu::Texture::make(painted->picture->extent, Format::rgba8);
+    auto texture = gpu::texture_of(*painted->picture, Format::rgba8, Encoding::display);
     if (!texture) {
         entry.problem = words_of(texture.error().front());
         return;
     }
-    std::vector<float> texels;
-    gpu::fill_texels(*painted->picture, Encoding::display, texels);
-    texture->upload(texels);
     entry.picture.emplace(std::move(*texture));
 }
 

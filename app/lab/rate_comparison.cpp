@@ -23,9 +23,15 @@ Extent size_to_compare(Extent picture) {
     return {std::max(1, static_cast<int>(std::lround(picture.width * scale))), most_lines};
 }
 
-const RatePair& RateComparison::worst() const {
-    return *std::ranges::max_element(pairs, {},
-                                     [](const RatePair& pair) { return pair.difference.largest; });
+std::size_t RateComparison::worst_place() const {
+    const auto worst = std::ranges::max_element(
+        pairs, {}, [](const RatePair& pair) { return pair.difference.largest; });
+    return static_cast<std::size_t>(worst - pairs.begin());
+}
+
+const Picture& RateComparison::picture(double fps) const {
+    const auto* const rate = std::ranges::find(compared_rates, fps);
+    return pictures.at(static_cast<std::size_t>(rate - compared_rates.begin()));
 }
 
 namespace {
@@ -59,7 +65,7 @@ Picture shown(Picture picture) {
 Result<RateComparison> compare_rates(Document document, Extent picture, Work& work) {
     if (auto good = check_driver(document); !good)
         return fail(good.error());
-    RateComparison comparison{moment_to_compare(document.look()), size_to_compare(picture), {}};
+    RateComparison comparison{moment_to_compare(document.look()), size_to_compare(picture), {}, {}};
     auto offline = Offline::create({document, {}}, comparison.size, compared_rates.front());
     if (!offline)
         return fail(offline.error());
@@ -67,7 +73,7 @@ Result<RateComparison> compare_rates(Document document, Extent picture, Work& wo
     for (const double fps : compared_rates)
         all += frames_in(comparison.seconds, fps);
     double done = 0.0;
-    std::vector<Picture> pictures;
+    std::vector<Picture>& pictures = comparison.pictures;
     for (const double fps : compared_rates) {
         offline->set_fps(fps);
         if (auto begun = offline->start_again(document); !begun)

@@ -21,10 +21,14 @@ struct RatePair {
 struct RateComparison {
     double seconds = 0.0;  // the moment, from a fresh start
     Extent size;
-    std::vector<RatePair> pairs;  // every two of compared_rates
+    std::vector<RatePair> pairs;    // every two of compared_rates
+    std::vector<Picture> pictures;  // of each of compared_rates, as a display shows it
 
-    /// The pair that is farthest apart.
-    const RatePair& worst() const;
+    /// The pair that is farthest apart: its place in `pairs`.
+    std::size_t worst_place() const;
+    const RatePair& worst() const { return pairs[worst_place()]; }
+    /// Of one of compared_rates.
+    const Picture& picture(double fps) const;
 };
 
 /// When a look has settled and every one of compared_rates ends a frame: a multiple of 1/6 s.

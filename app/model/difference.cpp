@@ -63,3 +63,23 @@ Result<Difference> difference_between(const Picture& first, const Picture& secon
     }
     return Difference{distances_of(sums, first.extent, channels), largest_x, largest_y};
 }
+
+Picture difference_picture(const Picture& first, const Picture& second, double gain) {
+    Picture apart{first.extent, 3, Encoding::display, {}};
+    const std::size_t pixels = static_cast<std::size_t>(first.extent.width) *
+                               static_cast<std::size_t>(first.extent.height);
+    apart.pixels.reserve(pixels * 3);
+    for (std::size_t pixel = 0; pixel < pixels; ++pixel)
+        for (int channel = 0; channel < 3; ++channel)
+            apart.pixels.push_back(
+                static_cast<float>(gain * distance(component(first, pixel, channel),
+                                                   component(second, pixel, channel))));
+    return apart;
+}
+
+double gain_to_see(double largest) {
+    constexpr double most_stops = 16.0;
+    if (!(largest > 0.0))
+        return 1.0;
+    return std::exp2(std::clamp(std::floor(-std::log2(largest)), 0.0, most_stops));
+}

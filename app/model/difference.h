@@ -31,3 +31,10 @@ Distances distances_of(const DifferenceSums& sums, Extent extent, int channels);
 /// channels.
 Result<Difference> difference_between(const Picture& first, const Picture& second,
                                       double tolerance);
+
+/// The absolute differences of all colours, `gain` times, of two pictures of one size and as many
+/// channels each.
+Picture difference_picture(const Picture& first, const Picture& second, double gain);
+
+/// The largest power of two, at most 2^16, by which a difference stays within 1.
+double gain_to_see(double largest);

@@ -66,6 +66,9 @@ TEST_CASE("a light that fades by the frame is not, and the farthest rates are na
     // After half a second: 12 frames against 72.
     const double apart = std::pow(0.95, 12.0) - std::pow(0.95, 72.0);
     CHECK(std::abs(found->worst().difference.largest - apart) < 1e-4);
+    REQUIRE(found->pictures.size() == compared_rates.size());
+    CHECK(std::abs(found->picture(24.0).pixels[0] - std::pow(0.95, 12.0)) < 1e-4);
+    CHECK(std::abs(found->picture(144.0).pixels[0] - std::pow(0.95, 72.0)) < 1e-4);
 }
 
 TEST_CASE("a comparison runs beside the lab, can be cancelled and be begun again") {
@@ -77,5 +80,12 @@ TEST_CASE("a comparison runs beside the lab, can be cancelled and be begun again
     lab.lab().compare_rates();
     REQUIRE(lab.turn_until([&] { return !lab.lab().rate_check().is_running(); }));
     REQUIRE(lab.lab().rate_check().outcome());
-    CHECK(lab.lab().rate_check().outcome()->has_value());
+    REQUIRE(lab.lab().rate_check().outcome()->has_value());
+    const RateComparison& found = **lab.lab().rate_check().outcome();
+    REQUIRE(lab.lab().rate_pictures().shown());
+    CHECK(lab.lab().rate_pictures().shown()->pair == found.worst_place());
+    lab.lab().show_rate_pair(0);
+    CHECK(lab.lab().rate_pictures().shown()->pair == 0);
+    CHECK(lab.lab().rate_pictures().shown()->gain ==
+          gain_to_see(found.pairs[0].difference.largest));
 }

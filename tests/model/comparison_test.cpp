@@ -3,6 +3,8 @@
 #include "about.h"
 #include "model/difference.h"
 
+#include <limits>
+
 TEST_CASE("a difference is seen absolute, relative to the other, or squared") {
     CHECK(difference_of(0.75, 0.5, DifferenceMeasure::absolute) == 0.25);
     CHECK(difference_of(0.5, 0.75, DifferenceMeasure::absolute) == 0.25);
@@ -17,6 +19,22 @@ TEST_CASE("half the light is matched by one stop; darkness by nothing") {
     CHECK(matching_stops(0.125, 0.5) == -2.0);
     CHECK_FALSE(matching_stops(0.5, 0.0));
     CHECK_FALSE(matching_stops(0.0, 0.5));
+}
+
+TEST_CASE("a difference is shown as many times as it stays within white") {
+    CHECK(gain_to_see(0.25) == 4.0);
+    CHECK(gain_to_see(0.3) == 2.0);
+    CHECK(gain_to_see(1.0) == 1.0);
+    CHECK(gain_to_see(0.0) == 1.0);
+    CHECK(gain_to_see(1e-9) == 65536.0);
+    CHECK(gain_to_see(std::numeric_limits<double>::infinity()) == 1.0);
+    const Picture first{
+        {2, 1}, 4, Encoding::display, {0.5f, 0.25f, 0.0f, 1.0f, 1.0f, 0.0f, 0.5f, 0.0f}};
+    const Picture second{
+        {2, 1}, 4, Encoding::display, {0.25f, 0.25f, 0.125f, 0.0f, 0.0f, 0.0f, 0.5f, 1.0f}};
+    const Picture apart = difference_picture(first, second, 2.0);
+    CHECK(apart.extent == Extent{2, 1});
+    CHECK(apart.pixels == std::vector<float>{0.5f, 0.0f, 0.25f, 2.0f, 0.0f, 0.0f});
 }
 
 TEST_CASE("sums of differences come to means over components and shares of pixels") {

@@ -92,6 +92,13 @@ class Tuning(Person):
         self.snapshot("rates_under_way")
         program.click("dialog_cancel")
         program.wait("no longer", lambda s: s["dialog"] == 0)
+        program.choose("Playback", "Compare at 24, 30, 60 and 144 Hz…")
+        program.place("rates_difference")
+        program.click("rates:24-30")
+        program.place("rates_difference")
+        self.snapshot("rates")
+        program.key("Escape")
+        program.wait("it is closed", lambda s: s["dialog"] == 0)
 
     def test_a_period_that_pixels_cannot_draw_evenly_is_told(self):
         program = self.program
