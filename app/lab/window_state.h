@@ -279,6 +279,7 @@ struct WindowState {
     bool shows_bottom = false;
     BottomPart bottom_part = BottomPart::problems;
     bool is_picture_only = false;
+    bool walks_menus = false;   // by keys
     bool shows_flashes = true;  // how often the picture does
     ComfortClamp comfort;
 

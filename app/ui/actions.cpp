@@ -316,7 +316,7 @@ void run_keys(const Scene& scene, Edits& edits) {
     for (const Action& action : all_actions())
         if (action.let_go && ImGui::IsKeyReleased(action.chord.key))
             action.let_go(scene, edits);
-    if (scene.window.dialog.kind != Dialog::Kind::none)
+    if (scene.window.dialog.kind != Dialog::Kind::none || scene.window.walks_menus)
         return;
     if (ImGui::IsKeyPressed(gpu::key::escape, false) && !ImGui::IsAnyItemActive())
         escape(scene, edits);

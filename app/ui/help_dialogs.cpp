@@ -13,13 +13,14 @@
 #include <utility>
 
 namespace {
-constexpr std::array<std::pair<const char*, const char*>, 7> mouse_habits{
+constexpr std::array<std::pair<const char*, const char*>, 8> mouse_habits{
     {{"Drag on a slider", "turn it; with Shift ten times finer, with Alt ten times coarser"},
      {"Ctrl+click or double click", "type a value, also beyond the slider's ends"},
      {"Click on a name", "what it is, where it is declared, where its slider ends"},
      {"Wheel over a picture", "zoom about the pointer"},
      {"Drag a picture", "move it; in a look that can be turned (Caffeine) turn the object"},
      {"Right button, Ctrl + wheel", "there: move the camera around, nearer or farther"},
+     {"F10", "the menus, by arrow keys, Enter and Escape"},
      {"Escape", "stop what takes long, go back to the picture, close a dialog"}}};
 
 void line(const std::string& keys, const std::string& words) {

@@ -2,6 +2,7 @@
 
 #include "ui/actions.h"
 #include "ui/choice_items.h"
+#include "ui/menu_keys.h"
 #include "ui/picture_menus.h"
 #include "ui/scoped.h"
 #include "ui/theme.h"
@@ -85,6 +86,7 @@ std::string title_of(const Lab& lab) {
 void draw_menu_bar(const Scene& scene, Edits& edits) {
     if (!ImGui::BeginMenuBar())
         return;
+    follow_menu_keys("File", scene, edits);
     draw_menu(Menu::file, "File", scene, edits);
     draw_menu(Menu::edit, "Edit", scene, edits);
     draw_menu(Menu::view, "View", scene, edits);

@@ -135,6 +135,42 @@ TEST_CASE("what is locked is refused, and what another look has is left alone") 
     CHECK(small.document().history().past().empty());
 }
 
+TEST_CASE("a switch has no place to be picked up at: a knob turns it at once") {
+    Turning small;
+    small.write_by_rename("gain.glsl",
+                          "uniform float gain = 1.0;\nuniform bool is_dark = false;\n");
+    small.write_by_rename("show.frag",
+                          replaced(small_look::show, "* gain", "* (is_dark ? 0.0 : gain)"));
+    REQUIRE(small.turn_until(
+        [&] { return find_parameter(small.document().look(), "is_dark") != nullptr; }));
+    RemoteSettings settings;
+    settings.listens_to_midi = true;
+    settings.midi = {{{"is_dark"}, 1, 21}};
+    small.lab().set_remote_settings(settings);
+    REQUIRE(settings.picks_up);
+    small.knob(21, 127);
+    CHECK(small.document().value(*find_parameter(small.document().look(), "is_dark")).number() ==
+          1.0);
+}
+
+TEST_CASE("nothing is turned while another stack is being read") {
+    Turning small;
+    RemoteSettings settings;
+    settings.listens_to_midi = true;
+    settings.picks_up = false;
+    settings.midi = {{{"gain"}, 1, 21}};
+    small.lab().set_remote_settings(settings);
+    small.lab().edit([](Document& document) {
+        Stack twice = document.look().stack;
+        twice.push_back(twice.front());
+        twice.back().tag = free_tag(document.look().stack, twice.back().look);
+        document.set_stack(twice, "Add");
+    });
+    REQUIRE(small.document().is_restacking());
+    small.knob(21, 127);
+    CHECK(small.lab().midi().turned() == 0);
+}
+
 TEST_CASE("without a device one message says so, and one that is plugged in later is found") {
     Turning small;
     small.device.plugged.clear();

@@ -38,6 +38,21 @@ class Choosing(Person):
         self.ask("unsaved phosphor", "Unsaved changes: phosphor")
         program.wait("and comes back", lambda s: s["look"] == "phosphor" and s["signal"].startswith("waveform:"))
 
+    def test_the_menus_are_walked_by_keys(self):
+        program = self.program
+        program.key("F10")
+        program.place("menu:Open…")
+        program.key("Right")
+        program.place("menu:Morph: To Amber P3")
+        program.key("Down", "Return")
+        program.wait("a preset is gone to", lambda s: s["preset"] == "Amber P3")
+        program.key("F10")
+        program.place("menu:Open…")
+        program.key("Down", "Right", "Right", "Down")
+        program.place("menu:Undo")
+        program.key("Escape", "Escape", "Right")
+        program.wait("and left, with the keys as before", lambda s: "menu:Undo" not in s["widgets"])
+
     def test_a_look_behind_its_source_and_the_inspector_are_chosen_by_keys(self):
         program = self.program
         self.ask("pass persist", "Pass: persistence")
