@@ -201,8 +201,11 @@ void Lab::set_mouse(double x, double y) {
 }
 
 void Lab::cancel_replay() {
-    if (m_renderer)
-        m_renderer->cancel_replay();
+    if (!m_renderer)
+        return;
+    m_renderer->cancel_replay();
+    if (!m_renderer->has_drawn())  // with what there is of its past, rather than nothing
+        want({std::vector<bool>(m_renderer->executor().look().passes.size(), true), false});
 }
 
 void Lab::save_preset() {

@@ -177,6 +177,7 @@ void Renderer::draw_frame(const PlayedFrame& played, const Beam& beam,
 void Renderer::draw(const PlayedFrame& played, const Beam& beam) {
     const auto start = std::chrono::steady_clock::now();
     draw_frame(played, beam, nullptr);
+    m_has_drawn = true;
     m_point_count = beam.size();
     m_pass_milliseconds = m_executor.pass_milliseconds();
     m_pass_times.add(m_pass_milliseconds);

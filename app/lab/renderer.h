@@ -59,6 +59,8 @@ public:
     void mend() { m_executor.mend(); }
 
     void draw(const PlayedFrame& frame, const Beam& beam);
+    /// Whether any frame was drawn whole.
+    bool has_drawn() const { return m_has_drawn; }
     /// A frame that nobody will look at: only what later frames are made of is drawn.
     void draw_unseen(const PlayedFrame& frame, const Beam& beam);
     void clear_history();
@@ -135,4 +137,5 @@ private:
     Replay m_replay;
     std::size_t m_replay_first = 0;
     double m_frame_seconds = 1.0 / 60.0;
+    bool m_has_drawn = false;
 };

@@ -72,6 +72,23 @@ TEST_CASE("a change is kept as soon as it is done, a drag when the hand lets go"
     CHECK(kept_gain() == 3.0);
 }
 
+TEST_CASE(
+    "a paused picture whose first replay is cut short is drawn with what there is of its past") {
+    SmallLab small;
+    small.turn(30);
+    small.lab().transport().pause();
+    const Session session = kept(small);
+    small.start();
+    restore(small.lab(), session);
+    REQUIRE(small.turn_until(
+        [&] { return small.lab().renderer() && small.lab().renderer()->replay().is_running(); }));
+    small.lab().cancel_replay();
+    REQUIRE_FALSE(small.lab().renderer()->has_drawn());
+    small.turn(1);
+    CHECK(small.shown() >= 1.0f);  // every frame adds one
+    CHECK(small.shown() < 20.0f);  // of the look's settle_frames
+}
+
 TEST_CASE("values follow a look that was edited between two uses") {
     SmallLab small;
     set_gain(small, 3.0);
