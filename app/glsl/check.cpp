@@ -87,12 +87,17 @@ void link(Compiled& vertex, Compiled& fragment, Diagnostics& problems) {
 void check_text(const Stage& stage, Diagnostics& problems) {
     const Diagnostics version = check_version(stage);
     problems.insert(problems.end(), version.begin(), version.end());
-    if (const auto fault = find_out_of_bounds(stage.text)) {
-        const Location at = place_in(stage, fault->line);
-        problems.push_back({at.file, at.line, fault->message});
-    }
+    check_bounds(stage, problems);
 }
 }  // namespace
+
+void check_bounds(const Stage& stage, Diagnostics& problems) {
+    const auto fault = find_out_of_bounds(stage.text);
+    if (!fault)
+        return;
+    const Location at = place_in(stage, fault->line);
+    problems.push_back({at.file, at.line, fault->message});
+}
 
 std::string with_article(const std::string& type_name) {
     const bool is_vowel = type_name.starts_with('i') || type_name.starts_with('a');

@@ -34,6 +34,9 @@ struct Reflection {
 /// that no 32-bit float holds, and shaders that would take glslang out of its depth.
 Result<Reflection> check_program(const Stage& vertex, const Stage& fragment);
 
+/// Whether a stage would take glslang out of its depth, as find_out_of_bounds says.
+void check_bounds(const Stage& stage, Diagnostics& problems);
+
 /// Builds glslang's built-in tables, which the first check would otherwise wait for (20 ms).
 void warm_up();
 

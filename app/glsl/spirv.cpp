@@ -1,6 +1,5 @@
 #include "glsl/spirv.h"
 
-#include "glsl/bounds.h"
 #include "glsl/check.h"
 #include "glsl/compiler_log.h"
 #include "glsl/start.h"
@@ -75,11 +74,8 @@ std::vector<std::uint32_t> code_of(VulkanStage& stage, Diagnostics& problems) {
 
 Result<SpirvPair> compile_for_vulkan(const Stage& vertex, const Stage& fragment) {
     Diagnostics problems;
-    for (const Stage* stage : {&vertex, &fragment})
-        if (const auto fault = find_out_of_bounds(stage->text)) {
-            const Location at = place_in(*stage, fault->line);
-            problems.push_back({at.file, at.line, fault->message});
-        }
+    check_bounds(vertex, problems);
+    check_bounds(fragment, problems);
     if (!problems.empty())
         return fail(std::move(problems));
 
