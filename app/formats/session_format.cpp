@@ -196,6 +196,7 @@ private:
         session.fixed_size.width = reader.whole("width", session.fixed_size.width, 1, largest);
         session.fixed_size.height = reader.whole("height", session.fixed_size.height, 1, largest);
         session.picture_scale = reader.number("picture_scale", session.picture_scale);
+        session.picture_shape = reader.text("picture_shape", session.picture_shape);
         if (const JsonValue* looks = reader.find("knobs"))
             for (const JsonValue& look : looks->children)
                 for (const JsonValue& knob : look.children)
@@ -285,6 +286,7 @@ std::string session_to_json(const Session& session) {
                       {"width", session.fixed_size.width},
                       {"height", session.fixed_size.height},
                       {"picture_scale", session.picture_scale},
+                      {"picture_shape", session.picture_shape},
                       {"knobs", json_of(session.knobs)},
                       {"slots", json_of(session.slots)},
                       {"preset_stars", session.preset_stars},

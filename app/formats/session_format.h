@@ -38,7 +38,8 @@ struct Session {
     bool follows_view = true;
     Extent fixed_size{1280, 720};
     double picture_scale = 1.0;
-    LookKnobs knobs;  // what the person keeps about parameters, by look
+    std::string picture_shape;  // "": as the look has it; else "view", "source" or "whole pixels"
+    LookKnobs knobs;            // what the person keeps about parameters, by look
     LookSlots slots;
     PresetStars preset_stars;
     std::map<std::string, double> window;  // what the window remembers of itself, by its own names

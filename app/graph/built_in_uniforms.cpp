@@ -68,7 +68,9 @@ BuiltInUniforms::Numbers BuiltInUniforms::numbers_of(const Place& place, const F
         case BuiltIn::source_size:
             return size(facts.source);
         case BuiltIn::source_aspect:
-            return {{width_of(facts.source) / std::max(height_of(facts.source), 1.0)}, 1};
+            return {{width_of(facts.source) * frame.pixel_aspect /
+                     std::max(height_of(facts.source), 1.0)},
+                    1};
         case BuiltIn::mouse:
             return {{frame.mouse[0], frame.mouse[1]}, 2};
         case BuiltIn::quad_to_clip:

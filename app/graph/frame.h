@@ -12,6 +12,7 @@ struct Frame {
     double time_delta = 0;          // s
     std::int64_t number = 0;        // from 1
     std::array<double, 2> mouse{};  // px of the picture, from its bottom left
+    double pixel_aspect = 1.0;      // of the source: width to height of a pixel
     std::span<const BeamPoint> beam;
     std::span<const BeamTint> tints;  // of the points; none where all are white
     bool is_first = false;            // no history, and no beam before this one

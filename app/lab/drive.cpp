@@ -134,9 +134,7 @@ Result<bool> Drive::show_source(double seconds, Renderer& renderer) {
     const Extent extent = source_extent();
     if (picture == m_shown && extent == m_shown_extent)
         return false;
-    const bool is_whole = m_source->spec().fit == Fit::stretch;
-    const auto set =
-        renderer.set_source(is_whole ? *picture : placed(*picture, m_source->spec(), m_viewport));
+    const auto set = show_placed(*picture, m_source->spec(), m_viewport, renderer);
     m_shown = std::move(picture);
     m_shown_extent = extent;
     return set ? Result<bool>(true) : fail(set.error());
@@ -156,10 +154,7 @@ Result<void> Drive::show_beside(double seconds, const Beside& beside) {
     if (picture == beside.shown)
         return {};
     beside.shown = std::move(picture);
-    const SourceSpec& spec = m_source->spec();
-    const bool is_whole = spec.fit == Fit::stretch;
-    return beside.renderer.set_source(is_whole ? *beside.shown
-                                               : placed(*beside.shown, spec, beside.viewport));
+    return show_placed(*beside.shown, m_source->spec(), beside.viewport, beside.renderer);
 }
 
 Result<void> Drive::show_past_beside(double seconds, const Beside& beside) {

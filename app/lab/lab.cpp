@@ -22,8 +22,8 @@
 
 namespace fs = std::filesystem;
 
-Extent PictureSize::extent(Extent view) const {
-    const Extent whole = follows_view ? view : fixed;
+Extent PictureSize::extent(Extent shaped_view) const {
+    const Extent whole = follows_view ? shaped_view : fixed;
     const auto side = [this](int length) {
         return std::clamp(static_cast<int>(std::lround(length * scale)), 1, 16384);
     };
@@ -43,6 +43,24 @@ Lab::Lab(Library library, std::unique_ptr<gpu::Context> worker, std::unique_ptr<
 }
 
 Lab::~Lab() = default;
+
+PictureShape Lab::picture_shape() const {
+    if (m_picture_size.shape)
+        return *m_picture_size.shape;
+    const bool keeps_source = m_document && m_document->look().driven_by == Driver::picture &&
+                              is_foreign_look(m_document->look().manifest);
+    return keeps_source ? PictureShape::source : PictureShape::view;
+}
+
+Extent Lab::picture_extent() const {
+    const auto& source = m_drive.source();
+    const bool has_source =
+        m_document && m_document->look().driven_by == Driver::picture && source.has_value();
+    if (!has_source)
+        return m_picture_size.extent(m_view);
+    return m_picture_size.extent(
+        shaped(m_view, picture_shape(), source->extent(), source->spec().aspect));
+}
 
 void Lab::say(std::string text, bool is_problem, std::string subject) {
     if (is_problem && !text.empty() && text.find(": ") == std::string::npos)

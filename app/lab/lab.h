@@ -20,6 +20,7 @@
 #include "lab/renderer.h"
 #include "model/moves.h"
 #include "model/pass_switches.h"
+#include "model/placing.h"
 #include "model/preset_stars.h"
 #include "model/remote_settings.h"
 
@@ -44,10 +45,13 @@ struct Problem {
 struct PictureSize {
     bool follows_view = true;
     Extent fixed{1280, 720};
-    double scale = 1.0;  // 1/4 .. 2, of either
+    double scale = 1.0;                                // 1/4 .. 2, of either
+    std::optional<PictureShape> shape = std::nullopt;  // that follows the view; none: as the look
+                                                       // has it
 
     bool operator==(const PictureSize&) const = default;
-    Extent extent(Extent view) const;
+    /// `shaped_view`: what it is where it follows the view.
+    Extent extent(Extent shaped_view) const;
 };
 
 /// Something that just happened and goes by ("Saved 'amber'").
@@ -122,7 +126,10 @@ public:
     /// Whether the present values are the slot's.
     bool is_in_slot(std::size_t number) const;
     const PictureSize& picture_size() const { return m_picture_size; }
-    Extent picture_extent() const { return m_picture_size.extent(m_view); }
+    Extent picture_extent() const;
+    /// Of a picture that follows the view. What other programs' looks make of a source keeps its
+    /// shape, unless the person chose otherwise; our own fill the view.
+    PictureShape picture_shape() const;
     /// What drives the look: how far its file has been read.
     const Drive& drive() const { return m_drive; }
 
@@ -196,6 +203,10 @@ public:
     void save_preset();                            // over the open one
     void save_preset_as(const std::string& name);  // refused where there is one of that name
     void replace_preset(const std::string& name);  // as save_preset_as, over the one there is
+    /// Whether one look of libretro's is open, and no stack.
+    bool can_save_slang_preset() const;
+    /// As a .slangp that refers to the open file and holds the values that differ from its own.
+    void save_slang_preset(const std::filesystem::path& file);
     void rename_preset(const std::string& name);
     void duplicate_preset();
     void delete_preset();

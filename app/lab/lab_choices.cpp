@@ -195,7 +195,7 @@ std::vector<ChoiceList> all_choices(const Lab& lab, const WindowState& window,
         add_of_look(lab, window, looks, all);
         add_further(lab, window, all);
     }
-    add_lists(all, window_choices(window, lab.picture_size(), lab.picture_extent()));
+    add_lists(all, window_choices(window, size_in_force(lab)));
     const Player& player = lab.player();
     all.push_back(
         sound_choices({.settings = player.sound_settings(),

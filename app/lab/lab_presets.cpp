@@ -1,6 +1,9 @@
 // The part of Lab that goes from one preset to the next, at once or over some time.
 #include "formats/modulation_format.h"
 #include "formats/preset_format.h"
+#include "formats/slang/slang_format.h"
+#include "formats/slang/write.h"
+#include "io/atomic_file.h"
 #include "lab/lab.h"
 #include "lab/morphing.h"
 
@@ -16,6 +19,28 @@ void Lab::star_preset(const std::string& name, bool has_star) {
         m_preset_stars.insert(star);
     else
         m_preset_stars.erase(star);
+}
+
+bool Lab::can_save_slang_preset() const {
+    return m_document && m_document->look().stack.size() <= 1 &&
+           is_slang_file(m_document->look().manifest);
+}
+
+void Lab::save_slang_preset(const fs::path& given) {
+    if (!can_save_slang_preset())
+        return say("only a look of libretro's can be saved as a .slangp", true);
+    const fs::path file =
+        given.extension() == ".slangp" ? given : fs::path(given.string() + ".slangp");
+    const Look& look = m_document->look();
+    std::error_code error;
+    if (fs::equivalent(file, look.manifest, error))
+        return say("a .slangp cannot refer to itself: give it another name", true);
+    std::map<std::string, double> values;
+    for (const Parameter& parameter : look.parameters)
+        if (m_document->is_changed(parameter))
+            values[parameter.name] = m_document->value(parameter).number();
+    if (succeeded(write_atomically(file, simple_slang_preset(look.manifest, values, file))))
+        say(fmt::format("Saved '{}'", file.filename().string()));
 }
 
 // Pressed again before the last one is read, or while a morph is under way, a key goes on from

@@ -20,9 +20,26 @@ std::vector<ChoiceList> inspector_choices(const InspectedParts& parts, const Pas
 /// Size, format and filter of a pass; nothing where the look has none of that name.
 ChoiceList pass_setting_choices(const Document& document, const std::string& pass);
 
+/// How large the picture is to be, and is.
+struct SizeInForce {
+    PictureSize chosen;
+    PictureShape shape = PictureShape::view;
+    Extent extent;
+
+    bool is_shaped(PictureShape as) const { return chosen.follows_view && shape == as; }
+};
+SizeInForce size_in_force(const Lab& lab);
+
 /// Size of the picture, zoom, panes, pins, the waveform's line and what else the window holds.
-std::vector<ChoiceList> window_choices(const WindowState& window, const PictureSize& size,
-                                       Extent picture);
+std::vector<ChoiceList> window_choices(const WindowState& window, const SizeInForce& size);
+
+/// How a picture that follows the view may be shaped, as a person reads it.
+inline constexpr std::array picture_shapes{
+    std::pair{PictureShape::view, "As large as the view"},
+    std::pair{PictureShape::source, "In the view, with the source's shape"},
+    std::pair{PictureShape::whole_pixels, "In the view, whole multiples of the source"}};
+/// The size with that shape.
+PictureSize with_shape(PictureSize size, PictureShape shape);
 
 /// Keeps four, the first one gives way; and shows them.
 void add_pin(WindowState& window, const Pin& pin);

@@ -207,8 +207,7 @@ Result<void> Offline::show_source(double seconds) {
     if (picture == m_shown)
         return {};
     m_shown = std::move(picture);
-    const bool is_whole = m_source->spec().fit == Fit::stretch;
-    return m_renderer->set_source(is_whole ? *m_shown : placed(*m_shown, m_source->spec(), m_size));
+    return show_placed(*m_shown, m_source->spec(), m_size, *m_renderer);
 }
 
 Diagnostics Offline::take_problems() {

@@ -58,7 +58,8 @@ Result<void> Renderer::resize(Extent picture, Extent source) {
     return done;
 }
 
-Result<void> Renderer::set_source(const Picture& picture) {
+Result<void> Renderer::set_source(const Picture& picture, double pixel_aspect) {
+    m_pixel_aspect = pixel_aspect;
     return for_each([&](Executor& executor) { return executor.set_source(picture); });
 }
 
@@ -144,6 +145,7 @@ Frame Renderer::frame_of(const PlayedFrame& played, const Beam& beam) const {
     frame.time_delta = played.span.seconds();
     frame.number = played.number;
     frame.mouse = m_mouse;
+    frame.pixel_aspect = m_pixel_aspect;
     frame.patience_seconds = m_variant ? m_patience_seconds / 2.0 : m_patience_seconds;
     frame.beam = beam;
     frame.tints = beam.tints;

@@ -40,7 +40,8 @@ public:
     Result<void> resize(Extent picture, Extent source);
     /// As it was last asked for, with sizes that depend on values as these are now.
     Result<void> resize_again() { return resize(m_picture, m_source); }
-    Result<void> set_source(const Picture& picture);
+    /// `pixel_aspect`: width to height of its pixels.
+    Result<void> set_source(const Picture& picture, double pixel_aspect = 1.0);
     Result<void> set_image(const std::string& name, const Picture& picture);
     enum class Whose { picture, variant };
     /// For one of the two alone.
@@ -128,6 +129,7 @@ private:
     Extent m_picture;
     Extent m_source;
     std::array<double, 2> m_mouse{};
+    double m_pixel_aspect = 1.0;
     double m_patience_seconds = 0.0;
     std::vector<PassRun> m_runs;
     std::vector<double> m_pass_milliseconds;

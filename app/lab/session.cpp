@@ -142,6 +142,7 @@ Session session_of(const Lab& lab, std::map<std::string, double> window) {
     session.follows_view = size.follows_view;
     session.fixed_size = size.fixed;
     session.picture_scale = size.scale;
+    session.picture_shape = size.shape ? std::string(shape_name(*size.shape)) : std::string();
     session.time = lab.player().time();
     session.speed = lab.player().speed();
     session.level = lab.player().level();
@@ -180,7 +181,8 @@ void rest_at(double seconds, Lab& lab) {
 }  // namespace
 
 void restore(Lab& lab, const Session& session, const std::function<void(Lab&)>& then) {
-    lab.set_picture_size({session.follows_view, session.fixed_size, session.picture_scale});
+    lab.set_picture_size({session.follows_view, session.fixed_size, session.picture_scale,
+                          find_shape(session.picture_shape)});
     lab.transport().set_speed(session.speed);
     lab.transport().set_level(session.level);
     if (session.look.empty())

@@ -5,6 +5,8 @@
 #include "io/video_file.h"
 #include "lab/media.h"
 #include "lab/mend.h"
+#include "lab/renderer.h"
+#include "model/placing.h"
 #include "signals/patterns.h"
 
 #include <algorithm>
@@ -120,4 +122,11 @@ Diagnostics Source::take_problems() {
 
 bool is_source_file(const std::filesystem::path& file) {
     return is_picture_file(file) || is_video_file(file) || is_sequence_name(file);
+}
+
+Result<void> show_placed(const Picture& picture, const SourceSpec& spec, Extent viewport,
+                         Renderer& renderer) {
+    const bool is_whole = spec.fit == Fit::stretch;
+    return renderer.set_source(is_whole ? picture : placed(picture, spec, viewport),
+                               placed_aspect(spec));
 }

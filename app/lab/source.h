@@ -8,6 +8,8 @@
 #include <memory>
 #include <string>
 
+class Renderer;
+
 /// The picture that a CRT look works on: a pattern, a file, a numbered sequence or a video.
 class Source {
 public:
@@ -48,6 +50,10 @@ private:
     bool m_is_late = false;
     Diagnostics m_problems;
 };
+
+/// Gives a renderer one of its pictures, as the spec places it in a picture of `viewport` pixels.
+Result<void> show_placed(const Picture& picture, const SourceSpec& spec, Extent viewport,
+                         Renderer& renderer);
 
 /// Whether a file can be a source: a picture, a video, or the name of a numbered sequence.
 bool is_source_file(const std::filesystem::path& file);

@@ -4,6 +4,8 @@
 #include "model/source_spec.h"
 #include "signals/patterns.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 namespace {
@@ -46,6 +48,27 @@ void add_ends(SourceSpec source, std::vector<Choice>& choices) {
 }
 }  // namespace
 
+std::string name_of_pattern(const SourceSpec& source) {
+    constexpr std::size_t prefix = std::string_view("pattern:").size();
+    return source.is_pattern() ? std::string(pattern_name(source.picture.substr(prefix)))
+                               : std::string();
+}
+
+std::vector<SourceSize> source_sizes(const SourceSpec& source) {
+    const std::string name = name_of_pattern(source);
+    if (name.empty())
+        return {};
+    const auto sized = [&](const std::optional<Extent>& size) {
+        SourceSpec chosen = source;
+        chosen.picture = "pattern:" + pattern_of_size(name, size);
+        return chosen;
+    };
+    std::vector<SourceSize> sizes{{"As the pattern has it", sized({})}};
+    for (const Extent& size : pattern_sizes)
+        sizes.push_back({fmt::format("{} × {}", size.width, size.height), sized(size)});
+    return sizes;
+}
+
 std::vector<ChoiceList> source_choices(const Document& document, std::optional<double> film_rate) {
     if (document.look().driven_by != Driver::picture)
         return {};
@@ -56,17 +79,20 @@ std::vector<ChoiceList> source_choices(const Document& document, std::optional<d
         chosen.picture = "pattern:" + pattern.name;
         list.choices.push_back({.name = pattern.label,
                                 .deeds = {set_source_to(chosen)},
-                                .is_present = chosen.picture == source.picture});
+                                .is_present = name_of_pattern(source) == pattern.name});
     }
     list.choices.push_back({.name = "A picture or video from a file…",
                             .deeds = {[](WindowState& window) {
                                 window.dialog = {.kind = Dialog::Kind::open_file};
                             }}});
+    for (const SourceSize& size : source_sizes(source))
+        list.choices.push_back({.name = "Size: " + size.name,
+                                .deeds = {set_source_to(size.source)},
+                                .is_present = size.source == source});
     add_fits(source, list.choices);
-    if (source.fit != Fit::stretch)
-        list.choices.push_back(
-            {.name = "Pixel aspect…",
-             .number = source_number(source, &SourceSpec::aspect, {1.0 / 16.0, 16.0}, {})});
+    list.choices.push_back(
+        {.name = "Pixel aspect…",
+         .number = source_number(source, &SourceSpec::aspect, {1.0 / 16.0, 16.0}, {})});
     if (film_rate) {
         SourceSpec with_rate = source;
         with_rate.rate = *film_rate;

@@ -13,14 +13,15 @@ Choice sized(std::string name, const PictureSize& size, bool is_present) {
             .is_present = is_present};
 }
 
-ChoiceList size_choices(const PictureSize& present) {
+ChoiceList size_choices(const SizeInForce& in_force) {
     ChoiceList list{"Picture size"};
+    const PictureSize& present = in_force.chosen;
     PictureSize size = present;
-    size.follows_view = true;
-    list.choices.push_back(sized("As large as the view", size, present.follows_view));
+    for (const auto& [shape, name] : picture_shapes)
+        list.choices.push_back(sized(name, with_shape(present, shape), in_force.is_shaped(shape)));
     for (const Extent& extent : picture_sizes)
         list.choices.push_back(sized(fmt::format("{} × {}", extent.width, extent.height),
-                                     {false, extent, present.scale},
+                                     {false, extent, present.scale, present.shape},
                                      !present.follows_view && present.fixed == extent));
     for (const double scale : picture_scales) {
         size = present;
@@ -160,8 +161,18 @@ std::string times_text(double factor) {
     return fmt::format("{:g}×", factor);
 }
 
-std::vector<ChoiceList> window_choices(const WindowState& window, const PictureSize& size,
-                                       Extent picture) {
-    return {size_choices(size),       zoom_choices(window.large_view()), pane_choices(),
-            pin_choices(window.pins), waveform_choices(window, picture), number_choices(window)};
+SizeInForce size_in_force(const Lab& lab) {
+    return {lab.picture_size(), lab.picture_shape(), lab.picture_extent()};
+}
+
+PictureSize with_shape(PictureSize size, PictureShape shape) {
+    size.follows_view = true;
+    size.shape = shape;
+    return size;
+}
+
+std::vector<ChoiceList> window_choices(const WindowState& window, const SizeInForce& size) {
+    return {
+        size_choices(size),       zoom_choices(window.large_view()),     pane_choices(),
+        pin_choices(window.pins), waveform_choices(window, size.extent), number_choices(window)};
 }

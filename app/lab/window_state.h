@@ -157,6 +157,7 @@ struct Dialog {
         load_drawing,
         save_drawing,
         save_moves,
+        save_slangp,
         save_preset_as,
         rename_preset,
         delete_preset,

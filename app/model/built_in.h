@@ -20,7 +20,7 @@ enum class BuiltIn {
     camera,         // orbit: the camera's
     frame_before,   // from 0, after the pass's modulo
     microseconds,   // since the frame before
-    source_aspect,  // width to height
+    source_aspect,  // width to height, as it is to be seen
     quad_to_clip,   // the matrix that draws the quad over the whole target, a picture's top on top
     // width, height, 1/width, 1/height:
     target_extent,

@@ -1,7 +1,9 @@
 #include "model/placing.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace {
 constexpr int most_side = 16384;
@@ -68,4 +70,36 @@ Picture placed(const Picture& picture, const SourceSpec& source, Extent viewport
                         made.pixels.begin() + static_cast<std::ptrdiff_t>(made.index(x, y)));
     }
     return made;
+}
+
+double placed_aspect(const SourceSpec& source) {
+    return source.fit == Fit::integer ? 1.0 : source.aspect;
+}
+
+namespace {
+constexpr std::array shape_names{
+    std::pair{PictureShape::view, std::string_view("view")},
+    std::pair{PictureShape::source, std::string_view("source")},
+    std::pair{PictureShape::whole_pixels, std::string_view("whole pixels")}};
+}
+
+std::string_view shape_name(PictureShape shape) {
+    return shape_names.at(static_cast<std::size_t>(shape)).second;
+}
+
+std::optional<PictureShape> find_shape(std::string_view name) {
+    for (const auto& [shape, known] : shape_names)
+        if (known == name)
+            return shape;
+    return std::nullopt;
+}
+
+Extent shaped(Extent view, PictureShape shape, Extent source, double pixel_aspect) {
+    if (shape == PictureShape::view || source.is_empty() || view.is_empty())
+        return view;
+    const double width = source.width * pixel_aspect;
+    double times = std::min(view.width / width, static_cast<double>(view.height) / source.height);
+    if (shape == PictureShape::whole_pixels && times >= 1.0)
+        times = std::floor(times);
+    return {side_of(width * times), side_of(source.height * times)};
 }

@@ -3,6 +3,9 @@
 #include "model/picture.h"
 #include "model/source_spec.h"
 
+#include <optional>
+#include <string_view>
+
 /// The size of what placed() makes.
 Extent placed_extent(Extent picture, const SourceSpec& source, Extent viewport);
 
@@ -10,3 +13,21 @@ Extent placed_extent(Extent picture, const SourceSpec& source, Extent viewport);
 /// side: cut, or with black around it, by the fit and pixel aspect of `source`. Its own pixels stay
 /// as they are, but for Fit::integer, which repeats each until a pixel is one of the viewport.
 Picture placed(const Picture& picture, const SourceSpec& source, Extent viewport);
+
+/// Width to height of a pixel of what placed() makes.
+double placed_aspect(const SourceSpec& source);
+
+/// What shape a picture has that is as large as its view.
+enum class PictureShape {
+    view,          // it fills the view
+    source,        // that of the source, by its pixels' aspect
+    whole_pixels,  // each of the source's lines the same whole number of lines; where not even one
+                   // fits, as `source`
+};
+
+/// "view", "source", "whole pixels".
+std::string_view shape_name(PictureShape shape);
+std::optional<PictureShape> find_shape(std::string_view name);
+
+/// The largest picture of that shape in a view, px; the view itself for an empty source.
+Extent shaped(Extent view, PictureShape shape, Extent source, double pixel_aspect);

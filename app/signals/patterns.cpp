@@ -29,10 +29,6 @@ const Pattern* find_pattern(std::string_view name) {
     return found == patterns().end() ? nullptr : &*found;
 }
 
-std::string_view name_in(std::string_view text) {
-    return text.substr(0, text.find(','));
-}
-
 Result<Extent> size_of(std::string_view text) {
     const std::size_t cross = text.find('x');
     const auto width = parse_integer(text.substr(0, cross));
@@ -55,8 +51,16 @@ const std::vector<PatternFacts>& all_patterns() {
     return facts;
 }
 
+std::string_view pattern_name(std::string_view text) {
+    return text.substr(0, text.find(','));
+}
+
+std::string pattern_of_size(std::string_view name, const std::optional<Extent>& size) {
+    return size ? fmt::format("{},size={}x{}", name, size->width, size->height) : std::string(name);
+}
+
 Result<Picture> make_pattern(std::string_view text, double seconds) {
-    const std::string_view name = name_in(text);
+    const std::string_view name = pattern_name(text);
     const Pattern* pattern = find_pattern(name);
     if (!pattern) {
         std::vector<std::string> names;
@@ -77,6 +81,6 @@ Result<Picture> make_pattern(std::string_view text, double seconds) {
 }
 
 bool is_moving_pattern(std::string_view text) {
-    const Pattern* pattern = find_pattern(name_in(text));
+    const Pattern* pattern = find_pattern(pattern_name(text));
     return pattern && pattern->facts.moves;
 }

@@ -3,6 +3,8 @@
 #include "base/diagnostic.h"
 #include "model/picture.h"
 
+#include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +22,13 @@ const std::vector<PatternFacts>& all_patterns();
 /// Draws "NAME" or "NAME,size=WxH" as it looks `seconds` after the start; RGB, row 0 on top.
 /// Without a size each pattern has its own.
 Result<Picture> make_pattern(std::string_view text, double seconds = 0.0);
+
+/// The pattern's name in such a text.
+std::string_view pattern_name(std::string_view text);
+/// The text of a pattern of that size; none: its own.
+std::string pattern_of_size(std::string_view name, const std::optional<Extent>& size);
+/// Those of consoles and computers of the tubes' time.
+inline constexpr std::array pattern_sizes{Extent{256, 224}, Extent{320, 240}, Extent{640, 480}};
 
 /// Whether the pattern of this text must be made again for another time; false for mistakes.
 bool is_moving_pattern(std::string_view text);

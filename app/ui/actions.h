@@ -14,6 +14,7 @@ enum class ActionId {
     duplicate_look,
     save_preset,
     save_preset_as,
+    save_slangp,
     rename_preset,
     duplicate_preset,
     delete_preset,

@@ -123,6 +123,7 @@ void draw_dialogs(const Scene& scene, Edits& edits) {
         case Kind::load_drawing:
         case Kind::save_drawing:
         case Kind::save_moves:
+        case Kind::save_slangp:
             draw_file_dialog(scene, edits);
             return;
         case Kind::save_preset_as:

@@ -83,6 +83,10 @@ bool file_actions::has_preset(const Scene& scene) {
 }
 
 namespace {
+bool is_slang(const Scene& scene) {
+    return scene.lab.can_save_slang_preset();
+}
+
 std::vector<Action> preset_actions() {
     using file_actions::has_document;
     using file_actions::has_preset;
@@ -95,6 +99,13 @@ std::vector<Action> preset_actions() {
          false,
          save_as,
          has_document},
+        {ActionId::save_slangp,
+         Menu::file,
+         "Save as .slangp…",
+         {},
+         false,
+         show<Dialog::Kind::save_slangp>,
+         is_slang},
         {ActionId::rename_preset,
          Menu::file,
          "Rename preset…",

@@ -45,6 +45,8 @@ const char* title_for(Dialog::Kind kind) {
             return "Save the drawing";
         case Dialog::Kind::save_moves:
             return "Save the moves, for render --moves";
+        case Dialog::Kind::save_slangp:
+            return "Save a .slangp that refers to this one and holds what is changed";
         case Dialog::Kind::choose_file:
             return "Choose a file";
         case Dialog::Kind::choose_reference:
@@ -59,7 +61,8 @@ constexpr int shows_chosen = 1;
 
 bool is_saving(const Dialog& dialog) {
     return dialog.kind == Dialog::Kind::save_picture || dialog.kind == Dialog::Kind::save_pass ||
-           dialog.kind == Dialog::Kind::save_drawing || dialog.kind == Dialog::Kind::save_moves;
+           dialog.kind == Dialog::Kind::save_drawing || dialog.kind == Dialog::Kind::save_moves ||
+           dialog.kind == Dialog::Kind::save_slangp;
 }
 
 void enter(const fs::path& folder, Edits& edits) {
@@ -86,6 +89,10 @@ void start(const Scene& scene, Edits& edits) {
         edits.arrange([](WindowState& window) { window.dialog.text = "drawing.svg"; });
     if (scene.window.dialog.kind == Dialog::Kind::save_moves)
         edits.arrange([](WindowState& window) { window.dialog.text = "moves.txt"; });
+    if (scene.window.dialog.kind == Dialog::Kind::save_slangp)
+        edits.arrange([name = scene.lab.document()->look().name](WindowState& window) {
+            window.dialog.text = name + "-mine.slangp";
+        });
 }
 
 void finish(const fs::path& file, const Scene& scene, Edits& edits) {
@@ -108,6 +115,8 @@ void finish(const fs::path& file, const Scene& scene, Edits& edits) {
         edits.add([file](Lab& lab) { lab.save_drawing(file); });
     else if (dialog.kind == Dialog::Kind::save_moves)
         edits.add([file](Lab& lab) { lab.save_moves(file); });
+    else if (dialog.kind == Dialog::Kind::save_slangp)
+        edits.add([file](Lab& lab) { lab.save_slang_preset(file); });
     else
         edits.document([name = dialog.subject, file](Document& document) {
             document.set_value(name, Value::of_path(file.string()));

@@ -44,6 +44,8 @@ const char* why_not(const Action& action, const Scene& scene) {
     switch (action.id) {
         case ActionId::take_up_unsaved:
             return "there is none";
+        case ActionId::save_slangp:
+            return "no look of libretro's is open";
         case ActionId::rename_preset:
         case ActionId::duplicate_preset:
         case ActionId::delete_preset:

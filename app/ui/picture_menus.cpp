@@ -94,15 +94,16 @@ void draw_picture_menus(const Scene& scene, Edits& edits) {
 
 void draw_size_items(const Scene& scene, Edits& edits) {
     const PictureSize present = scene.lab.picture_size();
-    if (ImGui::MenuItem("As large as the view", nullptr, present.follows_view)) {
-        PictureSize size = present;
-        size.follows_view = true;
-        set_size(size, edits);
+    for (const auto& [shape, name] : picture_shapes) {
+        if (ImGui::MenuItem(name, nullptr, size_in_force(scene.lab).is_shaped(shape)))
+            set_size(with_shape(present, shape), edits);
+        edits.mark("shape:" + std::string(shape_name(shape)));
     }
+    ImGui::Separator();
     for (const Extent& extent : picture_sizes) {
         const bool is_chosen = !present.follows_view && present.fixed == extent;
         if (ImGui::MenuItem(size_text(extent).c_str(), nullptr, is_chosen))
-            set_size({false, extent, present.scale}, edits);
+            set_size({false, extent, present.scale, present.shape}, edits);
         edits.mark("size:" + std::to_string(extent.width) + "x" + std::to_string(extent.height));
     }
     ImGui::Separator();

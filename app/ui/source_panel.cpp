@@ -1,5 +1,6 @@
 #include "ui/source_panel.h"
 
+#include "lab/source_choices.h"
 #include "model/source_spec.h"
 #include "signals/patterns.h"
 #include "ui/form.h"
@@ -7,6 +8,7 @@
 #include "ui/scoped.h"
 #include "ui/widgets.h"
 
+#include <algorithm>
 #include <array>
 
 namespace {
@@ -16,24 +18,24 @@ void set_source(const SourceSpec& source, Edits& edits, bool goes_on = false) {
     });
 }
 
-// The pattern's label, or its own words where it has settings; a file's name.
+// The pattern's label, or a file's name.
 std::string label_of(const SourceSpec& source) {
     if (!source.is_pattern())
         return std::filesystem::path(source.picture).filename().string();
+    const std::string name = name_of_pattern(source);
     for (const PatternFacts& pattern : all_patterns())
-        if (source.picture == "pattern:" + pattern.name)
+        if (name == pattern.name)
             return pattern.label;
-    constexpr std::size_t prefix = 8;  // "pattern:"
-    return source.picture.substr(prefix);
+    return name;
 }
 
 void draw_choice(SourceSpec source, const Scene& scene, Edits& edits) {
     const std::string label = label_of(source);
-    const std::string present = source.picture;
+    const std::string present = name_of_pattern(source);
     if (begin_combo("##source", label, ImGui::GetContentRegionAvail().x)) {
         for (const PatternFacts& pattern : all_patterns()) {
             source.picture = "pattern:" + pattern.name;
-            if (ImGui::Selectable(pattern.label.c_str(), source.picture == present))
+            if (ImGui::Selectable(pattern.label.c_str(), pattern.name == present))
                 set_source(source, edits);
             edits.mark("pattern:" + pattern.name);
             tooltip(pattern.help);
@@ -45,6 +47,27 @@ void draw_choice(SourceSpec source, const Scene& scene, Edits& edits) {
     if (ImGui::Button("Open a picture or video…"))
         edits.show({.kind = Dialog::Kind::open_file});
     tooltip("For numbered pictures type their name with %04d for the number.");
+}
+
+void draw_size(const SourceSpec& source, Edits& edits) {
+    const std::vector<SourceSize> sizes = source_sizes(source);
+    if (sizes.empty())
+        return;
+    const FormColumns columns = form_columns();
+    const auto present = std::ranges::find(sizes, source, &SourceSize::source);
+    form_label("Size", {}, columns, present != sizes.begin());
+    tooltip("Pixels of the pattern: what a console or computer sent to its tube.");
+    form_control(columns);
+    std::vector<const char*> labels;
+    for (const SourceSize& size : sizes)
+        labels.push_back(size.name.c_str());
+    int chosen = static_cast<int>(present - sizes.begin());
+    const std::string other =  // of its own, from a preset or the command line
+        source.picture.substr(std::min(source.picture.find("size="), source.picture.size()));
+    if (form_list("##size", labels.data(), static_cast<int>(labels.size()), chosen,
+                  columns.control_and_number(), other.c_str()))
+        set_source(sizes[static_cast<std::size_t>(chosen)].source, edits);
+    edits.mark("source_size");
 }
 
 void draw_fit(SourceSpec source, Edits& edits) {
@@ -111,19 +134,20 @@ void draw_source(const Scene& scene, Edits& edits) {
     const SourceSpec source =
         parse_source(scene.lab.document()->state().source).value_or(SourceSpec{});
     draw_choice(source, scene, edits);
+    draw_size(source, edits);
     draw_fit(source, edits);
-    if (source.fit != Fit::stretch)
-        draw_setting({.id = "source_aspect",
-                      .label = "Pixel aspect",
-                      .help = "Width of a pixel of the source against its height.",
-                      .number = &SourceSpec::aspect,
-                      .facts = {.low = 0.5,
-                                .high = 2.0,
-                                .is_logarithmic = true,
-                                .initial = 1.0,
-                                .is_changed = source.aspect != 1.0,
-                                .limit = Limit{1.0 / 16.0, 16.0}}},
-                     source, scene, edits);
+    draw_setting({.id = "source_aspect",
+                  .label = "Pixel aspect",
+                  .help = "Width of a pixel of the source against its height: 1.143 (8:7) for 256 "
+                          "pixels a line on a television.",
+                  .number = &SourceSpec::aspect,
+                  .facts = {.low = 0.5,
+                            .high = 2.0,
+                            .is_logarithmic = true,
+                            .initial = 1.0,
+                            .is_changed = source.aspect != 1.0,
+                            .limit = Limit{1.0 / 16.0, 16.0}}},
+                 source, scene, edits);
     const auto& open = scene.lab.drive().source();
     if (!open || !open->is_film())
         return;

@@ -123,12 +123,18 @@ TEST_CASE("every setting of the present signal that has a say can be typed or ch
     CHECK(std::get<double>(changed->settings.at(number->key)) == typed);
 }
 
-TEST_CASE("patterns, fit and pixel aspect of a source are chosen by name") {
+TEST_CASE("patterns, sizes, fit and pixel aspect of a source are chosen by name") {
     Document document(choosing_look(Driver::picture));
     const PatternFacts& last = all_patterns().back();
     take(choice_of(source_choices(document, {}), "Source: " + last.label).deeds, document);
     CHECK(document.state().source == "pattern:" + last.name);
-    CHECK_FALSE(find_choice(source_choices(document, {}), "Source: Pixel aspect…"));
+    take(choice_of(source_choices(document, {}), "Source: Size: 256 × 224").deeds, document);
+    CHECK(document.state().source == "pattern:" + last.name + ",size=256x224");
+    CHECK(choice_of(source_choices(document, {}), "Source: Size: 256 × 224").is_present);
+    CHECK(choice_of(source_choices(document, {}), "Source: " + last.label).is_present);
+    take(choice_of(source_choices(document, {}), "Source: Size: As the pattern has it").deeds,
+         document);
+    CHECK(document.state().source == "pattern:" + last.name);
     take(choice_of(source_choices(document, {}), "Source: Fit: Whole").deeds, document);
     const auto lists = source_choices(document, {});
     CHECK(choice_of(lists, "Source: Fit: Whole").is_present);
@@ -211,7 +217,7 @@ TEST_CASE("a part of a colour is typed, and its slider's marks are set") {
 
 TEST_CASE("panes grow and shrink by name, within what they may") {
     WindowState window;
-    const auto lists = window_choices(window, {}, {320, 180});
+    const auto lists = window_choices(window, {{}, PictureShape::view, {320, 180}});
     const double before = window.panes.left;
     take(choice_of(lists, "Pane: Left pane wider").deeds, window);
     CHECK(window.panes.left == before + 40.0);
@@ -233,7 +239,7 @@ TEST_CASE("two words find a choice, and an action comes first where both fit as 
     for (const ChoiceList& list :
          inspector_choices({{{Input::From::source, "source"}}, {}, 1, 1}, window.inspected))
         lists.push_back(list);
-    for (const ChoiceList& list : window_choices(window, {}, {320, 180}))
+    for (const ChoiceList& list : window_choices(window, {{}, PictureShape::view, {320, 180}}))
         lists.push_back(list);
     lists.push_back({"Presets", ChoiceList::Place::palette, {{.name = "Favourites alone"}}});
     std::vector<PaletteEntry> entries{

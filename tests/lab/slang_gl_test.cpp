@@ -50,7 +50,8 @@ public:
         m_folder.write("a.slangp", text + lines);
     }
 
-    Offline open(Extent size, const Picture& source, const std::string& level = "") const {
+    Offline open(Extent size, const Picture& source, const std::string& level = "",
+                 const std::string& settings = "") const {
         const auto roots = find_roots({});
         REQUIRE(roots.has_value());
         RenderRequest request;
@@ -58,6 +59,7 @@ public:
         request.size = size;
         request.source = (m_folder / "source.png").string();
         REQUIRE(save_picture(source, request.source).has_value());
+        request.source += settings;
         if (!level.empty())
             request.values.emplace_back("level", level);
         auto prepared = prepare(request, Library(*roots));
@@ -224,4 +226,73 @@ TEST_CASE("an input with smaller levels is the mean of what it covers in its sma
         "mipmap_input1 = true\nfilter_linear1 = true\nwrap_mode1 = clamp_to_edge\n");
     const Picture source{{2, 2}, 1, Encoding::display, {0.0f, 1.0f, 1.0f, 0.0f}};
     CHECK(std::abs(first_red(chain.open({2, 2}, source).picture_after(1)) - 127.5) <= 1.0);
+}
+
+namespace {
+/// A lab in which a chain of one pass is open.
+class SlangLab : public SmallLab {
+public:
+    SlangLab() {
+        m_files.write("0.slang", chain_shader("vec4(u.level)"));
+        m_files.write("a.slangp", "shaders = 1\nshader0 = 0.slang\n");
+        open_preset("a.slangp");
+    }
+    void open_preset(const std::string& name) {
+        lab().open(file(name).string());
+        REQUIRE(turn_until([&] { return document().look().manifest == file(name); }));
+    }
+    std::filesystem::path file(const std::string& name) const { return m_files / name; }
+    double level() {
+        return document().value(*find_parameter(document().look(), "level")).number();
+    }
+
+private:
+    TemporaryFolder m_files;
+};
+}  // namespace
+
+TEST_CASE("what is changed is saved as a .slangp that refers to the open one") {
+    SlangLab slang;
+    REQUIRE(slang.lab().can_save_slang_preset());
+    slang.lab().edit([](Document& document) { document.set_value("level", Value(0.75)); });
+    slang.lab().save_slang_preset(slang.file("a.slangp"));
+    CHECK(slang.lab().notice()->text == "a .slangp cannot refer to itself: give it another name");
+    slang.lab().save_slang_preset(slang.file("mine"));
+    slang.open_preset("mine.slangp");
+    CHECK(slang.level() == 0.75);
+    CHECK_FALSE(slang.document().is_modified());
+    slang.lab().open("small");
+    REQUIRE(slang.turn_until([&] { return slang.document().look().id == "small"; }));
+    CHECK_FALSE(slang.lab().can_save_slang_preset());
+}
+
+TEST_CASE("a chain's picture keeps its source's shape in the view, until it is asked not to") {
+    SlangLab slang;
+    slang.lab().set_view({100, 60});
+    slang.lab().set_picture_size({});
+    REQUIRE(slang.turn_until([&] { return slang.lab().drive().source().has_value(); }));
+    CHECK(slang.lab().picture_extent() == Extent{80, 60});  // of 320 x 240
+    slang.lab().edit(
+        [](Document& document) { document.set_source("pattern:harbour,size=16x16,aspect=1.25"); });
+    REQUIRE(slang.turn_until([&] {
+        return slang.lab().drive().source()->extent() == Extent{16, 16};
+    }));
+    CHECK(slang.lab().picture_extent() == Extent{75, 60});
+    PictureSize size;
+    size.shape = PictureShape::whole_pixels;
+    slang.lab().set_picture_size(size);
+    CHECK(slang.lab().picture_extent() == Extent{60, 48});
+    size.shape = PictureShape::view;
+    slang.lab().set_picture_size(size);
+    CHECK(slang.lab().picture_extent() == Extent{100, 60});
+}
+
+TEST_CASE("the aspect of the original is that of its pixels as they are seen") {
+    std::string shader = chain_shader("vec4(u.aspect / 4.0)");
+    shader = replaced(shader, "float level;", "float level; float OriginalAspect;");
+    shader = replaced(shader, "u.aspect", "u.OriginalAspect");
+    const DrawnChain chain({shader}, "");
+    CHECK(first_red(chain.open({4, 4}, counted({4, 2})).picture_after(1)) == 128);  // 2 of 4
+    Offline wide = chain.open({4, 4}, counted({4, 2}), "", ",aspect=1.5");
+    CHECK(first_red(wide.picture_after(1)) == 191);  // 3 of 4
 }
