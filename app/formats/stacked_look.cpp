@@ -183,6 +183,8 @@ private:
         pass.scope = scope;
         pass.source = m_source;
         for (Input& input : pass.inputs) {
+            if (input.from == Input::From::sound)
+                continue;
             if (input.from != Input::From::source) {
                 input.name = scope + input.name;
             } else if (!m_source.empty()) {

@@ -21,6 +21,7 @@ void feed(BoundInput& bound, const Look& look, int reader, const Input& input) {
     bound.sampler = input.sampler;
     bound.frames_ago = input.frames_ago;
     bound.image = input.name;
+    bound.sound = input.sound;
     if (input.from != Input::From::pass)
         return;
     const auto read = find_pass(look, input.name);

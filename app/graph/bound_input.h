@@ -15,6 +15,7 @@ struct BoundInput {
     std::optional<Input::From> from;  // none: nothing feeds it
     int pass = -1;                    // From::pass
     std::string image;                // From::image: of the look, or the parameter that picks it
+    SoundTexture sound;               // From::sound
     int frames_ago = 0;
     Sampler sampler;
 };

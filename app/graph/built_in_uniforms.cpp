@@ -61,6 +61,14 @@ BuiltInUniforms::Numbers BuiltInUniforms::numbers_of(const Place& place, const F
             return {{facts.number_before}, 1};
         case BuiltIn::microseconds:
             return {{std::round(frame.time_delta * 1e6)}, 1};
+        case BuiltIn::time_before:
+            return {{frame.time - frame.time_delta}, 1};
+        case BuiltIn::delta_before:
+            return {{frame.number > 1 ? frame.time_delta : 0.0}, 1};
+        case BuiltIn::date:
+            return {{frame.date.year * 1.0, frame.date.month * 1.0, frame.date.day * 1.0,
+                     frame.date.seconds},
+                    4};
         case BuiltIn::target_size:
             return size(facts.target);
         case BuiltIn::output_size:

@@ -73,12 +73,16 @@ Result<void> Executor::replace(Look look, Programs programs) {
         auto plan = plan_targets(look, m_viewport, m_source_extent, m_values, m_largest_side);
         if (!plan)
             return fail(plan.error());
+        auto sound = SoundTextures::make(look);
+        if (!sound)
+            return fail(sound.error());
         auto targets = TargetSet::make(look, *plan, m_targets);
         if (!targets)
             return fail(targets.error());
         m_plan = std::move(*plan);
         m_targets = std::move(*targets);
         m_source.set_slots(m_plan.source_slots);
+        m_sound = std::move(*sound);
     }
     m_look = std::move(look);
     m_programs = std::move(programs);
@@ -108,10 +112,14 @@ Result<void> Executor::resize(Extent viewport, Extent source) {
     if (auto empty = make_empty(); !empty)
         return empty;
     if (m_targets.size() == 0 || *plan != m_plan) {
+        auto sound = SoundTextures::make(m_look);
+        if (!sound)
+            return fail(sound.error());
         auto targets = TargetSet::make(m_look, *plan, m_targets);
         if (!targets)
             return fail(targets.error());
         m_targets = std::move(*targets);
+        m_sound = std::move(*sound);
         m_plan = std::move(*plan);
         m_source.set_slots(m_plan.source_slots);
         ++m_picture_number;

@@ -11,6 +11,7 @@
 #include "graph/pass_through.h"
 #include "graph/programs.h"
 #include "graph/quad.h"
+#include "graph/sound_textures.h"
 #include "graph/source_history.h"
 #include "graph/target_set.h"
 #include "graph/tripwire.h"
@@ -98,7 +99,7 @@ public:
     /// This frame's picture of a pass; this and the following have their bottom row first, whatever
     /// the look's own order is. Not within a draw.
     const gpu::Texture& target(int pass) const;
-    /// What it holds of this frame: what passes drew, the source, images.
+    /// What it holds of this frame: what passes drew, the source, images, the sound.
     std::vector<TextureChoice> textures() const;
     /// Any of these or of former frames, with all of its levels; null where there is none such.
     const gpu::Texture* texture(const TextureChoice& choice) const;
@@ -175,6 +176,7 @@ private:
     ParameterUniforms m_parameters;
     TargetSet m_targets;
     SourceHistory m_source;
+    SoundTextures m_sound;
     std::map<std::string, gpu::Texture> m_images;
     std::map<Format, gpu::Canvas> m_empty;  // one texel of transparent black
     gpu::Samplers m_samplers;

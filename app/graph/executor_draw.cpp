@@ -25,9 +25,11 @@ void Executor::redraw(const Frame& frame, const std::vector<bool>& passes) {
 void Executor::draw_passes(const Frame& frame, const std::vector<bool>* only, bool is_again) {
     assert(m_targets.size() == m_passes.size());
     m_beam.write(frame, m_has_points, m_has_segments);
+    m_sound.show(frame);
     m_drawn = frame;
     m_drawn.beam = {};
     m_drawn.tints = {};
+    m_drawn.sound = nullptr;
     m_draw_calls = 0;
     m_draws_whole = only == nullptr;
     ++m_picture_number;
@@ -94,7 +96,7 @@ std::optional<TextureChoice> choice_of(const BoundInput& input, const Look& look
         return std::nullopt;
     const std::string name =
         input.pass >= 0 ? look.passes[static_cast<std::size_t>(input.pass)].name : input.image;
-    return TextureChoice{*input.from, name, input.frames_ago};
+    return TextureChoice{*input.from, name, input.frames_ago, 0, input.sound};
 }
 }  // namespace
 
@@ -173,6 +175,8 @@ const gpu::Texture* Executor::texture_for(const BoundInput& input) const {
         return m_source.texture(input.frames_ago);
     if (*input.from == Input::From::pass)
         return &m_targets[static_cast<std::size_t>(input.pass)].canvas(input.frames_ago).texture();
+    if (*input.from == Input::From::sound)
+        return m_sound.find(input.sound);
     const auto image = m_images.find(input.image);
     return image == m_images.end() ? nullptr : &image->second;
 }

@@ -11,6 +11,8 @@ std::vector<TextureChoice> Executor::textures() const {
         choices.push_back({Input::From::source, {}});
     for (const auto& [name, image] : m_images)
         choices.push_back({Input::From::image, name});
+    for (const SoundTexture& sound : m_sound.all())
+        choices.push_back({Input::From::sound, {}, 0, 0, sound});
     return choices;
 }
 
@@ -19,6 +21,8 @@ RowOrder Executor::rows_of(const BoundInput& input) const {
         return m_look.passes[static_cast<std::size_t>(input.pass)].rows;
     if (input.from == Input::From::source)
         return m_look.source_rows;
+    if (input.from == Input::From::sound)
+        return RowOrder::bottom_first;
     const auto image = std::ranges::find(m_look.images, input.image, &Image::name);
     return image == m_look.images.end() ? RowOrder::bottom_first : image->rows;
 }
@@ -30,8 +34,9 @@ const gpu::Texture& Executor::target(int pass) const {
 }
 
 const gpu::Texture* Executor::texture(const TextureChoice& choice) const {
-    const BoundInput read = bound_input(m_look, static_cast<int>(m_look.passes.size()),
-                                        {{}, choice.from, choice.name, choice.frames_ago, {}});
+    const BoundInput read =
+        bound_input(m_look, static_cast<int>(m_look.passes.size()),
+                    {{}, choice.from, choice.name, choice.frames_ago, {}, choice.sound});
     const gpu::Texture* stored = stored_texture(choice);
     return stored ? &m_upright.view(*stored, rows_of(read), m_picture_number) : nullptr;
 }
@@ -40,6 +45,8 @@ const gpu::Texture* Executor::stored_texture(const TextureChoice& choice) const 
     if (choice.from == Input::From::source)
         return choice.frames_ago < m_plan.source_slots ? m_source.texture(choice.frames_ago)
                                                        : nullptr;
+    if (choice.from == Input::From::sound)
+        return choice.frames_ago > 0 ? nullptr : m_sound.find(choice.sound);
     if (choice.from == Input::From::image) {
         const auto image = m_images.find(choice.name);
         return image == m_images.end() || choice.frames_ago > 0 ? nullptr : &image->second;

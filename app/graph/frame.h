@@ -1,6 +1,8 @@
 #pragma once
 
 #include "model/beam.h"
+#include "model/date.h"
+#include "model/sound_texture.h"
 
 #include <array>
 #include <cstdint>
@@ -14,7 +16,9 @@ struct Frame {
     std::array<double, 2> mouse{};  // px of the picture, from its bottom left
     double pixel_aspect = 1.0;      // of the source: width to height of a pixel
     std::span<const BeamPoint> beam;
-    std::span<const BeamTint> tints;  // of the points; none where all are white
-    bool is_first = false;            // no history, and no beam before this one
-    double patience_seconds = 0;      // an accumulating pass repeats no longer; 0: without end
+    std::span<const BeamTint> tints;     // of the points; none where all are white
+    const SoundTexels* sound = nullptr;  // null: silence
+    Date date;
+    bool is_first = false;        // no history, and no beam before this one
+    double patience_seconds = 0;  // an accumulating pass repeats no longer; 0: without end
 };

@@ -4,6 +4,7 @@
 #include "formats/preset_format.h"
 #include "lab/frame_limit.h"
 #include "lab/lab.h"
+#include "lab/local_date.h"
 #include "lab/morphing.h"
 #include "lab/session.h"
 #include "lab/tryouts.h"
@@ -366,6 +367,8 @@ void Lab::draw_picture(double wall_seconds) {
     set_guard();
     limit_frame(wall_seconds);
     m_renderer->set_loudness(m_player.loudness());
+    m_renderer->set_sound(m_player.sound_texels());
+    m_renderer->set_date(local_date());
     const bool rests = m_player.is_playing() && has_converged();
     const bool waits = rests || m_renderer->is_replaying_variant();
     const auto frame = waits ? std::nullopt : m_player.advance(wall_seconds);

@@ -187,6 +187,7 @@ Result<void> Offline::load_signal() {
     }
     auto set = m_player->set_signal(signal, std::move(sound));
     m_renderer->set_loudness(m_player->loudness());
+    m_renderer->set_sound(m_player->sound_texels());
     return set;
 }
 

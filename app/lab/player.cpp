@@ -1,9 +1,11 @@
 #include "lab/player.h"
 
+#include "signals/beam_stream.h"
 #include "signals/channel_map.h"
 #include "signals/kinds.h"
 #include "signals/loudness.h"
 #include "signals/settings.h"
+#include "signals/sound_texels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,18 +50,25 @@ Result<void> Player::set_signal(const Spec& spec, PlayedSound sound) {
 
 void Player::listen() {
     m_loudness.reset();
+    m_sound_texels.reset();
     if (!m_signal)
         return;
-    const SignalKind& kind = *find_kind(m_spec.kind);
+    std::shared_ptr<const SampleStream> sound;
     if (m_sound.sound) {
         const auto first = std::llround(m_start * m_sound.sound->rate);
         const bool loops = m_spec.settings.at("loop") == Spec::Setting("on");
-        m_loudness = std::make_shared<SoundLoudness>(stream_of(m_sound.sound, {first, loops}));
+        sound = stream_of(m_sound.sound, {first, loops});
     } else if (m_capture) {
-        m_loudness = std::make_shared<SoundLoudness>(stream_of(m_capture->sound(), m_live_first));
-    } else if (!kind.is_sent) {
-        m_loudness = std::make_shared<BeamLoudness>(m_signal);
+        sound = stream_of(m_capture->sound(), m_live_first);
+    } else if (find_kind(m_spec.kind)->is_sent) {
+        return;
     }
+    if (sound)
+        m_loudness = std::make_shared<SoundLoudness>(sound);
+    else
+        m_loudness = std::make_shared<BeamLoudness>(m_signal);
+    m_sound_texels = std::make_shared<SoundStreamTexels>(
+        sound ? sound : std::make_shared<const BeamStream>(m_signal));
 }
 
 // A real scope takes the place of the loudspeaker. Where there is no device the lab goes on.

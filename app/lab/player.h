@@ -6,6 +6,7 @@
 #include "lab/beam_playout.h"
 #include "model/beam.h"
 #include "model/modulation.h"
+#include "model/sound_texture.h"
 #include "model/spec.h"
 #include "signals/clock.h"
 #include "signals/signal.h"
@@ -101,6 +102,9 @@ public:
     /// Of the sound that is drawn, else of the signal; null where there is none, or where it comes
     /// from another program, point by point. Shared with who draws.
     std::shared_ptr<const Loudness> loudness() const { return m_loudness; }
+    /// The same for textures that follow the sound; of a signal that is no sound x is heard on the
+    /// left and y on the right.
+    std::shared_ptr<const SoundTexels> sound_texels() const { return m_sound_texels; }
 
     /// The latest frames, oldest first, for showing again what led to the present picture.
     const std::deque<PlayedFrame>& past() const { return m_past; }
@@ -126,6 +130,7 @@ private:
 
     std::shared_ptr<const Signal> m_signal;  // with its loudness
     std::shared_ptr<const Loudness> m_loudness;
+    std::shared_ptr<const SoundTexels> m_sound_texels;
     PlayedSound m_sound;
     std::unique_ptr<SoundDevices> m_devices;
     SoundSettings m_settings;

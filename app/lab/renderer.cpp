@@ -149,6 +149,8 @@ Frame Renderer::frame_of(const PlayedFrame& played, const Beam& beam) const {
     frame.patience_seconds = m_variant ? m_patience_seconds / 2.0 : m_patience_seconds;
     frame.beam = beam;
     frame.tints = beam.tints;
+    frame.sound = m_sound.get();
+    frame.date = m_date.value_or(date_after(date_of_renders, frame.time));
     return frame;
 }
 

@@ -31,6 +31,10 @@ public:
     void set_loudness(std::shared_ptr<const Loudness> loudness) {
         m_loudness = std::move(loudness);
     }
+    /// What textures that follow the sound hear, likewise.
+    void set_sound(std::shared_ptr<const SoundTexels> sound) { m_sound = std::move(sound); }
+    /// The date of the frames to come; without it they have that of renders.
+    void set_date(const Date& date) { m_date = date; }
     /// As in the frame that was drawn last.
     const Values& drawn_values() const { return m_drawn_values; }
     /// As Executor::set_runs, of the variant too.
@@ -125,6 +129,8 @@ private:
     Values m_drawn_values;
     Modulations m_modulations;
     std::shared_ptr<const Loudness> m_loudness;
+    std::shared_ptr<const SoundTexels> m_sound;
+    std::optional<Date> m_date;
     bool m_is_variant_alone = false;  // what is brought and replayed is for the variant
     Extent m_picture;
     Extent m_source;

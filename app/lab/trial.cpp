@@ -1,6 +1,7 @@
 #include "lab/trial.h"
 
 #include "base/elapsed.h"
+#include "lab/local_date.h"
 
 #include <algorithm>
 #include <chrono>
@@ -22,6 +23,8 @@ Result<Trial> Trial::make(const TrialSubject& subject, const Values& values, con
     renderer->set_values(values);
     renderer->set_modulations(subject.document.state().modulations);
     renderer->set_loudness(subject.player.loudness());
+    renderer->set_sound(subject.player.sound_texels());
+    renderer->set_date(local_date());
     renderer->set_patience(patience_seconds);
     renderer->set_mouse(subject.shown.mouse()[0], subject.shown.mouse()[1]);
     const Extent source = subject.drive.source_extent(subject.picture);

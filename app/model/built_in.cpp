@@ -21,6 +21,9 @@ bool tells_time(BuiltIn says) {
         case BuiltIn::frame:
         case BuiltIn::frame_before:
         case BuiltIn::microseconds:
+        case BuiltIn::time_before:
+        case BuiltIn::delta_before:
+        case BuiltIn::date:
             return true;
         default:
             return false;

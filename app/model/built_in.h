@@ -21,6 +21,9 @@ enum class BuiltIn {
     frame_before,   // from 0, after the pass's modulo
     microseconds,   // since the frame before
     source_aspect,  // width to height, as it is to be seen
+    time_before,    // of the frame's start, s: 0 in the first one
+    delta_before,   // since the frame before, s: 0 in the first one
+    date,           // year, month from 1, day, seconds since midnight
     quad_to_clip,   // the matrix that draws the quad over the whole target, a picture's top on top
     // width, height, 1/width, 1/height:
     target_extent,

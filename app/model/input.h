@@ -1,5 +1,7 @@
 #pragma once
 
+#include "model/sound_texture.h"
+
 #include <optional>
 #include <string>
 
@@ -18,13 +20,14 @@ struct Sampler {
 
 /// A sampler uniform of a pass and what it reads.
 struct Input {
-    enum class From { pass, source, image };
+    enum class From { pass, source, image, sound };
 
     std::string uniform;
     From from = From::pass;
     std::string name;    // of the pass or image
     int frames_ago = 0;  // pass and source only
     Sampler sampler;
+    SoundTexture sound = {};  // sound only
 
     bool operator==(const Input&) const = default;
     /// "persistence@1", "source", "noise": as look.json says it.

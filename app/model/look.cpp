@@ -8,7 +8,9 @@
 #include <algorithm>
 
 std::string Input::reference() const {
-    const std::string base = from == From::source ? "source" : name;
+    const std::string base = from == From::source  ? "source"
+                             : from == From::sound ? sound.name()
+                                                   : name;
     return frames_ago > 0 ? fmt::format("{}@{}", base, frames_ago) : base;
 }
 

@@ -8,7 +8,11 @@ using Node = PassGraph::Node;
 using Edge = PassGraph::Edge;
 
 std::size_t node_read_by(const Input& input, std::vector<Node>& nodes) {
-    const std::string name = input.from == Input::From::source ? "source" : input.name;
+    const bool is_of_pass_or_image =
+        input.from == Input::From::pass || input.from == Input::From::image;
+    const std::string name = is_of_pass_or_image
+                                 ? input.name
+                                 : Input{{}, input.from, {}, 0, {}, input.sound}.reference();
     const auto found = std::ranges::find_if(
         nodes, [&](const Node& node) { return node.kind == input.from && node.name == name; });
     const auto place = static_cast<std::size_t>(found - nodes.begin());

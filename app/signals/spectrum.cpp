@@ -7,8 +7,22 @@
 #include <algorithm>
 #include <cmath>
 
+namespace {
+/// A window as a sum of cosines.
+struct Weights {
+    double mean;
+    double once;   // of the cosine that goes round once
+    double twice;  // and twice
+};
+
+// Blackman's with alpha = 0.16, as Web Audio has it.
+Weights weights_of(SpectrumWindow window) {
+    return window == SpectrumWindow::hann ? Weights{0.5, 0.5, 0.0} : Weights{0.42, 0.5, 0.08};
+}
+}  // namespace
+
 struct Spectrum::Transform {
-    explicit Transform(std::size_t size)
+    Transform(std::size_t size, const Weights& weights)
         : plan(kiss_fftr_alloc(static_cast<int>(size), 0, nullptr, nullptr)),
           window(size),
           volts(size),
@@ -16,7 +30,8 @@ struct Spectrum::Transform {
           bins(size / 2 + 1) {
         for (std::size_t i = 0; i < size; ++i) {
             const double place = static_cast<double>(i) / static_cast<double>(size);
-            window[i] = static_cast<float>(0.5 - 0.5 * cosine(place));
+            window[i] = static_cast<float>(weights.mean - weights.once * cosine(place) +
+                                           weights.twice * cosine(2.0 * place));
         }
     }
     ~Transform() { kiss_fftr_free(plan); }
@@ -38,14 +53,16 @@ struct Spectrum::Transform {
     std::vector<kiss_fft_cpx> bins;
 };
 
-Spectrum::Spectrum(const SoundInput& input, int size, double smoothing_seconds)
+Spectrum::Spectrum(const SoundInput& input, int size, double smoothing_seconds,
+                   SpectrumWindow window)
     : m_input(input),
       m_rate(input.rate() / input.factor()),
       m_hertz_per_bin(m_rate / size),
       m_kept(smoothing_seconds > 0.0 ? std::exp(-1.0 / (hops_a_second * smoothing_seconds)) : 0.0),
       // What is further back counts for less than e^-10, 87 dB down.
       m_memory(static_cast<std::int64_t>(std::ceil(10.0 * smoothing_seconds * hops_a_second))),
-      m_transform(std::make_unique<Transform>(static_cast<std::size_t>(size))),
+      m_full_scale(2.0 / (weights_of(window).mean * size)),
+      m_transform(std::make_unique<Transform>(static_cast<std::size_t>(size), weights_of(window))),
       m_amplitudes(m_transform->bins.size()) {}
 
 Spectrum::~Spectrum() = default;
@@ -53,11 +70,9 @@ Spectrum::~Spectrum() = default;
 void Spectrum::smooth(std::int64_t hop) const {
     const double end = std::floor(static_cast<double>(hop) / hops_a_second * m_rate + 1e-6);
     m_transform->run(m_input, static_cast<std::int64_t>(end));
-    // The window's mean is a half, and a real wave has its other half at negative frequencies.
-    const double full_scale = 4.0 / static_cast<double>(m_transform->samples.size());
     for (std::size_t i = 0; i < m_amplitudes.size(); ++i) {
         const kiss_fft_cpx& bin = m_transform->bins[i];
-        const double now = full_scale * std::hypot(bin.r, bin.i);
+        const double now = m_full_scale * std::hypot(bin.r, bin.i);
         m_amplitudes[i] = static_cast<float>(now + m_kept * (m_amplitudes[i] - now));
     }
 }

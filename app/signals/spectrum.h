@@ -4,14 +4,17 @@
 
 #include <vector>
 
+enum class SpectrumWindow { hann, blackman };
+
 /// How loud each frequency of a sound's left input is, 60 times a second. Amplitudes: a sine of
-/// full scale in the middle of a bin is 1. Hann's window, so that one between two bins is at most
-/// 1.43 dB lower.
+/// full scale in the middle of a bin is 1. Under Hann's window one between two bins is at most 1.43
+/// dB lower.
 class Spectrum {
 public:
     /// Of an input, which must live on. `size`: samples a transform, even. Each amplitude follows
     /// its present value with the time constant `smoothing_seconds`.
-    Spectrum(const SoundInput& input, int size, double smoothing_seconds);
+    Spectrum(const SoundInput& input, int size, double smoothing_seconds,
+             SpectrumWindow window = SpectrumWindow::hann);
     ~Spectrum();
     Spectrum(const Spectrum&) = delete;
     Spectrum& operator=(const Spectrum&) = delete;
@@ -31,6 +34,7 @@ private:
     double m_hertz_per_bin;
     double m_kept;          // of the last hop's value
     std::int64_t m_memory;  // hops that are looked back after a jump in time
+    double m_full_scale;    // a real wave has its other half at negative frequencies
     std::unique_ptr<Transform> m_transform;
     mutable std::int64_t m_hop = INT64_MIN;
     mutable std::vector<float> m_amplitudes;

@@ -144,6 +144,7 @@ std::string help_of(std::size_t node, const PassGraph& graph, const Scene& scene
     const bool is_pass = drawn.kind == Input::From::pass;
     std::string text = is_pass                             ? drawn.name
                        : drawn.kind == Input::From::source ? "the source picture"
+                       : drawn.kind == Input::From::sound  ? "follows the sound: " + drawn.name
                                                            : "image " + drawn.name;
     if (is_pass) {
         const PlannedTarget& target = scene.lab.renderer()->executor().plan().targets[node];

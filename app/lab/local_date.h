@@ -1,0 +1,6 @@
+#pragma once
+
+#include "model/date.h"
+
+/// Now, where this machine is.
+Date local_date();

@@ -1,0 +1,18 @@
+#pragma once
+
+/// A day and the time in it.
+struct Date {
+    int year = 2000;
+    int month = 1;         // from 1
+    int day = 1;           // from 1
+    double seconds = 0.0;  // since midnight
+
+    bool operator==(const Date&) const = default;
+};
+
+/// The date of time 0 wherever a file is drawn, so that it can be drawn again: 2000-01-01,
+/// midnight.
+constexpr Date date_of_renders{};
+
+/// So many seconds later.
+Date date_after(const Date& date, double seconds);
