@@ -91,6 +91,8 @@ Json described(const Parameter& parameter, const Look& look, const Values& value
               {"help", parameter.help},
               {"items", Json::array()},
               {"passes", Json::array()}};
+    if (parameter.control == Control::color && parameter.encoding == Encoding::display)
+        json["encoding"] = "display";
     for (const Item& item : parameter.items)
         json["items"].push_back({{"value", item.value}, {"label", item.label}});
     for (const Binding& binding : parameter.bindings) {

@@ -16,6 +16,7 @@ void Executor::draw(const Frame& frame, const std::vector<bool>* passes) {
     m_source.advance();
     m_beam.advance(frame);
     draw_passes(frame, passes, false);
+    m_parameters.end_events();
 }
 
 void Executor::redraw(const Frame& frame, const std::vector<bool>& passes) {

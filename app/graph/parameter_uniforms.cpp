@@ -1,10 +1,23 @@
 #include "graph/parameter_uniforms.h"
 
+#include "model/color.h"
+
+#include <algorithm>
+
 namespace {
 const gpu::Program* program_of(const Programs& programs, int pass) {
     if (pass < 0 || static_cast<std::size_t>(pass) >= programs.passes.size())
         return nullptr;
     return programs.passes[static_cast<std::size_t>(pass)].program.get();
+}
+
+// As shaders read it.
+Value usable_value(const Parameter& parameter, const Value& value) {
+    Value usable = clamped(parameter, value);
+    if (parameter.control == Control::color && parameter.encoding == Encoding::display)
+        for (std::size_t i = 0; i < std::min<std::size_t>(usable.numbers.size(), 3); ++i)
+            usable.numbers[i] = srgb_encode(usable.numbers[i]);
+    return usable;
 }
 }  // namespace
 
@@ -18,7 +31,7 @@ ParameterUniforms::ParameterUniforms(const Look& look, const Programs& programs)
     for (std::size_t i = 0; i < look.parameters.size(); ++i) {
         if (look.parameters[i].orbit != OrbitPart::none)
             continue;
-        Driven driven{i, {}, {}};
+        Driven driven{i, {}, {}, look.parameters[i].control == Control::event};
         for (const Binding& binding : look.parameters[i].bindings) {
             const gpu::Program* program = program_of(programs, binding.pass);
             const gpu::Uniform* uniform =
@@ -43,6 +56,21 @@ void ParameterUniforms::find_turned(const Look& look, int pass, const gpu::Progr
     }
 }
 
+void ParameterUniforms::write_to(const Driven& driven, const Value& usable) {
+    for (const Place& place : driven.places)
+        place.program->write(*place.uniform, usable.numbers);
+}
+
+void ParameterUniforms::end_events() {
+    for (Driven& driven : m_driven) {
+        if (!driven.is_event || driven.written.number() == 0.0)
+            continue;
+        driven.is_over = true;
+        driven.written = Value(0.0);
+        write_to(driven, driven.written);
+    }
+}
+
 void ParameterUniforms::forget_written() {
     for (Turned& turned : m_turned)
         turned.written.reset();
@@ -59,12 +87,13 @@ void ParameterUniforms::write(const Look& look, const Values& values) {
     }
     for (Driven& driven : m_driven) {
         const Parameter& parameter = look.parameters[driven.parameter];
-        const Value& value = value_of(parameter, values);
+        Value value = value_of(parameter, values);
+        driven.is_over = driven.is_over && value.number() != 0.0;
+        if (driven.is_over)
+            value = Value(0.0);
         if (value == driven.written && !driven.written.numbers.empty())
             continue;
-        const Value usable = clamped(parameter, value);
-        for (const Place& place : driven.places)
-            place.program->write(*place.uniform, usable.numbers);
+        write_to(driven, usable_value(parameter, value));
         driven.written = value;
     }
 }

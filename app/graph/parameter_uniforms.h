@@ -7,7 +7,8 @@
 #include <vector>
 
 /// Writes a look's values to the uniforms that they drive, and only those that changed. Those of
-/// the orbit become matrices.
+/// the orbit become matrices; colours are encoded where shaders want them so; an event is on for
+/// one frame.
 class ParameterUniforms {
 public:
     ParameterUniforms() = default;
@@ -16,6 +17,8 @@ public:
     ParameterUniforms(const Look& look, const Programs& programs);
 
     void write(const Look& look, const Values& values);
+    /// A frame has been drawn: events that were on in it are off until they have been let go.
+    void end_events();
     /// Somebody else has written to the programs: the next write() writes all.
     void forget_written();
 
@@ -28,6 +31,8 @@ private:
         std::size_t parameter;  // in Look::parameters
         std::vector<Place> places;
         Value written;  // empty: nothing yet
+        bool is_event = false;
+        bool is_over = false;  // an event that is held and had its frame
     };
     struct Turned {  // u_view or u_camera
         int pass;
@@ -36,6 +41,7 @@ private:
         std::optional<Orbit> written;
     };
 
+    static void write_to(const Driven& driven, const Value& usable);
     void find_turned(const Look& look, int pass, const gpu::Program& program);
 
     std::vector<Driven> m_driven;

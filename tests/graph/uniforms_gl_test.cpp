@@ -163,3 +163,45 @@ TEST_CASE_FIXTURE(Headless, "hundreds of parameters each reach their own uniform
     executor.draw(frame(1));
     CHECK(red(executor, 0) == static_cast<float>(expected));
 }
+
+TEST_CASE_FIXTURE(Headless, "a colour reaches its uniform as light, or as a display is sent it") {
+    const auto color = [](Encoding encoding) {
+        Parameter tint =
+            knob("tint", {Scalar::floating, 4, 1}, Value({0.21404, 1.0, 0.0, 0.25}), {{0, "tint"}});
+        tint.control = Control::color;
+        tint.encoding = encoding;
+        Executor executor = executor_of(
+            look_of({pass("show", "uniform vec4 tint;\nvoid main() { color = tint; }\n")}, {tint}));
+        executor.draw(frame(1));
+        return pixel(executor, 0);
+    };
+    CHECK(color(Encoding::linear)[0] == doctest::Approx(0.21404));
+    // IEC 61966-2-1; alpha is no light.
+    const Rgba encoded = color(Encoding::display);
+    CHECK(encoded[0] == doctest::Approx(0.5).epsilon(1e-4));
+    CHECK(encoded[1] == doctest::Approx(1.0));
+    CHECK(encoded[3] == 0.25f);
+}
+
+TEST_CASE_FIXTURE(Headless, "an event is on for one frame, until it is let go and comes again") {
+    Parameter event = knob("hit", {Scalar::boolean, 1, 1}, 0.0, {{0, "hit"}});
+    event.control = Control::event;
+    Executor executor = executor_of(look_of(
+        {pass("show", "uniform bool hit;\nvoid main() { color = vec4(hit ? 1.0 : 0.0); }\n")},
+        {event}));
+    const auto drawn = [&](int number) {
+        executor.draw(frame(number));
+        return red(executor, 0);
+    };
+    CHECK(drawn(1) == 0.0f);
+    executor.set_values({{"hit", 1.0}});
+    CHECK(drawn(2) == 1.0f);
+    CHECK(drawn(3) == 0.0f);
+    executor.set_values({{"hit", 1.0}, {"other", 2.0}});  // still held
+    executor.claim_programs();
+    CHECK(drawn(4) == 0.0f);
+    executor.set_values({});
+    CHECK(drawn(5) == 0.0f);
+    executor.set_values({{"hit", 1.0}});
+    CHECK(drawn(6) == 1.0f);
+}
