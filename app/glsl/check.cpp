@@ -4,6 +4,7 @@
 #include "glsl/compiler_log.h"
 #include "glsl/include.h"
 #include "glsl/interface.h"
+#include "glsl/live.h"
 #include "glsl/start.h"
 #include "glsl/tokens.h"
 #include "glsl/tree.h"
@@ -13,6 +14,8 @@
 #include <fmt/format.h>
 #include <glslang/Public/ResourceLimits.h>
 #include <glslang/Public/ShaderLang.h>
+
+#include <algorithm>
 
 namespace {
 constexpr int glsl_version = 410;
@@ -83,6 +86,14 @@ void link(Compiled& vertex, Compiled& fragment, Diagnostics& problems) {
     }
 }
 
+std::vector<std::string> live_in(Compiled& vertex, Compiled& fragment) {
+    std::vector<std::string> live = live_uniforms(vertex.shader());
+    for (std::string& name : live_uniforms(fragment.shader()))
+        if (std::ranges::find(live, name) == live.end())
+            live.push_back(std::move(name));
+    return live;
+}
+
 // What keeps a text from being given to glslang.
 void check_text(const Stage& stage, Diagnostics& problems) {
     const Diagnostics version = check_version(stage);
@@ -128,6 +139,7 @@ Result<Reflection> check_program(const Stage& vertex, const Stage& fragment) {
     const StageInterface to = compiled_fragment.interface(problems);
     reflection.uniforms = merged_uniforms(from, to, problems);
     check_varyings(from, to, fragment, problems);
+    reflection.live = live_in(compiled_vertex, compiled_fragment);  // linking takes their memory
     if (!has_errors(problems))
         link(compiled_vertex, compiled_fragment, problems);
     if (has_errors(problems))

@@ -24,6 +24,7 @@ struct Uniform {
 /// What the stages of a pass declare.
 struct Reflection {
     std::vector<Uniform> uniforms;  // each name once, in order of declaration, vertex stage first
+    std::vector<std::string> live;  // those of them that some code reads that can be reached
     Diagnostics warnings;           // glslang's
 
     bool operator==(const Reflection&) const = default;

@@ -295,3 +295,24 @@ TEST_CASE("random damage gives a good result or errors with file and line, never
         }
     }
 }
+
+TEST_CASE("what only code reads that is never reached is not live") {
+    const auto reflection = check(stage_of("a.frag", R"(#version 410 core
+uniform sampler2D read; uniform sampler2D skipped; uniform float unused; uniform float called;
+const int part = 1;
+float never() { return unused; }
+float always() { return called; }
+out vec4 c;
+void main() {
+    if (part == 0)
+        c = texture(skipped, vec2(0.5));
+    else
+        c = texture(read, vec2(always()));
+}
+)"));
+    REQUIRE(reflection.has_value());
+    CHECK(reflection->uniforms.size() == 4);
+    std::vector<std::string> live = reflection->live;
+    std::ranges::sort(live);
+    CHECK(live == std::vector<std::string>{"called", "read"});
+}
