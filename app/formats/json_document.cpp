@@ -69,8 +69,8 @@ std::string reason_of(std::string_view message) {
 // Builds the tree while the parser runs, and stops it at the first mistake but for double keys.
 class Builder : public nlohmann::json_sax<nlohmann::json> {
 public:
-    Builder(std::string_view text, const std::filesystem::path& file)
-        : m_text(text), m_file(file) {}
+    Builder(std::string_view text, const std::filesystem::path& file, DoubleKeys double_keys)
+        : m_text(text), m_file(file), m_double_keys(double_keys) {}
 
     std::size_t* consumed() { return &m_consumed; }
     Result<JsonValue> finished() {
@@ -103,8 +103,7 @@ public:
         m_is_member = true;
         m_end = m_consumed;
         if (!m_open.back().keys.insert(value).second)
-            m_problems.push_back(
-                {m_file, m_next.line, fmt::format("the key \"{}\" is there twice", value)});
+            note_double(value);
         m_next.key = std::move(value);
         return true;
     }
@@ -173,6 +172,15 @@ private:
         return place(take_next());
     }
 
+    void note_double(const std::string& key) {
+        if (m_double_keys == DoubleKeys::refused)
+            m_problems.push_back(
+                {m_file, m_next.line, fmt::format("the key \"{}\" is there twice", key)});
+        else
+            std::erase_if(m_open.back().value.children,
+                          [&](const JsonValue& member) { return member.key == key; });
+    }
+
     JsonValue take_next() {
         m_is_member = false;
         return std::exchange(m_next, {});
@@ -207,6 +215,7 @@ private:
 
     std::string_view m_text;
     const std::filesystem::path& m_file;
+    DoubleKeys m_double_keys;
     Diagnostics m_problems;
     JsonValue m_root;
     std::vector<Open> m_open;
@@ -220,12 +229,13 @@ private:
 };
 }  // namespace
 
-Result<JsonValue> parse_json(std::string_view text, const std::filesystem::path& file) {
+Result<JsonValue> parse_json(std::string_view text, const std::filesystem::path& file,
+                             DoubleKeys double_keys) {
     if (text.size() > largest_text)
         return fail({file, 0,
                      fmt::format("is too large: {} bytes, at most {} are read", text.size(),
                                  largest_text)});
-    Builder builder(text, file);
+    Builder builder(text, file, double_keys);
     const CountingIterator first(text.data(), builder.consumed());
     const CountingIterator last(text.data() + text.size(), builder.consumed());
     nlohmann::json::sax_parse(first, last, &builder);

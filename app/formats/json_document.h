@@ -27,9 +27,13 @@ struct JsonValue {
     bool is(Kind asked) const { return kind == asked; }
 };
 
-/// Reads a whole JSON text: at most 16 MiB, 128 levels deep, a million values. Every key of an
-/// object is there once. Errors have `file` and the line.
-Result<JsonValue> parse_json(std::string_view text, const std::filesystem::path& file);
+/// What is done about a key that an object has twice: it is a mistake, or the last one counts.
+enum class DoubleKeys { refused, last_counts };
+
+/// Reads a whole JSON text: at most 16 MiB, 128 levels deep, a million values. Errors have `file`
+/// and the line.
+Result<JsonValue> parse_json(std::string_view text, const std::filesystem::path& file,
+                             DoubleKeys double_keys = DoubleKeys::refused);
 
 /// The member of an object, or null.
 const JsonValue* find_member(const JsonValue& object, std::string_view key);

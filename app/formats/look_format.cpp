@@ -1,5 +1,7 @@
 #include "formats/look_format.h"
 
+#include "base/text.h"
+#include "formats/isf/isf_format.h"
 #include "formats/look_manifest.h"
 #include "formats/slang/slang_format.h"
 #include "glsl/include.h"
@@ -94,6 +96,10 @@ Result<Look> read_look(const fs::path& manifest, const fs::path& shared, CheckCa
         return fail(std::move(problems));
     return look;
 }
+// ISF's, by its name; whether it has the header is told when it is read.
+bool is_fs_file(const fs::path& file) {
+    return to_lower(file.extension().string()) == ".fs";
+}
 }  // namespace
 
 fs::path manifest_of(const fs::path& folder_or_manifest) {
@@ -104,8 +110,10 @@ fs::path manifest_of(const fs::path& folder_or_manifest) {
 
 LoadedLook load_look(const fs::path& folder_or_manifest, const fs::path& shared_includes,
                      CheckCache* cache) {
-    if (is_foreign_look(folder_or_manifest))
+    if (is_slang_file(folder_or_manifest))
         return load_slang_look(folder_or_manifest, cache);
+    if (is_fs_file(folder_or_manifest))
+        return load_isf_look(folder_or_manifest, cache);
     const fs::path manifest = manifest_of(folder_or_manifest);
     LoadedLook loaded;
     loaded.look = read_look(manifest, shared_includes, cache, loaded);
@@ -115,7 +123,7 @@ LoadedLook load_look(const fs::path& folder_or_manifest, const fs::path& shared_
 }
 
 bool is_foreign_look(const fs::path& file) {
-    return is_slang_file(file);
+    return is_slang_file(file) || is_fs_file(file);
 }
 
 namespace {

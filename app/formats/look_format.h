@@ -21,9 +21,9 @@ struct LoadedLook {
 std::filesystem::path manifest_of(const std::filesystem::path& folder_or_manifest);
 
 /// Reads a look: its manifest, its shaders with their includes, and its parameters, all checked.
-/// `folder_or_manifest` is the look's folder, its look.json or a foreign file (.slangp, .slang);
-/// `shared_includes` the program's shaders/include. With a cache, shaders that did not change are
-/// not checked again.
+/// `folder_or_manifest` is the look's folder, its look.json or a foreign file (.slangp, .slang,
+/// .fs); `shared_includes` the program's shaders/include. With a cache, shaders that did not change
+/// are not checked again.
 LoadedLook load_look(const std::filesystem::path& folder_or_manifest,
                      const std::filesystem::path& shared_includes, CheckCache* cache = nullptr);
 

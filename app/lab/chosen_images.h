@@ -12,8 +12,9 @@
 /// read when it was chosen or has changed, and not with every edit of the look.
 class ChosenImages {
 public:
-    /// Brings the renderer to what the values choose. A sampler whose choice is taken back, or
-    /// cannot be read, reads black. Errors: of the files that were tried now.
+    /// Brings the renderer to what the values choose. A sampler without a choice reads its
+    /// stand-in; one without that whose choice is taken back, or one whose choice cannot be read,
+    /// black. Errors: of the files that were tried now.
     Result<void> show(const Look& look, const Values& values, Renderer& renderer,
                       Renderer::Whose whose = Renderer::Whose::picture);
     /// The renderer is another, or reads pictures in another way.

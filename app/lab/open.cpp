@@ -78,7 +78,7 @@ Result<OpenRequest> request_of_file(const fs::path& file, const Library& library
         return OpenRequest{file, {}, {}};
     return fail(
         {file, 0,
-         "is neither a look's folder, a look.json, a .slangp or .slang file, a preset nor a "
+         "is neither a look's folder, a look.json, a .slangp, .slang or .fs file, a preset nor a "
          "PNG that holds one"});
 }
 // A name goes before a folder, as for a look alone.

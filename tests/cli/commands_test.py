@@ -395,6 +395,35 @@ void main() { FragColor = vec4(params.level, 0.0, 0.0, 1.0); }
         (self.folder / "presets" / "red.slangp").write_text("shaders = 1\nshader0 = ../red.slang\n")
         self.assertEqual(self.red_of(preset), 153)  # found beside the preset, too
 
+    ISF = """/*{"INPUTS": [{"NAME": "level", "TYPE": "float", "DEFAULT": 0.2},
+ {"NAME": "tint", "TYPE": "color", "DEFAULT": [0.6, 0.0, 0.0, 1.0]},
+ {"NAME": "tinted", "TYPE": "bool", "DEFAULT": false}]}*/
+void main() { gl_FragColor = tinted ? tint : vec4(level, 0.0, 0.0, 1.0); }
+"""
+
+    def test_an_isf_shader_is_drawn_and_described_and_its_mistakes_are_told(self):
+        shader = self.write("red.fs", self.ISF)
+        self.assertEqual(self.red_of(shader), 51)
+        self.assertEqual(self.red_of(shader, "--set", "level=0.4"), 102)
+        self.assertEqual(self.red_of(shader, "--set", "tinted=true"), 153)
+        result = run("describe", shader, "--json")
+        self.assert_done(result)
+        level, tint, _ = json.loads(result.stdout)["parameters"]
+        self.assertEqual((level["type"], level["default"]), ("float", 0.2))
+        self.assertEqual((tint["type"], tint["encoding"]), ("color", "display"))
+        wrong = self.write("wrong.fs", self.ISF.replace("vec4(level", "vec5(level"))
+        result = run("check", wrong)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("wrong.fs:4: error: ", result.stderr)
+
+    def test_a_corpus_holds_isf_shaders_too(self):
+        self.write("corpus/good.fs", self.ISF)
+        self.write("corpus/bad.fs", "void main() {}\n")
+        result = run("corpus", self.folder / "corpus", "--json", "--frames", "2", "--size", "8x8")
+        bad, good = json.loads(result.stdout)["files"]
+        self.assertIn("ISF", bad["why"])
+        self.assertEqual((good["why"], good["drew"], good["parameters"]), ("", True, 3))
+
     def test_a_corpus_is_told_file_by_file(self):
         self.write("corpus/good.slang", self.SHADER)
         self.write("corpus/good.slangp", "shaders = 1\nshader0 = good.slang\n")

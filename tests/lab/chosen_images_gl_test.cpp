@@ -163,3 +163,31 @@ TEST_CASE("a preset that is broken and mended on disk leaves no notice") {
     CHECK(small.turn_until([&] { return !small.lab().notice().has_value(); }));
     CHECK(small.document().values() == Values{{"gain", Value(2.0)}});
 }
+
+TEST_CASE(
+    "a sampler without a choice reads its stand-in, and again when the choice is taken back") {
+    const TemporaryFolder folder;
+    const auto context = gpu::Context::headless();
+    REQUIRE(context.has_value());
+    folder.write("a.fs",
+                 "/*{\"INPUTS\": [{\"NAME\": \"picked\", \"TYPE\": \"image\"}]}*/\n"
+                 "void main() { gl_FragColor = IMG_THIS_PIXEL(picked); }\n");
+    LoadedLook loaded = load_look(folder / "a.fs", {});
+    REQUIRE(loaded.look.has_value());
+    loaded.look->parameters[0].stand_in = "white";
+    auto programs = build_programs(*loaded.look);
+    REQUIRE(programs.has_value());
+    Renderer renderer(*loaded.look, std::move(*programs));
+    REQUIRE(renderer.resize({8, 8}, {8, 8}).has_value());
+    ChosenImages images;
+    const auto shown = [&](const std::string& file) {
+        CHECK(images.show(*loaded.look, {{"picked", Value::of_path(file)}}, renderer).has_value());
+        renderer.draw({1, {0.0, 1.0 / 60.0}}, {});
+        return gpu::read_pixel(renderer.executor().target(0), 4, 4)[0];
+    };
+    const std::string black = save_grey(folder / "black.exr", 0.0f).string();
+    CHECK(shown("") == 1.0f);
+    CHECK(shown(black) == 0.0f);
+    CHECK(shown("") == 1.0f);
+    CHECK(images.files().empty());
+}

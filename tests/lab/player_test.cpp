@@ -328,3 +328,18 @@ TEST_CASE("who comes back to a moment finds the frames before it, as if they had
     player.seek_with_past(0.0, 30);
     CHECK(player.past().empty());
 }
+
+TEST_CASE("textures follow a player's signal; without one there is nothing to follow") {
+    Player player;
+    CHECK_FALSE(player.sound_texels());
+    REQUIRE(player.set_signal(parse_spec("lissajous:x=2,y=2,phase=0.25,amplitude=0.5").value())
+                .has_value());
+    REQUIRE(player.sound_texels());
+    std::array<float, 8> levels{};
+    player.sound_texels()->read({SoundTexture::Holds::wave, 4}, 1.0, levels);
+    for (std::size_t i = 0; i < 4; ++i)
+        CHECK(std::hypot(2.0f * levels[i] - 1.0f, 2.0f * levels[i + 4] - 1.0f) ==
+              doctest::Approx(0.5).epsilon(1e-3));
+    REQUIRE(player.set_signal({}).has_value());
+    CHECK_FALSE(player.sound_texels());
+}

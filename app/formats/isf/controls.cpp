@@ -1,0 +1,113 @@
+#include "formats/isf/controls.h"
+
+#include "base/text.h"
+#include "model/color.h"
+
+#include <algorithm>
+
+namespace {
+double number_at(const std::vector<double>& numbers, std::size_t index, double fallback) {
+    return index < numbers.size() ? numbers[index] : fallback;
+}
+
+/// The ends of one component.
+Range range_at(const IsfInput& input, std::size_t index) {
+    const bool is_whole = index < input.low.size() && index < input.high.size();
+    const double low = is_whole ? input.low[index] : 0.0;
+    const double high = is_whole ? input.high[index] : 1.0;
+    return {std::min(low, high), std::max(low, high)};
+}
+
+void set_number(const IsfInput& input, Parameter& made) {
+    made.range = range_at(input, 0);
+    const double middle = 0.5 * (made.range.low + made.range.high);
+    const double initial = number_at(input.initial, 0, middle);
+    made.initial = Value(std::clamp(initial, made.range.low, made.range.high));
+}
+
+void set_integer(const IsfInput& input, Parameter& made) {
+    made.type.scalar = Scalar::integer;
+    set_number(input, made);
+    made.range.step = 1.0;
+    made.initial = Value(std::trunc(made.initial.number()));
+    if (input.values.empty())
+        return;
+    made.control = Control::list;
+    for (std::size_t i = 0; i < input.values.size(); ++i)
+        made.items.push_back({input.values[i], i < input.labels.size()
+                                                   ? input.labels[i]
+                                                   : format_number(input.values[i])});
+    const double initial = number_at(input.initial, 0, input.values.front());
+    const bool is_there = std::ranges::find(input.values, initial) != input.values.end();
+    made.initial = Value(is_there ? initial : input.values.front());
+    made.range = {std::ranges::min(input.values), std::ranges::max(input.values), 1.0};
+}
+
+void set_switch(const IsfInput& input, Parameter& made) {
+    made.type.scalar = Scalar::boolean;
+    const bool is_event = input.type == IsfInput::Type::event;
+    made.control = is_event ? Control::event : Control::slider;
+    made.initial = Value(number_at(input.initial, 0, is_event ? 0.0 : 1.0) != 0.0 ? 1.0 : 0.0);
+}
+
+void set_point(const IsfInput& input, Parameter& made) {
+    made.type.rows = 2;
+    made.control = Control::point;
+    std::vector<double> initial;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Range range = range_at(input, i);
+        initial.push_back(number_at(input.initial, i, 0.5 * (range.low + range.high)));
+        made.range.low = i == 0 ? range.low : std::min(made.range.low, range.low);
+        made.range.high = i == 0 ? range.high : std::max(made.range.high, range.high);
+    }
+    made.initial = Value(std::move(initial));
+}
+
+void set_color(const IsfInput& input, Parameter& made) {
+    made.type.rows = 4;
+    made.control = Control::color;
+    made.encoding = Encoding::display;
+    std::vector<double> initial;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const double component = number_at(input.initial, i, 1.0);
+        initial.push_back(i < 3 ? srgb_decode(component) : component);
+    }
+    made.initial = Value(std::move(initial));
+}
+}  // namespace
+
+Parameter isf_control(const IsfInput& input) {
+    using Type = IsfInput::Type;
+    Parameter made;
+    made.name = input.name;
+    made.label = input.label.empty() ? label_from_name(input.name) : input.label;
+    made.declared = input.declared;
+    switch (input.type) {
+        case Type::floating:
+            set_number(input, made);
+            break;
+        case Type::integer:
+            set_integer(input, made);
+            break;
+        case Type::boolean:
+        case Type::event:
+            set_switch(input, made);
+            break;
+        case Type::point:
+            set_point(input, made);
+            break;
+        case Type::color:
+            set_color(input, made);
+            break;
+        case Type::image:
+        case Type::audio:
+        case Type::audio_fft:
+            made.control = Control::image;
+            made.initial = Value::of_path("");
+            break;
+    }
+    const bool has_identity = static_cast<int>(input.identity.size()) == made.type.size();
+    if (has_identity && made.control != Control::color)
+        made.identity = Value(input.identity);
+    return made;
+}

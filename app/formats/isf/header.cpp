@@ -1,0 +1,261 @@
+#include "formats/isf/header.h"
+
+#include "base/text.h"
+#include "formats/json_document.h"
+#include "glsl/tokens.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace {
+using JsonKind = JsonValue::Kind;
+
+/// The first block comment of a text, without its ends.
+struct HeaderComment {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+};
+
+std::optional<HeaderComment> find_comment(std::string_view text) {
+    std::size_t at = 0;
+    while (at < text.size()) {
+        at = text.find_first_not_of(" \t\r\n\f\v", at);
+        if (at == std::string_view::npos || !text.substr(at).starts_with('/'))
+            return std::nullopt;
+        if (text.substr(at).starts_with("/*"))
+            break;
+        at = std::min(text.find('\n', at), text.size());
+    }
+    const std::size_t end = at < text.size() ? text.find("*/", at + 2) : std::string_view::npos;
+    return end == std::string_view::npos ? std::nullopt : std::optional(HeaderComment{at + 2, end});
+}
+
+// The comment alone, at its place, so that lines are those of the file.
+std::string json_of(std::string_view text, const HeaderComment& comment) {
+    std::string json(text.substr(0, comment.end));
+    blank_out(json, 0, comment.begin);
+    std::ranges::replace(json.begin(), json.begin() + static_cast<std::ptrdiff_t>(comment.begin),
+                         '\\', ' ');
+    return json;
+}
+
+// What hosts take for true: true, another number than 0, a text that says so.
+bool is_truthy(const JsonValue* value) {
+    if (!value)
+        return false;
+    switch (value->kind) {
+        case JsonKind::boolean:
+            return value->boolean;
+        case JsonKind::number:
+            return value->number != 0.0;
+        case JsonKind::text: {
+            const std::string text = to_lower(trim(value->text));
+            return text == "true" || text == "yes" || parse_number(text).value_or(0.0) != 0.0;
+        }
+        default:
+            return false;
+    }
+}
+
+std::string text_of(const JsonValue* value) {
+    if (!value)
+        return {};
+    return value->is(JsonKind::number) ? format_number(value->number) : value->text;
+}
+
+std::vector<double> numbers_of(const JsonValue* value) {
+    if (!value)
+        return {};
+    if (value->is(JsonKind::number))
+        return {value->number};
+    if (value->is(JsonKind::boolean))
+        return {value->boolean ? 1.0 : 0.0};
+    std::vector<double> numbers;
+    for (const JsonValue& child : value->children)
+        if (child.is(JsonKind::number) || child.is(JsonKind::boolean))
+            numbers.push_back(child.is(JsonKind::number) ? child.number
+                              : child.boolean            ? 1.0
+                                                         : 0.0);
+    return numbers;
+}
+
+const std::map<std::string_view, IsfInput::Type>& input_types() {
+    using Type = IsfInput::Type;
+    static const std::map<std::string_view, Type> all{
+        {"float", Type::floating}, {"bool", Type::boolean},       {"long", Type::integer},
+        {"event", Type::event},    {"point2D", Type::point},      {"color", Type::color},
+        {"image", Type::image},    {"audioFFT", Type::audio_fft}, {"audio", Type::audio}};
+    return all;
+}
+
+class HeaderReader {
+public:
+    explicit HeaderReader(const std::filesystem::path& file) : m_file(file) {}
+
+    Result<IsfHeader> read(const JsonValue& json) {
+        m_header.about = text_of(find_member(json, "DESCRIPTION"));
+        m_header.credit = text_of(find_member(json, "CREDIT"));
+        for (const JsonValue& input : list(json, "INPUTS"))
+            read_input(input);
+        for (const JsonValue& pass : list(json, "PASSES"))
+            read_pass(pass);
+        if (m_header.passes.empty())
+            m_header.passes.push_back({{}, {}, {}, false, false, {m_file, 1}});
+        read_imports(json);
+        read_buffers_of_version_1(json);
+        if (!m_problems.empty())
+            return fail(std::move(m_problems));
+        return std::move(m_header);
+    }
+
+private:
+    void problem(const JsonValue& at, std::string message) {
+        m_problems.push_back({m_file, at.line, std::move(message)});
+    }
+
+    const std::vector<JsonValue>& list(const JsonValue& json, std::string_view key) {
+        static const std::vector<JsonValue> none;
+        const JsonValue* member = find_member(json, key);
+        if (member && !member->is(JsonKind::array) && !member->is(JsonKind::null))
+            problem(*member, fmt::format("\"{}\" is a list, not {}", key, kind_name(member->kind)));
+        return member && member->is(JsonKind::array) ? member->children : none;
+    }
+
+    // A name becomes a name of the shader.
+    bool accept_name(const std::string& name, const JsonValue& at) {
+        const Tokens tokens = scan(name);
+        if (tokens.all.size() != 1 || tokens.all.front().kind != Token::Kind::word ||
+            tokens.all.front().text != name) {
+            problem(at, name.empty() ? "has no \"NAME\""
+                                     : fmt::format("'{}' cannot be a name in a shader", name));
+            return false;
+        }
+        if (std::ranges::find(m_names, name) != m_names.end()) {
+            problem(at, fmt::format("there are two inputs called '{}'", name));
+            return false;
+        }
+        m_names.push_back(name);
+        return true;
+    }
+
+    void read_input(const JsonValue& json) {
+        const JsonValue* type = find_member(json, "TYPE");
+        const auto known = input_types().find(type ? std::string_view(type->text) : "");
+        IsfInput input;
+        input.declared = {m_file, json.line};
+        input.name = text_of(find_member(json, "NAME"));
+        if (known == input_types().end()) {
+            problem(type ? *type : json,
+                    fmt::format("the input '{}' is of no type that there is: '{}'", input.name,
+                                text_of(type)));
+            return;
+        }
+        if (!accept_name(input.name, json))
+            return;
+        input.type = known->second;
+        input.label = text_of(find_member(json, "LABEL"));
+        input.initial = numbers_of(find_member(json, "DEFAULT"));
+        input.low = numbers_of(find_member(json, "MIN"));
+        input.high = numbers_of(find_member(json, "MAX"));
+        input.identity = numbers_of(find_member(json, "IDENTITY"));
+        input.values = numbers_of(find_member(json, "VALUES"));
+        if (const JsonValue* labels = find_member(json, "LABELS"))
+            for (const JsonValue& label : labels->children)
+                input.labels.push_back(text_of(&label));
+        m_header.inputs.push_back(std::move(input));
+    }
+
+    void read_pass(const JsonValue& json) {
+        m_header.passes.push_back({text_of(find_member(json, "TARGET")),
+                                   text_of(find_member(json, "WIDTH")),
+                                   text_of(find_member(json, "HEIGHT")),
+                                   is_truthy(find_member(json, "PERSISTENT")),
+                                   is_truthy(find_member(json, "FLOAT")),
+                                   {m_file, json.line}});
+    }
+
+    void read_import(const std::string& name, const JsonValue& json) {
+        if (accept_name(name, json))
+            m_header.imports.push_back(
+                {name, text_of(find_member(json, "PATH")), {m_file, json.line}});
+    }
+
+    void read_imports(const JsonValue& json) {
+        const JsonValue* imports = find_member(json, "IMPORTED");
+        if (!imports)
+            return;
+        for (const JsonValue& import : imports->children)
+            read_import(
+                imports->is(JsonKind::object) ? import.key : text_of(find_member(import, "NAME")),
+                import);
+    }
+
+    // Of version 1: a list of names, or an object of name and size.
+    void read_buffers_of_version_1(const JsonValue& json) {
+        const JsonValue* buffers = find_member(json, "PERSISTENT_BUFFERS");
+        if (!buffers)
+            return;
+        for (const JsonValue& buffer : buffers->children) {
+            const std::string& name = buffers->is(JsonKind::object) ? buffer.key : buffer.text;
+            for (IsfPass& pass : m_header.passes) {
+                if (pass.target != name)
+                    continue;
+                pass.is_persistent = true;
+                pass.is_float = pass.is_float || is_truthy(find_member(buffer, "FLOAT"));
+                if (pass.width.empty())
+                    pass.width = text_of(find_member(buffer, "WIDTH"));
+                if (pass.height.empty())
+                    pass.height = text_of(find_member(buffer, "HEIGHT"));
+            }
+        }
+    }
+
+    const std::filesystem::path& m_file;
+    IsfHeader m_header;
+    std::vector<std::string> m_names;
+    Diagnostics m_problems;
+};
+}  // namespace
+
+IsfHeader::Kind IsfHeader::kind() const {
+    const auto has = [this](std::string_view name, IsfInput::Type type) {
+        const IsfInput* input = find_input(name);
+        return input && input->type == type;
+    };
+    if (has("inputImage", IsfInput::Type::image))
+        return Kind::filter;
+    const bool is_transition = has("startImage", IsfInput::Type::image) &&
+                               has("endImage", IsfInput::Type::image) &&
+                               has("progress", IsfInput::Type::floating);
+    return is_transition ? Kind::transition : Kind::generator;
+}
+
+const IsfInput* IsfHeader::find_input(std::string_view name) const {
+    const auto found = std::ranges::find(inputs, name, &IsfInput::name);
+    return found == inputs.end() ? nullptr : &*found;
+}
+
+bool has_isf_header(std::string_view text) {
+    const auto comment = find_comment(text);
+    return comment &&
+           trim(text.substr(comment->begin, comment->end - comment->begin)).starts_with('{');
+}
+
+Result<IsfHeader> read_isf_header(std::string_view text, const std::filesystem::path& file) {
+    const auto comment = find_comment(text);
+    if (!comment || !has_isf_header(text))
+        return fail({file, 1,
+                     "does not begin with the comment that makes it an ISF shader: /*{ ... }*/ "
+                     "with its inputs"});
+    const auto json = parse_json(json_of(text, *comment), file, DoubleKeys::last_counts);
+    if (!json)
+        return fail(json.error());
+    auto header = HeaderReader(file).read(*json);
+    if (!header)
+        return header;
+    header->code_begin = comment->end + 2;
+    header->code_line =
+        1 + static_cast<int>(std::ranges::count(text.substr(0, comment->end), '\n'));
+    return header;
+}

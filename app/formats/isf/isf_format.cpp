@@ -1,0 +1,65 @@
+#include "formats/isf/isf_format.h"
+
+#include "base/file.h"
+#include "base/text.h"
+#include "formats/isf/isf_look.h"
+
+namespace fs = std::filesystem;
+
+namespace {
+// The vertex shader beside it; the names that it may have are looked at either way, so that one
+// that is put there later is seen.
+Result<void> read_vertex_code(IsfSource& source, std::vector<fs::path>& files) {
+    for (const char* extension : {".vs", ".vert"}) {
+        fs::path beside = source.file;
+        beside.replace_extension(extension);
+        files.push_back(beside);
+        std::error_code error;
+        if (!source.vertex_file.empty() || !fs::is_regular_file(beside, error))
+            continue;
+        auto text = read_text(beside);
+        if (!text)
+            return fail(text.error());
+        source.vertex_file = beside;
+        source.vertex_text = std::move(*text);
+    }
+    return {};
+}
+
+Result<Look> read_isf_look(const fs::path& file, CheckCache* cache, LoadedLook& loaded) {
+    IsfSource source{file, {}, {}, {}};
+    auto text = read_text(file);
+    if (!text)
+        return fail(text.error());
+    source.text = std::move(*text);
+    const auto header = read_isf_header(source.text, file);
+    if (!header)
+        return fail(header.error());
+    if (auto read = read_vertex_code(source, loaded.files); !read)
+        return fail(read.error());
+    loaded.is_parsed = true;
+    auto look = look_of_isf(source, *header, cache, loaded.files, loaded.warnings);
+    if (!look)
+        return look;
+    look->id = foreign_look_id(file);
+    look->name = file.stem().string();
+    look->manifest = file;
+    return look;
+}
+}  // namespace
+
+bool is_isf_file(const fs::path& file) {
+    if (to_lower(file.extension().string()) != ".fs")
+        return false;
+    const auto text = read_text(file);
+    return text && has_isf_header(*text);
+}
+
+LoadedLook load_isf_look(const fs::path& file, CheckCache* cache) {
+    LoadedLook loaded;
+    loaded.files.push_back(file);
+    loaded.look = read_isf_look(file, cache, loaded);
+    if (loaded.look)
+        loaded.look->files = loaded.files;
+    return loaded;
+}

@@ -1,0 +1,246 @@
+#include "formats/isf/isf_look.h"
+
+#include "formats/isf/controls.h"
+#include "model/parameter_use.h"
+#include "model/plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace fs = std::filesystem;
+
+namespace {
+using InputType = IsfInput::Type;
+
+constexpr const char* usual_source = "pattern:harbour";
+constexpr const char* usual_pattern = "harbour";
+constexpr const char* other_pattern = "smpte";  // tells a second picture from the first
+constexpr const char* usual_sound = "waveform:mode=xy,ch1=saw,f1=12,ch2=sine,f2=5";
+constexpr int wave_samples = 512;
+constexpr int spectrum_bins = 256;
+constexpr int most_sound_columns = 8192;
+constexpr int frames_of_a_past = 60;
+
+bool is_sound(const IsfInput& input) {
+    return input.type == InputType::audio || input.type == InputType::audio_fft;
+}
+
+bool is_picture(const IsfInput& input) {
+    return input.type == InputType::image;
+}
+
+SoundTexture sound_texture_of(const IsfInput& input) {
+    const bool is_wave = input.type == InputType::audio;
+    const double usual = is_wave ? wave_samples : spectrum_bins;
+    const double columns = input.high.empty() ? usual : input.high.front();
+    return {is_wave ? SoundTexture::Holds::wave : SoundTexture::Holds::spectrum,
+            static_cast<int>(std::clamp(columns, 1.0, 1.0 * most_sound_columns))};
+}
+
+// Sizes are cut to whole texels, and never none.
+Side side_of(const std::string& expression) {
+    if (expression.empty())
+        return {};
+    return {Side::By::expression, 1.0, fmt::format("max(1, floor({}))", expression)};
+}
+
+void add_new(Diagnostics& all, const Diagnostics& some) {
+    for (const Diagnostic& diagnostic : some)
+        if (std::ranges::find(all, diagnostic) == all.end())
+            all.push_back(diagnostic);
+}
+
+std::vector<BuiltInUniform> isf_built_ins() {
+    return {{"RENDERSIZE", BuiltIn::target_size},
+            {"TIME", BuiltIn::time_before},
+            {"TIMEDELTA", BuiltIn::delta_before},
+            {"FRAMEINDEX", BuiltIn::frame_before},
+            {"DATE", BuiltIn::date}};
+}
+
+class LookMaker {
+public:
+    LookMaker(const IsfSource& source, const IsfHeader& header, CheckCache* cache,
+              std::vector<fs::path>& files, Diagnostics& warnings)
+        : m_source(source),
+          m_header(header),
+          m_cache(cache),
+          m_files(files),
+          m_warnings(warnings),
+          m_listens(std::ranges::any_of(header.inputs, is_sound)) {}
+
+    Result<Look> make() {
+        choose_driver();
+        name_passes();
+        add_images();
+        for (const IsfInput& input : m_header.inputs)
+            if (!is_sound(input) && input.name != m_source_input)
+                add_parameter(input);
+        for (std::size_t i = 0; i < m_header.passes.size(); ++i)
+            make_pass(i);
+        if (m_problems.empty())
+            finish();
+        if (!m_problems.empty())
+            return fail(std::move(m_problems));
+        return std::move(m_look);
+    }
+
+private:
+    void problem(const Location& at, std::string message) {
+        m_problems.push_back({at.file, at.line, std::move(message)});
+    }
+
+    void choose_driver() {
+        const IsfHeader::Kind kind = m_header.kind();
+        if (m_listens) {
+            m_look.driven_by = Driver::signal;
+            m_look.default_signal = parse_spec(usual_sound).value();
+        } else if (kind != IsfHeader::Kind::generator) {
+            m_look.driven_by = Driver::picture;
+            m_look.default_source = usual_source;
+            m_source_input = kind == IsfHeader::Kind::filter ? "inputImage" : "startImage";
+        }
+    }
+
+    void add_parameter(const IsfInput& input) {
+        Parameter made = isf_control(input);
+        const bool is_first = input.name == "inputImage" || input.name == "startImage";
+        if (is_picture(input))
+            made.stand_in = is_first ? usual_pattern : other_pattern;
+        m_look.parameters.push_back(std::move(made));
+    }
+
+    void name_passes() {
+        std::set<std::string> known;
+        for (std::size_t i = 0; i < m_header.passes.size(); ++i) {
+            const IsfPass& pass = m_header.passes[i];
+            const bool is_last = i + 1 == m_header.passes.size();
+            std::string name = !pass.target.empty() ? pass.target
+                               : is_last            ? "picture"
+                                                    : fmt::format("pass-{}", i + 1);
+            if (!known.insert(name).second)
+                problem(pass.declared, fmt::format("two passes are called '{}'", name));
+            m_names.push_back(std::move(name));
+        }
+    }
+
+    void add_images() {
+        const fs::path folder = m_source.file.parent_path();
+        for (const IsfImport& import : m_header.imports) {
+            const fs::path file = folder / import.path;
+            m_files.push_back(file);
+            std::error_code error;
+            if (!fs::is_regular_file(file, error)) {
+                m_warnings.push_back({import.declared.file, import.declared.line,
+                                      fmt::format("the picture '{}' is missing: '{}' reads black",
+                                                  import.path, import.name),
+                                      Severity::warning});
+                continue;
+            }
+            Image image{import.name, file, {}};
+            image.is_linear = true;
+            image.is_needed = false;
+            m_look.images.push_back(std::move(image));
+        }
+    }
+
+    void make_pass(std::size_t index) {
+        const IsfPass& declared = m_header.passes[index];
+        Pass pass;
+        pass.name = m_names[index];
+        pass.fragment = isf_fragment_stage(m_source, m_header, index);
+        pass.vertex = isf_vertex_stage(m_source, m_header, index);
+        pass.draw = m_source.vertex_file.empty() ? Draw::fullscreen : Draw::quad;
+        pass.format = declared.is_float ? Format::rgba32f : Format::rgba8;
+        pass.size = {side_of(declared.width), side_of(declared.height)};
+        pass.built_ins = isf_built_ins();
+        pass.declared = declared.declared;
+        pass.output = Encoding::display;
+        const auto checked = m_cache ? m_cache->check(pass.vertex, pass.fragment)
+                                     : check_program(pass.vertex, pass.fragment);
+        if (!checked) {
+            add_new(m_problems, checked.error());
+            return;
+        }
+        add_new(m_warnings, checked->warnings);
+        for (const std::string& name : checked->live)
+            bind(name, index, pass);
+        warn_of_others(*checked);
+        m_look.passes.push_back(std::move(pass));
+    }
+
+    // What a live uniform of a pass reads, or who turns it.
+    void bind(const std::string& name, std::size_t index, Pass& pass) {
+        const auto parameter = std::ranges::find(m_look.parameters, name, &Parameter::name);
+        if (parameter != m_look.parameters.end())
+            parameter->bindings.push_back({static_cast<int>(index), name});
+        else if (const auto input = input_of(name, index))
+            pass.inputs.push_back(*input);
+    }
+
+    std::optional<Input> input_of(const std::string& name, std::size_t reader) const {
+        if (name == m_source_input)
+            return Input{name, Input::From::source, {}, 0, {}};
+        if (const IsfInput* input = m_header.find_input(name); input && is_sound(*input))
+            return Input{name, Input::From::sound, {}, 0, {}, sound_texture_of(*input)};
+        if (std::ranges::find(m_look.images, name, &Image::name) != m_look.images.end())
+            return Input{name, Input::From::image, name, 0, {}};
+        const auto pass = std::ranges::find(m_header.passes, name, &IsfPass::target);
+        if (pass == m_header.passes.end())
+            return std::nullopt;
+        const bool is_drawn = static_cast<std::size_t>(pass - m_header.passes.begin()) < reader;
+        if (!is_drawn && !pass->is_persistent)
+            return std::nullopt;  // it holds nothing yet: transparent black
+        return Input{name, Input::From::pass, name, is_drawn ? 0 : 1, {}};
+    }
+
+    // Uniforms of the author's own, which nobody sets.
+    void warn_of_others(const Reflection& reflection) {
+        for (const Uniform& uniform : reflection.uniforms) {
+            const Location& at = uniform.declared.front();
+            if (!at.file.empty())
+                add_new(m_warnings,
+                        {{at.file, at.line,
+                          fmt::format("'{}' is no input of the header: it stays 0", uniform.name),
+                          Severity::warning}});
+        }
+    }
+
+    void finish() {
+        bool has_past = m_listens;
+        for (const IsfPass& pass : m_header.passes)
+            has_past = has_past || pass.is_persistent;
+        m_look.settle_frames = has_past ? frames_of_a_past : 1;
+        m_look.about = m_header.about;
+        m_look.author = m_header.credit;
+        m_look.source_encoding = Encoding::display;
+        m_look.output = Encoding::display;
+        for (Parameter& parameter : m_look.parameters) {
+            parameter.is_hidden = true;
+            for (std::size_t i = 0; i < m_look.passes.size(); ++i)
+                parameter.is_hidden = parameter.is_hidden && !is_used_by(m_look, i, parameter);
+        }
+        constexpr Extent any{1280, 720};  // tells what is wrong with an expression
+        if (const auto plan = plan_targets(m_look, any, any, {}); !plan)
+            m_problems = plan.error();
+    }
+
+    const IsfSource& m_source;
+    const IsfHeader& m_header;
+    CheckCache* m_cache;
+    std::vector<fs::path>& m_files;
+    Diagnostics& m_warnings;
+    bool m_listens;
+    std::string m_source_input;  // "": none reads the source
+    std::vector<std::string> m_names;
+    Look m_look;
+    Diagnostics m_problems;
+};
+}  // namespace
+
+Result<Look> look_of_isf(const IsfSource& source, const IsfHeader& header, CheckCache* cache,
+                         std::vector<fs::path>& files, Diagnostics& warnings) {
+    return LookMaker(source, header, cache, files, warnings).make();
+}

@@ -1,0 +1,143 @@
+#include "formats/isf/header.h"
+
+#include <doctest/doctest.h>
+
+namespace {
+using Type = IsfInput::Type;
+
+IsfHeader header_of(const std::string& json) {
+    auto header = read_isf_header("/*" + json + "*/\nvoid main() {}\n", "a.fs");
+    REQUIRE_MESSAGE(header.has_value(), to_string(header.error()));
+    return std::move(*header);
+}
+
+std::string refusal_of(const std::string& text) {
+    const auto header = read_isf_header(text, "a.fs");
+    REQUIRE_FALSE(header.has_value());
+    return to_string(header.error());
+}
+}  // namespace
+
+TEST_CASE("an ISF shader begins with a comment that holds an object") {
+    CHECK(has_isf_header("/*{}*/ void main() {}"));
+    CHECK(has_isf_header("\n// by me\n/*\n  { \"A\": 1 }\n*/"));
+    CHECK_FALSE(has_isf_header("/* a comment */ void main() {}"));
+    CHECK_FALSE(has_isf_header("void main() {} /*{}*/"));
+    CHECK_FALSE(has_isf_header("// only a line"));
+    CHECK_FALSE(has_isf_header("/*{ that never ends"));
+    CHECK_FALSE(has_isf_header(""));
+}
+
+TEST_CASE("the code of an ISF shader follows its header, and its line is known") {
+    const std::string text = "\n/*{\n\"DESCRIPTION\": \"d\"\n}*/ void main() {}\n";
+    const auto header = read_isf_header(text, "a.fs");
+    REQUIRE(header.has_value());
+    CHECK(header->about == "d");
+    CHECK(text.substr(header->code_begin) == " void main() {}\n");
+    CHECK(header->code_line == 4);
+}
+
+TEST_CASE("inputs have the type that the header says, and numbers however they are written") {
+    const IsfHeader header = header_of(R"({"INPUTS": [
+        {"NAME": "a", "TYPE": "float", "MIN": -1, "MAX": 3.5, "DEFAULT": 2, "IDENTITY": 0},
+        {"NAME": "b", "TYPE": "bool", "DEFAULT": true, "LABEL": "Switch"},
+        {"NAME": "c", "TYPE": "long", "VALUES": [1, 5], "LABELS": ["one", "five"]},
+        {"NAME": "d", "TYPE": "event"}, {"NAME": "e", "TYPE": "point2D", "DEFAULT": [0.5, 1]},
+        {"NAME": "f", "TYPE": "color"}, {"NAME": "g", "TYPE": "image"},
+        {"NAME": "h", "TYPE": "audio", "MAX": 64}, {"NAME": "i", "TYPE": "audioFFT"}]})");
+    const std::vector<Type> types{Type::floating, Type::boolean, Type::integer,
+                                  Type::event,    Type::point,   Type::color,
+                                  Type::image,    Type::audio,   Type::audio_fft};
+    REQUIRE(header.inputs.size() == types.size());
+    for (std::size_t i = 0; i < types.size(); ++i)
+        CHECK(header.inputs[i].type == types[i]);
+    CHECK(header.inputs[0].low == std::vector{-1.0});
+    CHECK(header.inputs[0].high == std::vector{3.5});
+    CHECK(header.inputs[0].identity == std::vector{0.0});
+    CHECK(header.inputs[1].initial == std::vector{1.0});
+    CHECK(header.inputs[1].label == "Switch");
+    CHECK(header.inputs[2].labels == std::vector<std::string>{"one", "five"});
+    CHECK(header.inputs[4].initial == std::vector{0.5, 1.0});
+    CHECK(header.inputs[7].high == std::vector{64.0});
+    CHECK(header.inputs[0].declared == Location{"a.fs", 2});
+}
+
+TEST_CASE("a pass is persistent by true, a number or a text that says so") {
+    const IsfHeader header = header_of(R"({"PASSES": [
+        {"TARGET": "a", "PERSISTENT": true, "FLOAT": true}, {"TARGET": "b", "PERSISTENT": 1},
+        {"TARGET": "c", "PERSISTENT": "true", "FLOAT": "YES"}, {"TARGET": "d", "persistent": true},
+        {"TARGET": "e", "PERSISTENT": "false"}, {"PERSISTENT": 0, "WIDTH": 64,
+         "HEIGHT": "$HEIGHT/2", "SPEED": "unknown"}]})");
+    std::vector<bool> persistent;
+    for (const IsfPass& pass : header.passes)
+        persistent.push_back(pass.is_persistent);
+    CHECK(persistent == std::vector{true, true, true, false, false, false});
+    CHECK(header.passes[0].is_float);
+    CHECK_FALSE(header.passes[1].is_float);
+    CHECK(header.passes[2].is_float);
+    CHECK(header.passes[5].width == "64");
+    CHECK(header.passes[5].height == "$HEIGHT/2");
+}
+
+TEST_CASE("of a key that is there twice the last one counts, and keys that mean nothing are left") {
+    const IsfHeader header =
+        header_of(R"({"DESCRIPTION": "a", "KEYWORDS": {"x": [1]}, "DESCRIPTION": "b"})");
+    CHECK(header.about == "b");
+}
+
+TEST_CASE("without passes there is one") {
+    CHECK(header_of("{}").passes.size() == 1);
+    CHECK(header_of(R"({"PASSES": []})").passes.size() == 1);
+}
+
+TEST_CASE("persistent buffers of version 1 fold into their passes") {
+    const IsfHeader named =
+        header_of(R"({"PERSISTENT_BUFFERS": ["b"], "PASSES": [{"TARGET": "a"}, {"TARGET": "b"}]})");
+    CHECK_FALSE(named.passes[0].is_persistent);
+    CHECK(named.passes[1].is_persistent);
+    const IsfHeader sized = header_of(
+        R"({"PERSISTENT_BUFFERS": {"a": {"WIDTH": 8, "HEIGHT": "$WIDTH", "FLOAT": true}},
+            "PASSES": [{"TARGET": "a", "HEIGHT": "4"}]})");
+    CHECK(sized.passes[0].is_persistent);
+    CHECK(sized.passes[0].is_float);
+    CHECK(sized.passes[0].width == "8");
+    CHECK(sized.passes[0].height == "4");
+}
+
+TEST_CASE("imports are an object of names, or a list") {
+    const IsfHeader object = header_of(R"({"IMPORTED": {"mask": {"PATH": "a/mask.png"}}})");
+    const IsfHeader list = header_of(R"({"IMPORTED": [{"NAME": "mask", "PATH": "a/mask.png"}]})");
+    for (const IsfHeader& header : {object, list}) {
+        REQUIRE(header.imports.size() == 1);
+        CHECK(header.imports[0].name == "mask");
+        CHECK(header.imports[0].path == "a/mask.png");
+    }
+}
+
+TEST_CASE("what an ISF shader does follows from its inputs") {
+    using Kind = IsfHeader::Kind;
+    CHECK(header_of("{}").kind() == Kind::generator);
+    CHECK(header_of(R"({"INPUTS": [{"NAME": "inputImage", "TYPE": "image"}]})").kind() ==
+          Kind::filter);
+    CHECK(header_of(R"({"INPUTS": [{"NAME": "startImage", "TYPE": "image"},
+        {"NAME": "endImage", "TYPE": "image"}, {"NAME": "progress", "TYPE": "float"}]})")
+              .kind() == Kind::transition);
+    CHECK(header_of(R"({"INPUTS": [{"NAME": "startImage", "TYPE": "image"},
+        {"NAME": "endImage", "TYPE": "image"}]})")
+              .kind() == Kind::generator);
+}
+
+TEST_CASE("what is wrong with a header is told at its line") {
+    CHECK(refusal_of("/*{\n\"A\": 1,\n\"B\" 2}*/").starts_with("a.fs:3: error: "));
+    CHECK(refusal_of("void main() {}").starts_with("a.fs:1: error: does not begin with"));
+    CHECK(refusal_of("/*{\"INPUTS\": [\n{\"NAME\": \"a\", \"TYPE\": \"cube\"},\n"
+                     "{\"NAME\": \"b c\", \"TYPE\": \"float\"},\n{\"TYPE\": \"float\"},\n"
+                     "{\"NAME\": \"d\", \"TYPE\": \"float\"},\n"
+                     "{\"NAME\": \"d\", \"TYPE\": \"bool\"}]}*/") ==
+          "a.fs:2: error: the input 'a' is of no type that there is: 'cube'\n"
+          "a.fs:3: error: 'b c' cannot be a name in a shader\n"
+          "a.fs:4: error: has no \"NAME\"\n"
+          "a.fs:6: error: there are two inputs called 'd'\n");
+    CHECK(refusal_of("/*{\"INPUTS\": {}}*/").find("\"INPUTS\" is a list, not") !=
+          std::string::npos);
+}

@@ -1,0 +1,213 @@
+#include "formats/isf/isf_folder.h"
+#include "model/plan.h"
+
+namespace {
+const std::string filter_input = R"({"NAME": "inputImage", "TYPE": "image"})";
+
+const Input* find_input(const Pass& pass, const std::string& uniform) {
+    const auto found = std::ranges::find(pass.inputs, uniform, &Input::uniform);
+    return found == pass.inputs.end() ? nullptr : &*found;
+}
+}  // namespace
+
+TEST_CASE("a generator reads nothing and is driven by nothing") {
+    const IsfFolder folder;
+    const Look look = folder.look(R"("DESCRIPTION": "All red", "CREDIT": "me")", draws_red);
+    CHECK(look.driven_by == Driver::nothing);
+    CHECK(look.name == "a");
+    CHECK(look.id == "a.fs");
+    CHECK(look.about == "All red");
+    CHECK(look.author == "me");
+    CHECK(look.output == Encoding::display);
+    REQUIRE(look.passes.size() == 1);
+    CHECK(look.passes[0].name == "picture");
+    CHECK(look.passes[0].format == Format::rgba8);
+}
+
+TEST_CASE("inputImage of a filter is the source, startImage that of a transition") {
+    const IsfFolder folder;
+    const Look filter = folder.look("\"INPUTS\": [" + filter_input + "]",
+                                    "void main() { gl_FragColor = IMG_THIS_PIXEL(inputImage); }\n");
+    CHECK(filter.driven_by == Driver::picture);
+    CHECK(filter.source_encoding == Encoding::display);
+    CHECK(filter.parameters.empty());
+    REQUIRE(find_input(filter.passes[0], "inputImage"));
+    CHECK(find_input(filter.passes[0], "inputImage")->from == Input::From::source);
+
+    const Look transition = folder.look(
+        R"("INPUTS": [{"NAME": "startImage", "TYPE": "image"}, {"NAME": "endImage", "TYPE": "image"},
+           {"NAME": "progress", "TYPE": "float"}])",
+        "void main() { gl_FragColor = mix(IMG_THIS_PIXEL(startImage), IMG_THIS_PIXEL(endImage),"
+        " progress); }\n");
+    CHECK(find_input(transition.passes[0], "startImage")->from == Input::From::source);
+    REQUIRE(find_parameter(transition, "endImage"));
+    CHECK(find_parameter(transition, "endImage")->control == Control::image);
+    CHECK_FALSE(find_parameter(transition, "endImage")->stand_in.empty());
+    CHECK(transition.default_source !=
+          "pattern:" + find_parameter(transition, "endImage")->stand_in);
+}
+
+TEST_CASE("a shader that listens is driven by the sound, and its inputImage is a choice") {
+    const IsfFolder folder;
+    const Look look = folder.look(
+        "\"INPUTS\": [" + filter_input +
+            R"(, {"NAME": "wave", "TYPE": "audio", "MAX": 64}, {"NAME": "tones", "TYPE": "audioFFT"}])",
+        "void main() { gl_FragColor = IMG_THIS_PIXEL(inputImage) + IMG_THIS_PIXEL(wave) +"
+        " IMG_THIS_PIXEL(tones); }\n");
+    CHECK(look.driven_by == Driver::signal);
+    CHECK(look.default_signal.has_value());
+    REQUIRE(find_parameter(look, "inputImage"));
+    CHECK(find_parameter(look, "inputImage")->control == Control::image);
+    const Input* wave = find_input(look.passes[0], "wave");
+    REQUIRE(wave);
+    CHECK(wave->from == Input::From::sound);
+    CHECK(wave->sound == SoundTexture{SoundTexture::Holds::wave, 64});
+    CHECK(find_input(look.passes[0], "tones")->sound ==
+          SoundTexture{SoundTexture::Holds::spectrum, 256});
+}
+
+TEST_CASE("a pass reads what is drawn before it, of persistent targets else the frame before") {
+    const IsfFolder folder;
+    const Look look = folder.look(
+        R"("PASSES": [{"TARGET": "first", "PERSISTENT": true}, {"TARGET": "second"},
+                      {"TARGET": "third", "PERSISTENT": true}, {}])",
+        "void main() {\n"
+        "  if (PASSINDEX == 0) gl_FragColor = IMG_THIS_PIXEL(first) + IMG_THIS_PIXEL(third);\n"
+        "  else if (PASSINDEX == 1) gl_FragColor = IMG_THIS_PIXEL(first) + "
+        "IMG_THIS_PIXEL(second);\n"
+        "  else gl_FragColor = IMG_THIS_PIXEL(second);\n}\n");
+    REQUIRE(look.passes.size() == 4);
+    CHECK(look.passes[0].name == "first");
+    CHECK(look.passes[3].name == "picture");
+    CHECK(find_input(look.passes[0], "first")->reference() == "first@1");
+    CHECK(find_input(look.passes[0], "third")->reference() == "third@1");
+    CHECK(find_input(look.passes[1], "first")->reference() == "first");
+    CHECK_FALSE(find_input(look.passes[1], "second"));  // holds nothing yet
+    CHECK(find_input(look.passes[3], "second")->reference() == "second");
+    CHECK(look.passes[3].inputs.size() == 1);
+    CHECK(look.settle_frames > 1);
+}
+
+TEST_CASE("a parameter belongs to the passes whose part of the shader reads it") {
+    const IsfFolder folder;
+    const Look look = folder.look(
+        R"("INPUTS": [{"NAME": "gain", "TYPE": "float"}, {"NAME": "size", "TYPE": "float"},
+                      {"NAME": "unused", "TYPE": "float"}],
+           "PASSES": [{"TARGET": "a", "WIDTH": "$WIDTH*$size"}, {}])",
+        "void main() { gl_FragColor = vec4(PASSINDEX == 1 ? gain : 0.0); }\n");
+    CHECK(find_parameter(look, "gain")->bindings == std::vector<Binding>{{1, "gain"}});
+    CHECK_FALSE(find_parameter(look, "size")->is_hidden);
+    CHECK(find_parameter(look, "unused")->is_hidden);
+}
+
+TEST_CASE("sizes are expressions over the picture and inputs, cut to whole texels, one at least") {
+    const IsfFolder folder;
+    const Look look = folder.look(
+        R"x("INPUTS": [{"NAME": "part", "TYPE": "float", "MIN": 0, "MAX": 8, "DEFAULT": 3}],
+           "PASSES": [{"TARGET": "a", "WIDTH": "$WIDTH/$part", "HEIGHT": "floor($HEIGHT/4.0)+0.9"},
+                      {"TARGET": "b", "WIDTH": "$WIDTH/1000", "HEIGHT": 7},
+                      {"TARGET": "c", "WIDTH": "max($WIDTH, $HEIGHT)", "FLOAT": true
+}, {}])x",
+        draws_red);
+    const auto plan = plan_targets(look, {100, 50}, {}, {});
+    REQUIRE(plan.has_value());
+    CHECK(plan->targets[0].extent == Extent{33, 12});
+    CHECK(plan->targets[1].extent == Extent{1, 7});
+    CHECK(plan->targets[2].extent == Extent{100, 50});
+    CHECK(plan->targets[2].format == Format::rgba32f);
+    CHECK(plan->targets[3].extent == Extent{100, 50});
+}
+
+TEST_CASE("a size that is no expression is told at its pass") {
+    const IsfFolder folder;
+    CHECK(
+        folder.refusal("\"PASSES\": [\n{\"TARGET\": \"a\", \"WIDTH\": \"$WIDTH/\"}, {}]", draws_red)
+            .starts_with("a.fs:2: error: size of pass 'a': "));
+    CHECK(folder.refusal("\"PASSES\": [\n{\"TARGET\": \"a\", \"WIDTH\": \"$NONE\"}, {}]", draws_red)
+              .find("unknown name '$NONE'") != std::string::npos);
+}
+
+TEST_CASE("mistakes in a shader are told at the author's lines, once however many passes it has") {
+    const IsfFolder folder;
+    const std::string told =
+        folder.refusal("\n\"PASSES\": [{\"TARGET\": \"a\"}, {}]\n",
+                       "void main() {\n    gl_FragColor = vec4(nothing);\n}\n");
+    CHECK(told.starts_with("a.fs:5: error: "));
+    CHECK(told.find("nothing") != std::string::npos);
+    CHECK(std::ranges::count(told, '\n') == 0);
+}
+
+TEST_CASE("two passes of one target are refused") {
+    const IsfFolder folder;
+    CHECK(folder.refusal("\"PASSES\": [{\"TARGET\": \"a\"},\n{\"TARGET\": \"a\"}]", draws_red) ==
+          "a.fs:2: error: two passes are called 'a'");
+}
+
+TEST_CASE("a vertex shader of the same name is the shader's own, with its own lines") {
+    const IsfFolder folder;
+    folder.write("a.vs",
+                 "varying vec2 turned;\n"
+                 "void main() { vv_vertShaderInit(); turned = isf_FragNormCoord.yx; }\n");
+    const Look look = folder.look(
+        "", "varying vec2 turned;\nvoid main() { gl_FragColor = vec4(turned, 0, 1); }\n");
+    CHECK(look.passes[0].vertex.file == folder / "a.vs");
+    CHECK(look.passes[0].draw == Draw::quad);
+    folder.write("a.vs", "\nvoid main() { isf_vertShaderInit(); gl_Position = wrong; }\n");
+    CHECK(folder.refusal("", draws_red).starts_with("a.vs:2: error: "));
+}
+
+TEST_CASE("a vertex shader that is put beside a shader later is watched for") {
+    const IsfFolder folder;
+    const LoadedLook loaded = folder.load("", draws_red);
+    CHECK(std::ranges::find(loaded.files, folder / "a.fs") != loaded.files.end());
+    CHECK(std::ranges::find(loaded.files, folder / "a.vs") != loaded.files.end());
+}
+
+TEST_CASE("a missing import reads black and is told; one that is there is an image") {
+    const IsfFolder folder;
+    const LoadedLook loaded = folder.load(
+        "\"IMPORTED\": {\n\"there\": {\"PATH\": \"there.png\"},\n\"gone\": {\"PATH\": "
+        "\"gone.png\"}}",
+        "void main() { gl_FragColor = IMG_THIS_PIXEL(there) + IMG_THIS_PIXEL(gone); }\n");
+    CHECK(folder.told(loaded.warnings) ==
+          "a.fs:2: warning: the picture 'there.png' is missing: 'there' reads black\n"
+          "a.fs:3: warning: the picture 'gone.png' is missing: 'gone' reads black");
+    folder.write("there.png", "any");
+    const LoadedLook again = folder.load();
+    REQUIRE(again.look.has_value());
+    REQUIRE(again.look->images.size() == 1);
+    CHECK(again.look->images[0].file == folder / "there.png");
+    CHECK(find_input(again.look->passes[0], "there")->from == Input::From::image);
+}
+
+TEST_CASE("a uniform of the author's own that no input sets is told") {
+    const IsfFolder folder;
+    const LoadedLook loaded =
+        folder.load("", "uniform float own;\nvoid main() { gl_FragColor = vec4(own); }\n");
+    REQUIRE(loaded.look.has_value());
+    CHECK(folder.told(loaded.warnings) ==
+          "a.fs:2: warning: 'own' is no input of the header: it stays 0");
+}
+
+TEST_CASE("a .fs file without ISF's header is no ISF shader, and says so") {
+    const IsfFolder folder;
+    const auto file = folder.write("a.fs", "void main() {}\n");
+    CHECK_FALSE(is_isf_file(file));
+    CHECK(is_foreign_look(file));
+    CHECK(is_isf_file(folder.write("b.fs", "/*{}*/")));
+    CHECK_FALSE(is_isf_file(folder / "none.fs"));
+    const LoadedLook loaded = folder.load();
+    REQUIRE_FALSE(loaded.look.has_value());
+    CHECK(folder.told(loaded.look.error()).starts_with("a.fs:1: error: does not begin with"));
+}
+
+TEST_CASE("an empty, a binary and a cut off file are refused with a reason") {
+    const IsfFolder folder;
+    for (const std::string& text :
+         {std::string(), std::string("/*{\0}*/", 7), std::string("/*{\"A")}) {
+        folder.write("a.fs", text);
+        const LoadedLook loaded = folder.load();
+        REQUIRE_FALSE(loaded.look.has_value());
+        CHECK(folder.told(loaded.look.error()).starts_with("a.fs"));
+    }
+}
