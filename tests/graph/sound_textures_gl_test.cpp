@@ -1,6 +1,6 @@
 #include "graph/looks.h"
 
-#include <cmath>
+#include <algorithm>
 
 namespace {
 /// Column + 10 * row + 100 * time.
@@ -8,10 +8,11 @@ class CountedTexels : public SoundTexels {
 public:
     void read(const SoundTexture& texture, double seconds, std::span<float> levels) const override {
         const auto columns = static_cast<std::size_t>(texture.columns);
-        for (std::size_t i = 0; i < levels.size(); ++i)
-            levels[i] =
-                static_cast<float>(static_cast<double>(i % columns) +
-                                   10.0 * static_cast<double>(i / columns) + 100.0 * seconds);
+        for (std::size_t i = 0; i < levels.size(); ++i) {
+            const std::size_t row = i / columns;
+            levels[i] = static_cast<float>(static_cast<double>(i % columns) +
+                                           10.0 * static_cast<double>(row) + 100.0 * seconds);
+        }
     }
 };
 

@@ -10,6 +10,21 @@ double number_at(const std::vector<double>& numbers, std::size_t index, double f
     return index < numbers.size() ? numbers[index] : fallback;
 }
 
+// "blurAmount" is "Blur amount".
+std::string isf_label(const IsfInput& input) {
+    if (!input.label.empty())
+        return input.label;
+    std::string words;
+    for (const char letter : input.name) {
+        const bool is_capital = letter >= 'A' && letter <= 'Z';
+        const bool begins_word =
+            is_capital && !words.empty() && words.back() >= 'a' && words.back() <= 'z';
+        words +=
+            begins_word ? "_" + to_lower(std::string_view(&letter, 1)) : std::string(1, letter);
+    }
+    return label_from_name(words);
+}
+
 /// The ends of one component.
 Range range_at(const IsfInput& input, std::size_t index) {
     const bool is_whole = index < input.low.size() && index < input.high.size();
@@ -80,7 +95,8 @@ Parameter isf_control(const IsfInput& input) {
     using Type = IsfInput::Type;
     Parameter made;
     made.name = input.name;
-    made.label = input.label.empty() ? label_from_name(input.name) : input.label;
+    made.label = isf_label(input);
+    made.group = "Inputs";
     made.declared = input.declared;
     switch (input.type) {
         case Type::floating:

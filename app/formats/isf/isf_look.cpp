@@ -21,7 +21,7 @@ constexpr const char* usual_sound = "waveform:mode=xy,ch1=saw,f1=12,ch2=sine,f2=
 constexpr int wave_samples = 512;
 constexpr int spectrum_bins = 256;
 constexpr int most_sound_columns = 8192;
-constexpr int frames_of_a_past = 60;
+constexpr int frames_until_seen = 60;  // of what moves: much begins with nothing
 
 bool is_sound(const IsfInput& input) {
     return input.type == InputType::audio || input.type == InputType::audio_fft;
@@ -58,6 +58,12 @@ std::vector<BuiltInUniform> isf_built_ins() {
             {"TIMEDELTA", BuiltIn::delta_before},
             {"FRAMEINDEX", BuiltIn::frame_before},
             {"DATE", BuiltIn::date}};
+}
+
+bool tells_time_in_isf(const std::string& uniform) {
+    const std::vector<BuiltInUniform> all = isf_built_ins();
+    const auto found = std::ranges::find(all, uniform, &BuiltInUniform::name);
+    return found != all.end() && tells_time(found->says);
 }
 
 class LookMaker {
@@ -167,6 +173,7 @@ private:
         add_new(m_warnings, checked->warnings);
         for (const std::string& name : checked->live)
             bind(name, index, pass);
+        m_moves = m_moves || std::ranges::any_of(checked->live, tells_time_in_isf);
         warn_of_others(*checked);
         m_look.passes.push_back(std::move(pass));
     }
@@ -209,10 +216,9 @@ private:
     }
 
     void finish() {
-        bool has_past = m_listens;
-        for (const IsfPass& pass : m_header.passes)
-            has_past = has_past || pass.is_persistent;
-        m_look.settle_frames = has_past ? frames_of_a_past : 1;
+        const bool has_past =
+            std::ranges::any_of(m_header.passes, [](const IsfPass& p) { return p.is_persistent; });
+        m_look.settle_frames = has_past || m_moves ? frames_until_seen : 1;
         m_look.about = m_header.about;
         m_look.author = m_header.credit;
         m_look.source_encoding = Encoding::display;
@@ -233,6 +239,7 @@ private:
     std::vector<fs::path>& m_files;
     Diagnostics& m_warnings;
     bool m_listens;
+    bool m_moves = m_listens;
     std::string m_source_input;  // "": none reads the source
     std::vector<std::string> m_names;
     Look m_look;

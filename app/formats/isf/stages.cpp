@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace {
 constexpr const char* built_ins =
     "uniform vec2 RENDERSIZE;\n"

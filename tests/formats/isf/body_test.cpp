@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 namespace {
 std::string fragment_body(const std::string& code) {
     return isf_body(code, IsfStage::fragment, {"TIME", "speed"});

@@ -1,6 +1,8 @@
 #include "formats/isf/isf_folder.h"
 #include "model/plan.h"
 
+#include <algorithm>
+
 namespace {
 const std::string filter_input = R"({"NAME": "inputImage", "TYPE": "image"})";
 
@@ -88,6 +90,18 @@ TEST_CASE("a pass reads what is drawn before it, of persistent targets else the 
     CHECK(look.settle_frames > 1);
 }
 
+TEST_CASE("the controls of a shader stand together, under names that a person reads") {
+    const IsfFolder folder;
+    const Look look = folder.look(
+        R"("INPUTS": [{"NAME": "blurAmount", "TYPE": "float"}, {"NAME": "x2", "TYPE": "float",
+           "LABEL": "Twice X"}], "PASSES": [{"TARGET": "a"}, {}])",
+        "void main() { gl_FragColor = vec4(PASSINDEX == 0 ? x2 : blurAmount); }\n");
+    REQUIRE(look.parameters.size() == 2);
+    CHECK(look.parameters[0].label == "Blur amount");
+    CHECK(look.parameters[1].label == "Twice X");
+    CHECK(heading_of(look, look.parameters[0]) == heading_of(look, look.parameters[1]));
+}
+
 TEST_CASE("a parameter belongs to the passes whose part of the shader reads it") {
     const IsfFolder folder;
     const Look look = folder.look(
@@ -135,6 +149,17 @@ TEST_CASE("mistakes in a shader are told at the author's lines, once however man
     CHECK(told.starts_with("a.fs:5: error: "));
     CHECK(told.find("nothing") != std::string::npos);
     CHECK(std::ranges::count(told, '\n') == 0);
+}
+
+TEST_CASE("what tells time is drawn for a while before it is seen, what rests once") {
+    const IsfFolder folder;
+    CHECK(folder.look("", draws_red).settle_frames == 1);
+    CHECK(folder.look("", "void main() { gl_FragColor = vec4(TIME); }\n").settle_frames == 60);
+    CHECK(folder.look(R"("PASSES": [{"TARGET": "a", "PERSISTENT": true}, {}])", draws_red)
+              .settle_frames == 60);
+    CHECK(
+        folder.look(R"("INPUTS": [{"NAME": "wave", "TYPE": "audio"}])", draws_red).settle_frames ==
+        60);
 }
 
 TEST_CASE("two passes of one target are refused") {
