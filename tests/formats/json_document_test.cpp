@@ -87,6 +87,15 @@ TEST_CASE("mistakes are told at their line, without the parser's own names") {
           "a.json:3: error: the key \"a\" is there twice");
 }
 
+TEST_CASE("of a key that is there twice the last one counts where that is asked for") {
+    const auto json = parse_json("{\"a\": 1, \"b\": {\"c\": 2, \"c\": 3}, \"a\": 4}", "a.json",
+                                 DoubleKeys::last_counts);
+    REQUIRE(json.has_value());
+    CHECK(json->children.size() == 2);
+    CHECK(find_member(*json, "a")->number == 4.0);
+    CHECK(find_member(*find_member(*json, "b"), "c")->number == 3.0);
+}
+
 TEST_CASE("depth, number of values and size are bounded") {
     const auto nested = [](std::size_t depth) {
         return std::string(depth, '[') + std::string(depth, ']');

@@ -20,6 +20,7 @@ public:
     }
 
     RenderRequest& request() { return m_request; }
+    void expect_warning() { m_is_warned = true; }
     void write(const std::string& name, const std::string& text) { m_folder.write(name, text); }
     void set_source(const Picture& picture) {
         m_request.source = (m_folder / "source.png").string();
@@ -31,7 +32,7 @@ public:
         REQUIRE(roots.has_value());
         auto prepared = prepare(m_request, Library(*roots));
         REQUIRE_MESSAGE(prepared.has_value(), to_string(prepared.error()));
-        CHECK(to_string(prepared->warnings) == "");
+        CHECK(prepared->warnings.empty() != m_is_warned);
         auto offline = Offline::create(std::move(*prepared), m_request.size, 60.0);
         REQUIRE_MESSAGE(offline.has_value(), to_string(offline.error()));
         Picture picture = offline->picture_after(frames);
@@ -42,6 +43,7 @@ public:
 private:
     TemporaryFolder m_folder;
     RenderRequest m_request;
+    bool m_is_warned = false;
 };
 
 std::vector<float> texel(const Picture& picture, int x, int y) {
@@ -163,6 +165,14 @@ TEST_CASE("inputs reach the shader as the header says them") {
     check_near(texel(drawn.after(1), 0, 0), {-3.0, 40.0, 9.0, 1.0});
     drawn.request().values = {{"page", "1"}, {"kind", "a"}, {"on", "false"}};
     check_near(texel(drawn.after(1), 0, 0), {-3.0, 40.0, 3.0, 0.0});
+}
+
+TEST_CASE("what older compilers took is drawn: a whole number returned as a float, own functions") {
+    DrawnIsf drawn(float_picture,
+                   "float one() { return 1; }\nfloat noise1(float sample) { return sample; }\n"
+                   "void main() { gl_FragColor = vec4(one(), noise1(0.5), 0, 1); }\n");
+    drawn.expect_warning();
+    check_near(texel(drawn.after(1), 0, 0), {1.0, 0.5, 0.0, 1.0});
 }
 
 TEST_CASE("an event is on in the first frame of a file only") {

@@ -1,5 +1,6 @@
 #include "signals/sound_texels.h"
 
+#include "signals/beam_sound.h"
 #include "signals/beam_stream.h"
 #include "signals/signal_making.h"
 
@@ -129,6 +130,10 @@ TEST_CASE("a beam is heard with x on the left and y on the right") {
             largest_step = std::max(largest_step, std::abs(samples[i].left - samples[i - 1].left));
     }
     CHECK(largest_step < 0.5 * 2.0 * std::numbers::pi * 120.0 / 48000.0 * 1.01);
+    // What is played on a scope, whose first sample is one step after time 0.
+    const Sound played = beam_sound(*circle, {.seconds = 0.2});
+    for (std::size_t i = 0; i < samples.size(); ++i)
+        CHECK(samples[i].left == doctest::Approx(played.samples[2 * (4800 - 1 + i)]).epsilon(1e-3));
     stream.read(-960, samples);
     CHECK(samples.back() == StereoSample{});
 }
