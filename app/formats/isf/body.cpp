@@ -8,6 +8,8 @@
 #include <set>
 
 namespace {
+const std::string own_prefix = "isf_own_";
+
 // Reserved or built in since GLSL 1.30, or by Mesa; an author of before may have used them.
 const std::set<std::string_view>& later_words() {
     static const std::set<std::string_view> all{
@@ -111,9 +113,10 @@ private:
             return m_stage == IsfStage::vertex ? "out" : "in";
         if (const auto former = former_names().find(token.text); former != former_names().end())
             return std::string(former->second);
-        if (later_words().contains(token.text) || m_own.contains(token.text))
-            return "isf_own_" + std::string(token.text);
-        return {};
+        if (m_own.contains(token.text))
+            return own_prefix + std::string(token.text);
+        const std::string word = isf_word(token.text);
+        return word == token.text ? std::string() : word;
     }
 
     std::string_view m_text;
@@ -123,6 +126,14 @@ private:
     std::set<std::string_view> m_own;
 };
 }  // namespace
+
+std::string isf_word(std::string_view word) {
+    return (later_words().contains(word) ? own_prefix : std::string()) + std::string(word);
+}
+
+std::string_view isf_author_word(std::string_view word) {
+    return word.starts_with(own_prefix) ? word.substr(own_prefix.size()) : word;
+}
 
 std::string isf_body(std::string_view code, IsfStage stage,
                      const std::vector<std::string>& declared) {

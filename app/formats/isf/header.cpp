@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 namespace {
 using JsonKind = JsonValue::Kind;
@@ -123,20 +124,30 @@ private:
     }
 
     // A name becomes a name of the shader.
-    bool accept_name(const std::string& name, const JsonValue& at) {
+    bool can_be_name(const std::string& name, const JsonValue& at) {
+        static const std::set<std::string_view> taken{"RENDERSIZE", "TIME", "TIMEDELTA",
+                                                      "FRAMEINDEX", "DATE", "PASSINDEX"};
         const Tokens tokens = scan(name);
-        if (tokens.all.size() != 1 || tokens.all.front().kind != Token::Kind::word ||
-            tokens.all.front().text != name) {
-            problem(at, name.empty() ? "has no \"NAME\""
-                                     : fmt::format("'{}' cannot be a name in a shader", name));
+        const bool is_word = tokens.all.size() == 1 && tokens.all[0].text == name &&
+                             tokens.all[0].kind == Token::Kind::word;
+        if (name.empty())
+            problem(at, "has no \"NAME\"");
+        else if (!is_word || name.starts_with("gl_"))
+            problem(at, fmt::format("'{}' cannot be a name in a shader", name));
+        else if (taken.contains(name))
+            problem(at, fmt::format("'{}' is a name of the format itself", name));
+        else
+            return true;
+        return false;
+    }
+
+    bool accept_name(const std::string& name, const JsonValue& at) {
+        if (!can_be_name(name, at))
             return false;
-        }
-        if (std::ranges::find(m_names, name) != m_names.end()) {
+        const bool is_new = m_names.insert(name).second;
+        if (!is_new)
             problem(at, fmt::format("there are two inputs called '{}'", name));
-            return false;
-        }
-        m_names.push_back(name);
-        return true;
+        return is_new;
     }
 
     void read_input(const JsonValue& json) {
@@ -167,6 +178,8 @@ private:
     }
 
     void read_pass(const JsonValue& json) {
+        if (const std::string target = text_of(find_member(json, "TARGET")); !target.empty())
+            can_be_name(target, json);
         m_header.passes.push_back({text_of(find_member(json, "TARGET")),
                                    text_of(find_member(json, "WIDTH")),
                                    text_of(find_member(json, "HEIGHT")),
@@ -213,7 +226,7 @@ private:
 
     const std::filesystem::path& m_file;
     IsfHeader m_header;
-    std::vector<std::string> m_names;
+    std::set<std::string> m_names;
     Diagnostics m_problems;
 };
 }  // namespace

@@ -1,5 +1,6 @@
 #include "formats/isf/isf_look.h"
 
+#include "formats/isf/body.h"
 #include "formats/isf/controls.h"
 #include "model/parameter_use.h"
 #include "model/plan.h"
@@ -179,28 +180,31 @@ private:
     }
 
     // What a live uniform of a pass reads, or who turns it.
-    void bind(const std::string& name, std::size_t index, Pass& pass) {
+    void bind(const std::string& uniform, std::size_t index, Pass& pass) {
+        const std::string name(isf_author_word(uniform));
         const auto parameter = std::ranges::find(m_look.parameters, name, &Parameter::name);
-        if (parameter != m_look.parameters.end())
-            parameter->bindings.push_back({static_cast<int>(index), name});
-        else if (const auto input = input_of(name, index))
-            pass.inputs.push_back(*input);
+        if (parameter != m_look.parameters.end()) {
+            parameter->bindings.push_back({static_cast<int>(index), uniform});
+        } else if (auto input = input_of(name, index)) {
+            input->uniform = uniform;
+            pass.inputs.push_back(std::move(*input));
+        }
     }
 
     std::optional<Input> input_of(const std::string& name, std::size_t reader) const {
         if (name == m_source_input)
-            return Input{name, Input::From::source, {}, 0, {}};
+            return Input{{}, Input::From::source, {}, 0, {}};
         if (const IsfInput* input = m_header.find_input(name); input && is_sound(*input))
-            return Input{name, Input::From::sound, {}, 0, {}, sound_texture_of(*input)};
+            return Input{{}, Input::From::sound, {}, 0, {}, sound_texture_of(*input)};
         if (std::ranges::find(m_look.images, name, &Image::name) != m_look.images.end())
-            return Input{name, Input::From::image, name, 0, {}};
+            return Input{{}, Input::From::image, name, 0, {}};
         const auto pass = std::ranges::find(m_header.passes, name, &IsfPass::target);
         if (pass == m_header.passes.end())
             return std::nullopt;
         const bool is_drawn = static_cast<std::size_t>(pass - m_header.passes.begin()) < reader;
         if (!is_drawn && !pass->is_persistent)
             return std::nullopt;  // it holds nothing yet: transparent black
-        return Input{name, Input::From::pass, name, is_drawn ? 0 : 1, {}};
+        return Input{{}, Input::From::pass, name, is_drawn ? 0 : 1, {}};
     }
 
     // Uniforms of the author's own, which nobody sets.

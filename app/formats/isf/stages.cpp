@@ -82,7 +82,7 @@ private:
 
     void declare(const std::string& type, const std::string& name) {
         names.push_back(name);
-        text += fmt::format("uniform {} {};\n", type, name);
+        text += fmt::format("uniform {} {};\n", type, isf_word(name));
         if (type == "sampler2D")
             add_facts(name);
     }
@@ -95,7 +95,7 @@ private:
                 text += fmt::format("#define {} {}\n", asked, value);
         };
         add("imgRect", "vec4(0.0, 0.0, 1.0, 1.0)");
-        add("imgSize", fmt::format("vec2(textureSize({}, 0))", name));
+        add("imgSize", fmt::format("vec2(textureSize({}, 0))", isf_word(name)));
         add("flip", "false");
     }
 

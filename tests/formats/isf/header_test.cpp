@@ -138,6 +138,10 @@ TEST_CASE("what is wrong with a header is told at its line") {
           "a.fs:3: error: 'b c' cannot be a name in a shader\n"
           "a.fs:4: error: has no \"NAME\"\n"
           "a.fs:6: error: there are two inputs called 'd'\n");
+    CHECK(refusal_of("/*{\"INPUTS\": [{\"NAME\": \"TIME\", \"TYPE\": \"float\"}],\n"
+                     "\"PASSES\": [{\"TARGET\": \"a b\"}]}*/") ==
+          "a.fs:1: error: 'TIME' is a name of the format itself\n"
+          "a.fs:2: error: 'a b' cannot be a name in a shader\n");
     CHECK(refusal_of("/*{\"INPUTS\": {}}*/").find("\"INPUTS\" is a list, not") !=
           std::string::npos);
 }

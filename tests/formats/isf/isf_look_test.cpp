@@ -102,6 +102,17 @@ TEST_CASE("the controls of a shader stand together, under names that a person re
     CHECK(heading_of(look, look.parameters[0]) == heading_of(look, look.parameters[1]));
 }
 
+TEST_CASE("inputs and targets may be called by words that became reserved") {
+    const IsfFolder folder;
+    const Look look = folder.look(
+        R"("INPUTS": [{"NAME": "sample", "TYPE": "float"}], "PASSES": [{"TARGET": "buffer"}, {}])",
+        "void main() { gl_FragColor = PASSINDEX == 0 ? vec4(sample) : IMG_THIS_PIXEL(buffer); }\n");
+    REQUIRE(find_parameter(look, "sample"));
+    CHECK(find_parameter(look, "sample")->bindings.size() == 1);
+    REQUIRE(look.passes[1].inputs.size() == 1);
+    CHECK(look.passes[1].inputs[0].name == "buffer");
+}
+
 TEST_CASE("a parameter belongs to the passes whose part of the shader reads it") {
     const IsfFolder folder;
     const Look look = folder.look(
