@@ -1,8 +1,10 @@
 #pragma once
 
+#include "base/byte_store.h"
 #include "glsl/check.h"
 #include "glsl/translate.h"
 
+#include <atomic>
 #include <cstdint>
 #include <map>
 #include <mutex>
@@ -11,12 +13,24 @@
 /// reload compiles only what changed. Thread-safe.
 class CheckCache {
 public:
+    /// What is good is also kept in `kept`, where a former run of the program may have kept it
+    /// already; null: nowhere.
+    explicit CheckCache(ByteStore* kept = nullptr) : m_kept(kept) {}
+
     /// As check_program.
     Result<Reflection> check(const Stage& vertex, const Stage& fragment);
     /// As translate_from_vulkan.
     Result<Translation> translate(const Stage& vertex, const Stage& fragment);
+    /// How many programs were compiled, and not remembered.
+    int compilations() const { return m_compilations; }
 
 private:
+    template <class Answer, class Kind>
+    Answer remembered(std::map<std::uint64_t, Answer>& known, const Stage& vertex,
+                      const Stage& fragment, const Kind& kind);
+
+    ByteStore* m_kept;
+    std::atomic<int> m_compilations = 0;
     std::mutex m_mutex;
     std::map<std::uint64_t, Result<Reflection>> m_known;
     std::map<std::uint64_t, Result<Translation>> m_translated;

@@ -1,6 +1,7 @@
 #include "gpu/program.h"
 
 #include "gpu/driver_log.h"
+#include "gpu/program_binary.h"
 
 #include <algorithm>
 
@@ -73,7 +74,26 @@ std::vector<Uniform> active_uniforms(GLuint program) {
 
 Program::Program(GLuint id) : m_name(id) {}
 
-Result<Program> Program::build(const Stage& vertex, const Stage& fragment) {
+Result<Program> Program::build(const Stage& vertex, const Stage& fragment, ByteStore* kept) {
+    if (!kept)
+        return compiled(vertex, fragment);
+    const std::string question = binary_question(vertex.text, fragment.text);
+    if (const auto binary = kept->find(question)) {
+        Program program(glCreateProgram());
+        if (load_binary(program.m_name.get(), *binary)) {
+            program.m_uniforms = active_uniforms(program.m_name.get());
+            program.m_is_restored = true;
+            return program;
+        }
+    }
+    auto program = compiled(vertex, fragment);
+    if (program)
+        if (const std::string binary = binary_of(program->m_name.get()); !binary.empty())
+            kept->keep(question, binary);
+    return program;
+}
+
+Result<Program> Program::compiled(const Stage& vertex, const Stage& fragment) {
     const auto vertex_shader = compile(GL_VERTEX_SHADER, vertex);
     const auto fragment_shader = compile(GL_FRAGMENT_SHADER, fragment);
     Diagnostics problems;
@@ -87,6 +107,7 @@ Result<Program> Program::build(const Stage& vertex, const Stage& fragment) {
     const GLuint id = program.m_name.get();
     for (const auto* shader : {&vertex_shader, &fragment_shader})
         glAttachShader(id, (*shader)->get());
+    glProgramParameteri(id, GL_PROGRAM_BINARY_RETRIEVABLE_HINT, GL_TRUE);
     glLinkProgram(id);
     for (const auto* shader : {&vertex_shader, &fragment_shader})
         glDetachShader(id, (*shader)->get());

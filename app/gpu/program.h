@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/byte_store.h"
 #include "base/diagnostic.h"
 #include "gpu/name.h"
 #include "gpu/uniform.h"
@@ -16,8 +17,13 @@ void delete_program(GLuint id);
 /// A vertex and a fragment stage, compiled and linked.
 class Program {
 public:
-    /// On refusal the driver's words at the author's own files and lines.
-    static Result<Program> build(const Stage& vertex, const Stage& fragment);
+    /// On refusal the driver's words at the author's own files and lines. With a store the driver's
+    /// own form of the program is taken from there, or kept there, as long as the driver says the
+    /// same of itself.
+    static Result<Program> build(const Stage& vertex, const Stage& fragment,
+                                 ByteStore* kept = nullptr);
+    /// It was in the store, and the driver took it.
+    bool is_restored() const { return m_is_restored; }
 
     /// Those that the driver kept.
     const std::vector<Uniform>& uniforms() const { return m_uniforms; }
@@ -35,8 +41,11 @@ public:
 private:
     explicit Program(GLuint id);
 
+    static Result<Program> compiled(const Stage& vertex, const Stage& fragment);
+
     Name<delete_program> m_name;
     std::vector<Uniform> m_uniforms;
+    bool m_is_restored = false;
 };
 
 }  // namespace gpu

@@ -46,13 +46,13 @@ private:
     std::vector<PassProgram> m_left;
 };
 
-Result<PassProgram> build_pass(const Pass& pass, Reusable& reusable) {
+Result<PassProgram> build_pass(const Pass& pass, Reusable& reusable, ByteStore* kept) {
     Diagnostics problems = check_inputs(pass);
     const Stage& vertex = vertex_stage_of(pass);
     PassProgram made{vertex.text, pass.fragment.text, pass.draw, pass.set, nullptr};
     made.program = reusable.take(made);
     if (!made.program) {
-        auto program = gpu::Program::build(vertex, pass.fragment);
+        auto program = gpu::Program::build(vertex, pass.fragment, kept);
         if (program)
             made.program = std::make_shared<const gpu::Program>(std::move(*program));
         else
@@ -64,12 +64,12 @@ Result<PassProgram> build_pass(const Pass& pass, Reusable& reusable) {
 }
 }  // namespace
 
-Result<Programs> build_programs(const Look& look, const Programs* reuse) {
+Result<Programs> build_programs(const Look& look, const Programs* reuse, ByteStore* kept) {
     Programs programs;
     Diagnostics problems;
     Reusable reusable(reuse);
     for (const Pass& pass : look.passes) {
-        auto made = build_pass(pass, reusable);
+        auto made = build_pass(pass, reusable, kept);
         if (made)
             programs.passes.push_back(std::move(*made));
         else

@@ -24,5 +24,7 @@ struct Programs {
 
 /// Compiles and links; may run on a helper thread whose context shares with the drawing one. Passes
 /// whose stages, draw mode and fixed uniforms equal those of one in `reuse` take its program. Fails
-/// with what the driver refuses, of all passes at once, at the author's files and lines.
-Result<Programs> build_programs(const Look& look, const Programs* reuse = nullptr);
+/// with what the driver refuses, of all passes at once, at the author's files and lines. `kept` as
+/// in gpu::Program::build.
+Result<Programs> build_programs(const Look& look, const Programs* reuse = nullptr,
+                                ByteStore* kept = nullptr);

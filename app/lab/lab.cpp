@@ -36,7 +36,7 @@ Lab::Lab(Library library, std::unique_ptr<gpu::Context> worker, std::unique_ptr<
       m_midi(std::move(midi)),
       m_drive(RecentMedia(m_library.roots())),
       m_tryouts(std::make_unique<Tryouts>()),
-      m_reloader(std::move(worker), m_library.roots().shared_includes()) {
+      m_reloader(std::move(worker), m_library.roots()) {
     if (const auto settings = load_sound_settings(m_library.roots()); succeeded(settings))
         succeeded(m_player.set_sound_settings(*settings));
     open_remote();

@@ -4,7 +4,9 @@
 #include "formats/describe.h"
 #include "formats/modulation_format.h"
 #include "formats/preset_format.h"
+#include "glsl/check_cache.h"
 #include "gpu/readback.h"
+#include "lab/kept_shaders.h"
 #include "lab/look_media.h"
 #include "lab/media.h"
 #include "lab/moves_file.h"
@@ -103,10 +105,14 @@ Result<Prepared> prepare(const RenderRequest& request, const Library& library) {
     auto preset = requested(request, library);
     if (!preset)
         return fail(preset.error());
-    LoadedLook loaded = load_requested(*preset, library);
+    auto kept = kept_shaders(library.roots());
+    CheckCache checks(kept.get());
+    LoadedLook loaded = load_requested(*preset, library, &checks);
     if (!loaded.look)
         return fail(std::move(loaded.look.error()));
-    Prepared prepared{Document(std::move(*loaded.look)), std::move(loaded.warnings)};
+    Prepared prepared{.document = Document(std::move(*loaded.look)),
+                      .warnings = std::move(loaded.warnings),
+                      .kept_shaders = std::move(kept)};
     if (preset->preset)
         if (auto done = open_preset(std::move(*preset), library, prepared); !done)
             return fail(done.error());
@@ -151,7 +157,7 @@ Result<Offline> Offline::create(Prepared prepared, Extent size, double fps) {
     if (!context)
         return fail(context.error());
     Look look = prepared.document.drawn_look();
-    auto programs = build_programs(look);
+    auto programs = build_programs(look, nullptr, prepared.kept_shaders.get());
     if (!programs)
         return fail(programs.error());
     Offline offline(std::move(*context), std::move(prepared), std::move(*programs), size, fps);

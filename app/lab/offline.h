@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/byte_store.h"
 #include "gpu/context.h"
 #include "lab/chosen_images.h"
 #include "lab/document.h"
@@ -30,8 +31,9 @@ struct RenderRequest {
 /// A look with its values and what drives it, ready to be drawn or described; needs no GL.
 struct Prepared {
     Document document;
-    Diagnostics warnings;
+    Diagnostics warnings = {};
     Moves moves = {};
+    std::shared_ptr<ByteStore> kept_shaders = {};  // null: all is compiled anew
 };
 Result<Prepared> prepare(const RenderRequest& request, const Library& library);
 

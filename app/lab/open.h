@@ -31,7 +31,9 @@ Result<OpenRequest> resolve(const std::string& argument, const Library& library)
 Result<OpenRequest> resolve_preset(const std::string& argument, const std::string& look,
                                    const Library& library);
 
-/// Reads the look or stack that a request names.
 /// As its folders are called: "crt", "phosphor+crt".
 std::string name_of(const OpenRequest& request);
-LoadedLook load_requested(const OpenRequest& request, const Library& library);
+
+/// Reads the look or stack that a request names. `cache` as in load_look.
+LoadedLook load_requested(const OpenRequest& request, const Library& library,
+                          CheckCache* cache = nullptr);

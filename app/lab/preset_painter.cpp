@@ -8,6 +8,7 @@
 #include "io/picture_file.h"
 #include "lab/drive.h"
 #include "lab/file_stamp.h"
+#include "lab/kept_shaders.h"
 #include "lab/small_picture.h"
 #include "signals/kinds.h"
 
@@ -105,7 +106,7 @@ fs::path PresetPainter::kept_file(const fs::path& preset) const {
 
 // A preset that draws with other looks of a stack is read with them.
 Result<Prepared> PresetPainter::prepared(const fs::path& file) const {
-    Prepared made{m_plain, {}};
+    Prepared made{.document = m_plain, .kept_shaders = kept_shaders(m_library.roots())};
     if (file.empty())
         return made;
     auto preset = load_preset(file);

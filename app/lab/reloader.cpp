@@ -3,14 +3,17 @@
 #include "formats/stack_format.h"
 #include "graph/warm_up.h"
 #include "io/picture_codec.h"
+#include "lab/kept_shaders.h"
 #include "lab/look_media.h"
 
 #include <algorithm>
 
 namespace fs = std::filesystem;
 
-Reloader::Reloader(std::unique_ptr<gpu::Context> context, fs::path shared_includes)
-    : m_shared_includes(std::move(shared_includes)), m_context(std::move(context)) {
+Reloader::Reloader(std::unique_ptr<gpu::Context> context, const Roots& roots)
+    : m_shared_includes(roots.shared_includes()),
+      m_kept_shaders(kept_shaders(roots)),
+      m_context(std::move(context)) {
     if (auto watcher = FileWatcher::start())
         m_watcher = std::make_unique<FileWatcher>(std::move(*watcher));
     else
@@ -183,7 +186,8 @@ LoadedRequest Reloader::load(const Job& job) {
         return loaded;
     }
     loaded.images = std::move(*images);
-    auto programs = build_programs(*read.look, m_linked ? &*m_linked : nullptr);
+    auto programs =
+        build_programs(*read.look, m_linked ? &*m_linked : nullptr, m_kept_shaders.get());
     if (!programs) {
         loaded.problems.insert(loaded.problems.begin(), programs.error().begin(),
                                programs.error().end());

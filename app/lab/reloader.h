@@ -39,7 +39,7 @@ class Reloader {
 public:
     /// `context` shares objects with the drawing one; from now on it belongs to the reloader's
     /// thread.
-    Reloader(std::unique_ptr<gpu::Context> context, std::filesystem::path shared_includes);
+    Reloader(std::unique_ptr<gpu::Context> context, const Roots& roots);
     ~Reloader();
     Reloader(const Reloader&) = delete;
     Reloader& operator=(const Reloader&) = delete;
@@ -83,6 +83,7 @@ private:
     Result<LoadedImages> load_images(const Look& look, Diagnostics& warnings);
 
     std::filesystem::path m_shared_includes;
+    std::shared_ptr<ByteStore> m_kept_shaders;
     std::unique_ptr<gpu::Context> m_context;
     std::unique_ptr<FileWatcher> m_watcher;
     std::string m_watch_problem;
@@ -104,7 +105,7 @@ private:
         std::shared_ptr<const Picture> picture;
     };
 
-    CheckCache m_checks;                                // the thread's
+    CheckCache m_checks{m_kept_shaders.get()};          // the thread's
     std::map<std::filesystem::path, ReadImage> m_read;  // the thread's
     std::optional<Programs> m_linked;  // the thread's: what the next reading may reuse
     std::optional<WarmUp> m_warm_up;   // the thread's; without it the first frame is slower

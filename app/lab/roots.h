@@ -10,8 +10,9 @@
 /// The folders that hold `shaders/` and `presets/`: the program's root, then the person's own.
 struct Roots {
     std::filesystem::path program;
-    std::filesystem::path user;   // $XDG_DATA_HOME/afterglow; need not exist
-    std::filesystem::path state;  // $XDG_STATE_HOME/afterglow; need not exist
+    std::filesystem::path user;        // $XDG_DATA_HOME/afterglow; need not exist
+    std::filesystem::path state;       // $XDG_STATE_HOME/afterglow; need not exist
+    std::filesystem::path cache = {};  // $XDG_CACHE_HOME/afterglow; need not exist
 
     std::vector<std::filesystem::path> all() const { return {program, user}; }
     std::filesystem::path shared_includes() const { return program / "shaders" / "include"; }

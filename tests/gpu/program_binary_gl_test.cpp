@@ -1,0 +1,94 @@
+#include "byte_map.h"
+#include "gpu/canvas.h"
+#include "gpu/draw.h"
+#include "gpu/headless.h"
+#include "gpu/program.h"
+#include "gpu/readback.h"
+#include "gpu/vertex_array.h"
+
+namespace {
+const Stage corner{"v.vert",
+                   "#version 410 core\nvoid main() { gl_Position = vec4(vec2((gl_VertexID << 1) & "
+                   "2, gl_VertexID & 2) * 2.0 - 1.0, 0.0, 1.0); }\n",
+                   {}};
+
+Stage of_light(const std::string& light) {
+    return {"light.frag",
+            "#version 410 core\nuniform float gain = 0.5;\nout vec4 color;\n"
+            "void main() { color = vec4(" +
+                light + " * gain); }\n",
+            {}};
+}
+
+float drawn_by(const gpu::Program& program) {
+    auto canvas = gpu::Canvas::make({2, 2}, Format::rgba32f);
+    REQUIRE(canvas.has_value());
+    const gpu::DrawScope scope;
+    const gpu::VertexArray vertices;
+    canvas->bind();
+    program.use();
+    vertices.bind();
+    gpu::draw_triangle();
+    return gpu::read_pixel(canvas->texture(), 1, 1)[0];
+}
+
+gpu::Program built(ByteStore& kept, const std::string& light) {
+    auto program = gpu::Program::build(corner, of_light(light), &kept);
+    REQUIRE(program.has_value());
+    return std::move(*program);
+}
+}  // namespace
+
+TEST_CASE_FIXTURE(Headless,
+                  "a program is compiled once, and then what the driver made of it is used") {
+    ByteMap kept;
+    const gpu::Program first = built(kept, "3.0");
+    CHECK_FALSE(first.is_restored());
+    REQUIRE(kept.answers.size() == 1);
+    first.write("gain", std::vector<double>{9.0});  // what is kept has the text's own default
+
+    const gpu::Program second = built(kept, "3.0");
+    CHECK(second.is_restored());
+    REQUIRE(second.find_uniform("gain"));
+    CHECK(second.find_uniform("gain")->number == NumberType{Scalar::floating, 1, 1});
+    CHECK(drawn_by(second) == 1.5f);
+    CHECK_FALSE(built(kept, "4.0").is_restored());
+    CHECK(kept.answers.size() == 2);
+}
+
+TEST_CASE_FIXTURE(Headless, "what another driver made is not asked for") {
+    ByteMap kept;
+    static_cast<void>(built(kept, "3.0"));
+    const std::string question = kept.answers.begin()->first;
+    const gpu::Facts facts = gpu::read_facts();
+    for (const std::string& fact : {facts.renderer, facts.vendor, facts.version})
+        CHECK(question.find(fact) != std::string::npos);
+    ByteMap of_other;
+    const std::size_t at = question.find(facts.version);
+    of_other.answers[std::string(question).replace(at, facts.version.size(), "4.1 other")] =
+        kept.answers.begin()->second;
+    CHECK_FALSE(built(of_other, "3.0").is_restored());
+}
+
+TEST_CASE_FIXTURE(Headless, "a spoiled binary is refused, compiled and replaced") {
+    ByteMap kept;
+    static_cast<void>(built(kept, "3.0"));
+    std::string& answer = kept.answers.begin()->second;
+    const std::string good = answer;
+    std::string foreign = good;  // of a form that the driver does not know
+    foreign[0] = static_cast<char>(~foreign[0]);
+    for (const std::string& bad : {std::string(), good.substr(0, 20), good + "!", foreign}) {
+        answer = bad;
+        const gpu::Program program = built(kept, "3.0");
+        CHECK_FALSE(program.is_restored());
+        CHECK(drawn_by(program) == 1.5f);
+        CHECK(answer == good);
+    }
+}
+
+TEST_CASE_FIXTURE(Headless, "a mistake is the driver's to tell each time, and is not kept") {
+    ByteMap kept;
+    for (int i = 0; i < 2; ++i)
+        CHECK_FALSE(gpu::Program::build(corner, of_light("oops"), &kept).has_value());
+    CHECK(kept.answers.empty());
+}
