@@ -1,6 +1,7 @@
 #include "cli/common.h"
 
 #include "base/text.h"
+#include "cli/progress.h"
 
 #include <fmt/format.h>
 
@@ -79,11 +80,14 @@ Result<Library> open_library(const std::string& data) {
     return Library(std::move(*roots));
 }
 
-int run_drawing(const RenderRequest& request, const std::string& data, const Drawing& drawing) {
+int run_drawing(RenderRequest request, const std::string& data, const Drawing& drawing) {
     const auto library = open_library(data);
     if (!library)
         return report(library.error());
+    OpeningLine line;
+    request.progress = &line.progress();
     auto prepared = prepare(request, *library);
+    line.clear();
     if (!prepared)
         return report(prepared.error());
     warn(prepared->warnings);
@@ -91,6 +95,7 @@ int run_drawing(const RenderRequest& request, const std::string& data, const Dra
     if (!good)
         return report(good.error());
     auto offline = Offline::create(std::move(*prepared), request.size, request.fps);
+    line.clear();
     if (!offline)
         return report(offline.error());
     const auto done = drawing.draw(*offline, *library);

@@ -50,7 +50,7 @@ struct Drawing {
     std::function<Result<void>(Offline& offline, const Library& library)> draw;
 };
 /// Prepares the look, checks, draws, and reports what went wrong; the command's exit code.
-int run_drawing(const RenderRequest& request, const std::string& data, const Drawing& drawing);
+int run_drawing(RenderRequest request, const std::string& data, const Drawing& drawing);
 
 /// Each adds its verb to the program; the returned function runs it after parsing.
 using Command = std::function<int(const std::string& data)>;

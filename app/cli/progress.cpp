@@ -4,6 +4,7 @@
 
 #include <iostream>
 #include <unistd.h>
+#include <utility>
 
 Progress::Progress(std::string what, int total, std::string unit)
     : m_what(std::move(what)),
@@ -26,4 +27,21 @@ void Progress::show(int done) {
     const double left = gone / done * (m_total - done);
     std::cerr << fmt::format("\r{}  {} of {} {}, {:.0f} s left\033[K", m_what, done, m_total,
                              m_unit, left);
+}
+
+OpeningLine::OpeningLine()
+    : m_progress([this](const PassProgress::State& state) { show(state); }) {}
+
+void OpeningLine::clear() {
+    if (std::exchange(m_has_shown, false))
+        std::cerr << "\r\033[K";
+}
+
+void OpeningLine::show(const PassProgress::State& state) {
+    const auto now = Clock::now();
+    if (isatty(STDERR_FILENO) != 1 || now - m_last < std::chrono::milliseconds(100))
+        return;
+    m_last = now;
+    m_has_shown = true;
+    std::cerr << fmt::format("\r{} ('{}')\033[K", words_of(state), state.pass);
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/pass_progress.h"
+
 #include <chrono>
 #include <string>
 
@@ -23,4 +25,26 @@ private:
     bool m_has_shown = false;
     Clock::time_point m_start = Clock::now();
     Clock::time_point m_last = m_start;
+};
+
+/// How far the opening of a look has come, in the same place.
+class OpeningLine {
+public:
+    OpeningLine();
+    ~OpeningLine() { clear(); }
+    OpeningLine(const OpeningLine&) = delete;
+    OpeningLine& operator=(const OpeningLine&) = delete;
+
+    PassProgress& progress() { return m_progress; }
+    /// The look is open.
+    void clear();
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    void show(const PassProgress::State& state);
+
+    PassProgress m_progress;
+    Clock::time_point m_last = Clock::now();
+    bool m_has_shown = false;
 };

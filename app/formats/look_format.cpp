@@ -109,14 +109,14 @@ fs::path manifest_of(const fs::path& folder_or_manifest) {
 }
 
 LoadedLook load_look(const fs::path& folder_or_manifest, const fs::path& shared_includes,
-                     CheckCache* cache) {
+                     const ReadingHelp& help) {
     if (is_slang_file(folder_or_manifest))
-        return load_slang_look(folder_or_manifest, cache);
+        return load_slang_look(folder_or_manifest, help);
     if (is_fs_file(folder_or_manifest))
-        return load_isf_look(folder_or_manifest, cache);
+        return load_isf_look(folder_or_manifest, help.cache);
     const fs::path manifest = manifest_of(folder_or_manifest);
     LoadedLook loaded;
-    loaded.look = read_look(manifest, shared_includes, cache, loaded);
+    loaded.look = read_look(manifest, shared_includes, help.cache, loaded);
     if (loaded.look)
         loaded.look->files = loaded.files;
     return loaded;

@@ -7,6 +7,13 @@
 #include <vector>
 
 class CheckCache;
+class PassProgress;
+
+/// What reading a look may be given; both may be null.
+struct ReadingHelp {
+    CheckCache* cache = nullptr;       // shaders that did not change are not checked again
+    PassProgress* progress = nullptr;  // of looks that are translated; cancelled there, it fails
+};
 
 /// A look as it was read, or why it was not.
 struct LoadedLook {
@@ -22,10 +29,9 @@ std::filesystem::path manifest_of(const std::filesystem::path& folder_or_manifes
 
 /// Reads a look: its manifest, its shaders with their includes, and its parameters, all checked.
 /// `folder_or_manifest` is the look's folder, its look.json or a foreign file (.slangp, .slang,
-/// .fs); `shared_includes` the program's shaders/include. With a cache, shaders that did not change
-/// are not checked again.
+/// .fs); `shared_includes` the program's shaders/include.
 LoadedLook load_look(const std::filesystem::path& folder_or_manifest,
-                     const std::filesystem::path& shared_includes, CheckCache* cache = nullptr);
+                     const std::filesystem::path& shared_includes, const ReadingHelp& help = {});
 
 /// Whether a file is a look of another program, by its name.
 bool is_foreign_look(const std::filesystem::path& file);

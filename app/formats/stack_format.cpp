@@ -25,7 +25,7 @@ void name_parts(Stack& stack, const std::vector<Look>& looks) {
 }
 }  // namespace
 
-LoadedLook load_stack(Stack stack, const fs::path& shared_includes, CheckCache* cache) {
+LoadedLook load_stack(Stack stack, const fs::path& shared_includes, const ReadingHelp& help) {
     std::map<fs::path, LoadedLook> read;
     std::vector<Look> looks;
     LoadedLook whole;
@@ -34,7 +34,7 @@ LoadedLook load_stack(Stack stack, const fs::path& shared_includes, CheckCache* 
     for (const StackPart& part : stack) {
         const bool is_new = !read.contains(part.place);
         if (is_new)
-            read.emplace(part.place, load_look(part.place, shared_includes, cache));
+            read.emplace(part.place, load_look(part.place, shared_includes, help));
         const LoadedLook& loaded = read.at(part.place);
         if (loaded.look)
             looks.push_back(*loaded.look);

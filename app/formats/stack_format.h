@@ -5,4 +5,4 @@
 /// Reads the looks of a stack, each once, and makes them one; a look alone stays as it is. Parts
 /// get the id and tag that they lack; all else of `stack` is Look::stack. As load_look.
 LoadedLook load_stack(Stack stack, const std::filesystem::path& shared_includes,
-                      CheckCache* cache = nullptr);
+                      const ReadingHelp& help = {});

@@ -4,6 +4,7 @@
 #include "gpu/program_binary.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace gpu {
 
@@ -81,7 +82,7 @@ Result<Program> Program::build(const Stage& vertex, const Stage& fragment, ByteS
     if (const auto binary = kept->find(question)) {
         Program program(glCreateProgram());
         if (load_binary(program.m_name.get(), *binary)) {
-            program.m_uniforms = active_uniforms(program.m_name.get());
+            program.list_uniforms();
             program.m_is_restored = true;
             return program;
         }
@@ -115,13 +116,25 @@ Result<Program> Program::compiled(const Stage& vertex, const Stage& fragment) {
     glGetProgramiv(id, GL_LINK_STATUS, &is_good);
     if (!is_good)  // linkers speak of both stages; the fragment stage is the one people write
         return fail(parse_driver_log(program_log(id), fragment));
-    program.m_uniforms = active_uniforms(id);
+    program.list_uniforms();
     return program;
 }
 
+void Program::list_uniforms() {
+    m_uniforms = active_uniforms(m_name.get());
+    m_by_name.resize(m_uniforms.size());
+    std::iota(m_by_name.begin(), m_by_name.end(), std::size_t{0});
+    std::ranges::sort(m_by_name, {}, [this](std::size_t place) -> std::string_view {
+        return m_uniforms[place].name;
+    });
+}
+
 const Uniform* Program::find_uniform(std::string_view name) const {
-    const auto found = std::ranges::find(m_uniforms, name, &Uniform::name);
-    return found == m_uniforms.end() ? nullptr : &*found;
+    const auto found = std::ranges::lower_bound(
+        m_by_name, name, {},
+        [this](std::size_t place) -> std::string_view { return m_uniforms[place].name; });
+    return found == m_by_name.end() || m_uniforms[*found].name != name ? nullptr
+                                                                       : &m_uniforms[*found];
 }
 
 int Program::attribute_location(const char* name) const {

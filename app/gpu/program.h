@@ -44,7 +44,10 @@ private:
     static Result<Program> compiled(const Stage& vertex, const Stage& fragment);
 
     Name<delete_program> m_name;
+    void list_uniforms();
+
     std::vector<Uniform> m_uniforms;
+    std::vector<std::size_t> m_by_name;  // places in m_uniforms
     bool m_is_restored = false;
 };
 

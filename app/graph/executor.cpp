@@ -1,26 +1,12 @@
 #include "graph/executor.h"
 
 #include "gpu/context.h"
-#include "gpu/texels.h"
+#include "graph/image_texture.h"
 
 #include <algorithm>
 #include <cassert>
 
 namespace {
-bool reads_mipmaps(const Look& look, Input::From from, const std::string& name) {
-    for (const Pass& pass : look.passes)
-        for (const Input& input : pass.inputs)
-            if (input.from == from && input.sampler.mipmap &&
-                (from == Input::From::source || input.name == name))
-                return true;
-    return false;
-}
-
-const Image* find_image(const Look& look, const std::string& name) {
-    const auto found = std::ranges::find(look.images, name, &Image::name);
-    return found == look.images.end() ? nullptr : &*found;
-}
-
 bool has_draw(const Look& look, Draw draw) {
     return std::ranges::any_of(look.passes, [&](const Pass& pass) { return pass.draw == draw; });
 }
@@ -157,23 +143,16 @@ Result<void> Executor::set_source(const Picture& picture) {
 }
 
 Result<void> Executor::set_image(const std::string& name, const Picture& picture) {
-    if (picture.extent.is_empty())
-        return fail({{}, 0, "the picture '" + name + "' is empty"});
-    auto texture = gpu::Texture::make(picture.extent, Format::rgba32f,
-                                      reads_mipmaps(m_look, Input::From::image, name));
+    auto texture = image_texture(m_look, name, picture);
     if (!texture)
         return fail(texture.error());
-    const Image* image = find_image(m_look, name);
-    const bool is_data = image && image->is_linear;
-    std::vector<float> texels;
-    const Encoding wanted = image && image->encoding ? *image->encoding : m_look.source_encoding;
-    gpu::fill_texels(picture, is_data ? picture.encoding : wanted, texels,
-                     image ? image->rows : RowOrder::bottom_first);
-    texture->upload(texels);
-    texture->generate_mipmaps();
-    m_images.insert_or_assign(name, std::move(*texture));
-    restart_samples();
+    set_image(name, std::move(*texture));
     return {};
+}
+
+void Executor::set_image(const std::string& name, std::shared_ptr<const gpu::Texture> texture) {
+    m_images.insert_or_assign(name, std::move(texture));
+    restart_samples();
 }
 
 void Executor::clear_history() {

@@ -64,6 +64,8 @@ public:
     /// For an image of the look, or an image parameter, by its name. Without it that reads
     /// transparent black.
     Result<void> set_image(const std::string& name, const Picture& picture);
+    /// The same, of a texture that image_texture() made.
+    void set_image(const std::string& name, std::shared_ptr<const gpu::Texture> texture);
 
     /// One frame further: history moves on. With `passes` only these are drawn; the others keep an
     /// older picture.
@@ -177,7 +179,7 @@ private:
     TargetSet m_targets;
     SourceHistory m_source;
     SoundTextures m_sound;
-    std::map<std::string, gpu::Texture> m_images;
+    std::map<std::string, std::shared_ptr<const gpu::Texture>> m_images;
     std::map<Format, gpu::Canvas> m_empty;  // one texel of transparent black
     gpu::Samplers m_samplers;
     mutable Upright m_upright;

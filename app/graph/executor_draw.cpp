@@ -179,7 +179,7 @@ const gpu::Texture* Executor::texture_for(const BoundInput& input) const {
     if (*input.from == Input::From::sound)
         return m_sound.find(input.sound);
     const auto image = m_images.find(input.image);
-    return image == m_images.end() ? nullptr : &image->second;
+    return image == m_images.end() ? nullptr : image->second.get();
 }
 
 void Executor::draw_shape(std::size_t index) {

@@ -49,7 +49,7 @@ const gpu::Texture* Executor::stored_texture(const TextureChoice& choice) const 
         return choice.frames_ago > 0 ? nullptr : m_sound.find(choice.sound);
     if (choice.from == Input::From::image) {
         const auto image = m_images.find(choice.name);
-        return image == m_images.end() || choice.frames_ago > 0 ? nullptr : &image->second;
+        return image == m_images.end() || choice.frames_ago > 0 ? nullptr : image->second.get();
     }
     const auto pass = static_cast<std::size_t>(find_pass(m_look, choice.name).value_or(-1));
     if (pass >= m_targets.size() || choice.frames_ago >= m_targets[pass].planned().slots)

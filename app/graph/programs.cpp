@@ -64,11 +64,16 @@ Result<PassProgram> build_pass(const Pass& pass, Reusable& reusable, ByteStore* 
 }
 }  // namespace
 
-Result<Programs> build_programs(const Look& look, const Programs* reuse, ByteStore* kept) {
+Result<Programs> build_programs(const Look& look, const Programs* reuse, ByteStore* kept,
+                                PassProgress* progress) {
     Programs programs;
     Diagnostics problems;
     Reusable reusable(reuse);
+    if (progress)
+        progress->begin(PassProgress::Step::linking, look.passes.size());
     for (const Pass& pass : look.passes) {
+        if (progress && !progress->next(pass.name))
+            return fail({look.manifest, 0, "was not opened to its end"});
         auto made = build_pass(pass, reusable, kept);
         if (made)
             programs.passes.push_back(std::move(*made));

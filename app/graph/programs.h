@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/diagnostic.h"
+#include "base/pass_progress.h"
 #include "gpu/program.h"
 #include "model/look.h"
 
@@ -25,6 +26,6 @@ struct Programs {
 /// Compiles and links; may run on a helper thread whose context shares with the drawing one. Passes
 /// whose stages, draw mode and fixed uniforms equal those of one in `reuse` take its program. Fails
 /// with what the driver refuses, of all passes at once, at the author's files and lines. `kept` as
-/// in gpu::Program::build.
+/// in gpu::Program::build. `progress` may be null; cancelled there, it fails.
 Result<Programs> build_programs(const Look& look, const Programs* reuse = nullptr,
-                                ByteStore* kept = nullptr);
+                                ByteStore* kept = nullptr, PassProgress* progress = nullptr);

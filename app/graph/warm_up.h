@@ -1,9 +1,9 @@
 #pragma once
 
+#include "base/pass_progress.h"
 #include "gpu/canvas.h"
 #include "gpu/vertex_array.h"
-#include "graph/programs.h"
-#include "model/extent.h"
+#include "graph/first_draws.h"
 
 /// Makes programs ready on a helper thread whose context shares with the drawing one.
 ///
@@ -16,13 +16,8 @@ public:
     /// On the helper thread, in whose context it also ends.
     static Result<WarmUp> make();
 
-    /// Draws once with each program of `programs` that `known` lacks, into targets of the look's
-    /// formats but a few pixels large. A driver makes a program's code when it is first drawn with,
-    /// for the states that it meets there; done here, the picture does not wait for it. `viewport`
-    /// is the size that the picture will have. Programs in `known` may be in use and are not
-    /// touched.
-    void draw(const Look& look, const Programs& programs, const Programs* known,
-              Extent viewport) const;
+    /// All first draws, unless they are cancelled.
+    void draw(const FirstDrawsOf& of, PassProgress& progress) const;
 
 private:
     WarmUp(PassProgram first, PassProgram last, gpu::Canvas canvas);

@@ -98,10 +98,29 @@ void Lab::put_problems_away() {
         m_reloader.go_back_to(*m_opened);
 }
 
-std::string Lab::slow_look() const {
+std::optional<Lab::Opening> Lab::opening() const {
     constexpr double noticed_seconds = 0.3;
     const OpenRequest* request = m_reloader.request();
-    return request && m_loading_seconds > noticed_seconds ? name_of(*request) : std::string();
+    if (!request || m_loading_seconds <= noticed_seconds)
+        return std::nullopt;
+    return Opening{name_of(*request), m_arrival ? m_arrival->progress() : m_reloader.progress()};
+}
+
+void Lab::cancel_opening() {
+    const bool is_restacking = m_document && m_document->is_restacking();
+    if (!is_loading() || is_restacking)  // undo takes a stack's change back
+        return;
+    const std::string name = m_reloader.request() ? name_of(*m_reloader.request()) : std::string();
+    m_arrival.reset();
+    m_reloader.cancel(m_opened);
+    m_when_opened = {};
+    m_preset_step.reset();
+    say("'" + name + "' was not opened");
+}
+
+bool Lab::end_opening() {
+    constexpr auto patience = std::chrono::milliseconds(500);
+    return m_reloader.end(patience);
 }
 
 namespace {

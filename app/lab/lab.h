@@ -1,5 +1,6 @@
 #pragma once
 
+#include "lab/arrival.h"
 #include "lab/beam_place.h"
 #include "lab/chosen_images.h"
 #include "lab/comparing.h"
@@ -100,10 +101,19 @@ public:
     /// Whether the person has put them away since the last one came.
     bool has_put_problems_away() const { return m_are_problems_away; }
     void put_problems_away();
+    /// What is being opened is not; all stays as it is.
+    void cancel_opening();
+    /// Ends the thread that opens looks; false: it is stuck in a driver, and only the end of the
+    /// process ends it. Nothing is opened any more.
+    bool end_opening();
     const std::optional<Notice>& notice() const { return m_notice; }
-    bool is_loading() const { return m_reloader.is_busy(); }
-    /// The look that takes long to be read; "": none does.
-    std::string slow_look() const;
+    bool is_loading() const { return m_reloader.is_busy() || m_arrival; }
+    /// A look that takes long to be opened, and how far it is; none: none does.
+    struct Opening {
+        std::string look;
+        PassProgress::State progress;
+    };
+    std::optional<Opening> opening() const;
     /// How far the open look's accumulating has come; none when it does not accumulate.
     std::optional<Samples> samples() const {
         return m_renderer ? m_renderer->executor().samples() : std::nullopt;
@@ -301,7 +311,8 @@ private:
     void take_reload();
     void apply(LoadedRequest loaded);
     void open_document(Look look, const OpenRequest& request);
-    void show_images(const LoadedImages& images);
+    void show_images(const ImageTextures& images);
+    void tell_heavy_pass();
     void show_problems(const Diagnostics& problems);
     void gather_problems();
     void open_values(const OpenRequest& request);
@@ -374,7 +385,7 @@ private:
     std::optional<Variant> m_variant;  // that the renderer draws
     ChosenImages m_variant_images;
     TripState m_trip;
-    LoadedImages m_images;  // that the renderer has
+    ImageTextures m_images;  // that the renderer has
     ChosenImages m_chosen_images;
     Drive m_drive;
     std::unique_ptr<Tryouts> m_tryouts;
@@ -383,6 +394,8 @@ private:
     RatePictures m_rate_pictures;
     BackgroundWork<ImpulseResponse> m_impulse;
     Reloader m_reloader;
+    std::unique_ptr<Arrival> m_arrival;  // of the newest request; null: nothing has come
+    bool m_has_told_heavy_pass = false;  // of the open look
     std::vector<Problem> m_look_problems;
     std::vector<Problem> m_problems;  // with those of the signal or source
     bool m_are_problems_away = false;

@@ -201,8 +201,8 @@ void Lab::start_variant() {
         want({{}, true});  // the picture's own past was being drawn
     if (!succeeded(m_renderer->start_variant(m_variant->values)))
         return;
-    for (const auto& [name, picture] : m_images)
-        succeeded(m_renderer->set_image(name, *picture));
+    for (const auto& [name, texture] : m_images)
+        m_renderer->set_image(name, texture);
     m_variant_images.forget();
     show_variant_images();
     succeeded(m_drive.show_anew(m_player, *m_renderer));

@@ -3,11 +3,14 @@
 #include "formats/modulation_format.h"
 #include "formats/preset_format.h"
 #include "lab/frame_limit.h"
+#include "lab/heavy_pass.h"
 #include "lab/lab.h"
 #include "lab/local_date.h"
 #include "lab/morphing.h"
 #include "lab/session.h"
 #include "lab/tryouts.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
@@ -43,6 +46,20 @@ void Lab::update(double wall_seconds) {
     try_out();
     note_moves();
     tell_silence();
+    tell_heavy_pass();
+}
+
+// Once for a look: what makes the window answer slowly, and what may be done about it.
+void Lab::tell_heavy_pass() {
+    const std::vector<Pass>& passes = m_renderer->executor().look().passes;
+    const auto heavy = m_has_told_heavy_pass ? std::nullopt : heavy_pass(m_renderer->pass_times());
+    if (!heavy || *heavy >= passes.size())
+        return;
+    m_has_told_heavy_pass = true;
+    say(fmt::format("pass '{}' takes {:.1f} s a frame here: bypass it in the strip of passes, or "
+                    "draw the picture at half its size",
+                    passes[*heavy].name, m_renderer->latest_pass_milliseconds()[*heavy] / 1000.0),
+        true);
 }
 
 // A device that is gone, once; the signal's panel goes on saying so.
@@ -74,8 +91,14 @@ bool Lab::has_converged() const {
 void Lab::take_reload() {
     if (std::string problem = m_reloader.take_watch_problem(); !problem.empty())
         say(std::move(problem), true);
+    if (m_arrival && !m_reloader.is_newest(m_arrival->loaded()))
+        m_arrival.reset();
     if (auto loaded = m_reloader.take_finished())
-        apply(std::move(*loaded));
+        m_arrival = std::make_unique<Arrival>(std::move(*loaded));
+    constexpr double seconds_a_turn = 0.012;
+    if (m_arrival &&
+        m_arrival->go_on({m_programs ? &*m_programs : nullptr, picture_extent()}, seconds_a_turn))
+        apply(std::exchange(m_arrival, nullptr)->take());
 }
 
 void Lab::show_problems(const Diagnostics& problems) {
@@ -126,6 +149,7 @@ bool reads_images_alike(const Look& one, const Look& other) {
 }  // namespace
 
 void Lab::apply(LoadedRequest loaded) {
+    m_reloader.watch_look(loaded.files);
     const bool is_read = loaded.look && loaded.programs;
     const bool is_reload = loaded.is_reload && m_unopened.empty();
     m_unopened = is_read || is_reload || !m_document ? "" : name_of(loaded.request);
@@ -133,6 +157,7 @@ void Lab::apply(LoadedRequest loaded) {
     if (!is_read)
         return;  // the last good picture goes on
     m_opened = loaded.request;
+    m_has_told_heavy_pass = false;
     if (m_document && !reads_images_alike(m_document->look(), *loaded.look)) {
         m_images.clear();
         m_chosen_images.forget();
@@ -245,12 +270,11 @@ void Lab::open_values(const OpenRequest& request) {
     gather_problems();
 }
 
-// Each picture is uploaded when it is new, and not when a shader was edited.
-void Lab::show_images(const LoadedImages& images) {
-    for (const auto& [name, picture] : images)
+void Lab::show_images(const ImageTextures& images) {
+    for (const auto& [name, texture] : images)
         if (const auto shown = m_images.find(name);
-            shown == m_images.end() || shown->second != picture)
-            succeeded(m_renderer->set_image(name, *picture));
+            shown == m_images.end() || shown->second != texture)
+            m_renderer->set_image(name, texture);
     m_images = images;
 }
 

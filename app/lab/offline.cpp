@@ -107,12 +107,13 @@ Result<Prepared> prepare(const RenderRequest& request, const Library& library) {
         return fail(preset.error());
     auto kept = kept_shaders(library.roots());
     CheckCache checks(kept.get());
-    LoadedLook loaded = load_requested(*preset, library, &checks);
+    LoadedLook loaded = load_requested(*preset, library, {&checks, request.progress});
     if (!loaded.look)
         return fail(std::move(loaded.look.error()));
     Prepared prepared{.document = Document(std::move(*loaded.look)),
                       .warnings = std::move(loaded.warnings),
-                      .kept_shaders = std::move(kept)};
+                      .kept_shaders = std::move(kept),
+                      .progress = request.progress};
     if (preset->preset)
         if (auto done = open_preset(std::move(*preset), library, prepared); !done)
             return fail(done.error());
@@ -157,7 +158,7 @@ Result<Offline> Offline::create(Prepared prepared, Extent size, double fps) {
     if (!context)
         return fail(context.error());
     Look look = prepared.document.drawn_look();
-    auto programs = build_programs(look, nullptr, prepared.kept_shaders.get());
+    auto programs = build_programs(look, nullptr, prepared.kept_shaders.get(), prepared.progress);
     if (!programs)
         return fail(programs.error());
     Offline offline(std::move(*context), std::move(prepared), std::move(*programs), size, fps);

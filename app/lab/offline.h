@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/byte_store.h"
+#include "base/pass_progress.h"
 #include "gpu/context.h"
 #include "lab/chosen_images.h"
 #include "lab/document.h"
@@ -26,6 +27,7 @@ struct RenderRequest {
     std::string moves = {};  // a file of what is turned over time; "": none
     Extent size{1280, 720};
     double fps = 60.0;
+    PassProgress* progress = nullptr;  // of reading and linking the look; null: nobody looks
 };
 
 /// A look with its values and what drives it, ready to be drawn or described; needs no GL.
@@ -34,6 +36,7 @@ struct Prepared {
     Diagnostics warnings = {};
     Moves moves = {};
     std::shared_ptr<ByteStore> kept_shaders = {};  // null: all is compiled anew
+    PassProgress* progress = nullptr;
 };
 Result<Prepared> prepare(const RenderRequest& request, const Library& library);
 

@@ -179,6 +179,7 @@ Result<OpenRequest> resolve_preset(const std::string& argument, const std::strin
     return request;
 }
 
-LoadedLook load_requested(const OpenRequest& request, const Library& library, CheckCache* cache) {
-    return load_stack(stack_of(request), library.roots().shared_includes(), cache);
+LoadedLook load_requested(const OpenRequest& request, const Library& library,
+                          const ReadingHelp& help) {
+    return load_stack(stack_of(request), library.roots().shared_includes(), help);
 }

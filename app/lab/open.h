@@ -7,8 +7,6 @@
 #include <optional>
 #include <string>
 
-class CheckCache;
-
 /// What a person named on the command line or chose in the window, found but not yet read.
 struct OpenRequest {
     std::filesystem::path look;    // folder or manifest
@@ -34,6 +32,6 @@ Result<OpenRequest> resolve_preset(const std::string& argument, const std::strin
 /// As its folders are called: "crt", "phosphor+crt".
 std::string name_of(const OpenRequest& request);
 
-/// Reads the look or stack that a request names. `cache` as in load_look.
+/// Reads the look or stack that a request names. As load_look.
 LoadedLook load_requested(const OpenRequest& request, const Library& library,
-                          CheckCache* cache = nullptr);
+                          const ReadingHelp& help = {});

@@ -1,7 +1,7 @@
 #include "lab/reloader.h"
 
 #include "formats/stack_format.h"
-#include "graph/warm_up.h"
+#include "graph/image_texture.h"
 #include "io/picture_codec.h"
 #include "lab/kept_shaders.h"
 #include "lab/look_media.h"
@@ -30,6 +30,15 @@ Reloader::~Reloader() {
     m_thread.join();
 }
 
+bool Reloader::end(std::chrono::milliseconds patience) {
+    std::unique_lock lock(m_mutex);
+    m_is_ending = true;
+    if (m_progress)
+        m_progress->cancel();
+    m_wake.notify_all();
+    return m_end.wait_for(lock, patience, [this] { return m_has_ended; });
+}
+
 void Reloader::open(const OpenRequest& request) {
     submit(request, false);
 }
@@ -51,10 +60,28 @@ void Reloader::submit(OpenRequest request, bool is_reload) {
     m_request = request;
     {
         const std::lock_guard lock(m_mutex);
-        m_job = Job{std::move(request), is_reload, ++m_submitted};
+        if (m_progress)
+            m_progress->cancel();
+        m_progress = std::make_shared<PassProgress>();
+        m_job = Job{std::move(request), is_reload, ++m_submitted, m_progress};
         m_finished.reset();
     }
     m_wake.notify_all();
+}
+
+void Reloader::cancel(std::optional<OpenRequest> open) {
+    m_request = std::move(open);
+    const std::lock_guard lock(m_mutex);
+    if (m_progress)
+        m_progress->cancel();
+    m_job.reset();
+    m_finished.reset();
+    m_completed = ++m_submitted;
+}
+
+PassProgress::State Reloader::progress() const {
+    const std::lock_guard lock(m_mutex);
+    return m_progress ? m_progress->state() : PassProgress::State{};
 }
 
 std::vector<fs::path> Reloader::update() {
@@ -77,10 +104,10 @@ void Reloader::watch_also(std::vector<fs::path> files) {
     if (files == m_extra_files)
         return;
     m_extra_files = std::move(files);
-    watch(m_look_files);
+    watch_look(m_look_files);
 }
 
-void Reloader::watch(const std::vector<fs::path>& files) {
+void Reloader::watch_look(const std::vector<fs::path>& files) {
     m_look_files = files;
     std::vector<fs::path> all = files;
     all.insert(all.end(), m_extra_files.begin(), m_extra_files.end());
@@ -96,8 +123,6 @@ std::optional<LoadedRequest> Reloader::take_finished() {
         const std::lock_guard lock(m_mutex);
         finished.swap(m_finished);
     }
-    if (finished)
-        watch(finished->files);
     return finished;
 }
 
@@ -129,39 +154,53 @@ void Reloader::run() {
         lock.unlock();
         LoadedRequest loaded = load(job);
         lock.lock();
-        m_completed = job.generation;
+        m_completed = std::max(m_completed, job.generation);
         if (job.generation == m_submitted)  // else it is older than the newest text
             m_finished = std::move(loaded);
         lock.unlock();
         load_picture_module();
         lock.lock();
     }
-    lock.unlock();
     m_finished.reset();
+    lock.unlock();
     m_linked.reset();
+    m_read.clear();
     m_warm_up.reset();
     m_context->release();
+    lock.lock();
+    m_has_ended = true;
+    m_end.notify_all();
 }
 
-Result<LoadedImages> Reloader::load_images(const Look& look, Diagnostics& warnings) {
-    LoadedImages images;
+Result<ImageTextures> Reloader::load_images(const Look& look, Diagnostics& warnings) {
+    ImageTextures images;
     std::map<fs::path, ReadImage> read;
     Diagnostics problems;
+    const auto note = [&problems](const Diagnostics& some) {
+        problems.insert(problems.end(), some.begin(), some.end());
+    };
     for (const Image& image : look.images) {
         std::error_code error;
-        const auto time = fs::last_write_time(image.file, error);
+        ReadImage now{fs::last_write_time(image.file, error), image, look.source_encoding,
+                      reads_mipmaps(look, Input::From::image, image.name), nullptr};
         const auto before = m_read.find(image.file);
-        if (!error && before != m_read.end() && before->second.time == time) {
-            images[image.name] = before->second.picture;
+        if (!error && before != m_read.end() && before->second.serves(now)) {
+            now.texture = before->second.texture;
         } else {
-            auto picture = load_image(image, warnings);
+            const auto picture = load_image(image, warnings);
             if (!picture)
-                problems.insert(problems.end(), picture.error().begin(), picture.error().end());
+                note(picture.error());
             if (!picture || !*picture)
                 continue;
-            images[image.name] = std::make_shared<const Picture>(std::move(**picture));
+            auto texture = image_texture(look, image.name, **picture);
+            if (!texture) {
+                note(texture.error());
+                continue;
+            }
+            now.texture = std::move(*texture);
         }
-        read[image.file] = {time, images[image.name]};
+        images[image.name] = now.texture;
+        read.insert_or_assign(image.file, std::move(now));
     }
     m_read = std::move(read);
     if (!problems.empty())
@@ -169,33 +208,38 @@ Result<LoadedImages> Reloader::load_images(const Look& look, Diagnostics& warnin
     return images;
 }
 
+Result<Programs> Reloader::link(const Look& look, const ImageTextures& images,
+                                PassProgress& progress) {
+    const Programs* linked = m_linked ? &*m_linked : nullptr;
+    auto programs = build_programs(look, linked, m_kept_shaders.get(), &progress);
+    if (!programs)
+        return programs;
+    if (m_warm_up)
+        m_warm_up->draw({look, *programs, linked, images, m_picture, FirstDrawsOf::Size::whole},
+                        progress);
+    m_linked = *programs;
+    return programs;
+}
+
 LoadedRequest Reloader::load(const Job& job) {
-    LoadedRequest loaded{job.request, job.is_reload, {}, {}, {}, {}, {}};
-    LoadedLook read = load_stack(stack_of(job.request), m_shared_includes, &m_checks);
+    LoadedRequest loaded{job.request, job.is_reload, {}, {}, {}, {}, {}, job.generation};
+    const auto refuse = [&loaded](const Diagnostics& why) {
+        loaded.problems.insert(loaded.problems.begin(), why.begin(), why.end());
+        return std::move(loaded);
+    };
+    LoadedLook read =
+        load_stack(stack_of(job.request), m_shared_includes, {&m_checks, job.progress.get()});
     loaded.files = std::move(read.files);
     loaded.problems = std::move(read.warnings);
-    if (!read.look) {
-        loaded.problems.insert(loaded.problems.begin(), read.look.error().begin(),
-                               read.look.error().end());
-        return loaded;
-    }
+    if (!read.look)
+        return refuse(read.look.error());
     auto images = load_images(*read.look, loaded.problems);
-    if (!images) {
-        loaded.problems.insert(loaded.problems.begin(), images.error().begin(),
-                               images.error().end());
-        return loaded;
-    }
+    if (!images)
+        return refuse(images.error());
+    auto programs = link(*read.look, *images, *job.progress);
+    if (!programs)
+        return refuse(programs.error());
     loaded.images = std::move(*images);
-    auto programs =
-        build_programs(*read.look, m_linked ? &*m_linked : nullptr, m_kept_shaders.get());
-    if (!programs) {
-        loaded.problems.insert(loaded.problems.begin(), programs.error().begin(),
-                               programs.error().end());
-        return loaded;
-    }
-    if (m_warm_up)
-        m_warm_up->draw(*read.look, *programs, m_linked ? &*m_linked : nullptr, m_picture);
-    m_linked = *programs;
     loaded.look = std::move(*read.look);
     loaded.programs = std::move(*programs);
     return loaded;

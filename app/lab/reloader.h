@@ -1,7 +1,8 @@
 #pragma once
 
+#include "base/pass_progress.h"
 #include "formats/look_format.h"
-#include "glsl/parameters.h"
+#include "glsl/check_cache.h"
 #include "gpu/context.h"
 #include "graph/programs.h"
 #include "graph/warm_up.h"
@@ -20,18 +21,16 @@
 #include <thread>
 #include <utility>
 
-/// The pictures that a look names in "images", by name.
-using LoadedImages = std::map<std::string, std::shared_ptr<const Picture>>;
-
 /// What became of one reading of a look.
 struct LoadedRequest {
     OpenRequest request;
     bool is_reload = false;  // of the look that is open already
     std::optional<Look> look;
     std::optional<Programs> programs;
-    LoadedImages images;   // a file that did not change is the same picture as before
+    ImageTextures images;  // that the look names; of a file that did not change the same as before
     Diagnostics problems;  // errors when look or programs are missing, else warnings
     std::vector<std::filesystem::path> files;
+    std::uint64_t generation = 0;  // of what was asked for
 };
 
 /// Reads looks and links their programs on a thread of its own, and watches their files.
@@ -50,6 +49,8 @@ public:
     void reload();
     /// Reads a look that is open once more, after another could not be opened.
     void go_back_to(const OpenRequest& request) { submit(request, true); }
+    /// Nothing comes of what was asked for last; `open` is what is open as before.
+    void cancel(std::optional<OpenRequest> open);
     /// What was asked for last; null: nothing yet.
     const OpenRequest* request() const { return m_request ? &*m_request : nullptr; }
     /// Reads the looks of another stack in place of the open ones, once.
@@ -59,11 +60,20 @@ public:
     std::vector<std::filesystem::path> update();
     /// How large the picture is, for which programs are made ready.
     void set_picture(Extent picture) { m_picture = picture; }
+    /// The open look's own files: a change of one makes it read again.
+    void watch_look(const std::vector<std::filesystem::path>& files);
     /// Files besides the look's own that update() reports.
     void watch_also(std::vector<std::filesystem::path> files);
     /// The newest result, once; a result older than the newest submission never comes.
     std::optional<LoadedRequest> take_finished();
     bool is_busy() const;
+    /// Whether nothing was asked for since.
+    bool is_newest(const LoadedRequest& loaded) const { return loaded.generation == m_submitted; }
+    /// How far what was asked for last has come.
+    PassProgress::State progress() const;
+    /// Asks the thread to end and waits so long for it; false: it is stuck in a driver, and the
+    /// reloader must not be destroyed.
+    bool end(std::chrono::milliseconds patience);
     /// Why edits cannot be seen, once each time that is found out; "" when they can.
     std::string take_watch_problem() { return std::exchange(m_watch_problem, {}); }
     /// Becomes readable when update() has something to see; -1 where files cannot be watched.
@@ -74,13 +84,14 @@ private:
         OpenRequest request;
         bool is_reload = false;
         std::uint64_t generation = 0;
+        std::shared_ptr<PassProgress> progress = {};  // shared with who asked
     };
 
     void submit(OpenRequest request, bool is_reload);
-    void watch(const std::vector<std::filesystem::path>& files);
     void run();
     LoadedRequest load(const Job& job);
-    Result<LoadedImages> load_images(const Look& look, Diagnostics& warnings);
+    Result<Programs> link(const Look& look, const ImageTextures& images, PassProgress& progress);
+    Result<ImageTextures> load_images(const Look& look, Diagnostics& warnings);
 
     std::filesystem::path m_shared_includes;
     std::shared_ptr<ByteStore> m_kept_shaders;
@@ -94,15 +105,26 @@ private:
 
     mutable std::mutex m_mutex;
     std::condition_variable m_wake;
+    std::condition_variable m_end;
+    std::shared_ptr<PassProgress> m_progress;  // of the newest job
     std::optional<Job> m_job;
     std::optional<LoadedRequest> m_finished;
     std::uint64_t m_submitted = 0;
     std::uint64_t m_completed = 0;
     bool m_is_ending = false;
+    bool m_has_ended = false;
 
     struct ReadImage {
         std::filesystem::file_time_type time;
-        std::shared_ptr<const Picture> picture;
+        Image image;
+        Encoding source_encoding;
+        bool is_mipmapped;
+        std::shared_ptr<const gpu::Texture> texture;
+
+        bool serves(const ReadImage& other) const {
+            return time == other.time && image == other.image &&
+                   source_encoding == other.source_encoding && is_mipmapped == other.is_mipmapped;
+        }
     };
 
     CheckCache m_checks{m_kept_shaders.get()};          // the thread's

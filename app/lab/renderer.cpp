@@ -67,6 +67,14 @@ Result<void> Renderer::set_image(const std::string& name, const Picture& picture
     return for_each([&](Executor& executor) { return executor.set_image(name, picture); });
 }
 
+void Renderer::set_image(const std::string& name,
+                         const std::shared_ptr<const gpu::Texture>& texture) {
+    if (!m_is_variant_alone)
+        m_executor.set_image(name, texture);
+    if (m_variant)
+        m_variant->set_image(name, texture);
+}
+
 Result<void> Renderer::set_image(Whose whose, const std::string& name, const Picture& picture) {
     if (whose == Whose::picture)
         return m_executor.set_image(name, picture);

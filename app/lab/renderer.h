@@ -47,6 +47,8 @@ public:
     /// `pixel_aspect`: width to height of its pixels.
     Result<void> set_source(const Picture& picture, double pixel_aspect = 1.0);
     Result<void> set_image(const std::string& name, const Picture& picture);
+    /// As image_texture() made it.
+    void set_image(const std::string& name, const std::shared_ptr<const gpu::Texture>& texture);
     enum class Whose { picture, variant };
     /// For one of the two alone.
     Result<void> set_image(Whose whose, const std::string& name, const Picture& picture);

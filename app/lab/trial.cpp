@@ -45,9 +45,8 @@ Result<Trial> Trial::make(const TrialSubject& subject, const Values& values, con
 
 Result<void> Trial::show_pictures(const TrialSubject& subject, const Values& values,
                                   const Values* others) {
-    for (const auto& [name, picture] : subject.images)
-        if (auto set = m_renderer->set_image(name, *picture); !set)
-            return set;
+    for (const auto& [name, texture] : subject.images)
+        m_renderer->set_image(name, texture);
     const Look& look = executor().look();
     // A file that cannot be read reads black, as in the window, which has said so.
     static_cast<void>(m_chosen_images.show(look, values, *m_renderer, Renderer::Whose::picture));

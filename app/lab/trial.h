@@ -14,7 +14,7 @@ struct TrialSubject {
     const Player& player;
     Drive& drive;
     Renderer& shown;  // what the window shows; its programs are used, and to be claimed back
-    const LoadedImages& images;
+    const ImageTextures& images;
     Extent picture;  // that is to be drawn
 };
 

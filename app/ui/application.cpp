@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <utility>
 
 namespace {
@@ -82,6 +83,8 @@ public:
             keeper.update(m_lab, m_state);
         }
         keeper.save(m_lab, m_state);
+        if (!m_lab.end_opening())
+            std::_Exit(EXIT_SUCCESS);  // all is saved; nothing else would end that thread
     }
 
 private:

@@ -192,9 +192,13 @@ void draw_trip(const Scene& scene, Edits& edits) {
 
 void draw_loading(const Scene& scene) {
     const std::filesystem::path file = scene.lab.drive().loading();
-    const std::string look = scene.lab.document() ? scene.lab.slow_look() : std::string();
-    if (file.empty() && !look.empty())
-        draw_pill({"##loading", fmt::format("Reading {}…", look), theme::dim, 2.0f}, scene);
+    const auto opening = scene.lab.opening();
+    if (file.empty() && opening && scene.lab.document())
+        draw_pill(
+            {"##loading",
+             fmt::format("Opening {} · {} · Esc stops", opening->look, words_of(opening->progress)),
+             theme::dim, 2.0f},
+            scene);
     if (file.empty())
         return;
     draw_pill({"##loading",
@@ -258,7 +262,11 @@ void draw_welcome(const Scene& scene) {
     const float middle = ImGui::GetWindowHeight() * 0.42f;
     const float line = ImGui::GetTextLineHeightWithSpacing();
     if (scene.lab.is_loading()) {
-        draw_centered("Reading the look…", middle, theme::dim);
+        const auto opening = scene.lab.opening();
+        draw_centered(opening ? fmt::format("Opening {} · {} · Esc stops", opening->look,
+                                            words_of(opening->progress))
+                              : "Reading the look…",
+                      middle, theme::dim);
         return;
     }
     {

@@ -1,5 +1,6 @@
 #include "ui/pass_strip.h"
 
+#include "lab/heavy_pass.h"
 #include "lab/tryouts.h"
 #include "model/own_name.h"
 #include "ui/pass_switch_actions.h"
@@ -142,11 +143,16 @@ void draw_change(const PassChange& change, const ImVec2& low, const ImVec2& high
     list.AddRectFilled(low, {low.x + width, high.y}, theme::packed(theme::accent));
 }
 
+ImU32 color_of_time(double milliseconds) {
+    return theme::packed(milliseconds > heavy_pass_milliseconds ? theme::problem : theme::dim);
+}
+
 // To the left of that point; gives its width.
-float draw_time(const std::string& time, const ImVec2& right, const Scene& scene) {
+float draw_time(double milliseconds, const ImVec2& right, const Scene& scene) {
     const ScopedFont font(scene.fonts.numbers);
+    const std::string time = time_text(milliseconds);
     const float width = ImGui::CalcTextSize(time.c_str()).x;
-    ImGui::GetWindowDrawList()->AddText({right.x - width, right.y}, theme::packed(theme::dim),
+    ImGui::GetWindowDrawList()->AddText({right.x - width, right.y}, color_of_time(milliseconds),
                                         time.c_str());
     return width;
 }
@@ -157,12 +163,14 @@ void draw_words(const Cell& cell, const Scene& scene, const ImVec2& at, float wi
     const std::string time = time_text(cell.milliseconds);
     float room = width;
     if (!cell.is_narrow && !time.empty())
-        room -= draw_time(time, {at.x + width, at.y + 1.0f}, scene) + line * 0.6f;
+        room -= draw_time(cell.milliseconds, {at.x + width, at.y + 1.0f}, scene) + line * 0.6f;
     const std::string name = cut_to_fit(own_name(cell.pass.name), room);
     list.AddText(at, theme::packed(cell.is_chosen ? theme::accent : theme::text), name.c_str());
     const ScopedFont font(scene.fonts.numbers);
     const std::string facts = cut_to_fit(cell.is_narrow ? time : facts_text(cell), width);
-    list.AddText({at.x, at.y + line * 1.2f}, theme::packed(theme::dim), facts.c_str());
+    list.AddText({at.x, at.y + line * 1.2f},
+                 cell.is_narrow ? color_of_time(cell.milliseconds) : theme::packed(theme::dim),
+                 facts.c_str());
     if (cell.change) {
         const std::string change = cut_to_fit(change_text(*cell.change), width);
         const theme::Color color = cell.change->has_changed() ? theme::accent : theme::dim;
@@ -218,11 +226,12 @@ void share_room(std::vector<Cell>& cells, float room, const Scene& scene) {
 std::string cell_help(const Cell& cell) {
     const double mebibytes = static_cast<double>(memory_of(cell.target)) / (1024.0 * 1024.0);
     return fmt::format(
-        "{}\n{}, {:.1f} MiB{}{}{}\nA double click shows it as large as the picture, the right "
+        "{}\n{}, {:.1f} MiB{}{}{}{}\nA double click shows it as large as the picture, the right "
         "button "
         "switches it.",
         cell.pass.name, facts_text(cell), mebibytes,
         cell.milliseconds > 0.0 ? "\n" + time_text(cell.milliseconds) : "",
+        cell.milliseconds > heavy_pass_milliseconds ? ", so the window answers slowly" : "",
         cell.gain ? gain_help(*cell.gain) : "", cell.state.empty() ? "" : "\n" + cell.state);
 }
 

@@ -95,7 +95,7 @@ TEST_CASE("a look is found by its folder or its manifest, also through a cache")
     CHECK(small.load("small/look.json").look == by_folder.look);
     CheckCache cache;
     for (int round = 0; round < 2; ++round)
-        CHECK(load_look(small.folder / "small", small.folder / "shared", &cache).look ==
+        CHECK(load_look(small.folder / "small", small.folder / "shared", {&cache}).look ==
               by_folder.look);
 }
 

@@ -24,7 +24,8 @@ TEST_CASE_FIXTURE(Headless, "warming up leaves a program that is drawn with as i
         shading_look({pass("a", shade_text), pass("b", shade_text, {reads("image", "a")})});
     const Programs second = programs_of(edited, &first);
     gpu::ErrorLog errors;
-    WarmUp::make().value().draw(edited, second, &first, {1280, 720});
+    PassProgress progress;
+    WarmUp::make().value().draw({edited, second, &first, {}, {1280, 720}}, progress);
     CHECK(errors.take().empty());
     executor.draw(frame(2));
     CHECK(red(executor, 0) == 3.0f);
@@ -47,7 +48,8 @@ TEST_CASE_FIXTURE(Headless, "every kind of pass can be warmed up, and draws the 
                                     {reads("image", "counter")})});
     const Programs programs = programs_of(look);
     gpu::ErrorLog errors;
-    WarmUp::make().value().draw(look, programs, nullptr, {1024, 720});
+    PassProgress progress;
+    WarmUp::make().value().draw({look, programs, nullptr, {}, {1024, 720}}, progress);
     CHECK(errors.take().empty());
     Executor executor(look, programs);
     REQUIRE(executor.resize({4, 4}, {}).has_value());
@@ -74,11 +76,12 @@ TEST_CASE_FIXTURE(Headless, "a program that was warmed up can be deleted while o
     };
 
     std::optional<WarmUp> warm_up;
+    PassProgress progress;
     std::optional<Programs> programs;
     on_helper([&] {
         warm_up.emplace(WarmUp::make().value());
         programs = programs_of(gone);
-        warm_up->draw(gone, *programs, nullptr, {64, 64});
+        warm_up->draw({gone, *programs, nullptr, {}, {64, 64}}, progress);
     });
     {
         Executor drawn(gone, *std::exchange(programs, std::nullopt));
@@ -86,7 +89,8 @@ TEST_CASE_FIXTURE(Headless, "a program that was warmed up can be deleted while o
         drawn.draw(frame(1));
         stays.draw(frame(1));
     }
-    on_helper([&] { warm_up->draw(next, programs_of(next), nullptr, {64, 64}); });
+    const Programs late = programs_of(next);
+    on_helper([&] { warm_up->draw({next, late, nullptr, {}, {64, 64}}, progress); });
     gpu::finish();
     stays.draw(frame(2));  // ended here in Mesa, had the helper drawn with nothing of its own
     stays.draw(frame(3));

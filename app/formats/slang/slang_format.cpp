@@ -1,5 +1,6 @@
 #include "formats/slang/slang_format.h"
 
+#include "base/pass_progress.h"
 #include "base/text.h"
 #include "formats/slang/chain_look.h"
 #include "glsl/check_cache.h"
@@ -66,7 +67,7 @@ private:
     std::map<fs::path, std::optional<Read>> m_known;
 };
 
-Result<WholeChain> read_chain(const fs::path& file, SlangFiles& files, CheckCache* cache,
+Result<WholeChain> read_chain(const fs::path& file, SlangFiles& files, const ReadingHelp& help,
                               bool& is_parsed) {
     WholeChain chain;
     if (is_alone(file)) {
@@ -77,9 +78,14 @@ Result<WholeChain> read_chain(const fs::path& file, SlangFiles& files, CheckCach
             return fail(preset.error());
         chain.preset = std::move(*preset);
     }
-    ChainLoader reader(files, cache);
-    for (const SlangPass& pass : chain.preset.passes)
+    ChainLoader reader(files, help.cache);
+    if (help.progress)
+        help.progress->begin(PassProgress::Step::reading, chain.preset.passes.size());
+    for (const SlangPass& pass : chain.preset.passes) {
+        if (help.progress && !help.progress->next(pass.shader.stem().string()))
+            return fail({file, 0, "was not read to its end"});
         reader.read(pass.shader, chain);
+    }
     is_parsed = reader.is_parsed;
     if (!reader.problems.empty())
         return fail(std::move(reader.problems));
@@ -93,10 +99,10 @@ bool reads_the_past(const Look& look) {
     });
 }
 
-Result<Look> read_look_of(const fs::path& file, SlangFiles& files, CheckCache* cache,
+Result<Look> read_look_of(const fs::path& file, SlangFiles& files, const ReadingHelp& help,
                           LoadedLook& loaded) {
     constexpr int frames_of_a_past = 60;
-    const auto chain = read_chain(file, files, cache, loaded.is_parsed);
+    const auto chain = read_chain(file, files, help, loaded.is_parsed);
     if (!chain)
         return fail(chain.error());
     add_unknown(loaded.warnings, chain->preset.warnings);
@@ -122,10 +128,10 @@ bool is_slang_file(const fs::path& file) {
     return is_alone(file) || to_lower(file.extension().string()) == ".slangp";
 }
 
-LoadedLook load_slang_look(const fs::path& file, CheckCache* cache) {
+LoadedLook load_slang_look(const fs::path& file, const ReadingHelp& help) {
     SlangFiles files;
     LoadedLook loaded;
-    loaded.look = read_look_of(file, files, cache, loaded);
+    loaded.look = read_look_of(file, files, help, loaded);
     loaded.files = files.seen();
     if (std::ranges::find(loaded.files, file) == loaded.files.end())
         loaded.files.push_back(file);

@@ -44,7 +44,7 @@ public:
         std::string text = fmt::format("shaders = {}\n", m_count);
         for (std::size_t i = 0; i < m_count; ++i)
             text += fmt::format("shader{0} = {0}.slang\n", i);
-        return load_slang_look(write("a.slangp", text + lines), nullptr);
+        return load_slang_look(write("a.slangp", text + lines), {});
     }
     Look look(const std::string& lines = "") {
         LoadedLook loaded = load(lines);
@@ -237,7 +237,7 @@ TEST_CASE("a missing texture reads black, with a warning; another one is an imag
 TEST_CASE("a shader's mistakes are told at its own lines, once for all its passes") {
     ChainFolder folder({head + std::string("void main() { FragColor = nothing; }\n"), source_only});
     const LoadedLook loaded = load_slang_look(
-        folder.write("b.slangp", "shaders = 2\nshader0 = 0.slang\nshader1 = 0.slang\n"), nullptr);
+        folder.write("b.slangp", "shaders = 2\nshader0 = 0.slang\nshader1 = 0.slang\n"), {});
     REQUIRE_FALSE(loaded.look.has_value());
     CHECK(folder.told(loaded.look.error()).starts_with("0.slang:13: error: "));
     CHECK(loaded.look.error().size() == 1);
@@ -246,7 +246,7 @@ TEST_CASE("a shader's mistakes are told at its own lines, once for all its passe
 
 TEST_CASE("a shader alone is a chain of one pass") {
     ChainFolder folder({source_only});
-    const LoadedLook loaded = load_slang_look(folder / "0.slang", nullptr);
+    const LoadedLook loaded = load_slang_look(folder / "0.slang", {});
     REQUIRE(loaded.look.has_value());
     CHECK(loaded.look->id == "0.slang");
     CHECK(loaded.look->passes.size() == 1);

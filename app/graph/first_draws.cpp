@@ -1,0 +1,92 @@
+#include "graph/first_draws.h"
+
+#include "glsl/include.h"
+#include "gpu/draw.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+
+namespace {
+bool is_known(const PassProgram& program, const Programs* known) {
+    return known && std::ranges::any_of(known->passes, [&](const PassProgram& other) {
+               return other.program == program.program;
+           });
+}
+
+// Some drivers make other code for textures whose sides are powers of two.
+Extent small_like(Extent viewport) {
+    const auto side = [](int length) {
+        return std::has_single_bit(static_cast<unsigned>(std::max(length, 1))) ? 64 : 96;
+    };
+    return {side(viewport.width), side(viewport.height)};
+}
+
+Picture black(Extent extent) {
+    const auto texels =
+        static_cast<std::size_t>(extent.width) * static_cast<std::size_t>(extent.height);
+    return {extent, 3, Encoding::display, std::vector<float>(3 * texels)};
+}
+
+Frame first_frame(const Beam& beam) {
+    Frame frame;
+    frame.number = 1;
+    frame.time = frame.time_delta = 1.0 / 60.0;
+    frame.beam = beam;
+    return frame;
+}
+}  // namespace
+
+Result<PassProgram> idle_program() {
+    Stage fragment;
+    fragment.text = "#version 410 core\nvoid main() { discard; }\n";
+    auto program = gpu::Program::build(fullscreen_vertex_stage(), fragment);
+    if (!program)
+        return fail(program.error());
+    return PassProgram{{},
+                       fragment.text,
+                       Draw::fullscreen,
+                       {},
+                       std::make_shared<const gpu::Program>(std::move(*program))};
+}
+
+FirstDraws::FirstDraws(const FirstDrawsOf& of, const PassProgram& idle) {
+    Look stand_in = of.look;
+    Programs drawn = of.programs;
+    for (std::size_t i = 0; i < drawn.passes.size(); ++i) {
+        if (!is_known(drawn.passes[i], of.known)) {
+            m_new.push_back(i);
+            continue;
+        }
+        drawn.passes[i] = idle;
+        stand_in.passes[i].draw = Draw::fullscreen;
+        stand_in.passes[i].inputs.clear();
+        stand_in.passes[i].set.clear();
+    }
+    if (m_new.empty())
+        return;
+    m_executor.emplace(std::move(stand_in), std::move(drawn));
+    const bool is_small = of.size == FirstDrawsOf::Size::small;
+    const Extent extent = is_small ? small_like(of.viewport) : of.viewport;
+    const Extent source = is_small ? Extent{96, 96} : Extent{320, 240};
+    const bool is_ready = m_executor->resize(extent, source).has_value() &&
+                          m_executor->set_source(black(source)).has_value();
+    for (const auto& [name, texture] : of.images)
+        m_executor->set_image(name, texture);
+    if (!is_ready)
+        m_new.clear();  // the look itself will say so
+}
+
+const std::string& FirstDraws::next_pass() const {
+    assert(!is_done());
+    return m_executor->look().passes[m_new[m_done]].name;
+}
+
+void FirstDraws::draw_next() {
+    assert(!is_done());
+    const Beam beam(2);
+    std::vector<bool> only(m_executor->look().passes.size(), false);
+    only[m_new[m_done++]] = true;
+    m_executor->draw(first_frame(beam), &only);
+    gpu::finish();
+}

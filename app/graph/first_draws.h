@@ -1,0 +1,51 @@
+#pragma once
+
+#include "graph/executor.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// Pictures of a look by name, as image_texture() makes them.
+using ImageTextures = std::map<std::string, std::shared_ptr<const gpu::Texture>>;
+
+/// What the first draws are made with.
+struct FirstDrawsOf {
+    const Look& look;
+    const Programs& programs;
+    const Programs* known = nullptr;  // may be in use, and are not touched; null: none
+    const ImageTextures& images;
+    Extent viewport;  // of the picture to come
+    // Small: a few pixels, where nobody may wait for more; else as large as they will be, which
+    // meets the driver's every distinction.
+    enum class Size { small, whole };
+    Size size = Size::small;
+};
+
+/// Draws once with each program that is new, one at a time, into targets of the look's formats. A
+/// driver makes a program's code when it is first drawn with, for the states that it meets there,
+/// and some make it anew in each context; done before, in slices, no picture waits for it. Belongs
+/// to the context that it was made in.
+class FirstDraws {
+public:
+    /// `idle` stands in for the known programs; it draws nothing. Where there is no memory there is
+    /// nothing to be drawn.
+    FirstDraws(const FirstDrawsOf& of, const PassProgram& idle);
+
+    std::size_t total() const { return m_new.size(); }
+    std::size_t done() const { return m_done; }
+    bool is_done() const { return m_done >= m_new.size(); }
+    /// The pass that comes next.
+    const std::string& next_pass() const;
+    /// Draws the next one and waits for it.
+    void draw_next();
+
+private:
+    std::optional<Executor> m_executor;
+    std::vector<std::size_t> m_new;  // passes
+    std::size_t m_done = 0;
+};
+
+/// A program that draws nothing.
+Result<PassProgram> idle_program();

@@ -1,0 +1,34 @@
+#include "graph/image_texture.h"
+
+#include "gpu/texels.h"
+
+#include <algorithm>
+
+bool reads_mipmaps(const Look& look, Input::From from, const std::string& name) {
+    return std::ranges::any_of(look.passes, [&](const Pass& pass) {
+        return std::ranges::any_of(pass.inputs, [&](const Input& input) {
+            return input.from == from && input.sampler.mipmap &&
+                   (from == Input::From::source || input.name == name);
+        });
+    });
+}
+
+Result<std::shared_ptr<const gpu::Texture>> image_texture(const Look& look, const std::string& name,
+                                                          const Picture& picture) {
+    if (picture.extent.is_empty())
+        return fail({{}, 0, "the picture '" + name + "' is empty"});
+    auto texture = gpu::Texture::make(picture.extent, Format::rgba32f,
+                                      reads_mipmaps(look, Input::From::image, name));
+    if (!texture)
+        return fail(texture.error());
+    const auto declared = std::ranges::find(look.images, name, &Image::name);
+    const Image* image = declared == look.images.end() ? nullptr : &*declared;
+    const bool is_data = image && image->is_linear;
+    const Encoding wanted = image && image->encoding ? *image->encoding : look.source_encoding;
+    std::vector<float> texels;
+    gpu::fill_texels(picture, is_data ? picture.encoding : wanted, texels,
+                     image ? image->rows : RowOrder::bottom_first);
+    texture->upload(texels);
+    texture->generate_mipmaps();
+    return std::make_shared<const gpu::Texture>(std::move(*texture));
+}

@@ -1,0 +1,41 @@
+#include "base/pass_progress.h"
+
+#include <doctest/doctest.h>
+
+#include <vector>
+
+using Step = PassProgress::Step;
+
+TEST_CASE("a pass is done when the next one begins") {
+    PassProgress progress;
+    CHECK(progress.state().total == 0);
+    progress.begin(Step::linking, 3);
+    CHECK(words_of(progress.state()) == "Linking: 0 of 3 passes");
+    CHECK(progress.next("beam"));
+    CHECK(progress.state().done == 0);
+    CHECK(progress.state().pass == "beam");
+    CHECK(progress.next("glow"));
+    CHECK(words_of(progress.state()) == "Linking: 1 of 3 passes");
+    progress.begin(Step::drawing, 2);
+    CHECK(words_of(progress.state()) == "First draws: 0 of 2 passes");
+}
+
+TEST_CASE("who listens is told of every pass, and cancelling ends the work at the next one") {
+    std::vector<std::string> told;
+    PassProgress progress([&told](const PassProgress::State& state) {
+        told.push_back(state.pass + " " + std::to_string(state.done));
+    });
+    progress.begin(Step::reading, 3);
+    CHECK(progress.next("a"));
+    progress.cancel();
+    CHECK_FALSE(progress.next("b"));
+    CHECK(progress.is_cancelled());
+    CHECK(told == std::vector<std::string>{"a 0", "b 1"});
+}
+
+TEST_CASE("a pass that takes seconds is named, others are not") {
+    PassProgress::State state{Step::linking, 2, 7, "blur", 2.9};
+    CHECK(words_of(state) == "Linking: 2 of 7 passes");
+    state.seconds = 3.1;
+    CHECK(words_of(state) == "Linking: 2 of 7 passes, 'blur' takes long");
+}

@@ -1,0 +1,109 @@
+// Opening heavy looks of libretro's while a light one is seen: how long until each is there, with
+// nothing kept of it and again, and how long the drawing thread is busy in its longest turns until
+// then, which is how long the window would stop. Needs AFTERGLOW_SLANG_DIR.
+#include "gpu/draw.h"
+#include "lab/lab.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <thread>
+
+namespace fs = std::filesystem;
+
+namespace {
+double busy_milliseconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+struct Turn {
+    double milliseconds;
+    std::string doing;
+};
+
+/// A lab of 640 x 480 px without a window, in a folder of its own.
+class OpeningBench {
+public:
+    explicit OpeningBench(const fs::path& folder) {
+        auto context = gpu::Context::headless();
+        auto worker = context ? gpu::Context::shared_with(**context) : fail(context.error());
+        if (!worker) {
+            fmt::print(stderr, "{}", to_string(worker.error()));
+            std::exit(EXIT_FAILURE);
+        }
+        m_context = std::move(*context);
+        Roots roots{AFTERGLOW_SOURCE_DIR, folder / "user", folder / "state", folder / "cache"};
+        m_lab = std::make_unique<Lab>(Library(std::move(roots)), std::move(*worker));
+        m_lab->set_picture_size({false, {640, 480}, 1.0});
+        m_lab->open("crt");
+        while (m_lab->player().frame_number() < 10)
+            turn();
+    }
+    ~OpeningBench() { m_lab.reset(); }
+    OpeningBench(const OpeningBench&) = delete;
+    OpeningBench& operator=(const OpeningBench&) = delete;
+
+    /// False where it does not open.
+    bool open(const fs::path& preset, const char* how) {
+        const auto start = std::chrono::steady_clock::now();
+        std::vector<Turn> turns;
+        m_lab->open(preset.string());
+        while (m_lab->is_loading())
+            turns.push_back(turn());
+        const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+        const Turn first = turn();
+        if (m_lab->document()->look().manifest != preset)
+            return false;
+        std::ranges::sort(turns, std::ranges::greater(), &Turn::milliseconds);
+        fmt::print("{:<24} {}: open after {:6.2f} s; longest turns", preset.stem().string(), how,
+                   seconds.count());
+        for (std::size_t i = 0; i < std::min<std::size_t>(turns.size(), 4); ++i)
+            fmt::print("  {:.0f} ms ({})", turns[i].milliseconds, turns[i].doing);
+        fmt::print("; the first frame {:.0f} ms\n", first.milliseconds);
+        std::fflush(stdout);
+        return true;
+    }
+
+private:
+    Turn turn() {
+        const double start = busy_milliseconds();
+        m_lab->update(1.0 / 60.0);
+        gpu::finish();
+        Turn turn{busy_milliseconds() - start, "beginning"};
+        if (const auto opening = m_lab->opening())
+            turn.doing = words_of(opening->progress);
+        if (!m_lab->is_loading())
+            turn.doing = "switch";
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        return turn;
+    }
+
+    std::unique_ptr<gpu::Context> m_context;
+    std::unique_ptr<Lab> m_lab;
+};
+}  // namespace
+
+int main() {
+    const char* corpus = std::getenv("AFTERGLOW_SLANG_DIR");
+    if (!corpus) {
+        fmt::print("AFTERGLOW_SLANG_DIR names no copy of slang-shaders: nothing is measured\n");
+        return EXIT_SUCCESS;
+    }
+    std::string name = (fs::temp_directory_path() / "afterglow-bench-XXXXXX").string();
+    const fs::path folder = mkdtemp(name.data());
+    // The driver opens its cache once a process.
+    setenv("MESA_SHADER_CACHE_DIR", (folder / "driver").c_str(), 1);
+    bool is_open = true;
+    for (const char* preset : {"crt/crt-royale.slangp", "crt/crt-guest-advanced.slangp",
+                               "bezel/Mega_Bezel/Presets/MBZ__3__STD.slangp"})
+        for (const char* how : {"new", "kept"})
+            is_open = is_open && OpeningBench(folder).open(fs::path(corpus) / preset, how);
+    fs::remove_all(folder);
+    return is_open ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,82 @@
+#include "lab/small_lab.h"
+
+#include <set>
+
+namespace {
+void add_other_look(SmallLab& small) {
+    small.write("../other/look.json",
+                replaced(small_look::manifest, "\"name\": \"Small\"", "\"name\": \"Other\""));
+    small.write("../other/sum.frag", small_look::sum);
+    small.write("../other/show.frag", small_look::show);
+    small.write("../other/gain.glsl", small_look::gain);
+}
+
+std::string open_look(const SmallLab& small) {
+    return small.document().look().id;
+}
+}  // namespace
+
+TEST_CASE("what is being opened can be cancelled at any time, and what was open goes on") {
+    SmallLab small;
+    add_other_look(small);
+    for (int turns = 0; turns < 4; ++turns) {
+        small.lab().open("other");
+        REQUIRE(small.lab().is_loading());
+        small.turn(turns);
+        if (open_look(small) == "other")
+            break;  // a fast machine
+        small.lab().cancel_opening();
+        CHECK_FALSE(small.lab().is_loading());
+        const float frames = small.frames();
+        small.turn(30);
+        CHECK(open_look(small) == "small");
+        CHECK(small.frames() > frames);
+        CHECK(small.lab().problems().empty());
+        CHECK(small.lab().notice()->text == "'other' was not opened");
+        small.lab().open("small");
+        REQUIRE(small.turn_until([&] { return !small.lab().is_loading(); }));
+    }
+    small.lab().open("other");
+    CHECK(small.turn_until([&] { return open_look(small) == "other"; }));
+}
+
+TEST_CASE("after cancelling, an edit of what is open shows as before") {
+    SmallLab small;
+    add_other_look(small);
+    small.lab().open("other");
+    small.lab().cancel_opening();
+    small.write("gain.glsl", "uniform float gain = 5.0;  // @range 0 8\n");
+    CHECK(small.turn_until([&] {
+        const Parameter* gain = find_parameter(small.document().look(), "gain");
+        return gain && gain->initial == Value(5.0);
+    }));
+    CHECK(open_look(small) == "small");
+}
+
+TEST_CASE("of two looks that are asked for one after the other only the second opens") {
+    SmallLab small;
+    add_other_look(small);
+    small.write("../third/look.json", small_look::manifest);
+    for (const char* file : {"sum.frag", "show.frag", "gain.glsl"})
+        std::filesystem::copy_file(small.look_folder() / file,
+                                   small.look_folder() / "../third" / file);
+    small.lab().open("other");
+    small.turn(1);
+    small.lab().open("third");
+    std::set<std::string> seen;
+    CHECK(small.turn_until([&] {
+        seen.insert(open_look(small));
+        return open_look(small) == "third";
+    }));
+    CHECK_FALSE(seen.contains("other"));
+}
+
+TEST_CASE(
+    "when nothing is being opened there is nothing to cancel, and its thread ends when asked") {
+    SmallLab small;
+    small.lab().cancel_opening();
+    CHECK(open_look(small) == "small");
+    CHECK_FALSE(small.lab().notice().has_value());
+    CHECK_FALSE(small.lab().opening().has_value());
+    CHECK(small.lab().end_opening());
+}
