@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 namespace {
 struct CorpusArguments {
     std::string place;
-    std::string only;
+    CorpusChoice choice;
     std::string size = "320x240";
     int frames = 4;
     double seconds = 60.0;
@@ -131,9 +131,9 @@ int run_corpus(const CorpusArguments& arguments, const std::string& data) {
         print_trials({json_of_trial(trial)}, arguments.as_json);
         return trial.why.empty() ? exit_done : exit_not_good;
     }
-    const std::vector<fs::path> files = corpus_files(arguments.place, arguments.only);
+    const std::vector<fs::path> files = corpus_files(arguments.place, arguments.choice);
     if (files.empty())
-        return report({{arguments.place, 0, "there is no preset of another program in it"}});
+        return report({{arguments.place, 0, "there is no look of another program in it"}});
     const std::vector<Json> trials = tried_all(files, arguments, data);
     print_trials(trials, arguments.as_json);
     const bool is_good = std::ranges::all_of(
@@ -147,7 +147,13 @@ Command add_corpus(CommandLine& program) {
     Options options = program.add_verb("corpus", "Try every look of another program in a folder");
     auto arguments = std::make_shared<CorpusArguments>();
     options.add("DIR", arguments->place, "A folder, or one file").required();
-    options.add("--only", arguments->only, "Part of the paths to be tried");
+    options.add("--only", arguments->choice.only, "Part of the paths to be tried");
+    options.add("--sample", arguments->choice.sample, "So many of the files, by chance; 0: all")
+        .show_default()
+        .between(0, 10'000'000);
+    options.add("--seed", arguments->choice.seed, "Of that chance: the same files each time")
+        .show_default()
+        .between(0, 1'000'000);
     options.add("--size", arguments->size, "Of the picture, px").show_default();
     options.add("--frames", arguments->frames, "Drawn of each; 0: shaders are only checked")
         .show_default()

@@ -1,8 +1,10 @@
 #include "formats/look_format.h"
 
 #include "base/text.h"
+#include "formats/bare/bare_format.h"
 #include "formats/isf/isf_format.h"
 #include "formats/look_manifest.h"
+#include "formats/shadertoy/toy_format.h"
 #include "formats/slang/slang_format.h"
 #include "glsl/include.h"
 #include "glsl/parameters.h"
@@ -112,7 +114,13 @@ LoadedLook load_look(const fs::path& folder_or_manifest, const fs::path& shared_
                      const ReadingHelp& help) {
     if (is_slang_file(folder_or_manifest))
         return load_slang_look(folder_or_manifest, help);
-    if (is_fs_file(folder_or_manifest))
+    if (is_isf_file(folder_or_manifest))
+        return load_isf_look(folder_or_manifest, help.cache);
+    if (is_toy_file(folder_or_manifest))
+        return load_toy_look(folder_or_manifest, shared_includes, help.cache);
+    if (is_bare_file(folder_or_manifest))
+        return load_bare_look(folder_or_manifest, shared_includes, help.cache);
+    if (is_fs_file(folder_or_manifest))  // it tells what is wrong with it
         return load_isf_look(folder_or_manifest, help.cache);
     const fs::path manifest = manifest_of(folder_or_manifest);
     LoadedLook loaded;
@@ -123,7 +131,7 @@ LoadedLook load_look(const fs::path& folder_or_manifest, const fs::path& shared_
 }
 
 bool is_foreign_look(const fs::path& file) {
-    return is_slang_file(file) || is_fs_file(file);
+    return is_slang_file(file) || is_fs_file(file) || is_toy_file(file) || is_bare_file(file);
 }
 
 namespace {

@@ -28,12 +28,13 @@ struct LoadedLook {
 std::filesystem::path manifest_of(const std::filesystem::path& folder_or_manifest);
 
 /// Reads a look: its manifest, its shaders with their includes, and its parameters, all checked.
-/// `folder_or_manifest` is the look's folder, its look.json or a foreign file (.slangp, .slang,
-/// .fs); `shared_includes` the program's shaders/include.
+/// `folder_or_manifest` is the look's folder, its look.json or a foreign file (of libretro, ISF,
+/// Shadertoy, or a fragment shader alone); `shared_includes` the program's shaders/include.
 LoadedLook load_look(const std::filesystem::path& folder_or_manifest,
                      const std::filesystem::path& shared_includes, const ReadingHelp& help = {});
 
-/// Whether a file is a look of another program, by its name.
+/// Whether a file is a look of another program, by its name or, where many kinds of file have it,
+/// by what it holds.
 bool is_foreign_look(const std::filesystem::path& file);
 /// What such a look is called in presets and stacks: its file's name, with "%2B" and "%23" in the
 /// place of the signs that stacks are written with.

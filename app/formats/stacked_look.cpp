@@ -183,7 +183,7 @@ private:
         pass.scope = scope;
         pass.source = m_source;
         for (Input& input : pass.inputs) {
-            if (input.from == Input::From::sound)
+            if (input.from == Input::From::sound || input.from == Input::From::keyboard)
                 continue;
             if (input.from != Input::From::source) {
                 input.name = scope + input.name;

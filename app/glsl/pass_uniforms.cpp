@@ -42,7 +42,7 @@ private:
     const Uniform* find(const std::string& key, const std::string& name,
                         const Reflection& reflection) {
         const auto found = std::ranges::find(reflection.uniforms, name, &Uniform::name);
-        if (found != reflection.uniforms.end() && !find_builtin_uniform(name))
+        if (found != reflection.uniforms.end() && !is_told(name))
             return &*found;
         if (found != reflection.uniforms.end())
             error(m_pass.declared,
@@ -87,8 +87,8 @@ private:
     }
 
     void add(const Uniform& uniform) {
-        if (const BuiltinUniform* builtin = find_builtin_uniform(uniform.name))
-            return check_builtin(uniform, *builtin);
+        if (is_told(uniform.name))
+            return check_builtin(uniform);
         if (m_pass.set.contains(uniform.name))
             return;
         if (uniform.kind == Uniform::Kind::other) {
@@ -116,13 +116,22 @@ private:
         return std::ranges::find(m_pass.inputs, name, &Input::uniform) != m_pass.inputs.end();
     }
 
-    void check_builtin(const Uniform& uniform, const BuiltinUniform& builtin) {
+    // By the program: Afterglow's own names, or those of another program.
+    bool is_told(const std::string& name) const {
+        return std::ranges::find(m_pass.built_ins, name, &BuiltInUniform::name) !=
+               m_pass.built_ins.end();
+    }
+
+    void check_builtin(const Uniform& uniform) {
         m_result.built_in.push_back(uniform.name);
-        const bool is_right = uniform.kind == Uniform::Kind::number && uniform.type == builtin.type;
+        const bool is_our_look = m_pass.built_ins == own_built_ins();  // others take any number
+        const BuiltinUniform* builtin = is_our_look ? find_builtin_uniform(uniform.name) : nullptr;
+        const bool is_right =
+            !builtin || (uniform.kind == Uniform::Kind::number && uniform.type == builtin->type);
         if (!is_right)
             error(uniform.declared.front(),
                   fmt::format("'{}' is set by the program as {}; here it is {}", uniform.name,
-                              with_article(glsl_name(builtin.type)),
+                              with_article(glsl_name(builtin->type)),
                               with_article(uniform.type_name)));
     }
 

@@ -65,4 +65,15 @@ void Canvas::copy_to(const Canvas& other) const {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
+void Canvas::copy_faces_to(const Texture& cube) const {
+    constexpr int faces = 6;
+    const int side = cube.extent().width;
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, m_name.get());
+    glBindTexture(cube.target(), cube.id());
+    for (int face = 0; face < faces; ++face)
+        glCopyTexSubImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face), 0, 0, 0,
+                            face * side, 0, side, side);
+    glBindTexture(cube.target(), 0);
+}
+
 }  // namespace gpu

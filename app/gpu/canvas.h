@@ -23,6 +23,9 @@ public:
     void clear(std::array<float, 4> rgba = {}) const;
     /// Copies the largest level to a canvas of the same size and format.
     void copy_to(const Canvas& other) const;
+    /// Copies six squares, side by side, to the faces of a cube of the same format. Where draws go
+    /// stays as it is.
+    void copy_faces_to(const Texture& cube) const;
 
 private:
     explicit Canvas(Texture texture);

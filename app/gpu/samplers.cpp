@@ -36,6 +36,7 @@ GLuint new_sampler(const Sampler& sampler) {
     glSamplerParameteri(id, GL_TEXTURE_MAG_FILTER, single);
     glSamplerParameteri(id, GL_TEXTURE_WRAP_S, gl_wrap(sampler.wrap));
     glSamplerParameteri(id, GL_TEXTURE_WRAP_T, gl_wrap(sampler.wrap));
+    glSamplerParameteri(id, GL_TEXTURE_WRAP_R, gl_wrap(sampler.wrap));
     return id;
 }
 }  // namespace
@@ -54,14 +55,15 @@ GLuint Samplers::object_for(const Sampler& sampler) {
 
 void Samplers::bind(int unit, const Texture& texture, const Sampler& sampler) {
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    glBindTexture(GL_TEXTURE_2D, texture.id());
+    glBindTexture(texture.target(), texture.id());
     glBindSampler(static_cast<GLuint>(unit), object_for(usable_sampler(sampler, texture.format())));
     m_used_units = std::max(m_used_units, unit + 1);
 }
 
 void Samplers::bind_nothing(int unit) {
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    glBindTexture(GL_TEXTURE_2D, 0);
+    for (const GLenum target : {GL_TEXTURE_2D, GL_TEXTURE_CUBE_MAP, GL_TEXTURE_3D})
+        glBindTexture(target, 0);
     glBindSampler(static_cast<GLuint>(unit), 0);
 }
 

@@ -18,7 +18,7 @@ class Samplers {
 public:
     /// As usable_sampler says.
     void bind(int unit, const Texture& texture, const Sampler& sampler);
-    /// For what is no texture of two dimensions: reads as an incomplete texture does.
+    /// Reads as an incomplete texture does.
     void bind_nothing(int unit);
     /// Leaves every unit that was used empty.
     void release();

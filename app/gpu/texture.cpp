@@ -49,52 +49,112 @@ tl::unexpected<Diagnostics> no_memory(Extent extent, Format format) {
 }
 }  // namespace
 
-Texture::Texture(Extent extent, Format format, bool is_mipmapped)
-    : m_name(new_texture()), m_extent(extent), m_format(format), m_is_mipmapped(is_mipmapped) {}
+Texture::Texture(PictureShape shape, Extent extent, Format format, bool is_mipmapped)
+    : m_name(new_texture()),
+      m_shape(shape),
+      m_extent(extent),
+      m_format(format),
+      m_is_mipmapped(is_mipmapped) {}
+
+GLenum Texture::target() const {
+    switch (m_shape) {
+        case PictureShape::cube:
+            return GL_TEXTURE_CUBE_MAP;
+        case PictureShape::volume:
+            return GL_TEXTURE_3D;
+        case PictureShape::flat:
+            break;
+    }
+    return GL_TEXTURE_2D;
+}
+
+std::size_t Texture::layers() const {
+    constexpr std::size_t faces = 6;
+    if (m_shape == PictureShape::flat)
+        return 1;
+    return m_shape == PictureShape::cube ? faces : static_cast<std::size_t>(m_extent.width);
+}
+
+void Texture::allocate_level(int level, const Extent& extent) const {
+    const GlFormat gl = gl_format(m_format);
+    if (m_shape == PictureShape::volume)
+        return glTexImage3D(GL_TEXTURE_3D, level, gl.internal, extent.width, extent.height,
+                            extent.width, 0, gl.layout, gl.type, nullptr);
+    const GLenum first =
+        m_shape == PictureShape::cube ? GL_TEXTURE_CUBE_MAP_POSITIVE_X : GL_TEXTURE_2D;
+    for (std::size_t face = 0; face < layers(); ++face)
+        glTexImage2D(first + static_cast<GLenum>(face), level, gl.internal, extent.width,
+                     extent.height, 0, gl.layout, gl.type, nullptr);
+}
+
+// For who reads it without a sampler object: a toolkit, or a texelFetch from an integer target.
+void Texture::set_own_sampling(int levels) const {
+    glTexParameteri(target(), GL_TEXTURE_MAX_LEVEL, levels - 1);
+    glTexParameteri(target(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(target(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexParameteri(target(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(target(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
 
 Result<Texture> Texture::make(Extent extent, Format format, bool is_mipmapped) {
     assert(!extent.is_empty());
     GLint largest = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-    const GlFormat gl = gl_format(format);
-    if (std::max(extent.width, extent.height) > largest || !is_possible(extent, gl))
+    if (std::max(extent.width, extent.height) > largest || !is_possible(extent, gl_format(format)))
         return no_memory(extent, format);
+    return allocated(Texture(PictureShape::flat, extent, format, is_mipmapped));
+}
 
-    Texture texture(extent, format, is_mipmapped);
-    const int levels = level_count(extent, is_mipmapped);
-    forget_errors();
-    glBindTexture(GL_TEXTURE_2D, texture.id());
-    for (int level = 0; level < levels; ++level)
-        glTexImage2D(GL_TEXTURE_2D, level, gl.internal, std::max(1, extent.width >> level),
-                     std::max(1, extent.height >> level), 0, gl.layout, gl.type, nullptr);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, levels - 1);
-    // For who reads it without a sampler object: a toolkit, or a texelFetch from an integer target.
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    glBindTexture(GL_TEXTURE_2D, 0);
-    if (glGetError() != GL_NO_ERROR)
+Result<Texture> Texture::make_solid(PictureShape shape, int side, Format format,
+                                    bool is_mipmapped) {
+    assert(side > 0);
+    GLint largest = 0;
+    glGetIntegerv(
+        shape == PictureShape::cube ? GL_MAX_CUBE_MAP_TEXTURE_SIZE : GL_MAX_3D_TEXTURE_SIZE,
+        &largest);
+    const Extent extent{side, side};
+    if (side > largest)
         return no_memory(extent, format);
+    return allocated(Texture(shape, extent, format, is_mipmapped));
+}
+
+Result<Texture> Texture::allocated(Texture texture) {
+    const int levels = level_count(texture.m_extent, texture.m_is_mipmapped);
+    forget_errors();
+    glBindTexture(texture.target(), texture.id());
+    for (int level = 0; level < levels; ++level)
+        texture.allocate_level(level, {std::max(1, texture.m_extent.width >> level),
+                                       std::max(1, texture.m_extent.height >> level)});
+    texture.set_own_sampling(levels);
+    glBindTexture(texture.target(), 0);
+    if (glGetError() != GL_NO_ERROR)
+        return no_memory(texture.m_extent, texture.m_format);
     return texture;
 }
 
 void Texture::upload(std::span<const float> texels) {
     assert(!facts_of(m_format).is_integer);
-    assert(texels.size() >= static_cast<std::size_t>(m_extent.width) *
-                                static_cast<std::size_t>(m_extent.height) * 4);
-    glBindTexture(GL_TEXTURE_2D, id());
-    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, m_extent.width, m_extent.height, GL_RGBA, GL_FLOAT,
-                    texels.data());
-    glBindTexture(GL_TEXTURE_2D, 0);
+    const std::size_t layer =
+        static_cast<std::size_t>(m_extent.width) * static_cast<std::size_t>(m_extent.height) * 4;
+    assert(texels.size() >= layer * layers());
+    glBindTexture(target(), id());
+    if (m_shape == PictureShape::volume)
+        glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, 0, m_extent.width, m_extent.height, m_extent.width,
+                        GL_RGBA, GL_FLOAT, texels.data());
+    const GLenum first =
+        m_shape == PictureShape::cube ? GL_TEXTURE_CUBE_MAP_POSITIVE_X : GL_TEXTURE_2D;
+    for (std::size_t face = 0; m_shape != PictureShape::volume && face < layers(); ++face)
+        glTexSubImage2D(first + static_cast<GLenum>(face), 0, 0, 0, m_extent.width, m_extent.height,
+                        GL_RGBA, GL_FLOAT, texels.subspan(face * layer).data());
+    glBindTexture(target(), 0);
 }
 
 void Texture::generate_mipmaps() {
     if (!m_is_mipmapped)
         return;
-    glBindTexture(GL_TEXTURE_2D, id());
-    glGenerateMipmap(GL_TEXTURE_2D);
-    glBindTexture(GL_TEXTURE_2D, 0);
+    glBindTexture(target(), id());
+    glGenerateMipmap(target());
+    glBindTexture(target(), 0);
 }
 
 }  // namespace gpu

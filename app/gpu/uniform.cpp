@@ -55,6 +55,10 @@ Uniform::Sampled sampled_by(GLenum type) {
             return Uniform::Sampled::integer;
         case GL_UNSIGNED_INT_SAMPLER_2D:
             return Uniform::Sampled::natural;
+        case GL_SAMPLER_CUBE:
+            return Uniform::Sampled::cube;
+        case GL_SAMPLER_3D:
+            return Uniform::Sampled::volume;
         default:
             return Uniform::Sampled::other;
     }

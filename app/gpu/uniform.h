@@ -11,13 +11,13 @@ namespace gpu {
 
 /// A uniform that a linked program really uses.
 struct Uniform {
-    enum class Sampled { none, floating, integer, natural, other };
+    enum class Sampled { none, floating, integer, natural, cube, volume, other };
 
     std::string name;  // an array's without "[0]"
     GLint location = -1;
     int count = 1;                     // elements of an array
     std::optional<NumberType> number;  // none: a sampler, or a type that no parameter has
-    Sampled sampled = Sampled::none;   // of a 2D texture; other: of any other shape
+    Sampled sampled = Sampled::none;   // of a 2D texture but for cube, volume, other
 };
 
 /// From what glGetActiveUniform says.

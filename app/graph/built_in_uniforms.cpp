@@ -36,6 +36,14 @@ Sixteen with_reciprocals(Extent extent) {
     return {width, height, 1.0 / width, 1.0 / height};
 }
 
+Sixteen resolution(Extent extent) {
+    return {width_of(extent), height_of(extent), 1.0};
+}
+
+Sixteen widened(const std::array<double, 4>& numbers) {
+    return {numbers[0], numbers[1], numbers[2], numbers[3]};
+}
+
 // From 0..1 to clip space, by column. The quad's y goes from the top of a picture down, which is up
 // in a target whose first row is its top.
 Sixteen quad_to_clip(RowOrder rows) {
@@ -55,6 +63,8 @@ BuiltInUniforms::Numbers BuiltInUniforms::numbers_of(const Place& place, const F
             return {{frame.time}, 1};
         case BuiltIn::time_delta:
             return {{frame.time_delta}, 1};
+        case BuiltIn::frame_rate:
+            return {{frame.time_delta > 0.0 ? 1.0 / frame.time_delta : 0.0}, 1};
         case BuiltIn::frame:
             return {{facts.number}, 1};
         case BuiltIn::frame_before:
@@ -89,6 +99,12 @@ BuiltInUniforms::Numbers BuiltInUniforms::numbers_of(const Place& place, const F
             return {with_reciprocals(facts.output), 4};
         case BuiltIn::input_extent:
             return {with_reciprocals(facts.extent_of(place.of)), 4};
+        case BuiltIn::target_resolution:
+            return {resolution(facts.target), 3};
+        case BuiltIn::input_resolution:
+            return {resolution(facts.extent_of(place.of)), 3};
+        case BuiltIn::press:
+            return {widened(frame.press.numbers()), 4};
         case BuiltIn::samples:
         case BuiltIn::view:
         case BuiltIn::camera:
@@ -128,5 +144,7 @@ bool BuiltInUniforms::tell_time() const {
 }
 
 bool BuiltInUniforms::tell_mouse() const {
-    return std::ranges::find(m_places, BuiltIn::mouse, &Place::says) != m_places.end();
+    return std::ranges::any_of(m_places, [](const Place& place) {
+        return place.says == BuiltIn::mouse || place.says == BuiltIn::press;
+    });
 }

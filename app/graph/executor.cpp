@@ -55,6 +55,8 @@ void Executor::prepare() {
 }
 
 Result<void> Executor::replace(Look look, Programs programs) {
+    if (auto made = m_keyboard.prepare(look); !made)
+        return made;
     if (m_targets.size() > 0) {
         auto plan = plan_targets(look, m_viewport, m_source_extent, m_values, m_largest_side);
         if (!plan)
@@ -70,6 +72,7 @@ Result<void> Executor::replace(Look look, Programs programs) {
         m_source.set_slots(m_plan.source_slots);
         m_sound = std::move(*sound);
     }
+    m_cubes = {};
     m_look = std::move(look);
     m_programs = std::move(programs);
     ++m_picture_number;
@@ -97,6 +100,8 @@ Result<void> Executor::resize(Extent viewport, Extent source) {
         return fail(plan.error());
     if (auto empty = make_empty(); !empty)
         return empty;
+    if (auto made = m_keyboard.prepare(m_look); !made)
+        return made;
     if (m_targets.size() == 0 || *plan != m_plan) {
         auto sound = SoundTextures::make(m_look);
         if (!sound)
@@ -106,6 +111,7 @@ Result<void> Executor::resize(Extent viewport, Extent source) {
             return fail(targets.error());
         m_targets = std::move(*targets);
         m_sound = std::move(*sound);
+        m_cubes = {};
         m_plan = std::move(*plan);
         m_source.set_slots(m_plan.source_slots);
         ++m_picture_number;

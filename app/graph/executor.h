@@ -5,7 +5,9 @@
 #include "graph/beam_buffer.h"
 #include "graph/bound_input.h"
 #include "graph/built_in_uniforms.h"
+#include "graph/cube_copies.h"
 #include "graph/frame.h"
+#include "graph/keyboard.h"
 #include "graph/parameter_uniforms.h"
 #include "graph/pass_report.h"
 #include "graph/pass_through.h"
@@ -61,8 +63,8 @@ public:
     Result<void> set_runs(std::vector<PassRun> runs);
     /// Converted to the look's source_encoding. The source's size in a plan is resize's business.
     Result<void> set_source(const Picture& picture);
-    /// For an image of the look, or an image parameter, by its name. Without it that reads
-    /// transparent black.
+    /// For an image of the look, or an image parameter, by its name; flat or solid. Without it that
+    /// reads transparent black.
     Result<void> set_image(const std::string& name, const Picture& picture);
     /// The same, of a texture that image_texture() made.
     void set_image(const std::string& name, std::shared_ptr<const gpu::Texture> texture);
@@ -155,6 +157,7 @@ private:
     int samples_before(std::size_t pass) const;
     void bind(const PassState& state);
     const gpu::Texture* texture_for(const BoundInput& input) const;
+    const gpu::Texture* cube_for(const BoundInput& input);
     const gpu::Texture* stored_texture(const TextureChoice& choice) const;
     RowOrder rows_of(const BoundInput& input) const;
     void start_target(std::size_t pass, bool goes_on);
@@ -178,6 +181,8 @@ private:
     ParameterUniforms m_parameters;
     TargetSet m_targets;
     SourceHistory m_source;
+    Keyboard m_keyboard;
+    CubeCopies m_cubes;
     SoundTextures m_sound;
     std::map<std::string, std::shared_ptr<const gpu::Texture>> m_images;
     std::map<Format, gpu::Canvas> m_empty;  // one texel of transparent black

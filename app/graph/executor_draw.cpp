@@ -26,6 +26,7 @@ void Executor::redraw(const Frame& frame, const std::vector<bool>& passes) {
 void Executor::draw_passes(const Frame& frame, const std::vector<bool>* only, bool is_again) {
     assert(m_targets.size() == m_passes.size());
     m_beam.write(frame, m_has_points, m_has_segments);
+    m_keyboard.show(frame.keys);
     m_sound.show(frame);
     m_drawn = frame;
     m_drawn.beam = {};
@@ -156,17 +157,47 @@ void Executor::start_target(std::size_t index, bool goes_on) {
     gpu::set_blend(facts_of(pass.format).is_integer ? Blend::replace : pass.blend);
 }
 
+namespace {
+using Sampled = gpu::Uniform::Sampled;
+
+bool can_read(Sampled sampled, const gpu::Texture& texture) {
+    const bool holds_naturals = facts_of(texture.format()).is_integer;
+    switch (sampled) {
+        case Sampled::floating:
+        case Sampled::natural:
+            return texture.shape() == PictureShape::flat &&
+                   holds_naturals == (sampled == Sampled::natural);
+        case Sampled::cube:
+            return texture.shape() == PictureShape::cube;
+        case Sampled::volume:
+            return texture.shape() == PictureShape::volume;
+        default:
+            return false;
+    }
+}
+}  // namespace
+
 void Executor::bind(const PassState& state) {
     for (const BoundInput& input : state.inputs) {
-        const bool wants_naturals = input.sampled == gpu::Uniform::Sampled::natural;
-        const gpu::Texture* texture = texture_for(input);
-        if (!texture || facts_of(texture->format()).is_integer != wants_naturals)
-            texture = &m_empty.at(wants_naturals ? Format::r32ui : Format::rgba8).texture();
-        if (wants_naturals || input.sampled == gpu::Uniform::Sampled::floating)
+        const gpu::Texture* texture =
+            input.sampled == Sampled::cube ? cube_for(input) : texture_for(input);
+        if (!texture || !can_read(input.sampled, *texture))
+            texture = input.sampled == Sampled::natural    ? &m_empty.at(Format::r32ui).texture()
+                      : input.sampled == Sampled::floating ? &m_empty.at(Format::rgba8).texture()
+                                                           : nullptr;
+        if (texture)
             m_samplers.bind(input.unit, *texture, input.sampler);
         else
             m_samplers.bind_nothing(input.unit);
     }
+}
+
+// Where a pass drew the faces of a cube these become one.
+const gpu::Texture* Executor::cube_for(const BoundInput& input) {
+    if (input.from != Input::From::pass)
+        return texture_for(input);
+    const Target& target = m_targets[static_cast<std::size_t>(input.pass)];
+    return m_cubes.copy_of(target.canvas(input.frames_ago), input.sampler.mipmap);
 }
 
 const gpu::Texture* Executor::texture_for(const BoundInput& input) const {
@@ -174,6 +205,8 @@ const gpu::Texture* Executor::texture_for(const BoundInput& input) const {
         return nullptr;
     if (*input.from == Input::From::source)
         return m_source.texture(input.frames_ago);
+    if (*input.from == Input::From::keyboard)
+        return m_keyboard.texture();
     if (*input.from == Input::From::pass)
         return &m_targets[static_cast<std::size_t>(input.pass)].canvas(input.frames_ago).texture();
     if (*input.from == Input::From::sound)

@@ -10,7 +10,8 @@ std::vector<TextureChoice> Executor::textures() const {
     if (m_source.texture(0))
         choices.push_back({Input::From::source, {}});
     for (const auto& [name, image] : m_images)
-        choices.push_back({Input::From::image, name});
+        if (image->shape() == PictureShape::flat)
+            choices.push_back({Input::From::image, name});
     for (const SoundTexture& sound : m_sound.all())
         choices.push_back({Input::From::sound, {}, 0, 0, sound});
     return choices;
@@ -49,8 +50,12 @@ const gpu::Texture* Executor::stored_texture(const TextureChoice& choice) const 
         return choice.frames_ago > 0 ? nullptr : m_sound.find(choice.sound);
     if (choice.from == Input::From::image) {
         const auto image = m_images.find(choice.name);
-        return image == m_images.end() || choice.frames_ago > 0 ? nullptr : image->second.get();
+        const bool is_there = image != m_images.end() && choice.frames_ago == 0;
+        return is_there && image->second->shape() == PictureShape::flat ? image->second.get()
+                                                                        : nullptr;
     }
+    if (choice.from == Input::From::keyboard)
+        return m_keyboard.texture();
     const auto pass = static_cast<std::size_t>(find_pass(m_look, choice.name).value_or(-1));
     if (pass >= m_targets.size() || choice.frames_ago >= m_targets[pass].planned().slots)
         return nullptr;

@@ -57,7 +57,8 @@ bool Executor::rests(std::size_t index) const {
     if (pass.accumulate)
         return enough_of(pass).value_or(0) > 0 && m_passes[index].samples >= *enough_of(pass);
     const bool reads_what_moves = std::ranges::any_of(pass.inputs, [](const Input& input) {
-        return input.frames_ago > 0 || input.from == Input::From::sound;
+        return input.frames_ago > 0 || input.from == Input::From::sound ||
+               input.from == Input::From::keyboard;
     });
     return !reads_what_moves && !m_passes[index].built_ins.tell_time();
 }

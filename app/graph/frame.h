@@ -2,6 +2,7 @@
 
 #include "model/beam.h"
 #include "model/date.h"
+#include "model/hand.h"
 #include "model/sound_texture.h"
 
 #include <array>
@@ -15,6 +16,8 @@ struct Frame {
     std::int64_t number = 0;        // from 1
     std::array<double, 2> mouse{};  // px of the picture, from its bottom left
     double pixel_aspect = 1.0;      // of the source: width to height of a pixel
+    Press press;                    // of its left button
+    Keys keys;
     std::span<const BeamPoint> beam;
     std::span<const BeamTint> tints;     // of the points; none where all are white
     const SoundTexels* sound = nullptr;  // null: silence

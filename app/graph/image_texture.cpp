@@ -17,8 +17,11 @@ Result<std::shared_ptr<const gpu::Texture>> image_texture(const Look& look, cons
                                                           const Picture& picture) {
     if (picture.extent.is_empty())
         return fail({{}, 0, "the picture '" + name + "' is empty"});
-    auto texture = gpu::Texture::make(picture.extent, Format::rgba32f,
-                                      reads_mipmaps(look, Input::From::image, name));
+    const bool is_mipmapped = reads_mipmaps(look, Input::From::image, name);
+    auto texture = picture.shape == PictureShape::flat
+                       ? gpu::Texture::make(picture.extent, Format::rgba32f, is_mipmapped)
+                       : gpu::Texture::make_solid(picture.shape, picture.extent.width,
+                                                  Format::rgba32f, is_mipmapped);
     if (!texture)
         return fail(texture.error());
     const auto declared = std::ranges::find(look.images, name, &Image::name);

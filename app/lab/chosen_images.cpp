@@ -1,6 +1,7 @@
 #include "lab/chosen_images.h"
 
 #include "io/picture_file.h"
+#include "lab/look_media.h"
 #include "signals/patterns.h"
 
 #include <functional>
@@ -25,7 +26,8 @@ Result<void> show_nothing(const Parameter& parameter, const SetImage& set_image)
 }
 
 Result<void> show_file(const fs::path& file, const SetImage& set_image) {
-    const auto picture = load_picture(file);
+    const bool is_made = file.string().starts_with("pattern:");
+    const auto picture = is_made ? made_picture(file.string()) : load_picture(file);
     if (picture)
         return set_image(*picture);
     if (auto cleared = show_black(set_image); !cleared)
@@ -93,7 +95,7 @@ bool ChosenImages::forget(const fs::path& file) {
 std::vector<fs::path> ChosenImages::files() const {
     std::vector<fs::path> files;
     for (const auto& [name, shown] : m_shown)
-        if (!shown.file.empty())
+        if (!shown.file.empty() && !shown.file.string().starts_with("pattern:"))
             files.push_back(shown.file);
     return files;
 }

@@ -5,7 +5,10 @@
 #include "gpu/error_log.h"
 #include "lab/offline.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <chrono>
 
 namespace fs = std::filesystem;
@@ -25,9 +28,25 @@ private:
     std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
 };
 
-// Shaders alone are pieces of presets more often than looks.
+// By name alone: a sample need not read all. Shaders of libretro alone are pieces of presets more
+// often than looks.
+bool may_be_of_corpus(const fs::path& file) {
+    constexpr std::array<std::string_view, 6> endings{".slangp", ".json", ".frag",
+                                                      ".fsh",    ".fs",   ".glsl"};
+    return std::ranges::find(endings, to_lower(file.extension().string())) != endings.end() &&
+           file.filename() != "look.json";
+}
+
+// Of several files of one shader the one that shows it.
 bool is_of_corpus(const fs::path& file) {
-    return is_foreign_look(file) && to_lower(file.extension().string()) != ".slang";
+    return is_foreign_look(file);
+}
+
+// Each file has a number from its path and the seed; those with the lowest are the sample.
+void order_by_chance(std::vector<fs::path>& files, int seed) {
+    std::ranges::sort(files, {}, [seed](const fs::path& file) {
+        return std::pair(digest_of(fmt::format("{} {}", seed, file.string())), file);
+    });
 }
 
 void draw(Prepared prepared, const CorpusTask& task, CorpusTrial& trial) {
@@ -78,8 +97,8 @@ CorpusTrial try_look(const fs::path& file, const CorpusTask& task, const Library
     return trial;
 }
 
-std::vector<fs::path> corpus_files(const fs::path& folder, const std::string& only) {
-    std::vector<fs::path> files;
+std::vector<fs::path> corpus_files(const fs::path& folder, const CorpusChoice& choice) {
+    std::vector<fs::path> named;
     std::error_code error;
     for (fs::recursive_directory_iterator entry(folder, error);
          entry != fs::recursive_directory_iterator(); entry.increment(error)) {
@@ -89,9 +108,18 @@ std::vector<fs::path> corpus_files(const fs::path& folder, const std::string& on
         if (path.filename().string().starts_with('.')) {
             if (entry->is_directory(error))
                 entry.disable_recursion_pending();
-        } else if (is_of_corpus(path) && path.string().find(only) != std::string::npos) {
-            files.push_back(path);
+        } else if (may_be_of_corpus(path) && path.string().find(choice.only) != std::string::npos) {
+            named.push_back(path);
         }
+    }
+    if (choice.sample > 0)
+        order_by_chance(named, choice.seed);
+    std::vector<fs::path> files;
+    for (const fs::path& file : named) {
+        if (choice.sample > 0 && files.size() == static_cast<std::size_t>(choice.sample))
+            break;
+        if (is_of_corpus(file))
+            files.push_back(file);
     }
     std::ranges::sort(files);
     return files;

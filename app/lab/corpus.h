@@ -35,7 +35,13 @@ struct CorpusTask {
 CorpusTrial try_look(const std::filesystem::path& file, const CorpusTask& task,
                      const Library& library);
 
-/// The presets of other programs in a folder and below, by name; hidden folders are left out.
-/// `only` is a part of their paths that they must have.
+/// Which files of a folder are tried.
+struct CorpusChoice {
+    std::string only;  // a part of their paths that they must have
+    int sample = 0;    // so many by chance; 0: all
+    int seed = 0;      // another one draws others
+};
+
+/// The looks of other programs in a folder and below, by name; hidden folders are left out.
 std::vector<std::filesystem::path> corpus_files(const std::filesystem::path& folder,
-                                                const std::string& only);
+                                                const CorpusChoice& choice);

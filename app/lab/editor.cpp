@@ -48,11 +48,19 @@ std::vector<std::string> with_place(const std::string& editor, const Location& p
         command.insert(command.begin(), {"x-terminal-emulator", "-e"});
     return command;
 }
+
+// A pass of a shader lies in its JSON file as in a folder; its line there is another.
+Location place_on_disk(const Location& place) {
+    std::error_code error;
+    const std::filesystem::path whole = place.file.parent_path();
+    return std::filesystem::is_regular_file(whole, error) ? Location{whole, 1} : place;
+}
 }  // namespace
 
-Result<std::vector<std::string>> editor_command(const Location& place) {
-    if (place.file.empty())
+Result<std::vector<std::string>> editor_command(const Location& asked) {
+    if (asked.file.empty())
         return fail({{}, 0, "there is no file behind this"});
+    const Location place = place_on_disk(asked);
     for (const char* name : {"VISUAL", "EDITOR"})
         if (const std::string editor = variable(name); !editor.empty())
             return with_place(editor, place);

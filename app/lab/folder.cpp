@@ -9,7 +9,8 @@
 namespace fs = std::filesystem;
 
 namespace {
-// A .json is a look or preset by its "format"; of texts one is known to be neither sound nor scene.
+// A .json is a look or preset by its "format", or one of Shadertoy; of texts one is known to be
+// neither sound nor scene.
 bool is_of_others(const fs::path& file, const std::string& ending) {
     if (ending != ".json")
         return file.filename() == "CMakeLists.txt";
@@ -18,7 +19,9 @@ bool is_of_others(const fs::path& file, const std::string& ending) {
     std::ifstream stream(file, std::ios::binary);
     stream.read(text.data(), static_cast<std::streamsize>(beginning));
     text.resize(static_cast<std::size_t>(stream.gcount()));
-    return stream.gcount() > 0 && text.find("\"afterglow-") == std::string::npos &&
+    const bool is_shader = text.find("\"renderpass\"") != std::string::npos ||
+                           text.find("\"Shader\"") != std::string::npos;
+    return stream.gcount() > 0 && text.find("\"afterglow-") == std::string::npos && !is_shader &&
            file.filename() != "look.json";
 }
 }  // namespace

@@ -44,12 +44,12 @@ Lab::Lab(Library library, std::unique_ptr<gpu::Context> worker, std::unique_ptr<
 
 Lab::~Lab() = default;
 
-PictureShape Lab::picture_shape() const {
+ViewShape Lab::picture_shape() const {
     if (m_picture_size.shape)
         return *m_picture_size.shape;
     const bool keeps_source = m_document && m_document->look().driven_by == Driver::picture &&
-                              is_foreign_look(m_document->look().manifest);
-    return keeps_source ? PictureShape::source : PictureShape::view;
+                              m_document->look().manifest.filename() != "look.json";
+    return keeps_source ? ViewShape::source : ViewShape::view;
 }
 
 Extent Lab::picture_extent() const {
@@ -235,6 +235,16 @@ void Lab::set_picture_size(const PictureSize& size) {
 void Lab::set_mouse(double x, double y) {
     if (m_renderer)
         m_renderer->set_mouse(x, y);
+}
+
+void Lab::set_mouse_button(bool is_down) {
+    if (m_renderer)
+        m_renderer->set_mouse_button(is_down);
+}
+
+void Lab::set_key(std::size_t key, bool is_down) {
+    if (m_renderer)
+        m_renderer->set_key(key, is_down);
 }
 
 void Lab::cancel_replay() {

@@ -46,9 +46,9 @@ struct Problem {
 struct PictureSize {
     bool follows_view = true;
     Extent fixed{1280, 720};
-    double scale = 1.0;                                // 1/4 .. 2, of either
-    std::optional<PictureShape> shape = std::nullopt;  // that follows the view; none: as the look
-                                                       // has it
+    double scale = 1.0;                             // 1/4 .. 2, of either
+    std::optional<ViewShape> shape = std::nullopt;  // that follows the view; none: as the look
+                                                    // has it
 
     bool operator==(const PictureSize&) const = default;
     /// `shaped_view`: what it is where it follows the view.
@@ -139,7 +139,7 @@ public:
     Extent picture_extent() const;
     /// Of a picture that follows the view. What other programs' looks make of a source keeps its
     /// shape, unless the person chose otherwise; our own fill the view.
-    PictureShape picture_shape() const;
+    ViewShape picture_shape() const;
     /// What drives the look: how far its file has been read.
     const Drive& drive() const { return m_drive; }
 
@@ -189,6 +189,10 @@ public:
     void set_picture_size(const PictureSize& size);
     void set_view(Extent view_pixels) { m_view = view_pixels; }
     void set_mouse(double x, double y);
+    /// The left button goes down or up where the mouse is, for a look that reads it.
+    void set_mouse_button(bool is_down);
+    /// By the number that browsers give the key, for a look that reads keys.
+    void set_key(std::size_t key, bool is_down);
     /// Takes the pen up, or puts it down; a signal that is not drawn by hand becomes an empty
     /// drawing, or that of its file.
     void take_pen(bool is_in_hand);

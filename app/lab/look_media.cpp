@@ -4,6 +4,10 @@
 #include "lab/signal_file.h"
 #include "lab/source.h"
 #include "signals/kinds.h"
+#include "signals/patterns.h"
+#include "signals/solids.h"
+
+#include <cassert>
 
 namespace {
 template <class T>
@@ -28,8 +32,19 @@ Diagnostics check_media(const Look& look) {
     return problems;
 }
 
+Result<Picture> made_picture(const std::string& name) {
+    constexpr std::string_view pattern = "pattern:";
+    constexpr std::string_view solid = "solid:";
+    if (name.starts_with(pattern))
+        return make_pattern(std::string_view(name).substr(pattern.size()));
+    assert(name.starts_with(solid));
+    return make_solid(std::string_view(name).substr(solid.size()));
+}
+
 Result<std::optional<Picture>> load_image(const Image& image, Diagnostics& warnings) {
-    auto picture = load_picture(image.file);
+    if (image.file.empty() && image.made.empty())
+        return std::optional<Picture>();
+    auto picture = image.made.empty() ? load_picture(image.file) : made_picture(image.made);
     if (picture)
         return std::optional(std::move(*picture));
     if (image.is_needed)

@@ -9,6 +9,9 @@
 /// that it starts with. Reads them all.
 Diagnostics check_media(const Look& look);
 
-/// The picture of an image of a look. One that is not needed may be unreadable: then there is
-/// nothing, and `warnings` says why.
+/// What Image::made or a parameter that chooses a picture names.
+Result<Picture> made_picture(const std::string& name);
+
+/// The picture of an image of a look; nothing where a parameter chooses it. One that is not needed
+/// may be unreadable: then there is nothing, and `warnings` says why.
 Result<std::optional<Picture>> load_image(const Image& image, Diagnostics& warnings);

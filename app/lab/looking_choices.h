@@ -23,10 +23,10 @@ ChoiceList pass_setting_choices(const Document& document, const std::string& pas
 /// How large the picture is to be, and is.
 struct SizeInForce {
     PictureSize chosen;
-    PictureShape shape = PictureShape::view;
+    ViewShape shape = ViewShape::view;
     Extent extent;
 
-    bool is_shaped(PictureShape as) const { return chosen.follows_view && shape == as; }
+    bool is_shaped(ViewShape as) const { return chosen.follows_view && shape == as; }
 };
 SizeInForce size_in_force(const Lab& lab);
 
@@ -35,11 +35,11 @@ std::vector<ChoiceList> window_choices(const WindowState& window, const SizeInFo
 
 /// How a picture that follows the view may be shaped, as a person reads it.
 inline constexpr std::array picture_shapes{
-    std::pair{PictureShape::view, "As large as the view"},
-    std::pair{PictureShape::source, "In the view, with the source's shape"},
-    std::pair{PictureShape::whole_pixels, "In the view, whole multiples of the source"}};
+    std::pair{ViewShape::view, "As large as the view"},
+    std::pair{ViewShape::source, "In the view, with the source's shape"},
+    std::pair{ViewShape::whole_pixels, "In the view, whole multiples of the source"}};
 /// The size with that shape.
-PictureSize with_shape(PictureSize size, PictureShape shape);
+PictureSize with_shape(PictureSize size, ViewShape shape);
 
 /// Keeps four, the first one gives way; and shows them.
 void add_pin(WindowState& window, const Pin& pin);

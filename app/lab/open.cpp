@@ -4,6 +4,7 @@
 #include "base/text.h"
 #include "formats/json_document.h"
 #include "formats/preset_format.h"
+#include "formats/shadertoy/toy_files.h"
 #include "formats/share_line.h"
 #include "formats/stack_format.h"
 #include "lab/media.h"
@@ -70,17 +71,27 @@ Result<OpenRequest> request_of_preset(Preset preset, fs::path file, const Librar
 
 Result<OpenRequest> request_of_file(const fs::path& file, const Library& library) {
     const std::string extension = to_lower(file.extension().string());
-    if (extension == ".png" || (extension == ".json" && !is_look_manifest(file))) {
+    const bool is_foreign = is_foreign_look(file);
+    if (extension == ".png" || (extension == ".json" && !is_foreign && !is_look_manifest(file))) {
         auto preset = load_preset(file);
         return preset ? request_of_preset(std::move(*preset), file, library) : fail(preset.error());
     }
-    if (extension == ".json" || is_foreign_look(file))
+    if (extension == ".json" || is_foreign)
         return OpenRequest{file, {}, {}};
     return fail(
         {file, 0,
-         "is neither a look's folder, a look.json, a .slangp, .slang or .fs file, a preset nor a "
-         "PNG that holds one"});
+         "is neither a look's folder, a look.json, a shader or preset of another program, a preset "
+         "of ours nor a PNG that holds one"});
 }
+
+// Of a look of ours, or of one of Shadertoy with a file a pass.
+OpenRequest request_of_folder(const fs::path& folder) {
+    std::error_code error;
+    const auto image =
+        fs::exists(folder / "look.json", error) ? std::nullopt : find_toy_image(folder);
+    return {image.value_or(folder), {}, {}};
+}
+
 // A name goes before a folder, as for a look alone.
 Result<StackPart> resolve_part(const std::string& argument, const Library& library) {
     const fs::path path(argument);
@@ -143,7 +154,7 @@ Result<OpenRequest> resolve(const std::string& argument, const Library& library)
     if (const auto look = library.find_look(argument); look && !is_path)
         return OpenRequest{look->folder, {}, {}};
     if (fs::is_directory(path, error))
-        return OpenRequest{path, {}, {}};
+        return request_of_folder(path);
     if (fs::exists(path, error))
         return request_of_file(path, library);
     if (argument.find('+') != std::string::npos)

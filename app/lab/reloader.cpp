@@ -200,7 +200,8 @@ Result<ImageTextures> Reloader::load_images(const Look& look, Diagnostics& warni
             now.texture = std::move(*texture);
         }
         images[image.name] = now.texture;
-        read.insert_or_assign(image.file, std::move(now));
+        if (!image.file.empty())  // else it is made, and read from no file
+            read.insert_or_assign(image.file, std::move(now));
     }
     m_read = std::move(read);
     if (!problems.empty())

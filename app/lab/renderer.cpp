@@ -152,7 +152,9 @@ Frame Renderer::frame_of(const PlayedFrame& played, const Beam& beam) const {
     frame.time = played.span.end;
     frame.time_delta = played.span.seconds();
     frame.number = played.number;
-    frame.mouse = m_mouse;
+    frame.mouse = m_hand.place();
+    frame.press = m_hand.press();
+    frame.keys = m_hand.keys();
     frame.pixel_aspect = m_pixel_aspect;
     frame.patience_seconds = m_variant ? m_patience_seconds / 2.0 : m_patience_seconds;
     frame.beam = beam;
@@ -162,14 +164,27 @@ Frame Renderer::frame_of(const PlayedFrame& played, const Beam& beam) const {
     return frame;
 }
 
+void Renderer::note_mouse() {
+    m_executor.note_mouse_moved();
+    if (m_variant)
+        m_variant->note_mouse_moved();
+}
+
 void Renderer::set_mouse(double x, double y) {
-    const std::array<double, 2> mouse{x, y};
-    if (mouse != m_mouse) {
-        m_executor.note_mouse_moved();
-        if (m_variant)
-            m_variant->note_mouse_moved();
-    }
-    m_mouse = mouse;
+    const std::array<double, 2> place{x, y};
+    if (place != m_hand.place())
+        note_mouse();
+    m_hand.move(place);
+}
+
+void Renderer::set_mouse_button(bool is_down) {
+    if (is_down != m_hand.press().is_down)
+        note_mouse();
+    m_hand.set_button(is_down);
+}
+
+void Renderer::set_key(std::size_t key, bool is_down) {
+    m_hand.set_key(key, is_down);
 }
 
 void Renderer::draw_frame(const PlayedFrame& played, const Beam& beam,
@@ -180,6 +195,7 @@ void Renderer::draw_frame(const PlayedFrame& played, const Beam& beam,
         m_executor.claim_programs();
     if (!m_is_variant_alone)
         m_executor.draw(frame, passes);
+    m_hand.note_drawn();
     if (!m_variant)
         return;
     m_variant->claim_programs();

@@ -53,7 +53,12 @@ public:
     /// For one of the two alone.
     Result<void> set_image(Whose whose, const std::string& name, const Picture& picture);
     void set_mouse(double x, double y);  // px from bottom left
-    const std::array<double, 2>& mouse() const { return m_mouse; }
+    const std::array<double, 2>& mouse() const { return m_hand.place(); }
+    /// The left button goes down or up where the mouse is.
+    void set_mouse_button(bool is_down);
+    /// By the number that browsers give the key.
+    void set_key(std::size_t key, bool is_down);
+    const Hand& hand() const { return m_hand; }
     /// How long a frame may take its accumulating passes; the rest is left to the next ones.
     void set_patience(double seconds) { m_patience_seconds = seconds; }
     /// What drives the look is another: accumulating passes start anew.
@@ -118,6 +123,7 @@ public:
 private:
     template <class Act>
     Result<void> for_each(Act act);
+    void note_mouse();
     void begin_replay(const Player& player, std::size_t frames);
     void draw_frame(const PlayedFrame& played, const Beam& beam, const std::vector<bool>* passes);
     void move_values(double seconds);
@@ -136,7 +142,7 @@ private:
     bool m_is_variant_alone = false;  // what is brought and replayed is for the variant
     Extent m_picture;
     Extent m_source;
-    std::array<double, 2> m_mouse{};
+    Hand m_hand;
     double m_pixel_aspect = 1.0;
     double m_patience_seconds = 0.0;
     std::vector<PassRun> m_runs;

@@ -165,7 +165,7 @@ SizeInForce size_in_force(const Lab& lab) {
     return {lab.picture_size(), lab.picture_shape(), lab.picture_extent()};
 }
 
-PictureSize with_shape(PictureSize size, PictureShape shape) {
+PictureSize with_shape(PictureSize size, ViewShape shape) {
     size.follows_view = true;
     size.shape = shape;
     return size;

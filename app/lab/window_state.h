@@ -281,6 +281,7 @@ struct WindowState {
     BottomPart bottom_part = BottomPart::problems;
     bool is_picture_only = false;
     bool walks_menus = false;   // by keys
+    bool gives_keys = false;    // to the look, whose picture the pointer is over
     bool shows_flashes = true;  // how often the picture does
     ComfortClamp comfort;
 

@@ -22,6 +22,7 @@ bool tells_time(BuiltIn says) {
         case BuiltIn::frame_before:
         case BuiltIn::microseconds:
         case BuiltIn::time_before:
+        case BuiltIn::frame_rate:
         case BuiltIn::delta_before:
         case BuiltIn::date:
             return true;

@@ -25,6 +25,11 @@ enum class BuiltIn {
     delta_before,   // since the frame before, s: 0 in the first one
     date,           // year, month from 1, day, seconds since midnight
     quad_to_clip,   // the matrix that draws the quad over the whole target, a picture's top on top
+    frame_rate,     // frames a second, by time_delta
+    press,          // of the mouse: see Press::numbers
+    // width, height, and 1 for the shape of a pixel:
+    target_resolution,
+    input_resolution,  // of what `of` reads
     // width, height, 1/width, 1/height:
     target_extent,
     output_extent,
@@ -35,7 +40,7 @@ enum class BuiltIn {
 struct BuiltInUniform {
     std::string name;
     BuiltIn says = BuiltIn::time;
-    std::optional<Input> of = std::nullopt;  // of input_extent
+    std::optional<Input> of = std::nullopt;  // of input_extent and input_resolution
 
     bool operator==(const BuiltInUniform&) const = default;
 };

@@ -20,11 +20,11 @@ struct Sampler {
 
 /// A sampler uniform of a pass and what it reads.
 struct Input {
-    enum class From { pass, source, image, sound };
+    enum class From { pass, source, image, keyboard, sound };
 
     std::string uniform;
     From from = From::pass;
-    std::string name;    // of the pass or image
+    std::string name;    // of the pass or image, or of the parameter that chooses one
     int frames_ago = 0;  // pass and source only
     Sampler sampler;
     SoundTexture sound = {};  // sound only

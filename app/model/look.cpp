@@ -8,14 +8,29 @@
 #include <algorithm>
 
 std::string Input::reference() const {
-    const std::string base = from == From::source  ? "source"
-                             : from == From::sound ? sound.name()
-                                                   : name;
+    const std::string base = from == From::source     ? "source"
+                             : from == From::sound    ? sound.name()
+                             : from == From::keyboard ? "keyboard"
+                                                      : name;
     return frames_ago > 0 ? fmt::format("{}@{}", base, frames_ago) : base;
 }
 
 bool is_of_beam(Draw draw) {
     return draw == Draw::points || draw == Draw::segments;
+}
+
+bool reads_press(const Look& look) {
+    return std::ranges::any_of(look.passes, [](const Pass& pass) {
+        return std::ranges::find(pass.built_ins, BuiltIn::press, &BuiltInUniform::says) !=
+               pass.built_ins.end();
+    });
+}
+
+bool reads_keys(const Look& look) {
+    return std::ranges::any_of(look.passes, [](const Pass& pass) {
+        return std::ranges::find(pass.inputs, Input::From::keyboard, &Input::from) !=
+               pass.inputs.end();
+    });
 }
 
 std::optional<int> find_pass(const Look& look, std::string_view name) {

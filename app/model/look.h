@@ -83,6 +83,9 @@ struct Image {
     std::optional<Encoding> encoding = {};   // that its look reads; none: as the source
     RowOrder rows = RowOrder::bottom_first;  // as it is uploaded
     bool is_needed = true;  // where it cannot be read the look cannot; else it reads black
+    // Instead of `file` a picture of the program's own, "pattern:noise" or "solid:sky". Where both
+    // are empty a parameter of the same name chooses the picture.
+    std::string made = {};
 
     bool operator==(const Image&) const = default;
 };
@@ -125,6 +128,10 @@ struct Look {
 
     bool operator==(const Look&) const = default;
 };
+
+/// Whether a pass is told where the mouse's button was pressed; whether one reads the keyboard.
+bool reads_press(const Look& look);
+bool reads_keys(const Look& look);
 
 /// The place of the pass in Look::passes.
 std::optional<int> find_pass(const Look& look, std::string_view name);

@@ -78,28 +78,28 @@ double placed_aspect(const SourceSpec& source) {
 
 namespace {
 constexpr std::array shape_names{
-    std::pair{PictureShape::view, std::string_view("view")},
-    std::pair{PictureShape::source, std::string_view("source")},
-    std::pair{PictureShape::whole_pixels, std::string_view("whole pixels")}};
+    std::pair{ViewShape::view, std::string_view("view")},
+    std::pair{ViewShape::source, std::string_view("source")},
+    std::pair{ViewShape::whole_pixels, std::string_view("whole pixels")}};
 }
 
-std::string_view shape_name(PictureShape shape) {
+std::string_view shape_name(ViewShape shape) {
     return shape_names.at(static_cast<std::size_t>(shape)).second;
 }
 
-std::optional<PictureShape> find_shape(std::string_view name) {
+std::optional<ViewShape> find_shape(std::string_view name) {
     for (const auto& [shape, known] : shape_names)
         if (known == name)
             return shape;
     return std::nullopt;
 }
 
-Extent shaped(Extent view, PictureShape shape, Extent source, double pixel_aspect) {
-    if (shape == PictureShape::view || source.is_empty() || view.is_empty())
+Extent shaped(Extent view, ViewShape shape, Extent source, double pixel_aspect) {
+    if (shape == ViewShape::view || source.is_empty() || view.is_empty())
         return view;
     const double width = source.width * pixel_aspect;
     double times = std::min(view.width / width, static_cast<double>(view.height) / source.height);
-    if (shape == PictureShape::whole_pixels && times >= 1.0)
+    if (shape == ViewShape::whole_pixels && times >= 1.0)
         times = std::floor(times);
     return {side_of(width * times), side_of(source.height * times)};
 }

@@ -18,7 +18,7 @@ Picture placed(const Picture& picture, const SourceSpec& source, Extent viewport
 double placed_aspect(const SourceSpec& source);
 
 /// What shape a picture has that is as large as its view.
-enum class PictureShape {
+enum class ViewShape {
     view,          // it fills the view
     source,        // that of the source, by its pixels' aspect
     whole_pixels,  // each of the source's lines the same whole number of lines; where not even one
@@ -26,8 +26,8 @@ enum class PictureShape {
 };
 
 /// "view", "source", "whole pixels".
-std::string_view shape_name(PictureShape shape);
-std::optional<PictureShape> find_shape(std::string_view name);
+std::string_view shape_name(ViewShape shape);
+std::optional<ViewShape> find_shape(std::string_view name);
 
 /// The largest picture of that shape in a view, px; the view itself for an empty source.
-Extent shaped(Extent view, PictureShape shape, Extent source, double pixel_aspect);
+Extent shaped(Extent view, ViewShape shape, Extent source, double pixel_aspect);

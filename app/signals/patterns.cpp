@@ -3,6 +3,7 @@
 #include "base/text.h"
 #include "signals/glyph_rain.h"
 #include "signals/harbour.h"
+#include "signals/noise_patterns.h"
 #include "signals/pattern.h"
 #include "signals/terminal_page.h"
 #include "signals/test_cards.h"
@@ -18,6 +19,8 @@ const std::vector<Pattern>& patterns() {
         list.push_back(terminal_page_pattern());
         list.push_back(glyph_rain_pattern());
         list.push_back(harbour_pattern());
+        for (Pattern& pattern : noise_patterns())
+            list.push_back(std::move(pattern));
         return list;
     }();
     return all;

@@ -19,7 +19,8 @@ struct PatternFacts {
 
 const std::vector<PatternFacts>& all_patterns();
 
-/// Draws "NAME" or "NAME,size=WxH" as it looks `seconds` after the start; RGB, row 0 on top.
+/// Draws "NAME" or "NAME,size=WxH" as it looks `seconds` after the start; RGB or RGBA, row 0
+/// on top.
 /// Without a size each pattern has its own.
 Result<Picture> make_pattern(std::string_view text, double seconds = 0.0);
 

@@ -7,6 +7,7 @@
 #include "ui/file_actions.h"
 #include "ui/impulse_dialog.h"
 #include "ui/knob_actions.h"
+#include "ui/look_keys.h"
 #include "ui/overlays.h"
 #include "ui/pass_actions.h"
 #include "ui/pass_switch_actions.h"
@@ -333,7 +334,9 @@ void run_keys(const Scene& scene, Edits& edits) {
         const bool is_text_field_s = !action.chord.control || action.id == ActionId::copy_line ||
                                      action.id == ActionId::paste_line ||
                                      action.id == ActionId::undo || action.id == ActionId::redo;
-        if (is_pressed(action.chord) && !(is_typing && is_text_field_s) && can_run(action, scene))
+        const bool is_of_look = !action.chord.control && is_key_of_look(action.chord.key, scene);
+        if (is_pressed(action.chord) && !is_of_look && !(is_typing && is_text_field_s) &&
+            can_run(action, scene))
             action.act(scene, edits);
     }
     const bool is_second_redo = is_pressed({'Y', true}) && !is_typing;

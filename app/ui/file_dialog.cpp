@@ -28,9 +28,10 @@ std::vector<std::string> endings_for(Dialog::Kind kind) {
         return {};
     if (kind == Dialog::Kind::choose_reference)
         return {".png", ".exr", ".jpg", ".jpeg", ".hdr", ".tif", ".tiff", ".bmp", ".webp"};
-    return {".json", ".svg",  ".png", ".exr", ".jpg", ".jpeg", ".txt", ".wav",
-            ".flac", ".ogg",  ".oga", ".mp3", ".aif", ".aiff", ".mp4", ".m4v",
-            ".mkv",  ".webm", ".mov", ".avi", ".mpg", ".mpeg", ".ogv", ".gif"};
+    return {".json", ".slangp", ".slang", ".glsl", ".frag", ".fsh", ".fs",   ".svg",
+            ".png",  ".exr",    ".jpg",   ".jpeg", ".txt",  ".wav", ".flac", ".ogg",
+            ".oga",  ".mp3",    ".aif",   ".aiff", ".mp4",  ".m4v", ".mkv",  ".webm",
+            ".mov",  ".avi",    ".mpg",   ".mpeg", ".ogv",  ".gif"};
 }
 
 const char* title_for(Dialog::Kind kind) {

@@ -142,10 +142,11 @@ void draw_state(const std::string& state, const ImVec2& middle, const Scene& sce
 std::string help_of(std::size_t node, const PassGraph& graph, const Scene& scene) {
     const Node& drawn = graph.nodes[node];
     const bool is_pass = drawn.kind == Input::From::pass;
-    std::string text = is_pass                             ? drawn.name
-                       : drawn.kind == Input::From::source ? "the source picture"
-                       : drawn.kind == Input::From::sound  ? "follows the sound: " + drawn.name
-                                                           : "image " + drawn.name;
+    std::string text = is_pass                               ? drawn.name
+                       : drawn.kind == Input::From::source   ? "the source picture"
+                       : drawn.kind == Input::From::keyboard ? "the keys of the keyboard"
+                       : drawn.kind == Input::From::sound    ? "follows the sound: " + drawn.name
+                                                             : "image " + drawn.name;
     if (is_pass) {
         const PlannedTarget& target = scene.lab.renderer()->executor().plan().targets[node];
         text += fmt::format("\n{} {}", size_text(target.extent), facts_of(target.format).name);

@@ -116,7 +116,8 @@ CanvasInput draw_picture_canvas(const PictureCanvas& canvas, const Scene& scene)
         return input;
     if (const int notches = turned_notches(); notches != 0)
         input.moved = zoomed(canvas, place, pixel, notches);
-    else if (is_dragged() && !(canvas.has_pen && ImGui::IsMouseDown(ImGuiMouseButton_Left)))
+    else if (is_dragged() &&
+             !((canvas.has_pen || canvas.has_press) && ImGui::IsMouseDown(ImGuiMouseButton_Left)))
         input.moved = panned(canvas, place, scene.density);
     return input;
 }

@@ -10,7 +10,8 @@
 #include <functional>
 #include <optional>
 
-/// A picture in its view, that the wheel zooms and a drag moves. With an orbit the left button
+/// A picture in its view, that the wheel zooms and a drag moves (with the middle button, where the
+/// left one is the look's). With an orbit the left button
 /// turns the object, the right one moves the camera, and the wheel with Ctrl brings it nearer; the
 /// middle one still moves the view.
 struct PictureCanvas {
@@ -20,7 +21,8 @@ struct PictureCanvas {
     PictureView view;
     ImVec2 size;  // of the view, coordinates of the window
     bool has_orbit = false;
-    bool has_pen = false;  // the left button draws, the right one is handed on
+    bool has_pen = false;    // the left button draws, the right one is handed on
+    bool has_press = false;  // the left button is the look's
 };
 
 /// What a person did to it.

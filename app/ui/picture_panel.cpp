@@ -4,6 +4,7 @@
 #include "ui/cell_texts.h"
 #include "ui/compare_bar.h"
 #include "ui/drawing_overlay.h"
+#include "ui/look_keys.h"
 #include "ui/overlays.h"
 #include "ui/pass_switch_actions.h"
 #include "ui/picture_canvas.h"
@@ -45,6 +46,13 @@ void tell_pointer(const Place& place, const Scene& scene, Edits& edits) {
     Probe probed = picture_probe(scene.lab, place.pixel);
     probed.is_of_variant = place.is_of_variant;
     edits.arrange([probed](WindowState& window) { window.probe = probed; });
+}
+
+// To be called behind the picture's item, where the look reads the button.
+void tell_press(const Scene& scene, Edits& edits) {
+    const bool is_down = ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left);
+    if (scene.lab.renderer() && scene.lab.renderer()->hand().press().is_down != is_down)
+        edits.add([is_down](Lab& lab) { lab.set_mouse_button(is_down); });
 }
 
 void follow_pen(const CanvasInput& input, Edits& edits) {
@@ -122,6 +130,8 @@ void draw_shown(const Shown& shown, const Scene& scene, Edits& edits, const ImVe
     const bool is_large = scene.window.shows_pass_large;
     const bool is_turned = !is_large && scene.lab.document()->look().has_orbit;
     const bool has_pen = !is_large && scene.lab.drawing_board().has_pen();
+    const bool has_press = !is_large && !has_pen && !is_turned && !shown.is_other &&
+                           reads_press(scene.lab.document()->look());
     const Extent room = scene.device_pixels(size.x, size.y);
     const auto wipe = drag_wipe(size, scene, edits);
     if (!shown.is_other)
@@ -133,9 +143,11 @@ void draw_shown(const Shown& shown, const Scene& scene, Edits& edits, const ImVe
                                                    .view = scene.window.large_view(),
                                                    .size = size,
                                                    .has_orbit = is_turned,
-                                                   .has_pen = has_pen},
+                                                   .has_pen = has_pen,
+                                                   .has_press = has_press},
                                                   scene);
     edits.mark(shown.name);
+    const bool is_picture_pointed = ImGui::IsItemHovered() || ImGui::IsItemActive();
     if (!shown.is_other)
         draw_over_texels(low, size, scene);
     if (!has_pen)
@@ -152,6 +164,10 @@ void draw_shown(const Shown& shown, const Scene& scene, Edits& edits, const ImVe
         probe_inspected({*input.hovered, is_other}, scene, edits);
     else if (input.hovered)
         tell_pointer({*input.hovered, is_other}, scene, edits);
+    if (has_press)
+        tell_press(scene, edits);
+    if (!shown.is_other)
+        tell_keys(is_picture_pointed && !is_large, scene, edits);
     if (wipe)
         draw_wipe(*wipe, scene);
     if (!has_pen)

@@ -440,6 +440,34 @@ void main() { gl_FragColor = tinted ? tint : vec4(level, 0.0, 0.0, 1.0); }
         self.assertEqual((good["why"], good["passes"], good["parameters"]), ("", 1, 1))
         self.assertEqual(run("corpus", self.folder / "corpus", "--only", "good").returncode, 0)
 
+    TOY = "void mainImage(out vec4 c, in vec2 p) { c = vec4(float(iFrame) / 255.0, iTime, 0.0, 0.5); }"
+
+    def test_a_shader_of_shadertoy_is_drawn_from_json_from_text_and_from_a_folder(self):
+        image = {"type": "image", "inputs": [], "outputs": [{"id": "4dfGRr"}], "code": self.TOY}
+        exported = self.write("exported.json", json.dumps([{"info": {"name": "a"}, "renderpass": [image]}]))
+        answered = self.write("answered.json", json.dumps({"Shader": {"info": {}, "renderpass": [image]}}))
+        text = self.write("folder/Image.glsl", self.TOY)
+        for look in (exported, answered, text, text.parent):
+            self.assertEqual(self.red_of(look, "--frames", "8"), 7)  # frames are counted from 0
+
+    def test_a_fragment_shader_alone_is_drawn_with_its_uniforms_as_parameters(self):
+        bare = self.write("bare.frag", "uniform float level; // @range 0 1\n"
+                                       "void main() { gl_FragColor = vec4(level); }\n")
+        self.assertEqual(self.red_of(bare, "--set", "level=0.4"), 102)
+
+    def test_a_sample_of_a_corpus_is_the_same_each_time_and_another_with_another_seed(self):
+        for n in range(30):
+            self.write(f"many/{n}.glsl", self.TOY)
+
+        def sample(*options):
+            told = run("corpus", self.folder / "many", "--json", "--frames", "0", "--sample", "4", *options)
+            return [entry["file"] for entry in json.loads(told.stdout)["files"]]
+
+        first = sample()
+        self.assertEqual(len(first), 4)
+        self.assertEqual(first, sample())
+        self.assertNotEqual(first, sample("--seed", "2"))
+
 
 if __name__ == "__main__":
     main()

@@ -217,7 +217,7 @@ TEST_CASE("a part of a colour is typed, and its slider's marks are set") {
 
 TEST_CASE("panes grow and shrink by name, within what they may") {
     WindowState window;
-    const auto lists = window_choices(window, {{}, PictureShape::view, {320, 180}});
+    const auto lists = window_choices(window, {{}, ViewShape::view, {320, 180}});
     const double before = window.panes.left;
     take(choice_of(lists, "Pane: Left pane wider").deeds, window);
     CHECK(window.panes.left == before + 40.0);
@@ -239,7 +239,7 @@ TEST_CASE("two words find a choice, and an action comes first where both fit as 
     for (const ChoiceList& list :
          inspector_choices({{{Input::From::source, "source"}}, {}, 1, 1}, window.inspected))
         lists.push_back(list);
-    for (const ChoiceList& list : window_choices(window, {{}, PictureShape::view, {320, 180}}))
+    for (const ChoiceList& list : window_choices(window, {{}, ViewShape::view, {320, 180}}))
         lists.push_back(list);
     lists.push_back({"Presets", ChoiceList::Place::palette, {{.name = "Favourites alone"}}});
     std::vector<PaletteEntry> entries{

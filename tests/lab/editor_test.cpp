@@ -1,5 +1,7 @@
 #include "lab/editor.h"
 
+#include "io/temporary_folder.h"
+
 #include <doctest/doctest.h>
 
 #include <cstdlib>
@@ -32,6 +34,13 @@ TEST_CASE("an editor of the terminal gets a terminal") {
           Words{"x-terminal-emulator", "-e", "vim", "+12", "/looks/a b.frag"});
     CHECK(command_with("hx", nullptr, place) ==
           Words{"x-terminal-emulator", "-e", "hx", "/looks/a b.frag:12"});
+}
+
+TEST_CASE("a pass that lies in a JSON file is shown by that file") {
+    const TemporaryFolder folder;
+    const auto file = folder.write("waves.json", "{}");
+    CHECK(command_with("gvim", nullptr, {file / "Buffer A", 12}) ==
+          Words{"gvim", "+1", file.string()});
 }
 
 TEST_CASE("$VISUAL goes before $EDITOR, and the desktop's own choice is last") {

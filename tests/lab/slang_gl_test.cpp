@@ -279,10 +279,10 @@ TEST_CASE("a chain's picture keeps its source's shape in the view, until it is a
     }));
     CHECK(slang.lab().picture_extent() == Extent{75, 60});
     PictureSize size;
-    size.shape = PictureShape::whole_pixels;
+    size.shape = ViewShape::whole_pixels;
     slang.lab().set_picture_size(size);
     CHECK(slang.lab().picture_extent() == Extent{60, 48});
-    size.shape = PictureShape::view;
+    size.shape = ViewShape::view;
     slang.lab().set_picture_size(size);
     CHECK(slang.lab().picture_extent() == Extent{100, 60});
 }

@@ -65,15 +65,14 @@ TEST_CASE("what is beside a source with alpha is black, not clear") {
 
 TEST_CASE("a picture in a view takes the source's shape, or whole multiples of it") {
     constexpr Extent view{1000, 700};
-    CHECK(shaped(view, PictureShape::view, {320, 240}, 1.0) == view);
-    CHECK(shaped(view, PictureShape::source, {320, 240}, 1.0) == Extent{933, 700});
-    CHECK(shaped(view, PictureShape::whole_pixels, {320, 240}, 1.0) == Extent{640, 480});
+    CHECK(shaped(view, ViewShape::view, {320, 240}, 1.0) == view);
+    CHECK(shaped(view, ViewShape::source, {320, 240}, 1.0) == Extent{933, 700});
+    CHECK(shaped(view, ViewShape::whole_pixels, {320, 240}, 1.0) == Extent{640, 480});
     // 256 pixels of 8:7 are 292.57 lines' heights wide.
-    CHECK(shaped(view, PictureShape::whole_pixels, {256, 224}, 8.0 / 7.0) == Extent{878, 672});
-    CHECK(shaped({300, 300}, PictureShape::whole_pixels, {600, 400}, 1.0) == Extent{300, 200});
-    CHECK(shaped(view, PictureShape::source, {}, 1.0) == view);
-    for (const PictureShape shape :
-         {PictureShape::view, PictureShape::source, PictureShape::whole_pixels})
+    CHECK(shaped(view, ViewShape::whole_pixels, {256, 224}, 8.0 / 7.0) == Extent{878, 672});
+    CHECK(shaped({300, 300}, ViewShape::whole_pixels, {600, 400}, 1.0) == Extent{300, 200});
+    CHECK(shaped(view, ViewShape::source, {}, 1.0) == view);
+    for (const ViewShape shape : {ViewShape::view, ViewShape::source, ViewShape::whole_pixels})
         CHECK(find_shape(shape_name(shape)) == shape);
     CHECK_FALSE(find_shape("").has_value());
 }

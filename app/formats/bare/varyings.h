@@ -1,0 +1,24 @@
+#pragma once
+
+#include "base/diagnostic.h"
+#include "model/look.h"
+
+#include <string>
+#include <vector>
+
+/// What a fragment shader reads from a vertex shader that it comes without.
+struct BareVarying {
+    std::string type;  // "vec2"
+    std::string name;
+    bool is_flat = false;
+    int line = 1;
+};
+
+/// Those that a text declares, as `in` or `varying`, each once.
+std::vector<BareVarying> find_varyings(std::string_view text);
+
+/// A vertex stage that gives them over one triangle: two components are the place in the picture,
+/// (0,0) bottom left; a colour is white; a normal looks at us. `warnings` gets, at the lines of
+/// `stage`, those that had to be guessed.
+Stage vertex_stage_for(const std::vector<BareVarying>& varyings, const Stage& stage,
+                       Diagnostics& warnings);

@@ -1,0 +1,164 @@
+#include "formats/modern_glsl.h"
+
+#include "glsl/tokens.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <utility>
+
+namespace {
+// Names in GLSL ES 3.00; keywords or functions in 4.10 or later, or in a driver's own extensions.
+constexpr std::array<std::string_view, 33> taken_words{
+    "sample",    "buffer",   "shared",   "patch",      "precise",      "resource", "readonly",
+    "writeonly", "coherent", "restrict", "subroutine", "double",       "dvec2",    "dvec3",
+    "dvec4",     "dmat2",    "dmat3",    "dmat4",      "noise1",       "noise2",   "noise3",
+    "noise4",    "fma",      "ldexp",    "frexp",      "min3",         "max3",     "mid3",
+    "half",      "input",    "output",   "image2D",    "sampler2DRect"};
+
+constexpr std::array<std::pair<std::string_view, std::string_view>, 16> old_functions{
+    {{"texture2D", "texture"},
+     {"texture3D", "texture"},
+     {"textureCube", "texture"},
+     {"texture2DRect", "texture"},
+     {"texture2DProj", "textureProj"},
+     {"texture2DLod", "textureLod"},
+     {"texture2DLodEXT", "textureLod"},
+     {"texture3DLod", "textureLod"},
+     {"textureCubeLod", "textureLod"},
+     {"textureCubeLodEXT", "textureLod"},
+     {"texture2DProjLod", "textureProjLod"},
+     {"texture2DProjLodEXT", "textureProjLod"},
+     {"texture2DGrad", "textureGrad"},
+     {"texture2DGradEXT", "textureGrad"},
+     {"textureCubeGrad", "textureGrad"},
+     {"textureCubeGradEXT", "textureGrad"}}};
+
+bool is_call(const std::vector<Token>& tokens, std::size_t at) {
+    return at + 1 < tokens.size() && tokens[at + 1].is("(");
+}
+
+// GLSL below 4.20 knows no backslash at a line's end: such lines become one, and as many empty ones
+// follow it.
+std::string with_joined_lines(std::string_view text) {
+    std::string joined;
+    std::size_t owed = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] == '\\' && i + 1 < text.size() && text[i + 1] == '\n') {
+            ++owed;
+            ++i;
+            continue;
+        }
+        joined += text[i];
+        if (text[i] == '\n')
+            joined.append(std::exchange(owed, 0), '\n');
+    }
+    return joined.append(owed, '\n');
+}
+
+class Modernising {
+public:
+    Modernising(std::string_view text, const WordChanges& changes)
+        : m_text(text), m_changes(changes) {
+        for (const Token& token : scan(text).all)
+            if (token.kind != Token::Kind::comment)
+                m_tokens.push_back(token);
+        for (const Token& token : m_tokens)
+            if (token.kind == Token::Kind::word)
+                m_words.insert(token.text);
+    }
+
+    std::string modern() {
+        for (std::size_t i = 0; i < m_tokens.size(); ++i) {
+            if (m_tokens[i].starts_directive && is_dropped(i)) {
+                drop_line(i);
+                continue;
+            }
+            if (m_tokens[i].kind == Token::Kind::word)
+                put(m_tokens[i], word_for(i));
+            else if (is_sign_of_macro(i))
+                put(m_tokens[i], std::string(m_tokens[i].text) + ' ');
+        }
+        m_done.append(m_text.substr(m_at));
+        return std::move(m_done);
+    }
+
+private:
+    bool is_dropped(std::size_t directive) const {
+        if (directive + 1 >= m_tokens.size())
+            return false;
+        const Token& name = m_tokens[directive + 1];
+        return name.in_directive && (name.is("version") || name.is("extension") || name.is("line"));
+    }
+
+    // A driver may read `a-b` as a decrement where b is -1.
+    bool is_sign_of_macro(std::size_t at) const {
+        const Token& token = m_tokens[at];
+        return token.in_directive && (token.is("-") || token.is("+")) && at + 1 < m_tokens.size() &&
+               m_tokens[at + 1].in_directive && m_tokens[at + 1].kind == Token::Kind::word;
+    }
+
+    // All of the directive's words, leaving line ends and comments as they are.
+    void drop_line(std::size_t& at) {
+        put(m_tokens[at], "");
+        while (at + 1 < m_tokens.size() && m_tokens[at + 1].in_directive &&
+               !m_tokens[at + 1].starts_directive)
+            put(m_tokens[++at], "");
+    }
+
+    std::string word_for(std::size_t at) const {
+        std::string word(m_tokens[at].text);
+        if (const auto changed = m_changes.find(word); changed != m_changes.end())
+            return changed->second;
+        if (std::ranges::find(taken_words, word) != taken_words.end())
+            return free_name(word);
+        if (word == "texture" && !is_call(m_tokens, at) && !m_tokens[at].in_directive)
+            return free_name(word);
+        for (const auto& [old, now] : old_functions)
+            if (old == word)
+                return std::string(now);
+        return word;
+    }
+
+    std::string free_name(std::string word) const {
+        word += '_';
+        while (m_words.contains(word))
+            word += 'x';
+        return word;
+    }
+
+    void put(const Token& token, std::string_view replacement) {
+        const auto begin = static_cast<std::size_t>(token.text.data() - m_text.data());
+        m_done.append(m_text.substr(m_at, begin - m_at));
+        m_done.append(replacement);
+        m_at = begin + token.text.size();
+    }
+
+    std::string_view m_text;
+    const WordChanges& m_changes;
+    std::vector<Token> m_tokens;
+    std::set<std::string_view> m_words;
+    std::string m_done;
+    std::size_t m_at = 0;
+};
+}  // namespace
+
+std::string modern_glsl(std::string_view text, const WordChanges& changes) {
+    const std::string joined = with_joined_lines(text);
+    return Modernising(joined, changes).modern();
+}
+
+std::string modern_glsl_start(std::string_view text) {
+    std::string start = "#version 410 core\n";
+    for (const char* const packing :
+         {"packHalf2x16", "unpackHalf2x16", "packSnorm2x16", "unpackSnorm2x16"})
+        if (has_word(text, packing))
+            return start + "#extension GL_ARB_shading_language_packing : enable\n";
+    return start;
+}
+
+bool has_word(std::string_view text, std::string_view word) {
+    return std::ranges::any_of(scan(text).all, [&](const Token& token) {
+        return token.kind == Token::Kind::word && token.is(word);
+    });
+}

@@ -1,0 +1,172 @@
+#include "formats/shadertoy/toy_files.h"
+
+#include "base/text.h"
+#include "formats/modern_glsl.h"
+#include "glsl/include.h"
+#include "glsl/tokens.h"
+
+#include <algorithm>
+#include <array>
+
+namespace fs = std::filesystem;
+
+namespace {
+using Kind = ToyPass::Kind;
+
+constexpr std::array endings{".glsl", ".frag", ".fsh", ".fs", ".txt"};
+
+/// What a file's name says about a pass.
+struct NamedPass {
+    Kind kind = Kind::image;
+    int place = 0;
+    std::string shader;  // what stands before it in the name
+};
+
+// "Buffer A", "buf_a" and "BufferA" are one.
+std::string plain_name(const fs::path& file) {
+    std::string plain;
+    for (const char c : to_lower(file.stem().string()))
+        if (std::string_view(" _-.").find(c) == std::string_view::npos)
+            plain += c;
+    return plain;
+}
+
+std::optional<NamedPass> pass_named(const fs::path& file) {
+    struct Word {
+        std::string_view word;
+        Kind kind;
+        int place;
+    };
+    constexpr auto words = std::to_array<Word>({{"common", Kind::common, 0},
+                                                {"buffera", Kind::buffer, 0},
+                                                {"bufferb", Kind::buffer, 1},
+                                                {"bufferc", Kind::buffer, 2},
+                                                {"bufferd", Kind::buffer, 3},
+                                                {"bufa", Kind::buffer, 0},
+                                                {"bufb", Kind::buffer, 1},
+                                                {"bufc", Kind::buffer, 2},
+                                                {"bufd", Kind::buffer, 3},
+                                                {"cubea", Kind::cube, toy_cube_place},
+                                                {"cubemapa", Kind::cube, toy_cube_place},
+                                                {"image", Kind::image, 0},
+                                                {"sound", Kind::sound, 0}});
+    if (std::ranges::find(endings, to_lower(file.extension().string())) == endings.end())
+        return std::nullopt;
+    const std::string plain = plain_name(file);
+    for (const Word& word : words)
+        if (plain.ends_with(word.word))
+            return NamedPass{word.kind, word.place,
+                             plain.substr(0, plain.size() - word.word.size())};
+    return std::nullopt;
+}
+
+std::vector<fs::path> files_in(const fs::path& folder) {
+    std::vector<fs::path> files;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder.empty() ? "." : folder, error);
+         entry != fs::directory_iterator(); entry.increment(error)) {
+        if (error)
+            break;
+        if (entry->is_regular_file(error))
+            files.push_back(folder / entry->path().filename());
+    }
+    std::ranges::sort(files);
+    return files;
+}
+
+bool defines(const std::vector<Token>& tokens, std::string_view function) {
+    for (std::size_t i = 0; i + 2 < tokens.size(); ++i)
+        if (tokens[i].is("void") && tokens[i + 1].is(function) && tokens[i + 2].is("("))
+            return true;
+    return false;
+}
+
+/// Reads the passes of one shader.
+class ToyFolder {
+public:
+    ToyFolder(const fs::path& file, const fs::path& shared, std::vector<fs::path>& files)
+        : m_roots{file.parent_path(), shared}, m_files(files) {}
+
+    Result<Toy> load(const fs::path& file) {
+        const auto named = pass_named(file);
+        const std::vector<fs::path> others = named ? beside(file, *named) : std::vector<fs::path>();
+        const bool has_image = std::ranges::any_of(
+            others, [](const fs::path& other) { return pass_named(other)->kind == Kind::image; });
+        if (has_image)
+            for (const fs::path& other : others)
+                add(other, *pass_named(other));
+        else
+            add(file, {});
+        m_toy.name = named && !named->shader.empty() ? named->shader
+                     : named                         ? folder_name(file)
+                                                     : file.stem().string();
+        if (!m_problems.empty())
+            return fail(std::move(m_problems));
+        return std::move(m_toy);
+    }
+
+private:
+    static std::string folder_name(const fs::path& file) {
+        std::error_code error;
+        return fs::absolute(file, error).parent_path().filename().string();
+    }
+
+    // One file a pass, this one among them.
+    static std::vector<fs::path> beside(const fs::path& file, const NamedPass& named) {
+        std::vector<fs::path> found{file};
+        for (const fs::path& other : files_in(file.parent_path())) {
+            const auto pass = pass_named(other);
+            const bool is_new = pass && pass->shader == named.shader &&
+                                std::ranges::none_of(found, [&](const fs::path& known) {
+                                    const auto had = pass_named(known);
+                                    return had->kind == pass->kind && had->place == pass->place;
+                                });
+            if (is_new)
+                found.push_back(other);
+        }
+        return found;
+    }
+
+    void add(const fs::path& file, const NamedPass& named) {
+        auto code = load_stage(file, m_roots, m_files);
+        if (!code) {
+            m_problems.insert(m_problems.end(), code.error().begin(), code.error().end());
+            return;
+        }
+        ToyPass pass;
+        pass.kind = named.kind;
+        pass.place = named.place;
+        pass.name = toy_pass_name(named.kind, named.place);
+        pass.code = std::move(*code);
+        pass.is_wired = false;
+        m_toy.passes.push_back(std::move(pass));
+    }
+
+    IncludeRoots m_roots;
+    std::vector<fs::path>& m_files;
+    Diagnostics m_problems;
+    Toy m_toy;
+};
+}  // namespace
+
+bool is_toy_text(std::string_view text) {
+    std::vector<Token> tokens;
+    for (const Token& token : scan(text).all)
+        if (token.kind != Token::Kind::comment)
+            tokens.push_back(token);
+    return defines(tokens, "mainImage") && !defines(tokens, "main");
+}
+
+std::optional<fs::path> find_toy_image(const fs::path& folder) {
+    for (const fs::path& file : files_in(folder)) {
+        const auto named = pass_named(file);
+        if (named && named->kind == Kind::image)
+            return file;
+    }
+    return std::nullopt;
+}
+
+Result<Toy> load_toy_files(const fs::path& file, const fs::path& shared_includes,
+                           std::vector<fs::path>& files) {
+    return ToyFolder(file, shared_includes, files).load(file);
+}

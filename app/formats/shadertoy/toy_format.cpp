@@ -1,0 +1,75 @@
+#include "formats/shadertoy/toy_format.h"
+
+#include "base/file.h"
+#include "base/text.h"
+#include "formats/shadertoy/toy_files.h"
+#include "formats/shadertoy/toy_json.h"
+#include "formats/shadertoy/toy_look.h"
+#include "glsl/parameters.h"
+
+#include <algorithm>
+
+namespace fs = std::filesystem;
+
+namespace {
+bool is_json(const fs::path& file) {
+    return to_lower(file.extension().string()) == ".json";
+}
+
+Result<Toy> read_toy(const fs::path& file, const fs::path& shared, LoadedLook& loaded) {
+    if (!is_json(file))
+        return load_toy_files(file, shared, loaded.files);
+    const auto text = read_text(file);
+    if (!text)
+        return fail(text.error());
+    return parse_toy_json(*text, file, loaded.warnings);
+}
+
+Result<Look> read_toy_look(const fs::path& file, const fs::path& shared, CheckCache* cache,
+                           LoadedLook& loaded) {
+    const auto toy = read_toy(file, shared, loaded);
+    if (!toy)
+        return fail(toy.error());
+    auto look = look_of_toy(*toy, file.parent_path(), loaded.warnings);
+    if (!look)
+        return look;
+    loaded.is_parsed = true;
+    look->manifest = file;
+    look->id = foreign_look_id(file);
+    if (look->name.empty())
+        look->name = file.stem().string();
+    auto parameters = find_parameters(*look, cache, loaded.warnings);
+    if (!parameters)
+        return fail(std::move(parameters.error()));
+    look->parameters.insert(look->parameters.end(), parameters->begin(), parameters->end());
+    return look;
+}
+}  // namespace
+
+bool is_toy_file(const fs::path& file) {
+    constexpr std::size_t most_of_text = std::size_t{4} << 20;
+    const std::string extension = to_lower(file.extension().string());
+    std::error_code error;
+    if (is_json(file)) {
+        if (file.filename() == "look.json")
+            return false;
+        const auto text = read_text(file);
+        return text ? is_toy_json(*text) : !fs::exists(file, error);
+    }
+    const bool is_text = extension == ".glsl" || extension == ".frag" || extension == ".fsh" ||
+                         extension == ".fs" || extension == ".txt";
+    if (!is_text)
+        return false;
+    const auto text = read_start(file, most_of_text);
+    return text && is_toy_text(*text);
+}
+
+LoadedLook load_toy_look(const fs::path& file, const fs::path& shared_includes, CheckCache* cache) {
+    LoadedLook loaded;
+    loaded.look = read_toy_look(file, shared_includes, cache, loaded);
+    if (std::ranges::find(loaded.files, file) == loaded.files.end())
+        loaded.files.push_back(file);
+    if (loaded.look)
+        loaded.look->files = loaded.files;
+    return loaded;
+}

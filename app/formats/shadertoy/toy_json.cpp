@@ -1,0 +1,251 @@
+#include "formats/shadertoy/toy_json.h"
+
+#include "formats/object_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace fs = std::filesystem;
+
+namespace {
+using Kind = ToyPass::Kind;
+
+constexpr auto kind_words =
+    std::to_array<std::pair<std::string_view, ToyKind>>({{"buffer", ToyKind::buffer},
+                                                         {"texture", ToyKind::texture},
+                                                         {"cubemap", ToyKind::cubemap},
+                                                         {"volume", ToyKind::volume},
+                                                         {"keyboard", ToyKind::keyboard},
+                                                         {"video", ToyKind::video},
+                                                         {"webcam", ToyKind::webcam},
+                                                         {"music", ToyKind::music},
+                                                         {"musicstream", ToyKind::music_stream},
+                                                         {"soundcloud", ToyKind::music_stream},
+                                                         {"mic", ToyKind::microphone}});
+constexpr auto pass_words =
+    std::to_array<std::pair<std::string_view, Kind>>({{"image", Kind::image},
+                                                      {"buffer", Kind::buffer},
+                                                      {"common", Kind::common},
+                                                      {"sound", Kind::sound},
+                                                      {"cubemap", Kind::cube}});
+
+// What the site calls its outputs: in exports, and in answers of its API.
+constexpr auto buffer_ids =
+    std::to_array<std::pair<std::string_view, int>>({{"4dXGR8", 0},
+                                                     {"XsXGR8", 1},
+                                                     {"4sXGR8", 2},
+                                                     {"XdfGR8", 3},
+                                                     {"4dX3Rr", toy_cube_place},
+                                                     {"257", 0},
+                                                     {"258", 1},
+                                                     {"259", 2},
+                                                     {"260", 3}});
+
+template <class Named>
+auto find_named(const Named& all, std::string_view name)
+    -> std::optional<decltype(all.front().second)> {
+    for (const auto& [known, value] : all)
+        if (known == name)
+            return value;
+    return std::nullopt;
+}
+
+const JsonValue* member(const JsonValue& object, std::initializer_list<std::string_view> keys) {
+    for (const std::string_view key : keys)
+        if (const JsonValue* found = find_member(object, key))
+            return found;
+    return nullptr;
+}
+
+// Numbers and truths as texts, as the dialects differ in them.
+std::string text_of(const JsonValue* value) {
+    if (!value)
+        return {};
+    if (value->is(JsonValue::Kind::number))
+        return format_number(value->number);
+    if (value->is(JsonValue::Kind::boolean))
+        return value->boolean ? "true" : "false";
+    return value->text;
+}
+
+const std::vector<JsonValue>& elements_of(const JsonValue* value) {
+    static const std::vector<JsonValue> none;
+    return value && value->is(JsonValue::Kind::array) ? value->children : none;
+}
+
+std::string output_of(const JsonValue& pass) {
+    const auto& outputs = elements_of(find_member(pass, "outputs"));
+    return outputs.empty() ? std::string() : text_of(find_member(outputs.front(), "id"));
+}
+
+class Reading {
+public:
+    Reading(const fs::path& file, Diagnostics& warnings) : m_file(file), m_warnings(warnings) {}
+
+    Result<Toy> read(const JsonValue& document) {
+        const JsonValue* shader = shader_of(document);
+        const JsonValue* passes = shader ? find_member(*shader, "renderpass") : nullptr;
+        if (!passes || !passes->is(JsonValue::Kind::array))
+            return fail({m_file, document.line, "has no \"renderpass\" list of a shader"});
+        Toy toy;
+        if (const JsonValue* info = find_member(*shader, "info")) {
+            toy.name = text_of(find_member(*info, "name"));
+            toy.author = text_of(find_member(*info, "username"));
+            toy.about = text_of(find_member(*info, "description"));
+        }
+        find_places(passes->children);
+        for (const JsonValue& pass : passes->children)
+            add_pass(pass, toy);
+        if (!m_errors.empty())
+            return fail(std::move(m_errors));
+        return toy;
+    }
+
+private:
+    static const JsonValue* shader_of(const JsonValue& document) {
+        const JsonValue* shader = &document;
+        if (shader->is(JsonValue::Kind::array))
+            shader = shader->children.size() == 1 ? &shader->children.front() : nullptr;
+        if (!shader || !shader->is(JsonValue::Kind::object))
+            return nullptr;
+        const JsonValue* wrapped = find_member(*shader, "Shader");
+        return wrapped && wrapped->is(JsonValue::Kind::object) ? wrapped : shader;
+    }
+
+    // Buffers are told by the id of their output; those without a known one take what is left.
+    void find_places(const std::vector<JsonValue>& passes) {
+        std::array<bool, 4> is_taken{};
+        std::vector<std::string> unknown;
+        for (const JsonValue& pass : passes) {
+            if (text_of(find_member(pass, "type")) != "buffer")
+                continue;
+            const std::string id = output_of(pass);
+            const auto place = find_named(buffer_ids, id);
+            if (place && *place < toy_cube_place)
+                is_taken[static_cast<std::size_t>(*place)] = true;
+            else
+                unknown.push_back(id);
+        }
+        for (const std::string& id : unknown) {
+            const auto* const free = std::ranges::find(is_taken, false);
+            if (free == is_taken.end())
+                break;
+            m_own_places.emplace(id, static_cast<int>(free - is_taken.begin()));
+            is_taken[static_cast<std::size_t>(free - is_taken.begin())] = true;
+        }
+    }
+
+    std::optional<int> place_of(const std::string& id) const {
+        const auto own = m_own_places.find(id);
+        return own != m_own_places.end() ? own->second : find_named(buffer_ids, id);
+    }
+
+    void warn(const JsonValue& at, std::string message) {
+        m_warnings.push_back({m_file, at.line, std::move(message), Severity::warning});
+    }
+
+    void add_pass(const JsonValue& value, Toy& toy) {
+        const std::string type = text_of(find_member(value, "type"));
+        const auto kind = find_named(pass_words, type);
+        if (!kind)
+            return warn(value, fmt::format("a pass of the unknown type '{}' is left out", type));
+        ToyPass pass;
+        pass.kind = *kind;
+        pass.place = *kind == Kind::buffer ? place_of(output_of(value)).value_or(-1)
+                     : *kind == Kind::cube ? toy_cube_place
+                                           : 0;
+        pass.name = toy_pass_name(*kind, pass.place);
+        const bool is_double =
+            std::ranges::find(toy.passes, pass.name, &ToyPass::name) != toy.passes.end();
+        if (is_double || pass.place < 0)
+            return warn(value, fmt::format("there is a '{}' already: this one is left out",
+                                           is_double ? pass.name : "Buffer A to D"));
+        const JsonValue* code = find_member(value, "code");
+        if (!code || !code->is(JsonValue::Kind::text)) {
+            m_errors.push_back({m_file, value.line, fmt::format("'{}' has no code", pass.name)});
+            return;
+        }
+        pass.code = code_in(pass.name, code->text);
+        for (const JsonValue& input : elements_of(find_member(value, "inputs")))
+            add_input(input, pass);
+        toy.passes.push_back(std::move(pass));
+    }
+
+    Stage code_in(const std::string& pass, std::string_view code) const {
+        Stage stage;
+        stage.file = m_file / pass;
+        for (const char c : code)
+            if (c != '\r')
+                stage.text += c;
+        stage.lines.append({stage.file, 1}, split_lines(stage.text).size());
+        return stage;
+    }
+
+    void add_input(const JsonValue& value, ToyPass& pass) {
+        if (!value.is(JsonValue::Kind::object))
+            return;
+        const std::string type = text_of(member(value, {"ctype", "type"}));
+        const auto kind = find_named(kind_words, type);
+        ToyInput input;
+        const auto channel = parse_integer(text_of(find_member(value, "channel")));
+        if (!channel || *channel < 0 || *channel >= toy_channels)
+            return warn(value, fmt::format("an input of '{}' has no channel from 0 to 3: it is "
+                                           "left out",
+                                           pass.name));
+        if (!kind)
+            return warn(value, fmt::format("iChannel{} of '{}' reads the unknown kind '{}': it is "
+                                           "black",
+                                           *channel, pass.name, type));
+        input.channel = *channel;
+        input.kind = *kind;
+        input.asset = text_of(member(value, {"filepath", "src"}));
+        input.declared = {m_file, value.line};
+        read_sampler(find_member(value, "sampler"), input);
+        const auto place = place_of(text_of(find_member(value, "id")));
+        if (input.kind == ToyKind::buffer)
+            input.buffer = place.value_or(place_in(input.asset));
+        // What Cube A has drawn is listed as a cubemap.
+        if (input.kind == ToyKind::cubemap && place == toy_cube_place)
+            input.buffer = toy_cube_place;
+        pass.inputs.push_back(std::move(input));
+    }
+
+    // "/media/previz/buffer01.png" is Buffer B.
+    static int place_in(std::string_view asset) {
+        const auto at = asset.rfind("buffer0");
+        const char digit =
+            at == std::string_view::npos || at + 7 >= asset.size() ? ' ' : asset[at + 7];
+        return digit >= '0' && digit <= '3' ? digit - '0' : -1;
+    }
+
+    static void read_sampler(const JsonValue* value, ToyInput& input) {
+        if (!value || !value->is(JsonValue::Kind::object))
+            return;
+        const std::string filter = text_of(find_member(*value, "filter"));
+        const std::string wrap = text_of(find_member(*value, "wrap"));
+        input.sampler.filter = filter == "nearest" ? Filter::nearest : Filter::linear;
+        input.sampler.mipmap = filter == "mipmap";
+        input.sampler.wrap = wrap == "repeat"   ? Wrap::repeat
+                             : wrap == "mirror" ? Wrap::mirror
+                                                : Wrap::edge;
+        input.is_flipped = text_of(find_member(*value, "vflip")) != "false";
+    }
+
+    const fs::path& m_file;
+    Diagnostics& m_warnings;
+    Diagnostics m_errors;
+    std::map<std::string, int> m_own_places;  // by the output's id
+};
+}  // namespace
+
+bool is_toy_json(std::string_view text) {
+    return text.find("\"renderpass\"") != std::string_view::npos;
+}
+
+Result<Toy> parse_toy_json(std::string_view text, const fs::path& file, Diagnostics& warnings) {
+    const auto document = parse_json(text, file);
+    if (!document)
+        return fail(document.error());
+    return Reading(file, warnings).read(*document);
+}

@@ -1,0 +1,309 @@
+#include "formats/shadertoy/toy_look.h"
+
+#include "formats/shadertoy/toy_assets.h"
+#include "formats/shadertoy/toy_stage.h"
+#include "glsl/include.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+namespace fs = std::filesystem;
+
+namespace {
+using Kind = ToyPass::Kind;
+
+constexpr double sample_rate = 44100.0;  // Hz; the site's usual
+constexpr int frames_of_a_past = 60;
+constexpr int frames_of_a_picture = 120;  // two seconds: many begin with black
+constexpr const char* moving_picture = "pattern:harbour";
+constexpr const char* usual_sound = "waveform:mode=xy,ch1=saw,f1=12,ch2=sine,f2=5";
+constexpr double cube_side = 1024.0;  // px
+constexpr const char* group_of_pictures = "Pictures";
+
+/// Makes a look of a shader, pass by pass.
+class ToyLook {
+public:
+    ToyLook(const Toy& toy, const fs::path& folder, Diagnostics& warnings)
+        : m_toy(toy), m_folder(folder), m_warnings(warnings) {}
+
+    Result<Look> make();
+
+private:
+    std::optional<std::size_t> find_drawn(int place) const;
+    void order_passes();
+    void make_pass(const ToyPass& toy_pass);
+    void feed(const ToyPass& toy_pass, int channel, Pass& pass, ToyChannel& fed);
+    std::optional<Input> input_of(const ToyPass& toy_pass, const ToyInput& wired);
+    std::optional<Input> buffer_of(const ToyPass& toy_pass, const ToyInput& wired);
+    Input texture_of(const ToyInput& wired);
+    Input solid_of(const ToyInput& wired, const std::string& name, const std::string& made);
+    std::string add_picture(const ToyInput& wired);
+    Input sound_of(const ToyInput& wired);
+    std::string free_name(const std::string& wanted) const;
+    void warn(const Location& at, std::string message);
+    void choose_driver();
+    void finish();
+
+    const Toy& m_toy;
+    const fs::path& m_folder;
+    Diagnostics& m_warnings;
+    const ToyPass* m_common = nullptr;
+    std::vector<const ToyPass*> m_drawn;            // in their order
+    std::map<std::string, std::string> m_pictures;  // by asset and row order: its parameter
+    bool m_hears = false;
+    bool m_sees = false;
+    Look m_look;
+};
+
+PictureShape shape_of(const ToyInput& wired) {
+    return wired.kind == ToyKind::cubemap  ? PictureShape::cube
+           : wired.kind == ToyKind::volume ? PictureShape::volume
+                                           : PictureShape::flat;
+}
+
+void ToyLook::warn(const Location& at, std::string message) {
+    m_warnings.push_back({at.file, at.line, std::move(message), Severity::warning});
+}
+
+void ToyLook::order_passes() {
+    for (const ToyPass& pass : m_toy.passes) {
+        if (pass.kind == Kind::common)
+            m_common = &pass;
+        else if (pass.kind == Kind::sound)
+            warn({pass.code.file, 1}, "a pass that makes sound is not played here");
+        else
+            m_drawn.push_back(&pass);
+    }
+    std::ranges::stable_sort(m_drawn, {}, [](const ToyPass* pass) {
+        return std::pair(pass->kind == Kind::image, pass->place);
+    });
+}
+
+std::optional<std::size_t> ToyLook::find_drawn(int place) const {
+    for (std::size_t i = 0; i < m_drawn.size(); ++i)
+        if (m_drawn[i]->kind != Kind::image && m_drawn[i]->place == place)
+            return i;
+    return std::nullopt;
+}
+
+std::string ToyLook::free_name(const std::string& wanted) const {
+    std::string name = wanted;
+    for (int copy = 2; find_parameter(m_look, name) ||
+                       std::ranges::find(m_look.images, name, &Image::name) != m_look.images.end();
+         ++copy)
+        name = fmt::format("{}_{}", wanted, copy);
+    return name;
+}
+
+// Once a picture and order of rows; several channels and passes share it.
+std::string ToyLook::add_picture(const ToyInput& wired) {
+    const std::string key = fmt::format("{} {}", wired.asset, wired.is_flipped);
+    if (const auto known = m_pictures.find(key); known != m_pictures.end())
+        return known->second;
+    const ToyAsset asset = toy_asset(wired.asset);
+    Parameter parameter;
+    parameter.name = free_name(asset.name);
+    parameter.label = asset.label;
+    parameter.group = group_of_pictures;
+    parameter.control = Control::image;
+    parameter.declared = wired.declared;
+    const fs::path beside = m_folder / fs::path(wired.asset).filename();
+    std::error_code error;
+    const bool is_there = !wired.asset.empty() && fs::is_regular_file(beside, error);
+    parameter.initial = Value::of_path(is_there ? beside.string() : asset.made);
+    if (!wired.is_flipped) {
+        Image rows;
+        rows.name = parameter.name;
+        rows.rows = RowOrder::top_first;
+        m_look.images.push_back(std::move(rows));
+    }
+    m_pictures.emplace(key, parameter.name);
+    m_look.parameters.push_back(parameter);
+    return parameter.name;
+}
+
+Input ToyLook::texture_of(const ToyInput& wired) {
+    return {{}, Input::From::image, add_picture(wired), 0, wired.sampler};
+}
+
+Input ToyLook::solid_of(const ToyInput& wired, const std::string& name, const std::string& made) {
+    if (std::ranges::find(m_look.images, name, &Image::name) == m_look.images.end()) {
+        Image image;
+        image.name = name;
+        image.made = made;
+        image.rows = RowOrder::top_first;
+        m_look.images.push_back(std::move(image));
+    }
+    return {{}, Input::From::image, name, 0, wired.sampler};
+}
+
+std::optional<Input> ToyLook::buffer_of(const ToyPass& toy_pass, const ToyInput& wired) {
+    const auto read = find_drawn(wired.buffer);
+    if (!read) {
+        const std::string name = wired.buffer == toy_cube_place ? "Cube A"
+                                 : wired.buffer < 0             ? "a buffer"
+                                                    : toy_pass_name(Kind::buffer, wired.buffer);
+        warn(wired.declared, fmt::format("iChannel{} of '{}' reads {}, which is not there: it is "
+                                         "black",
+                                         wired.channel, toy_pass.name, name));
+        return std::nullopt;
+    }
+    const auto reader = std::ranges::find(m_drawn, &toy_pass) - m_drawn.begin();
+    const bool is_of_last_frame = static_cast<std::ptrdiff_t>(*read) >= reader;
+    return Input{
+        {}, Input::From::pass, m_drawn[*read]->name, is_of_last_frame ? 1 : 0, wired.sampler};
+}
+
+// What the person plays; which music the author chose is not known here.
+Input ToyLook::sound_of(const ToyInput& wired) {
+    m_hears = true;
+    Input input{{}, Input::From::sound, {}, 0, wired.sampler};
+    input.sound = {SoundTexture::Holds::analyser, 512};
+    return input;
+}
+
+std::optional<Input> ToyLook::input_of(const ToyPass& toy_pass, const ToyInput& wired) {
+    switch (wired.kind) {
+        case ToyKind::buffer:
+            return buffer_of(toy_pass, wired);
+        case ToyKind::texture:
+            return texture_of(wired);
+        case ToyKind::cubemap:
+            return find_drawn(wired.buffer) ? buffer_of(toy_pass, wired)
+                                            : solid_of(wired, "sky", "solid:sky");
+        case ToyKind::volume: {
+            ToyAsset asset = toy_asset(wired.asset);
+            if (!asset.made.starts_with("solid:"))
+                asset = {"noise_volume", "", "solid:noise-volume"};
+            return solid_of(wired, asset.name, asset.made);
+        }
+        case ToyKind::keyboard:
+            return Input{{}, Input::From::keyboard, "keyboard", 0, {Filter::nearest}};
+        case ToyKind::video:
+        case ToyKind::webcam:
+            m_sees = true;
+            return Input{{}, Input::From::source, {}, 0, wired.sampler};
+        case ToyKind::music:
+        case ToyKind::music_stream:
+        case ToyKind::microphone:
+            return sound_of(wired);
+        case ToyKind::nothing:
+            break;
+    }
+    return std::nullopt;
+}
+
+void ToyLook::feed(const ToyPass& toy_pass, int channel, Pass& pass, ToyChannel& fed) {
+    auto wired = std::ranges::find(toy_pass.inputs, channel, &ToyInput::channel);
+    ToyInput guessed;
+    if (wired == toy_pass.inputs.end() && toy_pass.is_wired)
+        return;
+    if (wired == toy_pass.inputs.end()) {
+        const bool is_buffer = find_drawn(channel).has_value();
+        guessed = {channel,
+                   is_buffer ? ToyKind::buffer : ToyKind::texture,
+                   channel,
+                   {},
+                   {},
+                   true,
+                   {toy_pass.code.file, 1}};
+        guessed.sampler.wrap = is_buffer ? Wrap::edge : Wrap::repeat;
+        guessed.sampler.mipmap = !is_buffer;
+    }
+    const ToyInput& input = wired == toy_pass.inputs.end() ? guessed : *wired;
+    fed.shape = shape_of(input);
+    const std::string uniform = fmt::format("iChannel{}", channel);
+    if (!speaks_of(toy_pass, m_common, uniform) &&
+        !speaks_of(toy_pass, m_common, "iChannelResolution") &&
+        !speaks_of(toy_pass, m_common, fmt::format("iCh{}", channel)))
+        return;
+    auto made = input_of(toy_pass, input);
+    fed.is_fed = made.has_value();
+    if (!made)
+        return;
+    made->uniform = uniform;
+    pass.inputs.push_back(std::move(*made));
+}
+
+// Side by side in one target; who reads it as a cube gets one.
+void make_faces(Pass& pass) {
+    constexpr double faces = 6.0;
+    pass.format = Format::rgba16f;
+    pass.size = {Side{Side::By::pixels, faces * cube_side, {}},
+                 Side{Side::By::pixels, cube_side, {}}};
+    pass.set["iResolution"] = Value(std::vector<double>{cube_side, cube_side, 1.0});
+    std::erase_if(pass.built_ins,
+                  [](const BuiltInUniform& told) { return told.name == "iResolution"; });
+}
+
+void ToyLook::make_pass(const ToyPass& toy_pass) {
+    Pass pass;
+    pass.name = toy_pass.name;
+    pass.declared = {toy_pass.code.file, 1};
+    pass.output = Encoding::display;
+    pass.format = toy_pass.kind == Kind::image ? Format::rgba8 : Format::rgba32f;
+    ToyChannels channels;
+    for (int channel = 0; channel < toy_channels; ++channel)
+        feed(toy_pass, channel, pass, channels[static_cast<std::size_t>(channel)]);
+    pass.vertex = fullscreen_vertex_stage();
+    pass.fragment = toy_fragment_stage(toy_pass, m_common, channels);
+    pass.built_ins = toy_built_ins(pass.inputs, pass.fragment);
+    if (toy_pass.kind == Kind::cube)
+        make_faces(pass);
+    if (speaks_of(toy_pass, m_common, "iSampleRate"))
+        pass.set["iSampleRate"] = Value(sample_rate);
+    m_look.passes.push_back(std::move(pass));
+}
+
+// A look is driven by one thing alone.
+void ToyLook::choose_driver() {
+    if (m_hears) {
+        m_look.driven_by = Driver::signal;
+        m_look.default_signal = parse_spec(usual_sound).value();
+    } else if (m_sees) {
+        m_look.driven_by = Driver::picture;
+        m_look.default_source = moving_picture;
+    }
+    if (m_hears && m_sees)
+        warn({m_drawn.back()->code.file, 1},
+             "music and a video are read, and one thing alone drives a look: the video is black");
+}
+
+// A chosen picture knows who reads it.
+void ToyLook::finish() {
+    for (Parameter& parameter : m_look.parameters)
+        for (std::size_t pass = 0; pass < m_look.passes.size(); ++pass)
+            for (const Input& input : m_look.passes[pass].inputs)
+                if (input.from == Input::From::image && input.name == parameter.name)
+                    parameter.bindings.push_back({static_cast<int>(pass), input.uniform});
+    const bool has_past = std::ranges::any_of(m_look.passes, [](const Pass& pass) {
+        return std::ranges::any_of(pass.inputs,
+                                   [](const Input& input) { return input.frames_ago > 0; });
+    });
+    m_look.settle_frames = has_past ? frames_of_a_past : frames_of_a_picture;
+    choose_driver();
+    m_look.name = m_toy.name;
+    m_look.author = m_toy.author;
+    m_look.about = m_toy.about;
+    m_look.source_encoding = Encoding::display;
+    m_look.output = Encoding::display;
+}
+
+Result<Look> ToyLook::make() {
+    order_passes();
+    if (m_drawn.empty() || m_drawn.back()->kind != Kind::image) {
+        const fs::path file = m_toy.passes.empty() ? m_folder : m_toy.passes.front().code.file;
+        return fail({file, 0, "there is no Image pass"});
+    }
+    for (const ToyPass* pass : m_drawn)
+        make_pass(*pass);
+    finish();
+    return std::move(m_look);
+}
+}  // namespace
+
+Result<Look> look_of_toy(const Toy& toy, const fs::path& folder, Diagnostics& warnings) {
+    return ToyLook(toy, folder, warnings).make();
+}

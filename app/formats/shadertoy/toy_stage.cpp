@@ -1,0 +1,217 @@
+#include "formats/shadertoy/toy_stage.h"
+
+#include "formats/modern_glsl.h"
+#include "glsl/declarations.h"
+#include "glsl/tokens.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace {
+using Kind = ToyPass::Kind;
+
+std::string_view sampler_type(PictureShape shape) {
+    switch (shape) {
+        case PictureShape::cube:
+            return "samplerCube";
+        case PictureShape::volume:
+            return "sampler3D";
+        case PictureShape::flat:
+            break;
+    }
+    return "sampler2D";
+}
+
+void add_words(std::string_view text, std::set<std::string, std::less<>>& words) {
+    for (const Token& token : scan(text).all)
+        if (token.kind == Token::Kind::word)
+            words.emplace(token.text);
+}
+
+/// Puts the pieces of a stage together.
+class ToyStage {
+public:
+    ToyStage(const ToyPass& pass, const ToyPass* common) : m_pass(pass) {
+        m_stage.file = pass.code.file;
+        for (const ToyPass* part : {common, &pass}) {
+            if (!part)
+                continue;
+            add_words(part->code.text, m_words);
+            for (const Declaration& declaration : find_declarations(part->code.text))
+                m_declared.insert(declaration.name);
+        }
+    }
+
+    Stage stage(const ToyPass* common, const ToyChannels& channels) {
+        add_own(modern_glsl_start((common ? common->code.text : std::string()) + m_pass.code.text));
+        add_own("#define HW_PERFORMANCE 1\n");
+        add_uniforms(channels);
+        add_arrays(channels);
+        add_own("out vec4 afterglow_color;\n");
+        if (common)
+            add_code(common->code);
+        add_code(m_pass.code);
+        add_own(main_of(m_pass.kind));
+        return std::move(m_stage);
+    }
+
+private:
+    bool has(std::string_view word) const { return m_words.contains(word); }
+
+    void add_own(std::string_view text) {
+        m_stage.text += text;
+        m_stage.lines.append({{}, 1}, static_cast<std::size_t>(std::ranges::count(text, '\n')));
+    }
+
+    void declare(std::string_view type, const std::string& name) {
+        if (!m_declared.contains(name))
+            add_own(fmt::format("uniform {} {};\n", type, name));
+    }
+
+    void declare_if_meant(std::string_view type, const std::string& name) {
+        if (has(name))
+            declare(type, name);
+    }
+
+    void add_uniforms(const ToyChannels& channels) {
+        if (has("iResolution") || m_pass.kind == Kind::cube)
+            declare("vec3", "iResolution");
+        const bool needs_time = has("iTime") || has("iChannelTime") || has_channel_struct();
+        if (needs_time)
+            declare("float", "iTime");
+        for (const char* name : {"iGlobalTime", "iTimeDelta", "iFrameRate", "iSampleRate"})
+            declare_if_meant("float", name);
+        declare_if_meant("int", "iFrame");
+        declare_if_meant("vec4", "iMouse");
+        if (has("iDate") && !m_declared.contains("iDate"))  // the site's months begin at 0
+            add_own(
+                "uniform vec4 afterglow_date;\nvec4 iDate = afterglow_date - "
+                "vec4(0.0, 1.0, 0.0, 0.0);\n");
+        for (int channel = 0; channel < toy_channels; ++channel) {
+            const ToyChannel& fed = channels[static_cast<std::size_t>(channel)];
+            const std::string name = fmt::format("iChannel{}", channel);
+            if (fed.is_fed || has(name) || has(fmt::format("iCh{}", channel)))
+                declare(sampler_type(fed.shape), name);
+        }
+    }
+
+    bool has_channel_struct() const {
+        return has("iCh0") || has("iCh1") || has("iCh2") || has("iCh3");
+    }
+
+    void add_resolutions(const ToyChannels& channels) {
+        std::vector<std::string> all;
+        for (std::size_t channel = 0; channel < channels.size(); ++channel) {
+            const std::string name = fmt::format("afterglow_resolution{}", channel);
+            if (channels[channel].is_fed)
+                declare("vec3", name);
+            all.push_back(channels[channel].is_fed ? name : "vec3(0.0)");
+        }
+        add_own(fmt::format("vec3 iChannelResolution[4] = vec3[4]({});\n", fmt::join(all, ", ")));
+    }
+
+    void add_arrays(const ToyChannels& channels) {
+        const bool has_structs = has_channel_struct();
+        if (has("iChannelResolution") || has_structs)
+            add_resolutions(channels);
+        if (has("iChannelTime"))
+            add_own("float iChannelTime[4] = float[4](iTime, iTime, iTime, iTime);\n");
+        if (has_structs)
+            add_own("struct AfterglowChannel { vec3 size; float time; int loaded; };\n");
+        for (int channel = 0; channel < toy_channels; ++channel)
+            if (has(fmt::format("iCh{}", channel)))
+                add_own(
+                    fmt::format("AfterglowChannel iCh{0} = "
+                                "AfterglowChannel(iChannelResolution[{0}], iTime, 1);\n",
+                                channel));
+    }
+
+    void add_code(const Stage& code) {
+        std::string text = modern_glsl(code.text);
+        for (int channel = 0; channel < toy_channels; ++channel)
+            replace_all(text, fmt::format("iCh{}.sampler", channel),
+                        fmt::format("iChannel{}", channel));
+        const std::size_t lines = split_lines(text).size();
+        if (!text.ends_with('\n'))
+            text += '\n';
+        m_stage.text += text;
+        for (std::size_t line = 0; line < lines; ++line)
+            m_stage.lines.push_back(origin_of(code.lines, static_cast<int>(line) + 1));
+    }
+
+    static void replace_all(std::string& text, std::string_view from, std::string_view to) {
+        for (auto at = text.find(from); at != std::string::npos;
+             at = text.find(from, at + to.size()))
+            text.replace(at, from.size(), to);
+    }
+
+    // The site begins with a colour that nobody overlooks, and shows its picture opaque.
+    static std::string_view main_of(Kind kind) {
+        if (kind == Kind::cube)
+            return "void main() {\n"
+                   "    float side = iResolution.y;\n"
+                   "    int face = int(gl_FragCoord.x / side);\n"
+                   "    vec2 place = vec2(gl_FragCoord.x - side * float(face), gl_FragCoord.y);\n"
+                   "    vec2 at = place / side * 2.0 - 1.0;\n"
+                   "    vec3 seen = face == 0   ? vec3(1.0, -at.y, -at.x)\n"
+                   "                : face == 1 ? vec3(-1.0, -at.y, at.x)\n"
+                   "                : face == 2 ? vec3(at.x, 1.0, at.y)\n"
+                   "                : face == 3 ? vec3(at.x, -1.0, -at.y)\n"
+                   "                : face == 4 ? vec3(at.x, -at.y, 1.0)\n"
+                   "                            : vec3(-at.x, -at.y, -1.0);\n"
+                   "    vec4 color = vec4(1e20);\n"
+                   "    mainCubemap(color, place, vec3(0.0), normalize(seen));\n"
+                   "    afterglow_color = color;\n"
+                   "}\n";
+        if (kind == Kind::image)
+            return "void main() {\n"
+                   "    vec4 color = vec4(1e20);\n"
+                   "    mainImage(color, gl_FragCoord.xy);\n"
+                   "    afterglow_color = vec4(color.rgb, 1.0);\n"
+                   "}\n";
+        return "void main() {\n"
+               "    vec4 color = vec4(1e20);\n"
+               "    mainImage(color, gl_FragCoord.xy);\n"
+               "    afterglow_color = color;\n"
+               "}\n";
+    }
+
+    const ToyPass& m_pass;
+    std::set<std::string, std::less<>> m_words;
+    std::set<std::string, std::less<>> m_declared;
+    Stage m_stage;
+};
+}  // namespace
+
+Stage toy_fragment_stage(const ToyPass& pass, const ToyPass* common, const ToyChannels& channels) {
+    return ToyStage(pass, common).stage(common, channels);
+}
+
+std::vector<BuiltInUniform> toy_built_ins(const std::vector<Input>& inputs, const Stage& fragment) {
+    std::vector<BuiltInUniform> all{{"iResolution", BuiltIn::target_resolution},
+                                    {"iTime", BuiltIn::time_before},
+                                    {"iGlobalTime", BuiltIn::time_before},
+                                    {"iTimeDelta", BuiltIn::time_delta},
+                                    {"iFrameRate", BuiltIn::frame_rate},
+                                    {"iFrame", BuiltIn::frame_before},
+                                    {"iMouse", BuiltIn::press},
+                                    {"afterglow_date", BuiltIn::date}};
+    for (int channel = 0; channel < toy_channels; ++channel) {
+        const auto input =
+            std::ranges::find(inputs, fmt::format("iChannel{}", channel), &Input::uniform);
+        const std::string name = fmt::format("afterglow_resolution{}", channel);
+        if (input != inputs.end())
+            all.push_back({name, BuiltIn::input_resolution, *input});
+    }
+    std::set<std::string> declared;
+    for (const Declaration& declaration : find_declarations(fragment.text))
+        declared.insert(declaration.name);
+    std::erase_if(all, [&](const BuiltInUniform& told) { return !declared.contains(told.name); });
+    return all;
+}
+
+bool speaks_of(const ToyPass& pass, const ToyPass* common, std::string_view word) {
+    return has_word(pass.code.text, word) || (common && has_word(common->code.text, word));
+}

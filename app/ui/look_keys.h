@@ -1,0 +1,16 @@
+#pragma once
+
+#include "ui/edits.h"
+#include "ui/scene.h"
+
+#include <cstddef>
+
+/// The number that browsers give to a key of the window; 0 where they have none.
+std::size_t browser_key(int key);
+
+/// Hands the keys that are held to a look that reads them while the pointer is over its picture and
+/// nobody types; otherwise all of its keys are up.
+void tell_keys(bool is_pointed, const Scene& scene, Edits& edits);
+
+/// Whether a key with nothing held is the look's now, and no action's.
+bool is_key_of_look(int key, const Scene& scene);

@@ -1,0 +1,47 @@
+#include "formats/modern_glsl.h"
+
+#include <doctest/doctest.h>
+
+TEST_CASE("names that GLSL 4.10 takes for itself get others, in comments they stay") {
+    CHECK(modern_glsl("float sample = 1.0; // a sample\nfloat b = sample;") ==
+          "float sample_ = 1.0; // a sample\nfloat b = sample_;");
+    CHECK(modern_glsl("float sample, sample_;") == "float sample_x, sample_;");
+    CHECK(modern_glsl("#define buffer 3\nint a = buffer;") ==
+          "#define buffer_ 3\nint a = buffer_;");
+    CHECK(modern_glsl("float resampled;") == "float resampled;");
+}
+
+TEST_CASE("the old names of texture functions are the new ones") {
+    CHECK(modern_glsl("texture2D(a, b) + textureCubeLodEXT(c, d, 1.0)") ==
+          "texture(a, b) + textureLod(c, d, 1.0)");
+    CHECK(modern_glsl("uniform sampler2D texture; x = texture2D(texture, uv);") ==
+          "uniform sampler2D texture_; x = texture(texture_, uv);");
+    CHECK(modern_glsl("#define T texture\nT(a, b)") == "#define T texture\nT(a, b)");
+}
+
+TEST_CASE("joined lines become one and keep the lines behind them where they were") {
+    CHECK(modern_glsl("#define A(x) \\\n  (x + \\\n  1.0)\nfloat b;") ==
+          "#define A(x)   (x +   1.0)\n\n\nfloat b;");
+}
+
+TEST_CASE("a sign in a macro keeps clear of the sign of what is put in") {
+    CHECK(modern_glsl("#define D(a, b) (a-b)\nx-y") == "#define D(a, b) (a- b)\nx-y");
+}
+
+TEST_CASE("what says the version or counts lines is blanked out") {
+    CHECK(modern_glsl("#version 300 es\nfloat a;") == "  \nfloat a;");
+    CHECK(modern_glsl("# extension GL_X : enable // why\nfloat a;").find("GL_X") ==
+          std::string::npos);
+    CHECK(modern_glsl("#define version 3\n#line 7\n") == "#define version 3\n \n");
+}
+
+TEST_CASE("other words are changed as asked, where they are whole words of code") {
+    CHECK(modern_glsl("varying vec2 varyings; // varying", {{"varying", "in"}}) ==
+          "in vec2 varyings; // varying");
+}
+
+TEST_CASE("an extension is asked for where its functions are used") {
+    CHECK(modern_glsl_start("float a;") == "#version 410 core\n");
+    CHECK(modern_glsl_start("uint a = packHalf2x16(b);") ==
+          "#version 410 core\n#extension GL_ARB_shading_language_packing : enable\n");
+}

@@ -1,0 +1,106 @@
+#include "formats/shadertoy/toy_json.h"
+
+#include <doctest/doctest.h>
+
+namespace {
+using Kind = ToyPass::Kind;
+
+Toy toy_in(const std::string& text) {
+    Diagnostics warnings;
+    auto toy = parse_toy_json(text, "a.json", warnings);
+    REQUIRE_MESSAGE(toy.has_value(), to_string(toy.error()));
+    CHECK(to_string(warnings) == "");
+    return *toy;
+}
+
+std::string warnings_of(const std::string& passes) {
+    Diagnostics warnings;
+    const auto toy = parse_toy_json("{\"renderpass\": [" + passes + "]}", "a.json", warnings);
+    CHECK(toy.has_value());
+    return to_string(warnings);
+}
+
+constexpr const char* exported = R"([{"ver": "0.1",
+  "info": {"id": "x", "name": "Waves", "username": "ann", "description": "Water"},
+  "renderpass": [
+    {"inputs": [{"id": "XsXGR8", "filepath": "/media/previz/buffer01.png", "type": "buffer",
+                 "channel": 2, "sampler": {"filter": "mipmap", "wrap": "repeat", "vflip": "true"}},
+                {"id": "Xdf", "filepath": "/media/a/1234.jpg", "type": "texture", "channel": 0,
+                 "sampler": {"filter": "nearest", "wrap": "mirror", "vflip": "false"}}],
+     "outputs": [{"id": "4dfGRr", "channel": 0}], "code": "one\ntwo", "name": "Image", "type": "image"},
+    {"inputs": [], "outputs": [{"id": "XsXGR8", "channel": 0}], "code": "b", "name": "Buf @",
+     "type": "buffer"},
+    {"inputs": [], "outputs": [], "code": "c", "name": "", "type": "common"}]}])";
+
+constexpr const char* answered = R"({"Shader": {"ver": "0.1",
+  "info": {"name": "Waves", "username": "ann", "description": "Water"},
+  "renderpass": [
+    {"inputs": [{"id": 258, "src": "/media/previz/buffer01.png", "ctype": "buffer", "channel": 2,
+                 "sampler": {"filter": "mipmap", "wrap": "repeat", "vflip": true}},
+                {"id": 30, "src": "/media/a/1234.jpg", "ctype": "texture", "channel": 0,
+                 "sampler": {"filter": "nearest", "wrap": "mirror", "vflip": false}}],
+     "outputs": [{"id": 37, "channel": 0}], "code": "one\ntwo", "name": "Image", "type": "image"},
+    {"inputs": [], "outputs": [{"id": 258, "channel": 0}], "code": "b", "name": "", "type": "buffer"},
+    {"inputs": [], "outputs": [], "code": "c", "name": "Common", "type": "common"}]}})";
+}  // namespace
+
+TEST_CASE("both dialects of a shader's JSON say the same") {
+    for (const char* text : {exported, answered}) {
+        CHECK(is_toy_json(text));
+        const Toy toy = toy_in(text);
+        CHECK(toy.name == "Waves");
+        CHECK(toy.author == "ann");
+        CHECK(toy.about == "Water");
+        REQUIRE(toy.passes.size() == 3);
+        const ToyPass& image = toy.passes[0];
+        CHECK(image.kind == Kind::image);
+        CHECK(image.code.text == "one\ntwo");
+        CHECK(origin_of(image.code.lines, 2) == Location{"a.json/Image", 2});
+        REQUIRE(image.inputs.size() == 2);
+        CHECK(image.inputs[0].kind == ToyKind::buffer);
+        CHECK(image.inputs[0].channel == 2);
+        CHECK(image.inputs[0].buffer == 1);
+        CHECK(image.inputs[0].sampler == Sampler{Filter::linear, Wrap::repeat, true});
+        CHECK(image.inputs[0].is_flipped);
+        CHECK(image.inputs[1].sampler == Sampler{Filter::nearest, Wrap::mirror, false});
+        CHECK_FALSE(image.inputs[1].is_flipped);
+        CHECK(image.inputs[1].asset == "/media/a/1234.jpg");
+        CHECK(toy.passes[1].name == "Buffer B");
+        CHECK(toy.passes[1].place == 1);
+        CHECK(toy.passes[2].kind == Kind::common);
+    }
+}
+
+TEST_CASE(
+    "a buffer is told by its output's id, whatever its name; an unknown one takes what is left") {
+    const Toy toy = toy_in(R"({"renderpass": [
+        {"outputs": [{"id": "mine"}], "code": "", "type": "buffer",
+         "inputs": [{"id": "mine", "type": "buffer", "channel": 0}]},
+        {"outputs": [{"id": "4dXGR8"}], "code": "", "type": "buffer", "name": "Buffer D"}]})");
+    CHECK(toy.passes[0].name == "Buffer B");
+    CHECK(toy.passes[0].inputs[0].buffer == 1);
+    CHECK(toy.passes[1].name == "Buffer A");
+}
+
+TEST_CASE("what a shader of the site cannot have is named and left out") {
+    CHECK(warnings_of(R"({"type": "dance", "code": ""})") ==
+          "a.json:1: warning: a pass of the unknown type 'dance' is left out\n");
+    CHECK(warnings_of(R"({"type": "image", "code": "", "inputs": [
+{"type": "smell", "channel": 1}]})") ==
+          "a.json:2: warning: iChannel1 of 'Image' reads the unknown kind 'smell': it is black\n");
+    CHECK(warnings_of(R"({"type": "image", "code": "", "inputs": [
+{"type": "texture", "channel": 4}]})") ==
+          "a.json:2: warning: an input of 'Image' has no channel from 0 to 3: it is left out\n");
+    CHECK(warnings_of(
+              "{\"type\": \"image\", \"code\": \"\"},\n{\"type\": \"image\", \"code\": \"\"}") ==
+          "a.json:2: warning: there is a 'Image' already: this one is left out\n");
+}
+
+TEST_CASE("JSON that is no shader, or whose pass has no code, is refused with its line") {
+    Diagnostics warnings;
+    CHECK(to_string(parse_toy_json("\n[]", "a.json", warnings).error()) ==
+          "a.json:2: error: has no \"renderpass\" list of a shader\n");
+    CHECK(to_string(parse_toy_json("{\"renderpass\":\n[{\"type\": \"image\"}]}", "a.json", warnings)
+                        .error()) == "a.json:2: error: 'Image' has no code\n");
+    CHECK_FALSE(parse_toy_json("{\"renderpass\": [", "a.json", warnings).has_value());
+}

@@ -1,0 +1,289 @@
+#include "formats/shadertoy/toy_format.h"
+#include "io/temporary_folder.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+namespace {
+constexpr const char* plain = "void mainImage(out vec4 c, in vec2 p) { c = vec4(p, iTime, 1.0); }";
+
+std::string json_pass(const std::string& type, const std::string& id, const std::string& code,
+                      const std::string& inputs = "") {
+    return R"({"type": ")" + type + R"(", "outputs": [{"id": ")" + id + R"("}], "code": ")" + code +
+           R"(", "inputs": [)" + inputs + "]}";
+}
+
+std::string json_input(int channel, const std::string& type, const std::string& id = "",
+                       const std::string& path = "") {
+    return R"({"channel": )" + std::to_string(channel) + R"(, "type": ")" + type + R"(", "id": ")" +
+           id + R"(", "filepath": ")" + path + R"("})";
+}
+
+const std::string reads_0 = "void mainImage(out vec4 c, in vec2 p) { c = texture(iChannel0, p); }";
+
+/// A folder with files that a test writes.
+class ToyFiles {
+public:
+    std::filesystem::path write(const std::string& name, const std::string& text) const {
+        return m_folder.write(name, text);
+    }
+    LoadedLook load_json(const std::string& passes) const {
+        return load_toy_look(write("a.json", "{\"renderpass\": [" + passes + "]}"), {}, nullptr);
+    }
+    Look look_of_json(const std::string& passes) const { return good(load_json(passes)); }
+    Look look_of_text(const std::string& text) const {
+        return good(load_toy_look(write("a.glsl", text), {}, nullptr));
+    }
+    Look good(LoadedLook loaded) const {
+        REQUIRE_MESSAGE(loaded.look.has_value(), to_string(loaded.look.error()));
+        CHECK(told(loaded.warnings) == "");
+        return *loaded.look;
+    }
+    std::string told(const Diagnostics& diagnostics) const {
+        std::string text = to_string(diagnostics);
+        const std::string folder = m_folder.path().string() + "/";
+        for (std::size_t at = text.find(folder); at != text.npos; at = text.find(folder))
+            text.erase(at, folder.size());
+        return text;
+    }
+    std::filesystem::path folder() const { return m_folder.path(); }
+
+private:
+    TemporaryFolder m_folder;
+};
+
+std::string names_of(const Look& look) {
+    std::string names;
+    for (const Pass& pass : look.passes)
+        names += (names.empty() ? "" : ", ") + pass.name;
+    return names;
+}
+
+const Input& input_in(const Look& look, const std::string& pass, const std::string& uniform) {
+    const Pass& read = look.passes[static_cast<std::size_t>(find_pass(look, pass).value())];
+    const auto found = std::ranges::find(read.inputs, uniform, &Input::uniform);
+    REQUIRE(found != read.inputs.end());
+    return *found;
+}
+
+bool tells(const Look& look, const std::string& uniform) {
+    const auto& told = look.passes[0].built_ins;
+    return std::ranges::find(told, uniform, &BuiltInUniform::name) != told.end();
+}
+}  // namespace
+
+TEST_CASE("buffers are drawn from A to D, then the Image, in whatever order they are listed") {
+    const ToyFiles files;
+    const Look look = files.look_of_json(
+        json_pass("image", "4dfGRr", plain) + "," + json_pass("buffer", "XdfGR8", plain) + "," +
+        json_pass("buffer", "4dXGR8", plain) + "," + json_pass("buffer", "4sXGR8", plain));
+    CHECK(names_of(look) == "Buffer A, Buffer C, Buffer D, Image");
+    CHECK(look.passes[0].format == Format::rgba32f);
+    CHECK(look.passes[3].format == Format::rgba8);
+}
+
+TEST_CASE("what a frame has not drawn yet is read as of the frame before") {
+    const ToyFiles files;
+    const std::string both =
+        "void mainImage(out vec4 c, in vec2 p) { c = texture(iChannel0, p) + texture(iChannel1, "
+        "p); }";
+    const Look look = files.look_of_json(
+        json_pass("buffer", "4dXGR8", both,
+                  json_input(0, "buffer", "4dXGR8") + "," + json_input(1, "buffer", "XsXGR8")) +
+        "," + json_pass("buffer", "XsXGR8", reads_0, json_input(0, "buffer", "4dXGR8")) + "," +
+        json_pass("image", "4dfGRr", reads_0, json_input(0, "buffer", "XsXGR8")));
+    CHECK(input_in(look, "Buffer A", "iChannel0").reference() == "Buffer A@1");
+    CHECK(input_in(look, "Buffer A", "iChannel1").reference() == "Buffer B@1");
+    CHECK(input_in(look, "Buffer B", "iChannel0").reference() == "Buffer A");
+    CHECK(input_in(look, "Image", "iChannel0").reference() == "Buffer B");
+    CHECK(look.settle_frames == 60);
+}
+
+TEST_CASE("the program says what a shader asks for and nothing else") {
+    const ToyFiles files;
+    const Look look = files.look_of_text(plain);
+    CHECK(look.parameters.empty());
+    CHECK(tells(look, "iTime"));
+    CHECK_FALSE(tells(look, "iMouse"));
+    CHECK_FALSE(reads_press(look));
+    CHECK(reads_press(files.look_of_text("void mainImage(out vec4 c, in vec2 p) { c = iMouse; }")));
+    CHECK(look.driven_by == Driver::nothing);
+    CHECK(look.output == Encoding::display);
+}
+
+TEST_CASE("every name that the site declares can be read, also where the author declares it") {
+    const ToyFiles files;
+    const std::string all =
+        "void mainImage(out vec4 c, in vec2 p) {\n"
+        "    c = vec4(iResolution, iTime + iGlobalTime + iTimeDelta + iFrameRate) + iMouse;\n"
+        "    c += vec4(iFrame) + iSampleRate + iChannelTime[3] + vec4(iChannelResolution[1], "
+        "1.0);\n"
+        "    c += texture(iCh0.sampler, p) + vec4(iCh0.size, iCh0.time) + float(iCh0.loaded);\n"
+        "#ifdef HW_PERFORMANCE\n    c *= 2.0;\n#endif\n}\n";
+    const Look look = files.look_of_text(all);
+    CHECK(look.passes[0].set.at("iSampleRate").number() == 44100.0);
+    CHECK(
+        files.look_of_text("uniform float iTime;\nuniform vec3 iResolution;\n" + std::string(plain))
+            .parameters.empty());
+}
+
+TEST_CASE("a uniform of the author's own is a parameter, as in a look of ours") {
+    const ToyFiles files;
+    const Look look = files.look_of_text(
+        "uniform float glow = 0.5; // @range 0 2\n"
+        "void mainImage(out vec4 c, in vec2 p) { c = vec4(glow); }\n");
+    REQUIRE(look.parameters.size() == 1);
+    CHECK(look.parameters[0].name == "glow");
+    CHECK(look.parameters[0].range.high == 2.0);
+}
+
+TEST_CASE("mistakes are told at the author's line, in JSON with the pass's name") {
+    const ToyFiles files;
+    const LoadedLook text =
+        load_toy_look(files.write("a.glsl",
+                                  "// one\nvoid mainImage(out vec4 c, in vec2 p) {\n"
+                                  "    c = vec5(1.0);\n}\n"),
+                      {}, nullptr);
+    REQUIRE_FALSE(text.look.has_value());
+    CHECK(files.told(text.look.error()).starts_with("a.glsl:3: error: "));
+    const LoadedLook json = files.load_json(
+        json_pass("common", "", "float a = 1.0;") + "," +
+        json_pass("image", "4dfGRr",
+                  "#define A \\\\\\n 1.0\\nvoid mainImage(out vec4 c, in vec2 p) {\\n c = b; }"));
+    REQUIRE_FALSE(json.look.has_value());
+    CHECK(files.told(json.look.error()).starts_with("a.json/Image:4: error: 'b'"));
+}
+
+TEST_CASE("a common pass stands before every other") {
+    const ToyFiles files;
+    const Look look = files.look_of_json(
+        json_pass("image", "4dfGRr", "void mainImage(out vec4 c, in vec2 p) { c = vec4(one()); }") +
+        "," + json_pass("common", "", "float one() { return 1.0; }") + "," +
+        json_pass("buffer", "4dXGR8",
+                  "void mainImage(out vec4 c, in vec2 p) { c = vec4(one()); }"));
+    CHECK(names_of(look) == "Buffer A, Image");
+}
+
+TEST_CASE("a texture is a picture to be chosen, with a stand-in, once for all who read it") {
+    const ToyFiles files;
+    const std::string noise = "/media/a/f735bee5b64ef98879dc618b016ecf79.png";
+    const Look look = files.look_of_json(
+        json_pass("buffer", "4dXGR8", reads_0, json_input(0, "texture", "", noise)) + "," +
+        json_pass("image", "4dfGRr", reads_0, json_input(0, "texture", "", noise)));
+    REQUIRE(look.parameters.size() == 1);
+    const Parameter& picture = look.parameters[0];
+    CHECK(picture.name == "rgba_noise_256");
+    CHECK(picture.control == Control::image);
+    CHECK(picture.initial.path == "pattern:noise");
+    CHECK(picture.bindings == std::vector<Binding>{{0, "iChannel0"}, {1, "iChannel0"}});
+    CHECK(input_in(look, "Image", "iChannel0").name == "rgba_noise_256");
+}
+
+TEST_CASE("a texture that lies beside the shader is read from there") {
+    const ToyFiles files;
+    const auto beside = files.write("cat.png", "not looked into");
+    const Look look = files.look_of_json(
+        json_pass("image", "4dfGRr", reads_0, json_input(0, "texture", "", "/media/a/cat.png")));
+    CHECK(look.parameters[0].initial.path == beside.string());
+}
+
+TEST_CASE("cubes, volumes, the keyboard and videos are fed") {
+    const ToyFiles files;
+    const Look look = files.look_of_json(
+        json_pass("image", "4dfGRr",
+                  "void mainImage(out vec4 c, in vec2 p) { c = texture(iChannel0, vec3(p, 1.0)) + "
+                  "texture(iChannel1, vec3(p, 1.0)) + texelFetch(iChannel2, ivec2(65, 0), 0) + "
+                  "texture(iChannel3, p); }",
+                  json_input(0, "cubemap") + "," + json_input(1, "volume") + "," +
+                      json_input(2, "keyboard") + "," + json_input(3, "video")));
+    CHECK(input_in(look, "Image", "iChannel0").from == Input::From::image);
+    CHECK(input_in(look, "Image", "iChannel1").from == Input::From::image);
+    CHECK(input_in(look, "Image", "iChannel2").from == Input::From::keyboard);
+    CHECK(input_in(look, "Image", "iChannel3").from == Input::From::source);
+    CHECK(look.driven_by == Driver::picture);
+    CHECK(reads_keys(look));
+    REQUIRE(look.images.size() == 2);
+    CHECK(look.images[0].made == "solid:sky");
+    CHECK(look.images[1].made == "solid:noise-volume");
+}
+
+TEST_CASE("music is what the person plays: spectrum and wave of the look's signal") {
+    const ToyFiles files;
+    const Look look = files.look_of_json(
+        json_pass("image", "4dfGRr", reads_0, json_input(0, "musicstream", "", "https://a/b")));
+    const Input& music = input_in(look, "Image", "iChannel0");
+    CHECK(music.from == Input::From::sound);
+    CHECK(music.sound == SoundTexture{SoundTexture::Holds::analyser, 512});
+    CHECK(look.driven_by == Driver::signal);
+    CHECK(look.default_signal.has_value());
+}
+
+TEST_CASE("Cube A is drawn behind the buffers as six faces, and read as a cube") {
+    const ToyFiles files;
+    const std::string cube_main =
+        "void mainCubemap(out vec4 c, in vec2 p, in vec3 from, in vec3 seen) { c = vec4(seen, "
+        "1.0); }";
+    const std::string reads_cube =
+        "void mainImage(out vec4 c, in vec2 p) { c = texture(iChannel0, vec3(1.0)); }";
+    const Look look = files.look_of_json(
+        json_pass("image", "4dfGRr", reads_cube, json_input(0, "cubemap", "4dX3Rr")) + "," +
+        json_pass("cubemap", "4dX3Rr", cube_main) + "," +
+        json_pass("buffer", "4dXGR8", reads_cube, json_input(0, "cubemap", "4dX3Rr")));
+    CHECK(names_of(look) == "Buffer A, Cube A, Image");
+    CHECK(input_in(look, "Image", "iChannel0").reference() == "Cube A");
+    CHECK(input_in(look, "Buffer A", "iChannel0").reference() == "Cube A@1");
+    CHECK(look.passes[1].size[0].factor == 6.0 * look.passes[1].size[1].factor);
+}
+
+TEST_CASE("what cannot be had is named, and the rest goes on") {
+    const ToyFiles files;
+    const LoadedLook loaded = files.load_json(
+        json_pass("image", "4dfGRr", reads_0, json_input(0, "buffer", "4dXGR8")) + ",\n" +
+        json_pass("sound", "", "vec2 mainSound(float t) { return vec2(0.0); }"));
+    CHECK(loaded.look.has_value());
+    CHECK(files.told(loaded.warnings) ==
+          "a.json/Sound:1: warning: a pass that makes sound is not played here\n"
+          "a.json:1: warning: iChannel0 of 'Image' reads Buffer A, which is not there: it is "
+          "black\n");
+}
+
+TEST_CASE("a folder of files is one shader: passes by name, channels by the buffers' order") {
+    const ToyFiles files;
+    files.write("common.glsl", "const float half_of = 0.5;\n");
+    files.write("Buffer A.glsl",
+                "void mainImage(out vec4 c, in vec2 p) { c = texture(iChannel0, p); }\n");
+    files.write("buf_b.glsl",
+                "void mainImage(out vec4 c, in vec2 p) { c = texture(iChannel0, p); }\n");
+    const auto image = files.write("Image.glsl",
+                                   "void mainImage(out vec4 c, in vec2 p) { c = texture(iChannel1, "
+                                   "p) * half_of + texture(iChannel2, p); }\n");
+    CHECK(is_toy_file(image));
+    const Look look = files.good(load_toy_look(image, {}, nullptr));
+    CHECK(names_of(look) == "Buffer A, Buffer B, Image");
+    CHECK(input_in(look, "Buffer A", "iChannel0").reference() == "Buffer A@1");
+    CHECK(input_in(look, "Buffer B", "iChannel0").reference() == "Buffer A");
+    CHECK(input_in(look, "Image", "iChannel1").reference() == "Buffer B");
+    CHECK(input_in(look, "Image", "iChannel2").from == Input::From::image);
+    CHECK(look.files.size() == 4);
+}
+
+TEST_CASE("names begin alike where several shaders share a folder") {
+    const ToyFiles files;
+    files.write("fire_bufferA.frag", plain);
+    files.write("rain_bufferA.frag", plain);
+    const Look look = files.good(load_toy_look(files.write("fire_image.frag", plain), {}, nullptr));
+    CHECK(names_of(look) == "Buffer A, Image");
+    CHECK(look.passes[0].fragment.file.filename() == "fire_bufferA.frag");
+}
+
+TEST_CASE("a shader's file is told by what it holds") {
+    const ToyFiles files;
+    CHECK(is_toy_file(files.write("a.json", "{\"renderpass\": []}")));
+    CHECK_FALSE(is_toy_file(files.write("b.json", "{\"format\": \"afterglow-preset\"}")));
+    CHECK_FALSE(is_toy_file(files.write("look.json", "{\"renderpass\": []}")));
+    CHECK(is_toy_file(files.write("a.txt", plain)));
+    CHECK_FALSE(is_toy_file(files.write("b.txt", "mainImage is a name")));
+    CHECK_FALSE(is_toy_file(
+        files.write("b.frag", std::string(plain) + "\nvoid main() { mainImage(a, b); }")));
+}

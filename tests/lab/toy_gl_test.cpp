@@ -1,0 +1,202 @@
+// What shaders of Shadertoy draw, rule by rule.
+#include "io/picture_file.h"
+#include "io/temporary_folder.h"
+#include "lab/offline.h"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace {
+/// A shader's pass for the JSON that a test writes.
+struct JsonPass {
+    std::string type;
+    std::string id;
+    std::string code;
+    std::string inputs = {};
+};
+
+const std::string shows_buffer_a = R"({"channel": 0, "type": "buffer", "id": "4dXGR8",
+    "sampler": {"filter": "nearest", "wrap": "clamp", "vflip": "true"}})";
+
+std::string main_image(const std::string& body) {
+    return "void mainImage(out vec4 c, in vec2 p) { " + body + " }";
+}
+
+/// A shader on a picture of 4 x 2 px, 60 frames a second.
+class DrawnToy {
+public:
+    explicit DrawnToy(const std::vector<JsonPass>& passes) {
+        std::string text;
+        for (const JsonPass& pass : passes)
+            text +=
+                fmt::format(R"({}{{"type": "{}", "outputs": [{{"id": "{}"}}], "code": "{}",
+                                      "inputs": [{}]}})",
+                            text.empty() ? "" : ", ", pass.type, pass.id, pass.code, pass.inputs);
+        RenderRequest request;
+        request.look = m_folder.write("a.json", "{\"renderpass\": [" + text + "]}").string();
+        request.size = {4, 2};
+        const auto roots = find_roots({});
+        REQUIRE(roots.has_value());
+        auto prepared = prepare(request, Library(*roots));
+        REQUIRE_MESSAGE(prepared.has_value(), to_string(prepared.error()));
+        auto offline = Offline::create(std::move(*prepared), request.size, 60.0);
+        REQUIRE_MESSAGE(offline.has_value(), to_string(offline.error()));
+        m_offline.emplace(std::move(*offline));
+    }
+
+    /// The texel at the left bottom after so many frames more, of a pass.
+    std::array<float, 4> after(int frames, int pass = 0) {
+        for (int frame = 0; frame < frames; ++frame)
+            m_offline->advance();
+        return texel(0, 0, pass);
+    }
+    std::array<float, 4> texel(int x, int y_from_bottom, int pass = 0) const {
+        const Picture picture = m_offline->picture(pass);
+        const float* at =
+            &picture.pixels[picture.index(x, picture.extent.height - 1 - y_from_bottom)];
+        return {at[0], at[1], at[2], at[3]};
+    }
+
+private:
+    TemporaryFolder m_folder;
+    std::optional<Offline> m_offline;
+};
+
+// Numbers beyond 0..1 are seen in a buffer, which keeps them.
+DrawnToy buffer_with(const std::string& body, const std::string& inputs = "") {
+    return DrawnToy(
+        {{"buffer", "4dXGR8", main_image(body), inputs},
+         {"image", "4dfGRr", main_image("c = texture(iChannel0, p);"), shows_buffer_a}});
+}
+
+using Texel = std::array<float, 4>;
+}  // namespace
+
+TEST_CASE("a buffer that reads itself has what it drew the frame before, zero at first") {
+    DrawnToy counter = buffer_with("c = texelFetch(iChannel0, ivec2(p), 0) + 1.0;", shows_buffer_a);
+    CHECK(counter.after(1) == Texel{1, 1, 1, 1});
+    CHECK(counter.after(4) == Texel{5, 5, 5, 5});
+}
+
+TEST_CASE("frames are counted from 0, and time begins with the first") {
+    DrawnToy clock = buffer_with("c = vec4(iFrame, iTime * 60.0, iTimeDelta * 60.0, iFrameRate);");
+    const Texel first = clock.after(1);
+    CHECK(first[0] == 0.0f);
+    CHECK(first[1] == 0.0f);
+    CHECK(first[2] == doctest::Approx(1.0));
+    CHECK(first[3] == doctest::Approx(60.0));
+    const Texel fourth = clock.after(3);
+    CHECK(fourth[0] == 3.0f);
+    CHECK(fourth[1] == doctest::Approx(3.0));
+}
+
+TEST_CASE("frame 0 sets what the later ones add to") {
+    DrawnToy toy = buffer_with(
+        "c = iFrame == 0 ? vec4(10.0) : texelFetch(iChannel0, ivec2(p), 0) + 1.0;", shows_buffer_a);
+    CHECK(toy.after(3)[0] == 12.0f);
+}
+
+TEST_CASE("pixels are counted from the bottom left, and sizes are told with 1 behind them") {
+    DrawnToy toy = buffer_with("c = vec4(p, iResolution.yz);");
+    toy.after(1);
+    CHECK(toy.texel(3, 1) == Texel{3.5f, 1.5f, 2.0f, 1.0f});
+    DrawnToy read =
+        buffer_with("c = vec4(iChannelResolution[0], iChannelResolution[2].x);", shows_buffer_a);
+    CHECK(read.after(1) == Texel{4, 2, 1, 0});
+}
+
+TEST_CASE("a buffer's alpha is its author's, the Image's is 1") {
+    DrawnToy toy({{"buffer", "4dXGR8", main_image("c = vec4(0.25);")},
+                  {"image", "4dfGRr", main_image("c = texelFetch(iChannel0, ivec2(0), 0);"),
+                   shows_buffer_a}});
+    CHECK(toy.after(1, 0)[3] == 0.25f);
+    CHECK(toy.texel(0, 0, 1)[3] == 1.0f);
+}
+
+TEST_CASE("offline no key is down and nothing is pressed") {
+    DrawnToy toy = buffer_with("c = iMouse + texelFetch(iChannel1, ivec2(65, 0), 0);",
+                               R"({"channel": 1, "type": "keyboard"})");
+    CHECK(toy.after(1) == Texel{0, 0, 0, 0});
+}
+
+TEST_CASE("the sample rate is the usual one") {
+    DrawnToy toy = buffer_with("c = vec4(iSampleRate);");
+    CHECK(toy.after(1)[0] == 44100.0f);
+}
+
+TEST_CASE("a cube reads the sky: brighter and bluer above than below") {
+    DrawnToy toy = buffer_with(
+        "c = vec4(texture(iChannel1, vec3(0.0, 1.0, 0.1)).b, texture(iChannel1, vec3(0.0, -1.0, "
+        "0.1)).b, "
+        "textureSize(iChannel1, 0).x, 0.0);",
+        R"({"channel": 1, "type": "cubemap", "sampler": {"filter": "linear"}})");
+    const Texel seen = toy.after(1);
+    CHECK(seen[0] > seen[1] + 0.2f);
+    CHECK(seen[2] == 128.0f);
+}
+
+TEST_CASE("what Cube A draws in a direction is read in that direction") {
+    const std::string cube_main =
+        "void mainCubemap(out vec4 c, in vec2 p, in vec3 from, in vec3 seen) { c = vec4(seen, "
+        "1.0); }";
+    DrawnToy toy({{"buffer", "4dXGR8",
+                   main_image("vec3 d = normalize(vec3(0.3, -0.8, 0.5)); "
+                              "c = vec4(texture(iChannel1, d).rgb - d, float(iFrame));"),
+                   R"({"channel": 1, "type": "cubemap", "id": "4dX3Rr"})"},
+                  {"cubemap", "4dX3Rr", cube_main},
+                  {"image", "4dfGRr", main_image("c = vec4(1.0);")}});
+    const Texel off = toy.after(2);  // the buffer reads the cube of the frame before
+    CHECK(off[3] == 1.0f);
+    for (std::size_t part = 0; part < 3; ++part)
+        CHECK(std::abs(off[part]) < 0.01f);
+}
+
+TEST_CASE("dates of renders are fixed, with months from 0") {
+    DrawnToy toy = buffer_with("c = iDate;");
+    const Texel date = toy.after(30);
+    CHECK(date[0] == 2000.0f);
+    CHECK(date[1] == 0.0f);
+    CHECK(date[2] == 1.0f);
+    CHECK(date[3] == doctest::Approx(0.5));
+}
+
+TEST_CASE("a volume reads noise, 32 texels a side, which repeats") {
+    DrawnToy toy = buffer_with(
+        "vec3 at = vec3(0.3, 0.4, 0.6); c = vec4(textureSize(iChannel1, 0).z, "
+        "texture(iChannel1, at).r - texture(iChannel1, at + 1.0).r, texture(iChannel1, at).r, "
+        "0.0);",
+        R"({"channel": 1, "type": "volume", "sampler": {"filter": "linear", "wrap": "repeat"}})");
+    const Texel seen = toy.after(1);
+    CHECK(seen[0] == 32.0f);
+    CHECK(std::abs(seen[1]) < 0.01f);
+    CHECK(seen[2] > 0.0f);
+}
+
+TEST_CASE("vflip says which row of a picture lies at the bottom") {
+    const auto reading = [](const char* flip) {
+        return fmt::format(R"({{"channel": 1, "type": "texture", "filepath": "rows.png",
+            "sampler": {{"filter": "nearest", "wrap": "clamp", "vflip": "{}"}}}})",
+                           flip);
+    };
+    const TemporaryFolder folder;
+    Picture rows{{1, 2}, 3, Encoding::display, {1.0f, 1.0f, 1.0f, 0.0f, 0.0f, 0.0f}};
+    REQUIRE(save_picture(rows, folder / "rows.png").has_value());
+    for (const char* flip : {"true", "false"}) {
+        const auto file =
+            folder.write("a.json", R"({"renderpass": [{"type": "image", "code": ")" +
+                                       main_image("c = texelFetch(iChannel1, ivec2(0), 0);") +
+                                       R"(", "inputs": [)" + reading(flip) + "]}]}");
+        RenderRequest request;
+        request.look = file.string();
+        request.size = {1, 1};
+        auto prepared = prepare(request, Library(*find_roots({})));
+        REQUIRE_MESSAGE(prepared.has_value(), to_string(prepared.error()));
+        auto offline = Offline::create(std::move(*prepared), request.size, 60.0);
+        REQUIRE(offline.has_value());
+        offline->advance();
+        // The top row of the file is white; flipped, as usual, the bottom one is at 0.
+        CHECK(offline->picture().pixels[0] == (flip == std::string("true") ? 0.0f : 1.0f));
+    }
+}
