@@ -1,3 +1,4 @@
+#include "base/pass_progress.h"
 #include "formats/slang/slang_folder.h"
 #include "formats/slang/slang_format.h"
 
@@ -250,4 +251,23 @@ TEST_CASE("a shader alone is a chain of one pass") {
     REQUIRE(loaded.look.has_value());
     CHECK(loaded.look->id == "0.slang");
     CHECK(loaded.look->passes.size() == 1);
+}
+
+TEST_CASE("reading a chain says how far it is, pass by pass, and ends when nobody wants it") {
+    ChainFolder folder({source_only, source_only, source_only});
+    REQUIRE(folder.load().look.has_value());  // writes the preset
+    std::vector<std::string> told;
+    PassProgress* shared = nullptr;
+    PassProgress progress([&](const PassProgress::State& state) {
+        told.push_back(fmt::format("{} {}/{}", state.pass, state.done, state.total));
+        if (told.size() == 5)
+            shared->cancel();
+    });
+    shared = &progress;
+    CHECK(load_slang_look(folder / "a.slangp", {nullptr, &progress}).look.has_value());
+    CHECK(told == std::vector<std::string>{"0 0/3", "1 1/3", "2 2/3"});
+    const LoadedLook cut = load_slang_look(folder / "a.slangp", {nullptr, &progress});
+    REQUIRE_FALSE(cut.look.has_value());
+    CHECK(folder.told(cut.look.error()) == "a.slangp: error: was not read to its end");
+    CHECK(told.size() == 5);
 }
