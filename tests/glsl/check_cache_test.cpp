@@ -7,6 +7,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 namespace {
 Stage painted(const std::string& uniforms, const std::string& color) {
     return {"paint.frag",

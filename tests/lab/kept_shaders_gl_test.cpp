@@ -31,7 +31,7 @@ TEST_CASE("a look that was drawn before is not compiled again, also by another s
 
 TEST_CASE("without a cache folder all is compiled, and nothing is written") {
     SmallLab small;
-    const Roots roots = small.roots();
+    const Roots& roots = small.roots();
     REQUIRE(roots.cache.empty());
     CHECK(kept_shaders(roots) == nullptr);
     CHECK(compiled_programs(roots) == 2);
