@@ -102,6 +102,22 @@ Result<Look> read_look(const fs::path& manifest, const fs::path& shared, CheckCa
 bool is_fs_file(const fs::path& file) {
     return to_lower(file.extension().string()) == ".fs";
 }
+
+LoadedLook load_any(const fs::path& manifest, const fs::path& shared, const ReadingHelp& help) {
+    if (is_slang_file(manifest))
+        return load_slang_look(manifest, help);
+    if (is_isf_file(manifest))
+        return load_isf_look(manifest, help.cache);
+    if (is_toy_file(manifest))
+        return load_toy_look(manifest, shared, help.cache);
+    if (is_bare_file(manifest))
+        return load_bare_look(manifest, shared, help.cache);
+    if (is_fs_file(manifest))  // it tells what is wrong with it
+        return load_isf_look(manifest, help.cache);
+    LoadedLook loaded;
+    loaded.look = read_look(manifest, shared, help.cache, loaded);
+    return loaded;
+}
 }  // namespace
 
 fs::path manifest_of(const fs::path& folder_or_manifest) {
@@ -112,19 +128,10 @@ fs::path manifest_of(const fs::path& folder_or_manifest) {
 
 LoadedLook load_look(const fs::path& folder_or_manifest, const fs::path& shared_includes,
                      const ReadingHelp& help) {
-    if (is_slang_file(folder_or_manifest))
-        return load_slang_look(folder_or_manifest, help);
-    if (is_isf_file(folder_or_manifest))
-        return load_isf_look(folder_or_manifest, help.cache);
-    if (is_toy_file(folder_or_manifest))
-        return load_toy_look(folder_or_manifest, shared_includes, help.cache);
-    if (is_bare_file(folder_or_manifest))
-        return load_bare_look(folder_or_manifest, shared_includes, help.cache);
-    if (is_fs_file(folder_or_manifest))  // it tells what is wrong with it
-        return load_isf_look(folder_or_manifest, help.cache);
     const fs::path manifest = manifest_of(folder_or_manifest);
-    LoadedLook loaded;
-    loaded.look = read_look(manifest, shared_includes, help.cache, loaded);
+    LoadedLook loaded = load_any(manifest, shared_includes, help);
+    if (std::ranges::find(loaded.files, manifest) == loaded.files.end())
+        loaded.files.push_back(manifest);
     if (loaded.look)
         loaded.look->files = loaded.files;
     return loaded;

@@ -143,6 +143,9 @@ std::string packed(const Reflection& reflection) {
     packer.add(std::uint64_t{reflection.uniforms.size()});
     for (const Uniform& uniform : reflection.uniforms)
         add(packer, uniform);
+    packer.add(std::uint64_t{reflection.live.size()});
+    for (const std::string& name : reflection.live)
+        packer.add(name);
     add(packer, reflection.warnings);
     return packer.bytes();
 }
@@ -152,6 +155,8 @@ std::optional<Reflection> unpacked_reflection(std::string_view bytes) {
     Reflection reflection;
     for (std::size_t left = read.count(); left > 0 && read.is_good(); --left)
         reflection.uniforms.push_back(read_uniform(read));
+    for (std::size_t left = read.count(); left > 0 && read.is_good(); --left)
+        reflection.live.emplace_back(read.text());
     reflection.warnings = read_diagnostics(read);
     return read.is_at_end() ? std::optional(std::move(reflection)) : std::nullopt;
 }

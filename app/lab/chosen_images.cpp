@@ -2,7 +2,6 @@
 
 #include "io/picture_file.h"
 #include "lab/look_media.h"
-#include "signals/patterns.h"
 
 #include <functional>
 
@@ -13,16 +12,6 @@ using SetImage = std::function<Result<void>(const Picture&)>;
 
 Result<void> show_black(const SetImage& set_image) {
     return set_image({{1, 1}, 4, Encoding::linear, {0.0f, 0.0f, 0.0f, 1.0f}});
-}
-
-Result<void> show_pattern(const std::string& pattern, const SetImage& set_image) {
-    const auto picture = make_pattern(pattern);
-    return picture ? set_image(*picture) : fail(picture.error());
-}
-
-Result<void> show_nothing(const Parameter& parameter, const SetImage& set_image) {
-    return parameter.stand_in.empty() ? show_black(set_image)
-                                      : show_pattern(parameter.stand_in, set_image);
 }
 
 Result<void> show_file(const fs::path& file, const SetImage& set_image) {
@@ -59,7 +48,7 @@ Result<void> ChosenImages::show(const Look& look, const Values& values, Renderer
             continue;
         const fs::path file = value_of(parameter, values).path;
         const auto before = m_shown.find(parameter.name);
-        if (file.empty() && parameter.stand_in.empty() && before == m_shown.end())
+        if (file.empty() && before == m_shown.end())
             continue;
         const auto written = written_time(file);
         if (before != m_shown.end() && before->second.file == file &&
@@ -70,8 +59,7 @@ Result<void> ChosenImages::show(const Look& look, const Values& values, Renderer
         const auto set_image = [&](const Picture& picture) {
             return renderer.set_image(whose, parameter.name, picture);
         };
-        const auto done =
-            file.empty() ? show_nothing(parameter, set_image) : show_file(file, set_image);
+        const auto done = file.empty() ? show_black(set_image) : show_file(file, set_image);
         const Diagnostics reasons = done ? Diagnostics() : done.error();
         problems.insert(problems.end(), reasons.begin(), reasons.end());
         shown[parameter.name] = {file, written, warnings(reasons, parameter)};

@@ -83,8 +83,7 @@ struct Parameter {
     std::string was;                 // a former name, "" when there is none
     bool is_hidden = false;
     Encoding encoding = Encoding::linear;  // of a colour, as shaders read it; its value is linear
-    std::string stand_in;  // of an image: the test pattern while none is chosen; "": black
-    OrbitPart orbit = OrbitPart::none;  // its number becomes a part of a matrix
+    OrbitPart orbit = OrbitPart::none;     // its number becomes a part of a matrix
     std::vector<Binding> bindings;
     Location declared;
 

@@ -154,10 +154,12 @@ Turned draw_trigger(Value& value, const FormColumns& columns) {
 }
 
 Turned draw_file(const Knob& knob, const FormColumns& columns, Edits& edits) {
-    const std::string name = std::filesystem::path(knob.value.path).filename().string();
-    const std::string& stand_in = knob.parameter.stand_in;
-    const std::string nothing = stand_in.empty() ? "Choose…" : fmt::format("{}. Choose…", stand_in);
-    const std::string label = (name.empty() ? nothing : name) + "##file";
+    constexpr std::string_view pattern = "pattern:";
+    const bool is_pattern = knob.value.path.starts_with(pattern);
+    const std::string name = is_pattern
+                                 ? knob.value.path.substr(pattern.size())
+                                 : std::filesystem::path(knob.value.path).filename().string();
+    const std::string label = (name.empty() ? std::string("Choose…") : name) + "##file";
     if (ImGui::Button(label.c_str(), {columns.control_and_number(), 0.0f}))
         edits.show({.kind = Dialog::Kind::choose_file, .subject = knob.parameter.name});
     return {};

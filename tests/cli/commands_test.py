@@ -418,7 +418,7 @@ void main() { gl_FragColor = tinted ? tint : vec4(level, 0.0, 0.0, 1.0); }
 
     def test_a_corpus_holds_isf_shaders_too(self):
         self.write("corpus/good.fs", self.ISF)
-        self.write("corpus/bad.fs", "void main() {}\n")
+        self.write("corpus/bad.fs", "float main;\n")
         result = run("corpus", self.folder / "corpus", "--json", "--frames", "2", "--size", "8x8")
         bad, good = json.loads(result.stdout)["files"]
         self.assertIn("ISF", bad["why"])

@@ -164,8 +164,7 @@ TEST_CASE("a preset that is broken and mended on disk leaves no notice") {
     CHECK(small.document().values() == Values{{"gain", Value(2.0)}});
 }
 
-TEST_CASE(
-    "a sampler without a choice reads its stand-in, and again when the choice is taken back") {
+TEST_CASE("a sampler reads the pattern of its default, and again when a choice is taken back") {
     const TemporaryFolder folder;
     const auto context = gpu::Context::headless();
     REQUIRE(context.has_value());
@@ -174,20 +173,21 @@ TEST_CASE(
                  "void main() { gl_FragColor = IMG_THIS_PIXEL(picked); }\n");
     LoadedLook loaded = load_look(folder / "a.fs", {});
     REQUIRE(loaded.look.has_value());
-    loaded.look->parameters[0].stand_in = "white";
+    loaded.look->parameters[0].initial = Value::of_path("pattern:white");
     auto programs = build_programs(*loaded.look);
     REQUIRE(programs.has_value());
     Renderer renderer(*loaded.look, std::move(*programs));
     REQUIRE(renderer.resize({8, 8}, {8, 8}).has_value());
     ChosenImages images;
-    const auto shown = [&](const std::string& file) {
-        CHECK(images.show(*loaded.look, {{"picked", Value::of_path(file)}}, renderer).has_value());
+    const auto shown = [&](const Values& values) {
+        CHECK(images.show(*loaded.look, values, renderer).has_value());
         renderer.draw({1, {0.0, 1.0 / 60.0}}, {});
         return gpu::read_pixel(renderer.executor().target(0), 4, 4)[0];
     };
     const std::string black = save_grey(folder / "black.exr", 0.0f).string();
-    CHECK(shown("") == 1.0f);
-    CHECK(shown(black) == 0.0f);
-    CHECK(shown("") == 1.0f);
+    CHECK(shown({}) == 1.0f);
+    CHECK(shown({{"picked", Value::of_path(black)}}) == 0.0f);
+    CHECK(shown({}) == 1.0f);
+    CHECK(shown({{"picked", Value::of_path("")}}) == 0.0f);
     CHECK(images.files().empty());
 }

@@ -63,7 +63,6 @@ TEST_CASE("of two looks that are asked for one after the other only the second o
         std::filesystem::copy_file(small.look_folder() / file,
                                    small.look_folder() / "../third" / file);
     small.lab().open("other");
-    small.turn(1);
     small.lab().open("third");
     std::set<std::string> seen;
     CHECK(small.turn_until([&] {

@@ -128,9 +128,5 @@ LoadedLook load_bare_look(const fs::path& file, const fs::path& shared_includes,
                           CheckCache* cache) {
     LoadedLook loaded;
     loaded.look = read_bare_look(file, shared_includes, cache, loaded);
-    if (std::ranges::find(loaded.files, file) == loaded.files.end())
-        loaded.files.push_back(file);
-    if (loaded.look)
-        loaded.look->files = loaded.files;
     return loaded;
 }

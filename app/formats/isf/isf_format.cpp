@@ -57,9 +57,6 @@ bool is_isf_file(const fs::path& file) {
 
 LoadedLook load_isf_look(const fs::path& file, CheckCache* cache) {
     LoadedLook loaded;
-    loaded.files.push_back(file);
     loaded.look = read_isf_look(file, cache, loaded);
-    if (loaded.look)
-        loaded.look->files = loaded.files;
     return loaded;
 }

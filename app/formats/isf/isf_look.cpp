@@ -16,8 +16,8 @@ namespace {
 using InputType = IsfInput::Type;
 
 constexpr const char* usual_source = "pattern:harbour";
-constexpr const char* usual_pattern = "harbour";
-constexpr const char* other_pattern = "smpte";  // tells a second picture from the first
+constexpr const char* usual_picture = "pattern:harbour";
+constexpr const char* other_picture = "pattern:smpte";  // tells a second picture from the first
 constexpr const char* usual_sound = "waveform:mode=xy,ch1=saw,f1=12,ch2=sine,f2=5";
 constexpr int wave_samples = 512;
 constexpr int spectrum_bins = 256;
@@ -115,7 +115,7 @@ private:
         Parameter made = isf_control(input);
         const bool is_first = input.name == "inputImage" || input.name == "startImage";
         if (is_picture(input))
-            made.stand_in = is_first ? usual_pattern : other_pattern;
+            made.initial = Value::of_path(is_first ? usual_picture : other_picture);
         m_look.parameters.push_back(std::move(made));
     }
 

@@ -67,9 +67,5 @@ bool is_toy_file(const fs::path& file) {
 LoadedLook load_toy_look(const fs::path& file, const fs::path& shared_includes, CheckCache* cache) {
     LoadedLook loaded;
     loaded.look = read_toy_look(file, shared_includes, cache, loaded);
-    if (std::ranges::find(loaded.files, file) == loaded.files.end())
-        loaded.files.push_back(file);
-    if (loaded.look)
-        loaded.look->files = loaded.files;
     return loaded;
 }

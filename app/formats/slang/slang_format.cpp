@@ -133,9 +133,5 @@ LoadedLook load_slang_look(const fs::path& file, const ReadingHelp& help) {
     LoadedLook loaded;
     loaded.look = read_look_of(file, files, help, loaded);
     loaded.files = files.seen();
-    if (std::ranges::find(loaded.files, file) == loaded.files.end())
-        loaded.files.push_back(file);
-    if (loaded.look)
-        loaded.look->files = loaded.files;
     return loaded;
 }

@@ -44,9 +44,9 @@ TEST_CASE("inputImage of a filter is the source, startImage that of a transition
     CHECK(find_input(transition.passes[0], "startImage")->from == Input::From::source);
     REQUIRE(find_parameter(transition, "endImage"));
     CHECK(find_parameter(transition, "endImage")->control == Control::image);
-    CHECK_FALSE(find_parameter(transition, "endImage")->stand_in.empty());
-    CHECK(transition.default_source !=
-          "pattern:" + find_parameter(transition, "endImage")->stand_in);
+    const std::string& other = find_parameter(transition, "endImage")->initial.path;
+    CHECK(other.starts_with("pattern:"));
+    CHECK(other != transition.default_source);
 }
 
 TEST_CASE("a shader that listens is driven by the sound, and its inputImage is a choice") {
@@ -227,7 +227,7 @@ TEST_CASE("a uniform of the author's own that no input sets is told") {
 
 TEST_CASE("a .fs file without ISF's header is no ISF shader, and says so") {
     const IsfFolder folder;
-    const auto file = folder.write("a.fs", "void main() {}\n");
+    const auto file = folder.write("a.fs", "float main;\n");
     CHECK_FALSE(is_isf_file(file));
     CHECK(is_foreign_look(file));
     CHECK(is_isf_file(folder.write("b.fs", "/*{}*/")));

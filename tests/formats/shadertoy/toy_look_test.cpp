@@ -259,7 +259,7 @@ TEST_CASE("a folder of files is one shader: passes by name, channels by the buff
                                    "void mainImage(out vec4 c, in vec2 p) { c = texture(iChannel1, "
                                    "p) * half_of + texture(iChannel2, p); }\n");
     CHECK(is_toy_file(image));
-    const Look look = files.good(load_toy_look(image, {}, nullptr));
+    const Look look = files.good(load_look(image, {}));
     CHECK(names_of(look) == "Buffer A, Buffer B, Image");
     CHECK(input_in(look, "Buffer A", "iChannel0").reference() == "Buffer A@1");
     CHECK(input_in(look, "Buffer B", "iChannel0").reference() == "Buffer A");
