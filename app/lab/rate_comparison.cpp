@@ -62,7 +62,7 @@ Picture shown(Picture picture) {
 }
 }  // namespace
 
-Result<RateComparison> compare_rates(Document document, Extent picture, Work& work) {
+Result<RateComparison> compare_rates(const Document& document, Extent picture, Work& work) {
     if (auto good = check_driver(document); !good)
         return fail(good.error());
     RateComparison comparison{moment_to_compare(document.look()), size_to_compare(picture), {}, {}};

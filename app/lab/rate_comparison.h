@@ -40,4 +40,4 @@ Extent size_to_compare(Extent picture);
 /// Draws a document at every rate from a fresh start up to moment_to_compare, with a GL context of
 /// its own. Fails where it cannot be drawn, where what drives it comes but once (a microphone), and
 /// when it is cancelled.
-Result<RateComparison> compare_rates(Document document, Extent picture, Work& work);
+Result<RateComparison> compare_rates(const Document& document, Extent picture, Work& work);

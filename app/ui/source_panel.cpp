@@ -22,7 +22,7 @@ void set_source(const SourceSpec& source, Edits& edits, bool goes_on = false) {
 std::string label_of(const SourceSpec& source) {
     if (!source.is_pattern())
         return std::filesystem::path(source.picture).filename().string();
-    const std::string name = name_of_pattern(source);
+    std::string name = name_of_pattern(source);
     for (const PatternFacts& pattern : all_patterns())
         if (name == pattern.name)
             return pattern.label;

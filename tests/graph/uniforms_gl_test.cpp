@@ -1,5 +1,7 @@
 #include "graph/looks.h"
 
+#include <fmt/format.h>
+
 namespace {
 // Draws `expression` of one uniform of the given GLSL type.
 Rgba shown(const std::string& type, const std::string& expression, NumberType number, Value initial,
@@ -51,11 +53,9 @@ TEST_CASE_FIXTURE(Headless, "matrices are filled column by column, square or not
             const NumberType type{Scalar::floating, rows, columns};
             CAPTURE(glsl_name(type));
             // The last column's first and last row: (columns-1)*rows + 1 and columns*rows.
-            const std::string last = "k[" + std::to_string(columns - 1) + "]";
-            const Rgba seen = shown(
-                glsl_name(type),
-                "vec4(" + last + "[0], " + last + "[" + std::to_string(rows - 1) + "], k[0][1], 0)",
-                type, count_to(rows * columns), {});
+            const std::string ends =
+                fmt::format("vec4(k[{0}][0], k[{0}][{1}], k[0][1], 0)", columns - 1, rows - 1);
+            const Rgba seen = shown(glsl_name(type), ends, type, count_to(rows * columns), {});
             CHECK(seen == Rgba{static_cast<float>((columns - 1) * rows + 1),
                                static_cast<float>(columns * rows), 2, 0});
         }

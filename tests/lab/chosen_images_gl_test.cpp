@@ -3,6 +3,8 @@
 #include "lab/chosen_images.h"
 #include "lab/small_lab.h"
 
+#include <cmath>
+
 namespace fs = std::filesystem;
 
 namespace {

@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 namespace {
 constexpr double frame_seconds = 1.0 / 60.0;
 

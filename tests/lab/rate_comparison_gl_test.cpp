@@ -2,6 +2,8 @@
 #include "lab/rate_comparison.h"
 #include "lab/small_lab.h"
 
+#include <cmath>
+
 namespace {
 constexpr const char* fading = R"(#version 410 core
 uniform sampler2D previous;
