@@ -102,6 +102,7 @@ std::vector<ChoiceList> inspector_choices(const InspectedParts& parts, const Pas
     return {texture_choices(parts), channel_choices(view.channels), level_choices(view)};
 }
 
+namespace {
 Filter filter_of_pass(const Look& look, const std::string& pass) {
     for (const Pass& reader : look.passes)
         for (const Input& input : reader.inputs)
@@ -109,39 +110,50 @@ Filter filter_of_pass(const Look& look, const std::string& pass) {
                 return input.sampler.filter;
     return Filter::linear;
 }
+}  // namespace
+
+// The look itself is not copied for it: it may have a megabyte of texts.
+std::optional<PassSetting> pass_setting(const Document& document, const std::string& pass) {
+    const Look& look = document.look();
+    const auto place = find_pass(look, pass);
+    if (!place)
+        return std::nullopt;
+    const Pass& written = look.passes[static_cast<std::size_t>(*place)];
+    const auto found = document.state().overrides.find(pass);
+    const PassOverride tried =
+        found == document.state().overrides.end() ? PassOverride{} : found->second;
+    const Side& side = written.size[0];
+    const std::optional<double> own =
+        side.by == Side::By::viewport ? std::optional(side.factor) : std::nullopt;
+    return PassSetting{tried.scale ? tried.scale : own, tried.format.value_or(written.format),
+                       tried.filter.value_or(filter_of_pass(look, pass)), tried};
+}
 
 ChoiceList pass_setting_choices(const Document& document, const std::string& pass) {
     ChoiceList list{"This pass"};
-    const Look drawn = document.drawn_look();
-    const auto place = find_pass(drawn, pass);
-    if (!place)
+    const auto now = pass_setting(document, pass);
+    if (!now)
         return list;
-    const Pass& shown = drawn.passes[static_cast<std::size_t>(*place)];
-    const PassOverrides& overrides = document.state().overrides;
-    const auto found = overrides.find(pass);
-    const PassOverride present = found == overrides.end() ? PassOverride{} : found->second;
     const auto offer = [&](std::string name, const PassOverride& changed, bool is_present) {
         list.choices.push_back({.name = std::move(name),
                                 .deeds = {override_pass(pass, changed)},
                                 .is_present = is_present});
     };
-    const Side& side = shown.size[0];
     for (const double scale : pass_scales) {
-        PassOverride changed = present;
+        PassOverride changed = now->tried;
         changed.scale = scale;
-        offer("Size " + times_text(scale), changed,
-              side.by == Side::By::viewport && side.factor == scale);
+        offer("Size " + times_text(scale), changed, now->scale == scale);
     }
     for (const FormatFacts& facts : all_formats()) {
-        PassOverride changed = present;
+        PassOverride changed = now->tried;
         changed.format = facts.format;
-        offer("Format " + std::string(facts.name), changed, facts.format == shown.format);
+        offer("Format " + std::string(facts.name), changed, facts.format == now->format);
     }
     for (const Filter filter : {Filter::nearest, Filter::linear}) {
-        PassOverride changed = present;
+        PassOverride changed = now->tried;
         changed.filter = filter;
         offer(filter == Filter::nearest ? "Read nearest" : "Read linear", changed,
-              filter_of_pass(drawn, pass) == filter);
+              now->filter == filter);
     }
     return list;
 }

@@ -54,5 +54,12 @@ inline constexpr std::array pass_scales{0.125, 0.25, 0.5, 1.0, 2.0};
 /// "1/4×", "1.5×".
 std::string times_text(double factor);
 
-/// As the first pass reads it that does.
-Filter filter_of_pass(const Look& look, const std::string& pass);
+/// How a pass is drawn now: as its look has it, or as the person tries it.
+struct PassSetting {
+    std::optional<double> scale;  // of the picture; none: its size is given otherwise
+    Format format = Format::rgba16f;
+    Filter filter = Filter::linear;  // as the first pass reads it that does
+    PassOverride tried;
+};
+/// None where the look has no pass of that name.
+std::optional<PassSetting> pass_setting(const Document& document, const std::string& pass);

@@ -12,48 +12,38 @@
 #include <cmath>
 
 namespace {
-PassOverride present_override(const Document& document, const std::string& pass) {
-    const PassOverrides& overrides = document.state().overrides;
-    const auto found = overrides.find(pass);
-    return found == overrides.end() ? PassOverride{} : found->second;
-}
-
 void set_override(const std::string& pass, const PassOverride& changed, Edits& edits) {
     edits.document([=](Document& document) { document.set_override(pass, changed); });
 }
 
-// The factor of a pass that is measured by the picture; nothing where a size is given otherwise.
-std::optional<double> scale_of(const Pass& pass) {
-    const Side& side = pass.size[0];
-    return side.by == Side::By::viewport ? std::optional(side.factor) : std::nullopt;
-}
-
-void draw_scale(const Pass& drawn, PassOverride changed, float width, Edits& edits) {
+void draw_scale(const std::string& pass, const PassSetting& now, float width, Edits& edits) {
     std::array<std::string, pass_scales.size()> texts;
     std::array<const char*, pass_scales.size()> labels{};
     int chosen = -1;
     for (std::size_t i = 0; i < pass_scales.size(); ++i) {
         texts[i] = zoom_text(pass_scales[i]);
         labels[i] = texts[i].c_str();
-        if (scale_of(drawn) == pass_scales[i])
+        if (now.scale == pass_scales[i])
             chosen = static_cast<int>(i);
     }
     if (form_list("##scale", labels.data(), static_cast<int>(labels.size()), chosen, width,
                   "by look")) {
+        PassOverride changed = now.tried;
         changed.scale = pass_scales[static_cast<std::size_t>(chosen)];
-        set_override(drawn.name, changed, edits);
+        set_override(pass, changed, edits);
     }
     tooltip("Size of this pass against the picture");
     edits.mark("pass_scale");
 }
 
-void draw_format(const Pass& drawn, PassOverride changed, float width, Edits& edits) {
-    if (begin_combo("##format", std::string(facts_of(drawn.format).name), width)) {
+void draw_format(const std::string& pass, const PassSetting& now, float width, Edits& edits) {
+    if (begin_combo("##format", std::string(facts_of(now.format).name), width)) {
         for (const FormatFacts& facts : all_formats()) {
             const std::string name(facts.name);
-            if (ImGui::Selectable(name.c_str(), facts.format == drawn.format)) {
+            if (ImGui::Selectable(name.c_str(), facts.format == now.format)) {
+                PassOverride changed = now.tried;
                 changed.format = facts.format;
-                set_override(drawn.name, changed, edits);
+                set_override(pass, changed, edits);
             }
             edits.mark("format:" + name);
         }
@@ -63,11 +53,11 @@ void draw_format(const Pass& drawn, PassOverride changed, float width, Edits& ed
     edits.mark("pass_format");
 }
 
-void draw_filter(const Look& drawn, const std::string& pass, PassOverride changed, float width,
-                 Edits& edits) {
+void draw_filter(const std::string& pass, const PassSetting& now, float width, Edits& edits) {
     static constexpr std::array labels{"nearest", "linear"};
-    int chosen = filter_of_pass(drawn, pass) == Filter::linear ? 1 : 0;
+    int chosen = now.filter == Filter::linear ? 1 : 0;
     if (form_list("##filter", labels.data(), 2, chosen, width)) {
+        PassOverride changed = now.tried;
         changed.filter = chosen == 1 ? Filter::linear : Filter::nearest;
         set_override(pass, changed, edits);
     }
@@ -95,19 +85,16 @@ float pass_settings_height(const Scene& scene) {
 }
 
 void draw_pass_settings(const std::string& pass, const Scene& scene, Edits& edits) {
-    const Look drawn = scene.lab.document()->drawn_look();
-    const auto place = find_pass(drawn, pass);
-    if (!place)
+    const auto now = pass_setting(*scene.lab.document(), pass);
+    if (!now)
         return;
-    const PassOverride changed = present_override(*scene.lab.document(), pass);
     const float gap = 4.0f;
     const float room = ImGui::GetContentRegionAvail().x - 2.0f * gap;
-    const Pass& shown = drawn.passes[static_cast<std::size_t>(*place)];
-    draw_scale(shown, changed, std::floor(room * 0.24f), edits);
+    draw_scale(pass, *now, std::floor(room * 0.24f), edits);
     ImGui::SameLine(0.0f, gap);
-    draw_format(shown, changed, std::floor(room * 0.44f), edits);
+    draw_format(pass, *now, std::floor(room * 0.44f), edits);
     ImGui::SameLine(0.0f, gap);
-    draw_filter(drawn, pass, changed, std::floor(room * 0.32f), edits);
+    draw_filter(pass, *now, std::floor(room * 0.32f), edits);
     if (has_changes(scene))
         draw_buttons(edits);
 }
