@@ -27,8 +27,9 @@ constexpr const char* about =
     "The lab for the CRT, phosphor and oscilloscope look.\n\n"
     "afterglow [LOOK] opens the window, also on a sound, picture or preset; the commands work "
     "without a display.\n"
-    "LOOK is a look's folder or name, a stack of looks as in phosphor+crt, or a preset: a file,\n"
-    "a PNG that holds one, or its line of text.";
+    "LOOK is a look's folder or name, a stack of looks as in phosphor+crt, a shader of another\n"
+    "program (libretro's .slangp and .slang, ISF, Shadertoy, a fragment shader alone), or a\n"
+    "preset: a file, a PNG that holds one, or its line of text.";
 
 // A misspelt command reads like the name of a look, and would open a window.
 void check_is_no_command(const std::string& look, const std::string& data) {

@@ -40,7 +40,8 @@ void check_ending(const std::string& option, const std::string& file,
 void LookOptions::add_to(Options& options, Take take) {
     options
         .add("LOOK", m_request.look,
-             "A look's folder or name, a stack a+b, or a preset: file, PNG or line")
+             "A look's folder or name, a stack a+b, another program's shader, or a preset: file, "
+             "PNG or line")
         .required();
     options.add("--preset", m_request.preset, "A preset of the look: file, name or line");
     options

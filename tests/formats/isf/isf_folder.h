@@ -1,7 +1,7 @@
 #pragma once
 
-#include "base/text.h"
 #include "formats/isf/isf_format.h"
+#include "formats/told.h"
 #include "io/temporary_folder.h"
 
 #include <doctest/doctest.h>
@@ -32,11 +32,7 @@ public:
 
     /// "a.fs:2: error: ...", one a line.
     std::string told(const Diagnostics& diagnostics) const {
-        std::string text = to_string(diagnostics);
-        const std::string folder = m_folder.path().string() + "/";
-        for (std::size_t at = text.find(folder); at != text.npos; at = text.find(folder))
-            text.erase(at, folder.size());
-        return std::string(trim(text));
+        return told_in(m_folder.path(), diagnostics);
     }
     std::string refusal(const std::string& members, const std::string& code) const {
         const LoadedLook loaded = load(members, code);

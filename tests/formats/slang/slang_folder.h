@@ -2,6 +2,7 @@
 
 #include "formats/slang/preset.h"
 #include "formats/slang/shader.h"
+#include "formats/told.h"
 #include "io/temporary_folder.h"
 
 #include <doctest/doctest.h>
@@ -41,11 +42,7 @@ public:
     }
     /// "a.slangp:2: error: ...", one a line, with paths from this folder on.
     std::string told(const Diagnostics& diagnostics) const {
-        std::string text = to_string(diagnostics);
-        const std::string folder = m_folder.path().string() + "/";
-        for (std::size_t at = text.find(folder); at != text.npos; at = text.find(folder))
-            text.erase(at, folder.size());
-        return std::string(trim(text));
+        return told_in(m_folder.path(), diagnostics);
     }
     template <class T>
     std::string refusal(const Result<T>& result) const {
