@@ -21,6 +21,14 @@ const sockaddr* general(const sockaddr_un& address) {
     return reinterpret_cast<const sockaddr*>(&address);
 }
 
+// The name must fit.
+sockaddr_un address_of(const std::string& name) {
+    sockaddr_un address = {};
+    address.sun_family = AF_UNIX;
+    std::memcpy(address.sun_path, name.c_str(), name.size());
+    return address;
+}
+
 // A program that was killed leaves its socket behind, and nobody answers there.
 Result<void> clear_place(const fs::path& path, const sockaddr_un& address) {
     struct stat status = {};
@@ -73,22 +81,25 @@ Result<std::unique_ptr<ByteReader>> ByteReader::listen(const fs::path& path, Sen
     return reader;
 }
 
+// Made beside its place and moved there when it listens: who sees the socket is answered.
 Result<void> ByteReader::make_socket(const fs::path& path) {
-    sockaddr_un address = {};
-    address.sun_family = AF_UNIX;
-    const std::string name = path.string();
-    if (name.size() >= sizeof address.sun_path)
-        return fail({path, 0, "is too long for a socket; the system allows 107 bytes"});
-    std::memcpy(address.sun_path, name.c_str(), name.size());
-    if (auto cleared = clear_place(path, address); !cleared)
+    const std::string made = path.string() + '~';
+    if (made.size() >= sizeof sockaddr_un::sun_path)
+        return fail({path, 0, "is too long for a socket; it may have 106 bytes"});
+    if (auto cleared = clear_place(path, address_of(path.string())); !cleared)
         return cleared;
+    const PassingFile passing(made);
+    ::unlink(made.c_str());  // of a program that was killed
     Descriptor listener(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+    const sockaddr_un address = address_of(made);
     if (::bind(listener.get(), general(address), sizeof address) != 0)
         return cannot(path, "the socket cannot be made");
-    m_socket_file.emplace(path);
     constexpr int waiting = 8;
     // Only the person's own programs may draw.
-    if (::chmod(name.c_str(), S_IRUSR | S_IWUSR) != 0 || ::listen(listener.get(), waiting) != 0)
+    if (::chmod(made.c_str(), S_IRUSR | S_IWUSR) != 0 || ::listen(listener.get(), waiting) != 0)
+        return cannot(path, "the socket cannot be opened");
+    m_socket_file.emplace(path);
+    if (::rename(made.c_str(), path.c_str()) != 0)
         return cannot(path, "the socket cannot be opened");
     m_listener = std::move(listener);
     return {};
