@@ -23,18 +23,23 @@ Result<Canvas> Canvas::make(Extent extent, Format format, bool is_mipmapped) {
     if (!texture)
         return fail(texture.error());
     Canvas canvas(std::move(*texture));
-    glBindFramebuffer(GL_FRAMEBUFFER, canvas.m_name.get());
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
-                           canvas.m_texture.id(), 0);
-    const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
+    // Each level is emptied by itself: where glGenerateMipmap meets new memory, Mesa 22 loses the
+    // first draw into it.
+    for (int level = canvas.m_texture.levels() - 1; level >= 0; --level) {
+        glBindFramebuffer(GL_FRAMEBUFFER, canvas.m_name.get());
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
+                               canvas.m_texture.id(), level);
+        const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
+        if (status != GL_FRAMEBUFFER_COMPLETE) {
+            glBindFramebuffer(GL_FRAMEBUFFER, 0);
+            return fail({{},
+                         0,
+                         fmt::format("the graphics driver cannot draw into {} ({:#x})",
+                                     facts_of(format).name, status)});
+        }
+        canvas.clear();
+    }
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    if (status != GL_FRAMEBUFFER_COMPLETE)
-        return fail({{},
-                     0,
-                     fmt::format("the graphics driver cannot draw into {} ({:#x})",
-                                 facts_of(format).name, status)});
-    canvas.clear();
-    canvas.m_texture.generate_mipmaps();
     return canvas;
 }
 

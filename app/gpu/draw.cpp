@@ -26,10 +26,22 @@ DrawScope::~DrawScope() {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
+namespace {
+constexpr int all_pixels = 1 << 20;  // of a row or column
+}
+
 void limit_columns(int first, int end) {
-    constexpr int all_rows = 1 << 20;
     glEnable(GL_SCISSOR_TEST);
-    glScissor(first, 0, std::max(end - first, 0), all_rows);
+    glScissor(first, 0, std::max(end - first, 0), all_pixels);
+}
+
+void limit_rows(int first, int end) {
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(0, first, all_pixels, std::max(end - first, 0));
+}
+
+void lift_limits() {
+    glDisable(GL_SCISSOR_TEST);
 }
 
 void set_blend(Blend blend) {

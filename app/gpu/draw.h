@@ -18,6 +18,10 @@ public:
 
 /// From here to the end of the scope draws reach only columns `first` to `end` - 1 of a target.
 void limit_columns(int first, int end);
+/// The same of rows, counted from the bottom.
+void limit_rows(int first, int end);
+/// They reach all of it again.
+void lift_limits();
 
 /// How what is drawn next meets what is there. Alpha is unassociated.
 void set_blend(Blend blend);

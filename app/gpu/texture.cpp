@@ -21,11 +21,6 @@ GLuint new_texture() {
     return id;
 }
 
-int level_count(Extent extent, bool is_mipmapped) {
-    const auto side = static_cast<unsigned>(std::max(extent.width, extent.height));
-    return is_mipmapped ? static_cast<int>(std::bit_width(side)) : 1;
-}
-
 // Asks without making an error, which a real allocation past the limit would.
 bool is_possible(Extent extent, const GlFormat& format) {
     glTexImage2D(GL_PROXY_TEXTURE_2D, 0, format.internal, extent.width, extent.height, 0,
@@ -66,6 +61,11 @@ GLenum Texture::target() const {
             break;
     }
     return GL_TEXTURE_2D;
+}
+
+int Texture::levels() const {
+    const auto side = static_cast<unsigned>(std::max(m_extent.width, m_extent.height));
+    return m_is_mipmapped ? static_cast<int>(std::bit_width(side)) : 1;
 }
 
 std::size_t Texture::layers() const {
@@ -119,7 +119,7 @@ Result<Texture> Texture::make_solid(PictureShape shape, int side, Format format,
 }
 
 Result<Texture> Texture::allocated(Texture texture) {
-    const int levels = level_count(texture.m_extent, texture.m_is_mipmapped);
+    const int levels = texture.levels();
     forget_errors();
     glBindTexture(texture.target(), texture.id());
     for (int level = 0; level < levels; ++level)

@@ -29,6 +29,7 @@ public:
     GLenum target() const;
     Format format() const { return m_format; }
     bool is_mipmapped() const { return m_is_mipmapped; }
+    int levels() const;
     GLuint id() const { return m_name.get(); }
     /// As a toolkit that draws textures takes it.
     std::uintptr_t handle() const { return m_name.get(); }

@@ -18,6 +18,8 @@ public:
     /// `parts`: how many equal pieces of work follow.
     void begin(int parts = 1);
     void end();
+    /// What somebody else measured, in place of begin and end; of work in `parts` equal pieces.
+    void tell(double milliseconds, int parts = 1);
     /// The newest measure that has arrived, of the whole and of one of its parts; never the first.
     std::optional<double> milliseconds();
     std::optional<double> milliseconds_a_part();

@@ -75,6 +75,7 @@ public:
     std::vector<std::filesystem::path> take_dropped_files();
     /// What mouse and keyboard did since last asked, in order.
     std::vector<InputEvent> take_input();
+    bool has_input() const { return !m_input.empty(); }
 
     /// Device pixels; empty while minimised.
     Extent framebuffer_size() const;

@@ -55,6 +55,7 @@ void Executor::prepare() {
 }
 
 Result<void> Executor::replace(Look look, Programs programs) {
+    drop_frame();
     if (auto made = m_keyboard.prepare(look); !made)
         return made;
     if (m_targets.size() > 0) {
@@ -103,6 +104,7 @@ Result<void> Executor::resize(Extent viewport, Extent source) {
     if (auto made = m_keyboard.prepare(m_look); !made)
         return made;
     if (m_targets.size() == 0 || *plan != m_plan) {
+        drop_frame();
         auto sound = SoundTextures::make(m_look);
         if (!sound)
             return fail(sound.error());
@@ -162,6 +164,7 @@ void Executor::set_image(const std::string& name, std::shared_ptr<const gpu::Tex
 }
 
 void Executor::clear_history() {
+    drop_frame();
     ++m_picture_number;
     for (std::size_t i = 0; i < m_targets.size(); ++i)
         if (run_of(i) != PassRun::frozen)

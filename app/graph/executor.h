@@ -7,12 +7,14 @@
 #include "graph/built_in_uniforms.h"
 #include "graph/cube_copies.h"
 #include "graph/frame.h"
+#include "graph/frame_work.h"
 #include "graph/keyboard.h"
 #include "graph/parameter_uniforms.h"
 #include "graph/pass_report.h"
 #include "graph/pass_through.h"
 #include "graph/programs.h"
 #include "graph/quad.h"
+#include "graph/row_pace.h"
 #include "graph/sound_textures.h"
 #include "graph/source_history.h"
 #include "graph/target_set.h"
@@ -75,6 +77,20 @@ public:
     /// The same frame again, only these passes; history does not move. Accumulating passes take no
     /// further samples.
     void redraw(const Frame& frame, const std::vector<bool>& passes);
+
+    /// What draw() and redraw() do, in slices, for who has other things to do beside a look that
+    /// takes long: passes are drawn in bands of rows. Until continue_frame() has finished the
+    /// frame, what is told of targets is that of the one before, where `is_seen` and there is
+    /// memory. Whatever else draws, resizes or clears drops an unfinished frame.
+    void begin_draw(const Frame& frame, const std::vector<bool>* passes, bool is_seen);
+    void begin_redraw(const Frame& frame, const std::vector<bool>& passes, bool is_seen);
+    bool is_amid_frame() const { return m_is_amid_frame; }
+    /// Goes on for about `seconds`; true when the frame is whole.
+    bool continue_frame(double seconds);
+    void drop_frame();
+    /// Gives back the memory that slices took.
+    void end_slices();
+
     /// Accumulating passes forget their samples: all, or those that these passes reach. Values,
     /// source, images, sizes and edits see to it themselves.
     void restart_samples();
@@ -132,6 +148,7 @@ private:
         gpu::VertexArray vertices;
         int tint_location;  // of the attribute; -1: none
         std::unique_ptr<gpu::Timer> timer;
+        RowPace pace = {};
         int samples = 0;  // that an accumulating pass holds
         bool reads_itself = false;
         bool covers_target = false;  // leaves no texel of what was there
@@ -142,18 +159,30 @@ private:
     Result<void> make_empty();
     int repeats_of(const Pass& pass) const;
 
-    void draw_passes(const Frame& frame, const std::vector<bool>* only, bool is_again);
-    void draw_pass(std::size_t pass, const Frame& frame, bool is_again);
+    void note_frame(const Frame& frame, const std::vector<bool>* only, bool is_again);
+    void move_on(bool is_unfinished);
+    void draw_passes();
+    void draw_pass(std::size_t pass);
+    bool begin_pass(std::size_t pass);
+    void start_draw(std::size_t pass, int draw);
+    void write_sample(std::size_t pass, int draw);
+    void end_draw(std::size_t pass);
+    void end_pass(std::size_t pass);
+    void look_behind_frame();
+    bool may_be_unfinished(std::size_t pass) const;
+    void continue_pass(double seconds);
+    void draw_band(std::size_t pass, double seconds);
+    void finish_frame();
     PassRun run_of(std::size_t pass) const;
     bool is_kept(std::size_t pass) const;  // shows its last picture once more
     void pass_through(std::size_t pass);
     bool rests(std::size_t pass) const;
-    void draw_samples(std::size_t pass, const Frame& frame);
-    void draw_repetitions(std::size_t pass, bool is_again);
-    PassFacts facts_of_pass(std::size_t pass, const Frame& frame) const;
-    void write_built_ins(std::size_t pass, const Frame& frame) const;
+    void count_samples(std::size_t pass);
+    void drop_samples();
+    PassFacts facts_of_pass(std::size_t pass) const;
+    void write_built_ins(std::size_t pass) const;
     std::optional<int> enough_of(const Pass& pass) const;
-    int samples_due(std::size_t pass, const Frame& frame) const;
+    int samples_due(std::size_t pass) const;
     int samples_before(std::size_t pass) const;
     void bind(const PassState& state);
     const gpu::Texture* texture_for(const BoundInput& input) const;
@@ -161,10 +190,11 @@ private:
     const gpu::Texture* stored_texture(const TextureChoice& choice) const;
     RowOrder rows_of(const BoundInput& input) const;
     void start_target(std::size_t pass, bool goes_on);
+    void aim(std::size_t pass);
     void draw_shape(std::size_t pass);
     bool is_remembered(std::size_t pass) const;  // later frames read it
-    bool is_watched(std::size_t pass, std::int64_t frame) const;
-    void look_behind(const Frame& frame, const std::vector<bool>& drawn);
+    bool is_watched(std::size_t pass) const;
+    void look_behind(const std::vector<bool>& drawn);
 
     Look m_look;
     Programs m_programs;
@@ -190,10 +220,12 @@ private:
     mutable Upright m_upright;
     Guard m_guard = Guard::off;
     bool m_draws_whole = false;  // the present frame
+    FrameWork m_work;
+    bool m_is_amid_frame = false;
     std::optional<Tripwire> m_tripwire;
     bool m_has_points = false;
     bool m_has_segments = false;
     int m_draw_calls = 0;
     std::uint64_t m_picture_number = 0;
-    Frame m_drawn;  // the last; without its beam
+    Frame m_drawn;  // the present one, or the last; without its beam
 };

@@ -7,24 +7,30 @@
 #include <limits>
 
 void Executor::draw(const Frame& frame, const std::vector<bool>* passes) {
-    if (frame.is_first)
-        clear_history();
-    m_targets.advance();
-    for (std::size_t i = 0; i < m_targets.size(); ++i)
-        if (is_kept(i))
-            m_targets[i].keep();
-    m_source.advance();
-    m_beam.advance(frame);
-    draw_passes(frame, passes, false);
+    note_frame(frame, passes, false);
+    move_on(false);
+    draw_passes();
     m_parameters.end_events();
 }
 
 void Executor::redraw(const Frame& frame, const std::vector<bool>& passes) {
-    draw_passes(frame, &passes, true);
+    note_frame(frame, &passes, true);
+    draw_passes();
 }
 
-void Executor::draw_passes(const Frame& frame, const std::vector<bool>* only, bool is_again) {
+// What is drawn from now on, and what it is told.
+void Executor::note_frame(const Frame& frame, const std::vector<bool>* only, bool is_again) {
     assert(m_targets.size() == m_passes.size());
+    drop_frame();
+    if (!is_again && frame.is_first)
+        clear_history();
+    m_work.passes.assign(m_passes.size(), only == nullptr);
+    for (std::size_t i = 0; only && i < std::min(only->size(), m_passes.size()); ++i)
+        m_work.passes[i] = (*only)[i];
+    m_work.is_again = is_again;
+    m_draws_whole = only == nullptr;
+    if (!is_again)
+        m_beam.advance(frame);
     m_beam.write(frame, m_has_points, m_has_segments);
     m_keyboard.show(frame.keys);
     m_sound.show(frame);
@@ -33,47 +39,122 @@ void Executor::draw_passes(const Frame& frame, const std::vector<bool>* only, bo
     m_drawn.tints = {};
     m_drawn.sound = nullptr;
     m_draw_calls = 0;
-    m_draws_whole = only == nullptr;
+}
+
+// What was this frame's is a frame ago.
+void Executor::move_on(bool is_unfinished) {
+    for (std::size_t i = 0; i < m_targets.size(); ++i) {
+        if (is_unfinished && may_be_unfinished(i))
+            m_targets[i].begin(Target::Unfinished::next);
+        else
+            m_targets[i].advance();
+        if (is_kept(i))
+            m_targets[i].keep();
+    }
+    m_source.advance();
+}
+
+void Executor::draw_passes() {
     ++m_picture_number;
     const gpu::DrawScope scope;
     for (std::size_t i = 0; i < m_passes.size(); ++i)
-        if (!only || (i < only->size() && (*only)[i]))
-            draw_pass(i, frame, is_again);
-    if (only && m_tripwire)
-        look_behind(frame, *only);
+        if (m_work.passes[i])
+            draw_pass(i);
+    look_behind_frame();
     m_samplers.release();
 }
 
-void Executor::draw_pass(std::size_t index, const Frame& frame, bool is_again) {
-    if (is_kept(index))
-        return;
-    m_targets[index].note_drawn();
-    if (run_of(index) == PassRun::bypassed)
-        return pass_through(index);
-    if (m_look.passes[index].accumulate && is_again)
+void Executor::look_behind_frame() {
+    if (!m_draws_whole && m_tripwire)
+        look_behind(m_work.passes);
+}
+
+void Executor::draw_pass(std::size_t index) {
+    if (!begin_pass(index))
         return;
     PassState& state = m_passes[index];
+    if (m_work.draws > m_work.first_draw)
+        state.timer->begin(m_work.draws - m_work.first_draw);
+    for (int i = m_work.first_draw; i < m_work.draws; ++i) {
+        start_draw(index, i);
+        draw_shape(index);
+        end_draw(index);
+    }
+    state.timer->end();
+    end_pass(index);
+}
+
+// False where the program draws nothing.
+bool Executor::begin_pass(std::size_t index) {
+    if (is_kept(index))
+        return false;
+    m_targets[index].make_room();
+    m_targets[index].note_drawn();
+    if (run_of(index) == PassRun::bypassed) {
+        pass_through(index);
+        return false;
+    }
+    const Pass& pass = m_look.passes[index];
+    PassState& state = m_passes[index];
+    if (pass.accumulate && m_work.is_again)
+        return false;
     state.program->use();
-    write_built_ins(index, frame);
+    write_built_ins(index);
+    m_work.first_draw = 0;
+    if (pass.accumulate) {
+        count_samples(index);
+        return true;
+    }
+    // One that reads its own history moves on with each repetition; all that is left of the former
+    // ones when it is drawn again is what the last one read, so only that one is drawn.
+    m_work.draws = repeats_of(pass);
+    if (m_work.is_again && state.reads_itself)
+        m_work.first_draw = m_work.draws - 1;
+    return true;
+}
+
+void Executor::start_draw(std::size_t index, int draw) {
+    PassState& state = m_passes[index];
+    const bool is_first = draw == m_work.first_draw;
+    const bool accumulates = m_look.passes[index].accumulate;
+    if (!is_first && state.reads_itself)
+        m_targets[index].advance();
+    if (is_first || state.reads_itself) {
+        start_target(index, accumulates && state.samples > 0);
+        aim(index);
+    }
+    write_sample(index, draw);
+}
+
+void Executor::write_sample(std::size_t index, int draw) {
+    const PassState& state = m_passes[index];
+    const int sample =
+        m_look.passes[index].accumulate ? state.samples : samples_before(index) + draw;
+    state.built_ins.write_samples(*state.program, sample);
+}
+
+void Executor::end_draw(std::size_t index) {
+    ++m_draw_calls;
     if (m_look.passes[index].accumulate)
-        draw_samples(index, frame);
-    else
-        draw_repetitions(index, is_again);
-    if (is_watched(index, frame.number))
-        m_tripwire->look_at(index, m_targets[index].canvas(), frame.number,
+        ++m_passes[index].samples;
+}
+
+void Executor::end_pass(std::size_t index) {
+    if (is_watched(index))
+        m_tripwire->look_at(index, m_targets[index].canvas(), m_drawn.number,
                             m_guard == Guard::clamp);
     m_targets[index].canvas().texture().generate_mipmaps();
 }
 
-PassFacts Executor::facts_of_pass(std::size_t index, const Frame& frame) const {
+PassFacts Executor::facts_of_pass(std::size_t index) const {
     const Pass& pass = m_look.passes[index];
     const gpu::Texture* texture = m_source.texture(0);
     const Extent source =
         source_extent_of(m_look, pass, m_plan, texture ? texture->extent() : m_source_extent);
     const std::int64_t modulo =
         pass.frame_modulo > 0 ? pass.frame_modulo : std::numeric_limits<std::int64_t>::max();
-    const std::int64_t before = std::max<std::int64_t>(frame.number - 1, 0);
-    return {static_cast<double>(frame.number % modulo),
+    const std::int64_t before = std::max<std::int64_t>(m_drawn.number - 1, 0);
+    return {static_cast<double>(m_drawn.number % modulo),
             static_cast<double>(before % modulo),
             m_plan.targets[index].extent,
             m_viewport,
@@ -87,9 +168,9 @@ PassFacts Executor::facts_of_pass(std::size_t index, const Frame& frame) const {
             }};
 }
 
-void Executor::write_built_ins(std::size_t index, const Frame& frame) const {
+void Executor::write_built_ins(std::size_t index) const {
     const PassState& state = m_passes[index];
-    state.built_ins.write(*state.program, frame, facts_of_pass(index, frame));
+    state.built_ins.write(*state.program, m_drawn, facts_of_pass(index));
 }
 
 namespace {
@@ -118,28 +199,8 @@ PassReport Executor::report(int pass) const {
     const Pass& declared = m_look.passes[index];
     const int samples = declared.accumulate ? std::max(state.samples - 1, 0)
                                             : samples_before(index) + repeats_of(declared) - 1;
-    report.built_ins = state.built_ins.report(m_drawn, facts_of_pass(index, m_drawn), samples);
+    report.built_ins = state.built_ins.report(m_drawn, facts_of_pass(index), samples);
     return report;
-}
-
-// A pass that reads its own history moves on with each repetition; all that is left of the former
-// ones when it is drawn again is what the last one read, so only that one is drawn.
-void Executor::draw_repetitions(std::size_t index, bool is_again) {
-    PassState& state = m_passes[index];
-    const int repeats = repeats_of(m_look.passes[index]);
-    const int samples = samples_before(index);
-    state.timer->begin();
-    for (int i = is_again && state.reads_itself ? repeats - 1 : 0; i < repeats; ++i) {
-        if (i > 0 && state.reads_itself && !is_again)
-            m_targets[index].advance();
-        if (i == 0 || state.reads_itself) {
-            start_target(index, false);
-            bind(state);
-        }
-        state.built_ins.write_samples(*state.program, samples + i);
-        draw_shape(index);
-    }
-    state.timer->end();
 }
 
 // What a draw meets: the picture so far, or what changes nothing under the pass's blending.
@@ -147,14 +208,20 @@ void Executor::start_target(std::size_t index, bool goes_on) {
     const Pass& pass = m_look.passes[index];
     Target& target = m_targets[index];
     const bool is_whole = m_passes[index].covers_target;
-    if (goes_on && !is_whole && target.planned().slots > 1)
+    if (goes_on && !is_whole && target.has_former())
         target.canvas(1).copy_to(target.canvas());
     else if (!goes_on && !is_whole && pass.blend == Blend::multiply)
         target.canvas().clear({1.0f, 1.0f, 1.0f, 1.0f});
     else if (!goes_on && !is_whole)
         target.canvas().clear();
-    target.canvas().bind();
+}
+
+// Where draws go from here on, and what they read.
+void Executor::aim(std::size_t index) {
+    const Pass& pass = m_look.passes[index];
+    m_targets[index].canvas().bind();
     gpu::set_blend(facts_of(pass.format).is_integer ? Blend::replace : pass.blend);
+    bind(m_passes[index]);
 }
 
 namespace {
@@ -220,7 +287,6 @@ void Executor::draw_shape(std::size_t index) {
     m_passes[index].vertices.bind();
     if (const int location = m_passes[index].tint_location; location >= 0)
         m_beam.choose_tints(m_passes[index].vertices, location, shape);
-    ++m_draw_calls;
     if (shape == Draw::points)
         gpu::draw_points(m_beam.point_count());
     else if (shape == Draw::segments)

@@ -23,10 +23,10 @@ bool Executor::is_remembered(std::size_t pass) const {
     return m_plan.targets[pass].slots > 1 || m_look.passes[pass].accumulate;
 }
 
-bool Executor::is_watched(std::size_t pass, std::int64_t frame) const {
+bool Executor::is_watched(std::size_t pass) const {
     if (m_guard == Guard::off || !m_tripwire || !facts_of(m_plan.targets[pass].format).is_float)
         return false;
-    const bool is_next = static_cast<std::size_t>(frame) % m_passes.size() == pass;
+    const bool is_next = static_cast<std::size_t>(m_drawn.number) % m_passes.size() == pass;
     switch (m_guard) {
         case Guard::watch:
             return is_remembered(pass) || is_next;
@@ -38,14 +38,14 @@ bool Executor::is_watched(std::size_t pass, std::int64_t frame) const {
 }
 
 // Where what is kept was put right, the pass that began it is one of those before.
-void Executor::look_behind(const Frame& frame, const std::vector<bool>& drawn) {
+void Executor::look_behind(const std::vector<bool>& drawn) {
     if (m_guard != Guard::clamp || m_draws_whole)
         return;
     for (std::size_t cause = 0; cause < m_passes.size(); ++cause)
         for (std::size_t pass = 0; pass < cause; ++pass)
-            if (drawn[pass] && drawn[cause] && is_watched(cause, frame.number) &&
-                !is_watched(pass, frame.number) && facts_of(m_plan.targets[pass].format).is_float)
-                m_tripwire->look_behind(cause, pass, m_targets[pass].canvas(), frame.number);
+            if (drawn[pass] && drawn[cause] && is_watched(cause) && !is_watched(pass) &&
+                facts_of(m_plan.targets[pass].format).is_float)
+                m_tripwire->look_behind(cause, pass, m_targets[pass].canvas(), m_drawn.number);
 }
 
 std::optional<Trip> Executor::take_trip(bool waits) {

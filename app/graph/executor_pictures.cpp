@@ -30,7 +30,7 @@ RowOrder Executor::rows_of(const BoundInput& input) const {
 
 const gpu::Texture& Executor::target(int pass) const {
     const auto index = static_cast<std::size_t>(pass);
-    const gpu::Texture& stored = m_targets[index].canvas().texture();
+    const gpu::Texture& stored = m_targets[index].finished().texture();
     return m_upright.view(stored, m_look.passes[index].rows, m_picture_number);
 }
 
@@ -59,5 +59,5 @@ const gpu::Texture* Executor::stored_texture(const TextureChoice& choice) const 
     const auto pass = static_cast<std::size_t>(find_pass(m_look, choice.name).value_or(-1));
     if (pass >= m_targets.size() || choice.frames_ago >= m_targets[pass].planned().slots)
         return nullptr;
-    return &m_targets[pass].canvas(choice.frames_ago).texture();
+    return &m_targets[pass].finished(choice.frames_ago).texture();
 }

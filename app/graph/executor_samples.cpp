@@ -3,13 +3,22 @@
 
 #include <algorithm>
 
+// A frame that is taking samples is none any more.
+void Executor::drop_samples() {
+    if (m_is_amid_frame && samples())
+        drop_frame();
+}
+
 void Executor::restart_samples() {
+    drop_samples();
     for (PassState& state : m_passes)
         state.samples = 0;
 }
 
 void Executor::restart_samples(const std::vector<bool>& changed_passes) {
     const std::vector<bool> reached = reached_from(m_look, changed_passes);
+    if (std::ranges::find(reached, true) != reached.end())
+        drop_samples();
     for (std::size_t i = 0; i < m_passes.size(); ++i)
         if (reached[i])
             m_passes[i].samples = 0;
@@ -55,41 +64,28 @@ bool Executor::has_converged() const {
 
 // While somebody waits for the frame no more than fits into their patience: the time of one sample
 // is known once some have been drawn.
-int Executor::samples_due(std::size_t index, const Frame& frame) const {
+int Executor::samples_due(std::size_t index) const {
     const Pass& pass = m_look.passes[index];
     const PassState& state = m_passes[index];
     int due = repeats_of(pass);
     if (const int enough = enough_of(pass).value_or(0); enough > 0)
         due = std::min(due, std::max(0, enough - state.samples));
-    if (frame.patience_seconds <= 0.0 || due <= 1)
+    if (m_drawn.patience_seconds <= 0.0 || due <= 1)
         return due;
     const double each = state.timer->milliseconds_a_part().value_or(0.0) / 1000.0;
     if (each <= 0.0)
         return 1;
     const double most = due;
-    return static_cast<int>(std::clamp(frame.patience_seconds / each, 1.0, most));
+    return static_cast<int>(std::clamp(m_drawn.patience_seconds / each, 1.0, most));
 }
 
-void Executor::draw_samples(std::size_t index, const Frame& frame) {
+// How many are drawn in this frame; without any the picture so far goes on.
+void Executor::count_samples(std::size_t index) {
     PassState& state = m_passes[index];
     Target& target = m_targets[index];
     if (enough_of(m_look.passes[index]) == 0)
         state.samples = 0;
-    const int due = samples_due(index, frame);
-    if (due == 0 && target.planned().slots > 1)
+    m_work.draws = samples_due(index);
+    if (m_work.draws == 0 && target.has_former())
         target.canvas(1).copy_to(target.canvas());
-    if (due == 0)
-        return;
-    state.timer->begin(due);
-    for (int i = 0; i < due; ++i) {
-        if (i > 0 && state.reads_itself)
-            target.advance();
-        if (i == 0 || state.reads_itself) {
-            start_target(index, state.samples > 0);
-            bind(state);
-        }
-        state.built_ins.write_samples(*state.program, state.samples++);
-        draw_shape(index);
-    }
-    state.timer->end();
 }

@@ -28,6 +28,7 @@ bool Executor::is_kept(std::size_t pass) const {
 }
 
 void Executor::clear_history(int pass) {
+    drop_frame();
     ++m_picture_number;
     m_targets[static_cast<std::size_t>(pass)].clear();
     std::vector<bool> changed(m_passes.size(), false);

@@ -1,6 +1,7 @@
 #include "graph/target.h"
 
 #include <algorithm>
+#include <utility>
 
 Result<Target> Target::make(const PlannedTarget& planned) {
     Target target;
@@ -20,8 +21,53 @@ std::size_t Target::place_of(int frames_ago) const {
     return (m_current + count - back) % count;
 }
 
+const gpu::Canvas& Target::canvas(int frames_ago) const {
+    if (m_unfinished == Unfinished::no)
+        return m_slots[place_of(frames_ago)];
+    if (frames_ago <= 0)
+        return m_spare ? *m_spare : m_slots[m_current];
+    return m_slots[place_of(m_unfinished == Unfinished::next ? frames_ago - 1 : frames_ago)];
+}
+
+gpu::Canvas& Target::canvas(int frames_ago) {
+    return const_cast<gpu::Canvas&>(std::as_const(*this).canvas(frames_ago));
+}
+
 void Target::advance() {
+    if (m_unfinished == Unfinished::next)
+        take_spare();
+    else
+        m_current = (m_current + 1) % m_slots.size();
+}
+
+// The unfinished picture is the newest now, and the oldest is what is drawn over next.
+void Target::take_spare() {
     m_current = (m_current + 1) % m_slots.size();
+    std::swap(*m_spare, m_slots[m_current]);
+}
+
+void Target::make_room() {
+    if (m_unfinished == Unfinished::no || m_spare)
+        return;
+    if (auto made = gpu::Canvas::make(m_planned.extent, m_planned.format, m_planned.mipmapped)) {
+        m_spare.emplace(std::move(*made));
+        return;
+    }
+    if (std::exchange(m_unfinished, Unfinished::no) == Unfinished::next)
+        advance();
+}
+
+void Target::finish() {
+    if (m_unfinished == Unfinished::next)
+        take_spare();
+    else if (m_unfinished == Unfinished::again)
+        std::swap(*m_spare, m_slots[m_current]);
+    m_unfinished = Unfinished::no;
+}
+
+void Target::forget_room() {
+    drop();
+    m_spare.reset();
 }
 
 void Target::keep() {
@@ -32,6 +78,7 @@ void Target::keep() {
 }
 
 void Target::clear() {
+    drop();
     m_is_drawn = false;
     for (gpu::Canvas& canvas : m_slots) {
         canvas.clear();
@@ -40,6 +87,7 @@ void Target::clear() {
 }
 
 void Target::adopt(Target&& former) {
+    former.drop();
     m_is_drawn = former.m_is_drawn;
     const int count = std::min(m_planned.slots, former.m_planned.slots);
     for (int ago = 0; ago < count; ++ago)

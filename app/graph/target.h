@@ -4,10 +4,12 @@
 #include "gpu/canvas.h"
 #include "model/plan.h"
 
+#include <optional>
 #include <vector>
 
 /// What a pass has drawn: this frame's picture and the former ones that some input still reads, in
-/// a ring.
+/// a ring. A frame that is drawn in slices goes into a picture of its own: until it is whole, who
+/// looks on from outside is shown the one before.
 class Target {
 public:
     /// All its pictures are zero.
@@ -15,8 +17,16 @@ public:
 
     const PlannedTarget& planned() const { return m_planned; }
     /// Of this frame, or of `frames_ago`, at most as many as it keeps.
-    gpu::Canvas& canvas(int frames_ago = 0) { return m_slots[place_of(frames_ago)]; }
-    const gpu::Canvas& canvas(int frames_ago = 0) const { return m_slots[place_of(frames_ago)]; }
+    gpu::Canvas& canvas(int frames_ago = 0);
+    const gpu::Canvas& canvas(int frames_ago = 0) const;
+
+    /// What canvas() was before an unfinished picture was begun.
+    const gpu::Canvas& finished(int frames_ago = 0) const { return m_slots[place_of(frames_ago)]; }
+
+    /// Whether canvas(1) is another than what is drawn into.
+    bool has_former() const {
+        return m_slots.size() > 1 || (m_unfinished != Unfinished::no && m_spare);
+    }
 
     /// The current picture becomes the one of a frame ago; the oldest is drawn over next.
     void advance();
@@ -29,12 +39,29 @@ public:
     /// Takes over the newest pictures of a target of the same size and format.
     void adopt(Target&& former);
 
+    /// From here on canvas() counts from a picture that is not whole yet: the next one, or the
+    /// present one once more.
+    enum class Unfinished { no, next, again };
+    void begin(Unfinished unfinished) { m_unfinished = unfinished; }
+    /// Makes room for it before it is drawn. Without memory it is drawn where it will stay, and
+    /// seen meanwhile.
+    void make_room();
+    /// It is whole.
+    void finish();
+    /// It never will be: all is as before begin(), except for what had to be drawn in its place.
+    void drop() { m_unfinished = Unfinished::no; }
+    /// Gives back what make_room() took.
+    void forget_room();
+
 private:
     std::size_t place_of(int frames_ago) const;
+    void take_spare();
 
     PlannedTarget m_planned;
     std::vector<gpu::Canvas> m_slots;
     std::size_t m_current = 0;
+    std::optional<gpu::Canvas> m_spare;  // the unfinished picture
+    Unfinished m_unfinished = Unfinished::no;
     bool m_is_drawn = false;
 };
 

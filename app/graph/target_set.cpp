@@ -51,8 +51,3 @@ Result<TargetSet> TargetSet::make(const Look& look, const Plan& plan, TargetSet&
     }
     return set;
 }
-
-void TargetSet::advance() {
-    for (Named& named : m_targets)
-        named.target.advance();
-}

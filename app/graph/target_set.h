@@ -17,8 +17,6 @@ public:
     Target& operator[](std::size_t pass) { return m_targets[pass].target; }
     const Target& operator[](std::size_t pass) const { return m_targets[pass].target; }
 
-    void advance();
-
 private:
     struct Named {
         std::string pass;

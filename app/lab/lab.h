@@ -299,6 +299,8 @@ public:
     void update(double wall_seconds);
     /// Whether the next update has work to do without any event from outside.
     bool is_moving() const;
+    /// A look that takes long is drawn in slices, one an update, and the frame is not whole yet.
+    bool is_amid_frame() const;
     /// Becomes readable when a watched file has changed; -1 where files cannot be watched.
     int watch_descriptor() const { return m_reloader.descriptor(); }
 
@@ -344,6 +346,8 @@ private:
     void want(const Redraw& redraw);
     void resize_picture();
     void limit_frame(double wall_seconds);
+    void begin_drawing(double wall_seconds);
+    void go_on_drawing(double wall_seconds);
     void draw_picture(double wall_seconds);
     void start_replay();
     void set_guard();
@@ -406,6 +410,7 @@ private:
     std::string m_unopened;
     std::optional<OpenRequest> m_opened;  // that the open look came from
     double m_loading_seconds = 0.0;
+    double m_amid_seconds = 0.0;  // since the unfinished frame was begun
     std::optional<Notice> m_notice;
     PictureSize m_picture_size;
     Extent m_view{1280, 720};

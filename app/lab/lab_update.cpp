@@ -37,16 +37,35 @@ void Lab::update(double wall_seconds) {
     go_on_morphing(wall_seconds);
     if (m_document->is_restacking())
         m_reloader.restack(m_document->state().stack);  // the last picture goes on meanwhile
+    if (is_amid_frame())
+        go_on_drawing(wall_seconds);
     else
+        begin_drawing(wall_seconds);
+    note_moves();
+    tell_silence();
+    tell_heavy_pass();
+}
+
+bool Lab::is_amid_frame() const {
+    return m_renderer && m_renderer->is_amid_frame() && !m_renderer->replay().is_running();
+}
+
+// What else the person changed is for the frames to come.
+void Lab::go_on_drawing(double wall_seconds) {
+    m_amid_seconds += wall_seconds;
+    m_renderer->continue_frame();
+}
+
+void Lab::begin_drawing(double wall_seconds) {
+    wall_seconds += std::exchange(m_amid_seconds, 0.0);
+    if (!m_document->is_restacking())
         apply_document();
     follow_variant(wall_seconds);
     update_drive();
     draw_picture(wall_seconds);
     follow_trip();
-    try_out();
-    note_moves();
-    tell_silence();
-    tell_heavy_pass();
+    if (!is_amid_frame())
+        try_out();
 }
 
 // Once for a look: what makes the window answer slowly, and what may be done about it.
@@ -79,7 +98,8 @@ bool Lab::is_moving() const {
     return (m_player.is_playing() && !has_converged()) || is_loading() || m_notice || m_wanted ||
            m_tryouts->is_busy() || m_morphing || m_hand.is_turning() || m_rate_check.is_running() ||
            m_impulse.is_running() || !m_drive.loading().empty() || m_drive.is_source_late() ||
-           (m_renderer && (m_renderer->replay().is_running() || m_renderer->awaits_trip()));
+           (m_renderer && (m_renderer->is_amid_frame() || m_renderer->replay().is_running() ||
+                           m_renderer->awaits_trip()));
 }
 
 bool Lab::has_converged() const {
@@ -213,7 +233,9 @@ void Lab::open_document(Look look, const OpenRequest& request) {
         m_document.emplace(std::move(look));
     m_renderer = std::make_unique<Renderer>(m_document->drawn_look(), *m_programs);
     constexpr double patience_seconds = 0.05;
+    constexpr double slice_seconds = 0.024;  // with the panels a turn stays below 1/20 s
     m_renderer->set_patience(patience_seconds);
+    m_renderer->set_slice(slice_seconds);
     m_variant.reset();
     m_tryouts->stop();
     m_morphing.reset();

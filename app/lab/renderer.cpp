@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 // A variant that cannot follow ends; the picture itself goes on.
 template <class Act>
@@ -44,6 +45,8 @@ void Renderer::move_values(double seconds) {
 Result<void> Renderer::replace(const Look& look, const Programs& programs) {
     if (m_is_variant_alone)
         cancel_replay();
+    drop_frame();
+    m_slicing.forget();
     return for_each([&](Executor& executor) { return executor.replace(look, programs); });
 }
 
@@ -97,6 +100,7 @@ Result<void> Renderer::set_runs(const std::vector<PassRun>& runs) {
 }
 
 void Renderer::clear_history(int pass) {
+    drop_frame();
     m_executor.clear_history(pass);
     if (m_variant)
         m_variant->clear_history(pass);
@@ -109,6 +113,7 @@ void Renderer::restart_samples() {
 }
 
 void Renderer::clear_history() {
+    drop_frame();
     if (!m_is_variant_alone)
         m_executor.clear_history();
     if (m_variant)
@@ -164,7 +169,11 @@ Frame Renderer::frame_of(const PlayedFrame& played, const Beam& beam) const {
     return frame;
 }
 
+// Samples that a frame is taking stay.
 void Renderer::note_mouse() {
+    m_owes_mouse = is_amid_frame();
+    if (m_owes_mouse)
+        return;
     m_executor.note_mouse_moved();
     if (m_variant)
         m_variant->note_mouse_moved();
@@ -204,14 +213,96 @@ void Renderer::draw_frame(const PlayedFrame& played, const Beam& beam,
 
 void Renderer::draw(const PlayedFrame& played, const Beam& beam) {
     const auto start = std::chrono::steady_clock::now();
+    drop_frame();
+    if (m_slicing.is_due())
+        return begin_slices(frame_of(played, beam), nullptr,
+                            {.is_whole = true, .played = played, .points = beam.size()});
     draw_frame(played, beam, nullptr);
+    const double took = seconds_since(start);
+    note_whole(played, beam.size(), took);
+    m_slicing.note(std::max(took, told_seconds()));
+}
+
+// The driver tells of some frames ago; without timers it tells nothing.
+double Renderer::told_seconds() const {
+    double milliseconds = 0.0;
+    for (const double pass : m_pass_milliseconds)
+        milliseconds += pass;
+    return (m_variant ? 2.0 : 1.0) * milliseconds / 1000.0;
+}
+
+void Renderer::note_whole(const PlayedFrame& played, std::size_t points, double seconds) {
     m_has_drawn = true;
-    m_point_count = beam.size();
+    m_point_count = points;
     m_pass_milliseconds = m_executor.pass_milliseconds();
     m_pass_times.add(m_pass_milliseconds);
     note_beam_cost(played);
     constexpr double smoothing = 0.1;
-    m_frame_seconds += smoothing * (seconds_since(start) - m_frame_seconds);
+    m_frame_seconds += smoothing * (seconds - m_frame_seconds);
+}
+
+// The first slice comes at once.
+void Renderer::begin_slices(const Frame& frame, const std::vector<bool>* passes,
+                            Unfinished unfinished) {
+    move_values(frame.time);
+    unfinished.is_beside = m_has_drawn && m_slicing.is_heavy();
+    for (Executor* executor : {&m_executor, m_variant.get()}) {
+        const bool is_left_out =
+            executor == &m_executor && m_is_variant_alone && !unfinished.is_again;
+        if (!executor || is_left_out)
+            continue;
+        if (unfinished.is_again)
+            executor->begin_redraw(frame, *passes, unfinished.is_beside);
+        else
+            executor->begin_draw(frame, passes, unfinished.is_beside);
+    }
+    if (!unfinished.is_again)
+        m_hand.note_drawn();
+    m_unfinished = std::move(unfinished);
+    continue_frame();
+}
+
+bool Renderer::continue_frame(double seconds) {
+    const auto begun = std::chrono::steady_clock::now();
+    bool was_dropped = true;
+    bool is_whole = true;
+    for (Executor* executor : {&m_executor, m_variant.get()}) {
+        if (!executor || !executor->is_amid_frame())
+            continue;
+        was_dropped = false;
+        executor->claim_programs();
+        is_whole = executor->continue_frame(seconds - seconds_since(begun)) && is_whole;
+    }
+    if (was_dropped) {
+        m_unfinished.reset();
+        return true;
+    }
+    m_unfinished->seconds += seconds_since(begun);
+    if (is_whole)
+        finish_frame();
+    return is_whole;
+}
+
+void Renderer::finish_frame() {
+    const Unfinished done = *std::exchange(m_unfinished, std::nullopt);
+    if (std::exchange(m_owes_mouse, false))
+        note_mouse();
+    if (!done.is_whole)
+        return;
+    note_whole(done.played, done.points, done.seconds);
+    m_slicing.note(done.seconds);
+    if (m_slicing.is_due())
+        return;
+    m_executor.end_slices();
+    if (m_variant)
+        m_variant->end_slices();
+}
+
+void Renderer::drop_frame() {
+    m_unfinished.reset();
+    m_executor.drop_frame();
+    if (m_variant)
+        m_variant->drop_frame();
 }
 
 void Renderer::note_beam_cost(const PlayedFrame& played) {
@@ -229,7 +320,11 @@ void Renderer::note_beam_cost(const PlayedFrame& played) {
 
 void Renderer::draw_unseen(const PlayedFrame& played, const Beam& beam) {
     const std::vector<bool> carried = carried_passes(m_executor.look());
-    draw_frame(played, beam, &carried);
+    drop_frame();
+    if (m_slicing.is_due())
+        begin_slices(frame_of(played, beam), &carried, {});
+    else
+        draw_frame(played, beam, &carried);
 }
 
 void Renderer::redraw(const Player& player, const std::vector<bool>& passes) {
@@ -238,6 +333,9 @@ void Renderer::redraw(const Player& player, const std::vector<bool>& passes) {
     const PlayedFrame& present = player.past().back();
     const Beam beam = player.trace(present.span);
     const Frame frame = frame_of(present, beam);
+    drop_frame();
+    if (m_slicing.is_due())
+        return begin_slices(frame, &passes, {.is_again = true});
     move_values(frame.time);
     if (m_variant)
         m_executor.claim_programs();
@@ -254,6 +352,7 @@ void Renderer::start_replay(const Player& player, std::size_t frames) {
 }
 
 void Renderer::begin_replay(const Player& player, std::size_t frames) {
+    drop_frame();
     const std::size_t there = player.past().size();
     m_replay = {0, std::min(frames, there)};
     m_replay_first = there - m_replay.total;
@@ -264,6 +363,8 @@ void Renderer::begin_replay(const Player& player, std::size_t frames) {
 }
 
 void Renderer::cancel_replay() {
+    if (m_replay.is_running())
+        drop_frame();
     m_replay = {};
     m_is_variant_alone = false;
 }
@@ -272,15 +373,22 @@ bool Renderer::continue_replay(const Player& player, double seconds, const Befor
     const auto start = std::chrono::steady_clock::now();
     while (m_replay.is_running() && seconds_since(start) < seconds) {
         const PlayedFrame& frame = player.past()[m_replay_first + m_replay.done];
-        ++m_replay.done;
-        before(frame);
-        if (m_replay.is_running()) {
-            draw_unseen(frame, player.trace(frame.span));
-            continue;
+        const bool is_last = m_replay.done + 1 == m_replay.total;
+        if (is_amid_frame()) {
+            continue_frame(seconds - seconds_since(start));
+        } else {
+            before(frame);
+            if (is_last)
+                draw(frame, player.trace(frame.span));
+            else
+                draw_unseen(frame, player.trace(frame.span));
         }
-        draw(frame, player.trace(frame.span));
-        m_is_variant_alone = false;
-        return true;
+        if (is_amid_frame())
+            return false;
+        ++m_replay.done;
+        m_is_variant_alone = m_is_variant_alone && !is_last;
+        if (is_last)
+            return true;
     }
     return false;
 }

@@ -3,6 +3,7 @@
 #include "graph/executor.h"
 #include "lab/pass_times.h"
 #include "lab/player.h"
+#include "lab/slicing.h"
 
 #include <functional>
 #include <memory>
@@ -70,6 +71,18 @@ public:
     bool awaits_trip() const { return m_executor.awaits_trip(); }
     void mend() { m_executor.mend(); }
 
+    /// For who has other things to do: frames of a look that takes long are drawn in slices of
+    /// about so long; the draws below begin them and continue_frame() goes on. 0: they are whole.
+    void set_slice(double seconds) { m_slicing.set_slice(seconds); }
+    /// Values, source and images are to stay meanwhile.
+    bool is_amid_frame() const { return m_unfinished.has_value(); }
+    /// Whether executor() holds a whole picture: amid a frame, as a rule, the one before.
+    bool has_whole_picture() const {
+        return m_has_drawn && (!m_unfinished || m_unfinished->is_beside);
+    }
+    /// Goes on for a slice; true when the frame is whole.
+    bool continue_frame() { return continue_frame(m_slicing.slice_seconds()); }
+
     void draw(const PlayedFrame& frame, const Beam& beam);
     /// Whether any frame was drawn whole.
     bool has_drawn() const { return m_has_drawn; }
@@ -126,6 +139,13 @@ private:
     void note_mouse();
     void begin_replay(const Player& player, std::size_t frames);
     void draw_frame(const PlayedFrame& played, const Beam& beam, const std::vector<bool>* passes);
+    struct Unfinished;
+    void begin_slices(const Frame& frame, const std::vector<bool>* passes, Unfinished unfinished);
+    bool continue_frame(double seconds);
+    void finish_frame();
+    void drop_frame();
+    void note_whole(const PlayedFrame& played, std::size_t points, double seconds);
+    double told_seconds() const;
     void move_values(double seconds);
     void note_beam_cost(const PlayedFrame& played);
     Frame frame_of(const PlayedFrame& played, const Beam& beam) const;
@@ -154,4 +174,16 @@ private:
     std::size_t m_replay_first = 0;
     double m_frame_seconds = 1.0 / 60.0;
     bool m_has_drawn = false;
+    Slicing m_slicing;
+    /// A frame that is drawn in slices.
+    struct Unfinished {
+        bool is_again = false;
+        bool is_whole = false;   // all passes, for the first time
+        bool is_beside = false;  // the picture before it, which is still seen
+        PlayedFrame played = {};
+        std::size_t points = 0;
+        double seconds = 0.0;  // that it took so far
+    };
+    std::optional<Unfinished> m_unfinished;
+    bool m_owes_mouse = false;  // it moved while a frame was drawn
 };

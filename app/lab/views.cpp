@@ -233,8 +233,8 @@ void Views::update(const Lab& lab, const WindowState& window) {
         m_inspected_part.reset();
         return;
     }
-    if (lab.renderer()->replay().is_running())
-        return;  // what was shown stays until the past has been drawn again
+    if (lab.renderer()->replay().is_running() || !lab.renderer()->has_whole_picture())
+        return;  // what was shown stays until the past has been drawn again, or the first frame
     const Executor& executor = lab.renderer()->executor();
     inspect(executor, window);
     draw_picture(lab, window);

@@ -91,6 +91,8 @@ private:
     bool wait();  // whether a turn is due
     Extent view() const;
     void turn();
+    bool is_attended(Clock::time_point now) const;
+    void note_pace(double wall_seconds);
     void follow_remote();
     void draw();
     void apply(const Edits& edits);
@@ -117,6 +119,9 @@ private:
     std::string m_state_text;
     Clock::time_point m_last = Clock::now();
     Clock::time_point m_awake_until = Clock::now() + awake;
+    Clock::time_point m_attended_until = m_awake_until;
+    Clock::time_point m_drawn = m_last;
+    double m_frame_seconds = 0.0;  // since a frame of the picture was whole
     long m_turn = 0;
     std::optional<bool> m_waits_for_display;  // as the window was last told
     bool m_is_quitting = false;
@@ -159,9 +164,7 @@ void Application::turn() {
     const Clock::time_point now = Clock::now();
     const double wall_seconds = seconds_between(m_last, now);
     m_last = now;
-    m_pace.add(wall_seconds);
-    m_pace.expect(wall_seconds,
-                  m_lab.is_moving() && m_state.frame_rate.wants_30(m_window.refresh_rate()));
+    note_pace(wall_seconds);
     if (std::string problem = m_output.follow(m_state, m_window); !problem.empty())
         m_lab.say(std::move(problem), true);
     m_lab.set_view(view());
@@ -171,11 +174,32 @@ void Application::turn() {
     follow_remote();
     if (m_window.framebuffer_size().is_empty())
         return;  // minimised
+    if (m_lab.is_amid_frame() && !is_attended(now))
+        return;  // all there is of the machine for a look that takes long
+    m_drawn = now;
     m_shelf.update(m_lab.library(), wall_seconds);
     m_views.update(m_lab, m_state);
     m_history_pictures.update(m_lab);
     m_preset_pictures.update(m_lab, m_state.sees(BottomPart::presets), wall_seconds);
     draw();
+}
+
+// Of the picture's frames: one that takes long covers many turns.
+void Application::note_pace(double wall_seconds) {
+    m_frame_seconds += wall_seconds;
+    if (m_lab.is_amid_frame())
+        return;
+    const double seconds = std::exchange(m_frame_seconds, 0.0);
+    m_pace.add(seconds);
+    m_pace.expect(seconds,
+                  m_lab.is_moving() && m_state.frame_rate.wants_30(m_window.refresh_rate()));
+}
+
+// Whether a new frame of the panels would be missed: else they come a few times a second.
+bool Application::is_attended(Clock::time_point now) const {
+    constexpr double now_and_then = 0.1;
+    return m_window.has_input() || m_toolkit.is_behind() || now < m_attended_until ||
+           m_lab.is_loading() || seconds_between(m_drawn, now) > now_and_then;
 }
 
 void Application::follow_remote() {
@@ -232,7 +256,7 @@ void Application::apply(const Edits& edits) {
     edits.apply(m_lab, m_state);
     note_first_steps(m_lab, m_state);
     if (edits.has_verbs() || m_toolkit.has_input())  // a frame shows what the one before it changed
-        m_awake_until = Clock::now() + awake;
+        m_attended_until = m_awake_until = Clock::now() + awake;
     if (edits.has_verbs())
         m_shelf.refresh();
     if (edits.copied())

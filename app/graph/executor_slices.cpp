@@ -1,0 +1,117 @@
+// The part of Executor that draws a frame in slices.
+#include "base/elapsed.h"
+#include "gpu/draw.h"
+#include "graph/executor.h"
+
+#include <algorithm>
+#include <utility>
+
+void Executor::begin_draw(const Frame& frame, const std::vector<bool>* passes, bool is_seen) {
+    note_frame(frame, passes, false);
+    move_on(is_seen);
+    m_is_amid_frame = true;
+}
+
+void Executor::begin_redraw(const Frame& frame, const std::vector<bool>& passes, bool is_seen) {
+    note_frame(frame, &passes, true);
+    for (std::size_t i = 0; is_seen && i < m_targets.size(); ++i)
+        if (may_be_unfinished(i))
+            m_targets[i].begin(Target::Unfinished::again);
+    m_is_amid_frame = true;
+}
+
+bool Executor::may_be_unfinished(std::size_t pass) const {
+    const bool takes_no_samples = m_look.passes[pass].accumulate && m_work.is_again;
+    return m_work.passes[pass] && !is_kept(pass) && !takes_no_samples;
+}
+
+bool Executor::continue_frame(double seconds) {
+    if (!m_is_amid_frame)
+        return true;
+    const auto begun = std::chrono::steady_clock::now();
+    {
+        const gpu::DrawScope scope;
+        for (double left = seconds; m_work.pass < m_passes.size() && left > 0.0;
+             left = seconds - seconds_since(begun))
+            continue_pass(left);
+        m_samplers.release();
+    }
+    if (m_work.pass < m_passes.size())
+        return false;
+    finish_frame();
+    return true;
+}
+
+void Executor::continue_pass(double seconds) {
+    const std::size_t index = m_work.pass;
+    const bool is_drawn = m_work.passes[index];
+    if (is_drawn && !m_work.has_begun_pass)
+        m_work.has_begun_pass = begin_pass(index);
+    const auto next_pass = [&] {
+        ++m_work.pass;
+        m_work.draw = m_work.row = 0;
+        m_work.has_begun_pass = false;
+        m_work.pass_seconds = 0.0;
+    };
+    if (!m_work.has_begun_pass)
+        return next_pass();
+    m_work.draw = std::max(m_work.draw, m_work.first_draw);
+    if (m_work.draw < m_work.draws)
+        return draw_band(index, seconds);
+    if (m_work.draws > m_work.first_draw)
+        m_passes[index].timer->tell(1000.0 * m_work.pass_seconds, m_work.draws - m_work.first_draw);
+    end_pass(index);
+    next_pass();
+}
+
+// Rows of one draw, and waits for them: only then it is known what they took.
+void Executor::draw_band(std::size_t index, double seconds) {
+    PassState& state = m_passes[index];
+    const int height = m_plan.targets[index].extent.height;
+    const bool has_rows = !is_of_beam(m_look.passes[index].draw);  // its shapes are drawn at once
+    const int rows = has_rows ? state.pace.rows_for(seconds, height - m_work.row) : height;
+    const auto begun = std::chrono::steady_clock::now();
+    state.program->use();
+    write_built_ins(index);
+    if (m_work.row == 0)
+        start_draw(index, m_work.draw);
+    gpu::limit_rows(m_work.row, m_work.row + rows);
+    aim(index);
+    write_sample(index, m_work.draw);
+    draw_shape(index);
+    gpu::lift_limits();
+    gpu::finish();
+    const double took = seconds_since(begun);
+    state.pace.note(rows, took);
+    m_work.pass_seconds += took;
+    m_work.row += rows;
+    if (m_work.row < height)
+        return;
+    end_draw(index);
+    m_work.row = 0;
+    ++m_work.draw;
+}
+
+void Executor::finish_frame() {
+    m_is_amid_frame = false;
+    for (std::size_t i = 0; i < m_targets.size(); ++i)
+        m_targets[i].finish();
+    look_behind_frame();
+    if (!m_work.is_again)
+        m_parameters.end_events();
+    ++m_picture_number;
+}
+
+void Executor::drop_frame() {
+    m_work = {.passes = std::move(m_work.passes)};
+    if (!std::exchange(m_is_amid_frame, false))
+        return;
+    for (std::size_t i = 0; i < m_targets.size(); ++i)
+        m_targets[i].drop();
+}
+
+void Executor::end_slices() {
+    drop_frame();
+    for (std::size_t i = 0; i < m_targets.size(); ++i)
+        m_targets[i].forget_room();
+}

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+/// How far the drawing of a frame has come: pass after pass, draw after draw of a pass, band after
+/// band of a draw.
+struct FrameWork {
+    std::vector<bool> passes;  // of the look; those that are drawn
+    bool is_again = false;     // the frame was drawn before: history does not move
+    std::size_t pass = 0;
+    int first_draw = 0;  // of the pass
+    int draw = 0;
+    int draws = 0;  // up to this one
+    int row = 0;    // of the draw
+    bool has_begun_pass = false;
+    double pass_seconds = 0.0;  // that its draws took so far
+};

@@ -1,0 +1,143 @@
+// A frame that is drawn in slices is the frame that is drawn at once.
+#include "graph/looks.h"
+
+namespace {
+// Nothing fits in: a slice is one band of as few rows as there can be.
+constexpr double shortest = 1e-9;
+
+int slices_of(Executor& executor) {
+    int slices = 1;
+    while (!executor.continue_frame(shortest))
+        ++slices;
+    return slices;
+}
+
+// Each pass differs in each pixel, so that a band that is lost or drawn twice shows.
+Look busy_look() {
+    Pass noise = pass("noise",
+                      "uniform float u_time;\nvoid main() { color = "
+                      "vec4(fract(uv.xyx * (7.0 + u_time)), 1); }\n");
+    Pass trail = pass("trail",
+                      "uniform sampler2D now; uniform sampler2D before;\nvoid main() { color = "
+                      "texture(now, uv) + 0.5 * texture(before, uv) + vec4(dFdx(uv.x), dFdy(uv.y), "
+                      "0, 0); }\n",
+                      {reads("now", "noise"), reads("before", "trail", 1)});
+    Pass relax = pass("relax",
+                      "uniform sampler2D mine; uniform sampler2D image;\nvoid main() { color = "
+                      "0.25 * texture(mine, uv) + texture(image, uv); }\n",
+                      {reads("mine", "relax", 1), reads("image", "trail")});
+    relax.repeat = 3;
+    Pass glow = pass("glow",
+                     "uniform sampler2D image; uniform sampler2D older;\nvoid main() { color = "
+                     "textureLod(image, uv, 2.0) + texture(older, uv).bgra; }\n",
+                     {reads("image", "relax", 0, {Filter::linear, Wrap::edge, true}),
+                      reads("older", "trail", 2)});
+    glow.rows = RowOrder::top_first;
+    glow.draw = Draw::quad;
+    Pass after = pass(
+        "after", "uniform sampler2D image;\nvoid main() { color = 2.0 * texture(image, uv); }\n",
+        {reads("image", "relax")});
+    return look_of({noise, trail, relax, after, glow});
+}
+
+void check_same(const Executor& sliced, const Executor& whole) {
+    for (int i = 0; i < static_cast<int>(whole.look().passes.size()); ++i) {
+        CAPTURE(i);
+        CHECK(gpu::read_picture(sliced.target(i)) == gpu::read_picture(whole.target(i)));
+    }
+}
+}  // namespace
+
+TEST_CASE_FIXTURE(Headless, "in slices all passes of a look come out as at once") {
+    constexpr Extent extent{33, 27};
+    Executor whole = executor_of(busy_look(), extent);
+    Executor sliced = executor_of(busy_look(), extent);
+    for (int n = 1; n <= 6; ++n) {
+        whole.draw(frame(n));
+        const bool is_seen = n % 2 == 0;
+        sliced.begin_draw(frame(n), nullptr, is_seen);
+        CHECK(sliced.is_amid_frame());
+        // 27 rows: 13 pairs and one, of each of 1 + 1 + 3 + 1 draws; the ends of passes between.
+        const int slices = slices_of(sliced);
+        CHECK(slices > 6);
+        CHECK_FALSE(sliced.is_amid_frame());
+        CHECK(sliced.draw_calls() == whole.draw_calls());
+        check_same(sliced, whole);
+    }
+    sliced.end_slices();
+    sliced.draw(frame(7));
+    whole.draw(frame(7));
+    check_same(sliced, whole);
+}
+
+TEST_CASE_FIXTURE(Headless, "until a frame is whole the one before is told of") {
+    Executor executor = executor_of(look_of({counter()}), {8, 8});
+    executor.draw(frame(1));
+    executor.begin_draw(frame(2), nullptr, true);
+    const auto number = executor.picture_number();
+    int slices = 0;
+    while (!executor.continue_frame(shortest)) {
+        CHECK(red(executor, 0, 0, 0) == 1.0f);
+        CHECK(red(executor, 0, 7, 7) == 1.0f);
+        CHECK(executor.picture_number() == number);
+        ++slices;
+    }
+    CHECK(slices >= 1);
+    CHECK(red(executor, 0, 0, 0) == 2.0f);
+    CHECK(red(executor, 0, 7, 7) == 2.0f);
+    CHECK(executor.picture_number() != number);
+}
+
+TEST_CASE_FIXTURE(Headless,
+                  "a frame drawn again in slices reads what it read and is seen when whole") {
+    Parameter gain = knob("gain", {}, 1.0, {{1, "gain"}});
+    Pass show = pass("show",
+                     "uniform sampler2D image; uniform float gain;\nvoid main() { color = "
+                     "gain * texture(image, uv); }\n",
+                     {reads("image", "counter")});
+    Executor executor = executor_of(look_of({counter(), show}, {gain}), {8, 8});
+    for (int n = 1; n <= 3; ++n)
+        executor.draw(frame(n));
+    executor.set_values({{"gain", 10.0}});
+    executor.begin_redraw(frame(3), {true, true}, true);
+    CHECK_FALSE(executor.continue_frame(shortest));
+    CHECK(red(executor, 1, 0, 0) == 3.0f);
+    slices_of(executor);
+    CHECK(red(executor, 0) == 3.0f);  // two and one, not three and one
+    CHECK(red(executor, 1, 0, 0) == 30.0f);
+    executor.draw(frame(4));
+    CHECK(red(executor, 1) == 40.0f);
+}
+
+TEST_CASE_FIXTURE(Headless, "a frame that is dropped leaves history as it was") {
+    Executor executor = executor_of(look_of({counter()}), {8, 8});
+    executor.draw(frame(1));
+    executor.begin_draw(frame(2), nullptr, true);
+    CHECK_FALSE(executor.continue_frame(shortest));
+    executor.drop_frame();
+    CHECK(red(executor, 0, 0, 0) == 1.0f);
+    CHECK(red(executor, 0, 7, 7) == 1.0f);
+    executor.draw(frame(3));
+    CHECK(red(executor, 0, 0, 0) == 2.0f);
+}
+
+TEST_CASE_FIXTURE(Headless, "samples add up over slices, and forgetting them drops the frame") {
+    Pass sum =
+        pass("sum", "uniform int u_samples;\nvoid main() { color = vec4(1, u_samples, 0, 0); }\n");
+    sum.accumulate = true;
+    sum.blend = Blend::add;
+    sum.repeat = 3;
+    Executor executor = executor_of(look_of({sum}), {8, 8});
+    executor.begin_draw(frame(1), nullptr, false);
+    slices_of(executor);
+    executor.begin_draw(frame(2), nullptr, true);
+    slices_of(executor);
+    CHECK(executor.samples()->held == 6);
+    CHECK(pixel(executor, 0, 7, 7) == Rgba{6, 0 + 1 + 2 + 3 + 4 + 5, 0, 0});
+    executor.begin_draw(frame(3), nullptr, true);
+    CHECK_FALSE(executor.continue_frame(shortest));
+    executor.restart_samples();
+    CHECK_FALSE(executor.is_amid_frame());
+    executor.draw(frame(4));
+    CHECK(pixel(executor, 0, 0, 0) == Rgba{3, 0 + 1 + 2, 0, 0});
+}
