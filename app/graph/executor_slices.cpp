@@ -87,6 +87,7 @@ void Executor::draw_band(std::size_t index, double seconds) {
     m_work.row += rows;
     if (m_work.row < height)
         return;
+    state.pace.end_draw();
     end_draw(index);
     m_work.row = 0;
     ++m_work.draw;

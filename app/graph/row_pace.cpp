@@ -8,7 +8,8 @@ int RowPace::rows_for(double seconds, int left) const {
     if (m_rows == 0)
         return std::min(fewest, left);
     const double most = std::min(left, growth * m_rows);
-    const double fit = std::clamp(seconds / std::max(m_seconds_a_row, 1e-9), 0.0, most);
+    const double fit =
+        std::clamp(seconds / std::max({m_seconds_a_row, m_usual_seconds, 1e-9}), 0.0, most);
     const int even = std::max(static_cast<int>(fit) / 2 * 2, fewest);
     return even >= left - 1 ? left : even;
 }
@@ -16,4 +17,12 @@ int RowPace::rows_for(double seconds, int left) const {
 void RowPace::note(int rows, double seconds) {
     m_rows = rows;
     m_seconds_a_row = seconds / rows;
+    m_drawn_rows += rows;
+    m_drawn_seconds += seconds;
+}
+
+void RowPace::end_draw() {
+    m_usual_seconds = m_drawn_rows > 0 ? m_drawn_seconds / m_drawn_rows : 0.0;
+    m_drawn_rows = 0;
+    m_drawn_seconds = 0.0;
 }

@@ -1,5 +1,6 @@
-#include "about.h"
 #include "graph/row_pace.h"
+
+#include "about.h"
 
 TEST_CASE("the first band is as small as can be") {
     CHECK(RowPace().rows_for(1.0, 720) == 2);
@@ -26,4 +27,14 @@ TEST_CASE("bands grow step by step: the rows to come may take longer") {
     CHECK(pace.rows_for(1.0, 720) == 720);
     pace.note(720, 1.0);
     CHECK(pace.rows_for(0.02, 720) == 14);
+}
+
+TEST_CASE("after light rows at its end a pass does not begin with too many") {
+    RowPace pace;
+    pace.note(100, 0.19);  // the heavy ones
+    pace.note(100, 0.01);
+    pace.end_draw();  // a thousandth each, by and large
+    CHECK(pace.rows_for(0.02, 200) == 20);
+    pace.note(20, 0.08);                   // heavy again
+    CHECK(pace.rows_for(0.02, 180) == 4);  // and a half
 }
