@@ -1,6 +1,7 @@
 #include "graph/image_texture.h"
 
 #include "gpu/texels.h"
+#include "model/solid_picture.h"
 
 #include <algorithm>
 
@@ -17,6 +18,12 @@ Result<std::shared_ptr<const gpu::Texture>> image_texture(const Look& look, cons
                                                           const Picture& picture) {
     if (picture.extent.is_empty())
         return fail({{}, 0, "the picture '" + name + "' is empty"});
+    const auto declared = std::ranges::find(look.images, name, &Image::name);
+    const Image* image = declared == look.images.end() ? nullptr : &*declared;
+    if (image && image->shape != picture.shape) {
+        const auto solid = solid_of(picture, image->shape);
+        return solid ? image_texture(look, name, *solid) : fail(solid.error());
+    }
     const bool is_mipmapped = reads_mipmaps(look, Input::From::image, name);
     auto texture = picture.shape == PictureShape::flat
                        ? gpu::Texture::make(picture.extent, Format::rgba32f, is_mipmapped)
@@ -24,8 +31,6 @@ Result<std::shared_ptr<const gpu::Texture>> image_texture(const Look& look, cons
                                                   Format::rgba32f, is_mipmapped);
     if (!texture)
         return fail(texture.error());
-    const auto declared = std::ranges::find(look.images, name, &Image::name);
-    const Image* image = declared == look.images.end() ? nullptr : &*declared;
     const bool is_data = image && image->is_linear;
     const Encoding wanted = image && image->encoding ? *image->encoding : look.source_encoding;
     std::vector<float> texels;

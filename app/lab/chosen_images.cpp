@@ -15,13 +15,18 @@ Result<void> show_black(const SetImage& set_image) {
 }
 
 Result<void> show_file(const fs::path& file, const SetImage& set_image) {
-    const bool is_made = file.string().starts_with("pattern:");
-    const auto picture = is_made ? made_picture(file.string()) : load_picture(file);
-    if (picture)
-        return set_image(*picture);
+    const auto picture =
+        made_name(file.string()) ? made_picture(file.string()) : load_picture(file);
+    const auto done = picture ? set_image(*picture) : fail(picture.error());
+    if (done)
+        return done;
     if (auto cleared = show_black(set_image); !cleared)
         return cleared;
-    return fail(picture.error());
+    Diagnostics problems = done.error();
+    for (Diagnostic& problem : problems)
+        if (problem.file.empty())  // of what it was to be
+            problem.file = file;
+    return fail(std::move(problems));
 }
 
 std::optional<fs::file_time_type> written_time(const fs::path& file) {
@@ -83,7 +88,7 @@ bool ChosenImages::forget(const fs::path& file) {
 std::vector<fs::path> ChosenImages::files() const {
     std::vector<fs::path> files;
     for (const auto& [name, shown] : m_shown)
-        if (!shown.file.empty() && !shown.file.string().starts_with("pattern:"))
+        if (!shown.file.empty() && !made_name(shown.file.string()))
             files.push_back(shown.file);
     return files;
 }

@@ -32,9 +32,19 @@ Diagnostics check_media(const Look& look) {
     return problems;
 }
 
+namespace {
+constexpr std::string_view pattern = "pattern:";
+constexpr std::string_view solid = "solid:";
+}  // namespace
+
+std::optional<std::string_view> made_name(std::string_view choice) {
+    for (const std::string_view prefix : {pattern, solid})
+        if (choice.starts_with(prefix))
+            return choice.substr(prefix.size());
+    return std::nullopt;
+}
+
 Result<Picture> made_picture(const std::string& name) {
-    constexpr std::string_view pattern = "pattern:";
-    constexpr std::string_view solid = "solid:";
     if (name.starts_with(pattern))
         return make_pattern(std::string_view(name).substr(pattern.size()));
     assert(name.starts_with(solid));

@@ -83,6 +83,7 @@ struct Image {
     std::optional<Encoding> encoding = {};   // that its look reads; none: as the source
     RowOrder rows = RowOrder::bottom_first;  // as it is uploaded
     bool is_needed = true;  // where it cannot be read the look cannot; else it reads black
+    PictureShape shape = PictureShape::flat;  // that its readers take; a file is made one
     // Instead of `file` a picture of the program's own, "pattern:noise" or "solid:sky". Where both
     // are empty a parameter of the same name chooses the picture.
     std::string made = {};

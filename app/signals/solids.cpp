@@ -1,5 +1,6 @@
 #include "signals/solids.h"
 
+#include "model/solid_picture.h"
 #include "signals/hash.h"
 #include "signals/tiled_noise.h"
 
@@ -62,15 +63,6 @@ Picture make_volume(bool is_grey) {
     return picture;
 }
 }  // namespace
-
-// OpenGL 4.1, table 3.19.
-Direction cube_direction(int face, double s, double t) {
-    const double u = 2.0 * s - 1.0;
-    const double v = 2.0 * t - 1.0;
-    const std::array<Direction, 6> faces{
-        {{1.0, -v, -u}, {-1.0, -v, u}, {u, 1.0, v}, {u, -1.0, -v}, {u, -v, 1.0}, {-u, -v, -1.0}}};
-    return faces[static_cast<std::size_t>(face)];
-}
 
 Result<Picture> make_solid(std::string_view name) {
     if (name == "sky")

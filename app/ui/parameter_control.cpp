@@ -1,5 +1,6 @@
 #include "ui/parameter_control.h"
 
+#include "lab/look_media.h"
 #include "model/aliasing.h"
 #include "model/decay.h"
 #include "model/slider_range.h"
@@ -154,11 +155,9 @@ Turned draw_trigger(Value& value, const FormColumns& columns) {
 }
 
 Turned draw_file(const Knob& knob, const FormColumns& columns, Edits& edits) {
-    constexpr std::string_view pattern = "pattern:";
-    const bool is_pattern = knob.value.path.starts_with(pattern);
-    const std::string name = is_pattern
-                                 ? knob.value.path.substr(pattern.size())
-                                 : std::filesystem::path(knob.value.path).filename().string();
+    const auto made = made_name(knob.value.path);
+    const std::string name =
+        made ? std::string(*made) : std::filesystem::path(knob.value.path).filename().string();
     const std::string label = (name.empty() ? std::string("Choose…") : name) + "##file";
     if (ImGui::Button(label.c_str(), {columns.control_and_number(), 0.0f}))
         edits.show({.kind = Dialog::Kind::choose_file, .subject = knob.parameter.name});

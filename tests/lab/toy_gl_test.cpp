@@ -137,6 +137,57 @@ TEST_CASE("a cube reads the sky: brighter and bluer above than below") {
     CHECK(seen[2] == 128.0f);
 }
 
+namespace {
+// A shader of one pixel whose inputs name files beside it.
+Result<Picture> drawn_beside(const TemporaryFolder& folder, const std::string& color,
+                             const std::string& inputs) {
+    const auto file = folder.write("a.json", R"({"renderpass": [{"type": "image", "code": ")" +
+                                                 main_image("c = " + color + ";") +
+                                                 R"(", "inputs": [)" + inputs + "]}]}");
+    RenderRequest request;
+    request.look = file.string();
+    request.size = {1, 1};
+    auto prepared = prepare(request, Library(*find_roots({})));
+    if (!prepared)
+        return fail(prepared.error());
+    auto offline = Offline::create(std::move(*prepared), request.size, 60.0);
+    if (!offline)
+        return fail(offline.error());
+    offline->advance();
+    return offline->picture();
+}
+}  // namespace
+
+TEST_CASE("a cube and a volume read files that lie beside the shader") {
+    const TemporaryFolder folder;
+    // Faces +x -x +y -y +z -z; slices from below.
+    const Picture faces{{1, 6}, 1, Encoding::display, {0.0f, 0.2f, 0.4f, 0.6f, 0.8f, 1.0f}};
+    const Picture slices{{2, 4}, 1, Encoding::display, {0.2f, 0.2f, 0.2f, 0.2f, 1, 1, 1, 1}};
+    REQUIRE(save_picture(faces, folder / "faces.png").has_value());
+    REQUIRE(save_picture(slices, folder / "slices.png").has_value());
+    const auto seen = drawn_beside(
+        folder,
+        "vec4(texture(iChannel0, vec3(0, -1, 0)).r, texture(iChannel1, vec3(0.5, 0.5, 0.75)).r, "
+        "0.0, 1.0)",
+        R"({"channel": 0, "type": "cubemap", "filepath": "faces.png"},
+           {"channel": 1, "type": "volume", "filepath": "slices.png"})");
+    REQUIRE_MESSAGE(seen.has_value(), to_string(seen.error()));
+    CHECK(seen->pixels[0] == doctest::Approx(0.6).epsilon(0.01));
+    CHECK(seen->pixels[1] == doctest::Approx(1.0).epsilon(0.01));
+}
+
+TEST_CASE("a file that is no cube says so, and what a cube is read from") {
+    const TemporaryFolder folder;
+    const Picture neither{{5, 3}, 1, Encoding::display, std::vector<float>(15, 1.0f)};
+    REQUIRE(save_picture(neither, folder / "neither.png").has_value());
+    const auto seen =
+        drawn_beside(folder, "texture(iChannel0, vec3(1, 0, 0))",
+                     R"({"channel": 0, "type": "cubemap", "filepath": "neither.png"})");
+    REQUIRE_FALSE(seen.has_value());
+    CHECK(seen.error().front().file == folder / "neither.png");
+    CHECK(seen.error().front().message.find("is 5 x 3: a cube is read from six squares") == 0);
+}
+
 TEST_CASE("what Cube A draws in a direction is read in that direction") {
     const std::string cube_main =
         "void mainCubemap(out vec4 c, in vec2 p, in vec3 from, in vec3 seen) { c = vec4(seen, "

@@ -57,18 +57,6 @@ TEST_CASE("tiled noise goes on where it began") {
     CHECK(tiled_noise({0.3, 0.3, 0.3}, 4, 1) != tiled_noise({0.3, 0.3, 0.3}, 4, 2));
 }
 
-TEST_CASE("the middles of a cube's faces look along the axes") {
-    const auto is = [](const Direction& seen, double x, double y, double z) {
-        return seen.x == x && seen.y == y && seen.z == z;
-    };
-    CHECK(is(cube_direction(0, 0.5, 0.5), 1, 0, 0));
-    CHECK(is(cube_direction(1, 0.5, 0.5), -1, 0, 0));
-    CHECK(is(cube_direction(2, 0.5, 0.5), 0, 1, 0));
-    CHECK(is(cube_direction(3, 0.5, 0.5), 0, -1, 0));
-    CHECK(is(cube_direction(4, 0.5, 0.5), 0, 0, 1));
-    CHECK(is(cube_direction(5, 0.5, 0.5), 0, 0, -1));
-}
-
 TEST_CASE("solids have the rows of their faces or slices, and others are refused by name") {
     const auto sky = make_solid("sky");
     REQUIRE(sky.has_value());

@@ -38,7 +38,6 @@ private:
     std::optional<Input> input_of(const ToyPass& toy_pass, const ToyInput& wired);
     std::optional<Input> buffer_of(const ToyPass& toy_pass, const ToyInput& wired);
     Input texture_of(const ToyInput& wired);
-    Input solid_of(const ToyInput& wired, const std::string& name, const std::string& made);
     std::string add_picture(const ToyInput& wired);
     Input sound_of(const ToyInput& wired);
     std::string free_name(const std::string& wanted) const;
@@ -97,12 +96,27 @@ std::string ToyLook::free_name(const std::string& wanted) const {
     return name;
 }
 
+namespace {
+// Ours in the place of the site's.
+ToyAsset asset_of(const ToyInput& wired) {
+    if (wired.kind == ToyKind::cubemap)
+        return {"sky", "Sky", "solid:sky"};
+    const ToyAsset asset = toy_asset(wired.asset);
+    if (wired.kind == ToyKind::volume && !asset.made.starts_with("solid:"))
+        return {"noise_volume", "RGBA noise volume", "solid:noise-volume"};
+    return asset;
+}
+}  // namespace
+
 // Once a picture and order of rows; several channels and passes share it.
 std::string ToyLook::add_picture(const ToyInput& wired) {
-    const std::string key = fmt::format("{} {}", wired.asset, wired.is_flipped);
+    const PictureShape shape = shape_of(wired);
+    const bool is_turned = wired.is_flipped && shape == PictureShape::flat;
+    const std::string key =
+        fmt::format("{} {} {}", wired.asset, is_turned, static_cast<int>(shape));
     if (const auto known = m_pictures.find(key); known != m_pictures.end())
         return known->second;
-    const ToyAsset asset = toy_asset(wired.asset);
+    const ToyAsset asset = asset_of(wired);
     Parameter parameter;
     parameter.name = free_name(asset.name);
     parameter.label = asset.label;
@@ -113,10 +127,11 @@ std::string ToyLook::add_picture(const ToyInput& wired) {
     std::error_code error;
     const bool is_there = !wired.asset.empty() && fs::is_regular_file(beside, error);
     parameter.initial = Value::of_path(is_there ? beside.string() : asset.made);
-    if (!wired.is_flipped) {
+    if (!is_turned) {
         Image rows;
         rows.name = parameter.name;
         rows.rows = RowOrder::top_first;
+        rows.shape = shape;
         m_look.images.push_back(std::move(rows));
     }
     m_pictures.emplace(key, parameter.name);
@@ -126,17 +141,6 @@ std::string ToyLook::add_picture(const ToyInput& wired) {
 
 Input ToyLook::texture_of(const ToyInput& wired) {
     return {{}, Input::From::image, add_picture(wired), 0, wired.sampler};
-}
-
-Input ToyLook::solid_of(const ToyInput& wired, const std::string& name, const std::string& made) {
-    if (std::ranges::find(m_look.images, name, &Image::name) == m_look.images.end()) {
-        Image image;
-        image.name = name;
-        image.made = made;
-        image.rows = RowOrder::top_first;
-        m_look.images.push_back(std::move(image));
-    }
-    return {{}, Input::From::image, name, 0, wired.sampler};
 }
 
 std::optional<Input> ToyLook::buffer_of(const ToyPass& toy_pass, const ToyInput& wired) {
@@ -169,16 +173,10 @@ std::optional<Input> ToyLook::input_of(const ToyPass& toy_pass, const ToyInput& 
         case ToyKind::buffer:
             return buffer_of(toy_pass, wired);
         case ToyKind::texture:
+        case ToyKind::volume:
             return texture_of(wired);
         case ToyKind::cubemap:
-            return find_drawn(wired.buffer) ? buffer_of(toy_pass, wired)
-                                            : solid_of(wired, "sky", "solid:sky");
-        case ToyKind::volume: {
-            ToyAsset asset = toy_asset(wired.asset);
-            if (!asset.made.starts_with("solid:"))
-                asset = {"noise_volume", "", "solid:noise-volume"};
-            return solid_of(wired, asset.name, asset.made);
-        }
+            return find_drawn(wired.buffer) ? buffer_of(toy_pass, wired) : texture_of(wired);
         case ToyKind::keyboard:
             return Input{{}, Input::From::keyboard, "keyboard", 0, {Filter::nearest}};
         case ToyKind::video:

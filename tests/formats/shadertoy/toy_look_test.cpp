@@ -204,8 +204,10 @@ TEST_CASE("cubes, volumes, the keyboard and videos are fed") {
     CHECK(look.driven_by == Driver::picture);
     CHECK(reads_keys(look));
     REQUIRE(look.images.size() == 2);
-    CHECK(look.images[0].made == "solid:sky");
-    CHECK(look.images[1].made == "solid:noise-volume");
+    CHECK(look.images[0].shape == PictureShape::cube);
+    CHECK(look.images[1].shape == PictureShape::volume);
+    CHECK(find_parameter(look, look.images[0].name)->initial.path == "solid:sky");
+    CHECK(find_parameter(look, look.images[1].name)->initial.path == "solid:noise-volume");
 }
 
 TEST_CASE("music is what the person plays: spectrum and wave of the look's signal") {
