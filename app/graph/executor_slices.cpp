@@ -31,9 +31,11 @@ bool Executor::continue_frame(double seconds) {
     const auto begun = std::chrono::steady_clock::now();
     {
         const gpu::DrawScope scope;
-        for (double left = seconds; m_work.pass < m_passes.size() && left > 0.0;
-             left = seconds - seconds_since(begun))
+        double left = seconds;
+        do {  // at least one band: a slice always goes on
             continue_pass(left);
+            left = seconds - seconds_since(begun);
+        } while (m_work.pass < m_passes.size() && left > 0.0);
         m_samplers.release();
     }
     if (m_work.pass < m_passes.size())
