@@ -122,6 +122,12 @@ void Translator::add_members(const Resource& block, const std::vector<std::strin
     }
 }
 
+// GLSL has these functions from 4.20 on.
+bool packs_halves(std::string_view text) {
+    return text.find("packHalf2x16(") != std::string_view::npos ||
+           text.find("packSnorm2x16(") != std::string_view::npos;
+}
+
 // The library says before each statement where it comes from; this is taken out of the text again.
 Stage Translator::with_lines(const std::string& text) const {
     constexpr std::string_view mark = "#line ";
@@ -139,6 +145,10 @@ Stage Translator::with_lines(const std::string& text) const {
         stage.text += line;
         stage.text += '\n';
         stage.lines.push_back(at);
+        if (words.starts_with("#version") && packs_halves(text)) {
+            stage.text += "#extension GL_ARB_shading_language_packing : require\n";
+            stage.lines.push_back(at);
+        }
     }
     return stage;
 }

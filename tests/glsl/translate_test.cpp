@@ -91,6 +91,17 @@ TEST_CASE("the vertex stage takes its interpolation from the fragment stage") {
     CHECK(made->vertex.text.find("flat out vec2") == std::string::npos);
 }
 
+TEST_CASE("functions that GLSL 4.10 lacks are asked for, and only by who calls them") {
+    const std::string wanted = "#extension GL_ARB_shading_language_packing : require\n";
+    const auto packing = translated(
+        head + "void main() { color = unpackHalf2x16(packHalf2x16(other_name)).xyxy; }\n");
+    REQUIRE(packing.has_value());
+    CHECK(packing->fragment.text.starts_with("#version 410\n" + wanted));
+    CHECK(packing->vertex.text.find(wanted) == std::string::npos);
+    CHECK(static_cast<std::ptrdiff_t>(packing->fragment.lines.size()) ==
+          std::ranges::count(packing->fragment.text, '\n'));
+}
+
 TEST_CASE("errors stand at the author's lines") {
     const auto made = translated(head + "void main() { color = vec4(missing); }\n");
     REQUIRE_FALSE(made);

@@ -211,6 +211,12 @@ TEST_CASE("an sRGB target is encoded when drawn and decoded when read") {
     CHECK(std::abs(first_red(offline.picture(0)) - 187.5) <= 1.0);
 }
 
+TEST_CASE("numbers may be packed as halves") {
+    const DrawnChain chain({chain_shader("unpackHalf2x16(packHalf2x16(vec2(u.level, 0.5))).xyxy")},
+                           "");
+    CHECK(std::abs(first_red(chain.open({1, 1}, flat(0.0f)).picture_after(1)) - 63.75) <= 1.0);
+}
+
 TEST_CASE("whole numbers go through an integer target as they are") {
     const DrawnChain chain(
         {chain_shader("uvec4(4000000000u)", {}, "#pragma format R32_UINT\n#pragma name Whole\n",
