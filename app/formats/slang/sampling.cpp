@@ -20,7 +20,7 @@ Sampler SlangSampling::state_of(int pass, bool is_mipmapped) const {
     Sampler sampler{filter_of(owner.is_linear, m_unspecified), owner.wrap, is_mipmapped};
     if (is_mipmapped)
         sampler.between_levels =
-            sampler.filter == Filter::linear && has_levels(pass) ? Filter::linear : Filter::nearest;
+            owner.is_linear.value_or(true) && has_levels(pass) ? Filter::linear : Filter::nearest;
     return sampler;
 }
 

@@ -140,6 +140,10 @@ TEST_CASE("a pass has smaller levels where the one behind it asks for them") {
     const Look two = folder.look(linear + "mipmap_input1 = true\nmipmap_input2 = true\n");
     CHECK(input(two, 1, "Source").sampler.between_levels == Filter::linear);
     CHECK_FALSE(input(folder.look("mipmap_input0 = true\n"), 0, "Source").sampler.mipmap);
+    // A filter that is not said is nearest, and smooth between levels all the same.
+    const Look unsaid = folder.look("mipmap_input1 = true\nmipmap_input2 = true\n");
+    CHECK(input(unsaid, 1, "Source").sampler ==
+          Sampler{Filter::nearest, Wrap::border, true, Filter::linear});
 }
 
 TEST_CASE("the format is the shader's, unless a scaled pass asks for sRGB or floats") {
