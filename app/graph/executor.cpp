@@ -11,10 +11,11 @@ bool has_draw(const Look& look, Draw draw) {
     return std::ranges::any_of(look.passes, [&](const Pass& pass) { return pass.draw == draw; });
 }
 
-// The program's own triangle covers all; a person's vertex shader, points or `discard` may not.
+// The program's own triangle and quad cover all; a person's vertex shader, points or `discard` may
+// not.
 bool covers(const Pass& pass) {
-    return pass.draw == Draw::fullscreen && pass.blend == Blend::replace &&
-           pass.vertex.file.empty() && pass.fragment.text.find("discard") == std::string::npos;
+    return !is_of_beam(pass.draw) && pass.blend == Blend::replace && pass.vertex.file.empty() &&
+           pass.fragment.text.find("discard") == std::string::npos;
 }
 }  // namespace
 

@@ -34,11 +34,21 @@ constexpr std::array format_names{FormatName{"R8_UNORM", Format::r8},
                                   FormatName{"R32G32B32A32_SFLOAT", Format::rgba32f},
                                   FormatName{"R32_UINT", Format::r32ui}};
 
+// With the corners of all passes: between two texels the last bit of a coordinate decides.
+constexpr const char* stretching_corners = R"(#version 410 core
+layout(location = 0) in vec2 position;
+layout(location = 1) in vec2 corner;
+out vec2 at;
+void main() {
+    gl_Position = vec4(2.0 * position.x - 1.0, 1.0 - 2.0 * position.y, 0.0, 1.0);
+    at = corner;
+}
+)";
 constexpr const char* stretching = R"(#version 410 core
-in vec2 uv;
+in vec2 at;
 uniform sampler2D image;
 out vec4 color;
-void main() { color = texture(image, vec2(uv.x, 1.0 - uv.y)); }
+void main() { color = texture(image, at); }
 )";
 
 // By its alias, else after its file.
@@ -328,7 +338,8 @@ void ChainLook::add_stretch() {
     pass.name = "picture";
     for (int copy = 2; find_pass(m_look, pass.name); ++copy)
         pass.name = fmt::format("picture-{}", copy);
-    pass.vertex = fullscreen_vertex_stage();
+    pass.draw = Draw::quad;
+    pass.vertex = builtin_stage(stretching_corners);
     pass.fragment = builtin_stage(stretching);
     pass.format = Format::rgba8;
     pass.inputs = {{"image",

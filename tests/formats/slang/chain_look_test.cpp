@@ -92,6 +92,7 @@ TEST_CASE("a last pass with a scale is stretched over the picture by one pass mo
     CHECK(look.passes[0].size[1] == Side{Side::By::pixels, 32.0, {}});
     CHECK(look.passes[0].rows == RowOrder::top_first);
     CHECK(look.passes[1].rows == RowOrder::bottom_first);
+    CHECK(look.passes[1].draw == Draw::quad);  // as all others
     CHECK(input(look, 1, "image").sampler == Sampler{Filter::nearest, Wrap::edge, false});
 }
 
