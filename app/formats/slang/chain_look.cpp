@@ -81,6 +81,11 @@ std::vector<std::string> texture_names_of(const SlangPreset& preset) {
     return names;
 }
 
+bool is_missing(const SlangTexture& texture) {
+    std::error_code error;
+    return !fs::is_regular_file(texture.file, error);
+}
+
 Side side_of(const SlangScale& scale) {
     constexpr double least = 1e-6;  // px or times; what is smaller still is a texel
     switch (scale.by) {
@@ -115,6 +120,7 @@ private:
     void make_pass(std::size_t index);
     Format format_of(std::size_t index);
     bool is_stretched() const;
+    void check_image(const Pass& pass, const NamedSampler& sampler, int texture);
     void read_samplers(Pass& pass, std::size_t index);
     void read_members(Pass& pass, std::size_t index);
     void tell(Pass& pass, const BlockMember& member, const SlangMember& meant);
@@ -250,6 +256,14 @@ std::optional<Input> ChainLook::input_of(const SlangPicture& picture, std::size_
                  m_sampling.of_image(picture.number)};
 }
 
+void ChainLook::check_image(const Pass& pass, const NamedSampler& sampler, int texture) {
+    const SlangTexture& read = m_chain.preset.textures[static_cast<std::size_t>(texture)];
+    if (is_missing(read))
+        problem(pass, Severity::warning,
+                fmt::format("reads '{}', whose picture '{}' is missing: it is black", sampler.name,
+                            read.file.string()));
+}
+
 void ChainLook::read_samplers(Pass& pass, std::size_t index) {
     for (const NamedSampler& sampler : m_chain.translations[index].samplers) {
         const auto meant = m_names.find(sampler.name);
@@ -266,6 +280,8 @@ void ChainLook::read_samplers(Pass& pass, std::size_t index) {
                                 sampler.name));
             continue;
         }
+        if (meant->of == Of::image)
+            check_image(pass, sampler, meant->number);
         input->uniform = sampler.uniform;
         if (std::ranges::find(pass.inputs, input->uniform, &Input::uniform) == pass.inputs.end())
             pass.inputs.push_back(std::move(*input));
@@ -317,14 +333,8 @@ void ChainLook::read_members(Pass& pass, std::size_t index) {
 void ChainLook::add_images() {
     for (std::size_t i = 0; i < m_chain.preset.textures.size(); ++i) {
         const SlangTexture& texture = m_chain.preset.textures[i];
-        std::error_code error;
-        if (!fs::is_regular_file(texture.file, error)) {
-            m_warnings.push_back({texture.declared.file, texture.declared.line,
-                                  fmt::format("the picture '{}' is missing: '{}' reads black",
-                                              texture.file.string(), texture.name),
-                                  Severity::warning});
+        if (is_missing(texture))
             continue;
-        }
         Image image{texture.name, texture.file, m_sampling.of_image(static_cast<int>(i))};
         image.is_linear = true;
         image.rows = RowOrder::top_first;

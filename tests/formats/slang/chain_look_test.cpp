@@ -223,14 +223,17 @@ TEST_CASE("two passes of one name are refused") {
           "a.slangp:3: error: passes 0 and 1 are both called 'A'");
 }
 
-TEST_CASE("a missing texture reads black, with a warning; another one is an image of the look") {
+TEST_CASE("a missing texture reads black, naming sampler and pass; another one is an image") {
     ChainFolder folder({reading({"Source", "mask", "grid"})});
     folder.write("m.png", "any");
     const LoadedLook loaded = folder.load(
         "textures = \"mask;grid\"\nmask = m.png\nmask_wrap_mode = repeat\nmask_mipmap = true\n"
         "grid = none.png\n");
     REQUIRE(loaded.look.has_value());
-    CHECK(folder.told(loaded.warnings).find("'grid' reads black") != std::string::npos);
+    CHECK(folder.told(loaded.warnings)
+              .find("a.slangp:2: warning: pass '0' reads 'grid', whose picture '") == 0);
+    CHECK(loaded.warnings.size() == 1);
+    CHECK(loaded.warnings[0].message.ends_with("none.png' is missing: it is black"));
     REQUIRE(loaded.look->images.size() == 1);
     const Image& image = loaded.look->images[0];
     CHECK(image.sampler == Sampler{Filter::linear, Wrap::repeat, true});
