@@ -120,6 +120,7 @@ private:
         m_look.default_signal = driving().default_signal;
         m_look.default_source = driving().default_source;
         m_look.source_encoding = driving().source_encoding;
+        m_look.source_format = driving().source_format;
         m_look.settle_frames = 1;
     }
 

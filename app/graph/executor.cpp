@@ -147,8 +147,8 @@ Result<void> Executor::set_source(const Picture& picture) {
         readers.push_back(std::ranges::any_of(
             pass.inputs, [](const Input& input) { return input.from == Input::From::source; }));
     restart_samples(readers);
-    return m_source.set(picture, m_look.source_encoding, m_look.source_rows,
-                        reads_mipmaps(m_look, Input::From::source, {}));
+    return m_source.set(picture, {m_look.source_encoding, m_look.source_rows, m_look.source_format,
+                                  reads_mipmaps(m_look, Input::From::source, {})});
 }
 
 Result<void> Executor::set_image(const std::string& name, const Picture& picture) {

@@ -25,10 +25,11 @@ Result<std::shared_ptr<const gpu::Texture>> image_texture(const Look& look, cons
         return solid ? image_texture(look, name, *solid) : fail(solid.error());
     }
     const bool is_mipmapped = reads_mipmaps(look, Input::From::image, name);
-    auto texture = picture.shape == PictureShape::flat
-                       ? gpu::Texture::make(picture.extent, Format::rgba32f, is_mipmapped)
-                       : gpu::Texture::make_solid(picture.shape, picture.extent.width,
-                                                  Format::rgba32f, is_mipmapped);
+    const Format format = image ? image->format : Format::rgba32f;
+    auto texture =
+        picture.shape == PictureShape::flat
+            ? gpu::Texture::make(picture.extent, format, is_mipmapped)
+            : gpu::Texture::make_solid(picture.shape, picture.extent.width, format, is_mipmapped);
     if (!texture)
         return fail(texture.error());
     const bool is_data = image && image->is_linear;

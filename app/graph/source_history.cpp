@@ -18,20 +18,19 @@ int SourceHistory::free_place() const {
     return place;
 }
 
-Result<void> SourceHistory::set(const Picture& picture, Encoding wanted, RowOrder rows,
-                                bool is_mipmapped) {
+Result<void> SourceHistory::set(const Picture& picture, const SourceForm& form) {
     if (picture.extent.is_empty())
         return fail({{}, 0, "the source picture is empty"});
     const int place = free_place();
     auto& texture = m_textures[static_cast<std::size_t>(place)];
-    if (!texture || texture->extent() != picture.extent ||
-        texture->is_mipmapped() != is_mipmapped) {
-        auto made = gpu::Texture::make(picture.extent, Format::rgba32f, is_mipmapped);
+    if (!texture || texture->extent() != picture.extent || texture->format() != form.format ||
+        texture->is_mipmapped() != form.is_mipmapped) {
+        auto made = gpu::Texture::make(picture.extent, form.format, form.is_mipmapped);
         if (!made)
             return fail(made.error());
         texture = std::move(*made);
     }
-    gpu::fill_texels(picture, wanted, m_texels, rows);
+    gpu::fill_texels(picture, form.encoding, m_texels, form.rows);
     texture->upload(m_texels);
     texture->generate_mipmaps();
     m_newest = place;

@@ -7,14 +7,21 @@
 #include <optional>
 #include <vector>
 
+/// How the source is uploaded for those who read it.
+struct SourceForm {
+    Encoding encoding = Encoding::linear;
+    RowOrder rows = RowOrder::bottom_first;
+    Format format = Format::rgba32f;
+    bool is_mipmapped = false;
+};
+
 /// The source picture and those of former frames that some input still reads.
 class SourceHistory {
 public:
     /// So many pictures, the newest among them, are read.
     void set_slots(int slots);
-    /// The picture from now on, in the `wanted` encoding and order of rows; uploaded here and
-    /// nowhere else.
-    Result<void> set(const Picture& picture, Encoding wanted, RowOrder rows, bool is_mipmapped);
+    /// The picture from now on; uploaded here and nowhere else.
+    Result<void> set(const Picture& picture, const SourceForm& form);
     /// A frame begins: what it reads as the source is a frame ago in the next one.
     void advance();
     /// Forgets the former pictures.

@@ -163,7 +163,7 @@ namespace {
 // Whether a picture that was uploaded for the one serves the other.
 bool reads_images_alike(const Look& one, const Look& other) {
     return one.images == other.images && one.source_encoding == other.source_encoding &&
-           one.source_rows == other.source_rows &&
+           one.source_rows == other.source_rows && one.source_format == other.source_format &&
            std::ranges::equal(one.passes, other.passes, {}, &Pass::inputs, &Pass::inputs);
 }
 }  // namespace

@@ -82,6 +82,7 @@ struct Image {
     bool is_linear = false;                  // data, not display-encoded colours
     std::optional<Encoding> encoding = {};   // that its look reads; none: as the source
     RowOrder rows = RowOrder::bottom_first;  // as it is uploaded
+    Format format = Format::rgba32f;         // likewise
     bool is_needed = true;  // where it cannot be read the look cannot; else it reads black
     PictureShape shape = PictureShape::flat;  // that its readers take; a file is made one
     // Instead of `file` a picture of the program's own, "pattern:noise" or "solid:sky". Where both
@@ -116,6 +117,7 @@ struct Look {
     std::string default_source;
     Encoding source_encoding = Encoding::linear;
     RowOrder source_rows = RowOrder::bottom_first;
+    Format source_format = Format::rgba32f;
     Encoding output = Encoding::display;
     int settle_frames = 1;
     bool has_orbit = false;

@@ -211,6 +211,15 @@ TEST_CASE("an sRGB target is encoded when drawn and decoded when read") {
     CHECK(std::abs(first_red(offline.picture(0)) - 187.5) <= 1.0);
 }
 
+TEST_CASE("a chain reads its source in 8 bits") {
+    // 0.25 is 63.75 of 255.
+    const DrawnChain chain(
+        {chain_shader("vec4((texture(Source, at).r * 255.0 - 63.0) * 0.5)", {"Source"})}, "");
+    Offline offline = chain.open({1, 1}, flat(0.0f));
+    REQUIRE(offline.hold_source(flat(0.25f)));
+    CHECK(std::abs(first_red(offline.picture_after(1)) - 127.5) <= 1.0);
+}
+
 TEST_CASE("numbers may be packed as halves") {
     const DrawnChain chain({chain_shader("unpackHalf2x16(packHalf2x16(vec2(u.level, 0.5))).xyxy")},
                            "");

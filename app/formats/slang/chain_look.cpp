@@ -338,6 +338,7 @@ void ChainLook::add_images() {
         Image image{texture.name, texture.file, m_sampling.of_image(static_cast<int>(i))};
         image.is_linear = true;
         image.rows = RowOrder::top_first;
+        image.format = Format::rgba8;
         image.is_needed = false;
         m_look.images.push_back(std::move(image));
     }

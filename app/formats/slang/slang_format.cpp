@@ -117,6 +117,7 @@ Result<Look> read_look_of(const fs::path& file, SlangFiles& files, const Reading
     look->default_source = pixel_art;
     look->source_encoding = Encoding::display;
     look->source_rows = RowOrder::top_first;
+    look->source_format = Format::rgba8;
     look->output = Encoding::display;
     look->settle_frames = reads_the_past(*look) ? frames_of_a_past : 1;
     look->manifest = file;

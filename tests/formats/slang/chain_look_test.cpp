@@ -82,6 +82,7 @@ TEST_CASE("a chain whose last pass has no scale ends at the size of the view") {
     CHECK(input(look, 1, "Source").name == "0");
     CHECK(look.source_rows == RowOrder::top_first);
     CHECK(look.source_encoding == Encoding::display);
+    CHECK(look.source_format == Format::rgba8);
 }
 
 TEST_CASE("a last pass with a scale is stretched over the picture by one pass more") {
@@ -239,6 +240,7 @@ TEST_CASE("a missing texture reads black, naming sampler and pass; another one i
     CHECK(image.sampler == Sampler{Filter::linear, Wrap::repeat, true});
     CHECK(image.is_linear);  // as it is stored
     CHECK(image.rows == RowOrder::top_first);
+    CHECK(image.format == Format::rgba8);
     CHECK_FALSE(image.is_needed);
     CHECK(std::ranges::find(loaded.files, folder / "none.png") != loaded.files.end());
 }
