@@ -66,6 +66,15 @@ constexpr Encoding linear = Encoding::linear;
 constexpr Encoding display = Encoding::display;
 }  // namespace
 
+TEST_CASE("a stack reads its source in the format of the look that it drives") {
+    Look coarse = picture_look("game", display, display);
+    coarse.source_format = Format::rgba8;
+    const Look fine = picture_look("crt", display, display);
+    CHECK(stacked({coarse, fine}).source_format == Format::rgba8);
+    CHECK(stacked({fine, coarse}).source_format == Format::rgba32f);
+    CHECK(stacked({coarse, fine}, {"game"}).source_format == Format::rgba32f);
+}
+
 TEST_CASE("passes, images and parameters of a stack are called by the key of their look") {
     const Look look =
         stacked({picture_look("crt", display, display), picture_look("crt", display, display)});
