@@ -1,6 +1,7 @@
 #include "formats/slang/controls.h"
 #include "formats/slang/expand.h"
 #include "formats/slang/shader.h"
+#include "glsl/translate.h"
 
 #include <doctest/doctest.h>
 
@@ -28,6 +29,7 @@ struct Counts {
     std::size_t most_lines = 0;
     std::set<std::string> shaders;
     std::set<std::string> broken_shaders;
+    int compiled = 0;
 };
 
 std::size_t lines_of(const fs::path& shader, SlangFiles& files) {
@@ -63,8 +65,12 @@ void count_shaders(const SlangPreset& preset, SlangFiles& files, Counts& counts)
             counts.broken_shaders.insert(to_string(shader.error()));
             continue;
         }
-        if (is_new)
+        if (is_new) {
             counts.most_lines = std::max(counts.most_lines, lines_of(pass.shader, files));
+            const auto translated = translate_from_vulkan(shader->vertex, shader->fragment);
+            CHECK_MESSAGE(translated.has_value(), to_string(translated.error()));
+            counts.compiled += translated ? 1 : 0;
+        }
         all.insert(all.end(), shader->parameters.begin(), shader->parameters.end());
     }
     Diagnostics warnings;
@@ -117,6 +123,7 @@ TEST_CASE("the public corpus of slang presets is read as it was counted") {
     CHECK(counts.without_filter == 1040);
     CHECK(counts.shaders.size() == 1338);
     CHECK(counts.broken_shaders.empty());
+    CHECK(counts.compiled == 1338);
     // Of crt-royale, with its 36 includes in place.
     CHECK(counts.most_lines == 15586);
     std::ranges::sort(counts.parameters);

@@ -1,0 +1,153 @@
+// How presets of libretro are drawn, against a plain chain of the GL calls that RetroArch's rules
+// ask for (tests/parity/). Without arguments: what a frame costs, in presets of
+// AFTERGLOW_SLANG_DIR. `pictures FILE_OR_FOLDER...`: how far the pictures are apart, a line of JSON
+// a preset; a process each, as some drivers take shaders badly.
+#include "gpu/draw.h"
+#include "io/child_process.h"
+#include "lab/corpus.h"
+#include "parity/moving_picture.h"
+#include "parity/pair.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+
+namespace fs = std::filesystem;
+
+namespace {
+constexpr Extent original{320, 240};
+
+double busy_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+double median(std::vector<double> numbers) {
+    std::ranges::sort(numbers);
+    return numbers[numbers.size() / 2];
+}
+
+template <class Draw>
+double seconds_of(int frames, Draw draw) {
+    const double start = busy_seconds();
+    for (int i = 0; i < frames; ++i) {
+        draw();
+        gpu::finish();
+    }
+    return busy_seconds() - start;
+}
+
+/// Medians over rounds, in each of which the plain chain is drawn before and behind ours.
+struct Cost {
+    double plain_milliseconds = 0.0;
+    double ratio = 0.0;   // ours to plain
+    double itself = 0.0;  // the plain chain before to the same behind
+};
+
+Cost cost_of(plain::Pair& pair) {
+    constexpr int rounds = 15;
+    constexpr double least_seconds = 0.1;
+    const auto plain = [&] { pair.draw_plain(); };
+    const auto ours = [&] { pair.draw_ours(); };
+    seconds_of(4, plain);
+    seconds_of(4, ours);
+    const int frames = static_cast<int>(least_seconds / (seconds_of(4, plain) / 4)) + 1;
+    std::vector<double> ratios;
+    std::vector<double> itself;
+    std::vector<double> milliseconds;
+    for (int i = 0; i < rounds; ++i) {
+        const double before = seconds_of(frames, plain);
+        const double between = seconds_of(frames, ours);
+        const double behind = seconds_of(frames, plain);
+        ratios.push_back(2.0 * between / (before + behind));
+        itself.push_back(before / behind);
+        milliseconds.push_back(1e3 * before / frames);
+    }
+    return {median(milliseconds), median(ratios), median(itself)};
+}
+
+// Whether the run counts.
+bool print_cost(const fs::path& preset, Extent viewport) {
+    constexpr double most_apart = 0.015;
+    auto pair = plain::Pair::open(preset, original, viewport);
+    if (pair)
+        if (auto set = pair->set_original(plain::moving_picture(original, 0)); !set)
+            pair = fail(set.error());
+    if (!pair) {
+        fmt::print(stderr, "{}", to_string(pair.error()));
+        return false;
+    }
+    const Cost cost = cost_of(*pair);
+    const bool counts = std::abs(cost.itself - 1.0) <= most_apart;
+    fmt::print(
+        "{:<28} {:>4} x {:<4} plain {:7.2f} ms  ours / plain {:.3f}  plain / itself {:.3f}{}\n",
+        preset.stem().string(), viewport.width, viewport.height, cost.plain_milliseconds,
+        cost.ratio, cost.itself, counts ? "" : "  (does not count)");
+    std::fflush(stdout);
+    return true;
+}
+
+int print_costs() {
+    const char* corpus = std::getenv("AFTERGLOW_SLANG_DIR");
+    if (!corpus) {
+        fmt::print("AFTERGLOW_SLANG_DIR names no copy of slang-shaders: nothing is measured\n");
+        return EXIT_SUCCESS;
+    }
+    bool is_good = true;
+    for (const Extent viewport : {Extent{640, 480}, Extent{1280, 720}})
+        for (const char* preset :
+             {"crt/crt-royale.slangp", "crt/crt-guest-advanced.slangp", "crt/crt-lottes.slangp",
+              "crt/crt-geom.slangp", "edge-smoothing/xbr/xbr-lv2.slangp",
+              "ntsc/ntsc-320px-composite.slangp", "ntsc/mame-ntsc.slangp",
+              "blurs/dual_filter_bloom.slangp"})
+            is_good = print_cost(fs::path(corpus) / preset, viewport) && is_good;
+    return is_good ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+int compare_pictures(const fs::path& preset) {
+    constexpr int frames = 5;
+    constexpr Extent viewport{640, 480};
+    nlohmann::ordered_json told{{"file", preset.string()}};
+    auto pair = plain::Pair::open(preset, original, viewport);
+    const auto difference =
+        pair ? pair->compare(frames) : Result<plain::Difference>(fail(pair.error()));
+    if (difference) {
+        told["mean"] = difference->mean;
+        told["largest"] = difference->largest;
+        told["reads_the_past"] = pair->reads_the_past();
+    } else {
+        told["why"] = to_string(difference.error());
+    }
+    fmt::print("{}\n", told.dump());
+    return difference ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+void compare_alone(const fs::path& preset) {
+    constexpr double most_seconds = 600.0;
+    constexpr std::size_t most_bytes = 1 << 20;
+    auto child = ChildProcess::start({"/proc/self/exe", "pictures", preset.string()});
+    const auto told = child ? child->read_all_within(most_seconds, most_bytes) : std::nullopt;
+    const nlohmann::ordered_json lost{{"file", preset.string()}, {"why", "took too long"}};
+    fmt::print("{}", told && !told->empty() ? *told : lost.dump() + "\n");
+    std::fflush(stdout);
+}
+}  // namespace
+
+int main(int count, char** arguments) {
+    const std::vector<std::string> words(arguments + 1, arguments + count);
+    if (words.empty())
+        return print_costs();
+    if (words.size() == 2 && words[0] == "pictures" && fs::is_regular_file(words[1]))
+        return compare_pictures(words[1]);
+    for (std::size_t i = 1; i < words.size(); ++i)
+        for (const fs::path& preset : fs::is_directory(words[i])
+                                          ? corpus_files(words[i], {".slangp", 0, 0})
+                                          : std::vector<fs::path>{words[i]})
+            compare_alone(preset);
+    return EXIT_SUCCESS;
+}
