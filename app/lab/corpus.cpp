@@ -42,10 +42,12 @@ bool is_of_corpus(const fs::path& file) {
     return is_foreign_look(file);
 }
 
-// Each file has a number from its path and the seed; those with the lowest are the sample.
-void order_by_chance(std::vector<fs::path>& files, int seed) {
-    std::ranges::sort(files, {}, [seed](const fs::path& file) {
-        return std::pair(digest_of(fmt::format("{} {}", seed, file.string())), file);
+// Each file has a number from its path in the folder and the seed; those with the lowest are the
+// sample, wherever the folder is.
+void order_by_chance(std::vector<fs::path>& files, const fs::path& folder, int seed) {
+    std::ranges::sort(files, {}, [&](const fs::path& file) {
+        const std::string path = file.lexically_relative(folder).generic_string();
+        return std::pair(digest_of(fmt::format("{} {}", seed, path)), file);
     });
 }
 
@@ -113,7 +115,7 @@ std::vector<fs::path> corpus_files(const fs::path& folder, const CorpusChoice& c
         }
     }
     if (choice.sample > 0)
-        order_by_chance(named, choice.seed);
+        order_by_chance(named, folder, choice.seed);
     std::vector<fs::path> files;
     for (const fs::path& file : named) {
         if (choice.sample > 0 && files.size() == static_cast<std::size_t>(choice.sample))

@@ -1,8 +1,32 @@
 #include "lab/corpus.h"
 
+#include "io/temporary_folder.h"
+
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <cstdlib>
+
+namespace {
+std::vector<std::string> sampled_names(const TemporaryFolder& folder, int seed) {
+    std::vector<std::string> names;
+    for (const auto& file : corpus_files(folder.path(), {"", 5, seed}))
+        names.push_back(file.filename().string());
+    return names;
+}
+}  // namespace
+
+TEST_CASE("the same seed draws the same files of a folder, wherever it is") {
+    const TemporaryFolder here;
+    const TemporaryFolder there;
+    for (const TemporaryFolder* folder : {&here, &there})
+        for (int i = 0; i < 30; ++i)
+            folder->write(fmt::format("{}.slangp", i), "shaders = 1\n");
+    const std::vector<std::string> first = sampled_names(here, 1);
+    CHECK(first.size() == 5);
+    CHECK(sampled_names(there, 1) == first);
+    CHECK(sampled_names(here, 2) != first);
+}
 
 TEST_CASE("of the public corpus of Shadertoy's shaders 99 in 100 are translated") {
     constexpr int sample = 1000;
