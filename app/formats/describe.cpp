@@ -93,6 +93,8 @@ Json described(const Parameter& parameter, const Look& look, const Values& value
               {"passes", Json::array()}};
     if (parameter.control == Control::color && parameter.encoding == Encoding::display)
         json["encoding"] = "display";
+    if (parameter.is_constant)
+        json["constant"] = true;
     for (const Item& item : parameter.items)
         json["items"].push_back({{"value", item.value}, {"label", item.label}});
     for (const Binding& binding : parameter.bindings) {

@@ -8,6 +8,7 @@
 #include "formats/slang/slang_format.h"
 #include "glsl/include.h"
 #include "glsl/parameters.h"
+#include "glsl/turned_constants.h"
 #include "model/plan.h"
 
 #include <algorithm>
@@ -79,7 +80,7 @@ void order_by_groups(Look& look, Diagnostics& warnings) {
     std::ranges::stable_sort(look.parameters, {}, place);
 }
 
-Result<Look> read_look(const fs::path& manifest, const fs::path& shared, CheckCache* cache,
+Result<Look> read_look(const fs::path& manifest, const fs::path& shared, const ReadingHelp& help,
                        LoadedLook& loaded) {
     auto look = load_manifest(manifest, loaded.files);
     if (!look)
@@ -88,10 +89,13 @@ Result<Look> read_look(const fs::path& manifest, const fs::path& shared, CheckCa
     if (!problems.empty())
         return fail(std::move(problems));
     loaded.is_parsed = true;
-    auto parameters = find_parameters(*look, cache, loaded.warnings);
+    problems = turn_constants(*look, help.values);
+    if (!problems.empty())
+        return fail(std::move(problems));
+    auto parameters = find_parameters(*look, help.cache, loaded.warnings);
     if (!parameters)
         return fail(std::move(parameters.error()));
-    look->parameters = std::move(*parameters);
+    look->parameters.insert(look->parameters.begin(), parameters->begin(), parameters->end());
     order_by_groups(*look, loaded.warnings);
     problems = check_sizes(*look);
     if (!problems.empty())
@@ -107,15 +111,15 @@ LoadedLook load_any(const fs::path& manifest, const fs::path& shared, const Read
     if (is_slang_file(manifest))
         return load_slang_look(manifest, help);
     if (is_isf_file(manifest))
-        return load_isf_look(manifest, help.cache);
+        return load_isf_look(manifest, help);
     if (is_toy_file(manifest))
-        return load_toy_look(manifest, shared, help.cache);
+        return load_toy_look(manifest, shared, help);
     if (is_bare_file(manifest))
-        return load_bare_look(manifest, shared, help.cache);
+        return load_bare_look(manifest, shared, help);
     if (is_fs_file(manifest))  // it tells what is wrong with it
-        return load_isf_look(manifest, help.cache);
+        return load_isf_look(manifest, help);
     LoadedLook loaded;
-    loaded.look = read_look(manifest, shared, help.cache, loaded);
+    loaded.look = read_look(manifest, shared, help, loaded);
     return loaded;
 }
 }  // namespace

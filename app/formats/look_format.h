@@ -9,10 +9,11 @@
 class CheckCache;
 class PassProgress;
 
-/// What reading a look may be given; both may be null.
+/// What reading a look may be given; all may be null.
 struct ReadingHelp {
     CheckCache* cache = nullptr;       // shaders that did not change are not checked again
     PassProgress* progress = nullptr;  // of looks that are translated; cancelled there, it fails
+    const Values* values = nullptr;    // what constants of its texts are turned to, among others
 };
 
 /// A look as it was read, or why it was not.

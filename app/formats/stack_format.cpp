@@ -3,7 +3,7 @@
 #include "formats/stacked_look.h"
 
 #include <algorithm>
-#include <map>
+#include <optional>
 
 namespace fs = std::filesystem;
 
@@ -25,36 +25,89 @@ void name_parts(Stack& stack, const std::vector<Look>& looks) {
 }
 }  // namespace
 
-LoadedLook load_stack(Stack stack, const fs::path& shared_includes, const ReadingHelp& help) {
-    std::map<fs::path, LoadedLook> read;
-    std::vector<Look> looks;
-    LoadedLook whole;
-    whole.is_parsed = true;
-    Diagnostics errors;
-    for (const StackPart& part : stack) {
-        const bool is_new = !read.contains(part.place);
-        if (is_new)
-            read.emplace(part.place, load_look(part.place, shared_includes, help));
-        const LoadedLook& loaded = read.at(part.place);
-        if (loaded.look)
-            looks.push_back(*loaded.look);
-        if (!is_new)
-            continue;
-        if (!loaded.look)
-            append(errors, loaded.look.error());
+namespace {
+// What the values of a whole stack say of one part, under the part's own names.
+Values values_of_part(const Values& values, const Stack& stack, std::size_t part) {
+    const std::string scope = scope_of(stack, part);
+    Values own;
+    for (const auto& [name, value] : values)
+        if (name.starts_with(scope))
+            own[name.substr(scope.size())] = value;
+    return own;
+}
+
+/// Reads the looks of a stack, each once where their values are the same.
+class PartReader {
+public:
+    PartReader(Stack stack, const fs::path& shared, const ReadingHelp& help)
+        : m_stack(std::move(stack)), m_shared(shared), m_help(help) {
+        for (StackPart& part : m_stack)  // so that values find them
+            if (part.look.empty())
+                part.look = look_id_at(part.place);
+    }
+
+    void read(std::size_t part, LoadedLook& whole) {
+        const Values values =
+            m_help.values ? values_of_part(*m_help.values, m_stack, part) : Values{};
+        const auto is_same = [&](const Read& read) {
+            return read.place == m_stack[part].place && read.values == values;
+        };
+        const auto known = std::ranges::find_if(m_read, is_same);
+        if (known != m_read.end()) {
+            if (known->look)
+                looks.push_back(*known->look);
+            return;
+        }
+        LoadedLook loaded =
+            load_look(m_stack[part].place, m_shared, {m_help.cache, m_help.progress, &values});
         append(whole.warnings, loaded.warnings);
         whole.is_parsed = whole.is_parsed && loaded.is_parsed;
         for (const fs::path& file : loaded.files)
             if (std::ranges::find(whole.files, file) == whole.files.end())
                 whole.files.push_back(file);
+        m_read.push_back({m_stack[part].place, values, {}});
+        if (!loaded.look)
+            return append(errors, loaded.look.error());
+        looks.push_back(*loaded.look);
+        m_read.back().look = std::move(*loaded.look);
     }
-    if (!errors.empty()) {
-        whole.look = fail(std::move(errors));
+
+    std::vector<Look> looks;
+    Diagnostics errors;
+
+private:
+    struct Read {
+        fs::path place;
+        Values values;
+        std::optional<Look> look;
+    };
+
+    Stack m_stack;
+    const fs::path& m_shared;
+    const ReadingHelp& m_help;
+    std::vector<Read> m_read;
+};
+}  // namespace
+
+LoadedLook load_stack(Stack stack, const fs::path& shared_includes, const ReadingHelp& help) {
+    LoadedLook whole;
+    whole.is_parsed = true;
+    PartReader reader(stack, shared_includes, help);
+    for (std::size_t i = 0; i < stack.size(); ++i)
+        reader.read(i, whole);
+    std::vector<Look>& looks = reader.looks;
+    if (!reader.errors.empty()) {
+        whole.look = fail(std::move(reader.errors));
         return whole;
     }
     name_parts(stack, looks);
     const bool is_alone = stack.size() == 1 && !stack.front().is_bypassed;
     whole.look = is_alone ? std::move(looks.front()) : stacked_look(looks, stack, whole.warnings);
     whole.look->stack = std::move(stack);
+    whole.look->shared_includes = shared_includes;
     return whole;
+}
+
+LoadedLook load_again(const Look& look, const ReadingHelp& help) {
+    return load_stack(look.stack, look.shared_includes, help);
 }

@@ -6,3 +6,6 @@
 /// get the id and tag that they lack; all else of `stack` is Look::stack. As load_look.
 LoadedLook load_stack(Stack stack, const std::filesystem::path& shared_includes,
                       const ReadingHelp& help = {});
+
+/// A look that load_stack gave, from its files again; for other values of its constants.
+LoadedLook load_again(const Look& look, const ReadingHelp& help);

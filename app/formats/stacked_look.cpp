@@ -213,7 +213,7 @@ private:
                 parameter.was = scope + parameter.was;
             for (Binding& binding : parameter.bindings) {
                 binding.pass += m_first_pass;
-                if (is_drawn)
+                if (is_drawn && !parameter.is_constant)
                     m_look.passes[static_cast<std::size_t>(binding.pass)].rename[binding.uniform] =
                         parameter.name;
             }
@@ -221,6 +221,8 @@ private:
                 parameter.bindings.clear();
             m_look.parameters.push_back(std::move(parameter));
         }
+        for (const auto& [name, value] : look.constants)
+            m_look.constants[scope + name] = value;
     }
 
     std::string group_of(std::size_t part, const Parameter& parameter) const {

@@ -46,7 +46,7 @@ Answer CheckCache::remembered(std::map<std::uint64_t, Answer>& known, const Stag
     Answer answer = unpacked ? Answer(std::move(*unpacked)) : kind.ask(vertex, fragment);
     if (!unpacked)
         ++m_compilations;
-    if (!unpacked && answer && m_kept)
+    if (!unpacked && answer && m_kept && m_keeps)
         m_kept->keep(question, packed(*answer));
     const std::scoped_lock lock(m_mutex);
     if (known.size() >= most_programs)

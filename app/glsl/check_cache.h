@@ -17,6 +17,8 @@ public:
     /// already; null: nowhere.
     explicit CheckCache(ByteStore* kept = nullptr) : m_kept(kept) {}
 
+    /// Whether what is found out from now on is kept for other runs; at first it is.
+    void set_keeping(bool keeps) { m_keeps = keeps; }
     /// As check_program.
     Result<Reflection> check(const Stage& vertex, const Stage& fragment);
     /// As translate_from_vulkan.
@@ -30,6 +32,7 @@ private:
                       const Stage& fragment, const Kind& kind);
 
     ByteStore* m_kept;
+    std::atomic<bool> m_keeps = true;
     std::atomic<int> m_compilations = 0;
     std::mutex m_mutex;
     std::map<std::uint64_t, Result<Reflection>> m_known;

@@ -1,38 +1,10 @@
 #include "glsl/declarations.h"
 
-#include "base/text.h"
-#include "glsl/tokens.h"
+#include "glsl/comments_behind.h"
 
 #include <algorithm>
 
 namespace {
-Comment comment_from(const Token& token) {
-    std::string_view text = token.text.substr(2);
-    if (token.text.starts_with("/*") && text.ends_with("*/"))
-        text.remove_suffix(2);
-    return {std::string(text), token.line};
-}
-
-int last_line(const Token& token) {
-    return token.line + static_cast<int>(std::ranges::count(token.text, '\n'));
-}
-
-// Whether a string of a hint is still open where the comments end.
-bool has_open_string(const std::vector<Comment>& comments) {
-    bool is_hint = false;
-    bool is_open = false;
-    for (const Comment& comment : comments)
-        for (std::size_t i = 0; i < comment.text.size(); ++i) {
-            const char c = comment.text[i];
-            is_hint = is_hint || c == '@';
-            if (is_open && c == '\\')
-                ++i;
-            else if (is_hint && c == '"')
-                is_open = !is_open;
-        }
-    return is_open;
-}
-
 class Finder {
 public:
     explicit Finder(std::string_view text) : m_tokens(scan(text).all) {}
@@ -42,7 +14,7 @@ public:
         while (m_at < m_tokens.size()) {
             const Token& token = m_tokens[m_at];
             if (token.kind == Token::Kind::comment) {
-                add_comment_behind(token);
+                m_comments.add(token, token_before());
             } else if (!token.in_directive) {
                 if (depth == 0 && token.is("uniform")) {
                     read_statement();
@@ -52,10 +24,14 @@ public:
             }
             ++m_at;
         }
+        for (std::size_t i = 0; i < m_found.size(); ++i)
+            m_found[i].comments = m_comments.of(i);
         return std::move(m_found);
     }
 
 private:
+    const Token* token_before() const { return m_at > 0 ? &m_tokens[m_at - 1] : nullptr; }
+
     static int change_of_depth(const Token& token) {
         if (token.is("(") || token.is("[") || token.is("{"))
             return 1;
@@ -89,8 +65,8 @@ private:
     }
 
     void read_comment(const Token& token, int depth) {
-        if (!m_has_started && token.line == m_open_line)
-            add_comment_behind(token);
+        if (!m_has_started && m_comments.is_behind(token))
+            m_comments.add(token, token_before());
         else if (depth == 0)
             m_current.comments.push_back(comment_from(token));
     }
@@ -117,38 +93,10 @@ private:
 
     void finish(const Token& end) {
         if (!m_is_done && !m_current.name.empty()) {
-            if (end.line != m_open_line || m_is_commented)
-                m_open.clear();
-            m_open_line = end.line;
-            m_is_commented = !m_current.comments.empty();
-            m_comment_end = m_is_commented ? m_current.comments.back().line : 0;
-            m_open.push_back(m_found.size());
+            m_comments.open(end.line, std::move(m_current.comments));
             m_found.push_back(std::move(m_current));
         }
         m_current = {};
-    }
-
-    // A comment behind a declaration on its line, or a // line that goes on with its hints.
-    void add_comment_behind(const Token& token) {
-        if (m_open.empty())
-            return;
-        const bool is_behind = token.line == m_open_line;
-        if (!is_behind && !goes_on(token))
-            return m_open.clear();
-        for (const std::size_t index : m_open)
-            m_found[index].comments.push_back(comment_from(token));
-        m_is_commented = true;
-        m_comment_end = last_line(token);
-    }
-
-    bool goes_on(const Token& token) const {
-        const bool is_alone = m_at == 0 || last_line(m_tokens[m_at - 1]) < token.line;
-        if (!m_is_commented || !is_alone || !token.text.starts_with("//") ||
-            token.line != m_comment_end + 1)
-            return false;
-        const std::string_view text = trim(token.text.substr(2));
-        return text.starts_with('@') || text.starts_with('"') ||
-               has_open_string(m_found[m_open.back()].comments);
     }
 
     std::vector<Token> m_tokens;
@@ -161,12 +109,7 @@ private:
     bool m_is_initialiser = false;
     bool m_is_struct = false;
     bool m_is_done = false;
-
-    // Those whose line may still bring a comment.
-    std::vector<std::size_t> m_open;
-    int m_open_line = 0;
-    int m_comment_end = 0;
-    bool m_is_commented = false;
+    CommentsBehind m_comments;
 };
 }  // namespace
 

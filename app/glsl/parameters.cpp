@@ -83,8 +83,17 @@ void check_count(const Pass& pass, const Count& count, const char* does,
                                   did_you_mean(*name, names))});
 }
 
+// Of a uniform that is called as a constant of the texts is.
+void check_names(const Look& look, const std::vector<Parameter>& parameters, Diagnostics& errors) {
+    for (const Parameter& parameter : parameters)
+        if (const Parameter* same = find_parameter(look, parameter.name); same && same->is_constant)
+            append(errors, {{parameter.declared.file, parameter.declared.line,
+                             fmt::format("'{}' is a uniform here but a constant in another place{}",
+                                         parameter.name, aside(same->declared))}});
+}
+
 void check_counts(const Look& look, const std::vector<Parameter>& parameters, Diagnostics& errors) {
-    std::vector<std::string> names;
+    std::vector<std::string> names = parameter_names(look);
     for (const Parameter& parameter : parameters)
         names.push_back(parameter.name);
     for (const Pass& pass : look.passes) {
@@ -146,6 +155,7 @@ Result<std::vector<Parameter>> find_parameters(const Look& look, CheckCache* cac
     std::vector<Parameter> parameters;
     for (const Candidate& candidate : candidates)
         parameters.push_back(parameter_from(candidate, errors));
+    check_names(look, parameters, errors);
     if (errors.empty() && look.has_orbit)
         add_orbit(look, orbit_passes, parameters, errors);
     if (errors.empty())

@@ -6,7 +6,8 @@
 
 #include <vector>
 
-/// Every parameter of the look, in order of declaration. Checks all passes with glslang, reads
+/// Every parameter of the look that is a uniform, in order of declaration; the look may have its
+/// constants already. Checks all passes with glslang, reads
 /// annotations, makes one parameter of one uniform name in several passes, applies each pass's
 /// `set` (no parameter there) and `rename`. Built-in uniforms are no parameters; a sampler2D
 /// without an input is a picture to be chosen. Errors: shader errors; mistakes in annotations;

@@ -108,11 +108,12 @@ std::optional<Lab::Opening> Lab::opening() const {
 
 void Lab::cancel_opening() {
     const bool is_restacking = m_document && m_document->is_restacking();
-    if (!is_loading() || is_restacking)  // undo takes a stack's change back
+    if (!is_reading() || is_restacking)  // undo takes a stack's change back
         return;
     const std::string name = m_reloader.request() ? name_of(*m_reloader.request()) : std::string();
     m_arrival.reset();
     m_reloader.cancel(m_opened);
+    forget_constants();
     m_when_opened = {};
     m_preset_step.reset();
     say("'" + name + "' was not opened");

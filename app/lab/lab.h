@@ -79,6 +79,12 @@ struct TripState {
     bool plays_after = false;  // time flowed, and will when another value or text is the cure
 };
 
+/// The open look with other constants in its texts, and its programs.
+struct TurnedPrograms {
+    Look look;
+    Programs programs;
+};
+
 /// All that a person has open. Owns the parts and lets each frame run through them.
 class Lab {
 public:
@@ -108,6 +114,8 @@ public:
     bool end_opening();
     const std::optional<Notice>& notice() const { return m_notice; }
     bool is_loading() const { return m_reloader.is_busy() || m_arrival; }
+    /// Whether a look is, and not only constants of the open one are turned.
+    bool is_reading() const;
     /// A look that takes long to be opened, and how far it is; none: none does.
     struct Opening {
         std::string look;
@@ -316,6 +324,13 @@ public:
 private:
     void take_reload();
     void apply(LoadedRequest loaded);
+    void apply_turned(LoadedRequest loaded);
+    void apply_turned_picture(LoadedRequest loaded);
+    void follow_constants();
+    void forget_constants();
+    bool is_following_constants() const;
+    bool has_programs_for(const Variant& variant);
+    void follow_variant_constants();
     void open_document(Look look, const OpenRequest& request);
     void show_images(const ImageTextures& images);
     void tell_heavy_pass();
@@ -392,6 +407,9 @@ private:
     Comparing m_comparing;
     std::optional<Variant> m_variant;  // that the renderer draws
     ChosenImages m_variant_images;
+    std::optional<Values> m_asked_constants;          // of the picture; none: those that it has
+    std::optional<Values> m_asked_variant_constants;  // likewise
+    std::optional<TurnedPrograms> m_variant_programs;
     TripState m_trip;
     ImageTextures m_images;  // that the renderer has
     ChosenImages m_chosen_images;

@@ -165,8 +165,10 @@ void Lab::follow_variant(double wall_seconds) {
         m_comparing.end();
         next.reset();
     }
-    if (next == m_variant)
+    if (next && !has_programs_for(*next))
         return;
+    if (next == m_variant)
+        return follow_variant_constants();
     const auto former = std::exchange(m_variant, std::move(next));
     if (!m_variant) {
         m_renderer->end_variant();
@@ -175,6 +177,7 @@ void Lab::follow_variant(double wall_seconds) {
     }
     if (!former || !m_renderer->variant())
         return start_variant();
+    follow_variant_constants();
     std::vector<std::string> changed;
     for (const Parameter& parameter : m_document->look().parameters)
         if (value_of(parameter, former->values) != value_of(parameter, m_variant->values))
@@ -201,6 +204,7 @@ void Lab::start_variant() {
         want({{}, true});  // the picture's own past was being drawn
     if (!succeeded(m_renderer->start_variant(m_variant->values)))
         return;
+    follow_variant_constants();
     for (const auto& [name, texture] : m_images)
         m_renderer->set_image(name, texture);
     m_variant_images.forget();

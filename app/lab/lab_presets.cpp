@@ -36,18 +36,22 @@ void Lab::save_slang_preset(const fs::path& given) {
     if (fs::equivalent(file, look.manifest, error))
         return say("a .slangp cannot refer to itself: give it another name", true);
     std::map<std::string, double> values;
+    std::string left_out;
     for (const Parameter& parameter : look.parameters)
-        if (m_document->is_changed(parameter))
+        if (m_document->is_changed(parameter) && parameter.is_constant)
+            left_out += (left_out.empty() ? "" : ", ") + parameter.label;
+        else if (m_document->is_changed(parameter))
             values[parameter.name] = m_document->value(parameter).number();
     if (succeeded(write_atomically(file, simple_slang_preset(look.manifest, values, file))))
-        say(fmt::format("Saved '{}'", file.filename().string()));
+        say(fmt::format("Saved '{}'{}{}", file.filename().string(),
+                        left_out.empty() ? "" : "; such a file cannot keep: ", left_out));
 }
 
 // Pressed again before the last one is read, or while a morph is under way, a key goes on from
 // there.
 std::optional<PresetPlace> Lab::preset_on_ring(int by, bool only_starred) {
     const std::vector<PresetEntry> presets = m_library.presets(m_document->look().id);
-    const bool is_stepping = m_preset_step && is_loading();
+    const bool is_stepping = m_preset_step && is_reading();
     const fs::path present = is_stepping  ? m_preset_step->file
                              : m_morphing ? m_morphing->file()
                                           : m_document->preset_file();

@@ -33,8 +33,8 @@ void Lab::take_from_sheet(std::size_t number) {
 
 // The picture itself has been drawn.
 void Lab::try_out() {
-    if (m_document->is_restacking() || m_renderer->executor().plan().targets.empty() ||
-        m_renderer->replay().is_running())
+    if (m_document->is_restacking() || is_following_constants() ||
+        m_renderer->executor().plan().targets.empty() || m_renderer->replay().is_running())
         return;
     m_tryouts->update({*m_document, m_player, m_drive, *m_renderer, m_images, picture_extent()});
 }

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 void Lab::update(double wall_seconds) {
     constexpr double longest_turn = 0.1;  // a rest before it is no reading
     m_loading_seconds =
-        is_loading() ? m_loading_seconds + std::min(wall_seconds, longest_turn) : 0.0;
+        is_reading() ? m_loading_seconds + std::min(wall_seconds, longest_turn) : 0.0;
     if (m_notice && (m_notice->seconds_left -= wall_seconds) <= 0.0)
         m_notice.reset();
     for (const fs::path& file : m_reloader.update())
@@ -36,7 +36,8 @@ void Lab::update(double wall_seconds) {
         return;
     go_on_morphing(wall_seconds);
     if (m_document->is_restacking())
-        m_reloader.restack(m_document->state().stack);  // the last picture goes on meanwhile
+        // The last picture goes on meanwhile.
+        m_reloader.restack(m_document->state().stack, m_document->state().values);
     if (is_amid_frame())
         go_on_drawing(wall_seconds);
     else
@@ -60,6 +61,7 @@ void Lab::begin_drawing(double wall_seconds) {
     wall_seconds += std::exchange(m_amid_seconds, 0.0);
     if (!m_document->is_restacking())
         apply_document();
+    follow_constants();
     follow_variant(wall_seconds);
     update_drive();
     draw_picture(wall_seconds);
@@ -113,7 +115,8 @@ void Lab::take_reload() {
         say(std::move(problem), true);
     if (m_arrival && !m_reloader.is_newest(m_arrival->loaded()))
         m_arrival.reset();
-    if (auto loaded = m_reloader.take_finished())
+    const bool is_arriving = m_arrival && m_arrival->loaded().whose != LoadedRequest::Whose::look;
+    if (auto loaded = is_arriving ? std::nullopt : m_reloader.take_finished())
         m_arrival = std::make_unique<Arrival>(std::move(*loaded));
     constexpr double seconds_a_turn = 0.012;
     if (m_arrival &&
@@ -169,6 +172,9 @@ bool reads_images_alike(const Look& one, const Look& other) {
 }  // namespace
 
 void Lab::apply(LoadedRequest loaded) {
+    if (loaded.whose != LoadedRequest::Whose::look)
+        return apply_turned(std::move(loaded));
+    forget_constants();
     m_reloader.watch_look(loaded.files);
     const bool is_read = loaded.look && loaded.programs;
     const bool is_reload = loaded.is_reload && m_unopened.empty();
@@ -310,7 +316,8 @@ void Lab::apply_document() {
     const bool is_first = !m_applied;
     std::vector<std::string> names;
     for (const Parameter& parameter : m_document->look().parameters)
-        if (is_first || value_of(parameter, m_applied->values) != m_document->value(parameter))
+        if (is_first || (!parameter.is_constant &&  // those are told when they are compiled
+                         value_of(parameter, m_applied->values) != m_document->value(parameter)))
             names.push_back(parameter.name);
     m_renderer->set_values(state.values);
     m_renderer->set_modulations(state.modulations);

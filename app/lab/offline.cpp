@@ -4,6 +4,7 @@
 #include "formats/describe.h"
 #include "formats/modulation_format.h"
 #include "formats/preset_format.h"
+#include "formats/stack_format.h"
 #include "glsl/check_cache.h"
 #include "gpu/readback.h"
 #include "lab/kept_shaders.h"
@@ -55,6 +56,17 @@ Result<void> apply_drive(const RenderRequest& request, Document& document) {
     return {};
 }
 }  // namespace
+
+Result<void> turn_texts(Document& document, const ReadingHelp& help) {
+    if (constants_of(document.look(), document.values()) == document.look().constants)
+        return {};
+    const Values& values = document.values();
+    LoadedLook loaded = load_again(document.look(), {help.cache, help.progress, &values});
+    if (!loaded.look)
+        return fail(std::move(loaded.look.error()));
+    document.replace_look(std::move(*loaded.look));
+    return {};
+}
 
 Result<void> open_preset(OpenRequest request, const Library& library, Prepared& prepared) {
     Preset& preset = *request.preset;
@@ -119,6 +131,8 @@ Result<Prepared> prepare(const RenderRequest& request, const Library& library) {
             return fail(done.error());
     if (auto done = apply_values(request, prepared.document); !done)
         return fail(done.error());
+    if (auto done = turn_texts(prepared.document, {&checks, request.progress}); !done)
+        return fail(done.error());
     if (auto done = apply_drive(request, prepared.document); !done)
         return fail(done.error());
     if (!request.moves.empty()) {
@@ -157,7 +171,9 @@ Result<Offline> Offline::create(Prepared prepared, Extent size, double fps) {
     auto context = gpu::Context::headless();
     if (!context)
         return fail(context.error());
-    Look look = prepared.document.drawn_look();
+    if (auto done = turn_texts(prepared.document); !done)
+        return fail(done.error());
+    const Look look = prepared.document.drawn_look();
     auto programs = build_programs(look, nullptr, prepared.kept_shaders.get(), prepared.progress);
     if (!programs)
         return fail(programs.error());
@@ -259,9 +275,22 @@ Result<void> Offline::load_pictures() {
     return m_chosen_images.show(look, m_document.values(), *m_renderer);
 }
 
+// Programs of what constants are turned to; those that stay the same are kept.
+Result<void> Offline::follow_constants() {
+    if (auto done = turn_texts(m_document); !done)
+        return done;
+    if (executor().look().constants == m_document.look().constants)
+        return {};
+    const Look look = m_document.drawn_look();
+    auto programs = build_programs(look, &executor().programs());
+    return programs ? m_renderer->replace(look, *programs) : fail(std::move(programs.error()));
+}
+
 Result<void> Offline::start_again(Document document) {
     const DocumentState before = m_document.state();
     m_document = std::move(document);
+    if (auto done = follow_constants(); !done)
+        return done;
     m_moves.start_again();
     take_values();
     m_renderer->clear_history();
@@ -287,6 +316,8 @@ void Offline::make_moves(double seconds) {
         return;
     m_document.set_values(turned, "Moves");
     m_document.forget_past();
+    if (auto done = follow_constants(); !done)
+        m_problems.insert(m_problems.end(), done.error().begin(), done.error().end());
     take_values();
     if (auto sized = m_renderer->resize_again(); !sized)
         m_problems.insert(m_problems.end(), sized.error().begin(), sized.error().end());

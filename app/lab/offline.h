@@ -40,6 +40,10 @@ struct Prepared {
 };
 Result<Prepared> prepare(const RenderRequest& request, const Library& library);
 
+/// Reads the look of a document again where constants of its texts are turned to other values than
+/// it was read with.
+Result<void> turn_texts(Document& document, const ReadingHelp& help = {});
+
 /// Opens a preset, `request.preset`, in the document of its look; what is odd about it becomes a
 /// warning. Fails where it is another look's or its values do not fit.
 Result<void> open_preset(OpenRequest request, const Library& library, Prepared& prepared);
@@ -91,6 +95,7 @@ public:
 
 private:
     void take_values();
+    Result<void> follow_constants();
     void make_moves(double seconds);
     Result<void> load_signal();
     Result<void> load_pictures();

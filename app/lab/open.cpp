@@ -132,6 +132,13 @@ Stack stack_of(const OpenRequest& request) {
     return request.stack.empty() ? Stack{{{}, request.look, {}}} : request.stack;
 }
 
+Values values_of(const OpenRequest& request) {
+    Values values = request.constants;
+    if (request.preset)
+        values.insert(request.preset->values.begin(), request.preset->values.end());
+    return values;
+}
+
 std::string name_of(const OpenRequest& request) {
     std::string name;
     for (const StackPart& part : stack_of(request)) {
@@ -192,5 +199,7 @@ Result<OpenRequest> resolve_preset(const std::string& argument, const std::strin
 
 LoadedLook load_requested(const OpenRequest& request, const Library& library,
                           const ReadingHelp& help) {
-    return load_stack(stack_of(request), library.roots().shared_includes(), help);
+    const Values values = values_of(request);
+    return load_stack(stack_of(request), library.roots().shared_includes(),
+                      {help.cache, help.progress, &values});
 }

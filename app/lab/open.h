@@ -12,13 +12,17 @@ struct OpenRequest {
     std::filesystem::path look;    // folder or manifest
     std::optional<Preset> preset;  // to be applied to it
     std::filesystem::path preset_file;
-    Stack stack = {};  // instead of `look`: several looks, or one with its settings
+    Stack stack = {};       // instead of `look`: several looks, or one with its settings
+    Values constants = {};  // what numbers in its texts are turned to, before those of the preset
 
     bool operator==(const OpenRequest&) const = default;
 };
 
 /// The looks that a request names.
 Stack stack_of(const OpenRequest& request);
+
+/// What is known of its parameters before it is read.
+Values values_of(const OpenRequest& request);
 
 /// Finds what `argument` means: a look's folder, manifest or name, or several joined by '+'; a
 /// preset's file, PNG or line.

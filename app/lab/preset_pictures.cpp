@@ -59,11 +59,23 @@ void PresetPictures::update(const Lab& lab, bool is_seen, double wall_seconds) {
         start(lab);
 }
 
+namespace {
+// What a person turns in the texts is nothing to presets, which say it for themselves.
+bool is_only_turned(const Look& before, const Look& now) {
+    return before.constants != now.constants &&
+           std::ranges::equal(before.constants, now.constants, {}, &Values::value_type::first,
+                              &Values::value_type::first);
+}
+}  // namespace
+
 // What was edited is drawn anew, and its former picture stays until then.
 void PresetPictures::list(const Lab& lab) {
     const Look& look = lab.document()->look();
     const bool is_other = !m_look || m_look->id != look.id;
-    const bool is_edited = !is_other && *m_look != look;
+    const bool is_turned = !is_other && is_only_turned(*m_look, look);
+    const bool is_edited = !is_other && !is_turned && *m_look != look;
+    if (is_turned)
+        m_look = look;
     if (is_other)
         m_entries.clear();
     if (is_other || is_edited) {

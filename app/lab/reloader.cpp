@@ -35,6 +35,7 @@ bool Reloader::end(std::chrono::milliseconds patience) {
     m_is_ending = true;
     if (m_progress)
         m_progress->cancel();
+    drop_turning();
     m_wake.notify_all();
     return m_end.wait_for(lock, patience, [this] { return m_has_ended; });
 }
@@ -48,12 +49,36 @@ void Reloader::reload() {
         submit(*m_request, true);
 }
 
-void Reloader::restack(const Stack& stack) {
+void Reloader::restack(const Stack& stack, const Values& values) {
     if (!m_request || m_request->stack == stack)
         return;
     OpenRequest request = *m_request;
     request.stack = stack;
+    request.constants = values;
     submit(std::move(request), true);
+}
+
+void Reloader::turn(const OpenRequest& request, LoadedRequest::Whose whose) {
+    if (m_request && whose == LoadedRequest::Whose::turned) {
+        OpenRequest same = request;
+        same.constants = m_request->constants;
+        if (same == *m_request)
+            m_request->constants = request.constants;  // where it is read again
+    }
+    {
+        const std::lock_guard lock(m_mutex);
+        turning(whose).next =
+            Job{request, true, m_submitted, std::make_shared<PassProgress>(), whose};
+    }
+    m_wake.notify_all();
+}
+
+// To be called with the mutex held.
+void Reloader::drop_turning() {
+    if (m_turning)
+        m_turning->cancel();
+    m_turned = {};
+    m_variant = {};
 }
 
 void Reloader::submit(OpenRequest request, bool is_reload) {
@@ -65,6 +90,7 @@ void Reloader::submit(OpenRequest request, bool is_reload) {
         m_progress = std::make_shared<PassProgress>();
         m_job = Job{std::move(request), is_reload, ++m_submitted, m_progress};
         m_finished.reset();
+        drop_turning();
     }
     m_wake.notify_all();
 }
@@ -76,6 +102,7 @@ void Reloader::cancel(std::optional<OpenRequest> open) {
         m_progress->cancel();
     m_job.reset();
     m_finished.reset();
+    drop_turning();
     m_completed = ++m_submitted;
 }
 
@@ -121,12 +148,22 @@ std::optional<LoadedRequest> Reloader::take_finished() {
     std::optional<LoadedRequest> finished;
     {
         const std::lock_guard lock(m_mutex);
-        finished.swap(m_finished);
+        for (std::optional<LoadedRequest>* made : {&m_finished, &m_turned.made, &m_variant.made})
+            if (!finished)
+                finished.swap(*made);
     }
     return finished;
 }
 
 bool Reloader::is_busy() const {
+    if (is_reading())
+        return true;
+    const std::lock_guard lock(m_mutex);
+    const auto is_under_way = [](const Turning& turning) { return turning.next || turning.made; };
+    return m_turning || is_under_way(m_turned) || is_under_way(m_variant);
+}
+
+bool Reloader::is_reading() const {
     const std::lock_guard lock(m_mutex);
     return m_completed != m_submitted || m_finished;
 }
@@ -139,6 +176,29 @@ void load_picture_module() {
 }
 }  // namespace
 
+// What is to be read goes first. To be called with the mutex held, as the next one is.
+std::optional<Reloader::Job> Reloader::take_job() {
+    std::optional<Job> job;
+    for (std::optional<Job>* next : {&m_job, &m_turned.next, &m_variant.next})
+        if (!job)
+            job.swap(*next);
+    if (job && job->whose != LoadedRequest::Whose::look)
+        m_turning = job->progress;
+    return job;
+}
+
+void Reloader::keep(LoadedRequest loaded) {
+    m_turning.reset();
+    const bool is_newest = loaded.generation == m_submitted;  // else it is older than its text
+    if (loaded.whose == LoadedRequest::Whose::look) {
+        m_completed = std::max(m_completed, loaded.generation);
+        if (is_newest)
+            m_finished = std::move(loaded);
+    } else if (is_newest) {
+        turning(loaded.whose).made = std::move(loaded);
+    }
+}
+
 void Reloader::run() {
     m_context->make_current();
     warm_up();
@@ -146,22 +206,20 @@ void Reloader::run() {
         m_warm_up.emplace(std::move(*made));
     std::unique_lock lock(m_mutex);
     for (;;) {
-        m_wake.wait(lock, [this] { return m_is_ending || m_job; });
+        std::optional<Job> job;
+        m_wake.wait(lock, [&] { return m_is_ending || (job = take_job()); });
         if (m_is_ending)
             break;
-        const Job job = std::move(*m_job);
-        m_job.reset();
         lock.unlock();
-        LoadedRequest loaded = load(job);
+        LoadedRequest loaded = load(*job);
         lock.lock();
-        m_completed = std::max(m_completed, job.generation);
-        if (job.generation == m_submitted)  // else it is older than the newest text
-            m_finished = std::move(loaded);
+        keep(std::move(loaded));
         lock.unlock();
         load_picture_module();
         lock.lock();
     }
     m_finished.reset();
+    drop_turning();
     lock.unlock();
     m_linked.reset();
     m_read.clear();
@@ -209,13 +267,17 @@ Result<ImageTextures> Reloader::load_images(const Look& look, Diagnostics& warni
     return images;
 }
 
-Result<Programs> Reloader::link(const Look& look, const ImageTextures& images,
-                                PassProgress& progress) {
+// What a hand goes past is kept for no other run.
+Result<Programs> Reloader::link(const Look& look, const ImageTextures& images, const Job& job) {
+    PassProgress& progress = *job.progress;
     const Programs* linked = m_linked ? &*m_linked : nullptr;
-    auto programs = build_programs(look, linked, m_kept_shaders.get(), &progress);
+    ByteStore* const kept =
+        job.whose == LoadedRequest::Whose::look ? m_kept_shaders.get() : nullptr;
+    auto programs = build_programs(look, linked, kept, &progress);
     if (!programs)
         return programs;
-    if (m_warm_up)
+    // A hand does not wait for these: where the GPU is busy with the picture they come late.
+    if (m_warm_up && job.whose == LoadedRequest::Whose::look)
         m_warm_up->draw({look, *programs, linked, images, m_picture, FirstDrawsOf::Size::whole},
                         progress);
     m_linked = *programs;
@@ -223,13 +285,15 @@ Result<Programs> Reloader::link(const Look& look, const ImageTextures& images,
 }
 
 LoadedRequest Reloader::load(const Job& job) {
-    LoadedRequest loaded{job.request, job.is_reload, {}, {}, {}, {}, {}, job.generation};
+    LoadedRequest loaded{job.request, job.is_reload, {}, {}, {}, {}, {}, job.generation, job.whose};
     const auto refuse = [&loaded](const Diagnostics& why) {
         loaded.problems.insert(loaded.problems.begin(), why.begin(), why.end());
         return std::move(loaded);
     };
-    LoadedLook read =
-        load_stack(stack_of(job.request), m_shared_includes, {&m_checks, job.progress.get()});
+    const Values values = values_of(job.request);
+    m_checks.set_keeping(job.whose == LoadedRequest::Whose::look);
+    LoadedLook read = load_stack(stack_of(job.request), m_shared_includes,
+                                 {&m_checks, job.progress.get(), &values});
     loaded.files = std::move(read.files);
     loaded.problems = std::move(read.warnings);
     if (!read.look)
@@ -237,7 +301,7 @@ LoadedRequest Reloader::load(const Job& job) {
     auto images = load_images(*read.look, loaded.problems);
     if (!images)
         return refuse(images.error());
-    auto programs = link(*read.look, *images, *job.progress);
+    auto programs = link(*read.look, *images, job);
     if (!programs)
         return refuse(programs.error());
     loaded.images = std::move(*images);

@@ -23,6 +23,10 @@
 
 /// What became of one reading of a look.
 struct LoadedRequest {
+    /// Whose programs they are: of a look that is read, or of the open one with constants of its
+    /// texts turned, for the picture itself or for what it is compared with.
+    enum class Whose { look, turned, variant };
+
     OpenRequest request;
     bool is_reload = false;  // of the look that is open already
     std::optional<Look> look;
@@ -31,6 +35,7 @@ struct LoadedRequest {
     Diagnostics problems;  // errors when look or programs are missing, else warnings
     std::vector<std::filesystem::path> files;
     std::uint64_t generation = 0;  // of what was asked for
+    Whose whose = Whose::look;
 };
 
 /// Reads looks and links their programs on a thread of its own, and watches their files.
@@ -53,8 +58,11 @@ public:
     void cancel(std::optional<OpenRequest> open);
     /// What was asked for last; null: nothing yet.
     const OpenRequest* request() const { return m_request ? &*m_request : nullptr; }
-    /// Reads the looks of another stack in place of the open ones, once.
-    void restack(const Stack& stack);
+    /// Reads the looks of another stack in place of the open ones, once; with values by its names.
+    void restack(const Stack& stack, const Values& values);
+    /// Makes the open look, which `request` names, with other constants. While one is being made
+    /// only the newest waits; each that is made comes, also where another was asked for since.
+    void turn(const OpenRequest& request, LoadedRequest::Whose whose);
     /// Looks at the watched files and submits the look again when one has changed.
     /// Gives the watched extra files that changed (the open preset, a sound).
     std::vector<std::filesystem::path> update();
@@ -64,9 +72,12 @@ public:
     void watch_look(const std::vector<std::filesystem::path>& files);
     /// Files besides the look's own that update() reports.
     void watch_also(std::vector<std::filesystem::path> files);
-    /// The newest result, once; a result older than the newest submission never comes.
+    /// The newest result, once; a result older than the newest submission never comes, turn()
+    /// apart.
     std::optional<LoadedRequest> take_finished();
     bool is_busy() const;
+    /// Whether a look is being read, and not only turned.
+    bool is_reading() const;
     /// Whether nothing was asked for since.
     bool is_newest(const LoadedRequest& loaded) const { return loaded.generation == m_submitted; }
     /// How far what was asked for last has come.
@@ -85,12 +96,24 @@ private:
         bool is_reload = false;
         std::uint64_t generation = 0;
         std::shared_ptr<PassProgress> progress = {};  // shared with who asked
+        LoadedRequest::Whose whose = LoadedRequest::Whose::look;
+    };
+    /// What turn() asks for: one a picture.
+    struct Turning {
+        std::optional<Job> next;
+        std::optional<LoadedRequest> made;
     };
 
     void submit(OpenRequest request, bool is_reload);
     void run();
+    std::optional<Job> take_job();
+    void keep(LoadedRequest loaded);
+    void drop_turning();
+    Turning& turning(LoadedRequest::Whose whose) {
+        return whose == LoadedRequest::Whose::turned ? m_turned : m_variant;
+    }
     LoadedRequest load(const Job& job);
-    Result<Programs> link(const Look& look, const ImageTextures& images, PassProgress& progress);
+    Result<Programs> link(const Look& look, const ImageTextures& images, const Job& job);
     Result<ImageTextures> load_images(const Look& look, Diagnostics& warnings);
 
     std::filesystem::path m_shared_includes;
@@ -109,6 +132,9 @@ private:
     std::shared_ptr<PassProgress> m_progress;  // of the newest job
     std::optional<Job> m_job;
     std::optional<LoadedRequest> m_finished;
+    Turning m_turned;
+    Turning m_variant;
+    std::shared_ptr<PassProgress> m_turning;  // of the one that is being made; null: none is
     std::uint64_t m_submitted = 0;
     std::uint64_t m_completed = 0;
     bool m_is_ending = false;

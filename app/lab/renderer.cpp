@@ -50,6 +50,15 @@ Result<void> Renderer::replace(const Look& look, const Programs& programs) {
     return for_each([&](Executor& executor) { return executor.replace(look, programs); });
 }
 
+Result<void> Renderer::replace(Whose whose, const Look& look, const Programs& programs) {
+    if (whose == Whose::picture)
+        return m_executor.replace(look, programs);
+    auto done = m_variant ? m_variant->replace(look, programs) : Result<void>();
+    if (!done)
+        end_variant();
+    return done;
+}
+
 Result<void> Renderer::resize(Extent picture, Extent source) {
     m_picture = picture;
     m_source = source;

@@ -25,6 +25,9 @@ public:
 
     /// An edited look; what drew a moment ago keeps its history.
     Result<void> replace(const Look& look, const Programs& programs);
+    enum class Whose { picture, variant };
+    /// Of one of the two alone: their texts may have other constants.
+    Result<void> replace(Whose whose, const Look& look, const Programs& programs);
     void set_values(const Values& values);
     /// What moves by itself, over the time of the frames.
     void set_modulations(Modulations modulations) { m_modulations = std::move(modulations); }
@@ -50,7 +53,6 @@ public:
     Result<void> set_image(const std::string& name, const Picture& picture);
     /// As image_texture() made it.
     void set_image(const std::string& name, const std::shared_ptr<const gpu::Texture>& texture);
-    enum class Whose { picture, variant };
     /// For one of the two alone.
     Result<void> set_image(Whose whose, const std::string& name, const Picture& picture);
     void set_mouse(double x, double y);  // px from bottom left

@@ -187,7 +187,11 @@ void restore(Lab& lab, const Session& session, const std::function<void(Lab&)>& 
     lab.transport().set_level(session.level);
     if (session.look.empty())
         return;
-    lab.open(OpenRequest{session.look, {}, {}, stack_in(session.current.preset, session.looks)});
+    lab.open(OpenRequest{session.look,
+                         {},
+                         {},
+                         stack_in(session.current.preset, session.looks),
+                         session.current.preset.values});
     lab.when_opened([session, then](Lab& opened) {
         restore_document(*opened.mutable_document(), session);
         if (session.is_playing)

@@ -67,6 +67,8 @@ void StepProbe::begin(const TrialSubject& subject) {
                                m_question->is_up);
     if (!next)
         return fail_with(parameter.label + " " + next.error().front().message);
+    if (parameter.is_constant)
+        return fail_with(parameter.label + " " + std::string(untried_constant));
     Values others = m_values;
     others[parameter.name] = *next;
     DocumentState before = document.state();

@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 /// What is open, for those who draw it with other values.
@@ -17,6 +18,11 @@ struct TrialSubject {
     const ImageTextures& images;
     Extent picture;  // that is to be drawn
 };
+
+/// Why a parameter that is a constant is not tried out: behind its label.
+constexpr std::string_view untried_constant =
+    "is no uniform: the look is made anew for each value. Turn it, or draw a sheet of it with "
+    "'afterglow sweep'";
 
 /// The frames that were shown last, drawn anew with other values and in slices of a turn, beside
 /// the picture: its history and its clock go on undisturbed.

@@ -97,6 +97,10 @@ void VariantSheet::lay_out(const TrialSubject& subject) {
             m_problem = "This look has no parameter '" + name + "'";
             return;
         }
+        if (parameter->is_constant) {
+            m_problem = parameter->label + " " + std::string(untried_constant);
+            return;
+        }
         auto axis = axis_along(document.look(),
                                with_ends(*parameter, setting_of(name, document.knobs())), count);
         if (axis)

@@ -84,6 +84,14 @@ double count_of(const Count& count, const Look& look, const Values& values) {
     return parameter ? value_of(*parameter, values).number() : 0.0;
 }
 
+Values constants_of(const Look& look, const Values& values) {
+    Values constants;
+    for (const Parameter& parameter : look.parameters)
+        if (parameter.is_constant)
+            constants[parameter.name] = value_of(parameter, values);
+    return constants;
+}
+
 Values changed_values(const Look& look, const Values& values) {
     Values changed = values;
     for (const Parameter& parameter : look.parameters) {

@@ -125,7 +125,9 @@ struct Look {
     std::vector<Image> images;
     std::vector<Heading> groups;               // the first ones, in their order
     std::vector<Parameter> parameters;         // by `groups`, else in the order of declaration
+    Values constants;                          // of parameters that are such: what it was made with
     std::filesystem::path manifest;            // look.json, or the foreign file
+    std::filesystem::path shared_includes;     // the folder of includes that all looks may have
     std::vector<std::filesystem::path> files;  // everything that it was read from, for the watcher
     Stack stack;                               // the looks that it is made of
 
@@ -152,6 +154,9 @@ const Value& value_of(const Parameter& parameter, const Values& values);
 
 /// The number, or what its parameter is set to; 0 when there is no such parameter.
 double count_of(const Count& count, const Look& look, const Values& values);
+
+/// What a look is to be made with, of each parameter that is a constant.
+Values constants_of(const Look& look, const Values& values);
 
 /// Drops what equals its default; keeps names that the look does not know (orphans).
 Values changed_values(const Look& look, const Values& values);

@@ -190,6 +190,8 @@ std::string why_unmodulated(const Look& look, const Parameter& parameter) {
         case Control::point:
             break;
     }
+    if (parameter.is_constant)
+        return "is no uniform: the look is made anew for each value";
     if (parameter.type.scalar == Scalar::boolean)
         return "is a switch";
     if (parameter.type.columns > 1)

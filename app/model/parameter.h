@@ -82,6 +82,7 @@ struct Parameter {
     std::optional<Value> identity;   // the value that does nothing
     std::string was;                 // a former name, "" when there is none
     bool is_hidden = false;
+    bool is_constant = false;              // no uniform: with another value the look is made anew
     Encoding encoding = Encoding::linear;  // of a colour, as shaders read it; its value is linear
     OrbitPart orbit = OrbitPart::none;     // its number becomes a part of a matrix
     std::vector<Binding> bindings;

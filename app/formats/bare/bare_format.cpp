@@ -9,6 +9,7 @@
 #include "glsl/include.h"
 #include "glsl/parameters.h"
 #include "glsl/tokens.h"
+#include "glsl/turned_constants.h"
 
 #include <fmt/format.h>
 
@@ -77,7 +78,7 @@ void feed_bare(Pass& pass, Look& look) {
     }
 }
 
-Result<Look> read_bare_look(const fs::path& file, const fs::path& shared, CheckCache* cache,
+Result<Look> read_bare_look(const fs::path& file, const fs::path& shared, const ReadingHelp& help,
                             LoadedLook& loaded) {
     const auto written = load_stage(file, {file.parent_path(), shared}, loaded.files);
     if (!written)
@@ -98,10 +99,12 @@ Result<Look> read_bare_look(const fs::path& file, const fs::path& shared, CheckC
     feed_bare(pass, look);
     look.passes.push_back(std::move(pass));
     loaded.is_parsed = true;
-    auto parameters = find_parameters(look, cache, loaded.warnings);
+    if (auto problems = turn_constants(look, help.values); !problems.empty())
+        return fail(std::move(problems));
+    auto parameters = find_parameters(look, help.cache, loaded.warnings);
     if (!parameters)
         return fail(std::move(parameters.error()));
-    look.parameters = std::move(*parameters);
+    look.parameters.insert(look.parameters.begin(), parameters->begin(), parameters->end());
     for (Parameter& parameter : look.parameters)
         if (parameter.control == Control::image)
             parameter.initial = Value::of_path(bare_stand_in(parameter.name));
@@ -125,8 +128,8 @@ bool is_bare_file(const fs::path& file) {
 }
 
 LoadedLook load_bare_look(const fs::path& file, const fs::path& shared_includes,
-                          CheckCache* cache) {
+                          const ReadingHelp& help) {
     LoadedLook loaded;
-    loaded.look = read_bare_look(file, shared_includes, cache, loaded);
+    loaded.look = read_bare_look(file, shared_includes, help, loaded);
     return loaded;
 }

@@ -8,7 +8,7 @@ bool is_bare_file(const std::filesystem::path& file);
 
 /// Reads one as a look of one pass: GLSL ES 1.00 and 3.00 and desktop versions, with the names of
 /// GameMaker, glslViewer, three.js, raylib and Shadertoy. What else it declares becomes parameters,
-/// as in a look of our own. `cache` may be null. Errors are the includes' and glslang's, at their
+/// as in a look of our own. Errors are the includes' and glslang's, at their
 /// lines.
 LoadedLook load_bare_look(const std::filesystem::path& file,
-                          const std::filesystem::path& shared_includes, CheckCache* cache);
+                          const std::filesystem::path& shared_includes, const ReadingHelp& help);

@@ -26,7 +26,7 @@ Result<void> read_vertex_code(IsfSource& source, std::vector<fs::path>& files) {
     return {};
 }
 
-Result<Look> read_isf_look(const fs::path& file, CheckCache* cache, LoadedLook& loaded) {
+Result<Look> read_isf_look(const fs::path& file, const ReadingHelp& help, LoadedLook& loaded) {
     IsfSource source{file, {}, {}, {}};
     auto text = read_text(file);
     if (!text)
@@ -38,7 +38,7 @@ Result<Look> read_isf_look(const fs::path& file, CheckCache* cache, LoadedLook& 
     if (auto read = read_vertex_code(source, loaded.files); !read)
         return fail(read.error());
     loaded.is_parsed = true;
-    auto look = look_of_isf(source, *header, cache, loaded.files, loaded.warnings);
+    auto look = look_of_isf(source, *header, help, loaded.files, loaded.warnings);
     if (!look)
         return look;
     look->id = foreign_look_id(file);
@@ -55,8 +55,8 @@ bool is_isf_file(const fs::path& file) {
     return text && has_isf_header(*text);
 }
 
-LoadedLook load_isf_look(const fs::path& file, CheckCache* cache) {
+LoadedLook load_isf_look(const fs::path& file, const ReadingHelp& help) {
     LoadedLook loaded;
-    loaded.look = read_isf_look(file, cache, loaded);
+    loaded.look = read_isf_look(file, help, loaded);
     return loaded;
 }

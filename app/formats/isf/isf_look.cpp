@@ -2,6 +2,8 @@
 
 #include "formats/isf/body.h"
 #include "formats/isf/controls.h"
+#include "glsl/check_cache.h"
+#include "glsl/turned_constants.h"
 #include "model/parameter_use.h"
 #include "model/plan.h"
 
@@ -69,11 +71,12 @@ bool tells_time_in_isf(const std::string& uniform) {
 
 class LookMaker {
 public:
-    LookMaker(const IsfSource& source, const IsfHeader& header, CheckCache* cache,
+    LookMaker(const IsfSource& source, const IsfHeader& header, const ReadingHelp& help,
               std::vector<fs::path>& files, Diagnostics& warnings)
         : m_source(source),
           m_header(header),
-          m_cache(cache),
+          m_cache(help.cache),
+          m_constants(help.values),
           m_files(files),
           m_warnings(warnings),
           m_listens(std::ranges::any_of(header.inputs, is_sound)) {}
@@ -159,6 +162,7 @@ private:
         pass.name = m_names[index];
         pass.fragment = isf_fragment_stage(m_source, m_header, index);
         pass.vertex = isf_vertex_stage(m_source, m_header, index);
+        m_constants.write_into(pass, index);
         pass.draw = m_source.vertex_file.empty() ? Draw::fullscreen : Draw::quad;
         pass.format = declared.is_float ? Format::rgba32f : Format::rgba8;
         pass.size = {side_of(declared.width), side_of(declared.height)};
@@ -232,14 +236,16 @@ private:
             for (std::size_t i = 0; i < m_look.passes.size(); ++i)
                 parameter.is_hidden = parameter.is_hidden && !is_used_by(m_look, i, parameter);
         }
+        add_new(m_problems, m_constants.add_to(m_look));
         constexpr Extent any{1280, 720};  // tells what is wrong with an expression
         if (const auto plan = plan_targets(m_look, any, any, {}); !plan)
-            m_problems = plan.error();
+            add_new(m_problems, plan.error());
     }
 
     const IsfSource& m_source;
     const IsfHeader& m_header;
     CheckCache* m_cache;
+    TurnedConstants m_constants;
     std::vector<fs::path>& m_files;
     Diagnostics& m_warnings;
     bool m_listens;
@@ -251,7 +257,7 @@ private:
 };
 }  // namespace
 
-Result<Look> look_of_isf(const IsfSource& source, const IsfHeader& header, CheckCache* cache,
+Result<Look> look_of_isf(const IsfSource& source, const IsfHeader& header, const ReadingHelp& help,
                          std::vector<fs::path>& files, Diagnostics& warnings) {
-    return LookMaker(source, header, cache, files, warnings).make();
+    return LookMaker(source, header, help, files, warnings).make();
 }

@@ -1,13 +1,13 @@
 #pragma once
 
 #include "formats/isf/stages.h"
-#include "glsl/check_cache.h"
+#include "formats/look_format.h"
 
 /// The look that draws an ISF shader. `inputImage` of a filter and `startImage` of a transition are
 /// the source; other images are a person's choice, a test pattern while there is none. Where a
 /// shader listens, the sound drives the look and its `inputImage` is one of those choices. A pass
 /// reads what is drawn before it, of persistent targets else the frame before; what its own part of
-/// the shader never reads is no input. `cache` may be null. Errors: glslang's, at the author's
+/// the shader never reads is no input. Errors: glslang's, at the author's
 /// lines; two passes of one target; sizes that are no expressions. `files` gets the imports.
-Result<Look> look_of_isf(const IsfSource& source, const IsfHeader& header, CheckCache* cache,
+Result<Look> look_of_isf(const IsfSource& source, const IsfHeader& header, const ReadingHelp& help,
                          std::vector<std::filesystem::path>& files, Diagnostics& warnings);

@@ -6,6 +6,7 @@
 #include "formats/shadertoy/toy_json.h"
 #include "formats/shadertoy/toy_look.h"
 #include "glsl/parameters.h"
+#include "glsl/turned_constants.h"
 
 #include <algorithm>
 
@@ -25,7 +26,7 @@ Result<Toy> read_toy(const fs::path& file, const fs::path& shared, LoadedLook& l
     return parse_toy_json(*text, file, loaded.warnings);
 }
 
-Result<Look> read_toy_look(const fs::path& file, const fs::path& shared, CheckCache* cache,
+Result<Look> read_toy_look(const fs::path& file, const fs::path& shared, const ReadingHelp& help,
                            LoadedLook& loaded) {
     const auto toy = read_toy(file, shared, loaded);
     if (!toy)
@@ -38,7 +39,9 @@ Result<Look> read_toy_look(const fs::path& file, const fs::path& shared, CheckCa
     look->id = foreign_look_id(file);
     if (look->name.empty())
         look->name = file.stem().string();
-    auto parameters = find_parameters(*look, cache, loaded.warnings);
+    if (auto problems = turn_constants(*look, help.values); !problems.empty())
+        return fail(std::move(problems));
+    auto parameters = find_parameters(*look, help.cache, loaded.warnings);
     if (!parameters)
         return fail(std::move(parameters.error()));
     look->parameters.insert(look->parameters.end(), parameters->begin(), parameters->end());
@@ -64,8 +67,9 @@ bool is_toy_file(const fs::path& file) {
     return text && is_toy_text(*text);
 }
 
-LoadedLook load_toy_look(const fs::path& file, const fs::path& shared_includes, CheckCache* cache) {
+LoadedLook load_toy_look(const fs::path& file, const fs::path& shared_includes,
+                         const ReadingHelp& help) {
     LoadedLook loaded;
-    loaded.look = read_toy_look(file, shared_includes, cache, loaded);
+    loaded.look = read_toy_look(file, shared_includes, help, loaded);
     return loaded;
 }

@@ -6,7 +6,7 @@
 /// its name), or a text with mainImage().
 bool is_toy_file(const std::filesystem::path& file);
 
-/// Reads one as a look; `cache` may be null. Errors are JSON's, the include's and glslang's, each
-/// at its line; in JSON the file is "FILE/PASS" and the line the author's.
+/// Reads one as a look. Errors are JSON's, the include's and glslang's, each at its line; in JSON
+/// the file is "FILE/PASS" and the line the author's.
 LoadedLook load_toy_look(const std::filesystem::path& file,
-                         const std::filesystem::path& shared_includes, CheckCache* cache);
+                         const std::filesystem::path& shared_includes, const ReadingHelp& help);

@@ -4,8 +4,10 @@
 #include "base/text.h"
 #include "formats/slang/chain_look.h"
 #include "glsl/check_cache.h"
+#include "glsl/turned_constants.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace fs = std::filesystem;
 
@@ -25,7 +27,8 @@ bool is_alone(const fs::path& file) {
 /// Shaders and their translations, each once however many passes have it.
 class ChainLoader {
 public:
-    ChainLoader(SlangFiles& files, CheckCache* cache) : m_files(files), m_cache(cache) {}
+    ChainLoader(SlangFiles& files, CheckCache* cache, TurnedConstants& constants)
+        : m_files(files), m_cache(cache), m_constants(constants) {}
 
     void read(const fs::path& file, WholeChain& chain) {
         auto known = m_known.find(file);
@@ -33,6 +36,7 @@ public:
             known = m_known.emplace(file, read_anew(file)).first;
         if (!known->second)
             return;
+        m_constants.bind(known->second->constants, chain.shaders.size());
         chain.shaders.push_back(known->second->shader);
         chain.translations.push_back(known->second->translation);
     }
@@ -44,6 +48,7 @@ private:
     struct Read {
         SlangShader shader;
         Translation translation;
+        std::vector<std::string> constants;
     };
 
     std::optional<Read> read_anew(const fs::path& file) {
@@ -53,22 +58,25 @@ private:
             is_parsed = false;
             return std::nullopt;
         }
+        std::vector<std::string> constants = m_constants.write_into(shader->vertex);
+        std::ranges::move(m_constants.write_into(shader->fragment), std::back_inserter(constants));
         auto translation = m_cache ? m_cache->translate(shader->vertex, shader->fragment)
                                    : translate_from_vulkan(shader->vertex, shader->fragment);
         if (!translation) {
             add_unknown(problems, translation.error());
             return std::nullopt;
         }
-        return Read{std::move(*shader), std::move(*translation)};
+        return Read{std::move(*shader), std::move(*translation), std::move(constants)};
     }
 
     SlangFiles& m_files;
     CheckCache* m_cache;
+    TurnedConstants& m_constants;
     std::map<fs::path, std::optional<Read>> m_known;
 };
 
 Result<WholeChain> read_chain(const fs::path& file, SlangFiles& files, const ReadingHelp& help,
-                              bool& is_parsed) {
+                              TurnedConstants& constants, bool& is_parsed) {
     WholeChain chain;
     if (is_alone(file)) {
         chain.preset = slang_preset_of(file);
@@ -78,7 +86,7 @@ Result<WholeChain> read_chain(const fs::path& file, SlangFiles& files, const Rea
             return fail(preset.error());
         chain.preset = std::move(*preset);
     }
-    ChainLoader reader(files, help.cache);
+    ChainLoader reader(files, help.cache, constants);
     if (help.progress)
         help.progress->begin(PassProgress::Step::reading, chain.preset.passes.size());
     for (const SlangPass& pass : chain.preset.passes) {
@@ -102,7 +110,8 @@ bool reads_the_past(const Look& look) {
 Result<Look> read_look_of(const fs::path& file, SlangFiles& files, const ReadingHelp& help,
                           LoadedLook& loaded) {
     constexpr int frames_of_a_past = 60;
-    const auto chain = read_chain(file, files, help, loaded.is_parsed);
+    TurnedConstants constants(help.values);
+    const auto chain = read_chain(file, files, help, constants, loaded.is_parsed);
     if (!chain)
         return fail(chain.error());
     add_unknown(loaded.warnings, chain->preset.warnings);
@@ -111,6 +120,8 @@ Result<Look> read_look_of(const fs::path& file, SlangFiles& files, const Reading
     auto look = look_of_chain(*chain, {}, loaded.warnings);
     if (!look)
         return look;
+    if (auto problems = constants.add_to(*look); !problems.empty())
+        return fail(std::move(problems));
     look->id = foreign_look_id(file);
     look->name = file.stem().string();
     look->driven_by = Driver::picture;

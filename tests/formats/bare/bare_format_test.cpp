@@ -10,7 +10,7 @@
 namespace {
 Look bare_look(const std::string& text, const std::string& expected_warning = "") {
     const TemporaryFolder folder;
-    const LoadedLook loaded = load_bare_look(folder.write("a.frag", text), {}, nullptr);
+    const LoadedLook loaded = load_bare_look(folder.write("a.frag", text), {}, {});
     REQUIRE_MESSAGE(loaded.look.has_value(), to_string(loaded.look.error()));
     if (expected_warning.empty())
         CHECK(to_string(loaded.warnings) == "");
@@ -103,7 +103,7 @@ TEST_CASE("glslang's errors are at the author's line") {
     const TemporaryFolder folder;
     const LoadedLook loaded = load_bare_look(
         folder.write("a.frag", "#version 100\nvoid main() {\n    gl_FragColor = nothing;\n}\n"), {},
-        nullptr);
+        {});
     REQUIRE_FALSE(loaded.look.has_value());
     CHECK(loaded.look.error().front().line == 3);
 }
@@ -113,4 +113,22 @@ TEST_CASE("a bare shader is told by its main()") {
     CHECK(is_bare_file(folder.write("a.glsl", "void main() {}")));
     CHECK_FALSE(is_bare_file(folder.write("b.glsl", "float helper() { return 1.0; } // main()")));
     CHECK_FALSE(is_bare_file(folder.write("a.txt", "void main() {}")));
+}
+
+TEST_CASE("a constant with a range is a parameter, and an error keeps its line") {
+    const TemporaryFolder folder;
+    const auto file = folder.write("a.frag",
+                                   "precision mediump float;\n"
+                                   "#define N 4  // @range 1 9\n"
+                                   "void main() {\n"
+                                   "    float taps[N];\n"
+                                   "    gl_FragColor = vec4(taps[0]);\n"
+                                   "}\n");
+    const LoadedLook plain = load_bare_look(file, {}, {});
+    REQUIRE_MESSAGE(plain.look.has_value(), to_string(plain.look.error()));
+    CHECK(find_parameter(*plain.look, "N")->range == Range{1.0, 9.0, 1.0});
+    const Values none{{"N", 0.0}};
+    const LoadedLook empty = load_bare_look(file, {}, {nullptr, nullptr, &none});
+    REQUIRE_FALSE(empty.look.has_value());
+    CHECK(empty.look.error().front().line == 4);
 }

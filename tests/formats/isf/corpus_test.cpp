@@ -35,7 +35,7 @@ void count_file(const fs::path& file, IsfCounts& counts) {
     counts.with_float += any([](const IsfPass& pass) { return pass.is_float; });
     for (const IsfInput& input : header->inputs)
         ++counts.inputs[input.type];
-    if (const LoadedLook loaded = load_isf_look(file, nullptr); !loaded.look)
+    if (const LoadedLook loaded = load_isf_look(file, {}); !loaded.look)
         counts.refused.insert(counts.refused.end(), loaded.look.error().begin(),
                               loaded.look.error().end());
 }

@@ -247,3 +247,22 @@ TEST_CASE("an empty, a binary and a cut off file are refused with a reason") {
         CHECK(folder.told(loaded.look.error()).starts_with("a.fs"));
     }
 }
+
+TEST_CASE("a constant with a range is a parameter beside the inputs") {
+    const IsfFolder folder;
+    const std::string code =
+        "#define STEPS 8  // @range 1 64 @label \"Steps\"\n"
+        "void main() { float a = level; for (int i = 0; i < STEPS; ++i) a += 0.1;"
+        " gl_FragColor = vec4(a); }\n";
+    const char* input = R"("INPUTS": [{"NAME": "level", "TYPE": "float"}])";
+    const Look plain = folder.look(input, code);
+    CHECK(parameter_names(plain) == std::vector<std::string>{"level", "STEPS"});
+    CHECK(find_parameter(plain, "STEPS")->label == "Steps");
+    CHECK_FALSE(find_parameter(plain, "STEPS")->is_hidden);
+    const Values values{{"STEPS", 12.0}};
+    const LoadedLook turned = load_look(folder / "a.fs", {}, {nullptr, nullptr, &values});
+    REQUIRE(turned.look.has_value());
+    CHECK(turned.look->passes[0].fragment.text.find("#define STEPS 12 ") != std::string::npos);
+    CHECK(folder.refusal(input, "#define level 8  // @range 1 9\n" + code)
+              .find("'level' is the name of another parameter") != std::string::npos);
+}

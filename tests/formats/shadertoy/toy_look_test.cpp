@@ -29,11 +29,11 @@ public:
         return m_folder.write(name, text);
     }
     LoadedLook load_json(const std::string& passes) const {
-        return load_toy_look(write("a.json", "{\"renderpass\": [" + passes + "]}"), {}, nullptr);
+        return load_toy_look(write("a.json", "{\"renderpass\": [" + passes + "]}"), {}, {});
     }
     Look look_of_json(const std::string& passes) const { return good(load_json(passes)); }
     Look look_of_text(const std::string& text) const {
-        return good(load_toy_look(write("a.glsl", text), {}, nullptr));
+        return good(load_toy_look(write("a.glsl", text), {}, {}));
     }
     Look good(LoadedLook loaded) const {
         REQUIRE_MESSAGE(loaded.look.has_value(), to_string(loaded.look.error()));
@@ -144,7 +144,7 @@ TEST_CASE("mistakes are told at the author's line, in JSON with the pass's name"
         load_toy_look(files.write("a.glsl",
                                   "// one\nvoid mainImage(out vec4 c, in vec2 p) {\n"
                                   "    c = vec5(1.0);\n}\n"),
-                      {}, nullptr);
+                      {}, {});
     REQUIRE_FALSE(text.look.has_value());
     CHECK(files.told(text.look.error()).starts_with("a.glsl:3: error: "));
     const LoadedLook json = files.load_json(
@@ -274,7 +274,7 @@ TEST_CASE("names begin alike where several shaders share a folder") {
     const ToyFiles files;
     files.write("fire_bufferA.frag", plain);
     files.write("rain_bufferA.frag", plain);
-    const Look look = files.good(load_toy_look(files.write("fire_image.frag", plain), {}, nullptr));
+    const Look look = files.good(load_toy_look(files.write("fire_image.frag", plain), {}, {}));
     CHECK(names_of(look) == "Buffer A, Image");
     CHECK(look.passes[0].fragment.file.filename() == "fire_bufferA.frag");
 }
@@ -288,4 +288,41 @@ TEST_CASE("a shader's file is told by what it holds") {
     CHECK_FALSE(is_toy_file(files.write("b.txt", "mainImage is a name")));
     CHECK_FALSE(is_toy_file(
         files.write("b.frag", std::string(plain) + "\nvoid main() { mainImage(a, b); }")));
+}
+
+TEST_CASE("constants with a range are parameters, in a common text those of all passes") {
+    const ToyFiles files;
+    files.write("Common.glsl", "#define GAIN 0.5  // @range 0 2\n");
+    files.write("Buffer A.glsl", "void mainImage(out vec4 c, in vec2 p) { c = vec4(GAIN); }\n");
+    const auto image = files.write("Image.glsl",
+                                   "const int N = 3;  // @range 1 9\n"
+                                   "uniform float own = 0.25;  // @range 0 1\n"
+                                   "void mainImage(out vec4 c, in vec2 p) {\n"
+                                   "    float taps[N];\n"
+                                   "    c = vec4(taps[0] + own) * GAIN;\n"
+                                   "}\n");
+    const Values values{{"N", 5.0}, {"GAIN", 1.5}, {"own", 0.75}};
+    const Look look = files.good(load_toy_look(image, {}, {nullptr, nullptr, &values}));
+    REQUIRE(parameter_names(look) == std::vector<std::string>{"GAIN", "N", "own"});
+    CHECK(find_parameter(look, "GAIN")->bindings == std::vector<Binding>{{0, "GAIN"}, {1, "GAIN"}});
+    CHECK(find_parameter(look, "GAIN")->initial == Value(0.5));
+    CHECK_FALSE(find_parameter(look, "own")->is_constant);
+    CHECK(look.constants == Values{{"GAIN", 1.5}, {"N", 5.0}});
+    CHECK(look.passes[0].fragment.text.find("#define GAIN 1.5  // @range") != std::string::npos);
+    CHECK(look.passes[1].fragment.text.find("const int N = 5;") != std::string::npos);
+}
+
+TEST_CASE("a constant and a uniform of one name are told at the uniform's line") {
+    const ToyFiles files;
+    files.write("Buffer A.glsl",
+                "#define GAIN 0.5  // @range 0 2\n"
+                "void mainImage(out vec4 c, in vec2 p) { c = vec4(GAIN); }\n");
+    const auto image = files.write("Image.glsl",
+                                   "uniform float GAIN;\n"
+                                   "void mainImage(out vec4 c, in vec2 p) { c = vec4(GAIN); }\n");
+    const LoadedLook loaded = load_toy_look(image, {}, {});
+    REQUIRE_FALSE(loaded.look.has_value());
+    CHECK(files.told(loaded.look.error())
+              .starts_with("Image.glsl:1: error: 'GAIN' is a uniform here but a constant in "
+                           "another place (at Buffer A.glsl:1)"));
 }

@@ -281,3 +281,22 @@ TEST_CASE("reading a chain says how far it is, pass by pass, and ends when nobod
     CHECK(folder.told(cut.look.error()) == "a.slangp: error: was not read to its end");
     CHECK(told.size() == 5);
 }
+
+TEST_CASE("constants with a range are parameters of all passes whose shaders have them") {
+    const std::string constant = "#define TAPS 3  // @range 1 9 @label \"Taps\"\n";
+    const std::string sum = "vec4(float(TAPS) * 0.125)";
+    ChainFolder folder({reading({"Source"}, constant, sum), reading({"Source"}),
+                        reading({"Source"}, constant, sum)});
+    const Look look = folder.look();
+    const Parameter* const taps = find_parameter(look, "TAPS");
+    REQUIRE(taps);
+    CHECK(taps->label == "Taps");
+    CHECK(taps->bindings == std::vector<Binding>{{0, "TAPS"}, {2, "TAPS"}});
+    CHECK(look.passes[0].fragment.text.find("0.375") != std::string::npos);
+
+    const Values values{{"TAPS", 5.0}};
+    const LoadedLook turned = load_slang_look(folder / "a.slangp", {nullptr, nullptr, &values});
+    REQUIRE(turned.look.has_value());
+    CHECK(turned.look->passes[0].fragment.text.find("0.625") != std::string::npos);
+    CHECK(turned.look->passes[1] == look.passes[1]);
+}

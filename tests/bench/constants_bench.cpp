@@ -1,0 +1,139 @@
+// Turning a constant of a shader that is seen: how long until its picture is there, and while a
+// hand goes on turning how often a new one comes. The shader marches 48 steps, as many of
+// Shadertoy's do; nothing of it is kept, by us or by the driver.
+#include "gpu/draw.h"
+#include "lab/lab.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <thread>
+
+namespace fs = std::filesystem;
+
+namespace {
+constexpr const char* marching = R"(#define STEPS 48          // @range 8 256 1
+const float GLOW = 0.35;  // @range 0 1
+float map(vec3 p) {
+    vec3 q = abs(mod(p, 4.0) - 2.0) - vec3(0.6);
+    return length(max(q, 0.0)) - 0.2;
+}
+void mainImage(out vec4 color, in vec2 at) {
+    vec3 from = vec3(0.0, 0.0, iTime);
+    vec3 way = normalize(vec3((at - 0.5 * iResolution.xy) / iResolution.y, 1.0));
+    float t = 0.0;
+    float glow = 0.0;
+    for (int i = 0; i < STEPS; ++i) {
+        float d = map(from + way * t);
+        glow += GLOW / (1.0 + 40.0 * d * d) / float(STEPS);
+        if (d < 0.001) break;
+        t += d;
+    }
+    color = vec4(vec3(exp(-0.15 * t)) + glow, 1.0);
+}
+)";
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+/// A lab of some size without a window, in a folder of its own.
+class ConstantsBench {
+public:
+    ConstantsBench(const fs::path& folder, Extent picture) {
+        auto context = gpu::Context::headless();
+        auto worker = context ? gpu::Context::shared_with(**context) : fail(context.error());
+        if (!worker) {
+            fmt::print(stderr, "{}", to_string(worker.error()));
+            std::exit(EXIT_FAILURE);
+        }
+        m_context = std::move(*context);
+        Roots roots{AFTERGLOW_SOURCE_DIR, folder / "user", folder / "state", folder / "cache"};
+        m_lab = std::make_unique<Lab>(Library(std::move(roots)), std::move(*worker));
+        m_lab->set_picture_size({false, picture, 1.0});
+        const fs::path file = folder / "marching.glsl";
+        std::ofstream(file) << marching;
+        m_lab->open(file.string());
+        while (m_lab->player().frame_number() < 10)
+            turn();
+    }
+    ~ConstantsBench() { m_lab.reset(); }
+    ConstantsBench(const ConstantsBench&) = delete;
+    ConstantsBench& operator=(const ConstantsBench&) = delete;
+
+    double frame_milliseconds() {
+        const auto start = Clock::now();
+        for (int i = 0; i < 5; ++i)
+            turn();
+        return milliseconds_since(start) / 5.0;
+    }
+    // Until a frame is drawn with it.
+    double until_seen(const char* name, double value) {
+        const auto start = Clock::now();
+        set(name, value, false);
+        while (seen(name) != value || m_lab->is_loading())
+            turn();
+        turn();
+        return milliseconds_since(start);
+    }
+    int pictures_in_a_second() {
+        const auto start = Clock::now();
+        int pictures = 0;
+        double value = 1.0 + seen("GLOW");
+        double last = seen("GLOW");
+        while (milliseconds_since(start) < 1000.0) {
+            set("GLOW", value += 1e-3, true);
+            turn();
+            pictures += seen("GLOW") != last ? 1 : 0;
+            last = seen("GLOW");
+        }
+        set("GLOW", value, false);
+        return pictures;
+    }
+
+private:
+    void set(const char* name, double value, bool goes_on) {
+        m_lab->edit([&](Document& document) {
+            document.set_value(name, Value(value), goes_on);
+            if (!goes_on)
+                document.finish();
+        });
+    }
+    double seen(const char* name) const {
+        return m_lab->document()->look().constants.at(name).number();
+    }
+    void turn() {
+        m_lab->update(1.0 / 60.0);
+        gpu::finish();
+    }
+
+    std::unique_ptr<gpu::Context> m_context;
+    std::unique_ptr<Lab> m_lab;
+};
+}  // namespace
+
+int main() {
+    std::string name = (fs::temp_directory_path() / "afterglow-bench-XXXXXX").string();
+    const fs::path folder = mkdtemp(name.data());
+    setenv("MESA_SHADER_CACHE_DIR", (folder / "driver").c_str(), 1);
+    for (const Extent picture : {Extent{320, 180}, Extent{640, 360}, Extent{1280, 720}}) {
+        ConstantsBench bench(folder, picture);
+        std::vector<double> times;
+        for (int i = 0; i < 9; ++i)  // none of them twice: the driver remembers
+            times.push_back(bench.until_seen("GLOW", 0.05 * i + 1e-5 * picture.width));
+        std::ranges::sort(times);
+        fmt::print(
+            "{} x {}: a frame {:.0f} ms; a turn is seen after {:.0f} ms ({:.0f} to {:.0f}); "
+            "while turning {} new pictures a second\n",
+            picture.width, picture.height, bench.frame_milliseconds(), times[times.size() / 2],
+            times.front(), times.back(), bench.pictures_in_a_second());
+    }
+    fs::remove_all(folder);
+    return EXIT_SUCCESS;
+}

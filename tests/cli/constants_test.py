@@ -1,0 +1,42 @@
+"""Numbers in the texts of shaders that a person's script turns, and what a preset leaves open."""
+
+import json
+
+from program import ProgramTest, main, read_png, run
+
+
+class Constants(ProgramTest):
+    def test_a_constant_of_a_shader_is_set_described_swept_and_kept_in_a_preset(self):
+        shader = self.write("a.glsl", "#define LEVEL 0.2  // @range 0 1 @label \"Level\"\n"
+                            "void mainImage(out vec4 c, in vec2 p) { c = vec4(LEVEL); }\n")
+        size = ("--size", "4x4", "--frames", 1)
+
+        def red(*arguments):
+            self.assert_done(run("render", *arguments, *size, "-o", self.folder / "a.png"))
+            return read_png(self.folder / "a.png")[2][0][0]
+
+        self.assertEqual(red(shader), round(255 * 0.2))
+        self.assertEqual(red(shader, "--set", "LEVEL=0.6"), round(255 * 0.6))
+        self.assert_refused(run("render", shader, "--set", "LEVEL=much", "-o", self.folder / "x.png"), "LEVEL")
+        described = run("describe", shader, "--set", "LEVEL=0.6", "--json")
+        self.assert_done(described)
+        level = json.loads(described.stdout)["parameters"][0]
+        self.assertEqual((level["name"], level["default"], level["value"], level["label"], level["constant"]),
+                         ("LEVEL", 0.2, 0.6, "Level", True))
+        preset = self.folder / "p.json"
+        self.assert_done(run("preset", shader, "--set", "LEVEL=0.8", "-o", preset))
+        self.assertEqual(json.loads(preset.read_text())["values"], {"LEVEL": 0.8})
+        self.assertEqual(red(shader, "--preset", preset), round(255 * 0.8))
+        moves = self.write("moves.txt", "0 LEVEL 1\n")
+        self.assertEqual(red(shader, "--moves", moves), 255)
+        sheet = self.folder / "sheet.png"
+        self.assert_done(run("sweep", shader, *size, "--vary", "LEVEL=0.2,0.6,1", "-o", sheet))
+        shown = {pixel for row in read_png(sheet)[2] for pixel in row}
+        self.assertLessEqual({round(255 * level) for level in (0.2, 0.6, 1.0)}, shown)
+        self.assert_done(run("bench", shader, "--set", "LEVEL=0.4", "--size", "4x4", "--json"))
+        self.write("a.glsl", "#define LEVEL 0.2  // @range 1 0\nvoid mainImage(out vec4 c, in vec2 p) { c = vec4(LEVEL); }\n")
+        self.assert_refused(run("check", shader), f"{shader}:1: error: @range needs its low end first")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,211 @@
+// Numbers in the texts of a look that a person turns: programs are made anew beside the picture.
+#include "formats/session_format.h"
+#include "lab/offline.h"
+#include "lab/session.h"
+#include "lab/small_lab.h"
+#include "model/modulation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fs = std::filesystem;
+
+namespace {
+// Its red is LEVEL, or a half more where UP says so.
+constexpr const char* text =
+    "#define LEVEL 0.25  // @range 0 1\n"
+    "#define SIZE 1      // @range 0 4\n"
+    "uniform float more = 0.0;  // @range 0 1\n"
+    "void mainImage(out vec4 c, in vec2 p) {\n"
+    "    float kept[SIZE];\n"
+    "    kept[0] = LEVEL + more;\n"
+    "    c = vec4(kept[0], 0.0, 0.0, 1.0);\n"
+    "}\n";
+
+/// A lab on one shader of Shadertoy.
+class ConstantLab : public SmallLab {
+public:
+    ConstantLab() {
+        m_file = folder() / "a.glsl";
+        REQUIRE(write_atomically(m_file, std::string_view(text)).has_value());
+        lab().open(m_file.string());
+        REQUIRE(turn_until([&] { return is_at(0.25); }));
+    }
+    void set(const char* name, double value, bool goes_on = false) {
+        lab().edit([&](Document& document) {
+            document.set_value(name, Value(value), goes_on);
+            if (!goes_on)
+                document.finish();
+        });
+    }
+    double red(const Executor& executor) {
+        return static_cast<double>(gpu::read_pixel(executor.target(0), 3, 3)[0]);
+    }
+    double red() { return red(lab().renderer()->executor()); }
+    // Of 8 bits.
+    bool is_at(double level) {
+        return document().look().id == "a.glsl" && std::abs(red() - level) < 0.003;
+    }
+    bool becomes(double level) {
+        return turn_until([&] { return is_at(level) && !lab().is_loading(); });
+    }
+    const fs::path& file() const { return m_file; }
+
+private:
+    fs::path m_file;
+};
+
+double rendered_red(RenderRequest request) {
+    const auto roots = find_roots({});
+    REQUIRE(roots.has_value());
+    request.size = {4, 4};
+    auto prepared = prepare(request, Library(*roots));
+    REQUIRE_MESSAGE(prepared.has_value(), to_string(prepared.error()));
+    auto offline = Offline::create(std::move(*prepared), request.size, 60.0);
+    REQUIRE_MESSAGE(offline.has_value(), to_string(offline.error()));
+    return static_cast<double>(offline->picture_after(1).pixels[0]);
+}
+}  // namespace
+
+TEST_CASE("a constant that is turned shows at once, and undo, reset and a reload keep to it") {
+    ConstantLab small;
+    small.set("LEVEL", 0.75);
+    CHECK(small.becomes(0.75));
+    CHECK(small.document().look().constants.at("LEVEL") == Value(0.75));
+    small.lab().edit([](Document& document) { document.undo(); });
+    CHECK(small.becomes(0.25));
+    small.lab().edit([](Document& document) { document.redo(); });
+    CHECK(small.becomes(0.75));
+
+    // An edit of the file changes what is written elsewhere; the value stays.
+    REQUIRE(write_atomically(small.file(), replaced(text, "LEVEL + more", "LEVEL - 0.5 + more"))
+                .has_value());
+    CHECK(small.becomes(0.25));
+    small.lab().edit([](Document& document) { document.reset({"LEVEL"}); });
+    CHECK(small.turn_until([&] {
+        return small.document().look().constants.at("LEVEL") == Value(0.25) && small.is_at(0.0);
+    }));
+}
+
+TEST_CASE("while a hand turns a constant pictures of values on the way are seen, then the last") {
+    ConstantLab small;
+    std::vector<double> seen;
+    double value = 0.3;
+    // As a hand would: another value in each turn, whether or not the one before is there.
+    REQUIRE(small.turn_until([&] {
+        value = std::min(value + 0.0005, 1.0);
+        small.set("LEVEL", value, true);
+        const double compiled = small.document().look().constants.at("LEVEL").number();
+        if (seen.empty() || compiled != seen.back())
+            seen.push_back(compiled);
+        return seen.size() > 4;
+    }));
+    CHECK(std::ranges::is_sorted(seen));
+    CHECK(small.lab().document()->history().is_in_gesture());
+    small.set("LEVEL", 0.875);
+    CHECK(small.becomes(0.875));
+    CHECK_FALSE(small.lab().opening().has_value());
+}
+
+TEST_CASE("a value that does not compile is told at the author's line, and the picture goes on") {
+    ConstantLab small;
+    small.set("SIZE", 0.0);
+    REQUIRE(small.turn_until([&] { return !small.lab().problems().empty(); }));
+    CHECK(small.lab().problems().front().diagnostic.line == 5);
+    REQUIRE(small.turn_until([&] { return !small.lab().is_loading(); }));
+    CHECK(small.is_at(0.25));
+    small.turn(20);
+    CHECK_FALSE(small.lab().is_loading());  // it is tried once
+    small.set("SIZE", 2.0);
+    CHECK(small.turn_until([&] { return small.lab().problems().empty(); }));
+    small.set("LEVEL", 0.5);
+    CHECK(small.becomes(0.5));
+}
+
+TEST_CASE("a paused picture follows a constant") {
+    ConstantLab small;
+    small.lab().transport().pause();
+    small.turn(3);
+    small.set("LEVEL", 0.625);
+    CHECK(small.becomes(0.625));
+    CHECK(small.turn_until([&] { return !small.lab().is_moving(); }));
+}
+
+TEST_CASE("a constant cannot move by itself, and says why") {
+    ConstantLab small;
+    const Look& look = small.document().look();
+    CHECK(why_unmodulated(look, *find_parameter(look, "more")).empty());
+    CHECK(why_unmodulated(look, *find_parameter(look, "LEVEL")) ==
+          "is no uniform: the look is made anew for each value");
+}
+
+TEST_CASE("what is compared has its own constants") {
+    ConstantLab small;
+    small.lab().keep_in_slot(0);
+    small.set("LEVEL", 0.75);
+    REQUIRE(small.becomes(0.75));
+    small.lab().compare({{Other::Kind::slot, 0, {}}, CompareMode::wipe});
+    const auto other_is = [&](double level) {
+        return small.turn_until([&] {
+            const Executor* other = small.lab().renderer()->variant();
+            return other && small.lab().sides() && std::abs(small.red(*other) - level) < 0.003;
+        });
+    };
+    CHECK(other_is(0.25));
+    CHECK(small.is_at(0.75));
+    small.set("LEVEL", 0.5);
+    CHECK(small.becomes(0.5));
+    CHECK(other_is(0.25));
+    small.set("more", 0.25);
+    CHECK(small.becomes(0.75));
+    CHECK(other_is(0.25));
+    small.set("LEVEL", 0.25);
+    CHECK(small.becomes(0.5));
+    CHECK(other_is(0.25));
+}
+
+TEST_CASE("a session opens with the constants that it was left with") {
+    ConstantLab small;
+    small.set("LEVEL", 0.75);
+    REQUIRE(small.becomes(0.75));
+    const Session session = session_of(small.lab(), {});
+    small.start();
+    restore(small.lab(), session, {});
+    REQUIRE(small.turn_until([&] { return small.lab().document() && !small.lab().is_loading(); }));
+    CHECK(small.document().look().constants.at("LEVEL") == Value(0.75));
+    CHECK(small.becomes(0.75));
+}
+
+TEST_CASE("a drawing without a window has the constants that are set, and follows other ones") {
+    const TemporaryFolder folder;
+    const std::string look = folder.write("a.glsl", text).string();
+    CHECK(std::abs(rendered_red({.look = look}) - 0.25) < 0.003);
+    CHECK(std::abs(rendered_red({.look = look, .values = {{"LEVEL", "0.5"}, {"more", "0.25"}}}) -
+                   0.75) < 0.003);
+    const auto moves = folder.write("moves.txt", "0 LEVEL 1\n");
+    CHECK(std::abs(rendered_red({.look = look, .moves = moves.string()}) - 1.0) < 0.003);
+}
+
+TEST_CASE("each copy of a look in a stack has its own constants") {
+    const TemporaryFolder folder;
+    const std::string file = folder
+                                 .write("a.frag",
+                                        "#define LEVEL 0.25  // @range 0 1\n"
+                                        "uniform sampler2D texture0;\n"
+                                        "varying vec2 v;\n"
+                                        "void main() {\n"
+                                        "    gl_FragColor = texture2D(texture0, v) * LEVEL;\n"
+                                        "}\n")
+                                 .string();
+    const auto roots = find_roots({});
+    REQUIRE(roots.has_value());
+    const auto prepared = prepare(
+        {.look = file + "+" + file, .values = {{"a.frag/LEVEL", "0.5"}, {"a.frag#2/LEVEL", "1"}}},
+        Library(*roots));
+    REQUIRE_MESSAGE(prepared.has_value(), to_string(prepared.error()));
+    const Look& look = prepared->document.look();
+    CHECK(look.constants.at("a.frag/LEVEL") == Value(0.5));
+    CHECK(look.constants.at("a.frag#2/LEVEL") == Value(1.0));
+    CHECK(look.passes.front().fragment.text.find("LEVEL 0.5 ") != std::string::npos);
+    CHECK(look.passes.back().fragment.text.find("LEVEL 1.0 ") != std::string::npos);
+}
