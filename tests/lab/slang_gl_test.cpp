@@ -62,6 +62,8 @@ public:
         request.source += settings;
         if (!level.empty())
             request.values.emplace_back("level", level);
+        if (!filter.empty())
+            request.values.emplace_back("unspecified_filter", filter);
         auto prepared = prepare(request, Library(*roots));
         REQUIRE_MESSAGE(prepared.has_value(), to_string(prepared.error()));
         CHECK(to_string(prepared->warnings) == "");
@@ -69,6 +71,8 @@ public:
         REQUIRE_MESSAGE(offline.has_value(), to_string(offline.error()));
         return std::move(*offline);
     }
+
+    std::string filter = {};  // where the preset says none; "": as it opens
 
 private:
     TemporaryFolder m_folder;
@@ -110,6 +114,43 @@ TEST_CASE("the picture stands as its source does, however many passes there are"
                     CHECK(red(picture, x, y) == std::lround((y * 2 + x) / 8.0 * 255.0));
             CHECK(first_red(offline.picture(0)) == 0);
         }
+}
+
+TEST_CASE("what has no filter is read as the person says, what has one as the preset says") {
+    const Picture source = {{2, 1}, 4, Encoding::display, {0, 0, 0, 1, 1, 1, 1, 1}};
+    // Texel centres lie at 1/4 and 3/4 of the width, the picture's at 1/8, 3/8, 5/8 and 7/8.
+    const std::array nearest{0, 0, 255, 255};
+    const std::array linear{0, 64, 191, 255};
+    struct Case {
+        const char* said;
+        const char* chosen;
+        const std::array<int, 4>& expected;
+    };
+    for (const Case& one : {Case{"", "", nearest}, Case{"", "nearest", nearest},
+                            Case{"", "linear", linear}, Case{"filter_linear0 = true\n", "", linear},
+                            Case{"filter_linear0 = false\n", "", nearest}}) {
+        CAPTURE(one.said);
+        CAPTURE(one.chosen);
+        DrawnChain chain({copies_source}, std::string("wrap_mode0 = clamp_to_edge\n") + one.said);
+        chain.filter = one.chosen;
+        Offline offline = chain.open({4, 1}, source);
+        const Picture picture = offline.picture_after(1);
+        for (int x = 0; x < 4; ++x)
+            CHECK(std::abs(red(picture, x, 0) - one.expected[static_cast<std::size_t>(x)]) <= 1);
+        const bool is_open = *one.said == '\0';
+        CHECK((find_parameter(offline.document().look(), "unspecified_filter") != nullptr) ==
+              is_open);
+    }
+}
+
+TEST_CASE("a last pass with a size of its own is stretched by the filter that is chosen") {
+    DrawnChain chain({copies_source},
+                     "wrap_mode0 = clamp_to_edge\nfilter_linear0 = false\nscale_type0 = source\n");
+    chain.filter = "linear";
+    Offline offline = chain.open({4, 1}, {{2, 1}, 4, Encoding::display, {0, 0, 0, 1, 1, 1, 1, 1}});
+    const Picture picture = offline.picture_after(1);
+    CHECK(std::abs(red(picture, 1, 0) - 64) <= 1);
+    CHECK(std::abs(red(picture, 2, 0) - 191) <= 1);
 }
 
 TEST_CASE("the texture coordinates begin at the top left in every pass") {

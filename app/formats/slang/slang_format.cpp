@@ -107,6 +107,49 @@ bool reads_the_past(const Look& look) {
     });
 }
 
+constexpr const char* filter_name = "unspecified_filter";
+
+Filter other_than(Filter filter) {
+    return filter == Filter::nearest ? Filter::linear : Filter::nearest;
+}
+
+// A choice that the presets of a chain leave to the host, of all passes that it makes a difference
+// to. With another value the look is another, as with a constant of its texts.
+void add_filter(const WholeChain& chain, Filter chosen, Look& look) {
+    Diagnostics told_already;
+    const auto other = look_of_chain(chain, {other_than(chosen)}, told_already);
+    if (!other || find_parameter(look, filter_name))
+        return;
+    Parameter filter;
+    for (std::size_t i = 0; i < look.passes.size(); ++i)
+        if (look.passes[i] != other->passes[i])
+            filter.bindings.push_back({static_cast<int>(i), filter_name});
+    if (filter.bindings.empty())
+        return;
+    filter.name = filter_name;
+    filter.label = "Filter where none is said";
+    filter.group = "Sampling";
+    filter.help =
+        "How passes read what their preset gives no filter_linear: RetroArch's bilinear setting.";
+    filter.type = {Scalar::integer, 1, 1};
+    filter.control = Control::list;
+    filter.items = {{0.0, "nearest"}, {1.0, "linear"}};
+    filter.range = {0.0, 1.0, 1.0};
+    filter.initial = 0.0;
+    filter.is_constant = true;
+    filter.declared = look.passes.front().declared;
+    look.constants[filter.name] = chosen == Filter::linear ? 1.0 : 0.0;
+    look.parameters.push_back(std::move(filter));
+}
+
+Filter chosen_filter(const ReadingHelp& help) {
+    if (!help.values)
+        return Filter::nearest;
+    const auto chosen = help.values->find(filter_name);
+    return chosen != help.values->end() && chosen->second.number() > 0.0 ? Filter::linear
+                                                                         : Filter::nearest;
+}
+
 Result<Look> read_look_of(const fs::path& file, SlangFiles& files, const ReadingHelp& help,
                           LoadedLook& loaded) {
     constexpr int frames_of_a_past = 60;
@@ -117,11 +160,13 @@ Result<Look> read_look_of(const fs::path& file, SlangFiles& files, const Reading
     add_unknown(loaded.warnings, chain->preset.warnings);
     for (const SlangShader& shader : chain->shaders)
         add_unknown(loaded.warnings, shader.warnings);
-    auto look = look_of_chain(*chain, {}, loaded.warnings);
+    const Filter filter = chosen_filter(help);
+    auto look = look_of_chain(*chain, {filter}, loaded.warnings);
     if (!look)
         return look;
     if (auto problems = constants.add_to(*look); !problems.empty())
         return fail(std::move(problems));
+    add_filter(*chain, filter, *look);
     look->id = foreign_look_id(file);
     look->name = file.stem().string();
     look->driven_by = Driver::picture;

@@ -177,8 +177,7 @@ TEST_CASE("a parameter drives its member in every pass, and starts where the pre
     const std::string glowing = reading({"Source"}, "", "vec4(params.glow)");
     ChainFolder folder({glowing, source_only, glowing});
     const Look look = folder.look("glow = \"2.5\"\nunknown = 3\n");
-    REQUIRE(look.parameters.size() == 1);
-    CHECK(look.parameters[0].name == "glow");
+    REQUIRE(parameter_names(look) == std::vector<std::string>{"glow", "unspecified_filter"});
     CHECK(look.parameters[0].initial.number() == 2.5);
     CHECK(look.parameters[0].range.high == 2.5);  // widened
     CHECK(look.parameters[0].bindings ==
@@ -299,4 +298,26 @@ TEST_CASE("constants with a range are parameters of all passes whose shaders hav
     REQUIRE(turned.look.has_value());
     CHECK(turned.look->passes[0].fragment.text.find("0.625") != std::string::npos);
     CHECK(turned.look->passes[1] == look.passes[1]);
+}
+
+TEST_CASE("a filter that no pass says is a choice of those that it makes a difference to") {
+    ChainFolder folder({reading({"Source"}), reading({"Source"}), reading({"Source"})});
+    const std::string lines = "filter_linear0 = true\nfilter_linear2 = false\n";
+    const Look look = folder.look(lines);
+    const Parameter* const filter = find_parameter(look, "unspecified_filter");
+    REQUIRE(filter);
+    CHECK(filter->initial == Value(0.0));
+    REQUIRE(filter->bindings.size() == 1);
+    CHECK(filter->bindings[0].pass == 1);
+    CHECK(look.passes[1].inputs[0].sampler.filter == Filter::nearest);
+
+    const Values values{{"unspecified_filter", 1.0}};
+    const LoadedLook linear = load_slang_look(folder / "a.slangp", {nullptr, nullptr, &values});
+    REQUIRE(linear.look.has_value());
+    CHECK(linear.look->passes[1].inputs[0].sampler.filter == Filter::linear);
+    CHECK(linear.look->passes[0] == look.passes[0]);
+    CHECK(linear.look->passes[2] == look.passes[2]);
+    CHECK(linear.look->constants == values);
+    CHECK_FALSE(
+        find_parameter(folder.look(lines + "filter_linear1 = true\n"), "unspecified_filter"));
 }
