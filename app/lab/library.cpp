@@ -100,6 +100,9 @@ std::optional<PresetEntry> Library::find_preset(std::string_view look,
 Result<fs::path> Library::preset_path(std::string_view look, std::string_view name) const {
     if (auto fine = check_name(name, "preset"); !fine)
         return fail(fine.error());
+    // A preset's file says of which look it is; it does not say where to write.
+    if (look == ".." || look.find('/') != look.npos)
+        return fail({{}, 0, fmt::format("'{}' cannot be the name of a look", look)});
     return m_roots.writable() / "presets" / look / (std::string(name) + ".json");
 }
 

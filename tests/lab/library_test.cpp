@@ -101,6 +101,17 @@ TEST_CASE("a name that is no file's name is refused") {
     CHECK(library.save_preset(night(), "Grün 31 (soft)").has_value());
 }
 
+TEST_CASE("a preset's file does not say where to write") {
+    const TemporaryRoots folder;
+    const Library library(folder.roots());
+    for (const char* look : {"../../elsewhere", "..", "/tmp", "phosphor/.."}) {
+        Preset preset = night();
+        preset.look = look;
+        CHECK_FALSE(library.save_preset(preset, "Night").has_value());
+    }
+    CHECK(library.save_preset(night(), "Night").has_value());
+}
+
 TEST_CASE("where the program's folder cannot be written, presets go to the person's own") {
     const TemporaryRoots folder;
     Roots roots = folder.roots();
