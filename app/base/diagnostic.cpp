@@ -4,6 +4,16 @@
 
 #include <algorithm>
 
+namespace {
+constexpr std::ptrdiff_t most_of_a_severity = 256;
+
+// What differs most comes first: paths take long to compare.
+bool are_same(const Diagnostic& a, const Diagnostic& b) {
+    return a.line == b.line && a.message == b.message && a.severity == b.severity &&
+           a.file.native() == b.file.native();
+}
+}  // namespace
+
 tl::unexpected<Diagnostics> fail(Diagnostic reason) {
     return tl::unexpected(Diagnostics{std::move(reason)});
 }
@@ -32,4 +42,23 @@ std::string to_string(const Diagnostics& diagnostics) {
 bool has_errors(const Diagnostics& diagnostics) {
     return std::any_of(diagnostics.begin(), diagnostics.end(),
                        [](const Diagnostic& d) { return d.severity == Severity::error; });
+}
+
+void add_new(Diagnostics& all, Diagnostic one) {
+    const auto count = std::ranges::count(all, one.severity, &Diagnostic::severity);
+    if (count > most_of_a_severity ||
+        std::ranges::any_of(all, [&](const Diagnostic& known) { return are_same(known, one); }))
+        return;
+    if (count == most_of_a_severity) {
+        const char* kind = one.severity == Severity::error ? "errors" : "warnings";
+        one.line = 0;
+        one.message =
+            fmt::format("there are more {}: the first {} are told", kind, most_of_a_severity);
+    }
+    all.push_back(std::move(one));
+}
+
+void add_new(Diagnostics& all, const Diagnostics& some) {
+    for (const Diagnostic& diagnostic : some)
+        add_new(all, diagnostic);
 }

@@ -43,3 +43,8 @@ std::string to_string(const Diagnostic& diagnostic);
 std::string to_string(const Diagnostics& diagnostics);
 
 bool has_errors(const Diagnostics& diagnostics);
+
+/// Adds those that are not there yet, up to 256 errors and 256 warnings: nobody reads more, and a
+/// broken file may have millions. One more of each says that there are others.
+void add_new(Diagnostics& all, const Diagnostics& some);
+void add_new(Diagnostics& all, Diagnostic one);

@@ -79,6 +79,16 @@ std::string format_float(float number) {
     return shortest(number);
 }
 
+std::string with_each(std::string_view text, std::string_view from, std::string_view to) {
+    std::string changed;
+    std::size_t done = 0;
+    for (auto at = text.find(from); at != text.npos; at = text.find(from, done)) {
+        changed.append(text.substr(done, at - done)).append(to);
+        done = at + from.size();
+    }
+    return changed.append(text.substr(done));
+}
+
 std::string to_lower(std::string_view text) {
     std::string lower(text);
     for (char& letter : lower)

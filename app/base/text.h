@@ -32,6 +32,9 @@ std::string format_number(double number);
 /// As format_number, for a value that is kept as a 32-bit float: 0.92, not 0.9200000166893005.
 std::string format_float(float number);
 
+/// The text with `to` in each place of `from`, which is not empty.
+std::string with_each(std::string_view text, std::string_view from, std::string_view to);
+
 /// Lower-case ASCII letters, all else as it is.
 std::string to_lower(std::string_view text);
 

@@ -126,6 +126,7 @@ private:
     struct Open {
         JsonValue value;
         std::set<std::string, std::less<>> keys;
+        bool has_doubles = false;
     };
 
     bool stop(std::string message) {
@@ -174,11 +175,21 @@ private:
 
     void note_double(const std::string& key) {
         if (m_double_keys == DoubleKeys::refused)
-            m_problems.push_back(
-                {m_file, m_next.line, fmt::format("the key \"{}\" is there twice", key)});
+            add_new(m_problems,
+                    {m_file, m_next.line, fmt::format("the key \"{}\" is there twice", key)});
         else
-            std::erase_if(m_open.back().value.children,
-                          [&](const JsonValue& member) { return member.key == key; });
+            m_open.back().has_doubles = true;
+    }
+
+    // Of equal keys the last one stays, where it stands.
+    static void drop_doubles(std::vector<JsonValue>& members) {
+        std::set<std::string, std::less<>> behind;
+        std::vector<JsonValue> last;
+        for (auto member = members.rbegin(); member != members.rend(); ++member)
+            if (behind.insert(member->key).second)
+                last.push_back(std::move(*member));
+        std::ranges::reverse(last);
+        members = std::move(last);
     }
 
     JsonValue take_next() {
@@ -202,12 +213,14 @@ private:
         m_end = m_consumed;
         if (m_open.size() >= deepest)
             return stop(fmt::format("is nested more than {} levels deep", deepest));
-        m_open.push_back({take_next(), {}});
+        m_open.push_back({take_next(), {}, false});
         return true;
     }
 
     bool close() {
         JsonValue value = std::move(m_open.back().value);
+        if (m_open.back().has_doubles)
+            drop_doubles(value.children);
         m_open.pop_back();
         value.end = m_end = m_consumed;
         return place(std::move(value));

@@ -145,20 +145,12 @@ bool is_foreign_look(const fs::path& file) {
     return is_slang_file(file) || is_fs_file(file) || is_toy_file(file) || is_bare_file(file);
 }
 
-namespace {
-std::string with_each(std::string text, std::string_view from, std::string_view to) {
-    for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-        text.replace(at, from.size(), to);
-    return text;
-}
-}  // namespace
-
 std::string foreign_look_id(const fs::path& file) {
     return with_each(with_each(file.filename().string(), "+", "%2B"), "#", "%23");
 }
 
 std::string foreign_file_name(std::string_view id) {
-    return with_each(with_each(std::string(id), "%2B", "+"), "%23", "#");
+    return with_each(with_each(id, "%2B", "+"), "%23", "#");
 }
 
 std::string look_id_at(const fs::path& place) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <set>
 #include <utility>
 
 namespace {
@@ -106,7 +105,7 @@ private:
             put(m_tokens[++at], "");
     }
 
-    std::string word_for(std::size_t at) const {
+    std::string word_for(std::size_t at) {
         std::string word(m_tokens[at].text);
         if (const auto changed = m_changes.find(word); changed != m_changes.end())
             return changed->second;
@@ -120,11 +119,14 @@ private:
         return word;
     }
 
-    std::string free_name(std::string word) const {
-        word += '_';
-        while (m_words.contains(word))
-            word += 'x';
-        return word;
+    const std::string& free_name(const std::string& word) {
+        std::string& name = m_free_names[word];
+        if (name.empty()) {
+            name = word + '_';
+            for (int other = 1; m_words.contains(name); ++other)
+                name = word + (other == 1 ? "_x" : "_x" + std::to_string(other));
+        }
+        return name;
     }
 
     void put(const Token& token, std::string_view replacement) {
@@ -138,6 +140,7 @@ private:
     const WordChanges& m_changes;
     std::vector<Token> m_tokens;
     std::set<std::string_view> m_words;
+    std::map<std::string, std::string> m_free_names;  // by the words that they stand for
     std::string m_done;
     std::size_t m_at = 0;
 };
@@ -148,17 +151,17 @@ std::string modern_glsl(std::string_view text, const WordChanges& changes) {
     return Modernising(joined, changes).modern();
 }
 
-std::string modern_glsl_start(std::string_view text) {
+void add_words(std::string_view text, GlslWords& words) {
+    for (const Token& token : scan(text).all)
+        if (token.kind == Token::Kind::word)
+            words.emplace(token.text);
+}
+
+std::string modern_glsl_start(const GlslWords& words) {
     std::string start = "#version 410 core\n";
     for (const char* const packing :
          {"packHalf2x16", "unpackHalf2x16", "packSnorm2x16", "unpackSnorm2x16"})
-        if (has_word(text, packing))
+        if (words.contains(packing))
             return start + "#extension GL_ARB_shading_language_packing : enable\n";
     return start;
-}
-
-bool has_word(std::string_view text, std::string_view word) {
-    return std::ranges::any_of(scan(text).all, [&](const Token& token) {
-        return token.kind == Token::Kind::word && token.is(word);
-    });
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -14,8 +15,11 @@ using WordChanges = std::map<std::string, std::string, std::less<>>;
 /// says what else is replaced.
 std::string modern_glsl(std::string_view text, const WordChanges& changes = {});
 
-/// The #version line of such a text, and the extensions that functions of its need.
-std::string modern_glsl_start(std::string_view text);
+/// The words of a code, each once.
+using GlslWords = std::set<std::string, std::less<>>;
 
-/// Whether a word stands in the code of a text, comments apart.
-bool has_word(std::string_view text, std::string_view word);
+/// Adds the words of the code of a text, comments apart.
+void add_words(std::string_view text, GlslWords& words);
+
+/// The #version line of a text with such words, and the extensions that functions of its need.
+std::string modern_glsl_start(const GlslWords& words);

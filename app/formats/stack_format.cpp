@@ -8,12 +8,6 @@
 namespace fs = std::filesystem;
 
 namespace {
-void append(Diagnostics& all, const Diagnostics& some) {
-    for (const Diagnostic& diagnostic : some)
-        if (std::ranges::find(all, diagnostic) == all.end())
-            all.push_back(diagnostic);
-}
-
 void name_parts(Stack& stack, const std::vector<Look>& looks) {
     for (std::size_t i = 0; i < stack.size(); ++i)
         if (stack[i].look.empty())
@@ -60,7 +54,7 @@ public:
         }
         LoadedLook loaded =
             load_look(m_stack[part].place, m_shared, {m_help.cache, m_help.progress, &values});
-        append(whole.warnings, loaded.warnings);
+        add_new(whole.warnings, loaded.warnings);
         whole.is_parsed = whole.is_parsed && loaded.is_parsed;
         for (const fs::path& file : loaded.files)
             if (std::ranges::find(whole.files, file) == whole.files.end())

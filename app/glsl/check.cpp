@@ -94,6 +94,21 @@ std::vector<std::string> live_in(Compiled& vertex, Compiled& fragment) {
     return live;
 }
 
+// More than drivers take, and than is looked through in a moment.
+void check_counts(const StageInterface& declared, const Stage& stage, Diagnostics& problems) {
+    constexpr std::size_t most_uniforms = 4096;
+    constexpr std::size_t most_varyings = 256;
+    if (declared.uniforms.size() > most_uniforms) {
+        const Location& at = declared.uniforms[most_uniforms].declared.front();
+        problems.push_back({at.file.empty() ? stage.file : at.file, at.line,
+                            fmt::format("more than {} uniforms in one shader", most_uniforms)});
+    }
+    if (std::max(declared.inputs.size(), declared.outputs.size()) > most_varyings)
+        problems.push_back(
+            {stage.file, 0,
+             fmt::format("more than {} values go from shader to shader", most_varyings)});
+}
+
 // What keeps a text from being given to glslang.
 void check_text(const Stage& stage, Diagnostics& problems) {
     const Diagnostics version = check_version(stage);
@@ -137,6 +152,10 @@ Result<Reflection> check_program(const Stage& vertex, const Stage& fragment) {
     Reflection reflection;
     const StageInterface from = compiled_vertex.interface(problems);
     const StageInterface to = compiled_fragment.interface(problems);
+    check_counts(from, vertex, problems);
+    check_counts(to, fragment, problems);
+    if (has_errors(problems))
+        return fail(std::move(problems));
     reflection.uniforms = merged_uniforms(from, to, problems);
     check_varyings(from, to, fragment, problems);
     reflection.live = live_in(compiled_vertex, compiled_fragment);  // linking takes their memory

@@ -32,7 +32,8 @@ struct Reflection {
 
 /// Checks both stages and their fitting together with glslang, as for a driver of OpenGL 4.1 core.
 /// Errors are glslang's messages at the author's file and line; also a missing #version, a default
-/// that no 32-bit float holds, and shaders that would take glslang out of its depth.
+/// that no 32-bit float holds, more than 4096 uniforms or 256 varyings, and shaders that would take
+/// glslang out of its depth.
 Result<Reflection> check_program(const Stage& vertex, const Stage& fragment);
 
 /// Whether a stage would take glslang out of its depth, as find_out_of_bounds says.

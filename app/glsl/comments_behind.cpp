@@ -9,22 +9,23 @@ int last_line(const Token& token) {
     return token.line + static_cast<int>(std::ranges::count(token.text, '\n'));
 }
 
-// Whether a string of a hint is still open where the comments end.
-bool has_open_string(const std::vector<Comment>& comments) {
-    bool is_hint = false;
-    bool is_open = false;
-    for (const Comment& comment : comments)
-        for (std::size_t i = 0; i < comment.text.size(); ++i) {
-            const char c = comment.text[i];
-            is_hint = is_hint || c == '@';
-            if (is_open && c == '\\')
-                ++i;
-            else if (is_hint && c == '"')
-                is_open = !is_open;
-        }
-    return is_open;
-}
+constexpr std::size_t most_names_of_a_comment = 64;
 }  // namespace
+
+OpenString::OpenString(const std::vector<Comment>& comments) {
+    for (const Comment& comment : comments)
+        add(comment.text);
+}
+
+void OpenString::add(std::string_view comment) {
+    for (std::size_t i = 0; i < comment.size(); ++i) {
+        m_is_hint = m_is_hint || comment[i] == '@';
+        if (m_is_open && comment[i] == '\\')
+            ++i;
+        else if (m_is_hint && comment[i] == '"')
+            m_is_open = !m_is_open;
+    }
+}
 
 Comment comment_from(const Token& token) {
     std::string_view text = token.text.substr(2);
@@ -39,7 +40,9 @@ void CommentsBehind::open(int line, std::vector<Comment> inside) {
     m_line = line;
     m_is_commented = !inside.empty();
     m_end = m_is_commented ? inside.back().line : 0;
-    m_open.push_back(m_all.size());
+    m_string = OpenString(inside);
+    if (m_open.size() < most_names_of_a_comment)
+        m_open.push_back(m_all.size());
     m_all.push_back(std::move(inside));
 }
 
@@ -48,8 +51,10 @@ void CommentsBehind::add(const Token& comment, const Token* before) {
         return;
     if (!is_behind(comment) && !goes_on(comment, before))
         return m_open.clear();
+    const Comment words = comment_from(comment);
     for (const std::size_t declaration : m_open)
-        m_all[declaration].push_back(comment_from(comment));
+        m_all[declaration].push_back(words);
+    m_string.add(words.text);
     m_is_commented = true;
     m_end = last_line(comment);
 }
@@ -60,5 +65,5 @@ bool CommentsBehind::goes_on(const Token& comment, const Token* before) const {
         comment.line != m_end + 1)
         return false;
     const std::string_view text = trim(comment.text.substr(2));
-    return text.starts_with('@') || text.starts_with('"') || has_open_string(m_all[m_open.back()]);
+    return text.starts_with('@') || text.starts_with('"') || m_string.is_open();
 }

@@ -2,6 +2,8 @@
 
 #include "base/text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -142,6 +144,17 @@ CompilerMessage located(std::string_view rest) {
     return message;
 }
 
+// A broken text may make as many messages as it has words. The last of a kind says so.
+void add_message(std::vector<CompilerMessage>& messages, CompilerMessage message) {
+    constexpr std::ptrdiff_t most = 256;
+    const auto count =
+        std::ranges::count(messages, message.is_warning, &CompilerMessage::is_warning);
+    if (count == most)
+        message.text = fmt::format("there is more: the first {} messages are told", most);
+    if (count <= most)
+        messages.push_back(std::move(message));
+}
+
 // A line behind a link message, with functions under their inner names: "f(f1; calling g(f1;".
 void add_detail(CompilerMessage& message, std::string_view detail) {
     std::string plain;
@@ -170,7 +183,7 @@ std::vector<CompilerMessage> parse_compiler_log(std::string_view log) {
                 located(line.substr(is_warning ? warning.size() : error.size()));
             message.is_warning = is_warning;
             if (messages.empty() || !follows_from(message, messages.back()))
-                messages.push_back(std::move(message));
+                add_message(messages, std::move(message));
         } else if (!messages.empty() && messages.back().text != no_quotes) {
             add_detail(messages.back(), line);
         }

@@ -14,7 +14,8 @@ struct Comment {
 struct Declaration {
     std::string name;
     int line = 1;
-    std::vector<Comment> comments;  // behind it on its line, and the // lines that go on with hints
+    // Behind it on its line, and the // lines that go on with hints; of at most 64 names a line.
+    std::vector<Comment> comments;
 };
 
 /// The uniforms of a text in order, found by their tokens: several in one statement, arrays, layout

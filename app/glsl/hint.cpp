@@ -24,16 +24,15 @@ class HintReader {
 public:
     HintReader(const std::vector<Comment>& comments, const Stage& stage, Diagnostics& errors)
         : m_stage(stage), m_errors(errors) {
-        for (const Comment& comment : comments) {
-            for (std::size_t i = 0; i < comment.text.size(); ++i) {
-                const bool is_margin = comment.text[i] == '*' && is_at_line_start();
-                m_text += is_margin ? ' ' : comment.text[i];
-                m_lines.push_back(comment.line + m_new_lines);
-                m_new_lines += comment.text[i] == '\n' ? 1 : 0;
+        for (const Comment& comment : comments) {  // the stars at the left of a block are no words
+            int line = comment.line;
+            bool is_margin = false;
+            for (const char c : comment.text) {
+                add(is_margin && c == '*' ? ' ' : c, line);
+                is_margin = c == '\n' || (is_margin && (c == '*' || c == ' ' || c == '\t'));
+                line += c == '\n' ? 1 : 0;
             }
-            m_text += '\n';
-            m_lines.push_back(comment.line + m_new_lines);
-            m_new_lines = 0;
+            add('\n', line);
         }
     }
 
@@ -51,10 +50,9 @@ public:
     }
 
 private:
-    // The stars at the left of a block comment are no words.
-    bool is_at_line_start() const {
-        const std::size_t end = m_text.find_last_not_of(" \t");
-        return m_new_lines > 0 && end != std::string::npos && m_text[end] == '\n';
+    void add(char letter, int line) {
+        m_text += letter;
+        m_lines.push_back(line);
     }
 
     void skip_blanks() {
@@ -71,6 +69,14 @@ private:
         return m_text.substr(begin, m_at - begin);
     }
 
+    // A text goes on in the next line behind one blank.
+    static void end_line(std::string& word) {
+        constexpr const char* blanks = " \t\r\n\f\v";
+        word.resize(word.find_last_not_of(blanks) + 1);
+        word.erase(0, word.find_first_not_of(blanks));
+        word += ' ';
+    }
+
     std::string read_string(const Location& at) {
         std::string word;
         for (++m_at; m_at < m_text.size(); ++m_at) {
@@ -82,7 +88,7 @@ private:
             const bool is_escape = c == '\\' && m_at + 1 < m_text.size() &&
                                    (m_text[m_at + 1] == '"' || m_text[m_at + 1] == '\\');
             if (c == '\n')
-                word = std::string(trim(word)) + ' ';
+                end_line(word);
             else if (!(is_blank(c) && word.ends_with(' ')))
                 word += is_escape ? m_text[++m_at] : c;
         }
@@ -112,7 +118,6 @@ private:
     Diagnostics& m_errors;
     std::string m_text;
     std::vector<int> m_lines;  // of each character
-    int m_new_lines = 0;
     std::size_t m_at = 0;
     bool m_is_inside = false;  // behind the first '@'
     bool m_is_known = false;   // the last key

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 namespace fs = std::filesystem;
 
@@ -14,6 +15,7 @@ namespace {
 constexpr std::size_t most_nested_includes = 64;
 constexpr int most_files = 4096;
 constexpr std::size_t most_bytes = std::size_t{4} << 20;
+constexpr std::size_t most_bytes_read = 4 * most_bytes;  // also of what says nothing
 constexpr std::size_t most_errors = 32;
 constexpr std::size_t most_lines = 200'000;
 
@@ -37,6 +39,8 @@ public:
     Assembler(const fs::path& file, const IncludeRoots& roots, std::vector<fs::path>& files)
         : m_paths(file, roots), m_files(files) {
         m_stage.file = file;
+        for (const fs::path& known : files)
+            m_known.insert(known.native());
     }
 
     Result<Stage> assemble() {
@@ -54,7 +58,7 @@ private:
     }
 
     void remember(const fs::path& file) {
-        if (std::ranges::find(m_files, file) == m_files.end())
+        if (m_known.insert(file.native()).second)
             m_files.push_back(file);
     }
 
@@ -67,8 +71,11 @@ private:
         auto text = read_text(file);
         if (!text)
             return refuse(file, from, text.error());
-        if (text->size() > most_bytes)
+        m_bytes_read += text->size();
+        if (text->size() > most_bytes || m_bytes_read > most_bytes_read) {
+            m_is_full = true;
             return error({file, 1}, too_large);
+        }
         std::error_code unknown;
         m_open.push_back({file, fs::canonical(file, unknown)});
         add_text(with_plain_line_ends(*text));
@@ -189,8 +196,10 @@ private:
     std::vector<fs::path>& m_files;
     Stage m_stage;
     Diagnostics m_errors;
-    std::vector<Open> m_open;      // from the top file to the one being read
-    std::vector<fs::path> m_once;  // those with #pragma once
+    std::vector<Open> m_open;                 // from the top file to the one being read
+    std::vector<fs::path> m_once;             // those with #pragma once
+    std::set<fs::path::string_type> m_known;  // those in m_files
+    std::size_t m_bytes_read = 0;
     int m_included = 0;
     bool m_is_full = false;
 };

@@ -3,7 +3,7 @@
 #include <glslang/MachineIndependent/LiveTraverser.h>
 #include <glslang/Public/ShaderLang.h>
 
-#include <algorithm>
+#include <set>
 
 namespace {
 class LiveReader : public glslang::TLiveTraverser {
@@ -24,13 +24,13 @@ public:
         if (symbol->getQualifier().storage == glslang::EvqGlobal)
             addGlobalReference(symbol->getName());
         std::string name = symbol->getName().c_str();
-        if (symbol->getQualifier().isUniformOrBuffer() &&
-            std::ranges::find(m_names, name) == m_names.end())
+        if (symbol->getQualifier().isUniformOrBuffer() && m_known.insert(name).second)
             m_names.push_back(std::move(name));
     }
 
 private:
     std::vector<std::string> m_names;
+    std::set<std::string> m_known;
 };
 }  // namespace
 

@@ -5,6 +5,7 @@
 
 namespace {
 constexpr int most_depth = 256;
+constexpr std::size_t most_macro_parameters = 256;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 bool is_open(const Token& token) {
@@ -22,9 +23,13 @@ double product(double a, double b) {
 }  // namespace
 
 MacroWeights::MacroWeights(const std::vector<Directive>& directives) {
-    for (const Directive& directive : directives)
-        if (directive.name == "define" && !directive.arguments.empty())
-            m_macros[directive.arguments.front().text].all.push_back(macro_from(directive));
+    for (const Directive& directive : directives) {
+        if (directive.name != "define" || directive.arguments.empty())
+            continue;
+        Definitions& same = m_macros[directive.arguments.front().text];
+        same.all.push_back(macro_from(directive));
+        same.takes_arguments = same.takes_arguments || same.all.back().takes_arguments;
+    }
 }
 
 MacroWeights::Macro MacroWeights::macro_from(const Directive& define) {
@@ -58,8 +63,9 @@ const MacroWeights::Weight& MacroWeights::weight_of_macro(Definitions& definitio
     definitions.state = State::open;
     Weight largest{1.0, {}};
     for (const Macro& macro : definitions.all) {
-        Weight weight =
-            m_depth < most_depth ? weigh(macro.body, macro.parameters) : Weight{infinite, {}};
+        const bool can_be_told =
+            m_depth < most_depth && macro.parameters.size() <= most_macro_parameters;
+        Weight weight = can_be_told ? weigh(macro.body, macro.parameters) : Weight{infinite, {}};
         largest.base = std::max(largest.base, weight.base);
         largest.repeats.resize(std::max(largest.repeats.size(), weight.repeats.size()));
         for (std::size_t i = 0; i < weight.repeats.size(); ++i)
@@ -86,9 +92,7 @@ MacroWeights::Weight MacroWeights::weigh(std::span<const Token> code,
             i += add_call(code.subspan(i + 1), handed_over, parameters, sum);
         } else if (parameter == parameters.end() && macro != m_macros.end()) {
             const Weight& weight = weight_of_macro(macro->second);
-            const bool takes_arguments =
-                std::ranges::any_of(macro->second.all, &Macro::takes_arguments);
-            if (is_call && takes_arguments)
+            if (is_call && macro->second.takes_arguments)
                 i += add_call(code.subspan(i + 1), weight, parameters, sum);
             else
                 sum.base += weight.base;

@@ -14,7 +14,8 @@ class MacroWeights {
 public:
     explicit MacroWeights(const std::vector<Directive>& directives);
 
-    /// Tokens after expansion; infinite where macros are nested too deeply to tell.
+    /// Tokens after expansion; infinite where macros are nested too deeply, or take
+    /// too many arguments, to tell.
     double weight_of(std::span<const Token> code);
 
 private:
@@ -31,6 +32,7 @@ private:
     enum class State { unknown, open, known };
     struct Definitions {
         std::vector<Macro> all;
+        bool takes_arguments = false;  // one of them does
         State state = State::unknown;
         Weight weight;  // the largest of all
     };

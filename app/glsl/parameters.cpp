@@ -24,18 +24,12 @@ struct Candidate {
     std::vector<Binding> bindings;
 };
 
-void append(Diagnostics& all, const Diagnostics& some) {
-    for (const Diagnostic& diagnostic : some)
-        if (std::ranges::find(all, diagnostic) == all.end())
-            all.push_back(diagnostic);
-}
-
 void disagree(const Candidate& first, const Uniform& second, std::string_view here,
               std::string_view there, Diagnostics& errors) {
     const Location& at = second.declared.front();
-    append(errors, {{at.file, at.line,
+    add_new(errors, {at.file, at.line,
                      fmt::format("'{}' is {} here but {} in another pass{}", first.name, here,
-                                 there, aside(first.uniform.declared.front()))}});
+                                 there, aside(first.uniform.declared.front()))});
 }
 
 void merge(Candidate& first, const FreeUniform& second, Diagnostics& errors) {
@@ -51,7 +45,7 @@ void merge(Candidate& first, const FreeUniform& second, Diagnostics& errors) {
         first.uniform.initial = uniform.initial;
     Diagnostics found;
     merge_hints(first.hints, second.hints, first.name, found);
-    append(errors, found);
+    add_new(errors, found);
 }
 
 Parameter parameter_from(const Candidate& candidate, Diagnostics& errors) {
@@ -67,7 +61,7 @@ Parameter parameter_from(const Candidate& candidate, Diagnostics& errors) {
     parameter.declared = uniform.declared.front();
     Diagnostics found;
     annotate(parameter, candidate.hints, found);
-    append(errors, found);
+    add_new(errors, found);
     return parameter;
 }
 
@@ -120,14 +114,14 @@ void add_orbit(const Look& look, const OrbitPasses& passes, std::vector<Paramete
                Diagnostics& errors) {
     std::vector<Parameter> orbit = orbit_parameters(passes.view, passes.camera);
     if (orbit.empty())
-        append(errors, {{look.manifest, 0,
+        add_new(errors, {look.manifest, 0,
                          "the look has an \"orbit\", but no shader declares 'uniform mat4 u_view' "
-                         "or 'uniform mat4 u_camera'"}});
+                         "or 'uniform mat4 u_camera'"});
     for (Parameter& part : orbit) {
         const auto same = std::ranges::find(parameters, part.name, &Parameter::name);
         if (same != parameters.end())
-            append(errors, {{same->declared.file, same->declared.line,
-                             fmt::format("'{}' is a parameter of the orbit", part.name)}});
+            add_new(errors, {same->declared.file, same->declared.line,
+                             fmt::format("'{}' is a parameter of the orbit", part.name)});
         part.declared = {look.manifest, 0};
         parameters.push_back(std::move(part));
     }
@@ -141,8 +135,8 @@ Result<std::vector<Parameter>> find_parameters(const Look& look, CheckCache* cac
     OrbitPasses orbit_passes;
     for (std::size_t i = 0; i < look.passes.size(); ++i) {
         PassUniforms pass = find_pass_uniforms(look.passes[i], static_cast<int>(i), cache);
-        append(errors, pass.errors);
-        append(warnings, pass.warnings);
+        add_new(errors, pass.errors);
+        add_new(warnings, pass.warnings);
         orbit_passes.add(pass, static_cast<int>(i));
         for (FreeUniform& free : pass.free) {
             const auto same = std::ranges::find(candidates, free.parameter, &Candidate::name);

@@ -11,11 +11,6 @@
 #include <algorithm>
 
 namespace {
-void add_unknown(Diagnostics& all, const Diagnostics& some) {
-    for (const Diagnostic& diagnostic : some)
-        if (std::ranges::find(all, diagnostic) == all.end())
-            all.push_back(diagnostic);
-}
 // Of "MAX_STEPS", which nobody would call out, "max_steps".
 std::string spoken_name(const std::string& name) {
     const std::string lower = to_lower(name);
@@ -25,7 +20,7 @@ std::string spoken_name(const std::string& name) {
 }  // namespace
 
 void TurnedConstants::error(const Location& at, std::string message) {
-    add_unknown(m_errors, {{at.file, at.line, std::move(message)}});
+    add_new(m_errors, {at.file, at.line, std::move(message)});
 }
 
 Value TurnedConstants::value_for(const Parameter& guessed, const Hints& hints) const {
@@ -61,7 +56,7 @@ TurnedConstants::Constant* TurnedConstants::note(const WrittenConstant& written,
         parameter.declared = at;
         Value value = value_for(parameter, hints);
         m_constants.push_back({std::move(parameter), hints, std::move(value)});
-        add_unknown(m_errors, found);
+        add_new(m_errors, found);
         return &m_constants.back();
     }
     const Parameter& first = known->parameter;
@@ -74,7 +69,7 @@ TurnedConstants::Constant* TurnedConstants::note(const WrittenConstant& written,
         return nullptr;
     }
     merge_hints(known->hints, hints, written.name, found);
-    add_unknown(m_errors, found);
+    add_new(m_errors, found);
     return &*known;
 }
 
@@ -119,7 +114,7 @@ Diagnostics TurnedConstants::add_to(Look& look) const {
         Parameter parameter = constant.parameter;
         Diagnostics found;
         annotate(parameter, constant.hints, found);
-        add_unknown(errors, found);
+        add_new(errors, found);
         if (const Parameter* same = find_parameter(look, parameter.name))
             errors.push_back({parameter.declared.file, parameter.declared.line,
                               fmt::format("'{}' is the name of another parameter{}", parameter.name,

@@ -1,5 +1,7 @@
 #include "base/text.h"
 
+#include "in_a_moment.h"
+
 #include <doctest/doctest.h>
 
 TEST_CASE("a number is read the same in every locale, and only when it is all of the text") {
@@ -39,4 +41,13 @@ TEST_CASE("a diagnostic reads like a compiler's") {
     CHECK(to_string(Diagnostic{"mask.frag", 0, "is empty", Severity::warning}) ==
           "mask.frag: warning: is empty");
     CHECK(to_string(Diagnostic{{}, 0, "no GL"}) == "error: no GL");
+}
+
+TEST_CASE("each place of a text is replaced, however many there are") {
+    CHECK(with_each("a+b++", "+", "%2B") == "a%2Bb%2B%2B");
+    CHECK(with_each("aaa", "aa", "a") == "aa");
+    std::string changed;
+    CHECK(is_done_in_a_moment(
+        [&] { changed = with_each(times(1'000'000, "iCh0.sampler;"), "iCh0.sampler", "x"); }));
+    CHECK((changed == times(1'000'000, "x;")));
 }

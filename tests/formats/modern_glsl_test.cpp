@@ -41,7 +41,12 @@ TEST_CASE("other words are changed as asked, where they are whole words of code"
 }
 
 TEST_CASE("an extension is asked for where its functions are used") {
-    CHECK(modern_glsl_start("float a;") == "#version 410 core\n");
-    CHECK(modern_glsl_start("uint a = packHalf2x16(b);") ==
+    const auto start_of = [](std::string_view text) {
+        GlslWords words;
+        add_words(text, words);
+        return modern_glsl_start(words);
+    };
+    CHECK(start_of("float a; // packHalf2x16") == "#version 410 core\n");
+    CHECK(start_of("uint a = packHalf2x16(b);") ==
           "#version 410 core\n#extension GL_ARB_shading_language_packing : enable\n");
 }

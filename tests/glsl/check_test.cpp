@@ -1,6 +1,7 @@
 #include "glsl/check.h"
 
 #include "glsl/check_cache.h"
+#include "in_a_moment.h"
 #include "shader_texts.h"
 
 #include <doctest/doctest.h>
@@ -26,13 +27,6 @@ Uniform uniform_of(const std::string& declaration) {
         FAIL(to_string(reflection.error()));
     REQUIRE(reflection->uniforms.size() == 1);
     return reflection->uniforms.front();
-}
-
-std::string times(int count, const std::string& piece) {
-    std::string all;
-    for (int i = 0; i < count; ++i)
-        all += piece;
-    return all;
 }
 }  // namespace
 

@@ -19,6 +19,7 @@
 namespace fs = std::filesystem;
 
 namespace {
+constexpr std::size_t most_varyings = 256;
 constexpr int frames_shown = 120;  // two seconds: many begin with black
 constexpr const char* source_pattern = "pattern:harbour";
 
@@ -39,12 +40,14 @@ bool defines_main(std::string_view text) {
 // ES 1.00 and old desktop versions have outputs of their own.
 Stage modern_stage(const Stage& written) {
     WordChanges changes{{"varying", "in"}};
-    std::string start = modern_glsl_start(written.text);
-    if (has_word(written.text, "gl_FragColor")) {
+    GlslWords words;
+    add_words(written.text, words);
+    std::string start = modern_glsl_start(words);
+    if (words.contains("gl_FragColor")) {
         changes["gl_FragColor"] = "afterglow_color";
         start += "out vec4 afterglow_color;\n";
     }
-    if (has_word(written.text, "gl_FragData")) {
+    if (words.contains("gl_FragData")) {
         changes["gl_FragData"] = "afterglow_data";
         start += "out vec4 afterglow_data[1];\n";
     }
@@ -91,11 +94,18 @@ Result<Look> read_bare_look(const fs::path& file, const fs::path& shared, const 
     pass.format = Format::rgba8;
     pass.output = Encoding::display;
     pass.fragment = modern_stage(*written);
+    GlslWords words;
+    add_words(pass.fragment.text, words);
     for (const BuiltInUniform& told : bare_built_ins())
-        if (has_word(pass.fragment.text, told.name))
+        if (words.contains(told.name))
             pass.built_ins.push_back(told);
-    pass.vertex =
-        vertex_stage_for(find_varyings(pass.fragment.text), pass.fragment, loaded.warnings);
+    const std::vector<BareVarying> varyings = find_varyings(pass.fragment.text);
+    if (varyings.size() > most_varyings) {
+        const Location at = place_in(pass.fragment, varyings[most_varyings].line);
+        return fail({at.file, at.line,
+                     fmt::format("more than {} values come from a vertex shader", most_varyings)});
+    }
+    pass.vertex = vertex_stage_for(varyings, pass.fragment, loaded.warnings);
     feed_bare(pass, look);
     look.passes.push_back(std::move(pass));
     loaded.is_parsed = true;

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 namespace {
 constexpr std::array qualifiers{"lowp",   "mediump",       "highp",    "flat",
@@ -40,6 +41,7 @@ private:
 
     // `in highp vec2 uv`, or after a comma the next name of the same type.
     void read(bool goes_on) {
+        std::vector<Token> kept;  // for the next name
         BareVarying varying;
         bool is_varying = false;
         std::vector<Token> rest;
@@ -50,21 +52,23 @@ private:
                                       std::ranges::find(qualifiers, word.text) != qualifiers.end();
             if (word.kind == Token::Kind::word && !is_qualifier)
                 rest.push_back(word);
+            if (is_qualifier || rest.size() == 1)
+                kept.push_back(word);
         }
         if (is_varying && rest.size() >= 2) {
             varying.type = rest[0].text;
             varying.name = rest[1].text;
             varying.line = rest[1].line;
-            if (std::ranges::find(found, varying.name, &BareVarying::name) == found.end())
+            if (m_names.insert(rest[1].text).second)
                 found.push_back(varying);
         }
+        m_words.clear();
         if (goes_on && is_varying && rest.size() >= 2)
-            m_words.pop_back();
-        else
-            m_words.clear();
+            m_words = std::move(kept);
     }
 
     std::vector<Token> m_words;
+    std::set<std::string_view> m_names;  // of `found`
     int m_depth = 0;
 };
 
@@ -115,13 +119,13 @@ Stage vertex_stage_for(const std::vector<BareVarying>& varyings, const Stage& st
         if (given.is_known)
             continue;
         const Location at = place_in(stage, varying.line);
-        warnings.push_back(
-            {at.file, at.line,
-             fmt::format("'{}' comes from a vertex shader, which is not here: it "
-                         "is {}",
-                         varying.name,
-                         given.value == "place" ? "the place in the picture" : given.value),
-             Severity::warning});
+        add_new(warnings,
+                {at.file, at.line,
+                 fmt::format("'{}' comes from a vertex shader, which is not here: it "
+                             "is {}",
+                             varying.name,
+                             given.value == "place" ? "the place in the picture" : given.value),
+                 Severity::warning});
     }
     return builtin_stage(text + body + "}\n");
 }

@@ -7,10 +7,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <set>
+#include <span>
 
 namespace {
 using JsonKind = JsonValue::Kind;
+
+constexpr std::size_t most_passes = 64;
+constexpr std::size_t most_inputs = 1024;
+constexpr std::size_t most_imports = 64;
+constexpr std::size_t most_values = 1024;
 
 /// The first block comment of a text, without its ends.
 struct HeaderComment {
@@ -97,9 +105,9 @@ public:
     Result<IsfHeader> read(const JsonValue& json) {
         m_header.about = text_of(find_member(json, "DESCRIPTION"));
         m_header.credit = text_of(find_member(json, "CREDIT"));
-        for (const JsonValue& input : list(json, "INPUTS"))
+        for (const JsonValue& input : few(list(json, "INPUTS"), most_inputs, "inputs"))
             read_input(input);
-        for (const JsonValue& pass : list(json, "PASSES"))
+        for (const JsonValue& pass : few(list(json, "PASSES"), most_passes, "passes"))
             read_pass(pass);
         if (m_header.passes.empty())
             m_header.passes.push_back({{}, {}, {}, false, false, {m_file, 1}});
@@ -112,7 +120,16 @@ public:
 
 private:
     void problem(const JsonValue& at, std::string message) {
-        m_problems.push_back({m_file, at.line, std::move(message)});
+        add_new(m_problems, {m_file, at.line, std::move(message)});
+    }
+
+    // All of them where there are no more than may be; else none, which is told.
+    std::span<const JsonValue> few(const std::vector<JsonValue>& all, std::size_t most,
+                                   std::string_view what) {
+        if (all.size() <= most)
+            return all;
+        problem(all[most], fmt::format("more than {} {}", most, what));
+        return {};
     }
 
     const std::vector<JsonValue>& list(const JsonValue& json, std::string_view key) {
@@ -166,15 +183,32 @@ private:
             return;
         input.type = known->second;
         input.label = text_of(find_member(json, "LABEL"));
-        input.initial = numbers_of(find_member(json, "DEFAULT"));
-        input.low = numbers_of(find_member(json, "MIN"));
-        input.high = numbers_of(find_member(json, "MAX"));
-        input.identity = numbers_of(find_member(json, "IDENTITY"));
-        input.values = numbers_of(find_member(json, "VALUES"));
+        read_numbers(json, input);
         if (const JsonValue* labels = find_member(json, "LABELS"))
-            for (const JsonValue& label : labels->children)
+            for (const JsonValue& label : few(labels->children, most_values, "labels of an input"))
                 input.labels.push_back(text_of(&label));
         m_header.inputs.push_back(std::move(input));
+    }
+
+    void read_numbers(const JsonValue& json, IsfInput& input) {
+        const double most = input.type == IsfInput::Type::integer
+                                ? double{std::numeric_limits<int>::max()}
+                                : double{std::numeric_limits<float>::max()};
+        const auto read = [&](std::string_view key, std::vector<double>& numbers) {
+            const JsonValue* value = find_member(json, key);
+            numbers = numbers_of(value);
+            if (numbers.size() > most_values)
+                problem(*value, fmt::format("more than {} numbers in \"{}\"", most_values, key));
+            for (const double number : numbers)
+                if (std::abs(number) > most)
+                    problem(*value, fmt::format("{} is larger than a number of the shader can be",
+                                                format_number(number)));
+        };
+        read("DEFAULT", input.initial);
+        read("MIN", input.low);
+        read("MAX", input.high);
+        read("IDENTITY", input.identity);
+        read("VALUES", input.values);
     }
 
     void read_pass(const JsonValue& json) {
@@ -198,7 +232,7 @@ private:
         const JsonValue* imports = find_member(json, "IMPORTED");
         if (!imports)
             return;
-        for (const JsonValue& import : imports->children)
+        for (const JsonValue& import : few(imports->children, most_imports, "imported pictures"))
             read_import(
                 imports->is(JsonKind::object) ? import.key : text_of(find_member(import, "NAME")),
                 import);

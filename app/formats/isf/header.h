@@ -64,6 +64,7 @@ struct IsfHeader {
 bool has_isf_header(std::string_view text);
 
 /// Reads the header of a shader's text. Errors, several at once, have the file and the line: no
-/// JSON, inputs without a name or of a type that there is not, two of one name, sizes that are no
-/// expressions. Keys that mean nothing are passed over.
+/// JSON, inputs without a name or of a type that there is not, two of one name, more than 64 passes
+/// or imports or 1024 inputs, numbers that no shader can have. Keys that mean nothing are passed
+/// over.
 Result<IsfHeader> read_isf_header(std::string_view text, const std::filesystem::path& file);

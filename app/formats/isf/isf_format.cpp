@@ -7,6 +7,14 @@
 namespace fs = std::filesystem;
 
 namespace {
+Result<std::string> read_code(const fs::path& file) {
+    constexpr std::size_t most_bytes = std::size_t{4} << 20;
+    auto text = read_text(file);
+    if (text && text->size() > most_bytes)
+        return fail({file, 0, "is too large: a shader has at most 4 MiB"});
+    return text;
+}
+
 // The vertex shader beside it; the names that it may have are looked at either way, so that one
 // that is put there later is seen.
 Result<void> read_vertex_code(IsfSource& source, std::vector<fs::path>& files) {
@@ -17,7 +25,7 @@ Result<void> read_vertex_code(IsfSource& source, std::vector<fs::path>& files) {
         std::error_code error;
         if (!source.vertex_file.empty() || !fs::is_regular_file(beside, error))
             continue;
-        auto text = read_text(beside);
+        auto text = read_code(beside);
         if (!text)
             return fail(text.error());
         source.vertex_file = beside;
@@ -28,7 +36,7 @@ Result<void> read_vertex_code(IsfSource& source, std::vector<fs::path>& files) {
 
 Result<Look> read_isf_look(const fs::path& file, const ReadingHelp& help, LoadedLook& loaded) {
     IsfSource source{file, {}, {}, {}};
-    auto text = read_text(file);
+    auto text = read_code(file);
     if (!text)
         return fail(text.error());
     source.text = std::move(*text);

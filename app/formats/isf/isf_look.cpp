@@ -24,7 +24,8 @@ constexpr const char* usual_sound = "waveform:mode=xy,ch1=saw,f1=12,ch2=sine,f2=
 constexpr int wave_samples = 512;
 constexpr int spectrum_bins = 256;
 constexpr int most_sound_columns = 8192;
-constexpr int frames_until_seen = 60;  // of what moves: much begins with nothing
+constexpr Extent usual_extent{1280, 720};  // tells what is wrong with an expression
+constexpr int frames_until_seen = 60;      // of what moves: much begins with nothing
 
 bool is_sound(const IsfInput& input) {
     return input.type == InputType::audio || input.type == InputType::audio_fft;
@@ -47,12 +48,6 @@ Side side_of(const std::string& expression) {
     if (expression.empty())
         return {};
     return {Side::By::expression, 1.0, fmt::format("max(1, floor({}))", expression)};
-}
-
-void add_new(Diagnostics& all, const Diagnostics& some) {
-    for (const Diagnostic& diagnostic : some)
-        if (std::ranges::find(all, diagnostic) == all.end())
-            all.push_back(diagnostic);
 }
 
 std::vector<BuiltInUniform> isf_built_ins() {
@@ -88,7 +83,9 @@ public:
         for (const IsfInput& input : m_header.inputs)
             if (!is_sound(input) && input.name != m_source_input)
                 add_parameter(input);
-        for (std::size_t i = 0; i < m_header.passes.size(); ++i)
+        // The passes have one text: what is wrong in the first is wrong in all.
+        const std::size_t before = m_problems.size();
+        for (std::size_t i = 0; i < m_header.passes.size() && m_problems.size() == before; ++i)
             make_pass(i);
         if (m_problems.empty())
             finish();
@@ -217,9 +214,9 @@ private:
             const Location& at = uniform.declared.front();
             if (!at.file.empty())
                 add_new(m_warnings,
-                        {{at.file, at.line,
-                          fmt::format("'{}' is no input of the header: it stays 0", uniform.name),
-                          Severity::warning}});
+                        {at.file, at.line,
+                         fmt::format("'{}' is no input of the header: it stays 0", uniform.name),
+                         Severity::warning});
         }
     }
 
@@ -237,8 +234,7 @@ private:
                 parameter.is_hidden = parameter.is_hidden && !is_used_by(m_look, i, parameter);
         }
         add_new(m_problems, m_constants.add_to(m_look));
-        constexpr Extent any{1280, 720};  // tells what is wrong with an expression
-        if (const auto plan = plan_targets(m_look, any, any, {}); !plan)
+        if (const auto plan = plan_targets(m_look, usual_extent, usual_extent, {}); !plan)
             add_new(m_problems, plan.error());
     }
 

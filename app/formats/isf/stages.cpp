@@ -3,10 +3,12 @@
 #include "base/text.h"
 #include "formats/isf/body.h"
 #include "glsl/include.h"
+#include "glsl/tokens.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 namespace {
 constexpr const char* built_ins =
@@ -60,7 +62,10 @@ const char* uniform_type(IsfInput::Type type) {
 /// What the program declares for a shader.
 class Declarations {
 public:
-    Declarations(const IsfHeader& header, std::string_view code) : m_code(code) {
+    Declarations(const IsfHeader& header, std::string_view code) {
+        for (const Token& token : scan(code).all)
+            if (token.kind == Token::Kind::word && token.text.starts_with('_'))
+                m_asked.insert(token.text);
         names = {"RENDERSIZE", "TIME",      "TIMEDELTA",         "FRAMEINDEX",
                  "DATE",       "PASSINDEX", "isf_FragNormCoord", "vv_FragNormCoord"};
         for (const IsfInput& input : header.inputs)
@@ -91,7 +96,7 @@ private:
     void add_facts(const std::string& name) {
         const auto add = [&](const char* fact, const std::string& value) {
             const std::string asked = fmt::format("_{}_{}", name, fact);
-            if (m_code.find(asked) != std::string_view::npos)
+            if (m_asked.contains(asked))
                 text += fmt::format("#define {} {}\n", asked, value);
         };
         add("imgRect", "vec4(0.0, 0.0, 1.0, 1.0)");
@@ -99,7 +104,7 @@ private:
         add("flip", "false");
     }
 
-    std::string_view m_code;
+    std::set<std::string_view> m_asked;  // words of the code that may be such facts
 };
 
 Stage stage_of(const std::filesystem::path& file, const std::string& prefix,

@@ -11,6 +11,8 @@ namespace fs = std::filesystem;
 namespace {
 using Kind = ToyPass::Kind;
 
+constexpr std::size_t most_code_bytes = std::size_t{4} << 20;
+
 constexpr auto kind_words =
     std::to_array<std::pair<std::string_view, ToyKind>>({{"buffer", ToyKind::buffer},
                                                          {"texture", ToyKind::texture},
@@ -142,7 +144,7 @@ private:
     }
 
     void warn(const JsonValue& at, std::string message) {
-        m_warnings.push_back({m_file, at.line, std::move(message), Severity::warning});
+        add_new(m_warnings, {m_file, at.line, std::move(message), Severity::warning});
     }
 
     void add_pass(const JsonValue& value, Toy& toy) {
@@ -163,7 +165,13 @@ private:
                                            is_double ? pass.name : "Buffer A to D"));
         const JsonValue* code = find_member(value, "code");
         if (!code || !code->is(JsonValue::Kind::text)) {
-            m_errors.push_back({m_file, value.line, fmt::format("'{}' has no code", pass.name)});
+            add_new(m_errors, {m_file, value.line, fmt::format("'{}' has no code", pass.name)});
+            return;
+        }
+        if (code->text.size() > most_code_bytes) {
+            add_new(m_errors,
+                    {m_file, value.line,
+                     fmt::format("'{}' is too large: a shader has at most 4 MiB", pass.name)});
             return;
         }
         pass.code = code_in(pass.name, code->text);

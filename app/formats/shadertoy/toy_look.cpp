@@ -34,7 +34,7 @@ private:
     std::optional<std::size_t> find_drawn(int place) const;
     void order_passes();
     void make_pass(const ToyPass& toy_pass);
-    void feed(const ToyPass& toy_pass, int channel, Pass& pass, ToyChannel& fed);
+    ToyChannel feed(const ToyPass& toy_pass, const GlslWords& words, int channel, Pass& pass);
     std::optional<Input> input_of(const ToyPass& toy_pass, const ToyInput& wired);
     std::optional<Input> buffer_of(const ToyPass& toy_pass, const ToyInput& wired);
     Input texture_of(const ToyInput& wired);
@@ -193,11 +193,12 @@ std::optional<Input> ToyLook::input_of(const ToyPass& toy_pass, const ToyInput& 
     return std::nullopt;
 }
 
-void ToyLook::feed(const ToyPass& toy_pass, int channel, Pass& pass, ToyChannel& fed) {
+ToyChannel ToyLook::feed(const ToyPass& toy_pass, const GlslWords& words, int channel, Pass& pass) {
+    ToyChannel fed;
     auto wired = std::ranges::find(toy_pass.inputs, channel, &ToyInput::channel);
     ToyInput guessed;
     if (wired == toy_pass.inputs.end() && toy_pass.is_wired)
-        return;
+        return fed;
     if (wired == toy_pass.inputs.end()) {
         const bool is_buffer = find_drawn(channel).has_value();
         guessed = {channel,
@@ -213,16 +214,16 @@ void ToyLook::feed(const ToyPass& toy_pass, int channel, Pass& pass, ToyChannel&
     const ToyInput& input = wired == toy_pass.inputs.end() ? guessed : *wired;
     fed.shape = shape_of(input);
     const std::string uniform = fmt::format("iChannel{}", channel);
-    if (!speaks_of(toy_pass, m_common, uniform) &&
-        !speaks_of(toy_pass, m_common, "iChannelResolution") &&
-        !speaks_of(toy_pass, m_common, fmt::format("iCh{}", channel)))
-        return;
+    if (!words.contains(uniform) && !words.contains("iChannelResolution") &&
+        !words.contains(fmt::format("iCh{}", channel)))
+        return fed;
     auto made = input_of(toy_pass, input);
     fed.is_fed = made.has_value();
     if (!made)
-        return;
+        return fed;
     made->uniform = uniform;
     pass.inputs.push_back(std::move(*made));
+    return fed;
 }
 
 // Side by side in one target; who reads it as a cube gets one.
@@ -242,15 +243,16 @@ void ToyLook::make_pass(const ToyPass& toy_pass) {
     pass.declared = {toy_pass.code.file, 1};
     pass.output = Encoding::display;
     pass.format = toy_pass.kind == Kind::image ? Format::rgba8 : Format::rgba32f;
+    const GlslWords words = toy_words(toy_pass, m_common);
     ToyChannels channels;
     for (int channel = 0; channel < toy_channels; ++channel)
-        feed(toy_pass, channel, pass, channels[static_cast<std::size_t>(channel)]);
+        channels[static_cast<std::size_t>(channel)] = feed(toy_pass, words, channel, pass);
     pass.vertex = fullscreen_vertex_stage();
     pass.fragment = toy_fragment_stage(toy_pass, m_common, channels);
     pass.built_ins = toy_built_ins(pass.inputs, pass.fragment);
     if (toy_pass.kind == Kind::cube)
         make_faces(pass);
-    if (speaks_of(toy_pass, m_common, "iSampleRate"))
+    if (words.contains("iSampleRate"))
         pass.set["iSampleRate"] = Value(sample_rate);
     m_look.passes.push_back(std::move(pass));
 }

@@ -1,8 +1,6 @@
 #include "formats/shadertoy/toy_stage.h"
 
-#include "formats/modern_glsl.h"
 #include "glsl/declarations.h"
-#include "glsl/tokens.h"
 
 #include <fmt/format.h>
 
@@ -24,28 +22,20 @@ std::string_view sampler_type(PictureShape shape) {
     return "sampler2D";
 }
 
-void add_words(std::string_view text, std::set<std::string, std::less<>>& words) {
-    for (const Token& token : scan(text).all)
-        if (token.kind == Token::Kind::word)
-            words.emplace(token.text);
-}
-
 /// Puts the pieces of a stage together.
 class ToyStage {
 public:
-    ToyStage(const ToyPass& pass, const ToyPass* common) : m_pass(pass) {
+    ToyStage(const ToyPass& pass, const ToyPass* common)
+        : m_pass(pass), m_words(toy_words(pass, common)) {
         m_stage.file = pass.code.file;
-        for (const ToyPass* part : {common, &pass}) {
-            if (!part)
-                continue;
-            add_words(part->code.text, m_words);
-            for (const Declaration& declaration : find_declarations(part->code.text))
-                m_declared.insert(declaration.name);
-        }
+        for (const ToyPass* part : {common, &pass})
+            if (part)
+                for (const Declaration& declaration : find_declarations(part->code.text))
+                    m_declared.insert(declaration.name);
     }
 
     Stage stage(const ToyPass* common, const ToyChannels& channels) {
-        add_own(modern_glsl_start((common ? common->code.text : std::string()) + m_pass.code.text));
+        add_own(modern_glsl_start(m_words));
         add_own("#define HW_PERFORMANCE 1\n");
         add_uniforms(channels);
         add_arrays(channels);
@@ -131,20 +121,14 @@ private:
     void add_code(const Stage& code) {
         std::string text = modern_glsl(code.text);
         for (int channel = 0; channel < toy_channels; ++channel)
-            replace_all(text, fmt::format("iCh{}.sampler", channel),
-                        fmt::format("iChannel{}", channel));
+            text = with_each(text, fmt::format("iCh{}.sampler", channel),
+                             fmt::format("iChannel{}", channel));
         const std::size_t lines = split_lines(text).size();
-        if (!text.ends_with('\n'))
+        if (!text.empty() && !text.ends_with('\n'))
             text += '\n';
         m_stage.text += text;
         for (std::size_t line = 0; line < lines; ++line)
             m_stage.lines.push_back(origin_of(code.lines, static_cast<int>(line) + 1));
-    }
-
-    static void replace_all(std::string& text, std::string_view from, std::string_view to) {
-        for (auto at = text.find(from); at != std::string::npos;
-             at = text.find(from, at + to.size()))
-            text.replace(at, from.size(), to);
     }
 
     // The site begins with a colour that nobody overlooks, and shows its picture opaque.
@@ -179,7 +163,7 @@ private:
     }
 
     const ToyPass& m_pass;
-    std::set<std::string, std::less<>> m_words;
+    GlslWords m_words;
     std::set<std::string, std::less<>> m_declared;
     Stage m_stage;
 };
@@ -212,6 +196,10 @@ std::vector<BuiltInUniform> toy_built_ins(const std::vector<Input>& inputs, cons
     return all;
 }
 
-bool speaks_of(const ToyPass& pass, const ToyPass* common, std::string_view word) {
-    return has_word(pass.code.text, word) || (common && has_word(common->code.text, word));
+GlslWords toy_words(const ToyPass& pass, const ToyPass* common) {
+    GlslWords words;
+    add_words(pass.code.text, words);
+    if (common)
+        add_words(common->code.text, words);
+    return words;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "formats/modern_glsl.h"
 #include "formats/shadertoy/toy.h"
 
 #include <array>
@@ -16,9 +17,9 @@ using ToyChannels = std::array<ToyChannel, toy_channels>;
 /// none that it declares itself. Lines stay the author's. `common` may be null.
 Stage toy_fragment_stage(const ToyPass& pass, const ToyPass* common, const ToyChannels& channels);
 
+/// The words in the code of a pass and in what is common to all.
+GlslWords toy_words(const ToyPass& pass, const ToyPass* common);
+
 /// What the program says in the uniforms that such a stage declares. `inputs` are those of the
 /// pass.
 std::vector<BuiltInUniform> toy_built_ins(const std::vector<Input>& inputs, const Stage& fragment);
-
-/// Whether the code of a pass, or what is common to all, has a word.
-bool speaks_of(const ToyPass& pass, const ToyPass* common, std::string_view word);

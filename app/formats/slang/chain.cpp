@@ -1,6 +1,7 @@
 #include "formats/slang/chain.h"
 
 #include "formats/slang/wildcards.h"
+#include "formats/slang/words.h"
 
 #include <fmt/format.h>
 
@@ -53,13 +54,18 @@ private:
     Result<std::vector<SlangSettings>> follow(const SlangSetting& reference,
                                               bool are_passes_wanted) {
         const Location& at = reference.declared;
-        const fs::path file = find_slang_file(reference.value, at.file, m_opened, m_files);
         const auto refuse = [&](std::string message) {
             return fail({at.file, at.line, std::move(message)});
         };
-        if (const auto text = m_files.read(file); !text)
+        if (std::string fault = fault_of_slang_path(reference.value); !fault.empty())
+            return refuse(std::move(fault));
+        const fs::path file = find_slang_file(reference.value, at.file, m_opened, m_files);
+        const auto text = m_files.read(file);
+        if (!text)
             return refuse(fmt::format("'{}' cannot be read: {} ({})", reference.value,
                                       text.error().front().message, file.string()));
+        if (std::string fault = m_files.count_settings(**text); !fault.empty())
+            return refuse(std::move(fault));
         if (const auto open = std::ranges::find(m_open, real_path(file)); open != m_open.end()) {
             std::string chain;
             for (auto link = open; link != m_open.end(); ++link)
@@ -101,6 +107,8 @@ private:
 
 Result<SlangChain> read_slang_chain(const fs::path& file, SlangFiles& files,
                                     Diagnostics& warnings) {
+    if (const auto text = files.read(file))
+        files.count_settings(**text);  // alone it is never too large
     auto all = ChainReader(file, files, warnings).read(file, true);
     if (!all)
         return fail(all.error());

@@ -147,9 +147,7 @@ private:
 void ChainLook::problem(const Pass& pass, Severity severity, const std::string& message) {
     Diagnostic found{pass.declared.file, pass.declared.line,
                      fmt::format("pass '{}' {}", pass.name, message), severity};
-    Diagnostics& all = severity == Severity::error ? m_problems : m_warnings;
-    if (std::ranges::find(all, found) == all.end())  // both stages may say it
-        all.push_back(std::move(found));
+    add_new(severity == Severity::error ? m_problems : m_warnings, std::move(found));
 }
 
 void ChainLook::check_aliases() {

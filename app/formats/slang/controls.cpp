@@ -174,11 +174,11 @@ private:
 
     void set_range(const SlangParameter& parameter, Parameter& made) {
         if (parameter.minimum > parameter.maximum)
-            m_controls.warnings.push_back(
-                {parameter.declared.file, parameter.declared.line,
-                 fmt::format("parameter '{}' has its minimum {} above its maximum {}; swapped",
-                             parameter.id, parameter.minimum, parameter.maximum),
-                 Severity::warning});
+            add_new(m_controls.warnings,
+                    {parameter.declared.file, parameter.declared.line,
+                     fmt::format("parameter '{}' has its minimum {} above its maximum {}; swapped",
+                                 parameter.id, parameter.minimum, parameter.maximum),
+                     Severity::warning});
         const auto [low, high] = std::minmax(parameter.minimum, parameter.maximum);
         const double initial = made.initial.number();
         made.range = {std::min(low, initial), std::max(high, initial), std::abs(parameter.step)};

@@ -1,5 +1,7 @@
 #include "formats/slang/expand.h"
 
+#include "formats/slang/words.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +13,7 @@ constexpr std::size_t most_open_texts = 64;
 constexpr int most_includes_in_all = 16384;
 constexpr std::size_t most_expanded_bytes = std::size_t{8} << 20;
 constexpr std::size_t most_expansion_errors = 32;
+constexpr const char* too_large_expanded = "the shader with its includes is larger than 8 MiB";
 
 class Expander {
 public:
@@ -61,7 +64,7 @@ private:
             return;
         m_bytes += end - begin;
         if (m_bytes > most_expanded_bytes)
-            return end_with(text, line, "the shader with its includes is larger than 8 MiB");
+            return end_with(text, line, too_large_expanded);
         m_pieces.push_back(
             {&text, line, count, std::string_view(text.text).substr(begin, end - begin), nullptr});
     }
@@ -72,13 +75,17 @@ private:
             return error(text, directive.line, "an include is written #include \"file\"");
         if (directive.kind == Kind::include || directive.kind == Kind::include_optional)
             return include(text, directive);
-        m_bytes += 1;
+        m_bytes += directive.end - directive.begin;
+        if (m_bytes > most_expanded_bytes)
+            return end_with(text, directive.line, too_large_expanded);
         m_pieces.push_back({&text, directive.line, 1, {}, &directive});
     }
 
     void include(const SlangText& text, const SlangDirective& directive) {
         if (m_is_over)
             return;
+        if (std::string fault = fault_of_slang_path(directive.argument); !fault.empty())
+            return error(text, directive.line, std::move(fault));
         const fs::path wanted = path_beside(text.file, directive.argument);
         const auto found = m_files.read(wanted);
         if (!found) {

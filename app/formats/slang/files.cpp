@@ -10,6 +10,7 @@ namespace fs = std::filesystem;
 
 namespace {
 constexpr std::size_t most_text_bytes = std::size_t{4} << 20;
+constexpr std::size_t most_settings_bytes = std::size_t{8} << 20;
 
 // "\r\n", a lone "\r" and "\n" all end a line.
 std::string with_newlines(std::string text) {
@@ -66,6 +67,13 @@ Result<const SlangText*> SlangFiles::read_anew(const fs::path& file) {
     for (const SlangDirective& directive : made->directives)
         made->parameters.push_back(parameter_of(directive, file));
     return m_by_real_name.emplace(real.native(), std::move(made)).first->second.get();
+}
+
+std::string SlangFiles::count_settings(const SlangText& text) {
+    m_settings_bytes += text.text.size();
+    return m_settings_bytes <= most_settings_bytes
+               ? std::string()
+               : "the preset with all that it refers to is larger than 8 MiB";
 }
 
 void SlangFiles::note(const fs::path& file) {

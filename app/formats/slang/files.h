@@ -29,6 +29,10 @@ public:
     /// A text of at most 4 MiB; valid as long as this object. The errors are about the whole file.
     Result<const SlangText*> read(const std::filesystem::path& file);
 
+    /// Counts a text whose settings are about to be read, as often as it is. What is wrong where
+    /// they are more than 8 MiB in all, else "".
+    std::string count_settings(const SlangText& text);
+
     /// Notes a file that matters though it was not read here: one that is missing, a picture.
     void note(const std::filesystem::path& file);
 
@@ -43,6 +47,7 @@ private:
     std::map<std::filesystem::path::string_type, std::unique_ptr<const SlangText>> m_by_real_name;
     std::vector<std::filesystem::path> m_seen;
     std::set<std::filesystem::path::string_type> m_noted;
+    std::size_t m_settings_bytes = 0;
 };
 
 /// The path that stands in `file` as `written`, with '/' or '\' between its parts: relative to the

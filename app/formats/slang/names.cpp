@@ -51,7 +51,7 @@ constexpr std::array numbered_names{
     NumberedName{"PassFeedback", Of::feedback}, NumberedName{"User", Of::image}};
 
 std::optional<SlangPicture> find_numbered(std::string_view name, std::string_view behind) {
-    constexpr int most = 999;
+    constexpr int most = 128;  // frames that RetroArch keeps; passes and textures are fewer
     for (const NumberedName& numbered : numbered_names) {
         const std::string prefix = std::string(numbered.name) + std::string(behind);
         if (!name.starts_with(prefix))

@@ -77,13 +77,13 @@ SlangParameters unique_slang_parameters(const SlangParameters& declared, Diagnos
         const SlangParameter& first = *unique[place->second];
         if (are_same_numbers(first, *parameter))
             continue;
-        warnings.push_back(
-            {parameter->declared.file, parameter->declared.line,
-             fmt::format("parameter '{}' has other numbers here ({}) than at {}:{} "
-                         "({}), which count",
-                         parameter->id, numbers_of(*parameter), first.declared.file.string(),
-                         first.declared.line, numbers_of(first)),
-             Severity::warning});
+        add_new(warnings,
+                {parameter->declared.file, parameter->declared.line,
+                 fmt::format("parameter '{}' has other numbers here ({}) than at {}:{} "
+                             "({}), which count",
+                             parameter->id, numbers_of(*parameter), first.declared.file.string(),
+                             first.declared.line, numbers_of(first)),
+                 Severity::warning});
     }
     return unique;
 }

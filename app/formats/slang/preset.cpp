@@ -87,10 +87,14 @@ private:
     }
 
     void warn(const Location& at, std::string message) {
-        m_preset.warnings.push_back({at.file, at.line, std::move(message), Severity::warning});
+        add_new(m_preset.warnings, {at.file, at.line, std::move(message), Severity::warning});
     }
 
     fs::path file_of(const SlangSetting& setting) {
+        if (std::string fault = fault_of_slang_path(setting.value); !fault.empty()) {
+            error(setting, std::move(fault));
+            return {};
+        }
         return find_slang_file(setting.value, setting.declared.file, m_opened, m_files);
     }
 
@@ -192,9 +196,13 @@ private:
 
     void read_textures() {
         const SlangSetting* list = m_owner->find("textures");
-        for (const std::string& name : names_in(list)) {
-            if (!m_texture_names.insert(name).second)
-                continue;
+        std::vector<std::string> names = names_in(list);
+        std::erase_if(
+            names, [&](const std::string& name) { return !m_texture_names.insert(name).second; });
+        if (names.size() > most_slang_textures)
+            return error(*list, fmt::format("{} textures: a preset has at most {}", names.size(),
+                                            most_slang_textures));
+        for (const std::string& name : names) {
             SlangTexture& texture = m_preset.textures.emplace_back();
             texture.name = name;
             texture.declared = list->declared;
@@ -203,9 +211,6 @@ private:
             const SlangSetting* wrap = m_owner->find(name + "_wrap_mode");
             texture.wrap = wrap_of(wrap ? wrap : m_owner->find(name + "_repeat_mode"));
         }
-        if (m_preset.textures.size() > most_slang_textures)
-            error(*list, fmt::format("{} textures: a preset has at most {}",
-                                     m_preset.textures.size(), most_slang_textures));
         take_texture_paths(*m_owner);
     }
 

@@ -6,12 +6,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace fs = std::filesystem;
 
 namespace {
 constexpr std::size_t most_open_settings = 16;
 constexpr int most_settings_includes = 256;
+constexpr std::size_t most_settings_references = 256;
 constexpr std::string_view blanks = " \t\r\n\f\v";
 
 struct Line {
@@ -94,7 +96,7 @@ private:
 
     void add_line(std::string_view line, const Location& at, bool is_in_block) {
         if (const auto path = argument_of(line, "#reference"))
-            m_read.references.push_back({{}, readable_text(*path), at});
+            add_reference(*path, at);
         else if (const auto included = argument_of(line, "#include"))
             include(*included, at);
         else if (line.starts_with('#'))
@@ -103,6 +105,14 @@ private:
             add_setting(*pair, at);
         else if (!is_in_block)
             warn(at, "this line is not 'key = value' and says nothing");
+    }
+
+    void add_reference(std::string_view path, const Location& at) {
+        if (m_read.references.size() < most_settings_references)
+            m_read.references.push_back({{}, readable_text(path), at});
+        else if (!std::exchange(m_has_too_many_references, true))
+            refuse(at,
+                   fmt::format("more than {} references in one preset", most_settings_references));
     }
 
     void add_setting(const Line& line, const Location& at) {
@@ -119,28 +129,31 @@ private:
     }
 
     void include(std::string_view path, const Location& at) {
+        if (std::string fault = fault_of_slang_path(path); !fault.empty())
+            return refuse(at, std::move(fault));
         const fs::path wanted = path_beside(at.file, path);
         const auto text = m_files.read(wanted);
         if (!text)
-            m_errors.push_back({at.file, at.line,
-                                fmt::format("'{}' cannot be included: {}", readable_text(path),
-                                            text.error().front().message)});
+            refuse(at, fmt::format("'{}' cannot be included: {}", readable_text(path),
+                                   text.error().front().message));
         else if (std::ranges::find(m_open, *text) != m_open.end())
-            m_errors.push_back({at.file, at.line, "includes go round in a circle"});
+            refuse(at, "includes go round in a circle");
         else if (m_open.size() >= most_open_settings)
-            m_errors.push_back(
-                {at.file, at.line,
-                 fmt::format("includes are nested more than {} deep", most_open_settings)});
+            refuse(at, fmt::format("includes are nested more than {} deep", most_open_settings));
         else if (++m_included > most_settings_includes)
-            m_errors.push_back(
-                {at.file, at.line,
-                 fmt::format("more than {} includes in one preset", most_settings_includes)});
+            refuse(at, fmt::format("more than {} includes in one preset", most_settings_includes));
+        else if (std::string fault = m_files.count_settings(**text); !fault.empty())
+            refuse(at, std::move(fault));
         else if (m_errors.empty())
             add(**text);
     }
 
+    void refuse(const Location& at, std::string message) {
+        add_new(m_errors, {at.file, at.line, std::move(message)});
+    }
+
     void warn(const Location& at, std::string message) {
-        m_warnings.push_back({at.file, at.line, std::move(message), Severity::warning});
+        add_new(m_warnings, {at.file, at.line, std::move(message), Severity::warning});
     }
 
     SlangFiles& m_files;
@@ -149,6 +162,7 @@ private:
     std::vector<const SlangText*> m_open;
     Diagnostics m_errors;
     int m_included = 0;
+    bool m_has_too_many_references = false;
 };
 }  // namespace
 
@@ -170,18 +184,18 @@ std::optional<bool> read_slang_boolean(const SlangSetting& setting, Diagnostics&
         return true;
     if (word == "false" || word == "0")
         return false;
-    warnings.push_back({setting.declared.file, setting.declared.line,
-                        fmt::format("'{}' is true or false, not '{}'", setting.key, setting.value),
-                        Severity::warning});
+    add_new(warnings, {setting.declared.file, setting.declared.line,
+                       fmt::format("'{}' is true or false, not '{}'", setting.key, setting.value),
+                       Severity::warning});
     return std::nullopt;
 }
 
 double read_slang_number(const SlangSetting& setting, Diagnostics& warnings) {
     const auto number = leading_number(setting.value);
     if (!number)
-        warnings.push_back(
-            {setting.declared.file, setting.declared.line,
-             fmt::format("'{}' is a number, not '{}'; read as 0", setting.key, setting.value),
-             Severity::warning});
+        add_new(warnings,
+                {setting.declared.file, setting.declared.line,
+                 fmt::format("'{}' is a number, not '{}'; read as 0", setting.key, setting.value),
+                 Severity::warning});
     return number.value_or(0.0);
 }

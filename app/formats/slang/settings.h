@@ -30,7 +30,8 @@ struct SlangSettings {
 /// `#include "file"` stands for that file's lines. A value that is in force already and differs
 /// is a warning, and so is a line that is none of these (but not within "/* */"). Errors: a file
 /// that cannot be read, includes in a circle, more than 16 deep or
-/// more than 256.
+/// more than 256, more than 256 references, paths of more than 4096 bytes, more than `files`
+/// counts.
 Result<SlangSettings> read_slang_settings(const std::filesystem::path& file, SlangFiles& files,
                                           Diagnostics& warnings);
 

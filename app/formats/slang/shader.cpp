@@ -10,6 +10,8 @@
 namespace fs = std::filesystem;
 
 namespace {
+constexpr std::size_t most_parameters = 16384;
+
 // Shaders declare the uniforms of newer hosts only where the host says that it has them.
 constexpr std::array<std::string_view, 4> host_definitions{
     "#define _HAS_ORIGINALASPECT_UNIFORMS\n",
@@ -41,6 +43,11 @@ public:
         if (!m_errors.empty())
             return fail(std::move(m_errors));
         m_shader.parameters = unique_slang_parameters(m_declared, m_shader.warnings);
+        if (m_shader.parameters.size() > most_parameters) {
+            const Location& at = m_shader.parameters[most_parameters]->declared;
+            return fail({at.file, at.line,
+                         fmt::format("more than {} parameters in one shader", most_parameters)});
+        }
         return std::move(m_shader);
     }
 
@@ -103,7 +110,8 @@ private:
         else if (word == "fragment")
             m_only = &m_shader.fragment;
         else
-            m_errors.push_back(
+            add_new(
+                m_errors,
                 {piece.text->file, piece.first_line,
                  fmt::format("unknown stage '{}': #pragma stage vertex or #pragma stage fragment",
                              readable_text(word))});
@@ -116,11 +124,11 @@ private:
             value = word;
             declared = place_of(piece);
         } else if (value != word) {
-            m_shader.warnings.push_back(
-                {piece.text->file, piece.first_line,
-                 fmt::format("a second #pragma {} '{}': '{}' of line {} counts", pragma, word,
-                             value, declared.line),
-                 Severity::warning});
+            add_new(m_shader.warnings,
+                    {piece.text->file, piece.first_line,
+                     fmt::format("a second #pragma {} '{}': '{}' of line {} counts", pragma, word,
+                                 value, declared.line),
+                     Severity::warning});
         }
     }
 
@@ -130,8 +138,8 @@ private:
         if (const auto& parameter = piece.text->parameters[index])
             m_declared.push_back(parameter);
         else
-            m_errors.push_back(
-                parse_slang_parameter(piece.directive->argument, place_of(piece)).error().front());
+            add_new(m_errors,
+                    parse_slang_parameter(piece.directive->argument, place_of(piece)).error());
     }
 
     SlangShader m_shader;

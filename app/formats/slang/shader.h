@@ -23,5 +23,5 @@ struct SlangShader {
 /// and a stage may be opened again. Behind `#version` stand the definitions by which shaders ask
 /// whether the program gives the aspect, frame time, rotation and sensor uniforms. Errors (several
 /// at once, each at its line): what expand_slang says, a first line that is no `#version`, an
-/// unknown stage, a parameter's line that cannot be read.
+/// unknown stage, a parameter's line that cannot be read, more than 16,384 parameters.
 Result<SlangShader> read_slang_shader(const std::filesystem::path& file, SlangFiles& files);

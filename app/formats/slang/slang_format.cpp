@@ -14,12 +14,6 @@ namespace fs = std::filesystem;
 namespace {
 constexpr const char* pixel_art = "pattern:harbour";
 
-void add_unknown(Diagnostics& all, const Diagnostics& some) {
-    for (const Diagnostic& diagnostic : some)
-        if (std::ranges::find(all, diagnostic) == all.end())
-            all.push_back(diagnostic);
-}
-
 bool is_alone(const fs::path& file) {
     return to_lower(file.extension().string()) == ".slang";
 }
@@ -54,7 +48,7 @@ private:
     std::optional<Read> read_anew(const fs::path& file) {
         auto shader = read_slang_shader(file, m_files);
         if (!shader) {
-            add_unknown(problems, shader.error());
+            add_new(problems, shader.error());
             is_parsed = false;
             return std::nullopt;
         }
@@ -63,7 +57,7 @@ private:
         auto translation = m_cache ? m_cache->translate(shader->vertex, shader->fragment)
                                    : translate_from_vulkan(shader->vertex, shader->fragment);
         if (!translation) {
-            add_unknown(problems, translation.error());
+            add_new(problems, translation.error());
             return std::nullopt;
         }
         return Read{std::move(*shader), std::move(*translation), std::move(constants)};
@@ -157,9 +151,9 @@ Result<Look> read_look_of(const fs::path& file, SlangFiles& files, const Reading
     const auto chain = read_chain(file, files, help, constants, loaded.is_parsed);
     if (!chain)
         return fail(chain.error());
-    add_unknown(loaded.warnings, chain->preset.warnings);
+    add_new(loaded.warnings, chain->preset.warnings);
     for (const SlangShader& shader : chain->shaders)
-        add_unknown(loaded.warnings, shader.warnings);
+        add_new(loaded.warnings, shader.warnings);
     const Filter filter = chosen_filter(help);
     auto look = look_of_chain(*chain, {filter}, loaded.warnings);
     if (!look)

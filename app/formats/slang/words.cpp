@@ -2,9 +2,12 @@
 
 #include "base/text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 namespace {
 // The bytes of the UTF-8 letter that `bytes` begins with; 0 when it begins with none. Unicode's
@@ -39,9 +42,16 @@ std::optional<double> leading_number(std::string_view text) {
         text.remove_prefix(1);
     double number = 0.0;
     const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (read.ec != std::errc{} || !std::isfinite(number))
+    const bool is_float = std::abs(number) <= std::numeric_limits<float>::max();
+    if (read.ec != std::errc{} || !is_float)
         return std::nullopt;
     return number;
+}
+
+std::string fault_of_slang_path(std::string_view written) {
+    constexpr std::size_t longest_path = 4096;  // of Linux
+    return written.size() > longest_path ? fmt::format("a path has at most {} bytes", longest_path)
+                                         : std::string();
 }
 
 std::string readable_text(std::string_view bytes) {

@@ -99,6 +99,18 @@ TEST_CASE("varyings are found in every way to write them") {
     CHECK(found[3].line == 5);
 }
 
+TEST_CASE("more varyings than a driver takes are refused at the line of the first too many") {
+    const TemporaryFolder folder;
+    std::string text = "#version 100\n";
+    for (int i = 0; i < 257; ++i)
+        text += "varying float v" + std::to_string(i) + ";\n";
+    const auto file = folder.write("a.frag", text + "void main() {}\n");
+    const LoadedLook loaded = load_bare_look(file, {}, nullptr);
+    REQUIRE_FALSE(loaded.look.has_value());
+    CHECK(to_string(loaded.look.error()) ==
+          file.string() + ":258: error: more than 256 values come from a vertex shader\n");
+}
+
 TEST_CASE("glslang's errors are at the author's line") {
     const TemporaryFolder folder;
     const LoadedLook loaded = load_bare_look(

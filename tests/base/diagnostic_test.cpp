@@ -1,0 +1,16 @@
+#include "base/diagnostic.h"
+
+#include <doctest/doctest.h>
+
+TEST_CASE("what is told twice is told once, and of very much the beginning") {
+    Diagnostics all{{"a.frag", 1, "first"}};
+    add_new(all, {{"a.frag", 1, "first"}, {"b.frag", 1, "first"}});
+    CHECK(all.size() == 2);
+    for (int line = 2; line < 5000; ++line)
+        add_new(all, {"a.frag", line, "again", Severity::warning});
+    REQUIRE(all.size() == 2 + 256 + 1);
+    CHECK(to_string(all.back()) ==
+          "a.frag: warning: there are more warnings: the first 256 are told");
+    add_new(all, {"a.frag", 5000, "an error behind many warnings"});
+    CHECK(all.back().severity == Severity::error);
+}
