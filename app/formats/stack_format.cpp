@@ -61,7 +61,7 @@ public:
                 whole.files.push_back(file);
         m_read.push_back({m_stack[part].place, values, {}});
         if (!loaded.look)
-            return append(errors, loaded.look.error());
+            return add_new(errors, loaded.look.error());
         looks.push_back(*loaded.look);
         m_read.back().look = std::move(*loaded.look);
     }

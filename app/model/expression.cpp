@@ -8,6 +8,10 @@
 #include <optional>
 
 namespace {
+double finite(double number) {
+    return std::isfinite(number) ? number : 0.0;
+}
+
 // A recursive-descent reader; on a mistake m_problem is set and what follows is of no account.
 class Reader {
 public:
@@ -100,11 +104,9 @@ private:
             return name == "max" ? std::max(a, b) : name == "min" ? std::min(a, b) : std::pow(a, b);
         }
         expect(')');
-        static const std::map<std::string, double (*)(double)> functions{{"abs", std::fabs},
-                                                                         {"ceil", std::ceil},
-                                                                         {"floor", std::floor},
-                                                                         {"round", std::round},
-                                                                         {"sqrt", std::sqrt}};
+        static const std::map<std::string, double (*)(double)> functions{
+            {"abs", std::fabs},    {"ceil", std::ceil},   {"finite", finite},
+            {"floor", std::floor}, {"round", std::round}, {"sqrt", std::sqrt}};
         const auto function = functions.find(name);
         return function == functions.end() ? stop("unknown function '" + name + "'")
                                            : function->second(a);

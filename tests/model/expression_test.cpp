@@ -31,6 +31,7 @@ TEST_CASE("names stand behind a dollar sign and functions before a bracket") {
     CHECK(value("floor($WIDTH / $pixels_2)") == 213.0);
     CHECK(value("ceil(0.1) + round(2.5) + abs(-4) + sqrt(9)") == 11.0);
     CHECK(value("max(1, 2) * min(3, 4) + pow(2, 5)") == 38.0);
+    CHECK(value("finite(3) + finite(1 / 0) + finite(-1 / 0) + finite(sqrt(-1))") == 3.0);
 }
 
 TEST_CASE("what cannot be read is said in words") {

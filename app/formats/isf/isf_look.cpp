@@ -4,6 +4,7 @@
 #include "formats/isf/controls.h"
 #include "glsl/check_cache.h"
 #include "glsl/turned_constants.h"
+#include "model/expression.h"
 #include "model/parameter_use.h"
 #include "model/plan.h"
 
@@ -43,11 +44,11 @@ SoundTexture sound_texture_of(const IsfInput& input) {
             static_cast<int>(std::clamp(columns, 1.0, 1.0 * most_sound_columns))};
 }
 
-// Sizes are cut to whole texels, and never none.
+// Sizes are cut to whole texels, and never none; what is no finite number is 1, as in ISF's hosts.
 Side side_of(const std::string& expression) {
     if (expression.empty())
         return {};
-    return {Side::By::expression, 1.0, fmt::format("max(1, floor({}))", expression)};
+    return {Side::By::expression, 1.0, fmt::format("max(1, floor(finite({})))", expression)};
 }
 
 std::vector<BuiltInUniform> isf_built_ins() {
@@ -236,6 +237,25 @@ private:
         add_new(m_problems, m_constants.add_to(m_look));
         if (const auto plan = plan_targets(m_look, usual_extent, usual_extent, {}); !plan)
             add_new(m_problems, plan.error());
+        else
+            warn_of_infinite_sizes();
+    }
+
+    void warn_of_infinite_sizes() {
+        std::map<std::string, double> names{{"WIDTH", usual_extent.width},
+                                            {"HEIGHT", usual_extent.height}};
+        for (const Parameter& parameter : m_look.parameters)
+            names[parameter.name] = parameter.initial.number();
+        for (std::size_t i = 0; i < m_header.passes.size(); ++i) {
+            const IsfPass& pass = m_header.passes[i];
+            for (const std::string& side : {pass.width, pass.height})
+                if (!side.empty() && !evaluate(side, names))
+                    add_new(m_warnings,
+                            {pass.declared.file, pass.declared.line,
+                             fmt::format("size of pass '{}': '{}' is not a finite number: it is 1",
+                                         m_names[i], side),
+                             Severity::warning});
+        }
     }
 
     const IsfSource& m_source;

@@ -152,6 +152,23 @@ TEST_CASE("a size that is no expression is told at its pass") {
               .find("unknown name '$NONE'") != std::string::npos);
 }
 
+TEST_CASE("a size that is no finite number is one texel, as in other hosts, and told") {
+    const IsfFolder folder;
+    const LoadedLook loaded = folder.load(
+        R"x("INPUTS": [{"NAME": "n", "TYPE": "float", "DEFAULT": 0}],
+"PASSES": [{"TARGET": "a", "WIDTH": "$WIDTH / $n", "HEIGHT": "sqrt(0 - 1)"}, {}])x",
+        "void main() { gl_FragColor = IMG_THIS_PIXEL(a); }\n");
+    REQUIRE(loaded.look.has_value());
+    const auto plan = plan_targets(*loaded.look, {640, 480}, {640, 480}, {});
+    REQUIRE(plan.has_value());
+    CHECK(plan->targets[0].extent == Extent{1, 1});
+    const auto halved = plan_targets(*loaded.look, {640, 480}, {640, 480}, {{"n", Value(2.0)}});
+    CHECK(halved->targets[0].extent == Extent{320, 1});
+    CHECK(folder.told(loaded.warnings) ==
+          "a.fs:2: warning: size of pass 'a': '$WIDTH / $n' is not a finite number: it is 1\n"
+          "a.fs:2: warning: size of pass 'a': 'sqrt(0 - 1)' is not a finite number: it is 1");
+}
+
 TEST_CASE("mistakes in a shader are told at the author's lines, once however many passes it has") {
     const IsfFolder folder;
     const std::string told =
