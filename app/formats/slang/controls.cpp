@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 #include "formats/slang/decoration.h"
+#include "formats/slang/label_prefix.h"
 #include "formats/slang/legend.h"
 
 #include <fmt/format.h>
@@ -112,6 +113,7 @@ public:
                 begin_file(*parameter);
             is_heading(*parameter) ? add_heading(*parameter) : add_control(*parameter);
         }
+        drop_common_prefixes(m_controls.parameters);
         return std::move(m_controls);
     }
 

@@ -21,6 +21,7 @@ struct SlangControls {
 /// - Whole numbers, at most 12, are a list; those that have no name in the text are numbers.
 /// - A minimum above the maximum is swapped, with a warning; a default outside widens the range.
 /// A value of `values` is the default, as the preset is what is opened. The label has neither
-/// legend nor decoration; the text in full is the help where it says more.
+/// legend nor decoration nor the words that all of its group begin with; the text in full is the
+/// help where it says more.
 SlangControls slang_controls(const SlangParameters& parameters,
                              const std::map<std::string, SlangValue>& values);
