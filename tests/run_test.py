@@ -9,7 +9,7 @@ import unittest
 from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parent.parent
-TOOLS = "bash env dirname readlink awk sed grep tr wc tail tee paste fold nproc cat mkdir chmod python3 id".split()
+TOOLS = "bash env dirname readlink awk sed grep tr wc tail tee paste fold nproc cat mkdir chmod python3 id basename".split()
 
 # The packages of the stand-in system are files in $BOX/installed; what was called is in $BOX/log.
 STAND_INS = {
@@ -196,6 +196,21 @@ class RunTest(unittest.TestCase):
         self.run_it("test", "--sanitize", "-R", "base")
         self.assertIn("cmake --preset sanitize", self.log())
         self.assertRegex(self.log(), r"ctest .*build/sanitize.* -L unit\|bad_input -R base")
+
+    def test_random_texts_have_a_build_and_packages_of_their_own(self):
+        self.run_it("test")
+        self.assertNotIn("libclang-rt-dev", self.log())
+        folder = self.box / "tree/build/fuzz/tests/fuzz"
+        folder.mkdir(parents=True)
+        for name, ending in {"look": 0, "isf": 77}.items():
+            reader = folder / f"{name}_fuzz"
+            reader.write_text(f'#!/bin/bash\necho "{name} $1" >> "$BOX/log"\nexit {ending}\n', encoding="utf-8")
+            reader.chmod(0o755)
+        done = self.run_it("fuzz", "5000")
+        self.assertIn("libclang-rt-dev", self.log())
+        self.assertIn("cmake --preset fuzz", self.log())
+        self.assertIn("isf -runs=5000\nlook -runs=50\n", self.log())
+        self.assertEqual(done.returncode, 1)
 
     def test_help_tells_the_two_checks_apart_and_installs_nothing(self):
         done = self.run_it("--help")

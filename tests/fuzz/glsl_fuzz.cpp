@@ -1,0 +1,28 @@
+// Fragment shaders alone: what is read of a text before a compiler sees it.
+
+#include "formats/bare/varyings.h"
+#include "formats/modern_glsl.h"
+#include "fuzz/fuzz_files.h"
+#include "glsl/bounds.h"
+#include "glsl/declarations.h"
+#include "glsl/hint.h"
+#include "glsl/include.h"
+#include "glsl/version_line.h"
+
+#include <algorithm>
+
+void fuzz_one(std::string_view input) {
+    const std::string modern = modern_glsl(input, {{"varying", "in"}, {"gl_FragColor", "color"}});
+    require(std::ranges::count(modern, '\n') == std::ranges::count(input, '\n'),
+            "every line stays where it was");
+    GlslWords words;
+    add_words(input, words);
+    const Stage stage = builtin_stage(modern_glsl_start(words) + modern);
+    Diagnostics problems;
+    const std::vector<BareVarying> varyings = find_varyings(stage.text);
+    require_places(vertex_stage_for(varyings, stage, problems));
+    for (const Declaration& declared : find_declarations(stage.text))
+        parse_hints(declared.comments, stage, problems);
+    check_version(stage);
+    find_out_of_bounds(stage.text);
+}

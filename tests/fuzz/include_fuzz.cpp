@@ -1,0 +1,16 @@
+// The includes of looks of our own, of Shadertoy's folders and of fragment shaders alone.
+
+#include "fuzz/fuzz_files.h"
+#include "glsl/include.h"
+
+void fuzz_one(std::string_view input) {
+    static FuzzFolder folder({"look/0.glsl", "look/1.glsl", "include/2.glsl", "shared/3.glsl"});
+    folder.fill(input);
+    const auto parent = [](const std::filesystem::path& file) { return file.parent_path(); };
+    std::vector<std::filesystem::path> files;
+    const auto stage =
+        load_stage(folder.file(0), {parent(folder.file(0)), parent(folder.file(3))}, files);
+    if (!stage)
+        return require_reasons(stage.error());
+    require_places(*stage);
+}
