@@ -21,11 +21,17 @@ namespace {
 constexpr int glsl_version = 410;
 constexpr EShMessages messages = EShMsgDefault;
 
+// What goes wrong in a line of the program's own is about the author's file as a whole.
+Location author_place(const Stage& stage, int line) {
+    const Location at = place_in(stage, line);
+    return at.file.empty() ? Location{stage.file, 0} : at;
+}
+
 Diagnostic diagnostic_from(const CompilerMessage& message, const Stage& stage,
                            const std::string& text) {
     // Link messages have no line; a name in them may still tell where.
     const int line = message.line > 0 ? message.line : first_line_of(message.subject, text);
-    const Location at = place_in(stage, line);
+    const Location at = author_place(stage, line);
     return {at.file, at.line, message.text,
             message.is_warning ? Severity::warning : Severity::error};
 }
@@ -121,7 +127,7 @@ void check_bounds(const Stage& stage, Diagnostics& problems) {
     const auto fault = find_out_of_bounds(stage.text);
     if (!fault)
         return;
-    const Location at = place_in(stage, fault->line);
+    const Location at = author_place(stage, fault->line);
     problems.push_back({at.file, at.line, fault->message});
 }
 

@@ -169,6 +169,12 @@ TEST_CASE("a uniform's place is that of the branch that counts, also out of a ma
     CHECK(uniform_of("#define P(n) uniform float n\n\nP(a);").declared.front().line == 4);
 }
 
+TEST_CASE("what goes wrong in a line of the program's own is told of the author's file") {
+    Stage stage = stage_of("a.frag", "#version 410 core\nnothing here;\nvoid main() {}\n");
+    stage.lines = {{{}, 1}, {{}, 1}, {"a.frag", 1}};
+    CHECK(first_error(stage).starts_with("a.frag: error: "));
+}
+
 TEST_CASE("shaders that would break the compiler are refused with a line") {
     const std::string open = "void main() {\nfloat x = ";
     for (const std::string& text : {

@@ -98,6 +98,15 @@ Given given_to(const BareVarying& varying) {
         return {"vec4(place, 0.0, 1.0)", is_place};
     return {varying.type + "(0)", false};
 }
+
+void warn_of_guess(const BareVarying& varying, const std::string& value, const Location& at,
+                   Diagnostics& warnings) {
+    add_new(warnings,
+            {at.file, at.line,
+             fmt::format("'{}' comes from a vertex shader, which is not here: it is {}",
+                         varying.name, value == "place" ? "the place in the picture" : value),
+             Severity::warning});
+}
 }  // namespace
 
 std::vector<BareVarying> find_varyings(std::string_view text) {
@@ -106,26 +115,27 @@ std::vector<BareVarying> find_varyings(std::string_view text) {
 
 Stage vertex_stage_for(const std::vector<BareVarying>& varyings, const Stage& stage,
                        Diagnostics& warnings) {
-    std::string text = "#version 410 core\n";
-    std::string body =
-        "void main() {\n"
-        "    vec2 place = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);\n"
-        "    gl_Position = vec4(place * 2.0 - 1.0, 0.0, 1.0);\n";
+    Stage made{stage.file, "#version 410 core\n", {{{}, 1}}};
+    Stage body{{},
+               "void main() {\n"
+               "    vec2 place = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);\n"
+               "    gl_Position = vec4(place * 2.0 - 1.0, 0.0, 1.0);\n",
+               {}};
     for (const BareVarying& varying : varyings) {
         const Given given = given_to(varying);
-        text += fmt::format("{}out {} {};\n", varying.is_flat ? "flat " : "", varying.type,
-                            varying.name);
-        body += fmt::format("    {} = {};\n", varying.name, given.value);
-        if (given.is_known)
-            continue;
         const Location at = place_in(stage, varying.line);
-        add_new(warnings,
-                {at.file, at.line,
-                 fmt::format("'{}' comes from a vertex shader, which is not here: it "
-                             "is {}",
-                             varying.name,
-                             given.value == "place" ? "the place in the picture" : given.value),
-                 Severity::warning});
+        made.text += fmt::format("{}out {} {};\n", varying.is_flat ? "flat " : "", varying.type,
+                                 varying.name);
+        made.lines.push_back(at);
+        body.text += fmt::format("    {} = {};\n", varying.name, given.value);
+        body.lines.push_back(at);
+        if (!given.is_known)
+            warn_of_guess(varying, given.value, at, warnings);
     }
-    return builtin_stage(text + body + "}\n");
+    made.text += body.text + "}\n";
+    made.lines.append({{}, 1}, 3);
+    for (std::size_t i = 0; i < varyings.size(); ++i)
+        made.lines.push_back(body.lines[i]);
+    made.lines.push_back({{}, 1});
+    return made;
 }

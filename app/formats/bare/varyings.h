@@ -18,7 +18,7 @@ struct BareVarying {
 std::vector<BareVarying> find_varyings(std::string_view text);
 
 /// A vertex stage that gives them over one triangle: two components are the place in the picture,
-/// (0,0) bottom left; a colour is white; a normal looks at us. `warnings` gets, at the lines of
-/// `stage`, those that had to be guessed.
+/// (0,0) bottom left; a colour is white; a normal looks at us. Its lines are written where `stage`
+/// declares them. `warnings` gets, at those lines, what had to be guessed.
 Stage vertex_stage_for(const std::vector<BareVarying>& varyings, const Stage& stage,
                        Diagnostics& warnings);

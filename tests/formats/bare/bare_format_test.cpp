@@ -120,6 +120,17 @@ TEST_CASE("glslang's errors are at the author's line") {
     CHECK(loaded.look.error().front().line == 3);
 }
 
+TEST_CASE("a varying of no type that there is, is told at the author's line by both stages") {
+    const TemporaryFolder folder;
+    const auto file = folder.write("a.frag", "#version 100\nvarying vect at;\nvoid main() { }\n");
+    const LoadedLook loaded = load_bare_look(file, {}, nullptr);
+    REQUIRE_FALSE(loaded.look.has_value());
+    for (const Diagnostic& error : loaded.look.error()) {
+        CHECK(error.file == file);
+        CHECK(error.line == 2);
+    }
+}
+
 TEST_CASE("a bare shader is told by its main()") {
     const TemporaryFolder folder;
     CHECK(is_bare_file(folder.write("a.glsl", "void main() {}")));
