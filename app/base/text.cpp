@@ -14,11 +14,11 @@ Location origin_of(const LineMap& lines, int line) {
 
 std::vector<std::string_view> split_lines(std::string_view text) {
     std::vector<std::string_view> lines = split(text, '\n');
+    if (lines.back().empty())
+        lines.pop_back();
     for (std::string_view& line : lines)
         if (!line.empty() && line.back() == '\r')
             line.remove_suffix(1);
-    if (!lines.empty() && lines.back().empty())
-        lines.pop_back();
     return lines;
 }
 

@@ -25,6 +25,9 @@ TEST_CASE("lines end with LF or CRLF, and the last end opens no line") {
     CHECK(lines[0] == "a");
     CHECK(lines[2].empty());
     CHECK(lines[3] == "c");
+    CHECK(split_lines("").empty());
+    CHECK(split_lines("\r\n").size() == 1);
+    CHECK(split_lines("a\n\r").size() == 2);
 }
 
 TEST_CASE("a name is suggested only when it is near") {
