@@ -185,9 +185,9 @@ private:
     static void drop_doubles(std::vector<JsonValue>& members) {
         std::set<std::string, std::less<>> behind;
         std::vector<JsonValue> last;
-        for (auto member = members.rbegin(); member != members.rend(); ++member)
-            if (behind.insert(member->key).second)
-                last.push_back(std::move(*member));
+        for (std::size_t i = members.size(); i-- > 0;)
+            if (behind.insert(members[i].key).second)
+                last.push_back(std::move(members[i]));
         std::ranges::reverse(last);
         members = std::move(last);
     }
