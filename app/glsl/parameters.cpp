@@ -81,9 +81,10 @@ void check_count(const Pass& pass, const Count& count, const char* does,
 void check_names(const Look& look, const std::vector<Parameter>& parameters, Diagnostics& errors) {
     for (const Parameter& parameter : parameters)
         if (const Parameter* same = find_parameter(look, parameter.name); same && same->is_constant)
-            append(errors, {{parameter.declared.file, parameter.declared.line,
-                             fmt::format("'{}' is a uniform here but a constant in another place{}",
-                                         parameter.name, aside(same->declared))}});
+            add_new(errors,
+                    {{parameter.declared.file, parameter.declared.line,
+                      fmt::format("'{}' is a uniform here but a constant in another place{}",
+                                  parameter.name, aside(same->declared))}});
 }
 
 void check_counts(const Look& look, const std::vector<Parameter>& parameters, Diagnostics& errors) {

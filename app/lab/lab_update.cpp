@@ -38,6 +38,7 @@ void Lab::update(double wall_seconds) {
     if (m_document->is_restacking())
         // The last picture goes on meanwhile.
         m_reloader.restack(m_document->state().stack, m_document->state().values);
+    follow_constants();
     if (is_amid_frame())
         go_on_drawing(wall_seconds);
     else
@@ -61,7 +62,6 @@ void Lab::begin_drawing(double wall_seconds) {
     wall_seconds += std::exchange(m_amid_seconds, 0.0);
     if (!m_document->is_restacking())
         apply_document();
-    follow_constants();
     follow_variant(wall_seconds);
     update_drive();
     draw_picture(wall_seconds);
@@ -119,7 +119,8 @@ void Lab::take_reload() {
     if (auto loaded = is_arriving ? std::nullopt : m_reloader.take_finished())
         m_arrival = std::make_unique<Arrival>(std::move(*loaded));
     constexpr double seconds_a_turn = 0.012;
-    if (m_arrival &&
+    const bool waits = is_arriving && is_amid_frame();  // or turning would drop frame after frame
+    if (m_arrival && !waits &&
         m_arrival->go_on({m_programs ? &*m_programs : nullptr, picture_extent()}, seconds_a_turn))
         apply(std::exchange(m_arrival, nullptr)->take());
 }

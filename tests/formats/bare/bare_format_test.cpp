@@ -105,7 +105,7 @@ TEST_CASE("more varyings than a driver takes are refused at the line of the firs
     for (int i = 0; i < 257; ++i)
         text += "varying float v" + std::to_string(i) + ";\n";
     const auto file = folder.write("a.frag", text + "void main() {}\n");
-    const LoadedLook loaded = load_bare_look(file, {}, nullptr);
+    const LoadedLook loaded = load_bare_look(file, {}, {});
     REQUIRE_FALSE(loaded.look.has_value());
     CHECK(to_string(loaded.look.error()) ==
           file.string() + ":258: error: more than 256 values come from a vertex shader\n");
@@ -123,7 +123,7 @@ TEST_CASE("glslang's errors are at the author's line") {
 TEST_CASE("a varying of no type that there is, is told at the author's line by both stages") {
     const TemporaryFolder folder;
     const auto file = folder.write("a.frag", "#version 100\nvarying vect at;\nvoid main() { }\n");
-    const LoadedLook loaded = load_bare_look(file, {}, nullptr);
+    const LoadedLook loaded = load_bare_look(file, {}, {});
     REQUIRE_FALSE(loaded.look.has_value());
     for (const Diagnostic& error : loaded.look.error()) {
         CHECK(error.file == file);
