@@ -81,7 +81,7 @@ Result<Cost> cost_once(const fs::path& preset, Extent viewport) {
     return cost_of(*pair);
 }
 
-// Opened anew several times: where a driver's code and textures come to lie in memory makes a
+// Opened anew several times: where code and textures come to lie in memory seems to make a
 // chain faster or slower for as long as it is open, whoever draws it.
 bool print_cost(const fs::path& preset, Extent viewport) {
     constexpr int openings = 5;
