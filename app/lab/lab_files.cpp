@@ -1,0 +1,51 @@
+// The part of Lab that follows the files of a person besides the look's own.
+#include "formats/preset_format.h"
+#include "lab/lab.h"
+#include "lab/media.h"
+
+#include <utility>
+
+namespace fs = std::filesystem;
+
+void Lab::watch_extra_files() {
+    std::vector<fs::path> files = m_chosen_images.files();
+    for (const fs::path& file : m_variant_images.files())
+        files.push_back(file);
+    if (const fs::path& file = m_comparing.reference().file(); !file.empty())
+        files.push_back(file);
+    if (!m_document->preset_file().empty())
+        files.push_back(m_document->preset_file());
+    if (const fs::path file = driving_file(*m_document); file.is_absolute())
+        files.push_back(file);
+    m_reloader.watch_also(std::move(files));
+}
+
+void Lab::extra_file_changed(const fs::path& file) {
+    if (!m_document)
+        return;
+    if (file == m_document->preset_file())
+        preset_file_changed(file);
+    const bool is_chosen = m_chosen_images.forget(file);
+    if (m_variant_images.forget(file) || is_chosen)
+        m_applied.reset();  // is read again, and a paused picture drawn again
+    if (file == m_comparing.reference().file())
+        reference_changed();
+    if (file == driving_file(*m_document))
+        m_drive.read_again(*m_document);
+}
+
+void Lab::preset_file_changed(const fs::path& file) {
+    const auto preset = load_preset(file);
+    if (!succeeded(preset))
+        return;
+    mended(file.string());
+    const fs::path folder = media_folder(file);
+    if (*preset == portable(m_document->preset(), folder))
+        return;
+    if (m_document->is_modified()) {
+        say("'" + m_document->preset_name() + "' has changed on disk; your own changes stay", true);
+        return;
+    }
+    m_document->take(with_found_media(*preset, folder, m_drive.recent()), "Preset changed on disk");
+    m_document->mark_saved();
+}
