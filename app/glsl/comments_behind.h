@@ -18,8 +18,8 @@ private:
 };
 
 /// Gives comments to the declarations that they stand behind: on its line, and in the // lines
-/// below that go on with hints. Several declarations on one line, up to 64, share what stands behind
-/// the last.
+/// below that go on with hints. Several declarations on one line, up to 64, share what stands
+/// behind the last.
 class CommentsBehind {
 public:
     /// The next declaration ends on `line`; `inside` are the comments within it.

@@ -17,7 +17,7 @@ Result<void> show_black(const SetImage& set_image) {
 Result<void> show_file(const fs::path& file, const SetImage& set_image) {
     const auto picture =
         made_name(file.string()) ? made_picture(file.string()) : load_picture(file);
-    const auto done = picture ? set_image(*picture) : fail(picture.error());
+    auto done = picture ? set_image(*picture) : fail(picture.error());
     if (done)
         return done;
     if (auto cleared = show_black(set_image); !cleared)

@@ -39,6 +39,8 @@ void Lab::update(double wall_seconds) {
         // The last picture goes on meanwhile.
         m_reloader.restack(m_document->state().stack, m_document->state().values);
     follow_constants();
+    // With the panels a turn stays below 1/20 s; first draws take their part of it.
+    m_renderer->set_slice(m_arrival ? 0.012 : 0.024);
     if (is_amid_frame())
         go_on_drawing(wall_seconds);
     else
@@ -240,9 +242,7 @@ void Lab::open_document(Look look, const OpenRequest& request) {
         m_document.emplace(std::move(look));
     m_renderer = std::make_unique<Renderer>(m_document->drawn_look(), *m_programs);
     constexpr double patience_seconds = 0.05;
-    constexpr double slice_seconds = 0.024;  // with the panels a turn stays below 1/20 s
     m_renderer->set_patience(patience_seconds);
-    m_renderer->set_slice(slice_seconds);
     m_variant.reset();
     m_tryouts->stop();
     m_morphing.reset();

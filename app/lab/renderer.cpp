@@ -267,7 +267,7 @@ void Renderer::begin_slices(const Frame& frame, const std::vector<bool>* passes,
     }
     if (!unfinished.is_again)
         m_hand.note_drawn();
-    m_unfinished = std::move(unfinished);
+    m_unfinished = unfinished;
     continue_frame();
 }
 

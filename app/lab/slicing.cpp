@@ -2,8 +2,6 @@
 
 // Slices cost a little: a frame near the limit is not to go to and fro.
 void Slicing::note(double seconds) {
-    constexpr double longest_whole = 0.035;
-    constexpr double shortest_sliced = 0.025;
-    const double limit = m_weight == Weight::heavy ? shortest_sliced : longest_whole;
-    m_weight = seconds > limit ? Weight::heavy : Weight::light;
+    const double slices = m_weight == Weight::heavy ? 1.0 : 1.5;
+    m_weight = seconds > slices * m_slice_seconds ? Weight::heavy : Weight::light;
 }

@@ -8,7 +8,8 @@ public:
     void set_slice(double seconds) { m_slice_seconds = seconds; }
     double slice_seconds() const { return m_slice_seconds; }
     bool is_due() const { return m_slice_seconds > 0.0 && m_weight != Weight::light; }
-    /// What drawing a frame took.
+    /// What drawing a frame took: one of more than one and a half slices is heavy, one of less than
+    /// a slice light, between them all stays as it was.
     void note(double seconds);
     /// Each frame is known to take long.
     bool is_heavy() const { return m_weight == Weight::heavy; }

@@ -9,17 +9,17 @@ TEST_CASE(
     slicing.set_slice(0.02);
     CHECK(slicing.is_due());
     CHECK_FALSE(slicing.is_heavy());
-    slicing.note(0.034);
+    slicing.note(0.029);
     CHECK_FALSE(slicing.is_due());
     slicing.forget();
     CHECK(slicing.is_due());
 }
 
-TEST_CASE("a look goes from whole to sliced above 35 ms a frame, and back below 25") {
+TEST_CASE("a look goes from whole to sliced above one and a half slices, and back below one") {
     Slicing slicing;
     slicing.set_slice(0.02);
     for (const auto& [seconds, is_heavy] :
-         {std::pair{0.034, false}, {0.036, true}, {0.030, true}, {0.026, true}, {0.024, false}}) {
+         {std::pair{0.029, false}, {0.031, true}, {0.025, true}, {0.021, true}, {0.019, false}}) {
         slicing.note(seconds);
         CHECK(slicing.is_heavy() == is_heavy);
         CHECK(slicing.is_due() == is_heavy);

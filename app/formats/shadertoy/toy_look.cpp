@@ -101,7 +101,7 @@ namespace {
 ToyAsset asset_of(const ToyInput& wired) {
     if (wired.kind == ToyKind::cubemap)
         return {"sky", "Sky", "solid:sky"};
-    const ToyAsset asset = toy_asset(wired.asset);
+    ToyAsset asset = toy_asset(wired.asset);
     if (wired.kind == ToyKind::volume && !asset.made.starts_with("solid:"))
         return {"noise_volume", "RGBA noise volume", "solid:noise-volume"};
     return asset;
