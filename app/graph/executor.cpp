@@ -118,6 +118,8 @@ Result<void> Executor::resize(Extent viewport, Extent source) {
         m_plan = std::move(*plan);
         m_source.set_slots(m_plan.source_slots);
         ++m_picture_number;
+        for (PassState& state : m_passes)
+            state.pace = {};
         restart_samples();
     }
     m_viewport = viewport;

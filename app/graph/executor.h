@@ -85,6 +85,9 @@ public:
     void begin_draw(const Frame& frame, const std::vector<bool>* passes, bool is_seen);
     void begin_redraw(const Frame& frame, const std::vector<bool>& passes, bool is_seen);
     bool is_amid_frame() const { return m_is_amid_frame; }
+    /// Whether a frame can be drawn while the one before is seen: not where a pass that reads its
+    /// own history goes on with it within a frame.
+    bool can_draw_unseen() const;
     /// Goes on for about `seconds`; true when the frame is whole.
     bool continue_frame(double seconds);
     void drop_frame();
@@ -149,7 +152,8 @@ private:
         int tint_location;  // of the attribute; -1: none
         std::unique_ptr<gpu::Timer> timer;
         RowPace pace = {};
-        int samples = 0;  // that an accumulating pass holds
+        int samples = 0;        // that an accumulating pass holds
+        int whole_samples = 0;  // as of the last whole frame
         bool reads_itself = false;
         bool covers_target = false;  // leaves no texel of what was there
     };
@@ -222,6 +226,7 @@ private:
     bool m_draws_whole = false;  // the present frame
     FrameWork m_work;
     bool m_is_amid_frame = false;
+    bool m_is_unseen = false;  // the unfinished frame; else it is drawn in its place
     std::optional<Tripwire> m_tripwire;
     bool m_has_points = false;
     bool m_has_segments = false;

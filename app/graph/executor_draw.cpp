@@ -28,6 +28,8 @@ void Executor::note_frame(const Frame& frame, const std::vector<bool>* only, boo
     for (std::size_t i = 0; only && i < std::min(only->size(), m_passes.size()); ++i)
         m_work.passes[i] = (*only)[i];
     m_work.is_again = is_again;
+    for (PassState& state : m_passes)
+        state.whole_samples = state.samples;
     m_draws_whole = only == nullptr;
     if (!is_again)
         m_beam.advance(frame);

@@ -10,6 +10,7 @@ void Executor::begin_draw(const Frame& frame, const std::vector<bool>* passes, b
     note_frame(frame, passes, false);
     move_on(is_seen);
     m_is_amid_frame = true;
+    m_is_unseen = is_seen;
 }
 
 void Executor::begin_redraw(const Frame& frame, const std::vector<bool>& passes, bool is_seen) {
@@ -18,6 +19,14 @@ void Executor::begin_redraw(const Frame& frame, const std::vector<bool>& passes,
         if (may_be_unfinished(i))
             m_targets[i].begin(Target::Unfinished::again);
     m_is_amid_frame = true;
+    m_is_unseen = is_seen;
+}
+
+bool Executor::can_draw_unseen() const {
+    for (std::size_t i = 0; i < m_passes.size(); ++i)
+        if (m_passes[i].reads_itself && repeats_of(m_look.passes[i]) > 1)
+            return false;
+    return true;
 }
 
 bool Executor::may_be_unfinished(std::size_t pass) const {
@@ -109,12 +118,15 @@ void Executor::drop_frame() {
     m_work = {.passes = std::move(m_work.passes)};
     if (!std::exchange(m_is_amid_frame, false))
         return;
+    for (PassState& state : m_passes)  // what they were added to is gone, or half drawn
+        state.samples = m_is_unseen ? state.whole_samples : 0;
     for (std::size_t i = 0; i < m_targets.size(); ++i)
         m_targets[i].drop();
 }
 
 void Executor::end_slices() {
     drop_frame();
+    m_cubes = {};  // of pictures that are no more
     for (std::size_t i = 0; i < m_targets.size(); ++i)
         m_targets[i].forget_room();
 }

@@ -10,6 +10,7 @@ Result<void> Executor::set_runs(std::vector<PassRun> runs) {
             return fail(made.error());
         m_pass_through.emplace(std::move(*made));
     }
+    drop_frame();
     std::vector<bool> changed(m_passes.size(), false);
     for (std::size_t i = 0; i < changed.size(); ++i)
         changed[i] = run_of(i) != (i < runs.size() ? runs[i] : PassRun::drawn);

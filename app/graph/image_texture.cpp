@@ -22,7 +22,12 @@ Result<std::shared_ptr<const gpu::Texture>> image_texture(const Look& look, cons
     const Image* image = declared == look.images.end() ? nullptr : &*declared;
     if (image && image->shape != picture.shape) {
         const auto solid = solid_of(picture, image->shape);
-        return solid ? image_texture(look, name, *solid) : fail(solid.error());
+        if (solid)
+            return image_texture(look, name, *solid);
+        Diagnostics problems = solid.error();
+        for (Diagnostic& problem : problems)
+            problem.file = image->file;
+        return fail(std::move(problems));
     }
     const bool is_mipmapped = reads_mipmaps(look, Input::From::image, name);
     const Format format = image ? image->format : Format::rgba32f;

@@ -1,6 +1,7 @@
 #include "graph/target.h"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 Result<Target> Target::make(const PlannedTarget& planned) {
@@ -58,11 +59,12 @@ void Target::make_room() {
 }
 
 void Target::finish() {
-    if (m_unfinished == Unfinished::next)
+    const Unfinished finished = std::exchange(m_unfinished, Unfinished::no);
+    assert(finished == Unfinished::no || m_spare);
+    if (finished == Unfinished::next)
         take_spare();
-    else if (m_unfinished == Unfinished::again)
+    else if (finished == Unfinished::again)
         std::swap(*m_spare, m_slots[m_current]);
-    m_unfinished = Unfinished::no;
 }
 
 void Target::forget_room() {

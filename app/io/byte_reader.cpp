@@ -88,8 +88,9 @@ Result<void> ByteReader::make_socket(const fs::path& path) {
         return fail({path, 0, "is too long for a socket; it may have 106 bytes"});
     if (auto cleared = clear_place(path, address_of(path.string())); !cleared)
         return cleared;
+    if (auto cleared = clear_place(made, address_of(made)); !cleared)
+        return cleared;
     const PassingFile passing(made);
-    ::unlink(made.c_str());  // of a program that was killed
     Descriptor listener(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
     const sockaddr_un address = address_of(made);
     if (::bind(listener.get(), general(address), sizeof address) != 0)

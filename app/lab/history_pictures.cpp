@@ -30,7 +30,8 @@ void HistoryPictures::update(const Lab& lab) {
     const Document* document = lab.document();
     if (!document || !lab.renderer() || lab.is_loading() || document->is_restacking() ||
         document->history().is_in_gesture() || lab.renderer()->replay().is_running() ||
-        lab.is_amid_frame() || lab.renderer()->executor().plan().targets.empty())
+        lab.is_amid_frame() || !lab.renderer()->has_whole_picture() ||
+        lab.renderer()->executor().plan().targets.empty())
         return;
     if (m_present != document->state()) {
         m_present = document->state();

@@ -363,6 +363,7 @@ private:
     void limit_frame(double wall_seconds);
     void begin_drawing(double wall_seconds);
     void go_on_drawing(double wall_seconds);
+    void hand_on_missed_events();
     void draw_picture(double wall_seconds);
     void start_replay();
     void set_guard();
@@ -429,6 +430,7 @@ private:
     std::optional<OpenRequest> m_opened;  // that the open look came from
     double m_loading_seconds = 0.0;
     double m_amid_seconds = 0.0;  // since the unfinished frame was begun
+    Values m_missed_events;       // of parameters, while it was drawn
     std::optional<Notice> m_notice;
     PictureSize m_picture_size;
     Extent m_view{1280, 720};

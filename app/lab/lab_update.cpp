@@ -56,14 +56,36 @@ bool Lab::is_amid_frame() const {
 
 // What else the person changed is for the frames to come.
 void Lab::go_on_drawing(double wall_seconds) {
-    m_amid_seconds += wall_seconds;
+    if (m_player.is_playing())
+        m_amid_seconds += wall_seconds;
+    for (const Parameter& parameter : m_document->look().parameters)
+        if (parameter.control == Control::event && m_applied &&
+            m_document->value(parameter).number() != 0.0 &&
+            value_of(parameter, m_applied->values).number() == 0.0)
+            m_missed_events[parameter.name] = Value(1.0);
     m_renderer->continue_frame();
+    if (!is_amid_frame())
+        try_out();
+}
+
+// A click that began and ended while a frame was drawn.
+void Lab::hand_on_missed_events() {
+    Values missed = std::exchange(m_missed_events, {});
+    if (missed.empty() || !m_applied)
+        return;
+    for (const auto& [name, value] : m_applied->values)
+        missed.emplace(name, value);
+    m_applied->values = std::move(missed);  // the next frame's are the document's again
+    m_renderer->set_values(m_applied->values);
 }
 
 void Lab::begin_drawing(double wall_seconds) {
     wall_seconds += std::exchange(m_amid_seconds, 0.0);
     if (!m_document->is_restacking())
         apply_document();
+    hand_on_missed_events();
+    if (m_renderer->owes_frame() && !m_player.is_playing())
+        want({{}, true});
     follow_variant(wall_seconds);
     update_drive();
     draw_picture(wall_seconds);

@@ -51,6 +51,8 @@ Result<void> Renderer::replace(const Look& look, const Programs& programs) {
 }
 
 Result<void> Renderer::replace(Whose whose, const Look& look, const Programs& programs) {
+    drop_frame();
+    m_slicing.forget();
     if (whose == Whose::picture)
         return m_executor.replace(look, programs);
     auto done = m_variant ? m_variant->replace(look, programs) : Result<void>();
@@ -62,8 +64,15 @@ Result<void> Renderer::replace(Whose whose, const Look& look, const Programs& pr
 Result<void> Renderer::resize(Extent picture, Extent source) {
     m_picture = picture;
     m_source = source;
-    if (auto done = m_executor.resize(picture, source); !done || !m_variant)
+    const Plan before = m_executor.plan();
+    if (auto done = m_executor.resize(picture, source); !done)
         return done;
+    if (m_executor.plan() != before) {
+        m_holds_picture = false;
+        m_slicing.forget();
+    }
+    if (!m_variant)
+        return {};
     auto done = m_variant->resize(picture, source);
     if (!done)
         end_variant();
@@ -123,6 +132,7 @@ void Renderer::restart_samples() {
 
 void Renderer::clear_history() {
     drop_frame();
+    m_holds_picture = m_holds_picture && m_is_variant_alone;
     if (!m_is_variant_alone)
         m_executor.clear_history();
     if (m_variant)
@@ -220,9 +230,15 @@ void Renderer::draw_frame(const PlayedFrame& played, const Beam& beam,
     m_variant->draw(frame, passes);
 }
 
+bool Renderer::has_whole_picture() const {
+    const bool is_one_ahead = m_variant && m_variant->is_amid_frame() != m_executor.is_amid_frame();
+    return m_holds_picture && !is_one_ahead && (!m_unfinished || m_unfinished->is_beside);
+}
+
 void Renderer::draw(const PlayedFrame& played, const Beam& beam) {
     const auto start = std::chrono::steady_clock::now();
     drop_frame();
+    m_owes_frame = false;
     if (m_slicing.is_due())
         return begin_slices(frame_of(played, beam), nullptr,
                             {.is_whole = true, .played = played, .points = beam.size()});
@@ -241,7 +257,7 @@ double Renderer::told_seconds() const {
 }
 
 void Renderer::note_whole(const PlayedFrame& played, std::size_t points, double seconds) {
-    m_has_drawn = true;
+    m_has_drawn = m_holds_picture = true;
     m_point_count = points;
     m_pass_milliseconds = m_executor.pass_milliseconds();
     m_pass_times.add(m_pass_milliseconds);
@@ -254,7 +270,7 @@ void Renderer::note_whole(const PlayedFrame& played, std::size_t points, double 
 void Renderer::begin_slices(const Frame& frame, const std::vector<bool>* passes,
                             Unfinished unfinished) {
     move_values(frame.time);
-    unfinished.is_beside = m_has_drawn && m_slicing.is_heavy();
+    unfinished.is_beside = m_holds_picture && m_slicing.is_heavy() && m_executor.can_draw_unseen();
     for (Executor* executor : {&m_executor, m_variant.get()}) {
         const bool is_left_out =
             executor == &m_executor && m_is_variant_alone && !unfinished.is_again;
@@ -283,7 +299,8 @@ bool Renderer::continue_frame(double seconds) {
         is_whole = executor->continue_frame(seconds - seconds_since(begun)) && is_whole;
     }
     if (was_dropped) {
-        m_unfinished.reset();
+        m_owes_frame = m_owes_frame || m_unfinished;
+        end_unfinished();
         return true;
     }
     m_unfinished->seconds += seconds_since(begun);
@@ -293,9 +310,10 @@ bool Renderer::continue_frame(double seconds) {
 }
 
 void Renderer::finish_frame() {
-    const Unfinished done = *std::exchange(m_unfinished, std::nullopt);
-    if (std::exchange(m_owes_mouse, false))
-        note_mouse();
+    const Unfinished done = *m_unfinished;
+    end_unfinished();
+    m_holds_picture = m_holds_picture || done.is_again;
+    m_has_drawn = m_has_drawn || done.is_again;
     if (!done.is_whole)
         return;
     note_whole(done.played, done.points, done.seconds);
@@ -307,8 +325,15 @@ void Renderer::finish_frame() {
         m_variant->end_slices();
 }
 
-void Renderer::drop_frame() {
+void Renderer::end_unfinished() {
     m_unfinished.reset();
+    if (std::exchange(m_owes_mouse, false))
+        note_mouse();
+}
+
+void Renderer::drop_frame() {
+    m_owes_frame = m_owes_frame || m_unfinished;
+    end_unfinished();
     m_executor.drop_frame();
     if (m_variant)
         m_variant->drop_frame();
@@ -349,6 +374,7 @@ void Renderer::redraw(const Player& player, const std::vector<bool>& passes) {
     if (m_variant)
         m_executor.claim_programs();
     m_executor.redraw(frame, passes);
+    m_has_drawn = m_holds_picture = true;
     if (!m_variant)
         return;
     m_variant->claim_programs();
@@ -362,6 +388,7 @@ void Renderer::start_replay(const Player& player, std::size_t frames) {
 
 void Renderer::begin_replay(const Player& player, std::size_t frames) {
     drop_frame();
+    m_owes_frame = false;
     const std::size_t there = player.past().size();
     m_replay = {0, std::min(frames, there)};
     m_replay_first = there - m_replay.total;
@@ -394,6 +421,8 @@ bool Renderer::continue_replay(const Player& player, double seconds, const Befor
         }
         if (is_amid_frame())
             return false;
+        if (std::exchange(m_owes_frame, false))
+            continue;  // it was dropped: once more
         ++m_replay.done;
         m_is_variant_alone = m_is_variant_alone && !is_last;
         if (is_last)

@@ -79,9 +79,9 @@ public:
     /// Values, source and images are to stay meanwhile.
     bool is_amid_frame() const { return m_unfinished.has_value(); }
     /// Whether executor() holds a whole picture: amid a frame, as a rule, the one before.
-    bool has_whole_picture() const {
-        return m_has_drawn && (!m_unfinished || m_unfinished->is_beside);
-    }
+    bool has_whole_picture() const;
+    /// A frame was dropped before it was whole, and none was drawn since.
+    bool owes_frame() const { return m_owes_frame; }
     /// Goes on for a slice; true when the frame is whole.
     bool continue_frame() { return continue_frame(m_slicing.slice_seconds()); }
 
@@ -146,6 +146,7 @@ private:
     bool continue_frame(double seconds);
     void finish_frame();
     void drop_frame();
+    void end_unfinished();
     void note_whole(const PlayedFrame& played, std::size_t points, double seconds);
     double told_seconds() const;
     void move_values(double seconds);
@@ -188,4 +189,6 @@ private:
     };
     std::optional<Unfinished> m_unfinished;
     bool m_owes_mouse = false;  // it moved while a frame was drawn
+    bool m_owes_frame = false;
+    bool m_holds_picture = false;  // not emptied since a frame was whole
 };

@@ -9,6 +9,8 @@
 void save_snapshot(Lab& lab, std::filesystem::path file) {
     if (!lab.document() || !lab.renderer())
         return;
+    if (!lab.renderer()->has_whole_picture())
+        return lab.say("The picture is still being drawn: save it when it is there", true);
     if (file.extension().empty())
         file += ".png";
     const Executor& executor = lab.renderer()->executor();
@@ -44,6 +46,8 @@ void save_target(Lab& lab, const PassView& view, std::filesystem::path file) {
         lab.renderer() ? inspected_texture(lab.renderer()->executor(), view) : std::nullopt;
     if (!inspected)
         return;
+    if (!lab.renderer()->has_whole_picture())
+        return lab.say("The pass is still being drawn: save it when it is there", true);
     auto closer = CloserLook::make();
     if (!closer)
         return lab.say(closer.error().front());

@@ -24,7 +24,9 @@ constexpr std::array<Place, cube_faces> high_cross{
     {{2, 1}, {0, 1}, {1, 0}, {1, 2}, {1, 1}, {1, 3, true}}};
 
 Picture empty_solid(const Picture& flat, int side, int layers, PictureShape shape) {
-    return {{side, side * layers}, flat.channels, flat.encoding, {}, shape};
+    Picture solid{{side, side * layers}, flat.channels, flat.encoding, {}, shape};
+    solid.pixels.reserve(solid.index(0, side * layers));
+    return solid;
 }
 
 void append_texel(const Picture& flat, int x, int y, Picture& solid) {

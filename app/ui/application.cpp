@@ -146,7 +146,7 @@ bool Application::wait() {
     const double frame = m_state.frame_rate.frame_seconds(m_window.refresh_rate());
     const double left = frame - seconds_between(m_last, start);
     constexpr double slack = 0.001;
-    if (left > slack)
+    if (left > slack && !m_lab.is_amid_frame())
         m_window.wait_events(left - slack);
     else
         m_window.poll_events();

@@ -59,9 +59,8 @@ TEST_CASE("a picture that rests is measured again when a value of it is another"
         lab.update(10.0);
     lab.lab().edit([](Document& document) { document.set_value("gain", Value(0.5)); });
     lab.turn(1);
-    for (int turn = 0; turn < 5 && lab.lab().is_moving(); ++turn)
-        lab.turn(1);  // until the GPU has told that no number is wrong
-    CHECK_FALSE(lab.lab().is_moving());
+    // Until the GPU has told that no number is wrong.
+    CHECK(lab.turn_until([&] { return !lab.lab().is_moving(); }));
     for (const double seconds : {20.0, 21.0, 22.0, 23.0})
         lab.update(seconds);
     CHECK(lab.peak(1) == static_cast<double>(lab.frames()) / 2.0);
