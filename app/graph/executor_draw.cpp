@@ -40,7 +40,7 @@ void Executor::note_frame(const Frame& frame, const std::vector<bool>* only, boo
     m_drawn.beam = {};
     m_drawn.tints = {};
     m_drawn.sound = nullptr;
-    m_draw_calls = 0;
+    m_work.draw_calls = 0;
 }
 
 // What was this frame's is a frame ago.
@@ -64,6 +64,7 @@ void Executor::draw_passes() {
             draw_pass(i);
     look_behind_frame();
     m_samplers.release();
+    m_draw_calls = m_work.draw_calls;
 }
 
 void Executor::look_behind_frame() {
@@ -136,7 +137,7 @@ void Executor::write_sample(std::size_t index, int draw) {
 }
 
 void Executor::end_draw(std::size_t index) {
-    ++m_draw_calls;
+    ++m_work.draw_calls;
     if (m_look.passes[index].accumulate)
         ++m_passes[index].samples;
 }

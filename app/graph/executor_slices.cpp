@@ -109,6 +109,7 @@ void Executor::finish_frame() {
     for (std::size_t i = 0; i < m_targets.size(); ++i)
         m_targets[i].finish();
     look_behind_frame();
+    m_draw_calls = m_work.draw_calls;
     if (!m_work.is_again)
         m_parameters.end_events();
     ++m_picture_number;

@@ -13,6 +13,7 @@ struct FrameWork {
     int draw = 0;
     int draws = 0;  // up to this one
     int row = 0;    // of the draw
+    int draw_calls = 0;
     bool has_begun_pass = false;
     double pass_seconds = 0.0;  // that its draws took so far
 };

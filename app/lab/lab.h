@@ -429,8 +429,9 @@ private:
     std::string m_unopened;
     std::optional<OpenRequest> m_opened;  // that the open look came from
     double m_loading_seconds = 0.0;
-    double m_amid_seconds = 0.0;  // since the unfinished frame was begun
-    Values m_missed_events;       // of parameters, while it was drawn
+    double m_amid_seconds = 0.0;   // since the unfinished frame was begun
+    bool m_is_turn_spent = false;  // on a first draw
+    Values m_missed_events;        // of parameters, while it was drawn
     std::optional<Notice> m_notice;
     PictureSize m_picture_size;
     Extent m_view{1280, 720};

@@ -1,4 +1,5 @@
 // The part of Lab that runs every turn: reloads in, time on, picture drawn.
+#include "base/elapsed.h"
 #include "base/file.h"
 #include "formats/modulation_format.h"
 #include "formats/preset_format.h"
@@ -25,7 +26,9 @@ void Lab::update(double wall_seconds) {
         m_notice.reset();
     for (const fs::path& file : m_reloader.update())
         extra_file_changed(file);
+    const auto begun = std::chrono::steady_clock::now();
     take_reload();
+    const double arriving_seconds = seconds_since(begun);
     listen(wall_seconds);
     const bool was_comparing = m_rate_check.is_running();
     m_rate_check.update();
@@ -40,8 +43,12 @@ void Lab::update(double wall_seconds) {
         m_reloader.restack(m_document->state().stack, m_document->state().values);
     follow_constants();
     // With the panels a turn stays below 1/20 s; first draws take their part of it.
-    m_renderer->set_slice(m_arrival ? 0.012 : 0.024);
-    if (is_amid_frame())
+    constexpr double slice = 0.024;
+    m_renderer->set_slice(m_arrival ? slice / 2.0 : slice);
+    m_is_turn_spent = !m_is_turn_spent && arriving_seconds > slice && m_player.is_playing();
+    if (m_is_turn_spent)
+        m_amid_seconds += wall_seconds;  // the picture's turn is the next one
+    else if (is_amid_frame())
         go_on_drawing(wall_seconds);
     else
         begin_drawing(wall_seconds);

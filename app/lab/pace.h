@@ -8,8 +8,9 @@ class Pace {
 public:
     static constexpr std::size_t length = 240;
 
-    /// A pause longer than a second (a resting window) is no frame.
-    void add(double wall_seconds);
+    /// A pause longer than a second (a resting window) is no frame, unless one was drawn all the
+    /// while.
+    void add(double wall_seconds, bool was_busy = false);
     /// The same frame, and whether it was to come sooner than in 1/30 s.
     void expect(double wall_seconds, bool is_due);
 

@@ -186,11 +186,12 @@ void Application::turn() {
 
 // Of the picture's frames: one that takes long covers many turns.
 void Application::note_pace(double wall_seconds) {
+    const bool was_amid = m_frame_seconds > 0.0;
     m_frame_seconds += wall_seconds;
     if (m_lab.is_amid_frame())
         return;
     const double seconds = std::exchange(m_frame_seconds, 0.0);
-    m_pace.add(seconds);
+    m_pace.add(seconds, was_amid);
     m_pace.expect(seconds,
                   m_lab.is_moving() && m_state.frame_rate.wants_30(m_window.refresh_rate()));
 }

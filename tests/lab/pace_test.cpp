@@ -43,3 +43,14 @@ TEST_CASE("half the size is offered only where the passes take half of a slow fr
     CHECK_FALSE(pace.is_slow_by_passes(45.0));  // now the rest takes more
     CHECK(pace.is_slow_by_passes(120.0));
 }
+
+TEST_CASE(
+    "a frame that was drawn for longer than a second counts at once, a rest of that length never") {
+    Pace pace;
+    for (int frame = 0; frame < 100; ++frame)
+        pace.add(1.0 / 60.0);
+    pace.add(1.8);
+    CHECK(pace.frames_a_second() == doctest::Approx(60.0));
+    pace.add(1.8, true);
+    CHECK(pace.frames_a_second() == doctest::Approx(1.0 / 1.8));
+}
