@@ -31,8 +31,9 @@ std::string pace_text(const Scene& scene) {
     const double pace = scene.pace.frames_a_second();
     if (scene.lab.renderer() && scene.lab.renderer()->replay().is_running())
         return "drawing the past";
-    return scene.lab.player().is_playing() && pace > 0.0 ? fmt::format("{:.0f} fps", pace)
-                                                         : "resting";
+    if (!scene.lab.player().is_playing() || pace <= 0.0)
+        return "resting";
+    return fmt::format("{:.{}f} fps", pace, pace < 9.95 ? 1 : 0);
 }
 
 // What a machine too slow for the picture does about it; "" where it keeps up.
