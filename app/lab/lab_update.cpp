@@ -45,7 +45,8 @@ void Lab::update(double wall_seconds) {
     // With the panels a turn stays below 1/20 s; first draws take their part of it.
     constexpr double slice = 0.024;
     m_renderer->set_slice(m_arrival ? slice / 2.0 : slice);
-    m_is_turn_spent = !m_is_turn_spent && arriving_seconds > slice && m_player.is_playing();
+    m_is_turn_spent =
+        m_arrival && !m_is_turn_spent && arriving_seconds > slice && m_player.is_playing();
     if (m_is_turn_spent)
         m_amid_seconds += wall_seconds;  // the picture's turn is the next one
     else if (is_amid_frame())
