@@ -86,7 +86,12 @@ void FirstDraws::draw_next() {
     assert(!is_done());
     const Beam beam(2);
     std::vector<bool> only(m_executor->look().passes.size(), false);
-    only[m_new[m_done++]] = true;
-    m_executor->draw(first_frame(beam), &only);
+    const std::size_t pass = m_new[m_done++];
+    only[pass] = true;
+    // A band of it will do, and a heavy one keeps nobody else from the GPU for long.
+    m_executor->begin_draw(first_frame(beam), &only, false);
+    for (std::size_t step = 0; step <= pass; ++step)
+        m_executor->continue_frame(0.0);
+    m_executor->drop_frame();
     gpu::finish();
 }

@@ -38,7 +38,7 @@ public:
     bool is_done() const { return m_done >= m_new.size(); }
     /// The pass that comes next.
     const std::string& next_pass() const;
-    /// Draws the next one and waits for it.
+    /// Draws a band of the next one and waits for it.
     void draw_next();
 
 private:
