@@ -1,8 +1,11 @@
 #include "gpu/context.h"
 
+#include "gpu/program.h"
+
 #include <epoxy/gl.h>
 
 #include <array>
+#include <utility>
 
 namespace gpu {
 
@@ -11,6 +14,8 @@ std::string text_of(GLenum name) {
     const GLubyte* text = glGetString(name);
     return text ? reinterpret_cast<const char*>(text) : "";
 }
+
+thread_local Context* current_context = nullptr;
 }  // namespace
 
 Facts read_facts() {
@@ -20,6 +25,73 @@ Facts read_facts() {
     glGetFloatv(GL_POINT_SIZE_RANGE, sizes.data());
     facts.largest_point_size = sizes[1];
     return facts;
+}
+
+Context::Context() = default;
+
+Context::~Context() {
+    if (current_context == this)
+        current_context = nullptr;
+}
+
+Context* Context::current() {
+    return current_context;
+}
+
+void Context::make_current() {
+    take_thread();
+    current_context = this;
+    end_buried();
+}
+
+void Context::release() {
+    leave_thread();
+    current_context = nullptr;
+}
+
+void Context::bury(std::unique_ptr<const Program> object) {
+    if (current_context == this)
+        return;  // it ends here
+    const std::lock_guard lock(m_mutex);
+    m_buried.push_back(std::move(object));
+}
+
+void Context::end_buried() {
+    std::vector<std::unique_ptr<const Program>> buried;
+    const std::lock_guard lock(m_mutex);
+    buried.swap(m_buried);
+}
+
+namespace {
+// What the current one has been asked for goes before what `to` is asked for next.
+void hand_over_to(Context& to) {
+    const GLsync done = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    glFlush();
+    to.make_current();
+    glWaitSync(done, 0, GL_TIMEOUT_IGNORED);
+    glDeleteSync(done);
+}
+}  // namespace
+
+ContextScope::ContextScope(Context* context) {
+    Context* const before = Context::current();
+    if (!context || context == before)
+        return;
+    m_before = before;
+    m_context = context;
+    if (m_before)
+        hand_over_to(*m_context);
+    else
+        m_context->make_current();
+}
+
+ContextScope::~ContextScope() {
+    if (!m_context)
+        return;
+    if (m_before)
+        hand_over_to(*m_before);
+    else
+        m_context->release();
 }
 
 }  // namespace gpu

@@ -3,9 +3,13 @@
 #include "base/diagnostic.h"
 
 #include <memory>
+#include <mutex>
 #include <string>
+#include <vector>
 
 namespace gpu {
+
+class Program;
 
 /// What the driver of a context says of itself.
 struct Facts {
@@ -23,7 +27,7 @@ Facts read_facts();
 /// a time, and on it when it or its objects end.
 class Context {
 public:
-    virtual ~Context() = default;
+    virtual ~Context();
     Context(const Context&) = delete;
     Context& operator=(const Context&) = delete;
 
@@ -36,16 +40,43 @@ public:
         return context.make_sharing();
     }
 
-    virtual void make_current() = 0;
+    /// The one that is current on this thread; null: none is.
+    static Context* current();
+    void make_current();
     /// Current on no thread; another may take it.
-    virtual void release() = 0;
+    void release();
+    /// From any thread: `object` ends when this context is current next, or with it.
+    void bury(std::unique_ptr<const Program> object);
     const Facts& facts() const { return m_facts; }
 
 protected:
-    Context() = default;
+    Context();
     virtual Result<std::unique_ptr<Context>> make_sharing() const = 0;
+    virtual void take_thread() = 0;
+    virtual void leave_thread() = 0;
 
     Facts m_facts;
+
+private:
+    void end_buried();
+
+    std::mutex m_mutex;
+    std::vector<std::unique_ptr<const Program>> m_buried;
+};
+
+/// While it lives another context that shares with the current one is current. Each sees what the
+/// other has drawn before.
+class ContextScope {
+public:
+    /// Null, or the current one: nothing changes.
+    explicit ContextScope(Context* context);
+    ~ContextScope();
+    ContextScope(const ContextScope&) = delete;
+    ContextScope& operator=(const ContextScope&) = delete;
+
+private:
+    Context* m_before = nullptr;
+    Context* m_context = nullptr;  // null: nothing was changed
 };
 
 }  // namespace gpu

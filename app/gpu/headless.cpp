@@ -45,15 +45,6 @@ public:
             eglDestroySurface(m_display, m_surface);
     }
 
-    void make_current() override {
-        eglBindAPI(EGL_OPENGL_API);  // EGL keeps it for each thread
-        eglMakeCurrent(m_display, m_surface, m_surface, m_context);
-    }
-
-    void release() override {
-        eglMakeCurrent(m_display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-    }
-
     /// Null where the display has no OpenGL 4.1 core.
     static std::unique_ptr<HeadlessContext> make(EGLDisplay display, EGLConfig config,
                                                  EGLContext shared) {
@@ -86,6 +77,15 @@ public:
     }
 
 private:
+    void take_thread() override {
+        eglBindAPI(EGL_OPENGL_API);  // EGL keeps it for each thread
+        eglMakeCurrent(m_display, m_surface, m_surface, m_context);
+    }
+
+    void leave_thread() override {
+        eglMakeCurrent(m_display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    }
+
     Result<std::unique_ptr<Context>> make_sharing() const override {
         auto context = make(m_display, m_config, m_context);
         if (!context)

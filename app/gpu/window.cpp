@@ -165,11 +165,11 @@ Result<std::unique_ptr<Context>> Window::make_sharing() const {
     return std::move(*window);
 }
 
-void Window::make_current() {
+void Window::take_thread() {
     glfwMakeContextCurrent(m_window);
 }
 
-void Window::release() {
+void Window::leave_thread() {
     glfwMakeContextCurrent(nullptr);
 }
 

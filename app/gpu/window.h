@@ -54,9 +54,6 @@ public:
     /// Asks the desktop for the keyboard.
     void focus();
 
-    void make_current() override;
-    void release() override;
-
     /// Handles what has happened since last asked.
     void poll_events();
     /// As poll_events, but first sleeps until something happens or `most_seconds` are over.
@@ -101,6 +98,8 @@ private:
 
     Window(std::shared_ptr<Library> library, GLFWwindow* window);
     Result<std::unique_ptr<Context>> make_sharing() const override;
+    void take_thread() override;
+    void leave_thread() override;
     static Result<std::unique_ptr<Window>> create(const WindowOptions& options, GLFWwindow* shared,
                                                   GLFWmonitor* monitor = nullptr);
     static Result<std::shared_ptr<Library>> open_library();

@@ -20,10 +20,13 @@ bool covers(const Pass& pass) {
 }  // namespace
 
 Executor::Executor(Look look, Programs programs)
-    : m_look(std::move(look)),
+    : m_home(programs.home),
+      m_scope(std::make_unique<gpu::ContextScope>(m_home.get())),
+      m_look(std::move(look)),
       m_programs(std::move(programs)),
       m_largest_side(gpu::read_facts().largest_texture) {
     prepare();
+    m_scope.reset();
 }
 
 Executor::PassState Executor::make_state(std::size_t pass) const {
@@ -56,6 +59,7 @@ void Executor::prepare() {
 }
 
 Result<void> Executor::replace(Look look, Programs programs) {
+    const gpu::ContextScope scope(m_home.get());
     drop_frame();
     if (auto made = m_keyboard.prepare(look); !made)
         return made;
@@ -97,6 +101,7 @@ Result<void> Executor::make_empty() {
 }
 
 Result<void> Executor::resize(Extent viewport, Extent source) {
+    const gpu::ContextScope scope(m_home.get());
     auto plan = plan_targets(m_look, viewport, source, m_values, m_largest_side);
     if (!plan)
         return fail(plan.error());
@@ -128,6 +133,7 @@ Result<void> Executor::resize(Extent viewport, Extent source) {
 }
 
 void Executor::set_values(const Values& values) {
+    const gpu::ContextScope scope(m_home.get());
     std::vector<std::string> changed;
     for (const Parameter& parameter : m_look.parameters)
         if (value_of(parameter, m_values) != value_of(parameter, values))
@@ -139,11 +145,13 @@ void Executor::set_values(const Values& values) {
 }
 
 void Executor::claim_programs() {
+    const gpu::ContextScope scope(m_home.get());
     m_parameters.forget_written();
     m_parameters.write(m_look, m_values);
 }
 
 Result<void> Executor::set_source(const Picture& picture) {
+    const gpu::ContextScope scope(m_home.get());
     std::vector<bool> readers;
     for (const Pass& pass : m_look.passes)
         readers.push_back(std::ranges::any_of(
@@ -154,6 +162,7 @@ Result<void> Executor::set_source(const Picture& picture) {
 }
 
 Result<void> Executor::set_image(const std::string& name, const Picture& picture) {
+    const gpu::ContextScope scope(m_home.get());
     auto texture = image_texture(m_look, name, picture);
     if (!texture)
         return fail(texture.error());
@@ -167,6 +176,7 @@ void Executor::set_image(const std::string& name, std::shared_ptr<const gpu::Tex
 }
 
 void Executor::clear_history() {
+    const gpu::ContextScope scope(m_home.get());
     drop_frame();
     ++m_picture_number;
     for (std::size_t i = 0; i < m_targets.size(); ++i)
@@ -178,6 +188,7 @@ void Executor::clear_history() {
 }
 
 std::vector<double> Executor::pass_milliseconds() {
+    const gpu::ContextScope scope(m_home.get());
     std::vector<double> times;
     for (std::size_t i = 0; i < m_passes.size(); ++i) {
         const double time = m_passes[i].timer->milliseconds().value_or(0.0);

@@ -38,12 +38,17 @@ struct Samples {
     bool operator==(const Samples&) const = default;
 };
 
-/// A look on the GPU: its programs, targets, history and pictures. Draws frame after frame; belongs
-/// to the context that it was made in. resize() comes before the first draw.
+/// A look on the GPU: its programs, targets, history and pictures. Draws frame after frame. Belongs
+/// to the home of the programs that it is made with, whichever context is current for its callers,
+/// or to the context that it is made in. resize() comes before the first draw.
 class Executor {
 public:
     /// `programs` are those of `look`.
     Executor(Look look, Programs programs);
+    ~Executor() { m_scope = std::make_unique<gpu::ContextScope>(m_home.get()); }
+    Executor(Executor&&) = default;
+    Executor(const Executor&) = delete;
+    Executor& operator=(const Executor&) = delete;
 
     /// Swaps in an edited look, at the present sizes. Targets that keep name, size and format keep
     /// their contents and history; values, source and images stay (set those again whose encoding
@@ -191,6 +196,7 @@ private:
     void bind(const PassState& state);
     const gpu::Texture* texture_for(const BoundInput& input) const;
     const gpu::Texture* cube_for(const BoundInput& input);
+    const gpu::Texture& upright(const gpu::Texture& stored, RowOrder rows) const;
     const gpu::Texture* stored_texture(const TextureChoice& choice) const;
     RowOrder rows_of(const BoundInput& input) const;
     void start_target(std::size_t pass, bool goes_on);
@@ -200,6 +206,8 @@ private:
     bool is_watched(std::size_t pass) const;
     void look_behind(const std::vector<bool>& drawn);
 
+    std::shared_ptr<gpu::Context> m_home;
+    std::unique_ptr<gpu::ContextScope> m_scope;  // around beginning and end of what follows
     Look m_look;
     Programs m_programs;
     int m_largest_side;  // of a texture, px

@@ -7,6 +7,7 @@
 #include <limits>
 
 void Executor::draw(const Frame& frame, const std::vector<bool>* passes) {
+    const gpu::ContextScope scope(m_home.get());
     note_frame(frame, passes, false);
     move_on(false);
     draw_passes();
@@ -14,6 +15,7 @@ void Executor::draw(const Frame& frame, const std::vector<bool>* passes) {
 }
 
 void Executor::redraw(const Frame& frame, const std::vector<bool>& passes) {
+    const gpu::ContextScope scope(m_home.get());
     note_frame(frame, &passes, true);
     draw_passes();
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 Result<void> Executor::set_guard(Guard guard) {
+    const gpu::ContextScope scope(m_home.get());
     const auto holds_floats = [](const PlannedTarget& target) {
         return facts_of(target.format).is_float;
     };
@@ -49,6 +50,7 @@ void Executor::look_behind(const std::vector<bool>& drawn) {
 }
 
 std::optional<Trip> Executor::take_trip(bool waits) {
+    const gpu::ContextScope scope(m_home.get());
     std::optional<Trip> trip = m_tripwire ? m_tripwire->take(waits) : std::nullopt;
     if (trip && m_look.passes[trip->pass].rows == RowOrder::top_first)
         trip->y = m_plan.targets[trip->pass].extent.height - 1 - trip->y;
@@ -56,6 +58,7 @@ std::optional<Trip> Executor::take_trip(bool waits) {
 }
 
 void Executor::mend() {
+    const gpu::ContextScope scope(m_home.get());
     if (!m_tripwire)
         return;
     for (std::size_t pass = 0; pass < m_targets.size(); ++pass) {

@@ -28,10 +28,16 @@ RowOrder Executor::rows_of(const BoundInput& input) const {
     return image == m_look.images.end() ? RowOrder::bottom_first : image->rows;
 }
 
+const gpu::Texture& Executor::upright(const gpu::Texture& stored, RowOrder rows) const {
+    const bool draws =
+        rows != RowOrder::bottom_first && !m_upright.holds(stored, m_picture_number);
+    const gpu::ContextScope scope(draws ? m_home.get() : nullptr);
+    return m_upright.view(stored, rows, m_picture_number);
+}
+
 const gpu::Texture& Executor::target(int pass) const {
     const auto index = static_cast<std::size_t>(pass);
-    const gpu::Texture& stored = m_targets[index].finished().texture();
-    return m_upright.view(stored, m_look.passes[index].rows, m_picture_number);
+    return upright(m_targets[index].finished().texture(), m_look.passes[index].rows);
 }
 
 const gpu::Texture* Executor::texture(const TextureChoice& choice) const {
@@ -39,7 +45,7 @@ const gpu::Texture* Executor::texture(const TextureChoice& choice) const {
         bound_input(m_look, static_cast<int>(m_look.passes.size()),
                     {{}, choice.from, choice.name, choice.frames_ago, {}, choice.sound});
     const gpu::Texture* stored = stored_texture(choice);
-    return stored ? &m_upright.view(*stored, rows_of(read), m_picture_number) : nullptr;
+    return stored ? &upright(*stored, rows_of(read)) : nullptr;
 }
 
 const gpu::Texture* Executor::stored_texture(const TextureChoice& choice) const {

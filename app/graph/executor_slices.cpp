@@ -7,6 +7,7 @@
 #include <utility>
 
 void Executor::begin_draw(const Frame& frame, const std::vector<bool>* passes, bool is_seen) {
+    const gpu::ContextScope scope(m_home.get());
     note_frame(frame, passes, false);
     move_on(is_seen);
     m_is_amid_frame = true;
@@ -14,6 +15,7 @@ void Executor::begin_draw(const Frame& frame, const std::vector<bool>* passes, b
 }
 
 void Executor::begin_redraw(const Frame& frame, const std::vector<bool>& passes, bool is_seen) {
+    const gpu::ContextScope scope(m_home.get());
     note_frame(frame, &passes, true);
     for (std::size_t i = 0; is_seen && i < m_targets.size(); ++i)
         if (may_be_unfinished(i))
@@ -38,6 +40,7 @@ bool Executor::continue_frame(double seconds) {
     if (!m_is_amid_frame)
         return true;
     const auto begun = std::chrono::steady_clock::now();
+    const gpu::ContextScope home(m_home.get());
     {
         const gpu::DrawScope scope;
         double left = seconds;
@@ -126,6 +129,7 @@ void Executor::drop_frame() {
 }
 
 void Executor::end_slices() {
+    const gpu::ContextScope scope(m_home.get());
     drop_frame();
     m_cubes = {};  // of pictures that are no more
     for (std::size_t i = 0; i < m_targets.size(); ++i)

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 Result<void> Executor::set_runs(std::vector<PassRun> runs) {
+    const gpu::ContextScope scope(m_home.get());
     if (!m_pass_through && std::ranges::find(runs, PassRun::bypassed) != runs.end()) {
         auto made = PassThrough::make();
         if (!made)
@@ -29,6 +30,7 @@ bool Executor::is_kept(std::size_t pass) const {
 }
 
 void Executor::clear_history(int pass) {
+    const gpu::ContextScope scope(m_home.get());
     drop_frame();
     ++m_picture_number;
     m_targets[static_cast<std::size_t>(pass)].clear();

@@ -46,15 +46,29 @@ private:
     std::vector<PassProgram> m_left;
 };
 
-Result<PassProgram> build_pass(const Pass& pass, Reusable& reusable, ByteStore* kept) {
+std::shared_ptr<const gpu::Program> at_home(gpu::Program program,
+                                            const std::shared_ptr<gpu::Context>& home) {
+    auto owned = std::make_unique<const gpu::Program>(std::move(program));
+    if (!home)
+        return owned;
+    return {owned.release(), [home](const gpu::Program* ending) {
+                home->bury(std::unique_ptr<const gpu::Program>(ending));
+            }};
+}
+
+PassProgram wanted_for(const Pass& pass) {
+    return {vertex_stage_of(pass).text, pass.fragment.text, pass.draw, pass.set, nullptr};
+}
+
+Result<PassProgram> build_pass(const Pass& pass, Reusable& reusable, ByteStore* kept,
+                               const std::shared_ptr<gpu::Context>& home) {
     Diagnostics problems = check_inputs(pass);
-    const Stage& vertex = vertex_stage_of(pass);
-    PassProgram made{vertex.text, pass.fragment.text, pass.draw, pass.set, nullptr};
+    PassProgram made = wanted_for(pass);
     made.program = reusable.take(made);
     if (!made.program) {
-        auto program = gpu::Program::build(vertex, pass.fragment, kept);
+        auto program = gpu::Program::build(vertex_stage_of(pass), pass.fragment, kept);
         if (program)
-            made.program = std::make_shared<const gpu::Program>(std::move(*program));
+            made.program = at_home(std::move(*program), home);
         else
             problems.insert(problems.end(), program.error().begin(), program.error().end());
     }
@@ -64,9 +78,17 @@ Result<PassProgram> build_pass(const Pass& pass, Reusable& reusable, ByteStore* 
 }
 }  // namespace
 
+bool serves(const Programs& programs, const Look& look) {
+    Reusable reusable(&programs);
+    return std::ranges::all_of(look.passes, [&](const Pass& pass) {
+        return reusable.take(wanted_for(pass)) != nullptr;
+    });
+}
+
 Result<Programs> build_programs(const Look& look, const Programs* reuse, ByteStore* kept,
-                                PassProgress* progress) {
-    Programs programs;
+                                PassProgress* progress,
+                                const std::shared_ptr<gpu::Context>& home) {
+    Programs programs{{}, home};
     Diagnostics problems;
     Reusable reusable(reuse);
     if (progress)
@@ -74,7 +96,7 @@ Result<Programs> build_programs(const Look& look, const Programs* reuse, ByteSto
     for (const Pass& pass : look.passes) {
         if (progress && !progress->next(pass.name))
             return fail({look.manifest, 0, "was not opened to its end"});
-        auto made = build_pass(pass, reusable, kept);
+        auto made = build_pass(pass, reusable, kept, home);
         if (made)
             programs.passes.push_back(std::move(*made));
         else

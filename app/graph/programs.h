@@ -2,6 +2,7 @@
 
 #include "base/diagnostic.h"
 #include "base/pass_progress.h"
+#include "gpu/context.h"
 #include "gpu/program.h"
 #include "model/look.h"
 
@@ -21,11 +22,18 @@ struct PassProgram {
 /// One linked program a pass, in the look's order.
 struct Programs {
     std::vector<PassProgram> passes;
+    // Where executors draw with them; null: in whichever context they are made in.
+    std::shared_ptr<gpu::Context> home = {};
 };
+
+/// Whether build_programs() would take all of `look` from `programs`.
+bool serves(const Programs& programs, const Look& look);
 
 /// Compiles and links; may run on a helper thread whose context shares with the drawing one. Passes
 /// whose stages, draw mode and fixed uniforms equal those of one in `reuse` take its program. Fails
 /// with what the driver refuses, of all passes at once, at the author's files and lines. `kept` as
-/// in gpu::Program::build. `progress` may be null; cancelled there, it fails.
+/// in gpu::Program::build. `progress` may be null; cancelled there, it fails. What is new ends in
+/// `home`: a driver may take from a context what it has bound where another ends a program.
 Result<Programs> build_programs(const Look& look, const Programs* reuse = nullptr,
-                                ByteStore* kept = nullptr, PassProgress* progress = nullptr);
+                                ByteStore* kept = nullptr, PassProgress* progress = nullptr,
+                                const std::shared_ptr<gpu::Context>& home = nullptr);

@@ -6,6 +6,11 @@ namespace {
 constexpr std::uint64_t most_pictures_unseen = 120;
 }  // namespace
 
+bool Upright::holds(const gpu::Texture& stored, std::uint64_t number) const {
+    const auto found = m_copies.find(stored.handle());
+    return found != m_copies.end() && found->second.number == number;
+}
+
 Upright::Copy* Upright::copy_for(const gpu::Texture& stored, std::uint64_t number) {
     const auto found = m_copies.find(stored.handle());
     if (found != m_copies.end() && found->second.canvas.texture().extent() == stored.extent() &&

@@ -15,6 +15,8 @@ public:
     /// texture may hold something else. Draws; valid until the next call but one with another
     /// number.
     const gpu::Texture& view(const gpu::Texture& stored, RowOrder rows, std::uint64_t number);
+    /// Whether view() needs not draw.
+    bool holds(const gpu::Texture& stored, std::uint64_t number) const;
     void forget() { m_copies.clear(); }
 
 private:

@@ -4,7 +4,7 @@
 
 void Arrival::start(const Beside& beside) {
     m_has_started = true;
-    if (!m_loaded.look || !m_loaded.programs)
+    if (!m_loaded.look || !m_loaded.programs || m_loaded.is_warm)
         return;
     const auto idle = idle_program();
     if (!idle)

@@ -30,13 +30,14 @@ Extent PictureSize::extent(Extent shaped_view) const {
     return {side(whole.width), side(whole.height)};
 }
 
-Lab::Lab(Library library, std::unique_ptr<gpu::Context> worker, std::unique_ptr<MidiInputs> midi)
+Lab::Lab(Library library, const gpu::Context& screen, std::unique_ptr<gpu::Context> worker,
+         std::unique_ptr<MidiInputs> midi)
     : m_library(std::move(library)),
       m_kept_sessions(m_library.roots()),
       m_midi(std::move(midi)),
       m_drive(RecentMedia(m_library.roots())),
       m_tryouts(std::make_unique<Tryouts>()),
-      m_reloader(std::move(worker), m_library.roots()) {
+      m_reloader(std::move(worker), screen, m_library.roots()) {
     if (const auto settings = load_sound_settings(m_library.roots()); succeeded(settings))
         succeeded(m_player.set_sound_settings(*settings));
     open_remote();

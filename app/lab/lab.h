@@ -88,8 +88,9 @@ struct TurnedPrograms {
 /// All that a person has open. Owns the parts and lets each frame run through them.
 class Lab {
 public:
-    /// `worker` is a context for the reloader's thread that shares with the current one.
-    Lab(Library library, std::unique_ptr<gpu::Context> worker,
+    /// `worker` is a context for the reloader's thread that shares with `screen`, which is current
+    /// here and outlives the lab.
+    Lab(Library library, const gpu::Context& screen, std::unique_ptr<gpu::Context> worker,
         std::unique_ptr<MidiInputs> midi = machine_midi_inputs());
     ~Lab();
     Lab(const Lab&) = delete;

@@ -224,6 +224,7 @@ void Lab::apply(LoadedRequest loaded) {
     }
     forget_trip();
     m_programs = std::move(*loaded.programs);
+    m_reloader.set_home(m_programs->home);
     m_tryouts->stop();  // they draw with the former ones
     if (is_reload && m_document) {
         m_document->replace_look(std::move(*loaded.look));

@@ -10,10 +10,12 @@
 
 namespace fs = std::filesystem;
 
-Reloader::Reloader(std::unique_ptr<gpu::Context> context, const Roots& roots)
+Reloader::Reloader(std::unique_ptr<gpu::Context> context, const gpu::Context& screen,
+                   const Roots& roots)
     : m_shared_includes(roots.shared_includes()),
       m_kept_shaders(kept_shaders(roots)),
-      m_context(std::move(context)) {
+      m_context(std::move(context)),
+      m_drawing_contexts(screen) {
     if (auto watcher = FileWatcher::start())
         m_watcher = std::make_unique<FileWatcher>(std::move(*watcher));
     else
@@ -68,7 +70,7 @@ void Reloader::turn(const OpenRequest& request, LoadedRequest::Whose whose) {
     {
         const std::lock_guard lock(m_mutex);
         turning(whose).next =
-            Job{request, true, m_submitted, std::make_shared<PassProgress>(), whose};
+            Job{request, true, m_submitted, std::make_shared<PassProgress>(), whose, m_home};
     }
     m_wake.notify_all();
 }
@@ -83,12 +85,16 @@ void Reloader::drop_turning() {
 
 void Reloader::submit(OpenRequest request, bool is_reload) {
     m_request = request;
+    Job job{std::move(request), is_reload};
+    job.home = is_reload ? m_home : m_drawing_contexts.lend();
+    job.is_home_new = !is_reload && job.home;
     {
         const std::lock_guard lock(m_mutex);
         if (m_progress)
             m_progress->cancel();
-        m_progress = std::make_shared<PassProgress>();
-        m_job = Job{std::move(request), is_reload, ++m_submitted, m_progress};
+        job.progress = m_progress = std::make_shared<PassProgress>();
+        job.generation = ++m_submitted;
+        m_job = std::move(job);
         m_finished.reset();
         drop_turning();
     }
@@ -267,25 +273,53 @@ Result<ImageTextures> Reloader::load_images(const Look& look, Diagnostics& warni
     return images;
 }
 
-// What a hand goes past is kept for no other run.
-Result<Programs> Reloader::link(const Look& look, const ImageTextures& images, const Job& job) {
-    PassProgress& progress = *job.progress;
-    const Programs* linked = m_linked ? &*m_linked : nullptr;
-    ByteStore* const kept =
-        job.whose == LoadedRequest::Whose::look ? m_kept_shaders.get() : nullptr;
-    auto programs = build_programs(look, linked, kept, &progress);
+// Each new program draws once: in the home that is new, where it will be drawn with; else here, as
+// that one is current elsewhere, and what the driver keeps in files of its own will do.
+void Reloader::draw_first(const Job& job, const Programs* known, const Programs& programs,
+                          LoadedRequest& loaded) {
+    const bool is_at_home = job.is_home_new && programs.home == job.home;
+    const gpu::ContextScope scope(is_at_home ? job.home.get() : nullptr);
+    std::optional<WarmUp> own;
+    if (is_at_home)
+        if (auto made = WarmUp::make())
+            own.emplace(std::move(*made));
+    const std::optional<WarmUp>& warm_up = is_at_home ? own : m_warm_up;
+    if (!warm_up)
+        return;
+    Programs drawn = programs;
+    drawn.home = nullptr;
+    warm_up->draw(
+        {*loaded.look, drawn, known, loaded.images, m_picture, FirstDrawsOf::Size::whole},
+        *job.progress);
+    loaded.is_warm = is_at_home;
+}
+
+// What a hand goes past is kept for no other run, and does not wait for first draws: where the GPU
+// is busy with the picture they come late.
+Result<Programs> Reloader::link(const Job& job, LoadedRequest& loaded) {
+    const Look& look = *loaded.look;
+    const bool is_look = job.whose == LoadedRequest::Whose::look;
+    const bool is_served = m_linked && !job.is_reload && serves(*m_linked, look);
+    const bool is_at_home = m_linked && m_linked->home == job.home;
+    const Programs* known = is_served || is_at_home ? &*m_linked : nullptr;
+    auto programs =
+        build_programs(look, known, is_look ? m_kept_shaders.get() : nullptr, job.progress.get(),
+                       is_served ? m_linked->home : job.home);
     if (!programs)
         return programs;
-    // A hand does not wait for these: where the GPU is busy with the picture they come late.
-    if (m_warm_up && job.whose == LoadedRequest::Whose::look)
-        m_warm_up->draw({look, *programs, linked, images, m_picture, FirstDrawsOf::Size::whole},
-                        progress);
-    m_linked = *programs;
+    if (is_look)
+        draw_first(job, known, *programs, loaded);
+    if (!job.progress->is_cancelled())
+        m_linked = *programs;
     return programs;
 }
 
 LoadedRequest Reloader::load(const Job& job) {
-    LoadedRequest loaded{job.request, job.is_reload, {}, {}, {}, {}, {}, job.generation, job.whose};
+    LoadedRequest loaded;
+    loaded.request = job.request;
+    loaded.is_reload = job.is_reload;
+    loaded.generation = job.generation;
+    loaded.whose = job.whose;
     const auto refuse = [&loaded](const Diagnostics& why) {
         loaded.problems.insert(loaded.problems.begin(), why.begin(), why.end());
         return std::move(loaded);
@@ -301,11 +335,13 @@ LoadedRequest Reloader::load(const Job& job) {
     auto images = load_images(*read.look, loaded.problems);
     if (!images)
         return refuse(images.error());
-    auto programs = link(*read.look, *images, job);
-    if (!programs)
-        return refuse(programs.error());
     loaded.images = std::move(*images);
     loaded.look = std::move(*read.look);
+    auto programs = link(job, loaded);
+    if (!programs) {
+        loaded.look.reset();
+        return refuse(programs.error());
+    }
     loaded.programs = std::move(*programs);
     return loaded;
 }

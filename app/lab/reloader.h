@@ -7,6 +7,7 @@
 #include "graph/programs.h"
 #include "graph/warm_up.h"
 #include "io/file_watcher.h"
+#include "lab/drawing_contexts.h"
 #include "lab/open.h"
 #include "model/picture.h"
 
@@ -36,14 +37,15 @@ struct LoadedRequest {
     std::vector<std::filesystem::path> files;
     std::uint64_t generation = 0;  // of what was asked for
     Whose whose = Whose::look;
+    bool is_warm = false;  // where it will be drawn each of its programs has been drawn with
 };
 
 /// Reads looks and links their programs on a thread of its own, and watches their files.
 class Reloader {
 public:
-    /// `context` shares objects with the drawing one; from now on it belongs to the reloader's
-    /// thread.
-    Reloader(std::unique_ptr<gpu::Context> context, const Roots& roots);
+    /// `context` shares objects with `screen`, the one of the caller's thread; from now on it
+    /// belongs to the reloader's thread.
+    Reloader(std::unique_ptr<gpu::Context> context, const gpu::Context& screen, const Roots& roots);
     ~Reloader();
     Reloader(const Reloader&) = delete;
     Reloader& operator=(const Reloader&) = delete;
@@ -68,6 +70,8 @@ public:
     std::vector<std::filesystem::path> update();
     /// How large the picture is, for which programs are made ready.
     void set_picture(Extent picture) { m_picture = picture; }
+    /// Where the programs of the open look are drawn with; those of later readings of it will be.
+    void set_home(std::shared_ptr<gpu::Context> home) { m_home = std::move(home); }
     /// The open look's own files: a change of one makes it read again.
     void watch_look(const std::vector<std::filesystem::path>& files);
     /// Files besides the look's own that update() reports.
@@ -97,6 +101,8 @@ private:
         std::uint64_t generation = 0;
         std::shared_ptr<PassProgress> progress = {};  // shared with who asked
         LoadedRequest::Whose whose = LoadedRequest::Whose::look;
+        std::shared_ptr<gpu::Context> home = {};
+        bool is_home_new = false;  // nobody draws there yet
     };
     /// What turn() asks for: one a picture.
     struct Turning {
@@ -113,12 +119,16 @@ private:
         return whose == LoadedRequest::Whose::turned ? m_turned : m_variant;
     }
     LoadedRequest load(const Job& job);
-    Result<Programs> link(const Look& look, const ImageTextures& images, const Job& job);
+    Result<Programs> link(const Job& job, LoadedRequest& loaded);
+    void draw_first(const Job& job, const Programs* known, const Programs& programs,
+                    LoadedRequest& loaded);
     Result<ImageTextures> load_images(const Look& look, Diagnostics& warnings);
 
     std::filesystem::path m_shared_includes;
     std::shared_ptr<ByteStore> m_kept_shaders;
     std::unique_ptr<gpu::Context> m_context;
+    DrawingContexts m_drawing_contexts;
+    std::shared_ptr<gpu::Context> m_home;  // of the open look; null: the screen's
     std::unique_ptr<FileWatcher> m_watcher;
     std::string m_watch_problem;
     std::vector<std::filesystem::path> m_look_files;

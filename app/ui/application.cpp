@@ -49,7 +49,7 @@ public:
         : m_options(options),
           m_window(window),
           m_toolkit(window),
-          m_lab(Library(options.roots), std::move(worker)),
+          m_lab(Library(options.roots), window, std::move(worker)),
           m_views(std::move(views)),
           m_history_pictures(std::move(history_pictures)),
           m_state(std::move(state)),

@@ -55,7 +55,7 @@ public:
         }
         m_context = std::move(*context);
         Roots roots{AFTERGLOW_SOURCE_DIR, folder / "user", folder / "state", folder / "cache"};
-        m_lab = std::make_unique<Lab>(Library(std::move(roots)), std::move(*worker));
+        m_lab = std::make_unique<Lab>(Library(std::move(roots)), *m_context, std::move(*worker));
         m_lab->set_picture_size({false, picture, 1.0});
         const fs::path file = folder / "marching.glsl";
         std::ofstream(file) << marching;

@@ -39,7 +39,7 @@ public:
         }
         m_context = std::move(*context);
         Roots roots{AFTERGLOW_SOURCE_DIR, folder / "user", folder / "state", folder / "cache"};
-        m_lab = std::make_unique<Lab>(Library(std::move(roots)), std::move(*worker));
+        m_lab = std::make_unique<Lab>(Library(std::move(roots)), *m_context, std::move(*worker));
         m_lab->set_picture_size({false, {640, 480}, 1.0});
         m_lab->open("crt");
         while (m_lab->player().frame_number() < 10)

@@ -56,7 +56,7 @@ public:
         }
         m_context = std::move(*context);
         m_lab = std::make_unique<Lab>(Library({m_folder, m_folder / "user", m_folder / "state"}),
-                                      std::move(*worker));
+                                      *m_context, std::move(*worker));
         m_lab->set_picture_size({false, {1280, 720}, 1.0});
         m_lab->open("phosphor");
         while (m_lab->player().frame_number() < 10)

@@ -193,7 +193,7 @@ public:
         auto worker = gpu::Context::shared_with(*m_context);
         REQUIRE(worker.has_value());
         const Roots roots{AFTERGLOW_SOURCE_DIR, m_folder / "user", m_folder / "state"};
-        m_lab = std::make_unique<Lab>(Library(roots), std::move(*worker));
+        m_lab = std::make_unique<Lab>(Library(roots), *m_context, std::move(*worker));
         m_lab->set_picture_size({false, {48, 36}, 1.0});
         m_lab->open(look);
         turn_until([&] { return m_lab->player().frame_number() > 5; });

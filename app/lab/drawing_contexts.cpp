@@ -1,0 +1,12 @@
+#include "lab/drawing_contexts.h"
+
+#include <algorithm>
+
+std::shared_ptr<gpu::Context> DrawingContexts::lend() {
+    const auto is_free = [](const auto& context) { return context.use_count() == 1; };
+    const auto free = std::ranges::find_if(m_all, is_free);
+    if (free != m_all.end())
+        return *free;
+    auto made = gpu::Context::shared_with(m_screen);
+    return made ? m_all.emplace_back(std::move(*made)) : nullptr;
+}

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "gpu/context.h"
+
+#include <memory>
+#include <vector>
+
+/// Contexts that looks draw in. A driver makes a program's code for the context that first draws
+/// with it, perhaps for a long time; so a look that is opened draws first in a context of its own,
+/// on another thread, and then goes on drawing in it on the window's.
+class DrawingContexts {
+public:
+    /// All share with `screen`, which stays longer.
+    explicit DrawingContexts(const gpu::Context& screen) : m_screen(screen) {}
+
+    /// On the thread of `screen`: one that is nobody's, until it is given back by its last owner,
+    /// on any thread. Null where the driver gives none.
+    std::shared_ptr<gpu::Context> lend();
+
+private:
+    const gpu::Context& m_screen;
+    std::vector<std::shared_ptr<gpu::Context>> m_all;
+};
