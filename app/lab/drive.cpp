@@ -201,7 +201,10 @@ Result<void> Drive::take(LoadedMedia loaded, const Document& document, Player& p
         m_recent.remember(file, loaded.digest);
     if (loaded.source) {
         m_source = std::move(loaded.source);
-        return show_anew(player, renderer);
+        if (player.frame_number() > 0)
+            return show_anew(player, renderer);
+        m_shown.reset();  // the first frame brings its own picture
+        return {};
     }
     if (auto set = player.set_signal(document.state().signal,
                                      {loaded.name, std::move(loaded.sound), std::move(loaded.scene),

@@ -25,6 +25,7 @@
 #include "model/preset_stars.h"
 #include "model/remote_settings.h"
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -100,6 +101,8 @@ public:
     /// Null until a look has been opened.
     const Document* document() const { return m_document ? &*m_document : nullptr; }
     const Player& player() const { return m_player; }
+    /// A look has been opened whose source is still being read; it draws nothing yet.
+    bool awaits_source() const;
     /// Null until a look has drawn.
     const Renderer* renderer() const { return m_renderer.get(); }
     const std::vector<Problem>& problems() const { return m_problems; }
@@ -431,6 +434,7 @@ private:
     std::optional<OpenRequest> m_opened;  // that the open look came from
     double m_loading_seconds = 0.0;
     double m_amid_seconds = 0.0;   // since the unfinished frame was begun
+    std::chrono::steady_clock::time_point m_turn_begun;
     bool m_is_turn_spent = false;  // on a first draw
     Values m_missed_events;        // of parameters, while it was drawn
     std::optional<Notice> m_notice;

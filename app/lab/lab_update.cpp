@@ -18,6 +18,11 @@
 
 namespace fs = std::filesystem;
 
+namespace {
+// With the panels a turn stays below 1/20 s; first draws take their part of it.
+constexpr double slice_seconds = 0.024;
+}  // namespace
+
 void Lab::update(double wall_seconds) {
     constexpr double longest_turn = 0.1;  // a rest before it is no reading
     m_loading_seconds =
@@ -26,9 +31,9 @@ void Lab::update(double wall_seconds) {
         m_notice.reset();
     for (const fs::path& file : m_reloader.update())
         extra_file_changed(file);
-    const auto begun = std::chrono::steady_clock::now();
+    m_turn_begun = std::chrono::steady_clock::now();
     take_reload();
-    const double arriving_seconds = seconds_since(begun);
+    const double arriving_seconds = seconds_since(m_turn_begun);
     listen(wall_seconds);
     const bool was_comparing = m_rate_check.is_running();
     m_rate_check.update();
@@ -42,11 +47,9 @@ void Lab::update(double wall_seconds) {
         // The last picture goes on meanwhile.
         m_reloader.restack(m_document->state().stack, m_document->state().values);
     follow_constants();
-    // With the panels a turn stays below 1/20 s; first draws take their part of it.
-    constexpr double slice = 0.024;
-    m_renderer->set_slice(m_arrival ? slice / 2.0 : slice);
+    m_renderer->set_slice(m_arrival ? slice_seconds / 2.0 : slice_seconds);
     m_is_turn_spent =
-        m_arrival && !m_is_turn_spent && arriving_seconds > slice && m_player.is_playing();
+        m_arrival && !m_is_turn_spent && arriving_seconds > slice_seconds && m_player.is_playing();
     if (m_is_turn_spent)
         m_amid_seconds += wall_seconds;  // the picture's turn is the next one
     else if (is_amid_frame())
@@ -447,8 +450,19 @@ void Lab::limit_frame(double wall_seconds) {
                        .span_seconds = span}));
 }
 
+// Its first frames would show nothing, at sizes that are not its own.
+bool Lab::awaits_source() const {
+    return m_document && m_document->look().driven_by == Driver::picture && !m_drive.source() &&
+           !m_drive.loading().empty();
+}
+
 void Lab::draw_picture(double wall_seconds) {
+    if (awaits_source())
+        return;
+    const bool is_first = m_renderer->executor().plan().targets.empty();
     resize_picture();
+    if (is_first && seconds_since(m_turn_begun) > slice_seconds)
+        return;  // making room has taken this turn
     set_guard();
     limit_frame(wall_seconds);
     m_renderer->set_loudness(m_player.loudness());

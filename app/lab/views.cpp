@@ -216,6 +216,8 @@ void Views::look_closer(const Lab& lab, const WindowState& window) {
 }
 
 void Views::update(const Lab& lab, const WindowState& window) {
+    if (lab.awaits_source())
+        return;  // what was shown before stays
     if (!lab.renderer() || lab.renderer()->executor().plan().targets.empty()) {
         m_picture.reset();
         m_beside.reset();
