@@ -159,4 +159,13 @@ void Program::use() const {
     glUseProgram(m_name.get());
 }
 
+std::shared_ptr<const Program> ending_in(std::shared_ptr<Context> home, Program program) {
+    auto owned = std::make_unique<const Program>(std::move(program));
+    if (!home)
+        return owned;
+    return {owned.release(), [home = std::move(home)](const Program* ending) {
+                home->bury(std::unique_ptr<const Program>(ending));
+            }};
+}
+
 }  // namespace gpu

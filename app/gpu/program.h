@@ -2,10 +2,12 @@
 
 #include "base/byte_store.h"
 #include "base/diagnostic.h"
+#include "gpu/context.h"
 #include "gpu/name.h"
 #include "gpu/uniform.h"
 #include "model/look.h"
 
+#include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -50,5 +52,9 @@ private:
     std::vector<std::size_t> m_by_name;  // places in m_uniforms
     bool m_is_restored = false;
 };
+
+/// Whoever owns it last, on any thread, has it end in `home`: a driver may take from a context what
+/// it has bound where another one ends a program. Null: in the one that is current then.
+std::shared_ptr<const Program> ending_in(std::shared_ptr<Context> home, Program program);
 
 }  // namespace gpu

@@ -9,10 +9,14 @@ Result<void> Executor::set_guard(Guard guard) {
         return facts_of(target.format).is_float;
     };
     if (guard != Guard::off && !m_tripwire && std::ranges::any_of(m_plan.targets, holds_floats)) {
-        auto made = Tripwire::make();
-        if (!made)
-            return fail(made.error());
-        m_tripwire.emplace(std::move(*made));
+        auto programs = m_programs.tripwire;
+        if (!programs) {
+            auto built = build_tripwire();
+            if (!built)
+                return fail(built.error());
+            programs = std::move(*built);
+        }
+        m_tripwire.emplace(std::move(programs));
     }
     if (guard != m_guard && m_tripwire)
         m_tripwire->clear();

@@ -128,6 +128,21 @@ void Executor::drop_frame() {
         m_targets[i].drop();
 }
 
+void Executor::rehearse(const Frame& frame, std::size_t pass) {
+    const gpu::ContextScope home(m_home.get());
+    std::vector<bool> only(m_passes.size(), false);
+    only[pass] = true;
+    note_frame(frame, &only, false);
+    const gpu::DrawScope scope;
+    if (begin_pass(pass)) {
+        if (m_work.draws > m_work.first_draw)
+            draw_band(pass, 0.0);
+        end_pass(pass);
+    }
+    m_samplers.release();
+    drop_frame();
+}
+
 void Executor::end_slices() {
     const gpu::ContextScope scope(m_home.get());
     drop_frame();

@@ -69,8 +69,10 @@ FirstDraws::FirstDraws(const FirstDrawsOf& of, const PassProgram& idle) {
     const bool is_small = of.size == FirstDrawsOf::Size::small;
     const Extent extent = is_small ? small_like(of.viewport) : of.viewport;
     const Extent source = is_small ? Extent{96, 96} : Extent{320, 240};
+    const auto guard = of.programs.tripwire ? Executor::Guard::search : Executor::Guard::off;
     const bool is_ready = m_executor->resize(extent, source).has_value() &&
-                          m_executor->set_source(black(source)).has_value();
+                          m_executor->set_source(black(source)).has_value() &&
+                          m_executor->set_guard(guard).has_value();
     for (const auto& [name, texture] : of.images)
         m_executor->set_image(name, texture);
     if (!is_ready)
@@ -85,13 +87,7 @@ const std::string& FirstDraws::next_pass() const {
 void FirstDraws::draw_next() {
     assert(!is_done());
     const Beam beam(2);
-    std::vector<bool> only(m_executor->look().passes.size(), false);
-    const std::size_t pass = m_new[m_done++];
-    only[pass] = true;
     // A band of it will do, and a heavy one keeps nobody else from the GPU for long.
-    m_executor->begin_draw(first_frame(beam), &only, false);
-    for (std::size_t step = 0; step <= pass; ++step)
-        m_executor->continue_frame(0.0);
-    m_executor->drop_frame();
+    m_executor->rehearse(first_frame(beam), m_new[m_done++]);
     gpu::finish();
 }

@@ -46,16 +46,6 @@ private:
     std::vector<PassProgram> m_left;
 };
 
-std::shared_ptr<const gpu::Program> at_home(gpu::Program program,
-                                            const std::shared_ptr<gpu::Context>& home) {
-    auto owned = std::make_unique<const gpu::Program>(std::move(program));
-    if (!home)
-        return owned;
-    return {owned.release(), [home](const gpu::Program* ending) {
-                home->bury(std::unique_ptr<const gpu::Program>(ending));
-            }};
-}
-
 PassProgram wanted_for(const Pass& pass) {
     return {vertex_stage_of(pass).text, pass.fragment.text, pass.draw, pass.set, nullptr};
 }
@@ -68,7 +58,7 @@ Result<PassProgram> build_pass(const Pass& pass, Reusable& reusable, ByteStore* 
     if (!made.program) {
         auto program = gpu::Program::build(vertex_stage_of(pass), pass.fragment, kept);
         if (program)
-            made.program = at_home(std::move(*program), home);
+            made.program = gpu::ending_in(home, std::move(*program));
         else
             problems.insert(problems.end(), program.error().begin(), program.error().end());
     }

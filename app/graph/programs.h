@@ -9,6 +9,8 @@
 #include <memory>
 #include <vector>
 
+struct TripwirePrograms;
+
 /// What a pass compiles to, and from what.
 struct PassProgram {
     std::string vertex;
@@ -24,6 +26,8 @@ struct Programs {
     std::vector<PassProgram> passes;
     // Where executors draw with them; null: in whichever context they are made in.
     std::shared_ptr<gpu::Context> home = {};
+    // Of the executors' guard; null: each makes its own.
+    std::shared_ptr<const TripwirePrograms> tripwire = {};
 };
 
 /// Whether build_programs() would take all of `look` from `programs`.
@@ -33,7 +37,7 @@ bool serves(const Programs& programs, const Look& look);
 /// whose stages, draw mode and fixed uniforms equal those of one in `reuse` take its program. Fails
 /// with what the driver refuses, of all passes at once, at the author's files and lines. `kept` as
 /// in gpu::Program::build. `progress` may be null; cancelled there, it fails. What is new ends in
-/// `home`: a driver may take from a context what it has bound where another ends a program.
+/// `home`.
 Result<Programs> build_programs(const Look& look, const Programs* reuse = nullptr,
                                 ByteStore* kept = nullptr, PassProgress* progress = nullptr,
                                 const std::shared_ptr<gpu::Context>& home = nullptr);

@@ -60,14 +60,17 @@ Extent trip_blocks_of(Extent extent) {
 constexpr Sampler trip_sampler{Filter::nearest, Wrap::edge, false};
 }  // namespace
 
-Result<Tripwire> Tripwire::make() {
+Result<std::shared_ptr<const TripwirePrograms>> build_tripwire(
+    const std::shared_ptr<gpu::Context>& home) {
     auto finder = build_measuring_program(finder_text);
     if (!finder)
         return fail(finder.error());
     auto mender = build_measuring_program(mender_text);
     if (!mender)
         return fail(mender.error());
-    return Tripwire(std::move(*finder), std::move(*mender));
+    return std::make_shared<const TripwirePrograms>(
+        TripwirePrograms{gpu::ending_in(home, std::move(*finder)),
+                         gpu::ending_in(home, std::move(*mender))});
 }
 
 // Where there is no memory nothing is found; the passes themselves are what needs it.
@@ -95,12 +98,12 @@ void Tripwire::begin(std::int64_t frame) {
 }
 
 void Tripwire::draw_found(const Watch& watch, const gpu::Texture& target, std::int64_t frame) {
-    m_finder.write("frames_left",
+    m_programs->finder->write("frames_left",
                    std::array{static_cast<double>(most_frames - (frame - *m_first_frame))});
     m_samplers.bind(0, target, trip_sampler);
     watch.blocks.bind();
     gpu::set_blend(Blend::maximum);
-    m_finder.use();
+    m_programs->finder->use();
     m_vertices.bind();
     gpu::draw_triangle();
 }
@@ -156,8 +159,8 @@ void Tripwire::draw_mended(Watch& watch, const gpu::Canvas& target) {
         watch.spare.emplace(std::move(*spare));
     }
     gpu::set_blend(Blend::replace);
-    m_mender.write("most", std::array{format_limit(texture.format())});
-    m_mender.use();
+    m_programs->mender->write("most", std::array{format_limit(texture.format())});
+    m_programs->mender->use();
     m_vertices.bind();
     m_samplers.bind(0, texture, trip_sampler);
     watch.spare->bind();

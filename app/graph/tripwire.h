@@ -21,12 +21,23 @@ struct Trip {
     bool operator==(const Trip&) const = default;
 };
 
+/// What a Tripwire draws with.
+struct TripwirePrograms {
+    std::shared_ptr<const gpu::Program> finder;
+    std::shared_ptr<const gpu::Program> mender;
+};
+
+/// They end in `home`.
+Result<std::shared_ptr<const TripwirePrograms>> build_tripwire(
+    const std::shared_ptr<gpu::Context>& home = nullptr);
+
 /// Looks at what passes have drawn for numbers that are not finite, and may put finite ones in
 /// their place before anybody reads them. One draw a target, and nobody waits for the GPU: what was
 /// found is known some frames later.
 class Tripwire {
 public:
-    static Result<Tripwire> make();
+    explicit Tripwire(std::shared_ptr<const TripwirePrograms> programs)
+        : m_programs(std::move(programs)) {}
 
     /// To be called within a DrawScope, right after the pass. Frames count up. With `clamps` what
     /// is no number becomes 0, and an infinity the format's largest number.
@@ -47,9 +58,6 @@ public:
     void clear();
 
 private:
-    Tripwire(gpu::Program finder, gpu::Program mender)
-        : m_finder(std::move(finder)), m_mender(std::move(mender)) {}
-
     struct Look {
         gpu::PixelQuery query;
         bool is_open = false;
@@ -68,8 +76,7 @@ private:
     void draw_mended(Watch& watch, const gpu::Canvas& target);
     std::optional<Trip> first_in(std::size_t pass, const Watch& watch) const;
 
-    gpu::Program m_finder;
-    gpu::Program m_mender;
+    std::shared_ptr<const TripwirePrograms> m_programs;
     gpu::VertexArray m_vertices;
     gpu::Samplers m_samplers;
     std::map<std::size_t, Watch> m_watches;

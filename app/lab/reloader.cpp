@@ -275,19 +275,24 @@ Result<ImageTextures> Reloader::load_images(const Look& look, Diagnostics& warni
 
 // Each new program draws once: in the home that is new, where it will be drawn with; else here, as
 // that one is current elsewhere, and what the driver keeps in files of its own will do.
-void Reloader::draw_first(const Job& job, const Programs* known, const Programs& programs,
+void Reloader::draw_first(const Job& job, const Programs* known, Programs& programs,
                           LoadedRequest& loaded) {
     const bool is_at_home = job.is_home_new && programs.home == job.home;
     const gpu::ContextScope scope(is_at_home ? job.home.get() : nullptr);
     std::optional<WarmUp> own;
-    if (is_at_home)
+    if (is_at_home) {
         if (auto made = WarmUp::make())
             own.emplace(std::move(*made));
+        if (auto made = build_tripwire(job.home))
+            programs.tripwire = std::move(*made);
+    }
     const std::optional<WarmUp>& warm_up = is_at_home ? own : m_warm_up;
     if (!warm_up)
         return;
     Programs drawn = programs;
     drawn.home = nullptr;
+    if (!is_at_home)
+        drawn.tripwire = nullptr;  // its uniforms are somebody else's now
     warm_up->draw(
         {*loaded.look, drawn, known, loaded.images, m_picture, FirstDrawsOf::Size::whole},
         *job.progress);
@@ -307,6 +312,8 @@ Result<Programs> Reloader::link(const Job& job, LoadedRequest& loaded) {
                        is_served ? m_linked->home : job.home);
     if (!programs)
         return programs;
+    if (known)
+        programs->tripwire = known->tripwire;
     if (is_look)
         draw_first(job, known, *programs, loaded);
     if (!job.progress->is_cancelled())

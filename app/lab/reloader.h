@@ -120,7 +120,7 @@ private:
     }
     LoadedRequest load(const Job& job);
     Result<Programs> link(const Job& job, LoadedRequest& loaded);
-    void draw_first(const Job& job, const Programs* known, const Programs& programs,
+    void draw_first(const Job& job, const Programs* known, Programs& programs,
                     LoadedRequest& loaded);
     Result<ImageTextures> load_images(const Look& look, Diagnostics& warnings);
 
