@@ -1,9 +1,13 @@
 #include "gpu/canvas.h"
 #include "gpu/draw.h"
 #include "gpu/headless.h"
+#include "gpu/program.h"
 #include "gpu/readback.h"
 
+#include <epoxy/gl.h>
+
 #include <cstdlib>
+#include <optional>
 #include <thread>
 
 TEST_CASE_FIXTURE(Headless, "a context says who draws and how much") {
@@ -35,6 +39,49 @@ TEST_CASE_FIXTURE(Headless, "what a helper thread draws is there for the first o
         (*helper)->release();
     }).join();
     CHECK(gpu::read_pixel(*texture, 1, 1) == std::array<float, 4>{0.5f, 0.5f, 0.5f, 0.5f});
+}
+
+TEST_CASE_FIXTURE(Headless, "within a scope another context draws, and what it drew is seen after it") {
+    auto other = gpu::Context::shared_with(**context);
+    REQUIRE(other.has_value());
+    std::optional<gpu::Canvas> canvas;
+    {
+        const gpu::ContextScope scope(other->get());
+        CHECK(gpu::Context::current() == other->get());
+        canvas.emplace(gpu::Canvas::make({2, 2}, Format::rgba32f).value());
+        const gpu::ContextScope same(other->get());
+        canvas->clear({0.25f, 0.5f, 0.75f, 1.0f});
+    }
+    CHECK(gpu::Context::current() == context->get());
+    CHECK(gpu::read_pixel(canvas->texture(), 1, 1) ==
+          std::array<float, 4>{0.25f, 0.5f, 0.75f, 1.0f});
+    const gpu::ContextScope scope(other->get());
+    canvas.reset();
+}
+
+TEST_CASE_FIXTURE(Headless, "without a context to change to, a scope changes nothing") {
+    const gpu::ContextScope scope(nullptr);
+    CHECK(gpu::Context::current() == context->get());
+}
+
+TEST_CASE_FIXTURE(Headless, "a program ends in its home, whoever lets go of it last") {
+    auto made = gpu::Context::shared_with(**context);
+    REQUIRE(made.has_value());
+    const std::shared_ptr<gpu::Context> home = std::move(*made);
+    Stage vertex;
+    vertex.text = "#version 410 core\nvoid main() { gl_Position = vec4(0.0); }\n";
+    Stage fragment;
+    fragment.text = "#version 410 core\nout vec4 color;\nvoid main() { color = vec4(1.0); }\n";
+    auto program = gpu::ending_in(home, gpu::Program::build(vertex, fragment).value());
+    program->use();
+    GLint id = 0;
+    glGetIntegerv(GL_CURRENT_PROGRAM, &id);
+    glUseProgram(0);
+    program.reset();
+    CHECK(glIsProgram(static_cast<GLuint>(id)));
+    { const gpu::ContextScope scope(home.get()); }
+    CHECK_FALSE(glIsProgram(static_cast<GLuint>(id)));
+    CHECK(home.use_count() == 1);
 }
 
 TEST_CASE("contexts come and go, also while others live") {

@@ -81,3 +81,61 @@ TEST_CASE(
     CHECK_FALSE(small.lab().opening().has_value());
     CHECK(small.lab().end_opening());
 }
+
+namespace {
+const gpu::Context* home_of(const SmallLab& small) {
+    return const_cast<SmallLab&>(small).lab().renderer()->executor().programs().home.get();
+}
+}  // namespace
+
+TEST_CASE("each look draws in a context of its own, which the one after the next has again") {
+    SmallLab small;
+    add_other_look(small);
+    small.write("../other/gain.glsl", "uniform float gain = 3.0;  // @range 0 8\n");
+    const gpu::Context* first = home_of(small);
+    REQUIRE(first);
+    CHECK(first != gpu::Context::current());
+    small.lab().open("other");
+    REQUIRE(small.turn_until([&] { return open_look(small) == "other"; }));
+    small.wait_for_frames();
+    const gpu::Context* second = home_of(small);
+    REQUIRE(second);
+    CHECK(second != first);
+    small.lab().open("small");
+    REQUIRE(small.turn_until([&] { return open_look(small) == "small"; }));
+    small.wait_for_frames();
+    CHECK(home_of(small) == first);
+    CHECK(small.shown() == small.frames());
+}
+
+TEST_CASE("an edit, and the same look opened again, stay in the context that the look draws in") {
+    SmallLab small;
+    const gpu::Context* home = home_of(small);
+    small.write("gain.glsl", "uniform float gain = 2.0;  // @range 0 8\n");
+    CHECK(small.turn_until([&] { return small.shown() == 2.0f * small.frames(); }));
+    CHECK(home_of(small) == home);
+    small.lab().open("small");
+    REQUIRE(small.turn_until([&] { return !small.lab().is_loading(); }));
+    CHECK(home_of(small) == home);
+}
+
+TEST_CASE("a look draws nothing before its source is there") {
+    SmallLab small;
+    add_other_look(small);
+    small.write("../other/look.json",
+                replaced(small_look::manifest, "\"driven_by\": \"nothing\"",
+                         "\"driven_by\": \"picture\", \"default_source\": \"pattern:smpte\""));
+    bool has_drawn_without = false;
+    small.lab().open("other");
+    CHECK(small.turn_until([&] {
+        if (open_look(small) != "other")
+            return false;
+        const Executor& executor = small.lab().renderer()->executor();
+        const auto held = executor.textures();
+        const bool has_source =
+            std::ranges::find(held, Input::From::source, &TextureChoice::from) != held.end();
+        has_drawn_without = has_drawn_without || (!executor.plan().targets.empty() && !has_source);
+        return small.lab().player().frame_number() > 2;
+    }));
+    CHECK_FALSE(has_drawn_without);
+}
