@@ -6,6 +6,7 @@ void Arrival::start(const Beside& beside) {
     m_has_started = true;
     if (!m_loaded.look || !m_loaded.programs || m_loaded.is_warm)
         return;
+    const gpu::ContextScope scope(m_loaded.programs->home.get());  // it ends there, too
     const auto idle = idle_program();
     if (!idle)
         return;  // the first frame is slower

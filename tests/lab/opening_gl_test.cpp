@@ -1,3 +1,7 @@
+#include "gpu/canvas.h"
+#include "gpu/draw.h"
+#include "gpu/program.h"
+#include "gpu/vertex_array.h"
 #include "lab/small_lab.h"
 
 #include <set>
@@ -138,4 +142,35 @@ TEST_CASE("a look draws nothing before its source is there") {
         return small.lab().player().frame_number() > 2;
     }));
     CHECK_FALSE(has_drawn_without);
+}
+
+// Mesa takes from a context what it has bound when a program that was linked there ends elsewhere.
+TEST_CASE("what the window draws with stays bound beside an edit of the look") {
+    SmallLab small;
+    Stage vertex;
+    vertex.text =
+        "#version 410 core\nvoid main() { gl_Position = vec4(gl_VertexID % 2 * 4 - 1, "
+        "gl_VertexID / 2 * 4 - 1, 0.0, 1.0); }\n";
+    Stage fragment;
+    fragment.text = "#version 410 core\nout vec4 color;\nvoid main() { color = vec4(0.5); }\n";
+    const auto panels = gpu::Program::build(vertex, fragment);
+    REQUIRE(panels.has_value());
+    const auto canvas = gpu::Canvas::make({4, 4}, Format::rgba32f);
+    REQUIRE(canvas.has_value());
+    const gpu::VertexArray vertices;
+    const auto draw = [&] {
+        canvas->bind();
+        panels->use();
+        vertices.bind();
+        gpu::draw_triangle();
+    };
+    small.write("gain.glsl", "uniform float gain = 2.0;  // @range 0 8\n");
+    CHECK(small.turn_until([&] {
+        draw();
+        gpu::finish();
+        return small.shown() == 2.0f * small.frames();
+    }));
+    canvas->clear();
+    draw();
+    CHECK(gpu::read_pixel(canvas->texture(), 1, 1)[0] == 0.5f);
 }
