@@ -16,8 +16,11 @@ public:
     /// On the thread of `screen`: one that is nobody's, until it is given back by its last owner,
     /// on any thread. Null where the driver gives none.
     std::shared_ptr<gpu::Context> lend();
+    /// The next lend() finds one; making it may take a driver a while.
+    void have_spare() { static_cast<void>(lend()); }
 
 private:
     const gpu::Context& m_screen;
     std::vector<std::shared_ptr<gpu::Context>> m_all;
+    bool m_has_failed = false;
 };

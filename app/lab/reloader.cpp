@@ -118,6 +118,8 @@ PassProgress::State Reloader::progress() const {
 }
 
 std::vector<fs::path> Reloader::update() {
+    if (m_home && !is_busy())
+        m_drawing_contexts.have_spare();
     std::vector<fs::path> extra;
     if (!m_watcher)
         return extra;
