@@ -84,15 +84,15 @@ public:
     void redraw(const Frame& frame, const std::vector<bool>& passes);
 
     /// What draw() and redraw() do, in slices, for who has other things to do beside a look that
-    /// takes long: passes are drawn in bands of rows. Until continue_frame() has finished the
-    /// frame, what is told of targets is that of the one before, where `is_seen` and there is
-    /// memory. Whatever else draws, resizes or clears drops an unfinished frame.
-    void begin_draw(const Frame& frame, const std::vector<bool>* passes, bool is_seen);
-    void begin_redraw(const Frame& frame, const std::vector<bool>& passes, bool is_seen);
+    /// takes long: passes are drawn in bands of rows. With `is_beside` and where there is memory,
+    /// what is told of targets is that of the frame before until continue_frame() has finished
+    /// this one. Whatever else draws, resizes or clears drops an unfinished frame.
+    void begin_draw(const Frame& frame, const std::vector<bool>* passes, bool is_beside);
+    void begin_redraw(const Frame& frame, const std::vector<bool>& passes, bool is_beside);
     bool is_amid_frame() const { return m_is_amid_frame; }
     /// Whether a frame can be drawn while the one before is seen: not where a pass that reads its
     /// own history goes on with it within a frame.
-    bool can_draw_unseen() const;
+    bool can_draw_beside() const;
     /// Goes on for about `seconds`; true when the frame is whole.
     bool continue_frame(double seconds);
     void drop_frame();
@@ -237,7 +237,7 @@ private:
     bool m_draws_whole = false;  // the present frame
     FrameWork m_work;
     bool m_is_amid_frame = false;
-    bool m_is_unseen = false;  // the unfinished frame; else it is drawn in its place
+    bool m_is_beside = false;  // the unfinished frame: the one before is still told of
     std::optional<Tripwire> m_tripwire;
     bool m_has_points = false;
     bool m_has_segments = false;

@@ -6,25 +6,25 @@
 #include <algorithm>
 #include <utility>
 
-void Executor::begin_draw(const Frame& frame, const std::vector<bool>* passes, bool is_seen) {
+void Executor::begin_draw(const Frame& frame, const std::vector<bool>* passes, bool is_beside) {
     const gpu::ContextScope scope(m_home.get());
     note_frame(frame, passes, false);
-    move_on(is_seen);
+    move_on(is_beside);
     m_is_amid_frame = true;
-    m_is_unseen = is_seen;
+    m_is_beside = is_beside;
 }
 
-void Executor::begin_redraw(const Frame& frame, const std::vector<bool>& passes, bool is_seen) {
+void Executor::begin_redraw(const Frame& frame, const std::vector<bool>& passes, bool is_beside) {
     const gpu::ContextScope scope(m_home.get());
     note_frame(frame, &passes, true);
-    for (std::size_t i = 0; is_seen && i < m_targets.size(); ++i)
+    for (std::size_t i = 0; is_beside && i < m_targets.size(); ++i)
         if (may_be_unfinished(i))
             m_targets[i].begin(Target::Unfinished::again);
     m_is_amid_frame = true;
-    m_is_unseen = is_seen;
+    m_is_beside = is_beside;
 }
 
-bool Executor::can_draw_unseen() const {
+bool Executor::can_draw_beside() const {
     for (std::size_t i = 0; i < m_passes.size(); ++i)
         if (m_passes[i].reads_itself && repeats_of(m_look.passes[i]) > 1)
             return false;
@@ -123,7 +123,7 @@ void Executor::drop_frame() {
     if (!std::exchange(m_is_amid_frame, false))
         return;
     for (PassState& state : m_passes)  // what they were added to is gone, or half drawn
-        state.samples = m_is_unseen ? state.whole_samples : 0;
+        state.samples = m_is_beside ? state.whole_samples : 0;
     for (std::size_t i = 0; i < m_targets.size(); ++i)
         m_targets[i].drop();
 }

@@ -270,7 +270,7 @@ void Renderer::note_whole(const PlayedFrame& played, std::size_t points, double 
 void Renderer::begin_slices(const Frame& frame, const std::vector<bool>* passes,
                             Unfinished unfinished) {
     move_values(frame.time);
-    unfinished.is_beside = m_holds_picture && m_slicing.is_heavy() && m_executor.can_draw_unseen();
+    unfinished.is_beside = m_holds_picture && m_slicing.is_heavy() && m_executor.can_draw_beside();
     for (Executor* executor : {&m_executor, m_variant.get()}) {
         const bool is_left_out =
             executor == &m_executor && m_is_variant_alone && !unfinished.is_again;

@@ -54,8 +54,8 @@ TEST_CASE_FIXTURE(Headless, "in slices all passes of a look come out as at once"
     Executor sliced = executor_of(busy_look(), extent);
     for (int n = 1; n <= 6; ++n) {
         whole.draw(frame(n));
-        const bool is_seen = n % 2 == 0;
-        sliced.begin_draw(frame(n), nullptr, is_seen);
+        const bool is_beside = n % 2 == 0;
+        sliced.begin_draw(frame(n), nullptr, is_beside);
         CHECK(sliced.is_amid_frame());
         // 27 rows: 13 pairs and one, of each of 1 + 1 + 3 + 1 draws; the ends of passes between.
         const int slices = slices_of(sliced);
