@@ -350,7 +350,7 @@ std::optional<PlayedFrame> Player::advance_picture(double wall_seconds) {
         return std::nullopt;
     if (m_capture)
         return advance_live(wall_seconds);
-    const double played = shown_seconds(played_seconds(wall_seconds));
+    const double played = shown_seconds(played_seconds(wall_seconds), wall_seconds);
     if (played <= 0.0)
         return std::nullopt;
     return moved_to(m_time + played);
@@ -361,12 +361,14 @@ void Player::set_longest_frame(double seconds) {
 }
 
 // Time that a frame cannot cover is lost, not light. A sound that is heard goes on meanwhile.
-double Player::shown_seconds(double played) {
+double Player::shown_seconds(double played, double wall_seconds) {
     if (played <= 0.0)
         return 0.0;
     const double shown = std::min(played, m_longest_frame);
-    constexpr double smoothing = 0.1;
-    m_shown_share += smoothing * (shown / played - m_shown_share);
+    const double share = shown / played;
+    const double of_two = std::max(share, std::exchange(m_last_share, share));
+    constexpr double lately_seconds = 0.5;
+    m_shown_share += std::min(wall_seconds / lately_seconds, 1.0) * (of_two - m_shown_share);
     if (leaves_out())
         m_time += played - shown;
     return shown;

@@ -92,7 +92,9 @@ public:
     /// The longest time that one frame may cover, 1/240 .. 1/4 s: a machine that takes longer shows
     /// time more slowly, or only a part of a sound that is heard; no frame holds light of two.
     void set_longest_frame(double seconds);
-    /// How much of the time that goes by is shown, lately: 1 where the machine keeps up.
+    /// How much of the time that goes by is shown, over about the last half second, or the last
+    /// frame where that took longer: 1 where the machine keeps up. One frame alone that is held up
+    /// counts as the one before.
     double shown_share() const { return m_shown_share; }
     /// Whether what is not shown is left out, because a sound that is heard, or a real scope, waits
     /// for nobody.
@@ -122,7 +124,7 @@ private:
     std::optional<PlayedFrame> advance_picture(double wall_seconds);
     std::optional<PlayedFrame> advance_live(double wall_seconds);
     double played_seconds(double wall_seconds);
-    double shown_seconds(double played);
+    double shown_seconds(double played, double wall_seconds);
     PlayedFrame moved_to(double end);
 
     static constexpr std::size_t frames_remembered = 1024;
@@ -149,6 +151,7 @@ private:
     double m_start = 0.0;  // s into the sound where time 0 is
     double m_longest_frame = longest_frame;
     double m_shown_share = 1.0;
+    double m_last_share = 1.0;  // of the last frame alone
     std::int64_t m_frame = 0;
     bool m_is_playing = true;
     bool m_is_stepping = false;

@@ -138,9 +138,29 @@ TEST_CASE("where a frame may cover only so much, time is shown more slowly, and 
     CHECK(player.shown_share() == doctest::Approx(0.05 / 0.6).epsilon(0.01));
     player.set_longest_frame(1.0);  // no more than a quarter of a second in any case
     CHECK(player.advance(0.6)->span.seconds() == doctest::Approx(0.25));
-    for (int i = 0; i < 60; ++i)
+    for (int i = 0; i < 180; ++i)
         player.advance(frame_seconds);
     CHECK(player.shown_share() == doctest::Approx(1.0).epsilon(0.01));
+}
+
+TEST_CASE("how slowly time is shown is true from the second slow frame on, however long it takes") {
+    Player player;
+    for (int i = 0; i < 60; ++i)
+        player.advance(frame_seconds);
+    player.advance(1.8);
+    CHECK(player.shown_share() == 1.0);  // one frame may have been held up by anything
+    player.advance(1.8);
+    CHECK(player.shown_share() == doctest::Approx(0.25 / 1.8));
+    player.advance(1.8);
+    CHECK(player.shown_share() == doctest::Approx(0.25 / 1.8));
+}
+
+TEST_CASE("a frame that was held up once slows nothing down") {
+    Player player;
+    for (const double seconds : {frame_seconds, 3.0, frame_seconds, frame_seconds}) {
+        player.advance(seconds);
+        CHECK(player.shown_share() == 1.0);
+    }
 }
 
 TEST_CASE("the fixed clock shows N/fps in frame N") {
