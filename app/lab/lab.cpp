@@ -207,6 +207,7 @@ void Lab::cancel_loading() {
 }
 
 Preset Lab::portable(const Preset& preset, const fs::path& folder) const {
+    remember_foreign_looks(*m_document, m_drive.recent());
     return with_portable_media(preset, folder, m_drive.recent());
 }
 

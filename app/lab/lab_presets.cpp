@@ -6,6 +6,7 @@
 #include "io/atomic_file.h"
 #include "lab/lab.h"
 #include "lab/morphing.h"
+#include "lab/shelf.h"
 
 #include <fmt/format.h>
 
@@ -71,10 +72,7 @@ void Lab::step_preset(int by, bool only_starred) {
     const auto next = m_document ? preset_on_ring(by, only_starred) : std::nullopt;
     if (!next)
         return;
-    const Look& look = m_document->look();
-    const std::string as_it_is =
-        look.stack.size() > 1 ? look.id : look.manifest.parent_path().string();
-    open(next->file.empty() ? as_it_is : next->file.string());
+    open(next->file.empty() ? argument_of(m_document->look()) : next->file.string());
     m_preset_step = next;
 }
 

@@ -9,6 +9,7 @@
 #include "lab/local_date.h"
 #include "lab/morphing.h"
 #include "lab/session.h"
+#include "lab/sharing.h"
 #include "lab/tryouts.h"
 
 #include <fmt/format.h>
@@ -274,6 +275,7 @@ void Lab::open_document(Look look, const OpenRequest& request) {
         m_document->replace_look(std::move(look));
     else
         m_document.emplace(std::move(look));
+    remember_foreign_looks(*m_document, m_drive.recent());
     m_renderer = std::make_unique<Renderer>(m_document->drawn_look(), *m_programs);
     constexpr double patience_seconds = 0.05;
     m_renderer->set_patience(patience_seconds);

@@ -11,15 +11,13 @@
 
 namespace fs = std::filesystem;
 
-namespace {
-// A preset names a look of another program by its file's name alone, as it does sounds and
-// pictures; it is found again in the same way.
 void remember_foreign_looks(const Document& document, const RecentMedia& recent) {
     for (const StackPart& part : document.look().stack)
         if (is_foreign_look(part.place))
             recent.remember(part.place, {});
 }
 
+namespace {
 Preset portable(Preset preset, const Document& document, const fs::path& folder,
                 const RecentMedia& recent) {
     remember_foreign_looks(document, recent);

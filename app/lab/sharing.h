@@ -7,6 +7,10 @@
 #include <filesystem>
 #include <string>
 
+/// A preset names a look of another program by its file's name alone, as it does sounds and
+/// pictures; it is found again in the same way.
+void remember_foreign_looks(const Document& document, const RecentMedia& recent);
+
 // What leaves the machine names a person's sound or picture by its file name and digest alone.
 
 /// The document as one line of text that holds every value.

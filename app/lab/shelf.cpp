@@ -43,6 +43,17 @@ void tell_apart(std::vector<Entry>& entries) {
 }
 }  // namespace
 
+std::string argument_of(const Look& look) {
+    if (look.stack.size() > 1)
+        return look.id;
+    return (look.manifest.filename() == "look.json" ? look.manifest.parent_path() : look.manifest)
+        .string();
+}
+
+bool is_listed_as(const Look& look, const ShelfLook& entry) {
+    return fs::path(argument_of(look)) == fs::path(entry.argument());
+}
+
 const Shelf::Words& Shelf::words_of(const fs::path& file, bool is_look) {
     std::error_code error;
     const fs::file_time_type written = fs::last_write_time(file, error);
@@ -81,10 +92,24 @@ void Shelf::add_stacks(const Library& library) {
     }
 }
 
-void Shelf::update(const Library& library, double wall_seconds) {
-    m_seconds_left -= wall_seconds;
-    if (m_seconds_left > 0.0)
+void Shelf::add_open(const Library& library, const Look& open) {
+    const auto is_open = [&open](const ShelfLook& entry) { return is_listed_as(open, entry); };
+    if (std::ranges::any_of(m_looks, is_open))
         return;
+    ShelfLook entry{.entry = {}, .name = open.name, .about = open.manifest.string(), .presets = {}};
+    entry.entry.id = open.id;
+    if (open.stack.size() <= 1)
+        entry.entry.folder = argument_of(open);
+    add_presets(entry, library);
+    m_looks.push_back(std::move(entry));
+}
+
+void Shelf::update(const Library& library, const Look* open, double wall_seconds) {
+    m_seconds_left -= wall_seconds;
+    const std::string argument = open ? argument_of(*open) : std::string();
+    if (m_seconds_left > 0.0 && m_open == argument)
+        return;
+    m_open = argument;
     m_seconds_left = 1.0;
     m_looks.clear();
     for (const LookEntry& entry : library.looks()) {
@@ -95,4 +120,6 @@ void Shelf::update(const Library& library, double wall_seconds) {
     }
     tell_apart(m_looks);
     add_stacks(library);
+    if (open)
+        add_open(library, *open);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lab/library.h"
+#include "model/look.h"
 
 #include <filesystem>
 #include <map>
@@ -27,10 +28,15 @@ struct ShelfLook {
     std::string argument() const { return is_stack() ? entry.id : entry.folder.string(); }
 };
 
+/// What opens the look anew, as it has it: a stack's id, a folder, or the file of another program.
+std::string argument_of(const Look& look);
+bool is_listed_as(const Look& look, const ShelfLook& entry);
+
 /// The library as the window lists it: read about once a second, and only files that changed.
 class Shelf {
 public:
-    void update(const Library& library, double wall_seconds);
+    /// `open`: is listed behind all others where the library does not have it; null: none is.
+    void update(const Library& library, const Look* open, double wall_seconds);
     /// Reads the folders at the next update: something was just saved, renamed or deleted.
     void refresh() { m_seconds_left = 0.0; }
 
@@ -45,9 +51,11 @@ public:
 private:
     void add_presets(ShelfLook& look, const Library& library);
     void add_stacks(const Library& library);
+    void add_open(const Library& library, const Look& open);
     const Words& words_of(const std::filesystem::path& file, bool is_look);
 
     double m_seconds_left = 0.0;
+    std::string m_open;  // what opens it
     std::vector<ShelfLook> m_looks;
     std::map<std::filesystem::path, Words> m_words;
 };

@@ -177,7 +177,8 @@ void Application::turn() {
     if (m_lab.is_amid_frame() && !is_attended(now))
         return;  // all there is of the machine for a look that takes long
     m_drawn = now;
-    m_shelf.update(m_lab.library(), wall_seconds);
+    m_shelf.update(m_lab.library(), m_lab.document() ? &m_lab.document()->look() : nullptr,
+                   wall_seconds);
     m_views.update(m_lab, m_state);
     m_history_pictures.update(m_lab);
     m_preset_pictures.update(m_lab, m_state.sees(BottomPart::presets), wall_seconds);

@@ -57,12 +57,6 @@ void draw_presets(const ShelfLook& look, const Scene& scene, Edits& edits) {
     ImGui::Unindent(indent);
 }
 
-bool is_open_look(const Document& document, const ShelfLook& look) {
-    if (look.is_stack() || document.look().stack.size() > 1)
-        return document.look().id == look.entry.id;
-    return document.look().manifest.parent_path() == look.entry.folder;
-}
-
 void draw_look_menu(const ShelfLook& look, const Scene& scene, Edits& edits) {
     if (!ImGui::BeginPopupContextItem("##look_menu"))
         return;
@@ -72,34 +66,14 @@ void draw_look_menu(const ShelfLook& look, const Scene& scene, Edits& edits) {
         add_to_stack(look, edits);
     ImGui::EndPopup();
 }
-// The open look, where the list does not have it.
-void draw_look_from_elsewhere(const Scene& scene, Edits& edits) {
-    const Look& look = scene.lab.document()->look();
-    ShelfLook elsewhere{
-        .entry = {}, .name = look.name, .about = look.manifest.string(), .presets = {}};
-    elsewhere.entry.id = look.id;
-    if (look.stack.size() == 1)
-        elsewhere.entry.folder = look.manifest.parent_path();
-    const ScopedId id("elsewhere");
-    {
-        const ScopedFont font(scene.fonts.strong);
-        ImGui::BeginGroup();
-        draw_line({.label = elsewhere.name, .about = elsewhere.about});
-        ImGui::EndGroup();
-        edits.mark("look_elsewhere");
-    }
-    draw_presets(elsewhere, scene, edits);
-}
 }  // namespace
 
 void draw_library_panel(const Scene& scene, Edits& edits) {
     const Document* document = scene.lab.document();
-    bool is_listed = !document;
     heading("Looks");
     for (const ShelfLook& look : scene.shelf.looks()) {
         const ScopedId id(look.argument());
-        const bool is_open = document && is_open_look(*document, look);
-        is_listed |= is_open;
+        const bool is_open = document && is_listed_as(document->look(), look);
         bool is_clicked = false;
         {
             const ScopedFont font(is_open ? scene.fonts.strong : scene.fonts.text);
@@ -114,8 +88,6 @@ void draw_library_panel(const Scene& scene, Edits& edits) {
         if (is_open)
             draw_presets(look, scene, edits);
     }
-    if (!is_listed)
-        draw_look_from_elsewhere(scene, edits);
     if (scene.shelf.looks().empty())
         dim_text("There is none yet.");
 }

@@ -36,10 +36,8 @@ void draw_open_items(const Scene& scene, Edits& edits) {
 }  // namespace
 
 void open_listed(const ListedPreset& preset, const Scene& scene, Edits& edits) {
-    const Look& look = scene.lab.document()->look();
-    const std::string as_it_is =
-        look.stack.size() > 1 ? look.id : look.manifest.parent_path().string();
-    edits.open(preset.is_plain() ? as_it_is : preset.preset.entry.file.string());
+    edits.open(preset.is_plain() ? argument_of(scene.lab.document()->look())
+                                 : preset.preset.entry.file.string());
 }
 
 void star_listed(const ListedPreset& preset, Edits& edits) {

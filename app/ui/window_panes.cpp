@@ -35,11 +35,6 @@ void draw_left(const Scene& scene, const Rect& place, Edits& edits) {
         lines += 1 + (scene.lab.document() && look.entry.id == scene.lab.document()->look().id
                           ? look.presets.size() + 1
                           : 0);
-    const auto is_open = [&scene](const ShelfLook& look) {
-        return scene.lab.document() && look.entry.id == scene.lab.document()->look().id;
-    };
-    if (std::ranges::none_of(scene.shelf.looks(), is_open))
-        lines += 2;  // one from elsewhere
     const float wanted = static_cast<float>(lines) * ImGui::GetTextLineHeightWithSpacing() +
                          2.0f * ImGui::GetStyle().WindowPadding.y;
     const float gap = 4.0f * scene.scale;

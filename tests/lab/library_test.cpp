@@ -85,7 +85,7 @@ TEST_CASE("presets that say the same name of themselves are told apart by their 
     preset.name = "Day";
     REQUIRE(library.save_preset(preset, "three").has_value());
     Shelf shelf;
-    shelf.update(library, 1.0);
+    shelf.update(library, nullptr, 1.0);
     REQUIRE(shelf.looks().size() == 1);
     std::vector<std::string> names;
     for (const ShelfPreset& shown : shelf.looks().front().presets)

@@ -1,0 +1,70 @@
+// Presets of looks that are another program's, or lie outside the library.
+#include "lab/shelf.h"
+#include "lab/small_lab.h"
+
+namespace {
+constexpr const char* level_frag = R"(#version 330
+const float LEVEL = 0.25;  // @range 0 1
+out vec4 color;
+void main() { color = vec4(LEVEL); }
+)";
+
+/// A lab that has opened a shader from a folder that the library knows nothing of.
+class LabElsewhere : public SmallLab {
+public:
+    LabElsewhere() {
+        write("../../elsewhere/level.frag", level_frag);
+        lab().open((folder() / "elsewhere/level.frag").string());
+        REQUIRE(turn_until([&] { return is_open(""); }));
+    }
+    bool is_open(const std::string& preset) {
+        return !lab().is_loading() && document().look().id == "level.frag" &&
+               document().preset_name() == preset;
+    }
+    double level() { return document().value(document().look().parameters.front()).number(); }
+    void set_level(double value) {
+        lab().edit([value](Document& changed) {
+            changed.set_value("LEVEL", Value(value));
+            changed.finish();
+        });
+    }
+};
+
+std::vector<std::string> presets_of(const ShelfLook& look) {
+    std::vector<std::string> names;
+    for (const ShelfPreset& preset : look.presets)
+        names.push_back(preset.name);
+    return names;
+}
+}  // namespace
+
+TEST_CASE("an open look that the library does not have is listed behind all others") {
+    LabElsewhere elsewhere;
+    elsewhere.set_level(0.75);
+    elsewhere.lab().save_preset_as("Lighter");
+    Shelf shelf;
+    shelf.update(elsewhere.lab().library(), nullptr, 0.0);
+    REQUIRE(shelf.looks().size() == 1);
+    CHECK(shelf.looks()[0].entry.id == "small");
+    const Look& open = elsewhere.document().look();
+    shelf.update(elsewhere.lab().library(), &open, 0.0);
+    REQUIRE(shelf.looks().size() == 2);
+    CHECK_FALSE(is_listed_as(open, shelf.looks()[0]));
+    CHECK(is_listed_as(open, shelf.looks()[1]));
+    CHECK(presets_of(shelf.looks()[1]) == std::vector<std::string>{"Lighter"});
+    CHECK(shelf.looks()[1].argument() == argument_of(open));
+}
+
+TEST_CASE("a preset of another program's look opens, and so does the look as it is") {
+    LabElsewhere elsewhere;
+    elsewhere.set_level(0.75);
+    elsewhere.lab().save_preset_as("Lighter");
+    REQUIRE(elsewhere.is_open("Lighter"));
+    elsewhere.lab().step_preset(1);  // from the last to the look as it is
+    CHECK(elsewhere.turn_until([&] { return elsewhere.is_open(""); }));
+    CHECK(elsewhere.level() == 0.25);
+    elsewhere.lab().step_preset(1);
+    CHECK(elsewhere.turn_until([&] { return elsewhere.is_open("Lighter"); }));
+    CHECK(elsewhere.level() == 0.75);
+    CHECK(elsewhere.lab().problems().empty());
+}
