@@ -1,5 +1,9 @@
 #include "lab/heavy_pass.h"
 
+#include "lab/lab.h"
+
+#include <fmt/format.h>
+
 std::optional<std::size_t> heavy_pass(const PassTimes& times) {
     constexpr std::size_t enough_frames = 4;
     constexpr double most_milliseconds = 100000.0;  // nobody would wait for it
@@ -16,4 +20,25 @@ std::optional<std::size_t> heavy_pass(const PassTimes& times) {
             return pass;
     }
     return std::nullopt;
+}
+
+ChoiceList heavy_pass_choices(const Pass& pass, const PictureSize& size) {
+    ChoiceList list{"Heavy pass"};
+    if (handed_on(pass))
+        list.choices.push_back(
+            {.name = "Bypass " + pass.name,
+             .deeds = {[name = pass.name](Lab& lab) {
+                 lab.switch_pass(PassSwitch::bypass, name);
+                 lab.say(
+                     fmt::format("'{}' is bypassed; the strip of passes takes it in again", name));
+             }}});
+    if (const auto half = size.halved())
+        list.choices.push_back(
+            {.name = "Half size", .deeds = {[half = *half](Lab& lab) {
+                                      lab.set_picture_size(half);
+                                      lab.say(
+                                          "The picture has half its size; View > Picture size "
+                                          "has the others");
+                                  }}});
+    return list;
 }

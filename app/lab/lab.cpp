@@ -22,12 +22,22 @@
 
 namespace fs = std::filesystem;
 
+namespace {
+constexpr double least_picture_scale = 0.25;
+}  // namespace
+
 Extent PictureSize::extent(Extent shaped_view) const {
     const Extent whole = follows_view ? shaped_view : fixed;
     const auto side = [this](int length) {
         return std::clamp(static_cast<int>(std::lround(length * scale)), 1, 16384);
     };
     return {side(whole.width), side(whole.height)};
+}
+
+std::optional<PictureSize> PictureSize::halved() const {
+    PictureSize half = *this;
+    half.scale *= 0.5;
+    return half.scale >= least_picture_scale ? std::optional(half) : std::nullopt;
 }
 
 Lab::Lab(Library library, const gpu::Context& screen, std::unique_ptr<gpu::Context> worker,
@@ -232,7 +242,7 @@ void Lab::set_sound_settings(const SoundSettings& settings) {
 
 void Lab::set_picture_size(const PictureSize& size) {
     m_picture_size = size;
-    m_picture_size.scale = std::clamp(size.scale, 0.25, 2.0);
+    m_picture_size.scale = std::clamp(size.scale, least_picture_scale, 2.0);
 }
 
 void Lab::set_mouse(double x, double y) {

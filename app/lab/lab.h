@@ -2,6 +2,7 @@
 
 #include "lab/arrival.h"
 #include "lab/beam_place.h"
+#include "lab/choice.h"
 #include "lab/chosen_images.h"
 #include "lab/comparing.h"
 #include "lab/document.h"
@@ -54,6 +55,8 @@ struct PictureSize {
     bool operator==(const PictureSize&) const = default;
     /// `shaped_view`: what it is where it follows the view.
     Extent extent(Extent shaped_view) const;
+    /// None: it is as small as it can be.
+    std::optional<PictureSize> halved() const;
 };
 
 /// Something that just happened and goes by ("Saved 'amber'").
@@ -62,6 +65,7 @@ struct Notice {
     bool is_problem = false;
     double seconds_left = 6.0;
     std::string subject;  // of a problem: the file or device, so that it goes when that is mended
+    std::vector<Choice> choices = {};  // what may be done about it; with some it does not go by
 };
 
 /// What a person wants done about a number that is not finite.
@@ -117,6 +121,9 @@ public:
     /// process ends it. Nothing is opened any more.
     bool end_opening();
     const std::optional<Notice>& notice() const { return m_notice; }
+    void put_notice_away() { m_notice.reset(); }
+    /// About a pass that keeps the window from answering; empty where none does.
+    ChoiceList heavy_pass_choices() const;
     bool is_loading() const { return m_reloader.is_busy() || m_arrival; }
     /// Whether a look is, and not only constants of the open one are turned.
     bool is_reading() const;
@@ -337,7 +344,8 @@ private:
     void follow_variant_constants();
     void open_document(Look look, const OpenRequest& request);
     void show_images(const ImageTextures& images);
-    void tell_heavy_pass();
+    void follow_heavy_pass();
+    void forget_heavy_pass();
     void show_problems(const Diagnostics& problems);
     void gather_problems();
     void open_values(const OpenRequest& request);
@@ -426,6 +434,7 @@ private:
     BackgroundWork<ImpulseResponse> m_impulse;
     Reloader m_reloader;
     std::unique_ptr<Arrival> m_arrival;  // of the newest request; null: nothing has come
+    std::string m_heavy_pass;            // "": none is
     bool m_has_told_heavy_pass = false;  // of the open look
     std::vector<Problem> m_look_problems;
     std::vector<Problem> m_problems;  // with those of the signal or source

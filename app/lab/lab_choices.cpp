@@ -206,6 +206,7 @@ std::vector<ChoiceList> all_choices(const Lab& lab, const WindowState& window,
     all.push_back(
         remote_choices(lab.remote_settings(), lab.osc().is_listening(), lab.midi().is_listening()));
     all.push_back(trouble_choices(lab));
+    all.push_back(lab.heavy_pass_choices());
     return all;
 }
 

@@ -4,15 +4,12 @@
 #include "formats/modulation_format.h"
 #include "formats/preset_format.h"
 #include "lab/frame_limit.h"
-#include "lab/heavy_pass.h"
 #include "lab/lab.h"
 #include "lab/local_date.h"
 #include "lab/morphing.h"
 #include "lab/session.h"
 #include "lab/sharing.h"
 #include "lab/tryouts.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
@@ -28,7 +25,7 @@ void Lab::update(double wall_seconds) {
     constexpr double longest_turn = 0.1;  // a rest before it is no reading
     m_loading_seconds =
         is_reading() ? m_loading_seconds + std::min(wall_seconds, longest_turn) : 0.0;
-    if (m_notice && (m_notice->seconds_left -= wall_seconds) <= 0.0)
+    if (m_notice && m_notice->choices.empty() && (m_notice->seconds_left -= wall_seconds) <= 0.0)
         m_notice.reset();
     for (const fs::path& file : m_reloader.update())
         extra_file_changed(file);
@@ -59,7 +56,7 @@ void Lab::update(double wall_seconds) {
         begin_drawing(wall_seconds);
     note_moves();
     tell_silence();
-    tell_heavy_pass();
+    follow_heavy_pass();
 }
 
 bool Lab::is_amid_frame() const {
@@ -106,19 +103,6 @@ void Lab::begin_drawing(double wall_seconds) {
         try_out();
 }
 
-// Once for a look: what makes the window answer slowly, and what may be done about it.
-void Lab::tell_heavy_pass() {
-    const std::vector<Pass>& passes = m_renderer->executor().look().passes;
-    const auto heavy = m_has_told_heavy_pass ? std::nullopt : heavy_pass(m_renderer->pass_times());
-    if (!heavy || *heavy >= passes.size())
-        return;
-    m_has_told_heavy_pass = true;
-    say(fmt::format("pass '{}' takes {:.1f} s a frame here: bypass it in the strip of passes, or "
-                    "draw the picture at half its size",
-                    passes[*heavy].name, m_renderer->latest_pass_milliseconds()[*heavy] / 1000.0),
-        true);
-}
-
 // A device that is gone, once; the signal's panel goes on saying so.
 void Lab::tell_silence() {
     std::string silence = m_player.silence();
@@ -133,9 +117,10 @@ void Lab::tell_silence() {
 }
 
 bool Lab::is_moving() const {
-    return (m_player.is_playing() && !has_converged()) || is_loading() || m_notice || m_wanted ||
-           m_tryouts->is_busy() || m_morphing || m_hand.is_turning() || m_rate_check.is_running() ||
-           m_impulse.is_running() || !m_drive.loading().empty() || m_drive.is_source_late() ||
+    return (m_player.is_playing() && !has_converged()) || is_loading() || m_wanted ||
+           (m_notice && m_notice->choices.empty()) || m_tryouts->is_busy() || m_morphing ||
+           m_hand.is_turning() || m_rate_check.is_running() || m_impulse.is_running() ||
+           !m_drive.loading().empty() || m_drive.is_source_late() ||
            (m_renderer && (m_renderer->is_amid_frame() || m_renderer->replay().is_running() ||
                            m_renderer->awaits_trip()));
 }
@@ -220,6 +205,7 @@ void Lab::apply(LoadedRequest loaded) {
     if (!is_read)
         return;  // the last good picture goes on
     m_opened = loaded.request;
+    forget_heavy_pass();
     m_has_told_heavy_pass = false;
     if (m_document && !reads_images_alike(m_document->look(), *loaded.look)) {
         m_images.clear();

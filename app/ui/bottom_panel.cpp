@@ -62,20 +62,18 @@ void draw_lag(const Scene& scene, Edits& edits) {
 
 // Asked for by nobody, so it takes no more room than a few words.
 void draw_half_size_offer(const Scene& scene, Edits& edits) {
-    constexpr double smallest = 0.25;
-    PictureSize half = scene.lab.picture_size();
-    half.scale *= 0.5;
+    const auto half = scene.lab.picture_size().halved();
     const Renderer* renderer = scene.lab.renderer();
     const double passes = renderer ? renderer->pass_times().present_total() : 0.0;
     const bool runs = scene.lab.player().is_playing() && !scene.lab.has_converged();
-    const bool may_be_smaller = half.follows_view && half.scale >= smallest;
+    const bool may_be_smaller = half && half->follows_view;
     if (!runs || !may_be_smaller || !scene.pace.is_slow_by_passes(passes))
         return;
     ImGui::SameLine();
     {
         const ScopedColor color(ImGuiCol_Text, theme::accent);
         if (quiet_button("Draw at half size"))
-            edits.add([half](Lab& lab) {
+            edits.add([half = *half](Lab& lab) {
                 lab.set_picture_size(half);
                 lab.say("The picture has half its size; the menu above it has the others");
             });

@@ -6,6 +6,7 @@
 #include "ui/compare_bar.h"
 #include "ui/first_steps.h"
 #include "ui/icons.h"
+#include "ui/offer.h"
 #include "ui/problem_list.h"
 #include "ui/scoped.h"
 #include "ui/theme.h"
@@ -119,10 +120,12 @@ void draw_pill(const Pill& pill, const Scene& scene) {
                  ImGui::GetColorU32(pill.color), words.c_str());
 }
 
-void draw_notice(const Scene& scene) {
+void draw_notice(const Scene& scene, Edits& edits) {
     const auto& notice = scene.lab.notice();
     if (!notice)
         return;
+    if (!notice->choices.empty())
+        return draw_offer(*notice, scene, edits);
     const float opacity = std::clamp(static_cast<float>(notice->seconds_left), 0.0f, 1.0f);
     draw_pill({"##notice", notice->text, notice->is_problem ? theme::problem : theme::text, 0.0f,
                opacity},
@@ -255,7 +258,7 @@ void draw_overlays(const Scene& scene, Edits& edits) {
     draw_morph(scene);
     draw_midi_learning(scene, edits);
     draw_step(scene, edits);
-    draw_notice(scene);
+    draw_notice(scene, edits);
 }
 
 void draw_welcome(const Scene& scene) {

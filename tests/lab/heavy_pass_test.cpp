@@ -1,6 +1,6 @@
 #include "lab/heavy_pass.h"
 
-#include <doctest/doctest.h>
+#include "lab/small_lab.h"
 
 namespace {
 PassTimes times_of(const std::vector<std::vector<double>>& frames) {
@@ -24,4 +24,60 @@ TEST_CASE("a pass that takes more than a second in each of the last four frames 
 TEST_CASE("a time that cannot be is passed over") {
     const std::vector<double> wild{5e6};
     CHECK_FALSE(heavy_pass(times_of({wild, wild, wild, wild})).has_value());
+}
+
+namespace {
+Pass glow() {
+    Pass pass;
+    pass.name = "glow";
+    return pass;
+}
+
+Pass glow_of_source() {
+    Pass pass = glow();
+    pass.inputs.emplace_back();
+    pass.inputs.back().from = Input::From::source;
+    return pass;
+}
+
+PictureSize scaled_by(double scale) {
+    PictureSize size;
+    size.scale = scale;
+    return size;
+}
+
+std::vector<std::string> names_of(const ChoiceList& list) {
+    std::vector<std::string> names;
+    for (const Choice& choice : list.choices)
+        names.push_back(choice.name);
+    return names;
+}
+
+void take(const Choice& choice, Lab& lab) {
+    for (const Deed& deed : choice.deeds)
+        std::get<std::function<void(Lab&)>>(deed)(lab);
+}
+}  // namespace
+
+TEST_CASE("a heavy pass that reads a picture may be bypassed, and the picture halved down to 1/4") {
+    const std::vector<std::string> both{"Bypass glow", "Half size"};
+    CHECK(names_of(heavy_pass_choices(glow_of_source(), {})) == both);
+    CHECK(names_of(heavy_pass_choices(glow_of_source(), scaled_by(0.5))) == both);
+    CHECK(names_of(heavy_pass_choices(glow_of_source(), scaled_by(0.25))) ==
+          std::vector<std::string>{"Bypass glow"});
+    CHECK(names_of(heavy_pass_choices(glow(), {})) == std::vector<std::string>{"Half size"});
+}
+
+TEST_CASE("what may be done about a heavy pass does what the strip and the menu do") {
+    SmallLab small;
+    const ChoiceList list =
+        heavy_pass_choices(small.document().look().passes[1], small.lab().picture_size());
+    REQUIRE(list.choices.size() == 2);
+    take(list.choices[0], small.lab());
+    CHECK(small.lab().pass_switches().bypassed == std::set<std::string>{"show"});
+    take(list.choices[1], small.lab());
+    CHECK(small.lab().picture_extent() == Extent{4, 4});  // of 8 x 8
+    CHECK_FALSE(small.lab().notice()->is_problem);
+    small.lab().switch_pass(PassSwitch::bypass, "show");
+    CHECK(small.lab().pass_switches().is_empty());
 }
