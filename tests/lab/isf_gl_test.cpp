@@ -213,3 +213,20 @@ TEST_CASE("a shader that listens reads the sound of the signal") {
     CHECK(heard[2] == 1024.0f);
     CHECK(heard[3] == doctest::Approx(0.5).epsilon(1e-2));
 }
+
+TEST_CASE("an ISF cube is read by direction: a sky at first, then the faces that are chosen") {
+    DrawnIsf drawn(R"("INPUTS": [{"NAME": "room", "TYPE": "cube"}], )" + float_picture,
+                   "void main() {\n"
+                   "    float up = textureCube(room, vec3(0.1, 1.0, 0.1)).b;\n"
+                   "    float down = texture(room, vec3(0.1, -1.0, 0.1)).b;\n"
+                   "    gl_FragColor = vec4(up, down, 0.0, 1.0);\n"
+                   "}\n");
+    const std::vector<float> sky = texel(drawn.after(1), 0, 0);
+    CHECK(sky[0] > sky[1] + 0.2f);
+    // +x -x +y -y +z -z, one below the other, in fifths, which bytes hold exactly.
+    const Picture faces{{1, 6}, 1, Encoding::display, {0.0f, 0.2f, 0.4f, 0.6f, 0.8f, 1.0f}};
+    const TemporaryFolder folder;
+    REQUIRE(save_picture(faces, folder / "faces.png").has_value());
+    drawn.request().values = {{"room", (folder / "faces.png").string()}};
+    check_near(texel(drawn.after(1), 0, 0), {0.4, 0.6, 0.0, 1.0});
+}

@@ -118,6 +118,7 @@ Parameter isf_control(const IsfInput& input) {
         case Type::image:
         case Type::audio:
         case Type::audio_fft:
+        case Type::cube:
             made.control = Control::image;
             made.initial = Value::of_path("");
             break;

@@ -94,7 +94,8 @@ const std::map<std::string_view, IsfInput::Type>& input_types() {
     static const std::map<std::string_view, Type> all{
         {"float", Type::floating}, {"bool", Type::boolean},       {"long", Type::integer},
         {"event", Type::event},    {"point2D", Type::point},      {"color", Type::color},
-        {"image", Type::image},    {"audioFFT", Type::audio_fft}, {"audio", Type::audio}};
+        {"image", Type::image},    {"audioFFT", Type::audio_fft}, {"audio", Type::audio},
+        {"cube", Type::cube}};
     return all;
 }
 

@@ -11,7 +11,18 @@
 
 /// What a person gives a shader for one of its inputs.
 struct IsfInput {
-    enum class Type { floating, boolean, integer, event, point, color, image, audio, audio_fft };
+    enum class Type {
+        floating,
+        boolean,
+        integer,
+        event,
+        point,
+        color,
+        image,
+        audio,
+        audio_fft,
+        cube
+    };
 
     Type type = Type::floating;
     std::string name;

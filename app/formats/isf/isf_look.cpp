@@ -21,6 +21,7 @@ using InputType = IsfInput::Type;
 constexpr const char* usual_source = "pattern:harbour";
 constexpr const char* usual_picture = "pattern:harbour";
 constexpr const char* other_picture = "pattern:smpte";  // tells a second picture from the first
+constexpr const char* usual_cube = "solid:sky";
 constexpr const char* usual_sound = "waveform:mode=xy,ch1=saw,f1=12,ch2=sine,f2=5";
 constexpr int wave_samples = 512;
 constexpr int spectrum_bins = 256;
@@ -34,6 +35,10 @@ bool is_sound(const IsfInput& input) {
 
 bool is_picture(const IsfInput& input) {
     return input.type == InputType::image;
+}
+
+bool is_cube(const IsfInput& input) {
+    return input.type == InputType::cube;
 }
 
 SoundTexture sound_texture_of(const IsfInput& input) {
@@ -117,6 +122,14 @@ private:
         const bool is_first = input.name == "inputImage" || input.name == "startImage";
         if (is_picture(input))
             made.initial = Value::of_path(is_first ? usual_picture : other_picture);
+        if (is_cube(input)) {
+            made.initial = Value::of_path(usual_cube);
+            Image faces;
+            faces.name = input.name;
+            faces.rows = RowOrder::top_first;
+            faces.shape = PictureShape::cube;
+            m_look.images.push_back(std::move(faces));
+        }
         m_look.parameters.push_back(std::move(made));
     }
 

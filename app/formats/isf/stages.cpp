@@ -51,6 +51,8 @@ const char* uniform_type(IsfInput::Type type) {
             return "vec2";
         case IsfInput::Type::color:
             return "vec4";
+        case IsfInput::Type::cube:
+            return "samplerCube";
         case IsfInput::Type::image:
         case IsfInput::Type::audio:
         case IsfInput::Type::audio_fft:

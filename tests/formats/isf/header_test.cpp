@@ -130,11 +130,11 @@ TEST_CASE("what an ISF shader does follows from its inputs") {
 TEST_CASE("what is wrong with a header is told at its line") {
     CHECK(refusal_of("/*{\n\"A\": 1,\n\"B\" 2}*/").starts_with("a.fs:3: error: "));
     CHECK(refusal_of("void main() {}").starts_with("a.fs:1: error: does not begin with"));
-    CHECK(refusal_of("/*{\"INPUTS\": [\n{\"NAME\": \"a\", \"TYPE\": \"cube\"},\n"
+    CHECK(refusal_of("/*{\"INPUTS\": [\n{\"NAME\": \"a\", \"TYPE\": \"volume\"},\n"
                      "{\"NAME\": \"b c\", \"TYPE\": \"float\"},\n{\"TYPE\": \"float\"},\n"
                      "{\"NAME\": \"d\", \"TYPE\": \"float\"},\n"
                      "{\"NAME\": \"d\", \"TYPE\": \"bool\"}]}*/") ==
-          "a.fs:2: error: the input 'a' is of no type that there is: 'cube'\n"
+          "a.fs:2: error: the input 'a' is of no type that there is: 'volume'\n"
           "a.fs:3: error: 'b c' cannot be a name in a shader\n"
           "a.fs:4: error: has no \"NAME\"\n"
           "a.fs:6: error: there are two inputs called 'd'\n");

@@ -283,3 +283,20 @@ TEST_CASE("a constant with a range is a parameter beside the inputs") {
     CHECK(folder.refusal(input, "#define level 8  // @range 1 9\n" + code)
               .find("'level' is the name of another parameter") != std::string::npos);
 }
+
+TEST_CASE("a cube is a picture that a person chooses and the shader reads by direction") {
+    const IsfFolder folder;
+    const Look look =
+        folder.look(R"("INPUTS": [{"NAME": "room", "TYPE": "cube", "LABEL": "The room"}])",
+                    "void main() { gl_FragColor = textureCube(room, vec3(1.0, 0.0, 0.0)); }\n");
+    CHECK(look.driven_by == Driver::nothing);
+    const Parameter* room = find_parameter(look, "room");
+    REQUIRE(room);
+    CHECK(room->label == "The room");
+    CHECK(room->control == Control::image);
+    CHECK_FALSE(room->is_hidden);
+    CHECK(room->initial.path == "solid:sky");
+    REQUIRE(look.images.size() == 1);
+    CHECK(look.images[0].name == "room");
+    CHECK(look.images[0].shape == PictureShape::cube);
+}
