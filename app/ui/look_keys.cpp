@@ -68,11 +68,15 @@ void tell_keys(bool is_pointed, const Scene& scene, Edits& edits) {
                        !ImGui::GetIO().WantTextInput && !ImGui::GetIO().KeyCtrl;
     if (gives != gives_keys(scene))
         edits.arrange([gives](WindowState& window) { window.gives_keys = gives; });
+    const Keys::Flags known = scene.lab.renderer()->hand().keys().down;
+    const auto is_held = [&known](int key, std::size_t number) {
+        return ImGui::IsKeyDown(key) && (known.test(number) || ImGui::IsKeyPressed(key, false));
+    };
     Keys::Flags held;
     for (int key = 0; gives && key <= gpu::key::last; ++key)
-        if (const std::size_t number = browser_key(key); number != 0 && ImGui::IsKeyDown(key))
+        if (const std::size_t number = browser_key(key); number != 0 && is_held(key, number))
             held.set(number);
-    const Keys::Flags changed = held ^ scene.lab.renderer()->hand().keys().down;
+    const Keys::Flags changed = held ^ known;
     for (std::size_t key = 0; key < Keys::count; ++key)
         if (changed[key])
             edits.add([key, is_down = held.test(key)](Lab& lab) { lab.set_key(key, is_down); });
