@@ -10,6 +10,7 @@ from comparing import Comparing
 from drawing import Drawing
 from driving import Driving
 from editing import Editing
+from foreign import Foreign
 from keeping import Keeping
 from looking import Looking
 from moving import Moving
@@ -20,7 +21,7 @@ from tuning import Tuning
 Person.executable = Path(sys.argv[1]).resolve()
 
 
-class Tuner(Tuning, Keeping, Trying):
+class Tuner(Tuning, Keeping, Trying, Foreign):
     """One person at one window: each test finds the look as it was first."""
 
 

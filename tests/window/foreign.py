@@ -1,0 +1,185 @@
+"""A person plays with looks that were written for other programs."""
+
+import json
+
+from person import Person
+
+FOLLOWS_THE_MOUSE = """void mainImage(out vec4 c, in vec2 p) {
+    vec3 color = vec3(0.1, 0.1, 0.3);
+    if (distance(p, abs(iMouse.zw)) < 10.0) color = vec3(1.0, 0.0, 0.0);
+    if (distance(p, iMouse.xy) < 10.0) color = iMouse.z > 0.0 ? vec3(1.0) : vec3(0.0, 1.0, 0.0);
+    c = vec4(color, 1.0);
+}
+"""
+FOLLOWS_KEYS = """void mainImage(out vec4 c, in vec2 p) {
+    float held_d = texelFetch(iChannel0, ivec2(68, 0), 0).x;
+    float toggled_p = texelFetch(iChannel0, ivec2(80, 2), 0).x;
+    c = p.x < 0.5 * iResolution.x ? vec4(held_d, 0.2, 0.2, 1.0) : vec4(0.2, toggled_p, 0.2, 1.0);
+}
+"""
+TURNED_CONSTANTS = """#version 330
+#define BARS 6  // @range 1 16 @label "Bars"
+const float LEVEL = 0.2;  // @range 0 1 @label "Level"
+uniform vec2 u_resolution;
+out vec4 color;
+void main() {
+    float bar = step(0.5, fract(gl_FragCoord.x * float(BARS) / u_resolution.x));
+    color = vec4(vec3(LEVEL, LEVEL, bar), 1.0);
+}
+"""
+TAKES_SECONDS = """/*{"INPUTS": [
+    {"NAME": "inputImage", "TYPE": "image"},
+    {"NAME": "steps", "TYPE": "long", "MIN": 1, "MAX": 1000000000, "DEFAULT": 4000}]}*/
+void main() {
+    vec4 sum = IMG_THIS_PIXEL(inputImage);
+    for (int i = 0; i < steps; ++i)
+        sum += 1e-3 * sin(sum.brga + float(i));
+    gl_FragColor = vec4(sum.rgb, 1.0);
+}
+"""
+RED, GREEN, WHITE = (255, 0, 0), (0, 255, 0), (255, 255, 255)
+
+
+class Foreign(Person):
+    def open_text(self, name, text):
+        """Opens a look in a file of that name, and returns the middle of its picture."""
+        file = self.looks.parent / name
+        file.write_text(text)
+        self.open_by_name(file)
+        self.program.wait("'%s' is open" % name, lambda s: s["dialog"] == 0 and s["look"] == name)
+        return self.program.middle("picture")
+
+    def color_at(self, x, y):
+        """Red, green and blue of the screen, 0..255, left of where the pointer may cover it."""
+        blue, green, red, _ = self.screen.rows(x - 13, y, x - 12, y + 1)[0]
+        return red, green, blue
+
+    def wait_for_color(self, what, place, color):
+        self.program.wait_for(what, lambda: self.color_at(*place) == color)
+
+    def test_the_left_button_is_the_looks_and_the_middle_one_moves_the_view(self):
+        x, y = self.open_text("mouse.glsl", FOLLOWS_THE_MOUSE)
+        start, end = (x - 80, y + 40), (x + 60, y - 50)
+        self.screen.do("mousemove", *start, "mousedown", 1)
+        self.wait_for_color("it is pressed", start, WHITE)
+        self.screen.do("mousemove", *end)
+        self.wait_for_color("it is dragged", end, WHITE)
+        self.wait_for_color("where it went down is known", start, RED)
+        self.snapshot("mouse")
+        self.screen.do("mouseup", 1)
+        self.wait_for_color("it is let go", end, GREEN)
+        self.screen.do("mousemove", x, y)
+        self.program.place("picture")
+        self.assertEqual((self.color_at(*start), self.color_at(*end)), (RED, GREEN))
+
+        self.screen.do("mousemove", *end, "click", "--repeat", 4, "--delay", 5, 4)
+        self.wait_for_color("the wheel zooms about the pointer", (end[0] + 55, end[1] + 30), GREEN)
+        by = (-70, 60)
+        self.program.drag(end, (end[0] + by[0], end[1] + by[1]), button=2)
+        self.wait_for_color("the view moves", (end[0] + by[0], end[1] + by[1]), GREEN)
+        self.program.key("f")
+
+    def test_keys_over_the_picture_are_the_looks_but_with_ctrl_the_programs(self):
+        program = self.program
+        x, y = self.open_text("keys.json", json.dumps({"renderpass": [{
+            "type": "image", "outputs": [{"id": "4dfGRr"}], "code": FOLLOWS_KEYS,
+            "inputs": [{"channel": 0, "type": "keyboard", "id": "4dXGRr"}]}]}))
+        left, right = (x - 60, y), (x + 60, y)
+        resting = (51, 0, 51)  # 0.2 of 255
+        self.screen.do("mousemove", x, y)
+        program.wait("the pointer is over the picture", lambda s: s["probe"])
+        self.screen.do("keydown", "d")
+        self.wait_for_color("a key is held", left, (255, 51, 51))
+        self.screen.do("keyup", "d")
+        self.wait_for_color("and let go", left, (0, 51, 51))
+        program.key("p")
+        self.wait_for_color("another one stays on", right, (51, 255, 51))
+        self.snapshot("keys")
+        program.key("p")
+        self.wait_for_color("until it is pressed again", right, resting)
+        self.assertEqual(program.state()["pins"], [])
+
+        program.key("ctrl+p")
+        program.place("palette_query")
+        program.key("Escape")
+        program.wait("Ctrl makes it the program's", lambda s: s["dialog"] == 0)
+        self.assertEqual(self.color_at(*right), resting)
+        self.hover("search")
+        program.wait("the pointer is elsewhere", lambda s: not s["probe"])
+        self.assertEqual(self.color_at(*right), resting)
+
+    def test_a_constant_of_a_text_is_turned_undone_and_kept_in_a_preset(self):
+        program = self.program
+
+        def is_level(value):
+            shown = round(255 * value)
+            return lambda: self.color_at(*place)[:2] == (shown, shown)
+
+        place = self.open_text("constants.frag", TURNED_CONSTANTS)
+        program.wait_for("it is as in the text", is_level(0.2))
+        program.reveal("LEVEL")
+        low, high, y = program.slider("LEVEL")
+        program.drag(((low + high) // 2, y), (high + 40, y))
+        program.wait("its slider is at the end, in one step", lambda s:
+                     s["values"]["LEVEL"] == [1] and s["undo"] == "Level")
+        program.wait_for("the picture follows", is_level(1.0))
+        program.key("ctrl+z")
+        program.wait("it is undone", lambda s: s["values"]["LEVEL"] == [0.2])
+        program.wait_for("in the picture, too", is_level(0.2))
+
+        program.set("LEVEL", "0.6")
+        program.set("BARS", "12")
+        program.key("ctrl+s")
+        program.answer("Lighter")
+        program.wait("it is saved", lambda s: s["preset"] == "Lighter" and not s["is_modified"])
+        kept = json.loads(next(self.looks.parent.rglob("Lighter.json")).read_text())
+        self.assertEqual(kept["values"], {"BARS": 12, "LEVEL": 0.6})
+        program.click("preset:")
+        program.wait_for("the look's own value is back", is_level(0.2))
+        program.click("preset:Lighter")
+        program.wait_for("and the preset's", is_level(0.6))
+        self.snapshot("constants")
+
+    def test_a_pass_that_takes_seconds_is_told_with_what_may_be_done_about_it(self):
+        program = self.program
+        self.open_text("seconds.fs", TAKES_SECONDS)
+        steps = 4000
+        while not program.state()["notice"].startswith("Pass 'picture' takes"):
+            steps *= 4  # until this machine needs a second
+            program.set("steps", str(steps))
+            for frame in range(6):
+                before = program.state()["frame"]
+                program.wait("frame %d is drawn" % frame, lambda s: s["frame"] > before)
+        program.place("offer:Bypass picture")
+        program.place("offer:Half size")
+        self.snapshot("heavy_pass")
+        program.key("ctrl+p")
+        program.place("palette_query")
+        program.type("heavy half")
+        program.wait("keys reach it, too", lambda s: "palette:Heavy pass: Half size" in s["widgets"])
+        program.key("Escape")
+        program.wait("the palette is closed", lambda s: s["dialog"] == 0)
+        program.click("offer:Bypass picture")
+        program.wait("it is bypassed, and all is quick again", lambda s:
+                     s["switches"]["bypassed"] == ["picture"] and "offer_leave" not in s["widgets"] and
+                     "is bypassed" in s["notice"])
+
+    def test_a_look_that_the_driver_is_stuck_with_is_left_and_the_program_ends(self):
+        program = self.program
+        lines = "".join("    x = sin(x * %d.5 + y); y = cos(y + x * 0.%d1);\n" % (i % 7 + 1, i % 9)
+                        for i in range(6000))  # minutes for Mesa to make code of
+        file = self.looks.parent / "stuck.frag"
+        file.write_text("#version 330\nuniform float u_time;\nout vec4 color;\nvoid main() {\n"
+                        "    float x = gl_FragCoord.x + u_time, y = gl_FragCoord.y;\n" + lines +
+                        "    color = vec4(x, y, 0.0, 1.0);\n}\n")
+        self.open_by_name(file)
+        before = program.wait("it is being opened", lambda s: s["opening"] != "")
+        program.wait("what is open goes on", lambda s:
+                     s["opening"] != "" and s["frame"] > before["frame"] + 5 and s["look"] == "phosphor")
+        self.snapshot("stuck")
+        program.key("Escape")
+        state = program.wait("it is opened no more", lambda s:
+                             s["opening"] == "" and s["notice"] == "'stuck.frag' was not opened")
+        program.wait("what is open goes on", lambda s: s["frame"] > state["frame"] + 5)
+        program.quit()
+        program.start()
