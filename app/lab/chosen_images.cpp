@@ -2,8 +2,12 @@
 
 #include "io/picture_file.h"
 #include "lab/look_media.h"
+#include "model/solid_picture.h"
 
+#include <algorithm>
+#include <chrono>
 #include <functional>
+#include <utility>
 
 namespace fs = std::filesystem;
 
@@ -14,9 +18,27 @@ Result<void> show_black(const SetImage& set_image) {
     return set_image({{1, 1}, 4, Encoding::linear, {0.0f, 0.0f, 0.0f, 1.0f}});
 }
 
-Result<void> show_file(const fs::path& file, const SetImage& set_image) {
-    const auto picture =
-        made_name(file.string()) ? made_picture(file.string()) : load_picture(file);
+PictureShape shape_of(const Look& look, const Parameter& parameter) {
+    const auto image = std::ranges::find(look.images, parameter.name, &Image::name);
+    return image == look.images.end() ? PictureShape::flat : image->shape;
+}
+
+// As its readers take it: what a panorama takes to become a cube is not for who uploads it.
+Result<Picture> read_chosen(const fs::path& file, PictureShape shape) {
+    auto picture = made_name(file.string()) ? made_picture(file.string()) : load_picture(file);
+    if (!picture || picture->shape == shape)
+        return picture;
+    auto solid = solid_of(*picture, shape);
+    if (solid)
+        return solid;
+    Diagnostics problems = std::move(solid.error());
+    for (Diagnostic& problem : problems)
+        problem.file = file;
+    return fail(std::move(problems));
+}
+
+Result<void> show_read(const Result<Picture>& picture, const fs::path& file,
+                       const SetImage& set_image) {
     auto done = picture ? set_image(*picture) : fail(picture.error());
     if (done)
         return done;
@@ -45,7 +67,8 @@ Diagnostics warnings(Diagnostics problems, const Parameter& parameter) {
 }  // namespace
 
 Result<void> ChosenImages::show(const Look& look, const Values& values, Renderer& renderer,
-                                Renderer::Whose whose) {
+                                Renderer::Whose whose, Reading reading) {
+    const bool reads_beside = reading == Reading::beside && std::exchange(m_has_shown, true);
     Diagnostics problems;
     std::map<std::string, Shown> shown;
     for (const Parameter& parameter : look.parameters) {
@@ -61,10 +84,18 @@ Result<void> ChosenImages::show(const Look& look, const Values& values, Renderer
             shown.insert(*before);
             continue;
         }
+        drop_reading(parameter.name);
+        if (reads_beside && written) {
+            read_beside(look, parameter, file);
+            shown[parameter.name] = {file, written, {}};
+            continue;
+        }
         const auto set_image = [&](const Picture& picture) {
             return renderer.set_image(whose, parameter.name, picture);
         };
-        const auto done = file.empty() ? show_black(set_image) : show_file(file, set_image);
+        const auto done =
+            file.empty() ? show_black(set_image)
+                         : show_read(read_chosen(file, shape_of(look, parameter)), file, set_image);
         const Diagnostics reasons = done ? Diagnostics() : done.error();
         problems.insert(problems.end(), reasons.begin(), reasons.end());
         shown[parameter.name] = {file, written, warnings(reasons, parameter)};
@@ -73,6 +104,53 @@ Result<void> ChosenImages::show(const Look& look, const Values& values, Renderer
     if (!problems.empty())
         return fail(std::move(problems));
     return {};
+}
+
+void ChosenImages::read_beside(const Look& look, const Parameter& parameter, const fs::path& file) {
+    m_reading.push_back(
+        {parameter.name, file,
+         std::async(std::launch::async, read_chosen, file, shape_of(look, parameter))});
+}
+
+// It comes to its end unseen: to wait for it here would be what it was begun to avoid.
+void ChosenImages::drop_reading(const std::string& parameter) {
+    for (Read& read : m_reading)
+        if (read.parameter == parameter)
+            read.parameter.clear();
+}
+
+std::vector<std::string> ChosenImages::take_read(const Look& look, Renderer& renderer,
+                                                 Diagnostics& problems) {
+    std::vector<std::string> names;
+    std::erase_if(m_reading, [&](Read& read) {
+        if (read.picture.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+            return false;
+        const Parameter* parameter = find_parameter(look, read.parameter);
+        const auto shown = m_shown.find(read.parameter);
+        if (!parameter || shown == m_shown.end())
+            return true;
+        const auto done = show_read(read.picture.get(), read.file, [&](const Picture& picture) {
+            return renderer.set_image(Renderer::Whose::picture, parameter->name, picture);
+        });
+        names.push_back(parameter->name);
+        if (!done) {
+            problems.insert(problems.end(), done.error().begin(), done.error().end());
+            shown->second.problems = warnings(done.error(), *parameter);
+        }
+        return true;
+    });
+    return names;
+}
+
+bool ChosenImages::is_reading() const {
+    return std::ranges::any_of(m_reading, [](const Read& read) { return !read.parameter.empty(); });
+}
+
+void ChosenImages::forget() {
+    m_shown.clear();
+    m_has_shown = false;
+    for (Read& read : m_reading)
+        read.parameter.clear();
 }
 
 bool ChosenImages::forget(const fs::path& file) {

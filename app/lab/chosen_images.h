@@ -3,6 +3,7 @@
 #include "lab/renderer.h"
 
 #include <filesystem>
+#include <future>
 #include <map>
 #include <optional>
 #include <string>
@@ -12,13 +13,23 @@
 /// read when it was chosen or has changed, and not with every edit of the look.
 class ChosenImages {
 public:
+    /// How files are read: before show() returns, or on threads beside who calls it, where the
+    /// renderer has been shown something already. Then take_read() shows them.
+    enum class Reading { at_once, beside };
+
     /// Brings the renderer to what the values choose. A sampler without a choice reads its
     /// stand-in; one without that whose choice is taken back, or one whose choice cannot be read,
     /// black. Errors: of the files that were tried now.
     Result<void> show(const Look& look, const Values& values, Renderer& renderer,
-                      Renderer::Whose whose = Renderer::Whose::picture);
+                      Renderer::Whose whose = Renderer::Whose::picture,
+                      Reading reading = Reading::at_once);
+    /// Shows what has been read beside and is still chosen, black where that failed; gives the
+    /// samplers' parameters.
+    std::vector<std::string> take_read(const Look& look, Renderer& renderer, Diagnostics& problems);
+    /// Something that is chosen is being read.
+    bool is_reading() const;
     /// The renderer is another, or reads pictures in another way.
-    void forget() { m_shown.clear(); }
+    void forget();
     /// The file has changed, whatever its time says; true when a sampler reads it.
     bool forget(const std::filesystem::path& file);
     /// All that are chosen, there or not.
@@ -32,6 +43,17 @@ private:
         std::optional<std::filesystem::file_time_type> written;
         Diagnostics problems;
     };
+    struct Read {
+        std::string parameter;  // "": another has been chosen since
+        std::filesystem::path file;
+        std::future<Result<Picture>> picture;
+    };
+
+    void read_beside(const Look& look, const Parameter& parameter,
+                     const std::filesystem::path& file);
+    void drop_reading(const std::string& parameter);
 
     std::map<std::string, Shown> m_shown;  // by the sampler's parameter
+    std::vector<Read> m_reading;
+    bool m_has_shown = false;  // since the renderer is this one
 };

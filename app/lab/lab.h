@@ -344,6 +344,7 @@ private:
     void follow_variant_constants();
     void open_document(Look look, const OpenRequest& request);
     void show_images(const ImageTextures& images);
+    void take_chosen_images();
     void follow_heavy_pass();
     void forget_heavy_pass();
     void show_problems(const Diagnostics& problems);

@@ -49,3 +49,14 @@ void Lab::preset_file_changed(const fs::path& file) {
     m_document->take(with_found_media(*preset, folder, m_drive.recent()), "Preset changed on disk");
     m_document->mark_saved();
 }
+
+void Lab::take_chosen_images() {
+    Diagnostics problems;
+    const auto names = m_chosen_images.take_read(m_document->look(), *m_renderer, problems);
+    if (names.empty())
+        return;
+    if (!problems.empty())
+        say(problems.front());
+    gather_problems();
+    want(redraw_after(m_document->look(), names));
+}

@@ -90,6 +90,7 @@ void Lab::hand_on_missed_events() {
 
 void Lab::begin_drawing(double wall_seconds) {
     wall_seconds += std::exchange(m_amid_seconds, 0.0);
+    take_chosen_images();
     if (!m_document->is_restacking())
         apply_document();
     hand_on_missed_events();
@@ -119,8 +120,8 @@ void Lab::tell_silence() {
 bool Lab::is_moving() const {
     return (m_player.is_playing() && !has_converged()) || is_loading() || m_wanted ||
            (m_notice && m_notice->choices.empty()) || m_tryouts->is_busy() || m_morphing ||
-           m_hand.is_turning() || m_rate_check.is_running() || m_impulse.is_running() ||
-           !m_drive.loading().empty() || m_drive.is_source_late() ||
+           m_hand.is_turning() || m_chosen_images.is_reading() || m_rate_check.is_running() ||
+           m_impulse.is_running() || !m_drive.loading().empty() || m_drive.is_source_late() ||
            (m_renderer && (m_renderer->is_amid_frame() || m_renderer->replay().is_running() ||
                            m_renderer->awaits_trip()));
 }
@@ -345,7 +346,8 @@ void Lab::apply_document() {
     m_renderer->set_values(state.values);
     m_renderer->set_modulations(state.modulations);
     const auto watched = m_chosen_images.files();
-    succeeded(m_chosen_images.show(m_document->look(), state.values, *m_renderer));
+    succeeded(m_chosen_images.show(m_document->look(), state.values, *m_renderer,
+                                   Renderer::Whose::picture, ChosenImages::Reading::beside));
     show_variant_images();
     if (m_chosen_images.files() != watched)
         watch_extra_files();

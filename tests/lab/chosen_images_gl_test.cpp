@@ -193,3 +193,52 @@ TEST_CASE("a sampler reads the pattern of its default, and again when a choice i
     CHECK(shown({{"picked", Value::of_path("")}}) == 0.0f);
     CHECK(images.files().empty());
 }
+
+TEST_CASE("a picture that is chosen while a look is open is read beside what is drawn") {
+    PickerLab small;
+    pick(small, save_grey(small.folder() / "one.exr", 0.25f));
+    const float frames = small.frames();
+    small.turn(1);
+    CHECK(small.frames() == frames + 1.0f);
+    CHECK(small.shown() == 0.0f);  // as before: it is taken at the beginning of a turn
+    CHECK(small.turn_until([&] { return small.shown() == 0.25f; }));
+}
+
+TEST_CASE("of two pictures that are chosen one after the other the second stays") {
+    PickerLab small;
+    pick(small, save_grey(small.folder() / "one.exr", 0.25f));
+    small.turn(1);
+    pick(small, save_grey(small.folder() / "two.exr", 0.5f));
+    REQUIRE(small.turn_until([&] { return small.shown() == 0.5f; }));
+    for (int turn = 0; turn < 50; ++turn) {
+        small.turn(1);
+        CHECK(small.shown() == 0.5f);
+    }
+}
+
+TEST_CASE("a panorama that is chosen for a cube is seen all round, and what is none says so") {
+    SmallLab small;
+    small.write("../../elsewhere/room.fs",
+                "/*{\"INPUTS\": [{\"NAME\": \"room\", \"TYPE\": \"cube\"}],"
+                " \"PASSES\": [{\"FLOAT\": true}]}*/\n"
+                "void main() { gl_FragColor = textureCube(room, vec3(-1.0, 0.5, 0.25)); }\n");
+    small.lab().open((small.folder() / "elsewhere/room.fs").string());
+    REQUIRE(small.turn_until([&] { return small.document().look().id == "room.fs"; }));
+    const auto choose = [&small](const Picture& picture, const char* name) {
+        const fs::path file = small.folder() / name;
+        REQUIRE(save_picture(picture, file).has_value());
+        small.lab().edit([&file](Document& document) {
+            document.set_value("room", Value::of_path(file.string()));
+        });
+    };
+    const auto red = [&small] {
+        return gpu::read_pixel(small.lab().renderer()->executor().target(0), 3, 3)[0];
+    };
+    choose({{8, 4}, 1, Encoding::display, std::vector<float>(32, 1.0f)}, "white.png");
+    CHECK(small.turn_until([&] { return red() == 1.0f; }));
+    choose({{5, 3}, 1, Encoding::display, std::vector<float>(15, 1.0f)}, "neither.png");
+    CHECK(small.turn_until([&] { return small.lab().problems().size() == 1; }));
+    CHECK(small.lab().problems().front().diagnostic.file.filename() == "neither.png");
+    CHECK(small.lab().problems().front().diagnostic.message.starts_with("is 5 x 3: a cube is"));
+    CHECK(small.turn_until([&] { return red() == 0.0f; }));
+}
