@@ -4,12 +4,19 @@
 #include <array>
 #include <atomic>
 #include <csignal>
+#include <mutex>
 #include <unistd.h>
 
 namespace {
 // A signal's handler can reach nothing else.
-constexpr std::size_t most_kept = 4;
+constexpr std::size_t most_kept = 16;
 std::array<std::atomic<const char*>, most_kept> passing_names{};
+
+// Of whoever makes or ends such a file, on any thread; the handler never takes it.
+std::mutex& passing_mutex() {
+    static std::mutex mutex;
+    return mutex;
+}
 
 void remove_and_end(int number) {
     for (const std::atomic<const char*>& name : passing_names)
@@ -47,15 +54,17 @@ void replace_handlers(void (*from)(int), void (*to)(int)) {
 }
 }  // namespace
 
-PassingFile::PassingFile(const std::filesystem::path& file)
-    : m_name(file.string()), m_slot(take_slot(m_name.c_str())) {
+PassingFile::PassingFile(const std::filesystem::path& file) : m_name(file.string()) {
+    const std::lock_guard lock(passing_mutex());
+    m_slot = take_slot(m_name.c_str());
     replace_handlers(SIG_DFL, remove_and_end);
 }
 
 PassingFile::~PassingFile() {
+    ::unlink(m_name.c_str());
+    const std::lock_guard lock(passing_mutex());
     if (m_slot < most_kept)
         passing_names[m_slot] = nullptr;
     if (!is_any_left())  // the next one's handlers are the same
         replace_handlers(remove_and_end, SIG_DFL);
-    ::unlink(m_name.c_str());
 }

@@ -5,6 +5,7 @@
 #include <string>
 
 /// A file that is removed with its owner, and also when a signal such as Ctrl+C ends the program.
+/// On any thread.
 class PassingFile {
 public:
     explicit PassingFile(const std::filesystem::path& file);
@@ -14,5 +15,5 @@ public:
 
 private:
     std::string m_name;
-    std::size_t m_slot;  // where the handler finds the name
+    std::size_t m_slot = 0;  // where the handler finds the name
 };
