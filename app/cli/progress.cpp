@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 #include <unistd.h>
 #include <utility>
@@ -24,9 +25,10 @@ void Progress::show(int done) {
     m_last = now;
     m_has_shown = true;
     const double gone = std::chrono::duration<double>(now - m_start).count();
-    const double left = gone / done * (m_total - done);
-    std::cerr << fmt::format("\r{}  {} of {} {}, {:.0f} s left\033[K", m_what, done, m_total,
-                             m_unit, left);
+    const double rate = done / gone;
+    std::cerr << fmt::format("\r{}  {} of {} {}, {:.{}f} a second, {:.0f} s left\033[K", m_what,
+                             done, m_total, m_unit, rate, rate < 10.0 ? 1 : 0,
+                             (m_total - done) / std::max(rate, 1e-9));
 }
 
 OpeningLine::OpeningLine()

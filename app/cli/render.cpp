@@ -1,21 +1,25 @@
 #include "base/text.h"
 #include "cli/common.h"
-#include "cli/frame_names.h"
 #include "cli/progress.h"
 #include "io/atomic_file.h"
+#include "io/frame_names.h"
 #include "io/picture_file.h"
+#include "lab/export.h"
 #include "lab/sharing.h"
-#include "model/flash_log.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <unistd.h>
 
 namespace {
 struct RenderArguments {
     LookOptions look;
     std::string output;
-    int frames = 0;  // 0: the look's settle_frames
+    int frames = 0;        // 0: not said
+    double start = 0.0;    // s, of what is written
+    double seconds = 0.0;  // 0: not said
     std::string pass;
     std::string all_passes;
     std::string moves;
@@ -39,72 +43,159 @@ Result<int> chosen_pass(const RenderArguments& arguments, const Look& look) {
                              did_you_mean(arguments.pass, names))});
 }
 
+Result<void> save_stored(const Offline& offline, int pass, const std::filesystem::path& file) {
+    RawPicture raw;
+    offline.read(pass, raw);
+    const auto bytes = encode_picture(raw, ".exr");
+    return bytes ? write_atomically(file, *bytes) : fail({file, 0, bytes.error().front().message});
+}
+
 Result<void> save_all_passes(const Offline& offline, const std::filesystem::path& folder) {
     const Look& look = offline.executor().look();
     for (std::size_t i = 0; i < look.passes.size(); ++i) {
         std::string name = look.passes[i].name;
         std::replace(name.begin(), name.end(), '/', '-');
         const auto file = folder / fmt::format("{:02}_{}.exr", i, name);
-        if (auto saved = save_picture(offline.picture(static_cast<int>(i)), file); !saved)
+        if (auto saved = save_stored(offline, static_cast<int>(i), file); !saved)
             return saved;
     }
     return {};
 }
 
+constexpr const char* to_pipe = "-";
+
+bool is_film(const RenderArguments& arguments) {
+    return arguments.output == to_pipe || is_film_name(arguments.output);
+}
+
 // What cannot become a file is told before anything is drawn.
-FrameNames output_names(const std::string& output) {
+FrameNames output_names(const RenderArguments& arguments) {
+    const std::string& output = arguments.output;
     auto names = parse_frame_names(output);
     if (!names)
         throw UsageError("--output: " + names.error().front().message);
-    check_ending("--output", output, {".png", ".exr"});
+    if (output == to_pipe && ::isatty(STDOUT_FILENO) == 1)
+        throw UsageError("--output: '-' writes a film for another program, not for a terminal");
+    if (output != to_pipe)
+        check_ending("--output", output, {".png", ".exr", ".mp4", ".webm", ".gif"});
+    if (is_film(arguments) && names->is_sequence())
+        throw UsageError("--output: a film is one file; '%' is for pictures, .png or .exr");
+    if (!is_film(arguments) && !names->is_sequence() && arguments.start > 0.0)
+        throw UsageError("--start is for films and for pictures with %04d in their name");
     return std::move(*names);
 }
 
 Result<void> check_outputs(const RenderArguments& arguments, const FrameNames& names) {
-    if (auto good = check_writable(names.name(0)); !good || arguments.all_passes.empty())
-        return good;
+    if (arguments.output != to_pipe)
+        if (auto good = check_writable(names.name(0)); !good)
+            return good;
+    if (arguments.all_passes.empty())
+        return {};
     return check_writable(std::filesystem::path(arguments.all_passes) / "pass.exr");
 }
 
-/// Draws every frame; writes those that the output's name asks for.
+// How long it is where nobody says so: as long as what is heard; else a film to look at, or as many
+// pictures as the look needs.
+Result<double> usual_seconds(const RenderArguments& arguments, double fps, const Offline& offline) {
+    constexpr double film_seconds = 10.0;
+    if (!is_film(arguments))
+        return offline.document().look().settle_frames / fps;
+    const double sound = offline.sound_seconds();
+    if (sound <= 0.0)
+        return film_seconds;
+    if (arguments.start >= sound)
+        return fail(
+            {{}, 0, fmt::format("--start: the sound is over after {} s", format_number(sound))});
+    return sound - arguments.start;
+}
+
+Result<ExportPart> part_to_write(const RenderArguments& arguments, const Offline& offline) {
+    const double fps = arguments.look.request().fps;
+    if (arguments.frames == 0 && arguments.seconds == 0.0) {
+        const auto seconds = usual_seconds(arguments, fps, offline);
+        if (!seconds)
+            return fail(seconds.error());
+        return part_of(arguments.start, *seconds, fps);
+    }
+    ExportPart part = part_of(arguments.start, arguments.seconds, fps);
+    if (arguments.frames > 0)
+        part.end = arguments.frames;
+    if (part.count() < 1)
+        return fail({{}, 0, "--start lies behind the last of --frames"});
+    return part;
+}
+
+/// Draws up to the picture, and writes it.
+Result<void> draw_picture(const std::filesystem::path& file, const ExportPart& part, int pass,
+                          Offline& offline, const RecentMedia& recent) {
+    Progress progress("render", static_cast<int>(part.end));
+    for (std::int64_t frame = 1; frame <= part.end; ++frame) {
+        frame < part.end ? offline.advance_unseen() : offline.advance();
+        progress.show(static_cast<int>(frame));
+    }
+    if (to_lower(file.extension().string()) == ".exr")
+        return save_stored(offline, pass, file);
+    return save_picture_with_preset(offline.picture(pass), offline.document(), file, recent);
+}
+
+/// Draws and writes all frames of the part.
+Result<void> draw_frames(const RenderArguments& arguments, const FrameNames& names, ExportJob job,
+                         Offline& offline) {
+    const Look& look = offline.executor().look();
+    const Extent extent = offline.executor().target(job.pass).extent();
+    const FilmRate rate = film_rate_of(job.fps);
+    std::unique_ptr<FilmFile> film;
+    if (arguments.output == to_pipe) {
+        job.stages = pipe_stages(STDOUT_FILENO, extent, rate);
+    } else if (is_film(arguments)) {
+        auto made =
+            FilmFile::create(names.name(0), {extent, rate, sound_of(offline, job.part, job.fps)});
+        if (!made)
+            return fail(made.error());
+        film = std::move(*made);
+        job.stages = film_stages(*film);
+    } else {
+        job.stages = sequence_stages(names, job.part.first);
+    }
+    FlashLog flashes;
+    if (job.pass + 1 == static_cast<int>(look.passes.size()))
+        job.flashes = &flashes;
+    Progress progress("render", static_cast<int>(job.part.end));
+    job.go_on = [&](std::int64_t drawn) {
+        progress.show(static_cast<int>(drawn));
+        return true;
+    };
+    if (const auto done = export_frames(offline, job); !done)
+        return fail(done.error());
+    if (film)
+        if (auto done = film->finish(); !done)
+            return done;
+    if (const auto warning = flashes.warning())
+        warn({{{}, 0, *warning, Severity::warning}});
+    return {};
+}
+
 Result<void> draw(const RenderArguments& arguments, const FrameNames& names, Offline& offline,
                   const RecentMedia& recent) {
     const auto pass = chosen_pass(arguments, offline.executor().look());
     if (!pass)
         return fail(pass.error());
-    const int frames =
-        arguments.frames > 0 ? arguments.frames : offline.document().look().settle_frames;
-    const bool is_picture = *pass + 1 == static_cast<int>(offline.executor().look().passes.size());
-    const double fps = arguments.look.request().fps;
-    FlashLog flashes;  // of frames that all become files; one alone does not flash
-    Progress progress("render", frames);
-    for (int frame = 0; frame < frames; ++frame) {
-        const bool is_seen = names.is_sequence() || frame + 1 == frames;
-        is_seen ? offline.advance() : offline.advance_unseen();
-        if (is_seen) {
-            const Picture picture = offline.picture(*pass);
-            if (names.is_sequence() && is_picture)
-                flashes.add(picture, (frame + 1) / fps);
-            const auto file = names.name(frame);
-            auto saved = names.is_sequence()
-                             ? save_picture(picture, file)
-                             : save_picture_with_preset(picture, offline.document(), file, recent);
-            if (!saved)
-                return saved;
-        }
-        progress.show(frame + 1);
-    }
-    if (const auto warning = flashes.warning())
-        warn({{{}, 0, *warning, Severity::warning}});
-    if (!arguments.all_passes.empty())
-        return save_all_passes(offline, arguments.all_passes);
-    return {};
+    const auto part = part_to_write(arguments, offline);
+    if (!part)
+        return fail(part.error());
+    const ExportJob job{.part = *part, .pass = *pass, .fps = arguments.look.request().fps};
+    auto done = is_film(arguments) || names.is_sequence()
+                    ? draw_frames(arguments, names, job, offline)
+                    : draw_picture(names.name(0), *part, *pass, offline, recent);
+    if (!done || arguments.all_passes.empty())
+        return done;
+    return save_all_passes(offline, arguments.all_passes);
 }
 
 int render(const RenderArguments& arguments, const std::string& data) {
     RenderRequest request = arguments.look.request();
     request.moves = arguments.moves;
-    const FrameNames names = output_names(arguments.output);
+    const FrameNames names = output_names(arguments);
     const auto check = [&](const Prepared&) { return check_outputs(arguments, names); };
     const auto work = [&](Offline& offline, const Library& library) {
         return draw(arguments, names, offline, RecentMedia(library.roots()));
@@ -120,12 +211,23 @@ Command add_render(CommandLine& program) {
     arguments->look.add_to(options, LookOptions::Take::drawing);
     options
         .add("-o,--output", arguments->output,
-             "The picture's file, .png or .exr; with %04d in it every frame, the first 0000")
+             "The picture's file, .png or .exr; with %04d in it every frame, the first 0000; or a "
+             "film, .mp4, .webm or .gif, or - for y4m into a pipe")
         .required();
+    Option frames = options.add("--frames", arguments->frames,
+                                "Frames to draw; the last is the picture (default: what the look "
+                                "needs to settle; of a film --seconds)");
+    frames.between(1, 10000000);
     options
-        .add("--frames", arguments->frames,
-             "Frames to draw; the last is the picture (default: what the look needs to settle)")
-        .between(1, 10000000);
+        .add("--start", arguments->start,
+             "Seconds before what is written; they are drawn all the same")
+        .between(0.0, 86400.0);
+    options
+        .add(
+            "--seconds", arguments->seconds,
+            "How long what is written is (default of a film: as long as the sound; without one 10)")
+        .between(0.001, 86400.0)
+        .excludes(frames);
     options.add("--moves", arguments->moves,
                 "A file of lines 'seconds name value', as the window records them: what is turned "
                 "when");

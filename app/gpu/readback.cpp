@@ -31,7 +31,7 @@ Picture read_picture(const Texture& texture) {
     if (texture.format() == Format::srgb8_alpha8)
         picture.encoding = Encoding::display;
     picture.pixels.resize(picture.index(0, picture.extent.height));
-    glFinish();  // as below
+    glFinish();  // as in read_pixel
     glBindTexture(GL_TEXTURE_2D, texture.id());
     if (facts.is_integer) {
         std::vector<GLuint> whole(picture.pixels.size());
@@ -45,6 +45,35 @@ Picture read_picture(const Texture& texture) {
     glBindTexture(GL_TEXTURE_2D, 0);
     flip_rows(picture);
     return picture;
+}
+
+namespace {
+// As it is, four channels at a time: with three, a driver goes pixel by pixel.
+template <class Numbers>
+void copy_texels(const Texture& texture, GLenum type, RawPicture& raw) {
+    if (!std::holds_alternative<Numbers>(raw.pixels))
+        raw.pixels.emplace<Numbers>();
+    auto& numbers = std::get<Numbers>(raw.pixels);
+    numbers.resize(raw.row_length() * static_cast<std::size_t>(raw.extent.height));
+    glFinish();  // as in read_pixel
+    glBindTexture(GL_TEXTURE_2D, texture.id());
+    glGetTexImage(GL_TEXTURE_2D, 0, layout_of(raw.channels), type, numbers.data());
+    glBindTexture(GL_TEXTURE_2D, 0);
+}
+}  // namespace
+
+void read_raw(const Texture& texture, RawPicture& raw) {
+    raw.extent = texture.extent();
+    raw.channels = picture_channels(facts_of(texture.format()));
+    raw.encoding = Encoding::linear;
+    if (texture.format() == Format::rgba8)
+        return copy_texels<RawPicture::Bytes>(texture, GL_UNSIGNED_BYTE, raw);
+    if (texture.format() == Format::rgba16f)
+        return copy_texels<RawPicture::Halves>(texture, GL_HALF_FLOAT, raw);
+    Picture picture = read_picture(texture);
+    flip_rows(picture);
+    raw.encoding = picture.encoding;
+    raw.pixels = std::move(picture.pixels);
 }
 
 std::array<float, 4> read_pixel(const Texture& texture, int x, int y) {

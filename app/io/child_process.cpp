@@ -12,6 +12,7 @@
 #include <poll.h>
 #include <spawn.h>
 #include <sys/mman.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <utility>
 
@@ -35,6 +36,25 @@ private:
     posix_spawn_file_actions_t m_actions{};
 };
 
+struct InputLink {
+    Descriptor ours;
+    Descriptor theirs;
+};
+
+Result<InputLink> make_input() {
+    std::array<int, 2> ends{};
+    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
+        return fail({{}, 0, std::string("cannot be started: ") + std::strerror(errno)});
+    ::shutdown(ends[0], SHUT_RD);
+    return InputLink{Descriptor(ends[0]), Descriptor(ends[1])};
+}
+
+// The same file by a number that none of what a program is given takes.
+Descriptor out_of_the_way(int descriptor) {
+    constexpr int first_free = ChildProcess::given_output + 1;
+    return Descriptor(descriptor < 0 ? -1 : ::fcntl(descriptor, F_DUPFD_CLOEXEC, first_free));
+}
+
 int wait_for(pid_t process) {
     int status = 0;
     while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
@@ -43,7 +63,16 @@ int wait_for(pid_t process) {
 }
 }  // namespace
 
-Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& command) {
+Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& command, Files files) {
+    Inputs fed;
+    Inputs read;
+    for (int i = 0; i < files.inputs; ++i) {
+        auto made = make_input();
+        if (!made)
+            return fail(made.error());
+        fed[static_cast<std::size_t>(i)] = std::move(made->ours);
+        read[static_cast<std::size_t>(i)] = std::move(made->theirs);
+    }
     std::array<int, 2> ends{};
     if (::pipe2(ends.data(), O_CLOEXEC) != 0)
         return fail({{}, 0, std::string("cannot be started: ") + std::strerror(errno)});
@@ -52,9 +81,15 @@ Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& command
     Descriptor complaints(::memfd_create("complaints", MFD_CLOEXEC));
     const Descriptor nothing(::open("/dev/null", O_RDWR | O_CLOEXEC));
     FileActions actions;
-    actions.use(nothing.get(), STDIN_FILENO);
+    actions.use(read[0].is_open() ? read[0].get() : nothing.get(), STDIN_FILENO);
     actions.use(input.get(), STDOUT_FILENO);
     actions.use(complaints.is_open() ? complaints.get() : nothing.get(), STDERR_FILENO);
+    const Descriptor second = out_of_the_way(read[1].get());
+    const Descriptor given = out_of_the_way(files.output);
+    if (second.is_open())
+        actions.use(second.get(), second_input);
+    if (given.is_open())
+        actions.use(given.get(), given_output);
     std::vector<std::string> words = command;
     std::vector<char*> arguments;
     for (std::string& word : words)
@@ -68,16 +103,18 @@ Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& command
     if (error != 0)
         return fail(
             {{}, 0, "'" + command.front() + "' cannot be started: " + std::strerror(error)});
-    return ChildProcess(process, std::move(output), std::move(complaints));
+    return ChildProcess(process, std::move(fed), std::move(output), std::move(complaints));
 }
 
 ChildProcess::ChildProcess(ChildProcess&& other) noexcept
     : m_process(std::exchange(other.m_process, -1)),
+      m_inputs(std::move(other.m_inputs)),
       m_output(std::move(other.m_output)),
       m_complaints(std::move(other.m_complaints)) {}
 
 ChildProcess& ChildProcess::operator=(ChildProcess&& other) noexcept {
     std::swap(m_process, other.m_process);
+    m_inputs = std::move(other.m_inputs);
     m_output = std::move(other.m_output);
     m_complaints = std::move(other.m_complaints);
     return *this;
@@ -135,6 +172,19 @@ std::optional<std::string> ChildProcess::read_all_within(double seconds, std::si
             return text;
         text.append(piece.data(), static_cast<std::size_t>(got));
     }
+}
+
+bool ChildProcess::feed(int input, std::string_view bytes) const {
+    const int descriptor = m_inputs[static_cast<std::size_t>(input)].get();
+    while (!bytes.empty()) {
+        const ssize_t sent = ::send(descriptor, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+        if (sent < 0 && errno == EINTR)
+            continue;
+        if (sent <= 0)
+            return false;
+        bytes.remove_prefix(static_cast<std::size_t>(sent));
+    }
+    return true;
 }
 
 bool ChildProcess::finish() {

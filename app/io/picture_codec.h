@@ -2,6 +2,7 @@
 
 #include "base/diagnostic.h"
 #include "model/picture.h"
+#include "model/raw_picture.h"
 
 #include <filesystem>
 #include <string>
@@ -16,6 +17,8 @@ struct PictureCodec {
 
     /// The bytes of an EXR of the stored values, 16-bit floats where `half`; errors carry no file.
     Result<std::string> (*encode_exr)(const Picture& picture, bool half);
+    /// The same with the floats that the picture has, half or whole ones; not for bytes.
+    Result<std::string> (*encode_raw_exr)(const RawPicture& picture);
 };
 
 /// Loads the module at the first call, 0.3 s; from any thread. The error says why it cannot be.

@@ -7,6 +7,7 @@
 #include "io/picture_kind.h"
 #include "io/png_chunks.h"
 #include "io/png_encoder.h"
+#include "model/display_bytes.h"
 
 namespace fs = std::filesystem;
 
@@ -71,4 +72,15 @@ Result<void> save_picture(const Picture& picture, const fs::path& file,
     if (!bytes)
         return fail(about_file(bytes.error(), file));
     return write_atomically(file, *bytes);
+}
+
+Result<std::string> encode_picture(const RawPicture& picture, std::string_view extension) {
+    if (extension == ".png")
+        return encode_png(picture.extent, display_bytes(picture));
+    const auto codec = picture_codec();
+    if (!codec)
+        return fail(codec.error());
+    if (std::holds_alternative<RawPicture::Bytes>(picture.pixels))
+        return (*codec)->encode_exr(picture_of(picture), false);
+    return (*codec)->encode_raw_exr(picture);
 }

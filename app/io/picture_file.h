@@ -2,8 +2,11 @@
 
 #include "base/diagnostic.h"
 #include "model/picture.h"
+#include "model/raw_picture.h"
 
 #include <filesystem>
+#include <string>
+#include <string_view>
 
 /// A picture as stored: 1, 3 or 4 channels (grey with alpha becomes RGBA), alpha unassociated,
 /// turned upright as its file says. Whole-number files (PNG, JPEG) are display-encoded, float files
@@ -18,3 +21,7 @@ struct SaveOptions {
 /// associated. The same pixels give the same bytes; atomic.
 Result<void> save_picture(const Picture& picture, const std::filesystem::path& file,
                           const SaveOptions& options = {});
+
+/// The bytes of such a file, `extension` being ".png" or ".exr"; an EXR's floats are those that the
+/// picture has. Errors carry no file.
+Result<std::string> encode_picture(const RawPicture& picture, std::string_view extension);

@@ -361,3 +361,8 @@ Picture Offline::picture(int pass) const {
     picture.encoding = encoding_of(executor().look(), pass);
     return picture;
 }
+
+void Offline::read(int pass, RawPicture& raw) const {
+    gpu::read_raw(executor().target(pass), raw);
+    raw.encoding = encoding_of(executor().look(), pass);
+}

@@ -10,6 +10,7 @@
 #include "lab/renderer.h"
 #include "lab/source.h"
 #include "model/moves.h"
+#include "model/raw_picture.h"
 
 #include <functional>
 #include <memory>
@@ -89,6 +90,12 @@ public:
     Diagnostics take_problems();
     /// The picture of a pass, row 0 on top; with the encoding that its values have.
     Picture picture(int pass) const;
+    /// The same as the target holds it, for another thread.
+    void read(int pass, RawPicture& raw) const;
+    /// What is heard while the signal is drawn; null where that is no sound.
+    std::shared_ptr<const SampleStream> sound() const { return m_player->heard(); }
+    /// How long it is; 0 without one.
+    double sound_seconds() const { return m_player->sound_seconds(); }
     Picture picture() const {
         return picture(static_cast<int>(executor().look().passes.size()) - 1);
     }

@@ -51,6 +51,7 @@ Result<void> Player::set_signal(const Spec& spec, PlayedSound sound) {
 void Player::listen() {
     m_loudness.reset();
     m_sound_texels.reset();
+    m_heard_stream.reset();
     if (!m_signal)
         return;
     std::shared_ptr<const SampleStream> sound;
@@ -58,6 +59,7 @@ void Player::listen() {
         const auto first = std::llround(m_start * m_sound.sound->rate);
         const bool loops = m_spec.settings.at("loop") == Spec::Setting("on");
         sound = stream_of(m_sound.sound, {first, loops});
+        m_heard_stream = sound;
     } else if (m_capture) {
         sound = stream_of(m_capture->sound(), m_live_first);
     } else if (find_kind(m_spec.kind)->is_sent) {

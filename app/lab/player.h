@@ -9,6 +9,7 @@
 #include "model/sound_texture.h"
 #include "model/spec.h"
 #include "signals/clock.h"
+#include "signals/sample_stream.h"
 #include "signals/signal.h"
 
 #include <cstdint>
@@ -101,6 +102,8 @@ public:
     bool leaves_out() const { return is_sound_the_clock() || m_playout; }
 
     Beam trace(const TimeSpan& span) const;
+    /// The sound that a file's signal draws, as it is heard with it; null where there is none.
+    std::shared_ptr<const SampleStream> heard() const { return m_heard_stream; }
     /// Of the sound that is drawn, else of the signal; null where there is none, or where it comes
     /// from another program, point by point. Shared with who draws.
     std::shared_ptr<const Loudness> loudness() const { return m_loudness; }
@@ -131,6 +134,7 @@ private:
     static constexpr double longest_frame = 0.25;  // s
 
     std::shared_ptr<const Signal> m_signal;  // with its loudness
+    std::shared_ptr<const SampleStream> m_heard_stream;
     std::shared_ptr<const Loudness> m_loudness;
     std::shared_ptr<const SoundTexels> m_sound_texels;
     PlayedSound m_sound;

@@ -15,32 +15,77 @@ float light_of(float stored, Encoding encoding) {
     const double number = std::min(static_cast<double>(stored), 1.0);
     return static_cast<float>(encoding == Encoding::display ? srgb_decode(number) : number);
 }
-}  // namespace
 
-std::vector<Light> cells_of(const Picture& picture) {
+// Of every number that there is of 8 or 16 bits.
+template <class Number>
+struct KnownLights {
+    explicit KnownLights(Encoding encoding) : lights(std::size_t{1} << (8 * sizeof(Number))) {
+        for (std::size_t bits = 0; bits < lights.size(); ++bits)
+            lights[bits] = light_of(number_of(static_cast<Number>(bits)), encoding);
+    }
+    std::vector<float> lights;
+};
+
+template <class Number>
+const float* known_lights(Encoding encoding) {
+    static const KnownLights<Number> linear(Encoding::linear);
+    static const KnownLights<Number> display(Encoding::display);
+    return (encoding == Encoding::linear ? linear : display).lights.data();
+}
+
+// `light` gives that of a channel of the pixel at x, y from the top left.
+template <class LightAt>
+std::vector<Light> cells_by(Extent extent, const LightAt& light) {
     std::vector<Light> cells(static_cast<std::size_t>(flash_cells.width * flash_cells.height));
-    if (picture.extent.is_empty())
+    if (extent.is_empty())
         return cells;
-    const auto channels = static_cast<std::size_t>(picture.channels);
     const int columns = flash_cells.width * places;
     const int rows = flash_cells.height * places;
     for (int row = 0; row < rows; ++row)
         for (int column = 0; column < columns; ++column) {
-            const int x = (2 * column + 1) * picture.extent.width / (2 * columns);
-            const int y = (2 * row + 1) * picture.extent.height / (2 * rows);
-            const float* pixel =
-                &picture.pixels[static_cast<std::size_t>(y * picture.extent.width + x) * channels];
-            Light& cell =
-                cells[static_cast<std::size_t>(row / places * flash_cells.width + column / places)];
+            const int x = (2 * column + 1) * extent.width / (2 * columns);
+            const int y = (2 * row + 1) * extent.height / (2 * rows);
+            const int place = row / places * flash_cells.width + column / places;
+            Light& cell = cells[static_cast<std::size_t>(place)];
             for (std::size_t i = 0; i < 3; ++i)
-                cell[i] += light_of(pixel[channels >= 3 ? i : 0], picture.encoding) /
-                           static_cast<float>(places * places);
+                cell[i] += light(x, y, i) / static_cast<float>(places * places);
         }
     return cells;
 }
+}  // namespace
 
-void FlashLog::add(const Picture& picture, double seconds) {
-    const Flashes now = m_counter.add(seconds, cells_of(picture));
+std::vector<Light> cells_of(const Picture& picture) {
+    return cells_by(picture.extent, [&](int x, int y, std::size_t channel) {
+        const std::size_t at = picture.index(x, y) + (picture.channels >= 3 ? channel : 0);
+        return light_of(picture.pixels[at], picture.encoding);
+    });
+}
+
+std::vector<Light> cells_of(const RawPicture& picture) {
+    const auto place = [&](int x, int y, std::size_t channel) {
+        const auto row = static_cast<std::size_t>(picture.extent.height - 1 - y);
+        return row * picture.row_length() +
+               static_cast<std::size_t>(x) * static_cast<std::size_t>(picture.channels) +
+               (picture.channels >= 3 ? channel : 0);
+    };
+    return std::visit(
+        [&]<class Number>(const std::vector<Number>& numbers) {
+            if constexpr (sizeof(Number) < sizeof(float)) {
+                const float* const lights = known_lights<Number>(picture.encoding);
+                return cells_by(picture.extent, [&](int x, int y, std::size_t channel) {
+                    return lights[numbers[place(x, y, channel)]];
+                });
+            } else {
+                return cells_by(picture.extent, [&](int x, int y, std::size_t channel) {
+                    return light_of(numbers[place(x, y, channel)], picture.encoding);
+                });
+            }
+        },
+        picture.pixels);
+}
+
+void FlashLog::add(std::span<const Light> cells, double seconds) {
+    const Flashes now = m_counter.add(seconds, cells);
     m_most = {std::max(m_most.general, now.general), std::max(m_most.red, now.red)};
     if (!now.is_beyond_limit())
         return;

@@ -119,9 +119,19 @@ Result<Picture> read_picture(const fs::path& file, const std::string& kind) {
     return picture;
 }
 
-Result<std::string> write_exr(const Picture& picture, bool half) {
-    OIIO::ImageSpec spec(picture.extent.width, picture.extent.height, picture.channels,
-                         half ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT);
+/// Pixels for an EXR, from the top row on.
+struct ExrPixels {
+    Extent extent;
+    int channels = 4;
+    const void* top = nullptr;
+    OIIO::stride_t row_bytes = OIIO::AutoStride;  // to the row below
+    OIIO::TypeDesc held_as = OIIO::TypeDesc::FLOAT;
+    OIIO::TypeDesc stored_as = OIIO::TypeDesc::FLOAT;
+};
+
+Result<std::string> write_exr(const ExrPixels& pixels) {
+    OIIO::ImageSpec spec(pixels.extent.width, pixels.extent.height, pixels.channels,
+                         pixels.stored_as);
     spec.attribute("compression", "zip");
     spec.attribute(as_stored, 1);
     spec.attribute("DateTime", "");  // else the library writes the time of day
@@ -132,9 +142,36 @@ Result<std::string> write_exr(const Picture& picture, bool half) {
     if (!output)
         return fail({{}, 0, "cannot be encoded: " + cleaned(OIIO::geterror())});
     if (!output->open(name, spec) ||
-        !output->write_image(OIIO::TypeDesc::FLOAT, picture.pixels.data()) || !output->close())
+        !output->write_image(pixels.held_as, pixels.top, OIIO::AutoStride, pixels.row_bytes) ||
+        !output->close())
         return fail({{}, 0, "cannot be encoded: " + cleaned(output->geterror())});
     return std::string(bytes.begin(), bytes.end());
+}
+
+Result<std::string> write_picture_exr(const Picture& picture, bool half) {
+    assert(picture.pixels.size() == picture.index(0, picture.extent.height));
+    ExrPixels pixels{picture.extent, picture.channels, picture.pixels.data()};
+    if (half)
+        pixels.stored_as = OIIO::TypeDesc::HALF;
+    return write_exr(pixels);
+}
+
+// From the last row that it has up.
+template <class Number>
+Result<std::string> write_rows_exr(const RawPicture& picture, const std::vector<Number>& numbers,
+                                   OIIO::TypeDesc type) {
+    const auto rows = static_cast<std::size_t>(picture.extent.height);
+    assert(numbers.size() == picture.row_length() * rows);
+    const Number* const top = numbers.data() + picture.row_length() * (rows - 1);
+    const auto row_bytes = static_cast<OIIO::stride_t>(picture.row_length() * sizeof(Number));
+    return write_exr({picture.extent, picture.channels, top, -row_bytes, type, type});
+}
+
+Result<std::string> write_raw_exr(const RawPicture& picture) {
+    if (const auto* halves = std::get_if<RawPicture::Halves>(&picture.pixels))
+        return write_rows_exr(picture, *halves, OIIO::TypeDesc::HALF);
+    return write_rows_exr(picture, std::get<RawPicture::Floats>(picture.pixels),
+                          OIIO::TypeDesc::FLOAT);
 }
 
 // The library's exceptions end here.
@@ -154,8 +191,11 @@ const PictureCodec codec{
         },
     .encode_exr =
         [](const Picture& picture, bool half) {
-            assert(picture.pixels.size() == picture.index(0, picture.extent.height));
-            return guarded<std::string>({}, [&] { return write_exr(picture, half); });
+            return guarded<std::string>({}, [&] { return write_picture_exr(picture, half); });
+        },
+    .encode_raw_exr =
+        [](const RawPicture& picture) {
+            return guarded<std::string>({}, [&] { return write_raw_exr(picture); });
         },
 };
 }  // namespace

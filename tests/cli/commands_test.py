@@ -242,7 +242,7 @@ class Rendering(ProgramTest):
         for wrong in (("--size", "big"), ("--size", "0x5"), ("--fps", "0"), ("--fps", "nan"), ("--frames", "-1"),
                       ("--sett", "a=1"), ("--signal", "")):
             self.assert_refused(run("render", "phosphor", "-o", out, *wrong), code=2)
-        for name in ("x", "x.gif", "x_%f.png", "x_%d_%d.png", "/dev/full"):
+        for name in ("x", "x.avi", "x_%f.png", "x_%d_%d.png", "/dev/full"):
             self.assert_refused(run("render", "phosphor", "-o", name), name, code=2)
         (self.folder / "taken").write_text("")
         self.assert_refused(run("render", "phosphor", "-o", self.folder / "taken/x.png"), "taken")

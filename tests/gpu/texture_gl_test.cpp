@@ -24,6 +24,27 @@ TEST_CASE_FIXTURE(Headless, "a picture comes back as it went, row 0 on top") {
     CHECK(gpu::read_picture(texture_of(corners(), Format::rgba32f)) == corners());
 }
 
+TEST_CASE_FIXTURE(
+    Headless, "what is read for another thread is the same picture, in memory that is used again") {
+    Picture picture{{5, 3}, 4, Encoding::linear, {}};
+    for (int i = 0; i < 5 * 3 * 4; ++i)
+        picture.pixels.push_back(static_cast<float>(i * 37 % 61) / 60.0f);
+    RawPicture raw;
+    for (int turn = 0; turn < 2; ++turn)
+        for (const FormatFacts& facts : all_formats()) {
+            CAPTURE(facts.name);
+            if (facts.is_integer)
+                continue;
+            const gpu::Texture texture = texture_of(picture, facts.format);
+            gpu::read_raw(texture, raw);
+            CHECK(picture_of(raw) == gpu::read_picture(texture));
+        }
+    gpu::read_raw(texture_of(picture, Format::rgba16f), raw);
+    CHECK(std::holds_alternative<RawPicture::Halves>(raw.pixels));
+    gpu::read_raw(texture_of(picture, Format::rgba8), raw);
+    CHECK(std::holds_alternative<RawPicture::Bytes>(raw.pixels));
+}
+
 TEST_CASE_FIXTURE(Headless, "every format gives back the channels that it has") {
     for (const FormatFacts& facts : all_formats()) {
         if (facts.is_integer)

@@ -1,4 +1,4 @@
-#include "cli/frame_names.h"
+#include "io/frame_names.h"
 
 #include "base/text.h"
 

@@ -1,0 +1,161 @@
+#include "lab/export.h"
+
+#include "base/text.h"
+#include "io/picture_file.h"
+#include "io/y4m.h"
+#include "lab/offline.h"
+#include "model/display_bytes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <unistd.h>
+
+namespace {
+using PipedFrame = FramePipeline::Frame;
+using FromFrame = FramePipeline::Made;
+
+std::span<const std::uint8_t> as_numbers(const std::string& bytes) {
+    return {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()};
+}
+
+// What a film is made of cannot change its size in it.
+Result<std::vector<std::uint8_t>> film_bytes(const PipedFrame& frame, Extent extent) {
+    const Extent now = frame.picture.extent;
+    if (now != extent)
+        return fail(
+            {{},
+             0,
+             fmt::format("a film has one size, {} x {} px, but frame {} is of {} x {} px",
+                         extent.width, extent.height, frame.number, now.width, now.height)});
+    return display_bytes(frame.picture);
+}
+
+Result<void> write_all(int descriptor, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
+        if (count < 0 && errno == EINTR)
+            continue;
+        if (count < 0)
+            return fail(
+                {{}, 0, std::string("the film cannot be written: ") + std::strerror(errno)});
+        bytes.remove_prefix(static_cast<std::size_t>(count));
+    }
+    return {};
+}
+}  // namespace
+
+ExportPart part_of(double start_seconds, double seconds, double fps) {
+    constexpr double rounding = 1e-6;
+    const std::int64_t first = std::llround(start_seconds * fps);
+    const auto count = static_cast<std::int64_t>(std::ceil(seconds * fps - rounding));
+    return {first, first + std::max<std::int64_t>(count, 1)};
+}
+
+FramePipeline::Stages sequence_stages(const FrameNames& names, std::int64_t first) {
+    const auto make = [names, first](const PipedFrame& frame) -> Result<FromFrame> {
+        const auto file = names.name(static_cast<int>(frame.number));
+        const auto bytes = encode_picture(frame.picture, to_lower(file.extension().string()));
+        if (!bytes)
+            return fail({file, 0, bytes.error().front().message});
+        // Looking for leftovers before every file would take ever longer as files come to be.
+        const auto leftovers = frame.number == first ? Leftovers::removed : Leftovers::left;
+        if (auto done = write_atomically(file, *bytes, leftovers); !done)
+            return fail(done.error());
+        return FromFrame{};
+    };
+    return {make, [](std::int64_t, const FromFrame&) -> Result<void> { return {}; }};
+}
+
+FramePipeline::Stages film_stages(FilmFile& film) {
+    const auto make = [extent = film.extent()](const PipedFrame& frame) -> Result<FromFrame> {
+        const auto bytes = film_bytes(frame, extent);
+        if (!bytes)
+            return fail(bytes.error());
+        return FromFrame{std::string(bytes->begin(), bytes->end()), {}};
+    };
+    return {make, [&film](std::int64_t, const FromFrame& made) {
+                return film.add(as_numbers(made.bytes));
+            }};
+}
+
+FramePipeline::Stages pipe_stages(int descriptor, Extent extent, const FilmRate& rate) {
+    const auto make = [extent](const PipedFrame& frame) -> Result<FromFrame> {
+        const auto bytes = film_bytes(frame, extent);
+        if (!bytes)
+            return fail(bytes.error());
+        return FromFrame{y4m_frame(extent, *bytes), {}};
+    };
+    auto deliver = [descriptor, header = y4m_header(extent, rate)](
+                       std::int64_t, const FromFrame& made) mutable -> Result<void> {
+        if (auto done = write_all(descriptor, std::exchange(header, {})); !done)
+            return done;
+        return write_all(descriptor, made.bytes);
+    };
+    return {make, deliver};
+}
+
+namespace {
+// With the numbers that tell flashes, on the way.
+FramePipeline::Stages watched(const ExportJob& job) {
+    if (!job.flashes)
+        return job.stages;
+    const auto make = [&job](const PipedFrame& frame) {
+        auto made = job.stages.make(frame);
+        if (made)
+            made->cells = cells_of(frame.picture);
+        return made;
+    };
+    const auto deliver = [&job](std::int64_t number, const FromFrame& made) {
+        job.flashes->add(made.cells, static_cast<double>(number + 1) / job.fps);
+        return job.stages.deliver(number, made);
+    };
+    return {make, deliver};
+}
+}  // namespace
+
+Result<bool> export_frames(Offline& offline, const ExportJob& job) {
+    FramePipeline pipeline(watched(job));
+    for (std::int64_t number = 0; number < job.part.end; ++number) {
+        if (!job.go_on(number)) {
+            pipeline.cancel();
+            return false;
+        }
+        if (number < job.part.first) {
+            offline.advance_unseen();
+            continue;
+        }
+        offline.advance();
+        PipedFrame* const frame = pipeline.next();
+        if (!frame)
+            break;
+        frame->number = number;
+        offline.read(job.pass, frame->picture);
+        pipeline.push(frame);
+    }
+    if (auto done = pipeline.finish(); !done)
+        return fail(done.error());
+    return true;
+}
+
+FilmSound sound_of(const Offline& offline, const ExportPart& part, double fps) {
+    const auto stream = offline.sound();
+    if (!stream)
+        return {};
+    const auto sample_at = [&](std::int64_t frame) {
+        return std::llround(static_cast<double>(frame) / fps * stream->rate());
+    };
+    const std::int64_t first = sample_at(part.first);
+    return {stream->rate(), sample_at(part.end) - first,
+            [stream, first](std::int64_t from, std::span<float> samples) {
+                std::vector<StereoSample> stereo(samples.size() / 2);
+                stream->read(first + from, stereo);
+                for (std::size_t i = 0; i < stereo.size(); ++i) {
+                    samples[2 * i] = stereo[i].left;
+                    samples[2 * i + 1] = stereo[i].right;
+                }
+            }};
+}

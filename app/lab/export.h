@@ -1,0 +1,48 @@
+#pragma once
+
+#include "io/film_file.h"
+#include "io/frame_names.h"
+#include "io/frame_pipeline.h"
+#include "model/flash_log.h"
+
+#include <cstdint>
+#include <functional>
+
+class Offline;
+
+/// Which frames of a look's clock are written, numbered from 0: those before the first are drawn
+/// too, as they leave their light behind.
+struct ExportPart {
+    std::int64_t first = 0;
+    std::int64_t end = 0;  // behind the last
+
+    std::int64_t count() const { return end - first; }
+};
+
+/// Frames from `start_seconds` on, for so many seconds, at least one.
+ExportPart part_of(double start_seconds, double seconds, double fps);
+
+/// What becomes of the frames.
+struct ExportJob {
+    ExportPart part;
+    int pass = 0;
+    double fps = 60.0;
+    FramePipeline::Stages stages = {};
+    FlashLog* flashes = nullptr;  // null: nobody asks
+    /// So many frames are drawn; false: no more of them are wanted.
+    std::function<bool(std::int64_t drawn)> go_on = {};
+};
+
+/// Pictures one by one, .png or .exr; a frame has the number that it has on the look's clock.
+FramePipeline::Stages sequence_stages(const FrameNames& names, std::int64_t first);
+/// Pictures into a film, which lives as long.
+FramePipeline::Stages film_stages(FilmFile& film);
+/// Pictures as y4m into an open file of the system.
+FramePipeline::Stages pipe_stages(int descriptor, Extent extent, const FilmRate& rate);
+
+/// Draws from a fresh start and writes beside it; each file is whole or not there. Gives whether it
+/// came to its end.
+Result<bool> export_frames(Offline& offline, const ExportJob& job);
+
+/// The sound of the part, as the signal has it; without samples where it has none.
+FilmSound sound_of(const Offline& offline, const ExportPart& part, double fps);
