@@ -1,6 +1,8 @@
 #include "io/frame_pipeline.h"
 
 #include <algorithm>
+#include <sys/resource.h>
+#include <unistd.h>
 #include <utility>
 
 namespace {
@@ -8,6 +10,13 @@ namespace {
 unsigned encoder_count() {
     constexpr unsigned most = FramePipeline::most_frames - 2;  // one is drawn, one is next
     return std::clamp(std::thread::hardware_concurrency(), 1u, most);
+}
+
+// Drawing goes first: it has stretches on one thread, which encoding then fills.
+void step_back() {
+    constexpr int behind = 5;
+    const auto self = static_cast<id_t>(::gettid());
+    ::setpriority(PRIO_PROCESS, self, ::getpriority(PRIO_PROCESS, self) + behind);
 }
 }  // namespace
 
@@ -50,6 +59,7 @@ void FramePipeline::push(Frame* frame) {
 }
 
 void FramePipeline::work() {
+    step_back();
     Lock lock(m_mutex);
     for (;;) {
         Slot* slot = nullptr;
