@@ -62,31 +62,25 @@ Result<void> save_all_passes(const Offline& offline, const std::filesystem::path
     return {};
 }
 
-constexpr const char* to_pipe = "-";
-
-bool is_film(const RenderArguments& arguments) {
-    return arguments.output == to_pipe || is_film_name(arguments.output);
-}
-
 // What cannot become a file is told before anything is drawn.
 FrameNames output_names(const RenderArguments& arguments) {
     const std::string& output = arguments.output;
     auto names = parse_frame_names(output);
     if (!names)
         throw UsageError("--output: " + names.error().front().message);
-    if (output == to_pipe && ::isatty(STDOUT_FILENO) == 1)
+    if (output == export_pipe && ::isatty(STDOUT_FILENO) == 1)
         throw UsageError("--output: '-' writes a film for another program, not for a terminal");
-    if (output != to_pipe)
+    if (output != export_pipe)
         check_ending("--output", output, {".png", ".exr", ".mp4", ".webm", ".gif"});
-    if (is_film(arguments) && names->is_sequence())
+    if (is_film_output(arguments.output) && names->is_sequence())
         throw UsageError("--output: a film is one file; '%' is for pictures, .png or .exr");
-    if (!is_film(arguments) && !names->is_sequence() && arguments.start > 0.0)
+    if (!is_film_output(arguments.output) && !names->is_sequence() && arguments.start > 0.0)
         throw UsageError("--start is for films and for pictures with %04d in their name");
     return std::move(*names);
 }
 
 Result<void> check_outputs(const RenderArguments& arguments, const FrameNames& names) {
-    if (arguments.output != to_pipe)
+    if (arguments.output != export_pipe)
         if (auto good = check_writable(names.name(0)); !good)
             return good;
     if (arguments.all_passes.empty())
@@ -94,25 +88,12 @@ Result<void> check_outputs(const RenderArguments& arguments, const FrameNames& n
     return check_writable(std::filesystem::path(arguments.all_passes) / "pass.exr");
 }
 
-// How long it is where nobody says so: as long as what is heard; else a film to look at, or as many
-// pictures as the look needs.
-Result<double> usual_seconds(const RenderArguments& arguments, double fps, const Offline& offline) {
-    constexpr double film_seconds = 10.0;
-    if (!is_film(arguments))
-        return offline.document().look().settle_frames / fps;
-    const double sound = offline.sound_seconds();
-    if (sound <= 0.0)
-        return film_seconds;
-    if (arguments.start >= sound)
-        return fail(
-            {{}, 0, fmt::format("--start: the sound is over after {} s", format_number(sound))});
-    return sound - arguments.start;
-}
-
 Result<ExportPart> part_to_write(const RenderArguments& arguments, const Offline& offline) {
     const double fps = arguments.look.request().fps;
     if (arguments.frames == 0 && arguments.seconds == 0.0) {
-        const auto seconds = usual_seconds(arguments, fps, offline);
+        const auto seconds = is_film_output(arguments.output)
+                                 ? usual_film_seconds(offline, arguments.start)
+                                 : offline.document().look().settle_frames / fps;
         if (!seconds)
             return fail(seconds.error());
         return part_of(arguments.start, *seconds, fps);
@@ -139,39 +120,16 @@ Result<void> draw_picture(const std::filesystem::path& file, const ExportPart& p
 }
 
 /// Draws and writes all frames of the part.
-Result<void> draw_frames(const RenderArguments& arguments, const FrameNames& names, ExportJob job,
-                         Offline& offline) {
-    const Look& look = offline.executor().look();
-    const Extent extent = offline.executor().target(job.pass).extent();
-    const FilmRate rate = film_rate_of(job.fps);
-    std::unique_ptr<FilmFile> film;
-    if (arguments.output == to_pipe) {
-        job.stages = pipe_stages(STDOUT_FILENO, extent, rate);
-    } else if (is_film(arguments)) {
-        auto made =
-            FilmFile::create(names.name(0), {extent, rate, sound_of(offline, job.part, job.fps)});
-        if (!made)
-            return fail(made.error());
-        film = std::move(*made);
-        job.stages = film_stages(*film);
-    } else {
-        job.stages = sequence_stages(names, job.part.first);
-    }
-    FlashLog flashes;
-    if (job.pass + 1 == static_cast<int>(look.passes.size()))
-        job.flashes = &flashes;
+Result<void> draw_frames(const RenderArguments& arguments, ExportJob job, Offline& offline) {
     Progress progress("render", static_cast<int>(job.part.end));
     job.go_on = [&](std::int64_t drawn) {
         progress.show(static_cast<int>(drawn));
         return true;
     };
-    if (const auto done = export_frames(offline, job); !done)
+    Diagnostics warnings;
+    if (const auto done = export_to(arguments.output, offline, std::move(job), warnings); !done)
         return fail(done.error());
-    if (film)
-        if (auto done = film->finish(); !done)
-            return done;
-    if (const auto warning = flashes.warning())
-        warn({{{}, 0, *warning, Severity::warning}});
+    warn(warnings);
     return {};
 }
 
@@ -183,9 +141,9 @@ Result<void> draw(const RenderArguments& arguments, const FrameNames& names, Off
     const auto part = part_to_write(arguments, offline);
     if (!part)
         return fail(part.error());
-    const ExportJob job{.part = *part, .pass = *pass, .fps = arguments.look.request().fps};
-    auto done = is_film(arguments) || names.is_sequence()
-                    ? draw_frames(arguments, names, job, offline)
+    ExportJob job{.part = *part, .pass = *pass, .fps = arguments.look.request().fps};
+    auto done = is_film_output(arguments.output) || names.is_sequence()
+                    ? draw_frames(arguments, std::move(job), offline)
                     : draw_picture(names.name(0), *part, *pass, offline, recent);
     if (!done || arguments.all_passes.empty())
         return done;

@@ -26,6 +26,7 @@ public:
         cancel();
         m_outcome.reset();
         m_work = std::make_shared<Work>();
+        m_start = std::chrono::steady_clock::now();
         m_is_wanted = true;
         m_coming = std::async(std::launch::async,
                               [task = std::move(task), work = m_work] { return task(*work); });
@@ -51,11 +52,19 @@ public:
     /// Nothing is under way, not even what was cancelled: start() need not wait for it.
     bool is_free() const { return !m_coming.valid(); }
     double share() const { return m_work ? m_work->share.load() : 0.0; }
+    /// At the pace so far; none while that says little.
+    std::optional<double> seconds_left() const {
+        const std::chrono::duration<double> gone = std::chrono::steady_clock::now() - m_start;
+        if (!is_running() || share() <= 0.0 || gone.count() < 2.0)
+            return std::nullopt;
+        return gone.count() * (1.0 - share()) / share();
+    }
     /// None before the work has come to its end.
     const std::optional<Result<Outcome>>& outcome() const { return m_outcome; }
 
 private:
     std::shared_ptr<Work> m_work;  // shared with the thread
+    std::chrono::steady_clock::time_point m_start;
     std::future<Result<Outcome>> m_coming;
     bool m_is_wanted = false;  // not cancelled
     std::optional<Result<Outcome>> m_outcome;

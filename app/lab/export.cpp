@@ -3,6 +3,7 @@
 #include "base/text.h"
 #include "io/picture_file.h"
 #include "io/y4m.h"
+#include "lab/frame_export.h"
 #include "lab/offline.h"
 #include "model/display_bytes.h"
 
@@ -158,4 +159,54 @@ FilmSound sound_of(const Offline& offline, const ExportPart& part, double fps) {
                     samples[2 * i + 1] = stereo[i].right;
                 }
             }};
+}
+
+bool is_film_output(const std::string& output) {
+    return output == export_pipe || is_film_name(output);
+}
+
+Result<double> usual_film_seconds(const Offline& offline, double start_seconds) {
+    const double sound = offline.sound_seconds();
+    if (sound <= 0.0)
+        return film_seconds_without_sound;
+    if (start_seconds >= sound)
+        return fail({{},
+                     0,
+                     fmt::format("there is nothing to write from {} s on: the sound is over after "
+                                 "{} s",
+                                 format_number(start_seconds), format_number(sound))});
+    return sound - start_seconds;
+}
+
+Result<bool> export_to(const std::string& output, Offline& offline, ExportJob job,
+                       Diagnostics& warnings) {
+    const Extent extent = offline.executor().target(job.pass).extent();
+    const FilmRate rate = film_rate_of(job.fps);
+    std::unique_ptr<FilmFile> film;
+    if (output == export_pipe) {
+        job.stages = pipe_stages(STDOUT_FILENO, extent, rate);
+    } else if (is_film_output(output)) {
+        auto made = FilmFile::create(output, {extent, rate, sound_of(offline, job.part, job.fps)});
+        if (!made)
+            return fail(made.error());
+        film = std::move(*made);
+        job.stages = film_stages(*film);
+    } else {
+        const auto names = parse_frame_names(output);
+        if (!names)
+            return fail(names.error());
+        job.stages = sequence_stages(*names, job.part.first);
+    }
+    FlashLog flashes;
+    if (job.pass + 1 == static_cast<int>(offline.executor().look().passes.size()))
+        job.flashes = &flashes;
+    auto done = export_frames(offline, job);
+    if (!done || !*done)
+        return done;
+    if (film)
+        if (auto finished = film->finish(); !finished)
+            return fail(finished.error());
+    if (const auto warning = flashes.warning())
+        warnings.push_back({{}, 0, *warning, Severity::warning});
+    return true;
 }

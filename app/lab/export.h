@@ -46,3 +46,16 @@ Result<bool> export_frames(Offline& offline, const ExportJob& job);
 
 /// The sound of the part, as the signal has it; without samples where it has none.
 FilmSound sound_of(const Offline& offline, const ExportPart& part, double fps);
+
+/// The name of an output that is a pipe.
+inline constexpr const char* export_pipe = "-";
+
+/// Whether an output's name says that all frames become one film.
+bool is_film_output(const std::string& output);
+/// How long a film from `start_seconds` on is where nobody says so: as long as the sound that is
+/// left, else 10 s. Fails where the sound is over before.
+Result<double> usual_film_seconds(const Offline& offline, double start_seconds);
+/// As export_frames, with the stages that the output's name asks for: a film, y4m into standard
+/// output, or pictures. Warns of flashes where the pass is the picture.
+Result<bool> export_to(const std::string& output, Offline& offline, ExportJob job,
+                       Diagnostics& warnings);

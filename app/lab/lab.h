@@ -8,6 +8,7 @@
 #include "lab/document.h"
 #include "lab/drawing_board.h"
 #include "lab/drive.h"
+#include "lab/frame_export.h"
 #include "lab/impulse.h"
 #include "lab/kept_sessions.h"
 #include "lab/library.h"
@@ -260,6 +261,11 @@ public:
     void compare_rates();
     void cancel_rate_comparison() { m_rate_check.cancel(); }
     const RateCheck& rate_check() const { return m_rate_check; }
+
+    /// Draws the document into a film or a sequence, beside what the window shows.
+    void export_frames(const ExportWishes& wishes);
+    void cancel_export() { m_export.cancel(); }
+    const BackgroundWork<Exported>& frame_export() const { return m_export; }
     /// One of the pairs that were compared, to be seen; at first the one farthest apart.
     void show_rate_pair(std::size_t pair);
     const RatePictures& rate_pictures() const { return m_rate_pictures; }
@@ -433,6 +439,7 @@ private:
     RateCheck m_rate_check;
     RatePictures m_rate_pictures;
     BackgroundWork<ImpulseResponse> m_impulse;
+    BackgroundWork<Exported> m_export;
     Reloader m_reloader;
     std::unique_ptr<Arrival> m_arrival;  // of the newest request; null: nothing has come
     std::string m_heavy_pass;            // "": none is

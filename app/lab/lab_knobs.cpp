@@ -50,3 +50,10 @@ void Lab::fire_impulse(const Pin& place) {
             return ::fire_impulse(document, picture, {.place = place}, work);
         });
 }
+
+void Lab::export_frames(const ExportWishes& wishes) {
+    if (m_document)
+        m_export.start([document = *m_document, picture = picture_extent(), wishes](Work& work) {
+            return export_document(document, picture, wishes, work);
+        });
+}

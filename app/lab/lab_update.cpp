@@ -38,6 +38,7 @@ void Lab::update(double wall_seconds) {
     if (const auto& compared = m_rate_check.outcome(); was_comparing && compared && *compared)
         show_rate_pair((*compared)->worst_place());
     m_impulse.update();
+    m_export.update();
     if (!m_document || !m_renderer)
         return;
     go_on_morphing(wall_seconds);
@@ -121,7 +122,8 @@ bool Lab::is_moving() const {
     return (m_player.is_playing() && !has_converged()) || is_loading() || m_wanted ||
            (m_notice && m_notice->choices.empty()) || m_tryouts->is_busy() || m_morphing ||
            m_hand.is_turning() || m_chosen_images.is_reading() || m_rate_check.is_running() ||
-           m_impulse.is_running() || !m_drive.loading().empty() || m_drive.is_source_late() ||
+           m_impulse.is_running() || m_export.is_running() || !m_drive.loading().empty() ||
+           m_drive.is_source_late() ||
            (m_renderer && (m_renderer->is_amid_frame() || m_renderer->replay().is_running() ||
                            m_renderer->awaits_trip()));
 }

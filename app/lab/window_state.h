@@ -170,7 +170,9 @@ struct Dialog {
         rates,    // how far pictures of several frame rates are apart
         keys,
         about,
-        asked,  // a number or words for the choice of the id in `subject`
+        asked,          // a number or words for the choice of the id in `subject`
+        export_frames,  // where to, and how much
+        exporting,
     };
 
     Kind kind = Kind::none;
@@ -308,6 +310,8 @@ struct WindowState {
     PresetBrowsing presets;
     Dialog dialog;
     std::filesystem::path last_folder;
+    double export_fps = 60.0;
+    double export_seconds = 0.0;  // 0: what is usual
 
     bool sees(BottomPart part) const {
         return shows_bottom && bottom_part == part && !is_picture_only;

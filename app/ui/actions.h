@@ -25,6 +25,7 @@ enum class ActionId {
     copy_line,
     paste_line,
     save_picture,
+    export_frames,
     quit,
     undo,
     redo,

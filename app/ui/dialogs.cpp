@@ -3,6 +3,7 @@
 #include "ui/asked_dialog.h"
 #include "ui/compare_dialog.h"
 #include "ui/dialog_frame.h"
+#include "ui/export_dialog.h"
 #include "ui/file_dialog.h"
 #include "ui/help_dialogs.h"
 #include "ui/impulse_dialog.h"
@@ -124,6 +125,7 @@ void draw_dialogs(const Scene& scene, Edits& edits) {
         case Kind::save_drawing:
         case Kind::save_moves:
         case Kind::save_slangp:
+        case Kind::export_frames:
             draw_file_dialog(scene, edits);
             return;
         case Kind::save_preset_as:
@@ -155,6 +157,9 @@ void draw_dialogs(const Scene& scene, Edits& edits) {
             return;
         case Kind::about:
             draw_about_dialog(scene, edits);
+            return;
+        case Kind::exporting:
+            draw_export_dialog(scene, edits);
             return;
         case Kind::asked:
             draw_asked_dialog(scene, edits);

@@ -210,6 +210,13 @@ std::vector<Action> file_actions::list() {
          true,
          show<Kind::save_picture>,
          has_document},
+        {ActionId::export_frames,
+         Menu::file,
+         "Export a film or sequence…",
+         {'M', true, true},
+         false,
+         show<Kind::export_frames>,
+         has_document},
         {ActionId::quit, Menu::file, "Quit", {'Q', true}, true, quit},
     };
     actions.insert(actions.end(), others.begin(), others.end());

@@ -2,6 +2,7 @@
 
 #include "lab/snapshot.h"
 #include "ui/dialog_frame.h"
+#include "ui/export_dialog.h"
 #include "ui/recent_files.h"
 #include "ui/scoped.h"
 #include "ui/theme.h"
@@ -20,6 +21,8 @@ std::vector<std::string> endings_for(Dialog::Kind kind) {
         return {".png", ".exr"};
     if (kind == Dialog::Kind::save_pass)
         return {".exr", ".png"};
+    if (kind == Dialog::Kind::export_frames)
+        return {".mp4", ".webm", ".gif", ".png", ".exr"};
     if (kind == Dialog::Kind::load_drawing || kind == Dialog::Kind::save_drawing)
         return {".svg"};
     if (kind == Dialog::Kind::save_moves)
@@ -40,6 +43,8 @@ const char* title_for(Dialog::Kind kind) {
             return "Save the picture";
         case Dialog::Kind::save_pass:
             return "Save the pass: EXR with its numbers, PNG as it is seen";
+        case Dialog::Kind::export_frames:
+            return "Export a film (.mp4, .webm, .gif) or pictures (frame_%04d.png, .exr)";
         case Dialog::Kind::load_drawing:
             return "Load a drawing";
         case Dialog::Kind::save_drawing:
@@ -63,7 +68,7 @@ constexpr int shows_chosen = 1;
 bool is_saving(const Dialog& dialog) {
     return dialog.kind == Dialog::Kind::save_picture || dialog.kind == Dialog::Kind::save_pass ||
            dialog.kind == Dialog::Kind::save_drawing || dialog.kind == Dialog::Kind::save_moves ||
-           dialog.kind == Dialog::Kind::save_slangp;
+           dialog.kind == Dialog::Kind::save_slangp || dialog.kind == Dialog::Kind::export_frames;
 }
 
 void enter(const fs::path& folder, Edits& edits) {
@@ -81,6 +86,8 @@ void start(const Scene& scene, Edits& edits) {
     edits.arrange([](WindowState& window) { window.dialog.is_new = false; });
     if (scene.window.dialog.kind == Dialog::Kind::save_picture)
         edits.arrange([](WindowState& window) { window.dialog.text = "picture.png"; });
+    if (scene.window.dialog.kind == Dialog::Kind::export_frames)
+        edits.arrange([](WindowState& window) { window.dialog.text = "film.mp4"; });
     if (scene.window.dialog.kind == Dialog::Kind::save_pass)
         edits.arrange([](WindowState& window) {
             window.dialog.text = window.dialog.subject + ".exr";
@@ -105,6 +112,8 @@ void finish(const fs::path& file, const Scene& scene, Edits& edits) {
         edits.open_file(file);
     else if (dialog.kind == Dialog::Kind::save_picture)
         edits.add([file](Lab& lab) { save_snapshot(lab, file); });
+    else if (dialog.kind == Dialog::Kind::export_frames)
+        export_frames(file, scene, edits);
     else if (dialog.kind == Dialog::Kind::save_pass)
         edits.add(
             [view = scene.window.inspected, file](Lab& lab) { save_target(lab, view, file); });
@@ -246,6 +255,8 @@ void draw_file_dialog(const Scene& scene, Edits& edits) {
     if (ImGui::InputTextWithHint("##file", "Name or path of a file", &name))
         edits.arrange([name](WindowState& window) { window.dialog.text = name; });
     edits.mark("dialog_file");
+    if (dialog.kind == Dialog::Kind::export_frames)
+        draw_export_numbers(scene, edits);
     const bool replaces = is_saving(dialog) && is_listed(dialog, name);
     if (replaces)
         dim_text("There is such a file; it will be replaced.");

@@ -7,6 +7,10 @@
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
+#include <fmt/format.h>
+
+#include <cmath>
+
 /// Inside an open dialog: what background work is `doing` and how far it is, then what `draw` shows
 /// of its outcome, or why there is none. Leaving the dialog does `cancel` in the lab.
 template <class Outcome, class Draw, class Cancel>
@@ -17,6 +21,8 @@ void draw_work(const BackgroundWork<Outcome>& work, const char* doing, const Dra
         dim_text(doing);
         ImGui::ProgressBar(static_cast<float>(work.share()), {-1.0f, 0.0f});
         edits.mark("dialog_progress");
+        if (const auto left = work.seconds_left())
+            dim_text(fmt::format("{:.0f} s left", std::ceil(*left)));
     } else if (work.outcome() && work.outcome()->has_value()) {
         draw(**work.outcome());
     } else if (work.outcome()) {

@@ -268,7 +268,7 @@ class Films(ExportTest):
         self.assertEqual(list(streams), ["video"])
         self.assertEqual(streams["video"]["nb_read_frames"], "20")
         self.assert_refused(run("render", "vector-beam", "--signal", spec, "--start", "2", "-o", self.folder / "x.mp4"),
-                            "--start: the sound is over after 2 s")
+                            "there is nothing to write from 2 s on: the sound is over after 2 s")
 
     def test_ctrl_c_leaves_the_film_that_was_there(self):
         film = self.write("film.mp4", "old")
