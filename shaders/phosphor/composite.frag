@@ -61,7 +61,8 @@ vec3 fringed_light(vec2 at) {
     if (is_straight())
         return texelFetch(phosphor, ivec2(gl_FragCoord.xy), 0).rgb +
                bloom_intensity * texture(bloom, at).rgb;
-    vec2 shift = vec2(aberration / u_resolution.x, 0.0);
+    // Without aberration compilers see that all three are one reading.
+    vec2 shift = aberration == 0.0 ? vec2(0.0) : vec2(aberration / u_resolution.x, 0.0);
     return vec3(light_at(at + shift).r, light_at(at).g, light_at(at - shift).b);
 }
 

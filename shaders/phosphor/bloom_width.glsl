@@ -1,0 +1,32 @@
+// How wide the bloom is, and by which blur.
+#ifndef PHOSPHOR_BLOOM_WIDTH
+#define PHOSPHOR_BLOOM_WIDTH
+
+#include "as_written.glsl"
+#include "reference_height.glsl"
+
+uniform int bloom_kind = 0;  // @items "Taps" "Pyramid"  @label "Blur"  @group "Bloom"
+                             // @help "Taps: a Gaussian read tap by tap, which takes longer the wider it is. Pyramid: about the same glow by way of ever smaller pictures, as fast at any width; it has no end at an outermost tap."
+uniform float bloom_radius = 3.0;  // @range 0.5 12  @limit 0.05 64  @label "Radius"  @unit "half-size px at 512 lines"  @group "Bloom"
+                                   // @help "How far the light spreads: the distance between two taps of the blur, in pixels of the half-size picture."
+uniform float bloom_sigma = 1.64;  // @range 0.5 4  @limit 0.1 16  @label "Sigma"  @unit "taps"  @group "Bloom"
+                                   // @help "Standard deviation of the blur, in taps. Together with the radius it says how wide the bloom is: sigma x radius x 2 pixels of a picture 512 pixels high."
+
+bool has_pyramid() {
+    return bloom_kind == 1;
+}
+
+// From tap to tap, in texels of a bloom so many texels high.
+float tap_texels(float height) {
+    return bloom_radius * height / (0.5 * reference_height);
+}
+
+// Along one axis, in texels. The article's table has 2.6795 squared distances of its taps, which
+// stand as far apart at every size.
+float bloom_variance(float height) {
+    const float variance_as_written = 2.6795;
+    return as_written ? variance_as_written * bloom_radius * bloom_radius
+                      : pow(bloom_sigma * tap_texels(height), 2.0);
+}
+
+#endif
