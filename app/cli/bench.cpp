@@ -39,8 +39,10 @@ void print_table(const Measurement& measured) {
 int bench(const BenchArguments& arguments, const std::string& data) {
     const RenderRequest request = arguments.look.request();
     const auto work = [&](Offline& offline, const Library&) -> Result<void> {
-        const Measurement measured = measure(offline, arguments.frames);
-        arguments.as_json ? print_json(measured) : print_table(measured);
+        const auto measured = measure(offline, arguments.frames);
+        if (!measured)
+            return fail(measured.error());
+        arguments.as_json ? print_json(*measured) : print_table(*measured);
         return {};
     };
     return run_drawing(request, data, {{}, work});

@@ -133,6 +133,13 @@ Result<void> draw_frames(const RenderArguments& arguments, ExportJob job, Offlin
     return {};
 }
 
+// Besides the picture.
+std::vector<std::string> seen_passes(const RenderArguments& arguments, const Look& look, int pass) {
+    if (!arguments.all_passes.empty())
+        return pass_names(look);
+    return {look.passes[static_cast<std::size_t>(pass)].name};
+}
+
 Result<void> draw(const RenderArguments& arguments, const FrameNames& names, Offline& offline,
                   const RecentMedia& recent) {
     const auto pass = chosen_pass(arguments, offline.executor().look());
@@ -141,6 +148,11 @@ Result<void> draw(const RenderArguments& arguments, const FrameNames& names, Off
     const auto part = part_to_write(arguments, offline);
     if (!part)
         return fail(part.error());
+    constexpr int many = 60;  // frames: compiling for these values alone takes as long as a few
+    if (part->end >= many)
+        if (auto settled = offline.settle(seen_passes(arguments, offline.executor().look(), *pass));
+            !settled)
+            return settled;
     ExportJob job{.part = *part, .pass = *pass, .fps = arguments.look.request().fps};
     auto done = is_film_output(arguments.output) || names.is_sequence()
                     ? draw_frames(arguments, std::move(job), offline)

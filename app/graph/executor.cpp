@@ -7,10 +7,6 @@
 #include <cassert>
 
 namespace {
-bool has_draw(const Look& look, Draw draw) {
-    return std::ranges::any_of(look.passes, [&](const Pass& pass) { return pass.draw == draw; });
-}
-
 // The program's own triangle and quad cover all; a person's vertex shader, points or `discard` may
 // not.
 bool covers(const Pass& pass) {
@@ -54,8 +50,6 @@ void Executor::prepare() {
     m_parameters = ParameterUniforms(m_look, m_programs);
     m_parameters.write(m_look, m_values);
     m_upright.forget();
-    m_has_points = has_draw(m_look, Draw::points);
-    m_has_segments = has_draw(m_look, Draw::segments);
 }
 
 Result<void> Executor::replace(Look look, Programs programs) {

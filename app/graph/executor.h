@@ -150,6 +150,9 @@ public:
     int draw_calls() const { return m_draw_calls; }
     /// What the pass was told then.
     PassReport report(int pass) const;
+    /// Passes on whose pictures, of any frame, that of one of `seen` depends, these included.
+    /// Unlike needed_for() it knows which inputs the programs really read.
+    std::vector<bool> read_for(const std::vector<bool>& seen) const;
 
 private:
     struct PassState {
@@ -172,6 +175,7 @@ private:
     int repeats_of(const Pass& pass) const;
 
     void note_frame(const Frame& frame, const std::vector<bool>* only, bool is_again);
+    bool draws(Draw shape) const;  // in the present frame
     void move_on(bool is_unfinished);
     void draw_passes();
     void draw_pass(std::size_t pass);
@@ -239,8 +243,6 @@ private:
     bool m_is_amid_frame = false;
     bool m_is_beside = false;  // the unfinished frame: the one before is still told of
     std::optional<Tripwire> m_tripwire;
-    bool m_has_points = false;
-    bool m_has_segments = false;
     int m_draw_calls = 0;
     std::uint64_t m_picture_number = 0;
     Frame m_drawn;  // the present one, or the last; without its beam

@@ -35,7 +35,7 @@ void Executor::note_frame(const Frame& frame, const std::vector<bool>* only, boo
     m_draws_whole = only == nullptr;
     if (!is_again)
         m_beam.advance(frame);
-    m_beam.write(frame, m_has_points, m_has_segments);
+    m_beam.write(frame, draws(Draw::points), draws(Draw::segments));
     m_keyboard.show(frame.keys);
     m_sound.show(frame);
     m_drawn = frame;
@@ -43,6 +43,13 @@ void Executor::note_frame(const Frame& frame, const std::vector<bool>* only, boo
     m_drawn.tints = {};
     m_drawn.sound = nullptr;
     m_work.draw_calls = 0;
+}
+
+bool Executor::draws(Draw shape) const {
+    for (std::size_t i = 0; i < m_passes.size(); ++i)
+        if (m_look.passes[i].draw == shape && m_work.passes[i] && !is_kept(i))
+            return true;
+    return false;
 }
 
 // What was this frame's is a frame ago.

@@ -29,6 +29,25 @@ bool Executor::is_kept(std::size_t pass) const {
     return run == PassRun::left_out || (run == PassRun::frozen && m_targets[pass].is_drawn());
 }
 
+std::vector<bool> Executor::read_for(const std::vector<bool>& seen) const {
+    std::vector<bool> read(m_passes.size(), false);
+    std::vector<std::size_t> open;
+    for (std::size_t i = 0; i < std::min(seen.size(), read.size()); ++i)
+        if (seen[i])
+            open.push_back(i);
+    while (!open.empty()) {
+        const std::size_t pass = open.back();
+        open.pop_back();
+        if (read[pass])
+            continue;
+        read[pass] = true;
+        for (const BoundInput& input : m_passes[pass].inputs)
+            if (input.from == Input::From::pass && input.pass >= 0)
+                open.push_back(static_cast<std::size_t>(input.pass));
+    }
+    return read;
+}
+
 void Executor::clear_history(int pass) {
     const gpu::ContextScope scope(m_home.get());
     drop_frame();

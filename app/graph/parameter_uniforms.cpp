@@ -10,16 +10,15 @@ const gpu::Program* program_of(const Programs& programs, int pass) {
         return nullptr;
     return programs.passes[static_cast<std::size_t>(pass)].program.get();
 }
+}  // namespace
 
-// As shaders read it.
-Value usable_value(const Parameter& parameter, const Value& value) {
+Value value_for_shaders(const Parameter& parameter, const Value& value) {
     Value usable = clamped(parameter, value);
     if (parameter.control == Control::color && parameter.encoding == Encoding::display)
         for (std::size_t i = 0; i < std::min<std::size_t>(usable.numbers.size(), 3); ++i)
             usable.numbers[i] = srgb_encode(usable.numbers[i]);
     return usable;
 }
-}  // namespace
 
 ParameterUniforms::ParameterUniforms(const Look& look, const Programs& programs) {
     for (std::size_t i = 0; i < look.passes.size(); ++i)
@@ -93,7 +92,7 @@ void ParameterUniforms::write(const Look& look, const Values& values) {
             value = Value(0.0);
         if (value == driven.written && !driven.written.numbers.empty())
             continue;
-        write_to(driven, usable_value(parameter, value));
+        write_to(driven, value_for_shaders(parameter, value));
         driven.written = value;
     }
 }

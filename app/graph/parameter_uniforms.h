@@ -6,6 +6,9 @@
 #include <optional>
 #include <vector>
 
+/// A value as shaders read it: within its limits, colours as they are encoded there.
+Value value_for_shaders(const Parameter& parameter, const Value& value);
+
 /// Writes a look's values to the uniforms that they drive, and only those that changed. Those of
 /// the orbit become matrices; colours are encoded where shaders want them so; an event is on for
 /// one frame.

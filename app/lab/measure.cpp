@@ -28,9 +28,12 @@ double median(std::vector<double> values) {
 }
 }  // namespace
 
-Measurement measure(Offline& offline, int frames) {
+Result<Measurement> measure(Offline& offline, int frames) {
     constexpr int warm_up_frames = 8;
-    static_cast<void>(offline.set_guard(Executor::Guard::off));  // off never fails
+    if (auto off = offline.set_guard(Executor::Guard::off); !off)
+        return fail(off.error());
+    if (auto settled = offline.settle(); !settled)
+        return fail(settled.error());
     for (int frame = 0; frame < warm_up_frames; ++frame)
         offline.advance();
     gpu::finish();

@@ -21,5 +21,5 @@ struct Measurement {
     std::string renderer;
 };
 
-/// Draws some frames to warm up, then `frames` that count.
-Measurement measure(Offline& offline, int frames);
+/// Settles the values, draws some frames to warm up, then `frames` that count.
+Result<Measurement> measure(Offline& offline, int frames);

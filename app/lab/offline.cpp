@@ -7,6 +7,7 @@
 #include "formats/stack_format.h"
 #include "glsl/check_cache.h"
 #include "gpu/readback.h"
+#include "graph/settled_look.h"
 #include "lab/kept_shaders.h"
 #include "lab/look_media.h"
 #include "lab/media.h"
@@ -19,6 +20,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace fs = std::filesystem;
@@ -286,9 +288,49 @@ Result<void> Offline::follow_constants() {
     return programs ? m_renderer->replace(look, *programs) : fail(std::move(programs.error()));
 }
 
+bool Offline::moves(const Parameter& parameter) const {
+    return m_moves.has(parameter.name) || m_document.state().modulations.contains(parameter.name);
+}
+
+Result<void> Offline::settle(const std::vector<std::string>& seen) {
+    const Look look = executor().look();
+    const bool turns_texts = std::ranges::any_of(look.parameters, [&](const Parameter& parameter) {
+        return parameter.is_constant && moves(parameter);
+    });
+    if (turns_texts || m_unsettled)
+        return {};
+    const auto programs = build_programs(settled_look(
+        look, m_document.values(), [&](const Parameter& parameter) { return moves(parameter); }));
+    if (!programs)  // the driver knows better: what the author wrote goes on
+        return {};
+    m_unsettled = executor().programs();
+    if (auto done = m_renderer->replace(look, *programs); !done)
+        return done;
+    std::vector<bool> is_seen(look.passes.size(), false);
+    is_seen.back() = true;
+    for (std::size_t i = 0; i < is_seen.size(); ++i)
+        if (std::ranges::find(seen, look.passes[i].name) != seen.end())
+            is_seen[i] = true;
+    std::vector<PassRun> runs;
+    for (const bool is_read : executor().read_for(is_seen))
+        runs.push_back(is_read ? PassRun::drawn : PassRun::left_out);
+    return m_renderer->set_runs(runs);
+}
+
+Result<void> Offline::end_settled() {
+    if (!m_unsettled)
+        return {};
+    const Programs programs = *std::exchange(m_unsettled, std::nullopt);
+    if (auto done = m_renderer->replace(executor().look(), programs); !done)
+        return done;
+    return m_renderer->set_runs({});
+}
+
 Result<void> Offline::start_again(Document document) {
     const DocumentState before = m_document.state();
     m_document = std::move(document);
+    if (auto done = end_settled(); !done)
+        return done;
     if (auto done = follow_constants(); !done)
         return done;
     m_moves.start_again();

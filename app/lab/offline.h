@@ -73,6 +73,11 @@ public:
     /// From the first frame again, with another document of the same look: its values, its signal
     /// and its source. Costs a part of create(), as context and programs stay. Fails as that does.
     Result<void> start_again(Document document);
+    /// For who draws many frames: from here on programs hold the present values as constants, but
+    /// for what moves, and passes are left out on which neither the picture depends nor one that
+    /// `seen` names. Frames cost less, and compiling comes first; where the driver refuses such
+    /// programs all stays as it is. start_again() ends it.
+    Result<void> settle(const std::vector<std::string>& seen = {});
     /// What is done about numbers that are not finite; at first they are clamped, and the first one
     /// is told with the problems.
     Result<void> set_guard(Executor::Guard guard) { return m_renderer->set_guard(guard); }
@@ -102,6 +107,8 @@ public:
 
 private:
     void take_values();
+    bool moves(const Parameter& parameter) const;
+    Result<void> end_settled();
     Result<void> follow_constants();
     void make_moves(double seconds);
     Result<void> load_signal();
@@ -122,6 +129,7 @@ private:
     SharedPicture m_shown;
     ChosenImages m_chosen_images;
     MovesReader m_moves;
-    bool m_source_is_carried = false;  // frames that nobody looks at need it too
+    std::optional<Programs> m_unsettled;  // while others draw that hold the values
+    bool m_source_is_carried = false;     // frames that nobody looks at need it too
     Diagnostics m_problems;
 };

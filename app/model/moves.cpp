@@ -22,6 +22,10 @@ bool is_recorded(const Parameter& parameter) {
     return parameter.control != Control::image && parameter.control != Control::sound;
 }
 
+bool MovesReader::has(const std::string& name) const {
+    return std::ranges::find(m_moves, name, &Move::name) != m_moves.end();
+}
+
 Values MovesReader::take(double seconds) {
     Values values;
     for (; m_next < m_moves.size() && !is_later(seconds, m_moves[m_next]); ++m_next)

@@ -26,6 +26,8 @@ public:
     explicit MovesReader(Moves moves = {}) : m_moves(std::move(moves)) {}
 
     bool is_empty() const { return m_moves.empty(); }
+    /// Whether one of them is the parameter's.
+    bool has(const std::string& name) const;
     /// The values that have come since last asked: of each parameter the last one at or before this
     /// time, to the millionth of a second that a file tells.
     Values take(double seconds);

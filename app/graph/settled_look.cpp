@@ -1,0 +1,35 @@
+#include "graph/settled_look.h"
+
+#include "glsl/settled_text.h"
+#include "graph/parameter_uniforms.h"
+
+namespace {
+using Uniforms = std::map<std::string, SettledUniform>;
+
+bool can_settle(const Parameter& parameter) {
+    const bool is_picked =
+        parameter.control == Control::image || parameter.control == Control::sound;
+    return !is_picked && parameter.control != Control::event && !parameter.is_constant &&
+           parameter.orbit == OrbitPart::none;
+}
+}  // namespace
+
+Look settled_look(Look look, const Values& values,
+                  const std::function<bool(const Parameter&)>& moves) {
+    std::vector<Uniforms> uniforms(look.passes.size());
+    for (const Parameter& parameter : look.parameters) {
+        if (!can_settle(parameter) || moves(parameter))
+            continue;
+        const Value value = value_for_shaders(parameter, value_of(parameter, values));
+        for (const Binding& binding : parameter.bindings)
+            if (binding.pass >= 0 && static_cast<std::size_t>(binding.pass) < uniforms.size())
+                uniforms[static_cast<std::size_t>(binding.pass)][binding.uniform] = {parameter.type,
+                                                                                     value};
+    }
+    for (std::size_t i = 0; i < uniforms.size(); ++i) {
+        Pass& pass = look.passes[i];
+        pass.vertex.text = settled_text(pass.vertex.text, uniforms[i]);
+        pass.fragment.text = settled_text(pass.fragment.text, uniforms[i]);
+    }
+    return look;
+}

@@ -1,0 +1,98 @@
+// Programs that hold the values as constants draw what those draw that could be turned.
+#include "io/temporary_folder.h"
+#include "lab/offline.h"
+#include "lab/small_lab.h"
+#include "model/difference.h"
+
+#include <doctest/doctest.h>
+
+namespace {
+Offline opened(const RenderRequest& request) {
+    auto roots = find_roots(AFTERGLOW_SOURCE_DIR);
+    REQUIRE(roots.has_value());
+    auto prepared = prepare(request, Library(std::move(*roots)));
+    REQUIRE_MESSAGE(prepared.has_value(), (prepared ? "" : to_string(prepared.error())));
+    auto offline = Offline::create(std::move(*prepared), request.size, 60.0);
+    REQUIRE_MESSAGE(offline.has_value(), (offline ? "" : to_string(offline.error())));
+    return std::move(*offline);
+}
+
+struct Drawn {
+    Picture picture;
+    int draw_calls = 0;
+};
+
+Drawn drawn(const RenderRequest& request, bool is_settled) {
+    Offline offline = opened(request);
+    if (is_settled)
+        REQUIRE(offline.settle().has_value());
+    for (int i = 0; i < 4; ++i)
+        offline.advance();
+    return {offline.picture(), offline.executor().draw_calls()};
+}
+}  // namespace
+
+TEST_CASE("settled values draw the same picture with fewer calls") {
+    struct Story {
+        const char* look;
+        const char* preset;
+        int draw_calls;  // settled, of those that the look has
+    };
+    const Story stories[] = {
+        {"phosphor", "article", 6},   // beam, persistence, reduced, two blurs, composite
+        {"phosphor", "radar-p7", 7},  // and what the tube holds
+        {"crt", "article", 0},       {"vector-beam", "amber", 0}, {"shadow-mask", "living-room", 0},
+    };
+    for (const Story& story : stories) {
+        CAPTURE(story.look);
+        CAPTURE(story.preset);
+        const RenderRequest request{.look = story.look, .preset = story.preset, .size = {96, 72}};
+        const Drawn before = drawn(request, false);
+        const Drawn settled = drawn(request, true);
+        const auto apart = difference_between(before.picture, settled.picture, 0.0);
+        REQUIRE(apart.has_value());
+        CHECK(apart->largest < 2e-3);
+        CHECK(settled.draw_calls <= before.draw_calls);
+        if (story.draw_calls > 0)
+            CHECK(settled.draw_calls == story.draw_calls);
+    }
+}
+
+TEST_CASE("a pass that somebody looks at is drawn though the picture does without it") {
+    const RenderRequest request{.look = "phosphor", .preset = "article", .size = {64, 64}};
+    Offline offline = opened(request);
+    REQUIRE(offline.settle({"bloom_down_1"}).has_value());
+    offline.advance();
+    CHECK(offline.executor().draw_calls() == 7);
+}
+
+TEST_CASE("what moves stays a uniform of settled programs, and the next start can turn all") {
+    const SmallLab small;
+    const TemporaryFolder folder;
+    folder.write("moves.txt", "0 gain 3\n0.03 gain 5\n");
+    auto prepared = prepare({.look = "small", .moves = (folder.path() / "moves.txt").string()},
+                            Library(small.roots()));
+    REQUIRE(prepared.has_value());
+    auto offline = Offline::create(std::move(*prepared), {8, 8}, 60.0);
+    REQUIRE(offline.has_value());
+    REQUIRE(offline->settle().has_value());
+    std::vector<float> shown;
+    for (int i = 0; i < 3; ++i) {
+        offline->advance();
+        shown.push_back(offline->picture().pixels[0]);
+    }
+    CHECK(shown == std::vector<float>{3.0f, 10.0f, 15.0f});  // gain times the frame's number
+
+    auto still = prepare({.look = "small", .values = {{"gain", "2"}}}, Library(small.roots()));
+    REQUIRE(still.has_value());
+    auto turned = Offline::create(std::move(*still), {8, 8}, 60.0);
+    REQUIRE(turned.has_value());
+    REQUIRE(turned->settle().has_value());
+    turned->advance();
+    CHECK(turned->picture().pixels[0] == 2.0f);
+    Document document = turned->document();
+    document.set_value("gain", Value(7.0));
+    REQUIRE(turned->start_again(std::move(document)).has_value());
+    turned->advance();
+    CHECK(turned->picture().pixels[0] == 7.0f);
+}
