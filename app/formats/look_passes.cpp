@@ -71,6 +71,18 @@ void read_size(ObjectReader& reader, const Look& look, Pass& pass) {
         read_side(size->children[i], reader, pass.size[i]);
 }
 
+void read_one_channel(ObjectReader& reader, Pass& pass) {
+    const JsonValue* when = reader.find("one_channel");
+    if (!when || !reader.expect(*when, JsonValue::Kind::text))
+        return;
+    pass.one_channel = when->text;
+    if (trim(when->text).empty())
+        reader.problem(*when, "\"one_channel\" must be an expression such as \"$mono\"");
+    if (!one_channel_of(pass.format))
+        reader.problem(*when, fmt::format("a target in {} has no form with one channel",
+                                          facts_of(pass.format).name));
+}
+
 void read_set(ObjectReader& reader, Pass& pass) {
     const JsonValue* set = reader.find("set");
     if (!set || !reader.expect(*set, JsonValue::Kind::object))
@@ -151,6 +163,7 @@ Pass read_pass(ObjectReader& reader, LookFolder& folder, const Look& look, bool 
     const bool is_shown = is_last && look.output == Encoding::display;
     pass.format =
         reader.choice("format", format_words(), is_shown ? Format::rgba8 : Format::rgba16f);
+    read_one_channel(reader, pass);
     read_size(reader, look, pass);
     pass.blend = reader.choice("blend", blend_words(), Blend::replace);
     if (pass.blend != Blend::replace && facts_of(pass.format).is_integer)

@@ -150,6 +150,9 @@ public:
     int draw_calls() const { return m_draw_calls; }
     /// What the pass was told then.
     PassReport report(int pass) const;
+    /// Read and written in a frame by the passes that are drawn, for a pixel of the picture; an
+    /// input counts where the program really reads it, points and segments count their target once.
+    double bytes_per_pixel() const;
     /// Passes on whose pictures, of any frame, that of one of `seen` depends, these included.
     /// Unlike needed_for() it knows which inputs the programs really read.
     std::vector<bool> read_for(const std::vector<bool>& seen) const;

@@ -48,6 +48,25 @@ std::vector<bool> Executor::read_for(const std::vector<bool>& seen) const {
     return read;
 }
 
+double Executor::bytes_per_pixel() const {
+    const auto bytes_of = [this](std::size_t pass) {
+        const PlannedTarget& target = m_plan.targets[pass];
+        return static_cast<double>(target.extent.width) * target.extent.height *
+               facts_of(target.format).bytes;
+    };
+    double bytes = 0.0;
+    for (std::size_t i = 0; i < m_passes.size(); ++i) {
+        if (is_kept(i))
+            continue;
+        bytes += bytes_of(i);
+        for (const BoundInput& input : m_passes[i].inputs)
+            if (input.from == Input::From::pass && input.pass >= 0)
+                bytes += bytes_of(static_cast<std::size_t>(input.pass));
+    }
+    const Extent picture = m_plan.targets.back().extent;
+    return bytes / (static_cast<double>(picture.width) * picture.height);
+}
+
 void Executor::clear_history(int pass) {
     const gpu::ContextScope scope(m_home.get());
     drop_frame();

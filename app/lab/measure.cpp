@@ -60,7 +60,7 @@ Result<Measurement> measure(Offline& offline, int frames) {
     for (std::size_t i = 0; i < passes.size(); ++i)
         measured.passes.push_back({look.passes[i].name, median(std::move(passes[i]))});
     measured.draw_calls = offline.executor().draw_calls();
-    measured.bytes_per_pixel = bytes_per_pixel(look, offline.executor().plan());
+    measured.bytes_per_pixel = offline.executor().bytes_per_pixel();
     measured.renderer = offline.context().facts().renderer;
     return measured;
 }

@@ -25,6 +25,22 @@ const FormatFacts& facts_of(Format format) {
     return all_formats()[static_cast<std::size_t>(format)];
 }
 
+std::optional<Format> one_channel_of(Format format) {
+    switch (format) {
+        case Format::rg8:
+        case Format::rgba8:
+            return Format::r8;
+        case Format::rg16f:
+        case Format::rgba16f:
+            return Format::r16f;
+        case Format::rg32f:
+        case Format::rgba32f:
+            return Format::r32f;
+        default:
+            return std::nullopt;
+    }
+}
+
 std::optional<Format> parse_format(std::string_view name) {
     const auto& formats = all_formats();
     const auto found = std::find_if(formats.begin(), formats.end(),

@@ -32,4 +32,6 @@ struct FormatFacts {
 
 const std::vector<FormatFacts>& all_formats();
 const FormatFacts& facts_of(Format format);
+/// The same numbers, but red alone; none for what has no such form.
+std::optional<Format> one_channel_of(Format format);
 std::optional<Format> parse_format(std::string_view name);

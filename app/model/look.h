@@ -54,7 +54,8 @@ struct Pass {
     Stage vertex;
     Stage fragment;
     Format format = Format::rgba16f;
-    std::array<Side, 2> size;  // width, height
+    std::string one_channel = {};  // an expression: where it is above 0 only red is kept
+    std::array<Side, 2> size;      // width, height
     Blend blend = Blend::replace;
     std::vector<Input> inputs;
     Values set;  // uniforms with a fixed value

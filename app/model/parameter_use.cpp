@@ -29,8 +29,10 @@ bool is_used_by(const Look& look, std::size_t pass, const Parameter& parameter) 
             return static_cast<std::size_t>(binding.pass) == pass;
         }))
         return true;
-    return std::ranges::any_of(user.size, [&](const Side& side) {
-        return side.by == Side::By::expression && name.starts_with(user.scope) &&
-               reads(side.expression, name.substr(user.scope.size()));
-    });
+    if (!name.starts_with(user.scope))
+        return false;
+    const std::string own = name.substr(user.scope.size());
+    return reads(user.one_channel, own) || std::ranges::any_of(user.size, [&](const Side& side) {
+               return side.by == Side::By::expression && reads(side.expression, own);
+           });
 }

@@ -12,7 +12,10 @@ Look with_overrides(Look look, const PassOverrides& overrides) {
     for (Pass& pass : look.passes) {
         const auto own = overrides.find(pass.name);
         if (own != overrides.end()) {
-            pass.format = own->second.format.value_or(pass.format);
+            if (own->second.format) {
+                pass.format = *own->second.format;
+                pass.one_channel.clear();
+            }
             if (own->second.scale)
                 pass.size.fill({Side::By::viewport, *own->second.scale, {}});
         }
@@ -85,6 +88,17 @@ Result<Extent> extent_of(const Pass& pass, const Extent& source, const Extent& b
                   std::max(1, static_cast<int>(std::lround(*height)))};
 }
 
+Result<Format> format_of(const Pass& pass, const Measures& measures) {
+    if (pass.one_channel.empty())
+        return pass.format;
+    const auto is_one = evaluate(pass.one_channel, measures.names_for(pass));
+    if (!is_one)
+        return fail({pass.declared.file, pass.declared.line,
+                     fmt::format("\"one_channel\" of pass '{}': {}", pass.name,
+                                 is_one.error().front().message)});
+    return *is_one > 0.0 ? one_channel_of(pass.format).value_or(pass.format) : pass.format;
+}
+
 Measures measures_of(const Look& look, Extent viewport, Extent source, const Values& values) {
     Measures measures{viewport, source, {}};
     for (const Parameter& parameter : look.parameters)
@@ -111,7 +125,10 @@ Result<Plan> plan_targets(const Look& look, Extent viewport, Extent source, cons
                                       measures, largest_side);
         if (!extent)
             return fail(extent.error());
-        plan.targets.push_back({*extent, pass.format});
+        const auto format = format_of(pass, measures);
+        if (!format)
+            return fail(format.error());
+        plan.targets.push_back({*extent, *format});
     }
     for (const Pass& pass : look.passes) {
         for (const Input& input : pass.inputs) {
@@ -145,20 +162,6 @@ std::size_t memory_of(const Plan& plan) {
     for (const PlannedTarget& target : plan.targets)
         bytes += memory_of(target);
     return bytes;
-}
-
-double bytes_per_pixel(const Look& look, const Plan& plan) {
-    double bytes = 0;
-    for (std::size_t i = 0; i < look.passes.size(); ++i) {
-        const Pass& pass = look.passes[i];
-        bytes += bytes_of(plan.targets[i]);
-        for (const Input& input : pass.inputs)
-            if (const auto read = find_pass(look, input.name);
-                input.from == Input::From::pass && read)
-                bytes += bytes_of(plan.targets[static_cast<std::size_t>(*read)]);
-    }
-    const Extent picture = plan.targets.back().extent;
-    return bytes / (static_cast<double>(picture.width) * picture.height);
 }
 
 namespace {

@@ -53,10 +53,6 @@ Extent source_extent_of(const Look& look, const Pass& pass, const Plan& plan, Ex
 std::size_t memory_of(const Plan& plan);
 std::size_t memory_of(const PlannedTarget& target);
 
-/// Bytes read and written in a frame by full-target passes, a pixel of the picture (points and
-/// segments count their target once).
-double bytes_per_pixel(const Look& look, const Plan& plan);
-
 /// What drawing the present frame again with other values takes.
 struct Redraw {
     std::vector<bool> passes;   // those that the change reaches within a frame

@@ -8,6 +8,7 @@
 #include "spot.glsl"
 #include "as_written.glsl"
 #include "gaussian.glsl"
+#include "one_color.glsl"
 #include "tube.glsl"
 
 flat in vec2 middle;
@@ -31,5 +32,6 @@ float spot_as_written() {
 
 void main() {
     vec4 brightness = beam_gain * charge * (as_written ? spot_as_written() : spot());
-    color = has_tube() ? brightness : vec4(beam_color * brightness.rgb, 1.0);
+    vec3 shade = has_one_color() ? vec3(1.0) : beam_color;
+    color = has_tube() ? brightness : vec4(shade * brightness.rgb, 1.0);
 }

@@ -8,6 +8,7 @@
 #include "color.glsl"
 #include "decay.glsl"
 #include "fresh.glsl"
+#include "one_color.glsl"
 #include "tone_map_every_frame.glsl"
 #include "tonemap.glsl"
 #include "tube_color.glsl"
@@ -27,8 +28,9 @@ vec3 saturated(vec3 light, float most) {
 vec3 custom_light() {
     vec3 kept = texture(previous, uv).rgb;
     vec3 fresh = fresh_at(uv).rgb;  // faded to the frame's end
-    return as_written ? min(kept * decay + fresh, vec3(ceiling))
-                      : saturated(kept * left_after(u_time_delta) + fresh, ceiling);
+    float most = has_one_color() ? one_color_ceiling() : ceiling;
+    return as_written ? min(kept * decay + fresh, vec3(most))
+                      : saturated(kept * left_after(u_time_delta) + fresh, most);
 }
 
 // Conserves: what a term held and was given is held on or is light. In frames shorter than 1/60 s a

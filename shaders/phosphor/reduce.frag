@@ -1,6 +1,8 @@
 #version 410 core
 // What the bloom is made of: the phosphor's light at a smaller size, at first the half. Linear light.
 
+#include "one_color.glsl"
+
 uniform sampler2D image;
 uniform vec2 u_resolution;
 uniform float bloom_size = 0.5;    // @range 0.25 1  @limit 0.0625 1  @label "Resolution"  @unit "of the picture"  @group "Bloom"
@@ -22,5 +24,5 @@ vec3 mean_light(vec2 at) {
 }
 
 void main() {
-    color = vec4(mean_light(uv), 1.0);
+    color = vec4(bloom_light_of(mean_light(uv)), 1.0);
 }

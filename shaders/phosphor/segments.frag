@@ -4,6 +4,7 @@
 // fades inside the segment.
 #include "beam_segment.glsl"
 #include "decay.glsl"
+#include "one_color.glsl"
 #include "spot.glsl"
 #include "tube.glsl"
 
@@ -17,7 +18,7 @@ out vec4 color;
 
 // E-folds a second: of the custom tube's channels or of a measured tube's terms.
 vec3 fade_rates() {
-    return has_tube() ? 1.0 / term_seconds() : -60.0 * log(max(decay, 1e-6)) * fade_speed;
+    return has_tube() ? 1.0 / term_seconds() : -60.0 * log(max(decay, 1e-6)) * fade_speeds();
 }
 
 // What is left of a charge of 1, or has been given off by a measured tube.
@@ -64,5 +65,6 @@ void main() {
     else
         brightness = (areas.x + areas.y) * charge_over_pixel(sigmas.x, rates);
     brightness *= beam_gain * colors;
-    color = has_tube() ? brightness : vec4(beam_color * brightness.rgb, 1.0);
+    vec3 shade = has_one_color() ? vec3(1.0) : beam_color;
+    color = has_tube() ? brightness : vec4(shade * brightness.rgb, 1.0);
 }

@@ -2,6 +2,7 @@
 #ifndef PHOSPHOR_TINT
 #define PHOSPHOR_TINT
 
+#include "one_color.glsl"
 #include "tube.glsl"
 
 in vec3 tint;
@@ -10,7 +11,7 @@ in vec3 tint;
 // as the strongest of the three.
 vec4 tint_of_charge() {
     float strongest = max(tint.r, max(tint.g, tint.b));
-    return has_tube() ? vec4(strongest) : vec4(tint, strongest);
+    return has_tube() || has_one_color() ? vec4(strongest) : vec4(tint, strongest);
 }
 
 #endif

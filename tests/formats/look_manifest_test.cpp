@@ -123,7 +123,7 @@ TEST_CASE("every key of a pass, an input and an image is read") {
         R"json({"name": "a", "fragment": "blur.frag", "scale": [2, 0.5], "scale_of": "source",
             "inputs": {"s": "source@2", "l": {"from": "noise", "wrap": "mirror"}, "o": {"from": "a@64", "filter": "nearest", "wrap": "border", "mipmap": true}},
             "rename": {"radius": "a_radius"}, "accumulate": true, "converge": 500, "repeat": 8, "frame_modulo": 60, "set": {"x": true, "m": [1, 0, 0, 1]}},
-           {"name": "b", "fragment": "blur.frag", "size": [320, "$HEIGHT / floor($pixels)"], "repeat": "count", "accumulate": true, "converge": "enough"})json"));
+           {"name": "b", "fragment": "blur.frag", "size": [320, "$HEIGHT / floor($pixels)"], "one_channel": "$mono", "repeat": "count", "accumulate": true, "converge": "enough"})json"));
     REQUIRE(look.has_value());
     CHECK(look->default_source == "pattern:smpte");
     CHECK(look->source_encoding == Encoding::display);
@@ -150,6 +150,7 @@ TEST_CASE("every key of a pass, an input and an image is read") {
     const Pass& b = look->passes[1];
     CHECK(b.size[0] == Side{Side::By::pixels, 320.0, {}});
     CHECK(b.size[1] == Side{Side::By::expression, 1.0, "$HEIGHT / floor($pixels)"});
+    CHECK(b.one_channel == "$mono");
     CHECK(std::get<std::string>(b.repeat) == "count");
     CHECK(b.converge == Count("enough"));
 }
@@ -280,7 +281,7 @@ TEST_CASE("sizes, formats and counts are checked") {
 {"name": "h", "fragment": "blur.frag", "frame_modulo": -1},
 {"name": "i", "fragment": "blur.frag", "set": {"a": "text"}, "rename": {"a": "9"}},
 {"name": "j", "fragment": "blur.frag", "format": "r32ui", "blend": "add"},
-{"name": "k", "fragment": "blur.frag", "inputs": {"a": {"from": "j", "filter": "linear", "mipmap": true}}},
+{"name": "k", "fragment": "blur.frag", "format": "r11f_g11f_b10f", "one_channel": " ", "inputs": {"a": {"from": "j", "filter": "linear", "mipmap": true}}},
 {"name": "l", "fragment": "blur.frag", "format": "rgba61f"})")) ==
         "look.json:2: error: \"scale\" must be a number above 0 and at most 64, or a list of two: "
         "[x, y]\n"
@@ -302,6 +303,8 @@ TEST_CASE("sizes, formats and counts are checked") {
         "digits, _ "
         "and -, starts with a letter or _, and is not 'source'\n"
         "look.json:11: error: a target of whole numbers cannot be blended\n"
+        "look.json:12: error: \"one_channel\" must be an expression such as \"$mono\"\n"
+        "look.json:12: error: a target in r11f_g11f_b10f has no form with one channel\n"
         "look.json:12: error: pass 'j' holds whole numbers, which cannot be filtered\n"
         "look.json:12: error: pass 'j' holds whole numbers, which have no smaller levels\n"
         "look.json:13: error: \"format\" cannot be 'rgba61f' (did you mean 'rgba16f'?); it is one "

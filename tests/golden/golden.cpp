@@ -198,6 +198,8 @@ void check_presets(const GoldenLook& look) {
         Picture drawn =
             drawer.strip(look.frames, prepared({.look = preset.file.string()}).document);
         compare_with_golden(look, drawn, "preset " + preset.name);
+        if (look.faster.contains(preset.name))
+            continue;
         for (const auto& other : seen) {
             INFO("like " << other.first);
             CHECK(difference_between(drawn, other.second, 0)->mean > 2.0 / 255.0);

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,8 +26,9 @@ struct GoldenLook {
     std::map<std::string, std::string> signals =
         {};  // by parameter: another signal than the look's own
     std::size_t fewest_presets = 4;
-    std::string signal = {};  // in the sweep, for a look on a signal; "": the look's own
-    std::string source = {};  // the same for a look on a picture
+    std::set<std::string> faster = {};  // presets that look as another one and cost less
+    std::string signal = {};            // in the sweep, for a look on a signal; "": the look's own
+    std::string source = {};            // the same for a look on a picture
 };
 
 /// Draws the look with each parameter at its low and its high end and compares with the pictures

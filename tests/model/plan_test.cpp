@@ -1,5 +1,7 @@
 #include "model/plan.h"
 
+#include "model/parameter_use.h"
+
 #include <doctest/doctest.h>
 
 namespace {
@@ -115,11 +117,22 @@ TEST_CASE("memory is texels times bytes times slots") {
     CHECK(memory_of({{{{96, 32}, Format::rgba16f, 1, true}}, 1}) == 96 * 32 * 8 * 4 / 3);
 }
 
-TEST_CASE("bytes a pixel count each target once as written and once a reader") {
-    const Look look = scope();
-    const Plan plan = plan_targets(look, {100, 100}, {}, {}).value();
-    // Four targets of 8 bytes, and beam, persistence three times, bloom read.
-    CHECK(bytes_per_pixel(look, plan) == doctest::Approx(4 * 8 + 5 * 8));
+TEST_CASE("a target keeps red alone where its look says so and nobody overrides its format") {
+    Look look;
+    look.passes = {pass("light")};
+    look.passes[0].format = Format::rgba32f;
+    look.passes[0].one_channel = "$mono * 2";
+    look.parameters = {knob("mono", 0.0, {})};
+    const auto format = [&look](double mono, const PassOverrides& overrides = {}) {
+        const Look drawn = with_overrides(look, overrides);
+        return plan_targets(drawn, {8, 8}, {}, {{"mono", mono}}).value().targets[0].format;
+    };
+    CHECK(format(0.0) == Format::rgba32f);
+    CHECK(format(1.0) == Format::r32f);
+    CHECK(format(1.0, {{"light", {Format::rgba16f, {}, {}}}}) == Format::rgba16f);
+    CHECK(is_used_by(look, 0, look.parameters[0]));
+    look.passes[0].one_channel = "$mono +";
+    CHECK(problem(look).starts_with("look.json:7: error: \"one_channel\" of pass 'light': "));
 }
 
 TEST_CASE("a knob reaches the passes behind its own") {

@@ -1,0 +1,50 @@
+// A phosphor of one colour: one number a pixel, and the same picture.
+#include "looks/tube.h"
+#include "model/difference.h"
+
+#include <doctest/doctest.h>
+
+namespace {
+Beam arc() {
+    Beam beam;
+    for (int i = 0; i < 200; ++i) {
+        const float turn = static_cast<float>(i) / 40.0f;
+        beam.push_back({0.7f * std::cos(turn), 0.6f * std::sin(2.0f * turn), 4.0f,
+                        static_cast<float>(200 - i) / 12000.0f});
+    }
+    return beam;
+}
+
+Picture seen(Tube& tube, const Values& values, bool is_one) {
+    tube.restart(with(values, {{"one_color", Value(is_one ? 1.0 : 0.0)}}));
+    for (int i = 0; i < 3; ++i)
+        tube.draw(arc());
+    return tube.target("composite");
+}
+}  // namespace
+
+TEST_CASE("one colour shows what all channels show, from one channel") {
+    Tube tube({}, {96, 72});
+    const Values common{{"beam_color", Value(std::vector<double>{0.3, 0.8, 0.1})},
+                        {"dither", Value(0.0)}};
+    for (const Values& values :
+         {Values{}, Values{{"beam_kind", Value(1.0)}}, Values{{"bloom_kind", Value(1.0)}},
+          Values{{"ceiling", Value(0.8)}},
+          Values{{"aberration", Value(0.0)}, {"curvature", Value(0.0)}},
+          Values{{"as_written", Value(1.0)}, {"ceiling", Value(1000.0)}}}) {
+        CAPTURE(values.empty() ? "" : values.begin()->first);
+        const Picture all = seen(tube, with(common, values), false);
+        const Picture one = seen(tube, with(common, values), true);
+        const auto apart = difference_between(all, one, 0.0);
+        REQUIRE(apart.has_value());
+        CHECK(apart->largest < 1e-4);
+        const Picture kept = tube.target("persistence");
+        CHECK(kept.channels == 1);
+    }
+}
+
+TEST_CASE("a measured tube keeps its three terms, whatever is asked of a custom one") {
+    Tube tube({}, {64, 64});
+    const Values measured{{"tube", Value(9.0)}, {"dither", Value(0.0)}};
+    CHECK(seen(tube, measured, true) == seen(tube, measured, false));
+}
