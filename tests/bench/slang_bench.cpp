@@ -2,7 +2,7 @@
 // ask for (tests/parity/). `cost FILE...`, or presets of AFTERGLOW_SLANG_DIR where there are no
 // arguments: what a frame costs. `pictures FILE_OR_FOLDER...`: how far the pictures are apart, a
 // line of JSON a preset; a process each, as some drivers take shaders badly.
-#include "gpu/draw.h"
+#include "bench/side_by_side.h"
 #include "io/child_process.h"
 #include "lab/corpus.h"
 #include "parity/moving_picture.h"
@@ -14,62 +14,22 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 
 namespace fs = std::filesystem;
 
 namespace {
 constexpr Extent original{320, 240};
 
-double busy_seconds() {
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-double median(std::vector<double> numbers) {
-    std::ranges::sort(numbers);
-    return numbers[numbers.size() / 2];
-}
-
-template <class Draw>
-double seconds_of(int frames, Draw draw) {
-    const double start = busy_seconds();
-    for (int i = 0; i < frames; ++i) {
-        draw();
-        gpu::finish();
-    }
-    return busy_seconds() - start;
-}
-
-/// Medians over rounds, in each of which the plain chain is drawn before and behind ours.
-struct Cost {
-    double plain_milliseconds = 0.0;
-    double ratio = 0.0;   // ours to plain
-    double itself = 0.0;  // the plain chain before to the same behind
-    bool counts() const { return std::abs(itself - 1.0) <= 0.015; }
-};
+using bench::Cost;
+using bench::median;
 
 Cost cost_of(plain::Pair& pair) {
     constexpr int rounds = 5;
     constexpr double least_seconds = 0.1;
     const auto plain = [&] { pair.draw_plain(); };
-    const auto ours = [&] { pair.draw_ours(); };
-    seconds_of(4, plain);
-    seconds_of(4, ours);
-    const int frames = static_cast<int>(least_seconds / (seconds_of(4, plain) / 4)) + 1;
-    std::vector<double> ratios;
-    std::vector<double> itself;
-    std::vector<double> milliseconds;
-    for (int i = 0; i < rounds; ++i) {
-        const double before = seconds_of(frames, plain);
-        const double between = seconds_of(frames, ours);
-        const double behind = seconds_of(frames, plain);
-        ratios.push_back(2.0 * between / (before + behind));
-        itself.push_back(before / behind);
-        milliseconds.push_back(1e3 * before / frames);
-    }
-    return {median(milliseconds), median(ratios), median(itself)};
+    bench::seconds_of(4, plain);  // the first ones compile
+    const int frames = static_cast<int>(least_seconds / (bench::seconds_of(4, plain) / 4)) + 1;
+    return bench::side_by_side(rounds, frames, plain, [&] { pair.draw_ours(); });
 }
 
 Result<Cost> cost_once(const fs::path& preset, Extent viewport) {

@@ -139,10 +139,14 @@ void Surface::make_levels() const {
     glGenerateMipmap(GL_TEXTURE_2D);
 }
 
-void Surface::begin() const {
-    constexpr std::array<GLuint, 4> naught{};
+void Surface::aim() const {
     glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer.get());
     glViewport(0, 0, m_extent.width, m_extent.height);
+}
+
+void Surface::begin() const {
+    constexpr std::array<GLuint, 4> naught{};
+    aim();
     if (m_format == GL_R32UI)
         return glClearBufferuiv(GL_COLOR, 0, naught.data());
     glClearColor(0.0f, 0.0f, 0.0f, 0.0f);

@@ -30,7 +30,9 @@ public:
 
     void upload(const Bytes& picture) const;
     void make_levels() const;  // of a texture that has some
-    /// Clears it and draws into it from now on.
+    /// Draws into it from now on.
+    void aim() const;
+    /// The same, and clears it.
     void begin() const;
     void copy_to(const Surface& other) const;
     std::vector<float> read() const;  // RGBA, first row first
