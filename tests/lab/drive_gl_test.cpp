@@ -283,7 +283,7 @@ TEST_CASE("a picture that a person chose for a sampler is read, and black where 
         small.turn(2);
     };
     choose(file);
-    CHECK(small.shown() - small.frames() == 0.25f);
+    CHECK(small.turn_until([&] { return small.shown() - small.frames() == 0.25f; }));
     small.lab().edit([](Document& document) { document.undo(); });
     small.turn(2);
     CHECK(small.shown() - small.frames() == 0.0f);
