@@ -32,6 +32,12 @@ Result<FromFrame> named(const PipedFrame& frame) {
     return FromFrame{std::to_string(frame.number), {}};
 }
 
+// As many as are encoded at once, on this machine.
+int at_once() {
+    return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u,
+                                       static_cast<unsigned>(FramePipeline::most_frames - 2)));
+}
+
 void push_all(FramePipeline& pipeline, int count) {
     for (int number = 0; number < count; ++number) {
         PipedFrame* frame = pipeline.next();
@@ -47,7 +53,7 @@ TEST_CASE("frames are delivered whole and in their order, whichever is made firs
     Gate second_is_made;
     std::string delivered;
     FramePipeline pipeline({[&](const PipedFrame& frame) {
-                                if (frame.number == 0 && std::thread::hardware_concurrency() > 1)
+                                if (frame.number == 0 && at_once() > 1)
                                     second_is_made.wait();
                                 if (frame.number == 1)
                                     second_is_made.open();
@@ -117,6 +123,34 @@ TEST_CASE("a frame that fails stops the rest and is named, the first of several"
     }
 }
 
+TEST_CASE("of two frames that fail the earlier one is named, whichever fails first") {
+    if (at_once() < 2)
+        return;
+    for (const std::int64_t later : {0, 1}) {
+        CAPTURE(later);
+        Gate both_have_begun;
+        Gate one_has_failed;
+        FramePipeline pipeline(
+            {[&](const PipedFrame& frame) -> Result<FromFrame> {
+                 if (frame.number == later) {
+                     both_have_begun.open();
+                     one_has_failed.wait();
+                 } else {
+                     both_have_begun.wait();
+                 }
+                 return fail({"f_" + std::to_string(frame.number), 0, "is full"});
+             },
+             [](std::int64_t, const FromFrame&) -> Result<void> { return {}; }});
+        push_all(pipeline, 2);
+        while (pipeline.next()) {  // it gives none once something has failed
+        }
+        one_has_failed.open();
+        const auto done = pipeline.finish();
+        REQUIRE_FALSE(done.has_value());
+        CHECK(done.error().front().file == "f_0");
+    }
+}
+
 TEST_CASE("what is cancelled is left, and what was begun is whole") {
     Gate begun;
     Gate goes_on;
@@ -132,7 +166,7 @@ TEST_CASE("what is cancelled is left, and what was begun is whole") {
                                 delivered.push_back(number);
                                 return {};
                             }});
-    push_all(pipeline, 3);
+    push_all(pipeline, at_once() + 1);
     begun.wait();
     std::thread waking([&] {
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
@@ -141,6 +175,7 @@ TEST_CASE("what is cancelled is left, and what was begun is whole") {
     pipeline.cancel();
     waking.join();
     CHECK(made >= 1);
+    CHECK(made <= at_once());
     CHECK(delivered.size() == static_cast<std::size_t>(made));
     for (std::size_t i = 0; i < delivered.size(); ++i)
         CHECK(delivered[i] == static_cast<std::int64_t>(i));
