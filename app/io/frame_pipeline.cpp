@@ -59,7 +59,8 @@ void FramePipeline::push(Frame* frame) {
 }
 
 void FramePipeline::work() {
-    step_back();
+    if (m_stages.steps_back)
+        step_back();
     Lock lock(m_mutex);
     for (;;) {
         Slot* slot = nullptr;

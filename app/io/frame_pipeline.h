@@ -33,6 +33,8 @@ public:
         std::function<Result<Made>(const Frame& frame)> make;
         /// One after the other, in the order of push(); on any of the threads.
         std::function<Result<void>(std::int64_t number, Made made)> deliver;
+        /// Drawing goes first: pays where much is to be made of a frame.
+        bool steps_back = false;
     };
 
     explicit FramePipeline(Stages stages);

@@ -68,7 +68,8 @@ FramePipeline::Stages sequence_stages(const FrameNames& names, std::int64_t firs
             return fail(done.error());
         return FromFrame{};
     };
-    return {make, [](std::int64_t, const FromFrame&) -> Result<void> { return {}; }};
+    const bool is_exr = to_lower(names.name(0).extension().string()) == ".exr";
+    return {make, [](std::int64_t, const FromFrame&) -> Result<void> { return {}; }, is_exr};
 }
 
 FramePipeline::Stages film_stages(FilmFile& film) {
@@ -78,9 +79,10 @@ FramePipeline::Stages film_stages(FilmFile& film) {
             return fail(bytes.error());
         return FromFrame{std::string(bytes->begin(), bytes->end()), {}};
     };
-    return {make, [&film](std::int64_t, const FromFrame& made) {
-                return film.add(as_numbers(made.bytes));
-            }};
+    return {
+        make,
+        [&film](std::int64_t, const FromFrame& made) { return film.add(as_numbers(made.bytes)); },
+        false};
 }
 
 FramePipeline::Stages pipe_stages(int descriptor, Extent extent, const FilmRate& rate) {
@@ -96,7 +98,7 @@ FramePipeline::Stages pipe_stages(int descriptor, Extent extent, const FilmRate&
             return done;
         return write_all(descriptor, made.bytes);
     };
-    return {make, deliver};
+    return {make, deliver, false};
 }
 
 namespace {
@@ -114,7 +116,7 @@ FramePipeline::Stages watched(const ExportJob& job) {
         job.flashes->add(made.cells, static_cast<double>(number + 1) / job.fps);
         return job.stages.deliver(number, made);
     };
-    return {make, deliver};
+    return {make, deliver, job.stages.steps_back};
 }
 }  // namespace
 
