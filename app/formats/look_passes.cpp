@@ -78,9 +78,6 @@ void read_one_channel(ObjectReader& reader, Pass& pass) {
     pass.one_channel = when->text;
     if (trim(when->text).empty())
         reader.problem(*when, "\"one_channel\" must be an expression such as \"$mono\"");
-    if (!one_channel_of(pass.format))
-        reader.problem(*when, fmt::format("a target in {} has no form with one channel",
-                                          facts_of(pass.format).name));
 }
 
 void read_set(ObjectReader& reader, Pass& pass) {

@@ -25,10 +25,10 @@ double variance_of_article() {
 }
 
 // What going down to 1 / 2^levels of the size and back to the half spreads light by, px^2: 3/4 of a
-// texel's square at each step.
+// texel's square at each step, but 1/4 at the first.
 double variance_of_levels(int levels) {
     const double there_and_back = 0.5 * (std::pow(4.0, levels) - 1.0);
-    return there_and_back - 0.75;  // the last step back is not taken
+    return there_and_back - 0.5 - 0.75;  // the last step back is not taken
 }
 
 Extent halved(Extent extent) {
@@ -183,8 +183,8 @@ Result<Surface* const*> PlainArticle::add_pyramid() {
         extent = halved(extent);
         Surface* const* from = level == 0 ? &(*m_glowing)[0] : down.back();
         down.push_back(add_surface(extent, m_settings.format));
-        if (auto added = add(texts::reduce_fragment, {down.back(), {{"image", from, Reading::cut}}},
-                             {{"most", {level == 0 ? ceiling : 1e30}}});
+        if (auto added = add(level == 0 ? texts::halve_fragment : texts::reduce_fragment,
+                             {down.back(), {{"image", from, Reading::cut}}}, {{"most", {ceiling}}});
             !added)
             return fail(added.error());
     }

@@ -304,7 +304,6 @@ TEST_CASE("sizes, formats and counts are checked") {
         "and -, starts with a letter or _, and is not 'source'\n"
         "look.json:11: error: a target of whole numbers cannot be blended\n"
         "look.json:12: error: \"one_channel\" must be an expression such as \"$mono\"\n"
-        "look.json:12: error: a target in r11f_g11f_b10f has no form with one channel\n"
         "look.json:12: error: pass 'j' holds whole numbers, which cannot be filtered\n"
         "look.json:12: error: pass 'j' holds whole numbers, which have no smaller levels\n"
         "look.json:13: error: \"format\" cannot be 'rgba61f' (did you mean 'rgba16f'?); it is one "
