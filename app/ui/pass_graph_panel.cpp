@@ -237,6 +237,14 @@ bool is_over(const Node& node, const Paper& paper) {
            std::abs(mouse.x - middle.x) <= paper.node.x * 0.5f &&
            std::abs(mouse.y - middle.y) <= paper.node.y * 0.5f;
 }
+
+// A graph that is larger than its pane begins with what is looked into in the middle.
+void scroll_at_first(const ImVec2& middle) {
+    if (!ImGui::IsWindowAppearing())
+        return;
+    ImGui::SetScrollFromPosX(middle.x - ImGui::GetWindowPos().x);
+    ImGui::SetScrollFromPosY(middle.y - ImGui::GetWindowPos().y);
+}
 }  // namespace
 
 void draw_pass_graph(const Scene& scene, Edits& edits) {
@@ -247,6 +255,7 @@ void draw_pass_graph(const Scene& scene, Edits& edits) {
     ImGui::BeginChild("##graph", {0.0f, 0.0f}, false, ImGuiWindowFlags_HorizontalScrollbar);
     const Paper paper = paper_for(graph);
     auto chosen = static_cast<std::size_t>(inspected_pass(look, scene.window));
+    scroll_at_first(paper.at(graph.nodes[chosen].column, graph.nodes[chosen].row));
     std::size_t told = chosen;
     for (std::size_t i = 0; i < graph.nodes.size(); ++i)
         if (is_over(graph.nodes[i], paper))

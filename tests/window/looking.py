@@ -130,8 +130,10 @@ class Looking(Person):
         program.key("g")
         program.place("node:composite")
         self.snapshot("switched")
-        program.click("node:beam")
-        program.wait("a click in the graph inspects", lambda s: s["inspected"] == "beam")
+        program.click("node:bloom_y")
+        program.wait("a click in the graph inspects", lambda s: s["inspected"] == "bloom_y")
+        program.click("pass:beam")
+        program.wait("so does one in the strip", lambda s: s["inspected"] == "beam")
         program.key("shift+b")
         program.wait("a bypass of what reads nothing says why",
                      lambda s: "reads no picture" in s["notice"])
