@@ -18,6 +18,13 @@ bool reads(const std::string& expression, const std::string& name) {
     }
     return false;
 }
+
+// `name` as the pass's own look calls it.
+bool follows(const Pass& pass, const std::string& name) {
+    return std::ranges::any_of(pass.size, [&](const Side& side) {
+        return side.by == Side::By::expression && reads(side.expression, name);
+    });
+}
 }  // namespace
 
 bool is_used_by(const Look& look, std::size_t pass, const Parameter& parameter) {
@@ -32,7 +39,14 @@ bool is_used_by(const Look& look, std::size_t pass, const Parameter& parameter) 
     if (!name.starts_with(user.scope))
         return false;
     const std::string own = name.substr(user.scope.size());
-    return reads(user.one_channel, own) || std::ranges::any_of(user.size, [&](const Side& side) {
-               return side.by == Side::By::expression && reads(side.expression, own);
+    return reads(user.one_channel, own) || follows(user, own);
+}
+
+bool is_idle(const Look& look, std::size_t pass, Extent extent) {
+    const Pass& sized = look.passes[pass];
+    return extent == Extent{1, 1} &&
+           std::ranges::any_of(look.parameters, [&](const Parameter& parameter) {
+               return parameter.name.starts_with(sized.scope) &&
+                      follows(sized, parameter.name.substr(sized.scope.size()));
            });
 }

@@ -1,6 +1,7 @@
 #include "ui/pass_graph_panel.h"
 
 #include "model/own_name.h"
+#include "model/parameter_use.h"
 #include "model/pass_graph.h"
 #include "ui/pass_switch_actions.h"
 #include "ui/scoped.h"
@@ -139,6 +140,11 @@ void draw_state(const std::string& state, const ImVec2& middle, const Scene& sce
     list.AddText(low, theme::packed(theme::warning), state.c_str());
 }
 
+std::size_t pass_of(const Node& node, const Scene& scene) {
+    const auto pass = find_pass(scene.lab.renderer()->executor().look(), node.name);
+    return static_cast<std::size_t>(pass.value_or(0));
+}
+
 std::string help_of(std::size_t node, const PassGraph& graph, const Scene& scene) {
     const Node& drawn = graph.nodes[node];
     const bool is_pass = drawn.kind == Input::From::pass;
@@ -148,7 +154,8 @@ std::string help_of(std::size_t node, const PassGraph& graph, const Scene& scene
                        : drawn.kind == Input::From::sound    ? "follows the sound: " + drawn.name
                                                              : "image " + drawn.name;
     if (is_pass) {
-        const PlannedTarget& target = scene.lab.renderer()->executor().plan().targets[node];
+        const PlannedTarget& target =
+            scene.lab.renderer()->executor().plan().targets[pass_of(drawn, scene)];
         text += fmt::format("\n{} {}", size_text(target.extent), facts_of(target.format).name);
     }
     for (const Edge& edge : graph.edges)
@@ -195,9 +202,24 @@ void draw_node(std::size_t index, const PassGraph& graph, const Paper& paper, co
     if (!is_pass)
         return;
     const Look& look = scene.lab.renderer()->executor().look();
-    const std::string state = pass_switch_actions::words_of(index, look, scene.lab.pass_switches());
+    const std::string state = pass_switch_actions::words_of(pass_of(node, scene), look,
+                                                            scene.lab.pass_switches());
     if (!state.empty())
         draw_state(state, {middle.x, low.y}, scene);
+}
+
+// Of the passes that the picture is not without at present, and of the one that is looked into.
+PassGraph graph_of_present(const Executor& executor, std::size_t inspected) {
+    const Look& look = executor.look();
+    Look present;
+    for (std::size_t i = 0; i < look.passes.size(); ++i) {
+        if (i != inspected && is_idle(look, i, executor.plan().targets[i].extent))
+            continue;
+        Pass& pass = present.passes.emplace_back();
+        pass.name = look.passes[i].name;
+        pass.inputs = look.passes[i].inputs;
+    }
+    return graph_of(present);
 }
 
 Paper paper_for(const PassGraph& graph) {
@@ -250,11 +272,14 @@ void scroll_at_first(const ImVec2& middle) {
 void draw_pass_graph(const Scene& scene, Edits& edits) {
     if (!scene.lab.renderer() || scene.lab.renderer()->executor().plan().targets.empty())
         return;
-    const Look& look = scene.lab.renderer()->executor().look();
-    const PassGraph graph = graph_of(look);
+    const Executor& executor = scene.lab.renderer()->executor();
+    const auto inspected = static_cast<std::size_t>(inspected_pass(executor.look(), scene.window));
+    const PassGraph graph = graph_of_present(executor, inspected);
     ImGui::BeginChild("##graph", {0.0f, 0.0f}, false, ImGuiWindowFlags_HorizontalScrollbar);
     const Paper paper = paper_for(graph);
-    auto chosen = static_cast<std::size_t>(inspected_pass(look, scene.window));
+    const std::string& name = executor.look().passes[inspected].name;
+    const auto found = std::ranges::find(graph.nodes, name, &Node::name);
+    const auto chosen = static_cast<std::size_t>(found - graph.nodes.begin());
     scroll_at_first(paper.at(graph.nodes[chosen].column, graph.nodes[chosen].row));
     std::size_t told = chosen;
     for (std::size_t i = 0; i < graph.nodes.size(); ++i)

@@ -3,6 +3,7 @@
 #include "lab/heavy_pass.h"
 #include "lab/tryouts.h"
 #include "model/own_name.h"
+#include "model/parameter_use.h"
 #include "ui/pass_switch_actions.h"
 #include "ui/scoped.h"
 #include "ui/slider.h"
@@ -329,20 +330,22 @@ void draw_pass_strip(const Scene& scene, Edits& edits) {
     }
     const float top = ImGui::GetCursorScreenPos().y;
     std::vector<Cell> cells;
-    for (std::size_t i = 0; i < std::min(look.passes.size(), targets.size()); ++i)
-        cells.push_back(
-            {.index = i,
-             .pass = look.passes[i],
-             .target = targets[i],
-             .milliseconds = i < times.size() ? times[i] : 0.0,
-             .gain = scene.views.gains().gain(i),
-             .change = i < changes.size() ? changes[i] : std::nullopt,
-             .is_chosen = look.passes[i].name == scene.window.inspected.pass,
-             .state = pass_switch_actions::words_of(i, look, scene.lab.pass_switches())});
+    for (std::size_t i = 0; i < std::min(look.passes.size(), targets.size()); ++i) {
+        const Cell cell{.index = i,
+                        .pass = look.passes[i],
+                        .target = targets[i],
+                        .milliseconds = i < times.size() ? times[i] : 0.0,
+                        .gain = scene.views.gains().gain(i),
+                        .change = i < changes.size() ? changes[i] : std::nullopt,
+                        .is_chosen = look.passes[i].name == scene.window.inspected.pass,
+                        .state = pass_switch_actions::words_of(i, look, scene.lab.pass_switches())};
+        if (cell.is_chosen || !cell.state.empty() || !is_idle(look, i, targets[i].extent))
+            cells.push_back(cell);
+    }
     share_room(cells, ImGui::GetContentRegionAvail().x, scene);
     std::vector<Group> groups;
     for (std::size_t i = 0; i < cells.size(); ++i) {
-        const std::string key = look_key(look.passes[i].name);
+        const std::string key = look_key(cells[i].pass.name);
         if (i > 0)
             go_on(groups, key, scene);
         if (groups.empty() || groups.back().key != key)

@@ -23,3 +23,18 @@ TEST_CASE("a pass uses what its shaders declare, its size reads and its repeats 
     CHECK_FALSE(is_used_by(look, 1, named("shrink")));    // of another look
     CHECK(is_used_by(look, 1, named("crt/turns")));
 }
+
+TEST_CASE("a pass is idle where what a person turns has made it one texel, and not where it always is") {
+    Look look;
+    look.passes.resize(2);
+    look.passes[0].scope = "a/";
+    look.passes[0].size = {Side{Side::By::expression, 1.0, "1 + $kind * $WIDTH"},
+                           Side{Side::By::expression, 1.0, "1 + $kind * $HEIGHT"}};
+    look.passes[1].size = {Side{Side::By::pixels, 1.0, ""}, Side{Side::By::pixels, 1.0, ""}};
+    Parameter kind;
+    kind.name = "a/kind";
+    look.parameters = {kind};
+    CHECK(is_idle(look, 0, {1, 1}));
+    CHECK_FALSE(is_idle(look, 0, {1, 2}));
+    CHECK_FALSE(is_idle(look, 1, {1, 1}));
+}
