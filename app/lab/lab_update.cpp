@@ -46,7 +46,8 @@ void Lab::update(double wall_seconds) {
         // The last picture goes on meanwhile.
         m_reloader.restack(m_document->state().stack, m_document->state().values);
     follow_constants();
-    m_renderer->set_slice(m_arrival ? slice_seconds / 2.0 : slice_seconds);
+    // Beside a look that is being opened others are at work on the same processor and driver.
+    m_renderer->set_slice(is_reading() ? slice_seconds / 2.0 : slice_seconds);
     m_is_turn_spent =
         m_arrival && !m_is_turn_spent && arriving_seconds > slice_seconds && m_player.is_playing();
     if (m_is_turn_spent)
