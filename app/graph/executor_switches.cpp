@@ -68,6 +68,8 @@ double Executor::bytes_per_pixel() const {
 }
 
 void Executor::clear_history(int pass) {
+    if (static_cast<std::size_t>(pass) >= m_targets.size())
+        return;  // nothing has been drawn yet
     const gpu::ContextScope scope(m_home.get());
     drop_frame();
     ++m_picture_number;

@@ -70,14 +70,12 @@ Result<PassProgram> build_pass(const Pass& pass, Reusable& reusable, ByteStore* 
 
 bool serves(const Programs& programs, const Look& look) {
     Reusable reusable(&programs);
-    return std::ranges::all_of(look.passes, [&](const Pass& pass) {
-        return reusable.take(wanted_for(pass)) != nullptr;
-    });
+    return std::ranges::all_of(
+        look.passes, [&](const Pass& pass) { return reusable.take(wanted_for(pass)) != nullptr; });
 }
 
 Result<Programs> build_programs(const Look& look, const Programs* reuse, ByteStore* kept,
-                                PassProgress* progress,
-                                const std::shared_ptr<gpu::Context>& home) {
+                                PassProgress* progress, const std::shared_ptr<gpu::Context>& home) {
     Programs programs{{}, home};
     Diagnostics problems;
     Reusable reusable(reuse);

@@ -68,9 +68,8 @@ Result<std::shared_ptr<const TripwirePrograms>> build_tripwire(
     auto mender = build_measuring_program(mender_text);
     if (!mender)
         return fail(mender.error());
-    return std::make_shared<const TripwirePrograms>(
-        TripwirePrograms{gpu::ending_in(home, std::move(*finder)),
-                         gpu::ending_in(home, std::move(*mender))});
+    return std::make_shared<const TripwirePrograms>(TripwirePrograms{
+        gpu::ending_in(home, std::move(*finder)), gpu::ending_in(home, std::move(*mender))});
 }
 
 // Where there is no memory nothing is found; the passes themselves are what needs it.
@@ -98,8 +97,8 @@ void Tripwire::begin(std::int64_t frame) {
 }
 
 void Tripwire::draw_found(const Watch& watch, const gpu::Texture& target, std::int64_t frame) {
-    m_programs->finder->write("frames_left",
-                   std::array{static_cast<double>(most_frames - (frame - *m_first_frame))});
+    m_programs->finder->write(
+        "frames_left", std::array{static_cast<double>(most_frames - (frame - *m_first_frame))});
     m_samplers.bind(0, target, trip_sampler);
     watch.blocks.bind();
     gpu::set_blend(Blend::maximum);

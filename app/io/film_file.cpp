@@ -141,6 +141,7 @@ FilmFile::FilmFile(fs::path file, FilmFormat format, AtomicFile target, ChildPro
 }
 
 FilmFile::~FilmFile() {
+    m_process.end_input(0);
     m_process.end();  // then nobody reads the sound
     if (m_sound.joinable())
         m_sound.join();

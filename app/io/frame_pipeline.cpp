@@ -102,6 +102,7 @@ void FramePipeline::deliver_made(Lock& lock) {
         lock.lock();
         if (!done) {
             note_error(slot->turn, std::move(done.error()));
+            free(*slot);  // m_delivered stays: none behind it will be delivered
             break;
         }
         ++m_delivered;

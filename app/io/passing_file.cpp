@@ -10,7 +10,12 @@
 namespace {
 // A signal's handler can reach nothing else.
 constexpr std::size_t most_kept = 16;
-std::array<std::atomic<const char*>, most_kept> passing_names{};
+constexpr std::size_t longest_name = 4096;
+struct PassingName {
+    std::atomic<bool> is_set = false;
+    std::array<char, longest_name> text{};  // here, as the owner's may end beside the handler
+};
+std::array<PassingName, most_kept> passing_names{};
 
 // Of whoever makes or ends such a file, on any thread; the handler never takes it.
 std::mutex& passing_mutex() {
@@ -19,26 +24,31 @@ std::mutex& passing_mutex() {
 }
 
 void remove_and_end(int number) {
-    for (const std::atomic<const char*>& name : passing_names)
-        if (const char* file = name.load())
-            ::unlink(file);
+    for (const PassingName& name : passing_names)
+        if (name.is_set)
+            ::unlink(name.text.data());
     (void)std::signal(number, SIG_DFL);
     (void)std::raise(number);
 }
 
-std::size_t take_slot(const char* name) {
+// Without a free one, or for a longer name, the file only goes with its owner. To be called with
+// the mutex held.
+std::size_t take_slot(const std::string& name) {
+    if (name.size() >= longest_name)
+        return most_kept;
     std::size_t slot = 0;
-    for (; slot < most_kept; ++slot) {
-        const char* nothing = nullptr;
-        if (passing_names[slot].compare_exchange_strong(nothing, name))
-            break;
+    while (slot < most_kept && passing_names[slot].is_set)
+        ++slot;
+    if (slot < most_kept) {
+        *std::copy(name.begin(), name.end(), passing_names[slot].text.begin()) = '\0';
+        passing_names[slot].is_set = true;
     }
-    return slot;  // without a free one the file only goes with its owner
+    return slot;
 }
 
 bool is_any_left() {
     return std::any_of(passing_names.begin(), passing_names.end(),
-                       [](const std::atomic<const char*>& name) { return name != nullptr; });
+                       [](const PassingName& name) { return name.is_set.load(); });
 }
 
 // From one handler to another; one that the program or its parent has chosen stays.
@@ -56,7 +66,7 @@ void replace_handlers(void (*from)(int), void (*to)(int)) {
 
 PassingFile::PassingFile(const std::filesystem::path& file) : m_name(file.string()) {
     const std::lock_guard lock(passing_mutex());
-    m_slot = take_slot(m_name.c_str());
+    m_slot = take_slot(m_name);
     replace_handlers(SIG_DFL, remove_and_end);
 }
 
@@ -64,7 +74,7 @@ PassingFile::~PassingFile() {
     ::unlink(m_name.c_str());
     const std::lock_guard lock(passing_mutex());
     if (m_slot < most_kept)
-        passing_names[m_slot] = nullptr;
+        passing_names[m_slot].is_set = false;
     if (!is_any_left())  // the next one's handlers are the same
         replace_handlers(remove_and_end, SIG_DFL);
 }

@@ -25,17 +25,17 @@ public:
     void start(Task task) {
         cancel();
         m_outcome.reset();
-        m_work = std::make_shared<Work>();
         m_start = std::chrono::steady_clock::now();
         m_is_wanted = true;
-        m_coming = std::async(std::launch::async,
-                              [task = std::move(task), work = m_work] { return task(*work); });
+        m_next = std::move(task);
+        begin_next();
     }
     /// Nothing comes of what is under way.
     void cancel() {
         if (m_work)
             m_work->is_cancelled = true;
         m_is_wanted = false;
+        m_next = nullptr;
     }
     /// To be called every turn.
     void update() {
@@ -43,6 +43,8 @@ public:
             m_coming.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
             return;
         auto outcome = m_coming.get();
+        if (m_next)
+            return begin_next();
         if (m_is_wanted)
             m_outcome = std::move(outcome);
         m_is_wanted = false;
@@ -51,7 +53,7 @@ public:
     bool is_running() const { return m_is_wanted && m_coming.valid(); }
     /// Nothing is under way, not even what was cancelled: start() need not wait for it.
     bool is_free() const { return !m_coming.valid(); }
-    double share() const { return m_work ? m_work->share.load() : 0.0; }
+    double share() const { return m_work && !m_next ? m_work->share.load() : 0.0; }
     /// At the pace so far; none while that says little.
     std::optional<double> seconds_left() const {
         const std::chrono::duration<double> gone = std::chrono::steady_clock::now() - m_start;
@@ -63,7 +65,17 @@ public:
     const std::optional<Result<Outcome>>& outcome() const { return m_outcome; }
 
 private:
+    // Not beside what was cancelled and has not ended yet; nobody waits for that.
+    void begin_next() {
+        if (m_coming.valid())
+            return;
+        m_work = std::make_shared<Work>();
+        m_coming = std::async(std::launch::async, [task = std::exchange(m_next, nullptr),
+                                                   work = m_work] { return task(*work); });
+    }
+
     std::shared_ptr<Work> m_work;  // shared with the thread
+    Task m_next;
     std::chrono::steady_clock::time_point m_start;
     std::future<Result<Outcome>> m_coming;
     bool m_is_wanted = false;  // not cancelled

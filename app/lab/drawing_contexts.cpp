@@ -2,6 +2,11 @@
 
 #include <algorithm>
 
+DrawingContexts::~DrawingContexts() {
+    for (const auto& context : m_all)
+        const gpu::ContextScope scope(context.get());  // what is buried there ends there
+}
+
 std::shared_ptr<gpu::Context> DrawingContexts::lend() {
     const auto is_free = [](const auto& context) { return context.use_count() == 1; };
     const auto free = std::ranges::find_if(m_all, is_free);

@@ -12,6 +12,9 @@ class DrawingContexts {
 public:
     /// All share with `screen`, which stays longer.
     explicit DrawingContexts(const gpu::Context& screen) : m_screen(screen) {}
+    ~DrawingContexts();
+    DrawingContexts(const DrawingContexts&) = delete;
+    DrawingContexts& operator=(const DrawingContexts&) = delete;
 
     /// On the thread of `screen`: one that is nobody's, until it is given back by its last owner,
     /// on any thread. Null where the driver gives none.

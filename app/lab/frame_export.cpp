@@ -30,7 +30,10 @@ Result<Exported> export_document(const Document& document, Extent size, const Ex
                                  Work& work) {
     if (auto good = check_export(document, wishes.file); !good)
         return fail(good.error());
-    auto offline = Offline::create({document, {}}, size, wishes.fps);
+    Document turned = document;  // the window may still be at its constants
+    if (auto done = turn_texts(turned); !done)
+        return fail(done.error());
+    auto offline = Offline::create({std::move(turned), {}}, size, wishes.fps);
     if (!offline)
         return fail(offline.error());
     const auto usual = usual_film_seconds(*offline, 0.0);

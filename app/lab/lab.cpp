@@ -53,7 +53,10 @@ Lab::Lab(Library library, const gpu::Context& screen, std::unique_ptr<gpu::Conte
     open_remote();
 }
 
-Lab::~Lab() = default;
+Lab::~Lab() {
+    m_programs.reset();  // the renderer's are the last, and end where they draw
+    m_variant_programs.reset();
+}
 
 ViewShape Lab::picture_shape() const {
     if (m_picture_size.shape)

@@ -206,6 +206,8 @@ void Lab::apply(LoadedRequest loaded) {
     const bool is_reload = loaded.is_reload && m_unopened.empty();
     m_unopened = is_read || is_reload || !m_document ? "" : name_of(loaded.request);
     show_problems(loaded.problems);
+    if (!m_unopened.empty())
+        m_reloader.note_unopened();
     if (!is_read)
         return;  // the last good picture goes on
     m_opened = loaded.request;
@@ -218,7 +220,7 @@ void Lab::apply(LoadedRequest loaded) {
     }
     forget_trip();
     m_programs = std::move(*loaded.programs);
-    m_reloader.set_home(m_programs->home);
+    m_reloader.set_shown(*m_programs);
     m_tryouts->stop();  // they draw with the former ones
     if (is_reload && m_document) {
         m_document->replace_look(std::move(*loaded.look));

@@ -46,6 +46,16 @@ void Reloader::open(const OpenRequest& request) {
     submit(request, false);
 }
 
+void Reloader::go_back_to(const OpenRequest& request) {
+    m_is_unopened = false;
+    submit(request, true);
+}
+
+void Reloader::set_shown(const Programs& programs) {
+    m_shown = std::make_shared<const Programs>(programs);
+    m_is_unopened = false;
+}
+
 void Reloader::reload() {
     if (m_request)
         submit(*m_request, true);
@@ -69,8 +79,13 @@ void Reloader::turn(const OpenRequest& request, LoadedRequest::Whose whose) {
     }
     {
         const std::lock_guard lock(m_mutex);
-        turning(whose).next =
-            Job{request, true, m_submitted, std::make_shared<PassProgress>(), whose, m_home};
+        turning(whose).next = Job{.request = request,
+                                  .is_reload = true,
+                                  .generation = m_submitted,
+                                  .progress = std::make_shared<PassProgress>(),
+                                  .whose = whose,
+                                  .shown = m_shown,
+                                  .home = m_shown ? m_shown->home : nullptr};
     }
     m_wake.notify_all();
 }
@@ -85,9 +100,11 @@ void Reloader::drop_turning() {
 
 void Reloader::submit(OpenRequest request, bool is_reload) {
     m_request = request;
-    Job job{std::move(request), is_reload};
-    job.home = is_reload ? m_home : m_drawing_contexts.lend();
-    job.is_home_new = !is_reload && job.home;
+    Job job{.request = std::move(request), .is_reload = is_reload};
+    job.is_opening = !is_reload || m_is_unopened || !m_shown;
+    if (!job.is_opening)
+        job.shown = m_shown;
+    job.home = job.is_opening ? m_drawing_contexts.lend() : m_shown->home;
     {
         const std::lock_guard lock(m_mutex);
         if (m_progress)
@@ -102,6 +119,7 @@ void Reloader::submit(OpenRequest request, bool is_reload) {
 }
 
 void Reloader::cancel(std::optional<OpenRequest> open) {
+    m_is_unopened = false;
     m_request = std::move(open);
     const std::lock_guard lock(m_mutex);
     if (m_progress)
@@ -118,7 +136,7 @@ PassProgress::State Reloader::progress() const {
 }
 
 std::vector<fs::path> Reloader::update() {
-    if (m_home && !is_busy())
+    if (m_shown && m_shown->home && !is_busy())
         m_drawing_contexts.have_spare();
     std::vector<fs::path> extra;
     if (!m_watcher)
@@ -279,7 +297,7 @@ Result<ImageTextures> Reloader::load_images(const Look& look, Diagnostics& warni
 // that one is current elsewhere, and what the driver keeps in files of its own will do.
 void Reloader::draw_first(const Job& job, const Programs* known, Programs& programs,
                           LoadedRequest& loaded) {
-    const bool is_at_home = job.is_home_new && programs.home == job.home;
+    const bool is_at_home = job.is_opening && job.home && programs.home == job.home;
     const gpu::ContextScope scope(is_at_home ? job.home.get() : nullptr);
     std::optional<WarmUp> own;
     if (is_at_home) {
@@ -295,23 +313,26 @@ void Reloader::draw_first(const Job& job, const Programs* known, Programs& progr
     drawn.home = nullptr;
     if (!is_at_home)
         drawn.tripwire = nullptr;  // its uniforms are somebody else's now
-    warm_up->draw(
-        {*loaded.look, drawn, known, loaded.images, m_picture, FirstDrawsOf::Size::whole},
-        *job.progress);
+    warm_up->draw({*loaded.look, drawn, known, loaded.images, m_picture, FirstDrawsOf::Size::whole},
+                  *job.progress);
     loaded.is_warm = is_at_home;
+}
+
+// Whose programs serve: for the open look those that it is drawn with, or newer ones beside them;
+// for another one only if it is the same.
+const Programs* Reloader::known_for(const Job& job, const Look& look) const {
+    if (m_linked && (job.is_opening ? serves(*m_linked, look) : m_linked->home == job.home))
+        return &*m_linked;
+    return job.shown.get();
 }
 
 // What a hand goes past is kept for no other run, and does not wait for first draws: where the GPU
 // is busy with the picture they come late.
 Result<Programs> Reloader::link(const Job& job, LoadedRequest& loaded) {
-    const Look& look = *loaded.look;
     const bool is_look = job.whose == LoadedRequest::Whose::look;
-    const bool is_served = m_linked && !job.is_reload && serves(*m_linked, look);
-    const bool is_at_home = m_linked && m_linked->home == job.home;
-    const Programs* known = is_served || is_at_home ? &*m_linked : nullptr;
-    auto programs =
-        build_programs(look, known, is_look ? m_kept_shaders.get() : nullptr, job.progress.get(),
-                       is_served ? m_linked->home : job.home);
+    const Programs* known = known_for(job, *loaded.look);
+    auto programs = build_programs(*loaded.look, known, is_look ? m_kept_shaders.get() : nullptr,
+                                   job.progress.get(), known ? known->home : job.home);
     if (!programs)
         return programs;
     if (known)

@@ -55,7 +55,7 @@ public:
     /// Reads the open look again although no file changed.
     void reload();
     /// Reads a look that is open once more, after another could not be opened.
-    void go_back_to(const OpenRequest& request) { submit(request, true); }
+    void go_back_to(const OpenRequest& request);
     /// Nothing comes of what was asked for last; `open` is what is open as before.
     void cancel(std::optional<OpenRequest> open);
     /// What was asked for last; null: nothing yet.
@@ -70,8 +70,11 @@ public:
     std::vector<std::filesystem::path> update();
     /// How large the picture is, for which programs are made ready.
     void set_picture(Extent picture) { m_picture = picture; }
-    /// Where the programs of the open look are drawn with; those of later readings of it will be.
-    void set_home(std::shared_ptr<gpu::Context> home) { m_home = std::move(home); }
+    /// What the open look is drawn with: later readings of it take what they can from there, and
+    /// are drawn in its home.
+    void set_shown(const Programs& programs);
+    /// What was asked for last could not be opened: reading it again opens another look.
+    void note_unopened() { m_is_unopened = true; }
     /// The open look's own files: a change of one makes it read again.
     void watch_look(const std::vector<std::filesystem::path>& files);
     /// Files besides the look's own that update() reports.
@@ -101,8 +104,9 @@ private:
         std::uint64_t generation = 0;
         std::shared_ptr<PassProgress> progress = {};  // shared with who asked
         LoadedRequest::Whose whose = LoadedRequest::Whose::look;
+        std::shared_ptr<const Programs> shown = {};  // of the look that it is of; null: another
         std::shared_ptr<gpu::Context> home = {};
-        bool is_home_new = false;  // nobody draws there yet
+        bool is_opening = false;  // then nobody draws in its home yet
     };
     /// What turn() asks for: one a picture.
     struct Turning {
@@ -119,6 +123,7 @@ private:
         return whose == LoadedRequest::Whose::turned ? m_turned : m_variant;
     }
     LoadedRequest load(const Job& job);
+    const Programs* known_for(const Job& job, const Look& look) const;
     Result<Programs> link(const Job& job, LoadedRequest& loaded);
     void draw_first(const Job& job, const Programs* known, Programs& programs,
                     LoadedRequest& loaded);
@@ -128,7 +133,8 @@ private:
     std::shared_ptr<ByteStore> m_kept_shaders;
     std::unique_ptr<gpu::Context> m_context;
     DrawingContexts m_drawing_contexts;
-    std::shared_ptr<gpu::Context> m_home;  // of the open look; null: the screen's
+    std::shared_ptr<const Programs> m_shown;  // of the open look; null: none is open
+    bool m_is_unopened = false;
     std::unique_ptr<FileWatcher> m_watcher;
     std::string m_watch_problem;
     std::vector<std::filesystem::path> m_look_files;

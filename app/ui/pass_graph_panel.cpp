@@ -202,8 +202,8 @@ void draw_node(std::size_t index, const PassGraph& graph, const Paper& paper, co
     if (!is_pass)
         return;
     const Look& look = scene.lab.renderer()->executor().look();
-    const std::string state = pass_switch_actions::words_of(pass_of(node, scene), look,
-                                                            scene.lab.pass_switches());
+    const std::string state =
+        pass_switch_actions::words_of(pass_of(node, scene), look, scene.lab.pass_switches());
     if (!state.empty())
         draw_state(state, {middle.x, low.y}, scene);
 }

@@ -41,7 +41,8 @@ TEST_CASE_FIXTURE(Headless, "what a helper thread draws is there for the first o
     CHECK(gpu::read_pixel(*texture, 1, 1) == std::array<float, 4>{0.5f, 0.5f, 0.5f, 0.5f});
 }
 
-TEST_CASE_FIXTURE(Headless, "within a scope another context draws, and what it drew is seen after it") {
+TEST_CASE_FIXTURE(Headless,
+                  "within a scope another context draws, and what it drew is seen after it") {
     auto other = gpu::Context::shared_with(**context);
     REQUIRE(other.has_value());
     std::optional<gpu::Canvas> canvas;

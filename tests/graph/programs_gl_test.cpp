@@ -71,13 +71,15 @@ TEST_CASE_FIXTURE(Headless, "programs made on a helper thread draw on the first 
     CHECK(red(executor, 0) == 2.0f);
 }
 
-TEST_CASE_FIXTURE(Headless, "an executor draws and ends in the home of its programs, whoever calls") {
+TEST_CASE_FIXTURE(Headless,
+                  "an executor draws and ends in the home of its programs, whoever calls") {
     auto home = gpu::Context::shared_with(**context);
     REQUIRE(home.has_value());
     const Look look = look_of({counter()});
     Programs programs = programs_of(look);
     programs.home = std::move(*home);
-    // Names of framebuffers count from 1 in each context: one of these would go with the executor's.
+    // Names of framebuffers count from 1 in each context: one of these would go with the
+    // executor's.
     std::vector<gpu::Canvas> ours;
     for (int i = 0; i < 4; ++i)
         ours.push_back(gpu::Canvas::make({1, 1}, Format::r32f).value());

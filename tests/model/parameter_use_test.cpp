@@ -24,7 +24,8 @@ TEST_CASE("a pass uses what its shaders declare, its size reads and its repeats 
     CHECK(is_used_by(look, 1, named("crt/turns")));
 }
 
-TEST_CASE("a pass is idle where what a person turns has made it one texel, and not where it always is") {
+TEST_CASE(
+    "a pass is idle where what a person turns has made it one texel, and not where it always is") {
     Look look;
     look.passes.resize(2);
     look.passes[0].scope = "a/";
