@@ -451,6 +451,8 @@ private:
     std::optional<OpenRequest> m_opened;  // that the open look came from
     double m_loading_seconds = 0.0;
     double m_amid_seconds = 0.0;  // since the unfinished frame was begun
+    // With the panels a turn stays below 1/20 s; first draws take their part of it.
+    static constexpr double slice_seconds = 0.024;
     std::chrono::steady_clock::time_point m_turn_begun;
     bool m_is_turn_spent = false;  // on a first draw
     Values m_missed_events;        // of parameters, while it was drawn

@@ -75,7 +75,7 @@ class Foreign(Person):
         self.screen.do("mousemove", *end)
         self.program.wait("the pointer is on the green",
                           lambda s: s["probe"] and s["probe"]["rgba"] == ["0", "1", "0", "1"])
-        self.screen.do("click", "--repeat", 4, "--delay", 5, 4)
+        self.screen.do("click", "--repeat", 4, "--delay", 60, 4)
         self.wait_for_color("the wheel zooms about the pointer", (end[0] + 55, end[1] + 30), GREEN)
         by = (-70, 60)
         self.program.drag(end, (end[0] + by[0], end[1] + by[1]), button=2)
