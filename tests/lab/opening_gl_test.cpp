@@ -4,6 +4,7 @@
 #include "gpu/vertex_array.h"
 #include "lab/small_lab.h"
 
+#include <algorithm>
 #include <set>
 
 namespace {
