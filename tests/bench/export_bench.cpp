@@ -231,7 +231,12 @@ void time_steps(const fs::path& folder) {
 int main(int argc, char** argv) {
     std::setvbuf(stdout, nullptr, _IOLBF, 0);
     std::string name = "/dev/shm/afterglow-bench-XXXXXX";
-    Measuring measuring{.folder = mkdtemp(name.data())};
+    const char* folder = mkdtemp(name.data());
+    if (!folder) {
+        std::perror("export_bench: /dev/shm");
+        return EXIT_FAILURE;
+    }
+    Measuring measuring{.folder = folder};
     if (argc > 1)
         measuring.turns = std::max(1, std::atoi(argv[1]));
     if (argc > 2)
