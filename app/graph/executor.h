@@ -96,8 +96,8 @@ public:
     /// Goes on for about `seconds`; true when the frame is whole.
     bool continue_frame(double seconds);
     void drop_frame();
-    /// A band of the pass and what follows it, levels and guard, to no end but that the driver has
-    /// met them. What the targets hold is lost.
+    /// A band of the pass and what follows it, levels, guard and the picture for those who look, to
+    /// no end but that the driver has met them. What the targets hold is lost.
     void rehearse(const Frame& frame, std::size_t pass);
     /// Gives back the memory that slices took.
     void end_slices();

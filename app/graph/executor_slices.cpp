@@ -133,14 +133,17 @@ void Executor::rehearse(const Frame& frame, std::size_t pass) {
     std::vector<bool> only(m_passes.size(), false);
     only[pass] = true;
     note_frame(frame, &only, false);
-    const gpu::DrawScope scope;
-    if (begin_pass(pass)) {
-        if (m_work.draws > m_work.first_draw)
-            draw_band(pass, 0.0);
-        end_pass(pass);
+    {
+        const gpu::DrawScope scope;
+        if (begin_pass(pass)) {
+            if (m_work.draws > m_work.first_draw)
+                draw_band(pass, 0.0);
+            end_pass(pass);
+        }
+        m_samplers.release();
     }
-    m_samplers.release();
     drop_frame();
+    static_cast<void>(target(static_cast<int>(pass)));  // turned over, if it is
 }
 
 void Executor::end_slices() {

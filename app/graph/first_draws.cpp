@@ -68,7 +68,7 @@ FirstDraws::FirstDraws(const FirstDrawsOf& of, const PassProgram& idle) {
     m_executor.emplace(std::move(stand_in), std::move(drawn));
     const bool is_small = of.size == FirstDrawsOf::Size::small;
     const Extent extent = is_small ? small_like(of.viewport) : of.viewport;
-    const Extent source = is_small ? Extent{96, 96} : Extent{320, 240};
+    const Extent source = is_small ? Extent{96, 96} : expected_source;
     const auto guard = of.programs.tripwire ? Executor::Guard::search : Executor::Guard::off;
     const bool is_ready = m_executor->resize(extent, source).has_value() &&
                           m_executor->set_source(black(source)).has_value() &&

@@ -10,6 +10,9 @@
 /// Pictures of a look by name, as image_texture() makes them.
 using ImageTextures = std::map<std::string, std::shared_ptr<const gpu::Texture>>;
 
+/// How large a source is taken to be before there is one, px.
+inline constexpr Extent expected_source{320, 240};
+
 /// What the first draws are made with.
 struct FirstDrawsOf {
     const Look& look;

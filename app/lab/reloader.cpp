@@ -230,6 +230,8 @@ void Reloader::run() {
     warm_up();
     if (auto made = WarmUp::make())
         m_warm_up.emplace(std::move(*made));
+    if (auto made = FirstViews::make())
+        m_first_views.emplace(std::move(*made));
     std::unique_lock lock(m_mutex);
     for (;;) {
         std::optional<Job> job;
@@ -250,6 +252,7 @@ void Reloader::run() {
     m_linked.reset();
     m_read.clear();
     m_warm_up.reset();
+    m_first_views.reset();
     m_context->release();
     lock.lock();
     m_has_ended = true;
@@ -318,6 +321,13 @@ void Reloader::draw_first(const Job& job, const Programs* known, Programs& progr
     loaded.is_warm = is_at_home;
 }
 
+// The views are the window's, in whatever home the look draws: what its driver keeps will do.
+void Reloader::look_first(const Look& look, const Values& values) {
+    const auto plan = plan_targets(look, m_picture, expected_source, values);
+    if (m_first_views && plan)  // else the look itself will say why
+        m_first_views->look_at(look, *plan);
+}
+
 // Whose programs serve: for the open look those that it is drawn with, or newer ones beside them;
 // for another one only if it is the same.
 const Programs* Reloader::known_for(const Job& job, const Look& look) const {
@@ -373,5 +383,7 @@ LoadedRequest Reloader::load(const Job& job) {
         return refuse(programs.error());
     }
     loaded.programs = std::move(*programs);
+    if (job.whose == LoadedRequest::Whose::look && !job.progress->is_cancelled())
+        look_first(*loaded.look, values);
     return loaded;
 }

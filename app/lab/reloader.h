@@ -4,6 +4,7 @@
 #include "formats/look_format.h"
 #include "glsl/check_cache.h"
 #include "gpu/context.h"
+#include "graph/first_views.h"
 #include "graph/programs.h"
 #include "graph/warm_up.h"
 #include "io/file_watcher.h"
@@ -127,6 +128,7 @@ private:
     Result<Programs> link(const Job& job, LoadedRequest& loaded);
     void draw_first(const Job& job, const Programs* known, Programs& programs,
                     LoadedRequest& loaded);
+    void look_first(const Look& look, const Values& values);
     Result<ImageTextures> load_images(const Look& look, Diagnostics& warnings);
 
     std::filesystem::path m_shared_includes;
@@ -171,7 +173,8 @@ private:
 
     CheckCache m_checks{m_kept_shaders.get()};          // the thread's
     std::map<std::filesystem::path, ReadImage> m_read;  // the thread's
-    std::optional<Programs> m_linked;  // the thread's: what the next reading may reuse
-    std::optional<WarmUp> m_warm_up;   // the thread's; without it the first frame is slower
+    std::optional<Programs> m_linked;         // the thread's: what the next reading may reuse
+    std::optional<WarmUp> m_warm_up;          // the thread's; without it the first frame is slower
+    std::optional<FirstViews> m_first_views;  // the same of what looks at it
     std::thread m_thread;
 };

@@ -245,19 +245,27 @@ void Views::update(const Lab& lab, const WindowState& window) {
     show_in_comfort(lab, window.comfort);
     count_flashes(lab, window);
     const bool is_whole = !window.is_picture_only;
-    const bool has_strip = is_whole && window.shows_strip;
-    m_thumbnails.update(m_viewer, executor, has_strip ? window.views.thumbnail_height : 0,
-                        present_seconds());
-    if (has_strip)
-        m_gains.update(executor, lab.document()->values(), present_seconds());
-    else
-        m_gains.stop();
+    show_strip(lab, is_whole && window.shows_strip ? window.views.thumbnail_height : 0);
     draw_inspected(executor, window);
     if (is_whole && window.shows_bottom && window.bottom_part == BottomPart::pins)
         m_pins.update(executor, window.pins, present_seconds());
     else
         m_pins.stop();
     probe(lab, window.probe);
+}
+
+// Small pictures and numbers in turn: a driver may take long for the first of each.
+void Views::show_strip(const Lab& lab, int height) {
+    if (height <= 0) {
+        m_thumbnails.stop();
+        return m_gains.stop();
+    }
+    const Executor& executor = lab.renderer()->executor();
+    m_measures_gains = !m_measures_gains;
+    if (m_measures_gains)
+        m_gains.update(executor, lab.document()->values(), present_seconds());
+    else
+        m_thumbnails.update(m_viewer, executor, height, present_seconds());
 }
 
 // Whatever the panels show; in whole pixels where the picture has a size of its own.

@@ -94,6 +94,7 @@ private:
     Part large_part(const Lab& lab, const WindowState& window) const;
     void draw_picture(const Lab& lab, const WindowState& window);
     void count_flashes(const Lab& lab, const WindowState& window);
+    void show_strip(const Lab& lab, int height);
     void show_in_comfort(const Lab& lab, const ComfortClamp& clamp);
     bool draw_step(const Lab& lab, const WindowState& window);
     void compare(const Lab& lab, const Part& part);
@@ -110,6 +111,7 @@ private:
     Pins m_pins;
     Thumbnails m_thumbnails;
     GainMeters m_gains;
+    bool m_measures_gains = true;  // in this update; else small pictures are drawn
     ComparedPictures m_compared;
     FlashMeter m_flash_meter;
     Comfort m_comfort;
