@@ -130,6 +130,7 @@ Extent Drive::source_extent(Extent viewport) const {
 Result<bool> Drive::show_source(double seconds, Renderer& renderer) {
     if (!m_source)
         return false;
+    m_source->expect(renderer.executor().look().source_encoding);
     SharedPicture picture = m_source->picture_at(seconds);
     const Extent extent = source_extent();
     if (picture == m_shown && extent == m_shown_extent)

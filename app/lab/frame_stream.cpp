@@ -1,6 +1,7 @@
 #include "lab/frame_stream.h"
 
 #include "lab/mend.h"
+#include "model/encoding_curve.h"
 
 #include <algorithm>
 #include <utility>
@@ -114,6 +115,8 @@ void FrameStream::run() {
         std::optional<Diagnostic> mended;
         if (read && *read && (*read)->encoding == Encoding::linear)
             mended = mend(**read, m_name);
+        if (const auto encoding = m_encoding.load(); read && *read && encoding)
+            recode(**read, *encoding);
         lock.lock();
         if (mended)
             tell(std::move(*mended));

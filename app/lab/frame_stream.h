@@ -2,6 +2,7 @@
 
 #include "io/picture_reader.h"
 
+#include <atomic>
 #include <condition_variable>
 #include <cstdint>
 #include <filesystem>
@@ -29,6 +30,8 @@ public:
     /// The same without waiting: null while it is not there yet.
     SharedPicture peek(std::int64_t number);
     void set_loop(bool loops);
+    /// Of the colours of what is read from now on: who draws it needs not take them there.
+    void set_encoding(Encoding encoding) { m_encoding = encoding; }
     /// What could not be read since last asked, each once.
     Diagnostics take_problems();
 
@@ -53,6 +56,7 @@ private:
     std::int64_t m_wanted = 0;
     std::size_t m_most = 4;  // kept at once
     bool m_loops;
+    std::atomic<std::optional<Encoding>> m_encoding{std::nullopt};  // none: as it is read
     bool m_is_ending = false;
     std::thread m_thread;
 };

@@ -229,6 +229,7 @@ bool reads_source(const Look& look, const std::vector<bool>& passes) {
 Result<void> Offline::show_source(double seconds) {
     if (!m_source)
         return {};
+    m_source->expect(executor().look().source_encoding);
     SharedPicture picture = m_source->wait_for(seconds);
     if (picture == m_shown)
         return {};

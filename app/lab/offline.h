@@ -90,6 +90,8 @@ public:
     const Executor& executor() const { return m_renderer->executor(); }
     const Document& document() const { return m_document; }
     const gpu::Context& context() const { return *m_context; }
+    /// create() does; where there are several, before each turn of one.
+    void make_current() { m_context->make_current(); }
     /// What of the source, or of a beam that another program sends, could not be read. Asked once,
     /// at the end.
     Diagnostics take_problems();

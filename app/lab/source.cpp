@@ -67,6 +67,11 @@ void Source::set_spec(const SourceSpec& spec) {
         m_stream->set_loop(spec.loops);
 }
 
+void Source::expect(Encoding encoding) {
+    if (m_stream)
+        m_stream->set_encoding(encoding);
+}
+
 double Source::rate() const {
     return m_spec.rate > 0.0 ? m_spec.rate : own_rate();
 }

@@ -19,6 +19,8 @@ public:
     const SourceSpec& spec() const { return m_spec; }
     /// Other settings for the same picture.
     void set_spec(const SourceSpec& spec);
+    /// What its pictures are taken to before they are drawn, a film's on the thread that reads it.
+    void expect(Encoding encoding);
     /// Whether it looks different at other times.
     bool moves() const { return is_film() || m_is_moving_pattern; }
     /// A sequence or video: pictures at a rate, which takes time to read.

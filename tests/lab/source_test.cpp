@@ -2,6 +2,7 @@
 
 #include "io/picture_file.h"
 #include "io/temporary_folder.h"
+#include "model/color.h"
 #include "signals/patterns.h"
 
 #include <doctest/doctest.h>
@@ -50,6 +51,19 @@ TEST_CASE("at equal rates each frame shows the next picture; then the first agai
     Source usual = opened(sequence(folder, ""));
     CHECK(usual.rate() == 60.0);
     CHECK(usual.moves());
+}
+
+TEST_CASE("a film is read in the encoding that its look works in") {
+    constexpr int count = 20;  // more than are read ahead
+    const TemporaryFolder folder;
+    for (int number = 0; number < count; ++number)
+        REQUIRE(save_picture(level(0.5f), folder / ("f_" + std::to_string(number) + ".exr")));
+    Source source = opened((folder / "f_%d.exr").string() + ",rate=10");
+    CHECK(source.wait_for(0.1)->encoding == Encoding::linear);
+    source.expect(Encoding::display);
+    const SharedPicture later = source.wait_for(count / 10.0);
+    CHECK(later->encoding == Encoding::display);
+    CHECK(later->pixels.front() == doctest::Approx(srgb_encode(0.5)).epsilon(1e-6));
 }
 
 TEST_CASE("a picture that is missing leaves the one before it, and is told once") {

@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-/// The look "caffeine" without a window: its samples as linear light. One at a time: it draws in
-/// the context that was made last.
+/// The look "caffeine" without a window: its samples as linear light.
 class PathTracer {
 public:
     using Settings = std::vector<std::pair<std::string, std::string>>;
@@ -29,8 +28,20 @@ public:
         return PathTracer(std::move(*offline), batch);
     }
 
+    /// Values are constants of the programs from here on.
+    Result<void> settle() {
+        m_offline.make_current();
+        return m_offline.settle();
+    }
+    /// One batch further, whichever context is current.
+    void advance() {
+        m_offline.make_current();
+        m_offline.advance();
+    }
+
     /// Goes on to `samples` in all, a multiple of the batch. The mean light of each pixel, r g b.
     std::vector<double> light_after(int samples, const char* pass = "trace") {
+        m_offline.make_current();
         while (m_offline.frame_number() * m_batch < samples)
             m_offline.advance();
         const Picture sum = target(pass);
