@@ -30,6 +30,24 @@ GlFormat gl_format(Format format) {
             return {GL_RGBA32F, GL_RGBA, GL_FLOAT};
         case Format::r32ui:
             return {GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT};
+        case Format::r8ui:
+            return {GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE};
+        case Format::rg8ui:
+            return {GL_RG8UI, GL_RG_INTEGER, GL_UNSIGNED_BYTE};
+        case Format::rgba8ui:
+            return {GL_RGBA8UI, GL_RGBA_INTEGER, GL_UNSIGNED_BYTE};
+        case Format::rgb10_a2ui:
+            return {GL_RGB10_A2UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT_2_10_10_10_REV};
+        case Format::r16ui:
+            return {GL_R16UI, GL_RED_INTEGER, GL_UNSIGNED_SHORT};
+        case Format::rg16ui:
+            return {GL_RG16UI, GL_RG_INTEGER, GL_UNSIGNED_SHORT};
+        case Format::rgba16ui:
+            return {GL_RGBA16UI, GL_RGBA_INTEGER, GL_UNSIGNED_SHORT};
+        case Format::rg32ui:
+            return {GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT};
+        case Format::rgba32ui:
+            return {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT};
     }
     return {};
 }

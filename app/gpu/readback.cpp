@@ -16,6 +16,10 @@ GLenum layout_of(int channels) {
     return channels == 1 ? GL_RED : channels == 3 ? GL_RGB : GL_RGBA;
 }
 
+GLenum integer_layout_of(int channels) {
+    return channels == 1 ? GL_RED_INTEGER : channels == 3 ? GL_RGB_INTEGER : GL_RGBA_INTEGER;
+}
+
 void flip_rows(Picture& picture) {
     const auto row = static_cast<std::ptrdiff_t>(picture.extent.width) * picture.channels;
     auto low = picture.pixels.begin();
@@ -35,7 +39,8 @@ Picture read_picture(const Texture& texture) {
     glBindTexture(GL_TEXTURE_2D, texture.id());
     if (facts.is_integer) {
         std::vector<GLuint> whole(picture.pixels.size());
-        glGetTexImage(GL_TEXTURE_2D, 0, GL_RED_INTEGER, GL_UNSIGNED_INT, whole.data());
+        glGetTexImage(GL_TEXTURE_2D, 0, integer_layout_of(picture.channels), GL_UNSIGNED_INT,
+                      whole.data());
         std::ranges::transform(whole, picture.pixels.begin(),
                                [](GLuint number) { return static_cast<float>(number); });
     } else {
@@ -89,9 +94,10 @@ std::array<float, 4> read_pixel(const Texture& texture, int x, int y) {
     std::array<float, 4> rgba{0.0f, 0.0f, 0.0f, 1.0f};
     const int row = extent.height - 1 - y;
     if (facts_of(texture.format()).is_integer) {
-        GLuint whole = 0;
-        glReadPixels(x, row, 1, 1, GL_RED_INTEGER, GL_UNSIGNED_INT, &whole);
-        rgba[0] = static_cast<float>(whole);
+        std::array<GLuint, 4> whole{};
+        glReadPixels(x, row, 1, 1, GL_RGBA_INTEGER, GL_UNSIGNED_INT, whole.data());
+        std::ranges::transform(whole, rgba.begin(),
+                               [](GLuint number) { return static_cast<float>(number); });
     } else {
         glReadPixels(x, row, 1, 1, GL_RGBA, GL_FLOAT, rgba.data());
     }

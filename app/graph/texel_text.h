@@ -22,5 +22,5 @@ vec4 texel_at(ivec2 texel) { return texelFetch(shown, texel, 0); }
 
 inline const std::string natural_texel_text = choosing_text + R"(
 uniform usampler2D shown;  // of an integer target
-vec4 texel_at(ivec2 texel) { return vec4(vec3(texelFetch(shown, texel, 0).r), 1.0); }
+vec4 texel_at(ivec2 texel) { return vec4(texelFetch(shown, texel, 0)); }
 )";

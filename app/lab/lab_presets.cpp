@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace fs = std::filesystem;
 
 void Lab::star_preset(const std::string& name, bool has_star) {
@@ -36,6 +38,9 @@ void Lab::save_slang_preset(const fs::path& given) {
     std::error_code error;
     if (fs::equivalent(file, look.manifest, error))
         return say("a .slangp cannot refer to itself: give it another name", true);
+    const auto is_read = [&](const fs::path& read) { return fs::equivalent(file, read, error); };
+    if (std::ranges::any_of(m_reloader.look_files(), is_read))
+        return say("the open look is made of that file: give it another name", true);
     std::map<std::string, double> values;
     std::string left_out;
     for (const Parameter& parameter : look.parameters)

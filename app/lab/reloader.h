@@ -78,6 +78,7 @@ public:
     void note_unopened() { m_is_unopened = true; }
     /// The open look's own files: a change of one makes it read again.
     void watch_look(const std::vector<std::filesystem::path>& files);
+    const std::vector<std::filesystem::path>& look_files() const { return m_look_files; }
     /// Files besides the look's own that update() reports.
     void watch_also(std::vector<std::filesystem::path> files);
     /// The newest result, once; a result older than the newest submission never comes, turn()

@@ -58,14 +58,16 @@ std::vector<SourceSize> source_sizes(const SourceSpec& source) {
     const std::string name = name_of_pattern(source);
     if (name.empty())
         return {};
-    const auto sized = [&](const std::optional<Extent>& size) {
+    const auto sized = [&](const std::optional<PatternSize>& size) {
         SourceSpec chosen = source;
         chosen.picture = "pattern:" + pattern_of_size(name, size);
         return chosen;
     };
     std::vector<SourceSize> sizes{{"As the pattern has it", sized({})}};
-    for (const Extent& size : pattern_sizes)
-        sizes.push_back({fmt::format("{} × {}", size.width, size.height), sized(size)});
+    for (const PatternSize& size : pattern_sizes)
+        sizes.push_back({fmt::format("{} × {}{}", size.extent.width, size.extent.height,
+                                     size.is_interlaced ? "i" : ""),
+                         sized(size)});
     return sizes;
 }
 

@@ -17,6 +17,15 @@ const std::vector<FormatFacts>& all_formats() {
         {Format::rg32f, "rg32f", 2, 8},
         {Format::rgba32f, "rgba32f", 4, 16},
         {Format::r32ui, "r32ui", 1, 4, false, true},
+        {Format::r8ui, "r8ui", 1, 1, false, true},
+        {Format::rg8ui, "rg8ui", 2, 2, false, true},
+        {Format::rgba8ui, "rgba8ui", 4, 4, false, true},
+        {Format::rgb10_a2ui, "rgb10_a2ui", 4, 4, false, true},
+        {Format::r16ui, "r16ui", 1, 2, false, true},
+        {Format::rg16ui, "rg16ui", 2, 4, false, true},
+        {Format::rgba16ui, "rgba16ui", 4, 8, false, true},
+        {Format::rg32ui, "rg32ui", 2, 8, false, true},
+        {Format::rgba32ui, "rgba32ui", 4, 16, false, true},
     };
     return formats;
 }

@@ -19,6 +19,15 @@ enum class Format {
     rg32f,
     rgba32f,
     r32ui,
+    r8ui,
+    rg8ui,
+    rgba8ui,
+    rgb10_a2ui,
+    r16ui,
+    rg16ui,
+    rgba16ui,
+    rg32ui,
+    rgba32ui,
 };
 
 struct FormatFacts {

@@ -38,7 +38,19 @@ double format_limit(Format format) {
         case Format::rg32f:
         case Format::rgba32f:
             return static_cast<double>(std::numeric_limits<float>::max());
+        case Format::r8ui:
+        case Format::rg8ui:
+        case Format::rgba8ui:
+            return 255.0;
+        case Format::rgb10_a2ui:
+            return 1023.0;
+        case Format::r16ui:
+        case Format::rg16ui:
+        case Format::rgba16ui:
+            return 65535.0;
         case Format::r32ui:
+        case Format::rg32ui:
+        case Format::rgba32ui:
             return 4294967295.0;
     }
     return 1.0;

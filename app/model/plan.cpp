@@ -139,7 +139,9 @@ Result<Plan> plan_targets(const Look& look, Extent viewport, Extent source, cons
                 continue;
             PlannedTarget& target = plan.targets[static_cast<std::size_t>(*read)];
             target.slots = std::max(target.slots, input.frames_ago + 1);
-            target.mipmapped = target.mipmapped || input.sampler.mipmap;
+            const bool has_levels =
+                !facts_of(target.format).is_integer;  // their mean would be none
+            target.mipmapped = target.mipmapped || (input.sampler.mipmap && has_levels);
         }
     }
     return plan;

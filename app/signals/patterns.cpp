@@ -32,15 +32,37 @@ const Pattern* find_pattern(std::string_view name) {
     return found == patterns().end() ? nullptr : &*found;
 }
 
-Result<Extent> size_of(std::string_view text) {
+Result<PatternSize> size_of(std::string_view text) {
+    const std::string_view whole = text;
+    const bool is_interlaced = text.ends_with('i');
+    text.remove_suffix(is_interlaced ? 1 : 0);
     const std::size_t cross = text.find('x');
     const auto width = parse_integer(text.substr(0, cross));
     const bool has_cross = cross != std::string_view::npos;
     const auto height = parse_integer(has_cross ? text.substr(cross + 1) : std::string_view());
     constexpr int largest = 8192;
     if (!width || !height || *width < 1 || *height < 1 || *width > largest || *height > largest)
-        return fail({{}, 0, fmt::format("'size={}' is not of the form size=640x480", text)});
-    return Extent{*width, *height};
+        return fail({{}, 0, fmt::format("'size={}' is not of the form size=640x480", whole)});
+    return PatternSize{{*width, *height}, is_interlaced};
+}
+
+// Rows of the latest field over those of the one before.
+Picture woven(const Pattern& pattern, Extent extent, double seconds) {
+    constexpr double fields = 60.0;  // a second
+    constexpr double rounding = 1e-6;
+    const auto field = static_cast<std::int64_t>(std::floor(seconds * fields + rounding));
+    const auto drawn = [&](std::int64_t number) {
+        return pattern.draw(extent, static_cast<double>(number) / fields);
+    };
+    Picture picture = drawn(field);
+    if (!pattern.facts.moves || field <= 0)
+        return picture;
+    const Picture before = drawn(field - 1);
+    const std::size_t row = picture.index(0, 1);
+    for (auto y = static_cast<std::size_t>((field + 1) % 2);
+         y < static_cast<std::size_t>(extent.height); y += 2)
+        std::copy_n(before.pixels.data() + y * row, row, picture.pixels.data() + y * row);
+    return picture;
 }
 }  // namespace
 
@@ -58,8 +80,10 @@ std::string_view pattern_name(std::string_view text) {
     return text.substr(0, text.find(','));
 }
 
-std::string pattern_of_size(std::string_view name, const std::optional<Extent>& size) {
-    return size ? fmt::format("{},size={}x{}", name, size->width, size->height) : std::string(name);
+std::string pattern_of_size(std::string_view name, const std::optional<PatternSize>& size) {
+    return size ? fmt::format("{},size={}x{}{}", name, size->extent.width, size->extent.height,
+                              size->is_interlaced ? "i" : "")
+                : std::string(name);
 }
 
 Result<Picture> make_pattern(std::string_view text, double seconds) {
@@ -80,7 +104,8 @@ Result<Picture> make_pattern(std::string_view text, double seconds) {
     const auto size = size_of(setting.substr(5));
     if (!size)
         return fail(size.error());
-    return pattern->draw(*size, seconds);
+    return size->is_interlaced ? woven(*pattern, size->extent, seconds)
+                               : pattern->draw(size->extent, seconds);
 }
 
 bool is_moving_pattern(std::string_view text) {

@@ -95,6 +95,25 @@ TEST_CASE_FIXTURE(Headless, "a canvas is cleared to a colour and copied") {
     CHECK(gpu::read_pixel(whole->texture(), 0, 0)[0] == 70000.0f);
 }
 
+TEST_CASE_FIXTURE(Headless, "whole numbers of every integer format come back, channel by channel") {
+    constexpr std::array<float, 4> numbers{200.0f, 100.0f, 50.0f, 3.0f};
+    for (const FormatFacts& facts : all_formats()) {
+        if (!facts.is_integer)
+            continue;
+        CAPTURE(facts.name);
+        auto whole = gpu::Canvas::make({2, 1}, facts.format);
+        REQUIRE(whole.has_value());
+        whole->clear(numbers);
+        const auto pixel = gpu::read_pixel(whole->texture(), 1, 0);
+        const Picture picture = gpu::read_picture(whole->texture());
+        for (int channel = 0; channel < facts.channels; ++channel) {
+            const auto c = static_cast<std::size_t>(channel);
+            CHECK(pixel[c] == numbers[c]);
+            CHECK(picture.pixels[picture.index(1, 0) + c] == numbers[c]);
+        }
+    }
+}
+
 TEST_CASE_FIXTURE(Headless,
                   "a side past the driver's limit is refused in words, without a GL error") {
     const int largest = (*context)->facts().largest_texture;

@@ -316,10 +316,22 @@ TEST_CASE("what is changed is saved as a .slangp that refers to the open one") {
     slang.lab().save_slang_preset(slang.file("mine"));
     slang.open_preset("mine.slangp");
     CHECK(slang.level() == 0.75);
+    slang.lab().save_slang_preset(slang.file("a.slangp"));  // would go round in a circle
+    CHECK(slang.lab().notice()->text == "the open look is made of that file: give it another name");
     CHECK_FALSE(slang.document().is_modified());
     slang.lab().open("small");
     REQUIRE(slang.turn_until([&] { return slang.document().look().id == "small"; }));
     CHECK_FALSE(slang.lab().can_save_slang_preset());
+}
+
+TEST_CASE("a shader that is open alone is saved as a .slangp that draws it") {
+    SlangLab slang;
+    slang.open_preset("0.slang");
+    slang.lab().edit([](Document& document) { document.set_value("level", Value(0.75)); });
+    slang.lab().save_slang_preset(slang.file("alone"));
+    slang.open_preset("alone.slangp");
+    CHECK(slang.level() == 0.75);
+    CHECK(slang.document().look().passes.size() == 1);
 }
 
 TEST_CASE("a chain's picture keeps its source's shape in the view, until it is asked not to") {

@@ -8,6 +8,7 @@ TEST_CASE("every format is found by its own name and knows itself") {
         CHECK(facts_of(facts.format).name == facts.name);
     }
     CHECK(facts_of(Format::r32ui).is_integer);
+    CHECK(facts_of(Format::rgba16ui).is_integer);
     CHECK(facts_of(Format::rgba16f).bytes == 8);
     CHECK_FALSE(parse_format("rgba64f").has_value());
     CHECK_FALSE(parse_format("").has_value());

@@ -141,3 +141,27 @@ TEST_CASE("the terminal page has 80 x 25 characters of 8 x 16 pixels") {
     CHECK(pixel_of(*page, 2 * 8 + 3, 0)[1] > 0.8f);
     CHECK(pixel_of(*page, 0, 0)[1] == 0.0f);
 }
+
+TEST_CASE("an interlaced pattern has the rows of its latest field over those of the one before") {
+    const auto at = [](int field) {
+        return make_pattern("harbour,size=32x24", field / 60.0).value();
+    };
+    for (const int field : {0, 7, 8}) {
+        const auto woven = make_pattern("harbour,size=32x24i", field / 60.0);
+        REQUIRE(woven.has_value());
+        const Picture latest = at(field);
+        const Picture before = at(std::max(field - 1, 0));
+        CHECK((field == 0 || latest.pixels != before.pixels));
+        for (int y = 0; y < 24; ++y) {
+            const Picture& of = y % 2 == field % 2 ? latest : before;
+            const auto row = [&](const Picture& picture) {
+                return std::vector<float>(
+                    picture.pixels.begin() + static_cast<std::ptrdiff_t>(picture.index(0, y)),
+                    picture.pixels.begin() + static_cast<std::ptrdiff_t>(picture.index(0, y + 1)));
+            };
+            CHECK(row(*woven) == row(of));
+        }
+    }
+    CHECK(make_pattern("smpte,size=64x48i").value() == make_pattern("smpte,size=64x48").value());
+    CHECK_FALSE(make_pattern("smpte,size=64x48p").has_value());
+}

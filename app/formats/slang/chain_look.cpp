@@ -32,7 +32,16 @@ constexpr std::array format_names{FormatName{"R8_UNORM", Format::r8},
                                   FormatName{"R32_SFLOAT", Format::r32f},
                                   FormatName{"R32G32_SFLOAT", Format::rg32f},
                                   FormatName{"R32G32B32A32_SFLOAT", Format::rgba32f},
-                                  FormatName{"R32_UINT", Format::r32ui}};
+                                  FormatName{"R32_UINT", Format::r32ui},
+                                  FormatName{"R8_UINT", Format::r8ui},
+                                  FormatName{"R8G8_UINT", Format::rg8ui},
+                                  FormatName{"R8G8B8A8_UINT", Format::rgba8ui},
+                                  FormatName{"A2B10G10R10_UINT_PACK32", Format::rgb10_a2ui},
+                                  FormatName{"R16_UINT", Format::r16ui},
+                                  FormatName{"R16G16_UINT", Format::rg16ui},
+                                  FormatName{"R16G16B16A16_UINT", Format::rgba16ui},
+                                  FormatName{"R32G32_UINT", Format::rg32ui},
+                                  FormatName{"R32G32B32A32_UINT", Format::rgba32ui}};
 
 // With the corners of all passes: between two texels the last bit of a coordinate decides.
 constexpr const char* stretching_corners = R"(#version 410 core
@@ -365,8 +374,11 @@ void ChainLook::add_parameters() {
     SlangParameters declared;
     for (const SlangShader& shader : m_chain.shaders)
         declared.insert(declared.end(), shader.parameters.begin(), shader.parameters.end());
+    std::set<std::string> read;
+    for (const auto& [name, bindings] : m_bindings)
+        read.insert(name);
     SlangControls controls =
-        slang_controls(unique_slang_parameters(declared, m_warnings), m_chain.preset.values);
+        slang_controls(unique_slang_parameters(declared, m_warnings), m_chain.preset.values, read);
     m_warnings.insert(m_warnings.end(), controls.warnings.begin(), controls.warnings.end());
     m_look.groups = std::move(controls.groups);
     m_look.parameters = std::move(controls.parameters);

@@ -61,13 +61,14 @@ bool is_note(std::string_view text) {
             (bare.starts_with('[') && bare.ends_with(']')));
 }
 
-bool is_heading(const SlangParameter& parameter) {
+bool is_heading(const SlangParameter& parameter, bool is_read) {
     const double range = parameter.maximum - parameter.minimum;
     if (range == 0.0 || !is_uniform_name(parameter.id))
         return true;
     if (range < 0.0 || parameter.step < range)
         return false;
-    return range <= degenerate_range || !has_words(parameter.text) || is_title(parameter.text);
+    return range <= degenerate_range || !has_words(parameter.text) ||
+           (is_title(parameter.text) && !is_read);
 }
 
 std::string title_of(std::string_view text) {
@@ -105,13 +106,15 @@ void name_numbers(const std::vector<Item>& named, Parameter& made) {
 
 class ControlMaker {
 public:
-    explicit ControlMaker(const std::map<std::string, SlangValue>& values) : m_values(values) {}
+    ControlMaker(const std::map<std::string, SlangValue>& values, const std::set<std::string>& read)
+        : m_values(values), m_read(read) {}
 
     SlangControls make(const SlangParameters& parameters) {
         for (const auto& parameter : parameters) {
             if (!m_file || *m_file != parameter->declared.file)
                 begin_file(*parameter);
-            is_heading(*parameter) ? add_heading(*parameter) : add_control(*parameter);
+            const bool is_read = m_read.contains(parameter->id);
+            is_heading(*parameter, is_read) ? add_heading(*parameter) : add_control(*parameter);
         }
         drop_common_prefixes(m_controls.parameters);
         return std::move(m_controls);
@@ -214,6 +217,7 @@ private:
     }
 
     const std::map<std::string, SlangValue>& m_values;
+    const std::set<std::string>& m_read;  // ids
     SlangControls m_controls;
     const std::filesystem::path* m_file = nullptr;  // of the last parameter
     std::string m_group;
@@ -227,6 +231,7 @@ private:
 }  // namespace
 
 SlangControls slang_controls(const SlangParameters& parameters,
-                             const std::map<std::string, SlangValue>& values) {
-    return ControlMaker(values).make(parameters);
+                             const std::map<std::string, SlangValue>& values,
+                             const std::set<std::string>& read) {
+    return ControlMaker(values, read).make(parameters);
 }

@@ -1,6 +1,7 @@
 #include "formats/slang/files.h"
 
 #include "base/file.h"
+#include "base/text.h"
 
 #include <fmt/format.h>
 
@@ -79,6 +80,10 @@ std::string SlangFiles::count_settings(const SlangText& text) {
 void SlangFiles::note(const fs::path& file) {
     if (m_noted.insert(file.native()).second)
         m_seen.push_back(file);
+}
+
+bool is_slang_shader(const fs::path& file) {
+    return to_lower(file.extension().string()) == ".slang";
 }
 
 fs::path path_beside(const fs::path& file, std::string_view written) {

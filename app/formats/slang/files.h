@@ -50,6 +50,9 @@ private:
     std::size_t m_settings_bytes = 0;
 };
 
+/// Whether a file is a shader, and no preset, by its name.
+bool is_slang_shader(const std::filesystem::path& file);
+
 /// The path that stands in `file` as `written`, with '/' or '\' between its parts: relative to the
 /// folder of `file`, with `..` resolved.
 std::filesystem::path path_beside(const std::filesystem::path& file, std::string_view written);

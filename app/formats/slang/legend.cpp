@@ -12,6 +12,7 @@
 
 namespace {
 constexpr std::size_t longest_name = 48;
+constexpr int fewest_names = 3;  // that are no accident where nothing else says that they are names
 
 struct Pair {
     int first = 0;
@@ -227,12 +228,38 @@ std::optional<SlangLegend> legend_behind_label(std::string_view text, int low, i
     return std::nullopt;
 }
 
-std::optional<SlangLegend> on_off_at_the_end(std::string_view text, int low, int high) {
+// "Vignette On/Off", "Palette Hercules/CGA/EGA".
+std::optional<SlangLegend> names_at_the_end(std::string_view text, int low, int high) {
     const std::size_t blank = text.find_last_of(" \t");
-    if (low != 0 || high != 1 || blank == text.npos)
+    if (blank == text.npos || text.find_first_of("|;,", blank) != text.npos)
         return std::nullopt;
+    const std::size_t label_end = text.find_last_not_of(" \t,;", blank) + 1;
     if (auto items = listed_names(text.substr(blank + 1), low, high); !items.empty())
-        return legend(text.substr(0, blank), std::move(items));
+        return legend(text.substr(0, label_end), std::move(items));
+    return std::nullopt;
+}
+
+// "Range 0-multi 1-hor 2-vert": each number has its name.
+std::optional<SlangLegend> names_behind_dashes(std::string_view text, int low, int high) {
+    auto named = names_behind_numbers(text, low, high, true);
+    if (high - low + 1 < fewest_names || !named ||
+        static_cast<int>(named->items.size()) != high - low + 1)
+        return std::nullopt;
+    return legend(text.substr(0, named->begin), std::move(named->items));
+}
+
+// "SDR | HDR", "RF, Composite, S-Video"; "Mode  OFF | LOW | HIGH" has its label before two blanks.
+std::optional<SlangLegend> names_alone(std::string_view text, int low, int high) {
+    const std::size_t bar = text.find('|');
+    if (bar == text.npos && high - low + 1 < fewest_names)
+        return std::nullopt;
+    const std::size_t gap = text.substr(0, bar).find("  ");
+    const bool is_labelled = bar != text.npos && gap != text.npos;
+    const std::string_view label = is_labelled ? text.substr(0, gap) : std::string_view();
+    if (bar == text.npos && text.find_first_of(",;") == text.npos)
+        return std::nullopt;  // "Y/C/RGB" may be anything
+    if (auto items = listed_names(text.substr(label.size()), low, high); !items.empty())
+        return legend(label, std::move(items));
     return std::nullopt;
 }
 }  // namespace
@@ -243,7 +270,8 @@ SlangLegend parse_slang_legend(std::string_view text, int low, int high) {
         return *found;
     if (auto found = legend_behind_label(bare, low, high))
         return *found;
-    if (auto found = on_off_at_the_end(bare, low, high))
-        return *found;
+    for (const auto read : {names_at_the_end, names_behind_dashes, names_alone})
+        if (auto found = read(bare, low, high))
+            return *found;
     return {std::string(bare), {}};
 }

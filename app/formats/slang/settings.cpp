@@ -21,12 +21,13 @@ struct Line {
     std::string_view value;
 };
 
-// What stands in the quotes that `text` begins with, or up to its next blank. Quotes that never
-// close go on to the end of the line.
+// What stands in the quotes that `text` begins with, or up to its next blank, without a ';' behind
+// it. Quotes that never close go on to the end of the line.
 std::string_view value_of(std::string_view text) {
     if (text.starts_with('"'))
         return trim(text.substr(1, text.find('"', 1) - 1));
-    return text.substr(0, std::min(text.find_first_of(blanks), text.size()));
+    text = text.substr(0, text.find_first_of(blanks));
+    return text.substr(0, text.find_last_not_of(';') + 1);
 }
 
 // Without what follows '#' outside of quotes.

@@ -6,6 +6,8 @@
 #include "glsl/check_cache.h"
 #include "glsl/turned_constants.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
 
@@ -14,20 +16,16 @@ namespace fs = std::filesystem;
 namespace {
 constexpr const char* pixel_art = "pattern:harbour";
 
-bool is_alone(const fs::path& file) {
-    return to_lower(file.extension().string()) == ".slang";
-}
-
 /// Shaders and their translations, each once however many passes have it.
 class ChainLoader {
 public:
     ChainLoader(SlangFiles& files, CheckCache* cache, TurnedConstants& constants)
         : m_files(files), m_cache(cache), m_constants(constants) {}
 
-    void read(const fs::path& file, WholeChain& chain) {
-        auto known = m_known.find(file);
+    void read(const SlangPass& pass, WholeChain& chain) {
+        auto known = m_known.find(pass.shader);
         if (known == m_known.end())
-            known = m_known.emplace(file, read_anew(file)).first;
+            known = m_known.emplace(pass.shader, read_anew(pass)).first;
         if (!known->second)
             return;
         m_constants.bind(known->second->constants, chain.shaders.size());
@@ -45,10 +43,25 @@ private:
         std::vector<std::string> constants;
     };
 
-    std::optional<Read> read_anew(const fs::path& file) {
-        auto shader = read_slang_shader(file, m_files);
+    // Of all that can be wrong with a pass the preset's line is told where its file has none.
+    void refuse(const SlangPass& pass, const Diagnostics& why) {
+        const std::string name = pass.alias.empty() ? pass.shader.stem().string() : pass.alias;
+        for (Diagnostic problem : why) {
+            if (problem.file == pass.shader && problem.line == 0) {
+                problem.message =
+                    fmt::format("'{}': {}", pass.shader.filename().string(), problem.message);
+                problem.file = pass.declared.file;
+                problem.line = pass.declared.line;
+            }
+            problem.message = fmt::format("pass '{}': {}", name, problem.message);
+            add_new(problems, std::move(problem));
+        }
+    }
+
+    std::optional<Read> read_anew(const SlangPass& pass) {
+        auto shader = read_slang_shader(pass.shader, m_files);
         if (!shader) {
-            add_new(problems, shader.error());
+            refuse(pass, shader.error());
             is_parsed = false;
             return std::nullopt;
         }
@@ -57,7 +70,7 @@ private:
         auto translation = m_cache ? m_cache->translate(shader->vertex, shader->fragment)
                                    : translate_from_vulkan(shader->vertex, shader->fragment);
         if (!translation) {
-            add_new(problems, translation.error());
+            refuse(pass, translation.error());
             return std::nullopt;
         }
         return Read{std::move(*shader), std::move(*translation), std::move(constants)};
@@ -72,7 +85,7 @@ private:
 Result<WholeChain> read_chain(const fs::path& file, SlangFiles& files, const ReadingHelp& help,
                               TurnedConstants& constants, bool& is_parsed) {
     WholeChain chain;
-    if (is_alone(file)) {
+    if (is_slang_shader(file)) {
         chain.preset = slang_preset_of(file);
     } else {
         auto preset = read_slang_preset(file, files);
@@ -86,7 +99,7 @@ Result<WholeChain> read_chain(const fs::path& file, SlangFiles& files, const Rea
     for (const SlangPass& pass : chain.preset.passes) {
         if (help.progress && !help.progress->next(pass.shader.stem().string()))
             return fail({file, 0, "was not read to its end"});
-        reader.read(pass.shader, chain);
+        reader.read(pass, chain);
     }
     is_parsed = reader.is_parsed;
     if (!reader.problems.empty())
@@ -176,7 +189,7 @@ Result<Look> read_look_of(const fs::path& file, SlangFiles& files, const Reading
 }  // namespace
 
 bool is_slang_file(const fs::path& file) {
-    return is_alone(file) || to_lower(file.extension().string()) == ".slangp";
+    return is_slang_shader(file) || to_lower(file.extension().string()) == ".slangp";
 }
 
 LoadedLook load_slang_look(const fs::path& file, const ReadingHelp& help) {

@@ -1,6 +1,7 @@
 #include "formats/slang/write.h"
 
 #include "base/text.h"
+#include "formats/slang/files.h"
 
 #include <fmt/format.h>
 
@@ -26,7 +27,9 @@ std::string simple_slang_preset(const fs::path& referred,
     const fs::path folder = fs::absolute(saved_as).lexically_normal().parent_path();
     const fs::path relative = target.lexically_relative(folder);
     const fs::path& written = relative.empty() ? target : relative;
-    std::string text = fmt::format("#reference \"{}\"\n", written.generic_string());
+    const char* const line =
+        is_slang_shader(target) ? "shaders = \"1\"\nshader0 = " : "#reference ";
+    std::string text = fmt::format("{}\"{}\"\n", line, written.generic_string());
     if (!values.empty())
         text += '\n';
     for (const auto& [name, number] : values)

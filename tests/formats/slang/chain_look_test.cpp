@@ -321,3 +321,21 @@ TEST_CASE("a filter that no pass says is a choice of those that it makes a diffe
     CHECK_FALSE(
         find_parameter(folder.look(lines + "filter_linear1 = true\n"), "unspecified_filter"));
 }
+
+TEST_CASE("what is wrong with a chain names pass, file and line") {
+    ChainFolder folder({reading({}), reading({}, "", "nope")});
+    const LoadedLook broken = folder.load("alias1 = Middle\n");
+    REQUIRE_FALSE(broken.look.has_value());
+    const Diagnostic& wrong = broken.look.error().front();
+    CHECK(wrong.file == folder / "1.slang");
+    CHECK(wrong.line == 14);
+    CHECK(wrong.message.starts_with("pass 'Middle': 'nope'"));
+
+    const LoadedLook lacking = load_slang_look(
+        folder.write("b.slangp", "shaders = 2\nshader0 = 0.slang\n\nshader1 = gone.slang\n"), {});
+    REQUIRE_FALSE(lacking.look.has_value());
+    const Diagnostic& missing = lacking.look.error().front();
+    CHECK(missing.file == folder / "b.slangp");
+    CHECK(missing.line == 4);
+    CHECK(missing.message == "pass 'gone': 'gone.slang': there is no such file");
+}

@@ -38,6 +38,17 @@ std::string grouped(const SlangControls& controls) {
 }
 }  // namespace
 
+TEST_CASE("a switch that a shader reads is no heading, whatever its text looks like") {
+    const SlangParameters declared =
+        declared_in({"curve \"CURVED:\" 1.0 0.0 1.0 1.0", "head \"MASK:\" 1.0 0.0 1.0 1.0",
+                     "wide \"Wide\" 1.0 0.0 2.0 0.1"});
+    const SlangControls controls = slang_controls(declared, {}, {"curve", "wide"});
+    REQUIRE(controls.parameters.size() == 2);
+    CHECK(controls.parameters[0].name == "curve");
+    CHECK(controls.parameters[0].type == NumberType{Scalar::boolean});
+    CHECK(controls.parameters[1].group == "MASK");
+}
+
 TEST_CASE("a slang parameter becomes a slider with its range, label and place") {
     const Parameter made = control_of("BEAM_WIDTH \"   Beam width (px) \" 0.5 0.0 2.0 0.05");
     CHECK(made.name == "BEAM_WIDTH");

@@ -67,3 +67,21 @@ TEST_CASE("On/Off at the end says only that it can be switched") {
     CHECK(read_legend("Linear [ YES | NO ]", 0, 1) == "Linear: 0=YES 1=NO");
     CHECK(read_legend("Steps On/Off", 0, 2) == "Steps On/Off:");
 }
+
+TEST_CASE("as many names as numbers are a legend without brackets, dash or colon") {
+    CHECK(read_legend("Palette Hercules/CGA/EGA", 0, 2) == "Palette: 0=Hercules 1=CGA 2=EGA");
+    CHECK(read_legend("Dot Mask, Fine/Coarse/LCD", 0, 2) == "Dot Mask: 0=Fine 1=Coarse 2=LCD");
+    CHECK(read_legend("Cable, Antenna, S-Video", 0, 2) == ": 0=Cable 1=Antenna 2=S-Video");
+    CHECK(read_legend("SNES, Sega/PS1, PCE, A26", 1, 4) == ": 1=SNES 2=Sega/PS1 3=PCE 4=A26");
+    CHECK(read_legend("Flat | Deep", 0, 1) == ": 0=Flat 1=Deep");
+    CHECK(read_legend("Bend Mode  OFF | 2D | 3D", 0, 2) == "Bend Mode: 0=OFF 1=2D 2=3D");
+    CHECK(read_legend("Morph Range 0-all 1-hor 2-vert", 0, 2) == "Morph Range: 0=all 1=hor 2=vert");
+}
+
+TEST_CASE("other than as many names as numbers are part of the label") {
+    CHECK(read_legend("Palette Hercules/CGA/EGA", 0, 3) == "Palette Hercules/CGA/EGA:");
+    CHECK(read_legend("Cable, Antenna, S-Video", 0, 4) == "Cable, Antenna, S-Video:");
+    CHECK(read_legend("Red, Green", 0, 1) == "Red, Green:");
+    CHECK(read_legend("Mix Y/C", 0, 1) == "Mix Y/C:");
+    CHECK(read_legend("Morph 1-hor 2-vert", 0, 2) == "Morph 1-hor 2-vert:");
+}

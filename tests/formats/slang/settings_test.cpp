@@ -56,6 +56,11 @@ TEST_CASE("quotes that never close go on to the end of the line") {
     CHECK(Read("a = \"one two\nb = 3\n").said() == "a=one two|b=3|");
 }
 
+TEST_CASE("a ';' behind a slang value says nothing") {
+    CHECK(Read("a = source;\nb=two.slang;;\nc = \"three;\";\nd = ;\n").said() ==
+          "a=source|b=two.slang|c=three;|d=|");
+}
+
 TEST_CASE("a byte order mark and every kind of line end are taken") {
     CHECK(Read("\xef\xbb\xbf"
                "a = 1\r\nb = \"2\"\r\nc = 3")

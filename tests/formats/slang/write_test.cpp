@@ -31,3 +31,17 @@ TEST_CASE("what is saved as a simple preset is read back over what it refers to"
     CHECK(preset->values.at("bend").number == 1.0);
     CHECK(preset->warnings.empty());
 }
+
+TEST_CASE("a simple preset of a shader alone draws it in one pass") {
+    SlangFolder folder;
+    const auto shader = folder.write("deep/a.slang", "");
+    folder.write("own/mine.slangp",
+                 simple_slang_preset(shader, {{"glow", 0.5}}, folder / "own/mine.slangp"));
+    const auto preset = folder.preset("own/mine.slangp");
+    REQUIRE(preset.has_value());
+    REQUIRE(preset->passes.size() == 1);
+    CHECK(preset->passes[0].shader == folder / "deep/a.slang");
+    CHECK(!preset->passes[0].scale);
+    CHECK(preset->values.at("glow").number == 0.5);
+    CHECK(preset->warnings.empty());
+}
