@@ -117,7 +117,7 @@ Result<void> AtomicFile::write(std::string_view bytes) {
 }
 
 Result<void> AtomicFile::finish() {
-    if (!m_temporary->take_place_of(m_target) || !flush_folder(m_folder))
+    if (!m_temporary->flush() || !m_temporary->take_place_of(m_target) || !flush_folder(m_folder))
         return refused();
     return {};
 }

@@ -3,7 +3,7 @@
 #include "base/file.h"
 #include "base/packed.h"
 #include "base/text.h"
-#include "io/atomic_file.h"
+#include "io/temporary_file.h"
 
 #include <fmt/format.h>
 
@@ -65,7 +65,7 @@ void KeptFiles::keep(std::string_view question, std::string_view answer) {
     const std::size_t size = packer.bytes().size();
     if (size > std::min<std::uintmax_t>(most_answer_bytes, m_most_bytes))
         return;
-    if (!write_atomically(file_of(asked), packer.bytes()))
+    if (!write(file_of(asked), packer.bytes()))
         return;  // as the type says
     const std::scoped_lock lock(m_mutex);
     m_unlooked_bytes += size;
@@ -73,7 +73,16 @@ void KeptFiles::keep(std::string_view question, std::string_view answer) {
         make_room();
 }
 
+// Nobody waits for the disk: what a crash of the machine leaves of a file is told by its digest.
+bool KeptFiles::write(const fs::path& file, std::string_view bytes) const {
+    std::error_code error;
+    fs::create_directories(m_folder, error);
+    TemporaryFile written(m_folder);
+    return written.is_open() && written.write(bytes) && written.take_place_of(file);
+}
+
 void KeptFiles::make_room() {
+    remove_leftovers(m_folder);
     struct Kept {
         fs::file_time_type used;
         std::uintmax_t bytes;

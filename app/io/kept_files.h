@@ -22,6 +22,7 @@ public:
 private:
     std::string whole(std::string_view question) const;
     std::filesystem::path file_of(std::string_view whole) const;
+    bool write(const std::filesystem::path& file, std::string_view bytes) const;
     void make_room();
 
     std::filesystem::path m_folder;

@@ -80,8 +80,12 @@ bool TemporaryFile::write(std::string_view bytes) {
     return true;
 }
 
+bool TemporaryFile::flush() {
+    return ::fsync(m_descriptor.get()) == 0;
+}
+
 bool TemporaryFile::take_place_of(const fs::path& target) {
-    return ::fsync(m_descriptor.get()) == 0 && ::rename(m_path.c_str(), target.c_str()) == 0;
+    return ::rename(m_path.c_str(), target.c_str()) == 0;
 }
 
 // The lock says for as long as the file has this name that its writer lives. Another program

@@ -18,7 +18,8 @@ public:
     int descriptor() const { return m_descriptor.get(); }
     bool set_mode(mode_t mode);
     bool write(std::string_view bytes);
-    /// Flushes it first.
+    /// What was written reaches the disk.
+    bool flush();
     bool take_place_of(const std::filesystem::path& target);
 
 private:
