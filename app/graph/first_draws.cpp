@@ -22,6 +22,21 @@ Extent small_like(Extent viewport) {
     return {side(viewport.width), side(viewport.height)};
 }
 
+// Making room for large targets takes longer than the draws, and what drivers distinguish, sides
+// that are powers of two, is met by a quarter of them as well.
+Extent quarter_like(Extent viewport) {
+    constexpr int least = 128;
+    const Extent quarter{viewport.width / 4, viewport.height / 4};
+    const auto is_alike = [](int side, int whole) {
+        return side >= least && whole % 4 == 0 &&
+               std::has_single_bit(static_cast<unsigned>(side)) ==
+                   std::has_single_bit(static_cast<unsigned>(whole));
+    };
+    return is_alike(quarter.width, viewport.width) && is_alike(quarter.height, viewport.height)
+               ? quarter
+               : viewport;
+}
+
 Picture black(Extent extent) {
     const auto texels =
         static_cast<std::size_t>(extent.width) * static_cast<std::size_t>(extent.height);
@@ -67,7 +82,7 @@ FirstDraws::FirstDraws(const FirstDrawsOf& of, const PassProgram& idle) {
         return;
     m_executor.emplace(std::move(stand_in), std::move(drawn));
     const bool is_small = of.size == FirstDrawsOf::Size::small;
-    const Extent extent = is_small ? small_like(of.viewport) : of.viewport;
+    const Extent extent = is_small ? small_like(of.viewport) : quarter_like(of.viewport);
     const Extent source = is_small ? Extent{96, 96} : expected_source;
     const auto guard = of.programs.tripwire ? Executor::Guard::search : Executor::Guard::off;
     const bool is_ready = m_executor->resize(extent, source).has_value() &&

@@ -20,8 +20,8 @@ struct FirstDrawsOf {
     const Programs* known = nullptr;  // may be in use, and are not touched; null: none
     const ImageTextures& images;
     Extent viewport;  // of the picture to come
-    // Small: a few pixels, where nobody may wait for more; else as large as they will be, which
-    // meets the driver's every distinction.
+    // Small: a few pixels, where nobody may wait for more; else large enough to meet the driver's
+    // every distinction.
     enum class Size { small, whole };
     Size size = Size::small;
 };
