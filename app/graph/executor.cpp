@@ -73,6 +73,7 @@ Result<void> Executor::replace(Look look, Programs programs) {
         m_sound = std::move(*sound);
     }
     m_cubes = {};
+    m_unsettled.reset();
     m_look = std::move(look);
     m_programs = std::move(programs);
     ++m_picture_number;
@@ -134,6 +135,7 @@ void Executor::set_values(const Values& values) {
             changed.push_back(parameter.name);
     if (!changed.empty())
         restart_samples(redraw_after(m_look, changed).passes);
+    end_settled_if_moved(changed);
     m_values = values;
     m_parameters.write(m_look, m_values);
 }

@@ -27,6 +27,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -62,6 +63,11 @@ public:
 
     /// The values in force; a parameter without one takes its default. Uploads what changed.
     void set_values(const Values& values);
+    /// Draws with `programs` of the same look, in whose texts the present values are, but for those
+    /// that `moving` names, events and orbits. What is told of the passes stays. The look's own
+    /// programs come back as soon as another value is set, or the look is replaced.
+    void settle(Programs programs, std::set<std::string> moving);
+    bool is_settled() const { return m_unsettled.has_value(); }
     /// Programs hold the values of whom they last drew for: to be called before each draw where two
     /// executors have the same ones.
     void claim_programs();
@@ -138,7 +144,8 @@ public:
     std::uint64_t picture_number() const { return m_picture_number; }
     const Plan& plan() const { return m_plan; }
     const Look& look() const { return m_look; }
-    const Programs& programs() const { return m_programs; }
+    /// Those of the look, also while it is settled.
+    const Programs& programs() const { return m_unsettled ? m_unsettled->programs : m_programs; }
     /// The latest known GPU time of each pass, some frames old; 0 until one is known, and while it
     /// is not drawn.
     std::vector<double> pass_milliseconds();
@@ -172,7 +179,21 @@ private:
         bool covers_target = false;  // leaves no texel of what was there
     };
 
+    /// What the look itself draws with, while it is settled.
+    struct Unsettled {
+        Programs programs;
+        std::vector<PassState> passes;
+        ParameterUniforms parameters;
+        std::set<std::string> moving;
+    };
+
     PassState make_state(std::size_t pass) const;
+    void end_settled();
+    void hand_on_state(std::vector<PassState>& from);
+    void end_settled_if_moved(const std::vector<std::string>& changed);
+    const PassState& told_state(std::size_t pass) const {
+        return m_unsettled ? m_unsettled->passes[pass] : m_passes[pass];
+    }
     void prepare();
     Result<void> make_empty();
     int repeats_of(const Pass& pass) const;
@@ -228,6 +249,7 @@ private:
     BeamBuffer m_beam;
     Quad m_quad;
     std::vector<PassState> m_passes;
+    std::optional<Unsettled> m_unsettled;
     std::vector<PassRun> m_runs;
     std::optional<PassThrough> m_pass_through;  // from the first bypass on
     ParameterUniforms m_parameters;

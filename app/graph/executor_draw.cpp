@@ -197,7 +197,7 @@ std::optional<TextureChoice> choice_of(const BoundInput& input, const Look& look
 
 PassReport Executor::report(int pass) const {
     const auto index = static_cast<std::size_t>(pass);
-    const PassState& state = m_passes[index];
+    const PassState& state = told_state(index);
     PassReport report;
     for (const BoundInput& input : state.inputs) {
         SamplerReport sampler{input.uniform, choice_of(input, m_look), {}, {}, {}};
@@ -209,7 +209,7 @@ PassReport Executor::report(int pass) const {
         report.samplers.push_back(std::move(sampler));
     }
     const Pass& declared = m_look.passes[index];
-    const int samples = declared.accumulate ? std::max(state.samples - 1, 0)
+    const int samples = declared.accumulate ? std::max(m_passes[index].samples - 1, 0)
                                             : samples_before(index) + repeats_of(declared) - 1;
     report.built_ins = state.built_ins.report(m_drawn, facts_of_pass(index), samples);
     return report;

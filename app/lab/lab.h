@@ -1,6 +1,5 @@
 #pragma once
 
-#include "lab/arrival.h"
 #include "lab/beam_place.h"
 #include "lab/choice.h"
 #include "lab/chosen_images.h"
@@ -21,6 +20,7 @@
 #include "lab/rate_pictures.h"
 #include "lab/reloader.h"
 #include "lab/renderer.h"
+#include "lab/settling.h"
 #include "model/moves.h"
 #include "model/pass_switches.h"
 #include "model/placing.h"
@@ -326,6 +326,8 @@ public:
     bool is_moving() const;
     /// A look that takes long is drawn in slices, one an update, and the frame is not whole yet.
     bool is_amid_frame() const;
+    /// As Reloader::set_wake.
+    void set_wake(std::function<void()> wake) { m_reloader.set_wake(std::move(wake)); }
     /// Becomes readable when a watched file has changed; -1 where files cannot be watched.
     int watch_descriptor() const { return m_reloader.descriptor(); }
 
@@ -344,6 +346,9 @@ private:
     void apply_turned(LoadedRequest loaded);
     void apply_turned_picture(LoadedRequest loaded);
     void follow_constants();
+    bool may_settle() const;
+    void follow_settling(double wall_seconds);
+    void forget_settling();
     void forget_constants();
     bool is_following_constants() const;
     bool has_programs_for(const Variant& variant);
@@ -441,6 +446,7 @@ private:
     BackgroundWork<ImpulseResponse> m_impulse;
     BackgroundWork<Exported> m_export;
     Reloader m_reloader;
+    Settling m_settling;
     std::unique_ptr<Arrival> m_arrival;  // of the newest request; null: nothing has come
     std::string m_heavy_pass;            // "": none is
     bool m_has_told_heavy_pass = false;  // of the open look

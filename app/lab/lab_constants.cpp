@@ -57,6 +57,7 @@ void Lab::apply_turned_picture(LoadedRequest loaded) {
     m_opened->constants = loaded.request.constants;
     m_programs = std::move(*loaded.programs);
     m_reloader.set_shown(*m_programs);
+    forget_settling();
     m_tryouts->stop();  // they draw with the former ones
     m_document->replace_look(std::move(*loaded.look));
     const Look& look = m_document->look();

@@ -32,6 +32,8 @@ void Lab::update(double wall_seconds) {
         show_rate_pair((*compared)->worst_place());
     m_impulse.update();
     m_export.update();
+    if (!is_loading() && !is_amid_frame() && (!m_renderer || m_renderer->has_drawn()))
+        m_reloader.prepare_for_more();
     if (!m_document || !m_renderer)
         return;
     go_on_morphing(wall_seconds);
@@ -49,6 +51,7 @@ void Lab::update(double wall_seconds) {
         go_on_drawing(wall_seconds);
     else
         begin_drawing(wall_seconds);
+    follow_settling(wall_seconds);
     note_moves();
     tell_silence();
     follow_heavy_pass();
@@ -214,6 +217,7 @@ void Lab::apply(LoadedRequest loaded) {
     forget_trip();
     m_programs = std::move(*loaded.programs);
     m_reloader.set_shown(*m_programs);
+    forget_settling();
     m_tryouts->stop();  // they draw with the former ones
     if (is_reload && m_document) {
         m_document->replace_look(std::move(*loaded.look));
@@ -361,6 +365,7 @@ void Lab::apply_document() {
     if (!is_first && m_applied->modulations != state.modulations)
         redraw.needs_replay = true;
     if (!is_first && m_applied->overrides != state.overrides) {
+        forget_settling();
         succeeded(m_renderer->replace(m_document->drawn_look(), *m_programs));
         redraw.needs_replay = true;
     }

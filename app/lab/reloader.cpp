@@ -2,6 +2,7 @@
 
 #include "formats/stack_format.h"
 #include "graph/image_texture.h"
+#include "graph/settled_look.h"
 #include "io/picture_codec.h"
 #include "lab/kept_shaders.h"
 #include "lab/look_media.h"
@@ -79,6 +80,7 @@ void Reloader::turn(const OpenRequest& request, LoadedRequest::Whose whose) {
     }
     {
         const std::lock_guard lock(m_mutex);
+        drop_settling();
         turning(whose).next = Job{.request = request,
                                   .is_reload = true,
                                   .generation = m_submitted,
@@ -96,6 +98,41 @@ void Reloader::drop_turning() {
         m_turning->cancel();
     m_turned = {};
     m_variant = {};
+    drop_settling();
+}
+
+// To be called with the mutex held.
+void Reloader::drop_settling() {
+    if (m_settling)
+        m_settling->cancel();
+    m_settling.reset();
+    m_settled = {};
+}
+
+void Reloader::settle(SettledRequest request) {
+    {
+        const std::lock_guard lock(m_mutex);
+        drop_settling();
+        m_settling = std::make_shared<PassProgress>();
+        m_settled.next = Job{.request = {},
+                             .generation = m_submitted,
+                             .progress = m_settling,
+                             .whose = LoadedRequest::Whose::settled,
+                             .shown = m_shown,
+                             .home = m_shown ? m_shown->home : nullptr,
+                             .settled = std::make_shared<const SettledRequest>(std::move(request))};
+    }
+    m_wake.notify_all();
+}
+
+void Reloader::stop_settling() {
+    const std::lock_guard lock(m_mutex);
+    drop_settling();
+}
+
+std::optional<LoadedRequest> Reloader::take_settled() {
+    const std::lock_guard lock(m_mutex);
+    return std::exchange(m_settled.made, std::nullopt);
 }
 
 void Reloader::submit(OpenRequest request, bool is_reload) {
@@ -136,8 +173,6 @@ PassProgress::State Reloader::progress() const {
 }
 
 std::vector<fs::path> Reloader::update() {
-    if (m_shown && m_shown->home && !is_busy())
-        m_drawing_contexts.have_spare();
     std::vector<fs::path> extra;
     if (!m_watcher)
         return extra;
@@ -205,10 +240,10 @@ void load_picture_module() {
 // What is to be read goes first. To be called with the mutex held, as the next one is.
 std::optional<Reloader::Job> Reloader::take_job() {
     std::optional<Job> job;
-    for (std::optional<Job>* next : {&m_job, &m_turned.next, &m_variant.next})
+    for (std::optional<Job>* next : {&m_job, &m_turned.next, &m_variant.next, &m_settled.next})
         if (!job)
             job.swap(*next);
-    if (job && job->whose != LoadedRequest::Whose::look)
+    if (job && job->whose != LoadedRequest::Whose::look && !job->settled)
         m_turning = job->progress;
     return job;
 }
@@ -220,30 +255,61 @@ void Reloader::keep(LoadedRequest loaded) {
         m_completed = std::max(m_completed, loaded.generation);
         if (is_newest)
             m_finished = std::move(loaded);
+    } else if (loaded.whose == LoadedRequest::Whose::settled) {
+        m_settled.made = std::move(loaded);
     } else if (is_newest) {
         turning(loaded.whose).made = std::move(loaded);
     }
 }
 
+void Reloader::prepare_for_more() {
+    if (m_shown && m_shown->home && !is_busy())
+        m_drawing_contexts.have_spare();
+    {
+        const std::lock_guard lock(m_mutex);
+        if (std::exchange(m_is_preparing, true))
+            return;
+    }
+    m_wake.notify_all();
+}
+
+// The compiler's own tables, and the module that reads pictures: each takes longer than all that
+// the first picture needs where its shaders are known.
+void Reloader::prepare() {
+    warm_up();
+    load_picture_module();
+    m_is_prepared = true;
+}
+
+void Reloader::work_on(const Job& job) {
+    LoadedRequest loaded = job.settled ? load_settled(job) : load(job);
+    {
+        const std::lock_guard lock(m_mutex);
+        if (!job.settled || !job.progress->is_cancelled())
+            keep(std::move(loaded));
+    }
+    if (m_wake_owner)
+        m_wake_owner();
+}
+
 void Reloader::run() {
     m_context->make_current();
-    warm_up();
     if (auto made = WarmUp::make())
         m_warm_up.emplace(std::move(*made));
-    if (auto made = FirstViews::make())
-        m_first_views.emplace(std::move(*made));
+    constexpr auto rest = std::chrono::seconds(1);  // what is seen first has the machine to itself
     std::unique_lock lock(m_mutex);
     for (;;) {
         std::optional<Job> job;
-        m_wake.wait(lock, [&] { return m_is_ending || (job = take_job()); });
+        const auto has_work = [&] { return m_is_ending || (job = take_job()); };
+        m_wake.wait(lock, [&] { return has_work() || (m_is_preparing && !m_is_prepared); });
+        const bool prepares = !m_is_ending && !job && !m_wake.wait_for(lock, rest, has_work);
         if (m_is_ending)
             break;
         lock.unlock();
-        LoadedRequest loaded = load(*job);
-        lock.lock();
-        keep(std::move(loaded));
-        lock.unlock();
-        load_picture_module();
+        if (job)
+            work_on(*job);
+        else if (prepares)
+            prepare();
         lock.lock();
     }
     m_finished.reset();
@@ -352,6 +418,26 @@ Result<Programs> Reloader::link(const Job& job, LoadedRequest& loaded) {
     if (!job.progress->is_cancelled())
         m_linked = *programs;
     return programs;
+}
+
+// Where the driver refuses such programs, what the author wrote goes on.
+LoadedRequest Reloader::load_settled(const Job& job) {
+    const SettledRequest& asked = *job.settled;
+    LoadedRequest loaded;
+    loaded.generation = job.generation;
+    loaded.whose = job.whose;
+    loaded.images = asked.images;
+    loaded.look = settled_look(asked.look, asked.values, [&asked](const Parameter& parameter) {
+        return asked.moving.contains(parameter.name);
+    });
+    auto programs =
+        build_programs(*loaded.look, job.shown.get(), nullptr, job.progress.get(), job.home);
+    if (!programs)
+        return loaded;
+    programs->tripwire = job.shown ? job.shown->tripwire : nullptr;
+    draw_first(job, job.shown.get(), *programs, loaded);
+    loaded.programs = std::move(*programs);
+    return loaded;
 }
 
 LoadedRequest Reloader::load(const Job& job) {

@@ -15,19 +15,22 @@
 #include <atomic>
 #include <condition_variable>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <thread>
 #include <utility>
 
 /// What became of one reading of a look.
 struct LoadedRequest {
-    /// Whose programs they are: of a look that is read, or of the open one with constants of its
-    /// texts turned, for the picture itself or for what it is compared with.
-    enum class Whose { look, turned, variant };
+    /// Whose programs they are: of a look that is read; of the open one with constants of its
+    /// texts turned, for the picture itself or for what it is compared with; or of the open one
+    /// with values in its texts.
+    enum class Whose { look, turned, variant, settled };
 
     OpenRequest request;
     bool is_reload = false;  // of the look that is open already
@@ -39,6 +42,14 @@ struct LoadedRequest {
     std::uint64_t generation = 0;  // of what was asked for
     Whose whose = Whose::look;
     bool is_warm = false;  // where it will be drawn each of its programs has been drawn with
+};
+
+/// The open look as it is to be drawn while these values rest.
+struct SettledRequest {
+    Look look;
+    Values values;
+    std::set<std::string> moving;  // parameters that stay uniforms
+    ImageTextures images;
 };
 
 /// Reads looks and links their programs on a thread of its own, and watches their files.
@@ -66,6 +77,12 @@ public:
     /// Makes the open look, which `request` names, with other constants. While one is being made
     /// only the newest waits; each that is made comes, also where another was asked for since.
     void turn(const OpenRequest& request, LoadedRequest::Whose whose);
+    /// Makes programs with values in their texts, beside all else and only while there is nothing
+    /// else to do; what was asked for before is dropped.
+    void settle(SettledRequest request);
+    void stop_settling();
+    /// What came of settle(), once.
+    std::optional<LoadedRequest> take_settled();
     /// Looks at the watched files and submits the look again when one has changed.
     /// Gives the watched extra files that changed (the open preset, a sound).
     std::vector<std::filesystem::path> update();
@@ -87,6 +104,11 @@ public:
     bool is_busy() const;
     /// Whether a look is being read, and not only turned.
     bool is_reading() const;
+    /// Called on the reloader's thread when take_finished() has something; before anything is asked
+    /// for.
+    void set_wake(std::function<void()> wake) { m_wake_owner = std::move(wake); }
+    /// A picture is seen or there will be none: what only later work needs is made ready.
+    void prepare_for_more();
     /// Whether nothing was asked for since.
     bool is_newest(const LoadedRequest& loaded) const { return loaded.generation == m_submitted; }
     /// How far what was asked for last has come.
@@ -108,7 +130,8 @@ private:
         LoadedRequest::Whose whose = LoadedRequest::Whose::look;
         std::shared_ptr<const Programs> shown = {};  // of the look that it is of; null: another
         std::shared_ptr<gpu::Context> home = {};
-        bool is_opening = false;  // then nobody draws in its home yet
+        bool is_opening = false;                             // then nobody draws in its home yet
+        std::shared_ptr<const SettledRequest> settled = {};  // null: it is read
     };
     /// What turn() asks for: one a picture.
     struct Turning {
@@ -118,13 +141,17 @@ private:
 
     void submit(OpenRequest request, bool is_reload);
     void run();
+    void work_on(const Job& job);
+    void prepare();
     std::optional<Job> take_job();
     void keep(LoadedRequest loaded);
     void drop_turning();
+    void drop_settling();
     Turning& turning(LoadedRequest::Whose whose) {
         return whose == LoadedRequest::Whose::turned ? m_turned : m_variant;
     }
     LoadedRequest load(const Job& job);
+    LoadedRequest load_settled(const Job& job);
     const Programs* known_for(const Job& job, const Look& look) const;
     Result<Programs> link(const Job& job, LoadedRequest& loaded);
     void draw_first(const Job& job, const Programs* known, Programs& programs,
@@ -143,6 +170,7 @@ private:
     std::vector<std::filesystem::path> m_look_files;
     std::vector<std::filesystem::path> m_extra_files;
     std::optional<OpenRequest> m_request;
+    std::function<void()> m_wake_owner;
     std::atomic<Extent> m_picture = Extent{1280, 720};
 
     mutable std::mutex m_mutex;
@@ -153,7 +181,11 @@ private:
     std::optional<LoadedRequest> m_finished;
     Turning m_turned;
     Turning m_variant;
-    std::shared_ptr<PassProgress> m_turning;  // of the one that is being made; null: none is
+    Turning m_settled;
+    std::shared_ptr<PassProgress> m_settling;  // of the one that is being made or waits
+    bool m_is_preparing = false;               // prepare_for_more() was asked for
+    bool m_is_prepared = false;                // the thread's
+    std::shared_ptr<PassProgress> m_turning;   // of the one that is being made; null: none is
     std::uint64_t m_submitted = 0;
     std::uint64_t m_completed = 0;
     bool m_is_ending = false;

@@ -61,6 +61,11 @@ Result<void> Renderer::replace(Whose whose, const Look& look, const Programs& pr
     return done;
 }
 
+void Renderer::settle(Programs programs, std::set<std::string> moving) {
+    drop_frame();
+    m_executor.settle(std::move(programs), std::move(moving));
+}
+
 Result<void> Renderer::resize(Extent picture, Extent source) {
     m_picture = picture;
     m_source = source;

@@ -28,6 +28,8 @@ public:
     enum class Whose { picture, variant };
     /// Of one of the two alone: their texts may have other constants.
     Result<void> replace(Whose whose, const Look& look, const Programs& programs);
+    /// The picture, as Executor::settle.
+    void settle(Programs programs, std::set<std::string> moving);
     void set_values(const Values& values);
     /// What moves by itself, over the time of the frames.
     void set_modulations(Modulations modulations) { m_modulations = std::move(modulations); }

@@ -118,6 +118,8 @@ std::map<std::string, double> remembered(const WindowState& window) {
     std::map<std::string, double> numbers{
         {"width", window.size.width},
         {"height", window.size.height},
+        {"view_width", window.views.picture.width},
+        {"view_height", window.views.picture.height},
         {"scale", window.scale},
         {"wipe_share", window.wipe_share},
         {"vsync", window.frame_rate.waits_for_display ? 1.0 : 0.0},
@@ -150,6 +152,10 @@ WindowState restored_window(const std::map<std::string, double>& numbers) {
     const auto height = whole(numbers, "height", 240.0, 16384.0);
     if (width && height)
         window.size = {*width, *height};
+    const auto view_width = whole(numbers, "view_width", 1.0, 16384.0);
+    const auto view_height = whole(numbers, "view_height", 1.0, 16384.0);
+    if (view_width && view_height)
+        window.views.picture = {*view_width, *view_height};
     const auto left = whole(numbers, "left", -32768.0, 32768.0);
     const auto top = whole(numbers, "top", -32768.0, 32768.0);
     if (left && top)

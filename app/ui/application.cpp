@@ -40,40 +40,46 @@ bool is_owing(const Lab& lab, const Views& views) {
     return owes_distances || owes_stops || views.is_owing();
 }
 
+/// What the window begins with.
+struct Start {
+    WindowState state;
+    FirstFile first_file = {};
+};
+
+// Opens what the command line names, else what was open last.
+void open_first(const WindowOptions& options, const Session& session, Lab& lab, Start& start) {
+    std::optional<std::string> look = options.look;
+    if (look && FirstFile::is_one(*look, lab)) {
+        note_use(start.state.recent_files, std::filesystem::absolute(*look).string());
+        start.first_file = FirstFile(*std::exchange(look, {}));
+    }
+    if (look)
+        lab.keep_unsaved(session);
+    start.state.first_steps.is_shown = session.look.empty();
+    lab.set_knobs(session.knobs);
+    lab.set_slots(session.slots);
+    lab.set_preset_stars(session.preset_stars);
+    if (!look)
+        restore(lab, session);
+    if (look || session.look.empty())
+        lab.open(look.value_or("phosphor"));
+}
+
 /// The window with all that runs in it, turn by turn.
 class Application {
 public:
-    Application(const WindowOptions& options, gpu::Window& window,
-                std::unique_ptr<gpu::Context> worker, Views views, HistoryPictures history_pictures,
-                WindowState state)
+    /// `lab` stays longer; a look is being opened in it.
+    Application(const WindowOptions& options, gpu::Window& window, Lab& lab, BuiltFonts fonts,
+                Views views, HistoryPictures history_pictures, Start start)
         : m_options(options),
           m_window(window),
-          m_toolkit(window),
-          m_lab(Library(options.roots), window, std::move(worker)),
+          m_toolkit(window, std::move(fonts)),
+          m_lab(lab),
+          m_first_file(std::move(start.first_file)),
           m_views(std::move(views)),
           m_history_pictures(std::move(history_pictures)),
-          m_state(std::move(state)),
+          m_state(std::move(start.state)),
           m_waker(m_lab.watch_descriptor(), [] { gpu::Window::wake(); }) {}
-
-    void start(const Session& session, const Diagnostics& warnings) {
-        if (!warnings.empty())
-            m_lab.say(warnings.front());
-        std::optional<std::string> look = m_options.look;
-        if (look && FirstFile::is_one(*look, m_lab)) {
-            note_use(m_state.recent_files, std::filesystem::absolute(*look).string());
-            m_first_file = FirstFile(*std::exchange(look, {}));
-        }
-        if (look)
-            m_lab.keep_unsaved(session);
-        m_state.first_steps.is_shown = session.look.empty();
-        m_lab.set_knobs(session.knobs);
-        m_lab.set_slots(session.slots);
-        m_lab.set_preset_stars(session.preset_stars);
-        if (!look)
-            restore(m_lab, session);
-        if (look || session.look.empty())
-            m_lab.open(look.value_or("phosphor"));
-    }
 
     void run() {
         SessionKeeper keeper(m_options.roots);
@@ -91,6 +97,7 @@ private:
     bool wait();  // whether a turn is due
     Extent view() const;
     void turn();
+    bool awaits_picture() const;
     bool is_attended(Clock::time_point now) const;
     void note_pace(double wall_seconds);
     void follow_remote();
@@ -103,7 +110,7 @@ private:
     gpu::Window& m_window;
     Toolkit m_toolkit;
     OutputWindow m_output;
-    Lab m_lab;
+    Lab& m_lab;
     FirstFile m_first_file;
     Views m_views;
     HistoryPictures m_history_pictures;
@@ -174,7 +181,7 @@ void Application::turn() {
     follow_remote();
     if (m_window.framebuffer_size().is_empty())
         return;  // minimised
-    if (m_lab.is_amid_frame() && !is_attended(now))
+    if ((m_lab.is_amid_frame() || awaits_picture()) && !is_attended(now))
         return;  // all there is of the machine for a look that takes long
     m_drawn = now;
     m_shelf.update(m_lab.library(), m_lab.document() ? &m_lab.document()->look() : nullptr,
@@ -197,11 +204,19 @@ void Application::note_pace(double wall_seconds) {
                   m_lab.is_moving() && m_state.frame_rate.wants_30(m_window.refresh_rate()));
 }
 
+// The first of all; the panels are there.
+bool Application::awaits_picture() const {
+    const bool is_coming = m_lab.is_loading() || m_lab.is_amid_frame();
+    return m_turn > 0 && is_coming && !(m_lab.renderer() && m_lab.renderer()->has_drawn());
+}
+
 // Whether a new frame of the panels would be missed: else they come a few times a second.
 bool Application::is_attended(Clock::time_point now) const {
     constexpr double now_and_then = 0.1;
-    return m_window.has_input() || m_toolkit.is_behind() || now < m_attended_until ||
-           m_lab.is_loading() || seconds_between(m_drawn, now) > now_and_then;
+    if (m_window.has_input() || m_toolkit.is_behind() ||
+        seconds_between(m_drawn, now) > now_and_then)
+        return true;
+    return !awaits_picture() && (now < m_attended_until || m_lab.is_loading());
 }
 
 void Application::follow_remote() {
@@ -297,22 +312,29 @@ gpu::WindowOptions geometry_of(const WindowState& state) {
 Result<void> run_window(const WindowOptions& options) {
     Diagnostics warnings;
     const Session session = load_session(options.roots, warnings);
-    WindowState state = restored_window(session.window);
-    auto window = gpu::Window::open(geometry_of(state));
+    Start start{restored_window(session.window)};
+    auto fonts = build_fonts_beside(fitted_scale(static_cast<float>(start.state.scale)));
+    auto window = gpu::Window::open(geometry_of(start.state));
     if (!window)
         return fail(window.error());
     auto worker = gpu::Context::shared_with(**window);
     if (!worker)
         return fail(worker.error());
+    Lab lab(Library(options.roots), **window, std::move(*worker));
+    lab.set_wake([] { gpu::Window::wake(); });
+    if (!start.state.views.picture.is_empty())
+        lab.set_view(start.state.views.picture);  // as it was, until the panels say how it is
+    if (!warnings.empty())
+        lab.say(warnings.front());
+    open_first(options, session, lab, start);
     auto views = Views::make();
     if (!views)
         return fail(views.error());
     auto history_pictures = HistoryPictures::make();
     if (!history_pictures)
         return fail(history_pictures.error());
-    Application application(options, **window, std::move(*worker), std::move(*views),
-                            std::move(*history_pictures), std::move(state));
-    application.start(session, warnings);
+    Application application(options, **window, lab, fonts.get(), std::move(*views),
+                            std::move(*history_pictures), std::move(start));
     application.run();
     return {};
 }

@@ -20,31 +20,45 @@ const ImWchar* glyphs() {
 }
 
 // ImGui's own face is a bitmap of 13 pixels; it stays sharp at whole multiples only.
-ImFont* add_built_in(float scale) {
+ImFont* add_built_in(ImFontAtlas& atlas, float scale) {
     ImFontConfig config;
     config.SizePixels = 13.0f * std::max(1.0f, std::round(scale));
-    return ImGui::GetIO().Fonts->AddFontDefault(&config);
+    return atlas.AddFontDefault(&config);
 }
 
-ImFont* add(const std::string& file, float height, float scale) {
+ImFont* add(ImFontAtlas& atlas, const std::string& file, float height, float scale) {
     if (file.empty())
-        return add_built_in(scale);
+        return add_built_in(atlas, scale);
     ImFontConfig config;
     config.OversampleH = 2;
     config.OversampleV = 1;
-    ImFont* font = ImGui::GetIO().Fonts->AddFontFromFileTTF(
-        file.c_str(), std::round(height * scale), &config, glyphs());
-    return font ? font : add_built_in(scale);
+    ImFont* font =
+        atlas.AddFontFromFileTTF(file.c_str(), std::round(height * scale), &config, glyphs());
+    return font ? font : add_built_in(atlas, scale);
 }
 }  // namespace
 
-Fonts load_fonts(float scale) {
-    ImGui::GetIO().Fonts->Clear();
+float fitted_scale(float wanted) {
+    constexpr float steps = 8.0f;
+    return std::clamp(std::round(wanted * steps) / steps, 0.5f, 4.0f);
+}
+
+BuiltFonts build_fonts(float scale) {
     const auto text = find_font_file({"Inter-Regular.otf", "Inter-Regular.ttf", "DejaVuSans.ttf"});
     const auto strong =
         find_font_file({"Inter-SemiBold.otf", "Inter-SemiBold.ttf", "DejaVuSans-Bold.ttf"});
     const auto numbers = find_font_file({"DejaVuSansMono.ttf", "Menlo.ttc"});
-    return {.text = add(text, text_height, scale),
-            .strong = add(strong, text_height, scale),
-            .numbers = add(numbers, number_height, scale)};
+    auto atlas = std::make_unique<ImFontAtlas>();
+    const Fonts fonts{.text = add(*atlas, text, text_height, scale),
+                      .strong = add(*atlas, strong, text_height, scale),
+                      .numbers = add(*atlas, numbers, number_height, scale)};
+    unsigned char* pixels = nullptr;
+    int width = 0;
+    int height = 0;
+    atlas->GetTexDataAsRGBA32(&pixels, &width, &height);  // it keeps them for who uploads them
+    return {std::move(atlas), fonts, scale};
+}
+
+std::future<BuiltFonts> build_fonts_beside(float scale) {
+    return std::async(std::launch::async, build_fonts, scale);
 }

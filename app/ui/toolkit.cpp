@@ -13,9 +13,10 @@
 #include <iterator>
 #include <limits>
 
-Toolkit::Toolkit(gpu::Window& window) : m_window(window) {
+Toolkit::Toolkit(gpu::Window& window, BuiltFonts fonts)
+    : m_window(window), m_fonts(std::move(fonts)) {
     IMGUI_CHECKVERSION();
-    ImGui::CreateContext();
+    ImGui::CreateContext(m_fonts.atlas.get());
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;  // the session keeps the window's arrangement
     io.LogFilename = nullptr;
@@ -39,7 +40,11 @@ void Toolkit::set_scale(float scale, float density) {
     m_density = density;
     ImGui::GetStyle() = theme::style();
     ImGui::GetStyle().ScaleAllSizes(scale);
-    m_fonts = load_fonts(scale * density);
+    if (m_fonts.scale != scale * density) {
+        BuiltFonts other = build_fonts(scale * density);
+        ImGui::GetIO().Fonts = other.atlas.get();
+        m_fonts = std::move(other);
+    }
     ImGui::GetIO().FontGlobalScale = 1.0f / density;
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
@@ -126,7 +131,7 @@ void Toolkit::begin(float scale) {
                               ? 1.0f
                               : static_cast<float>(pixels.width) / static_cast<float>(size.width);
     const float wanted = scale * m_window.content_scale() / density;
-    set_scale(std::clamp(std::round(wanted * 8.0f) / 8.0f, 0.5f, 4.0f), density);
+    set_scale(fitted_scale(wanted), density);
     ImGui_ImplOpenGL3_NewFrame();
     take_input();
     ImGui::NewFrame();

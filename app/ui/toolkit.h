@@ -12,7 +12,8 @@
 /// ImGui in a window: its context, its fonts and the two backends. One at a time.
 class Toolkit {
 public:
-    explicit Toolkit(gpu::Window& window);
+    /// `fonts` serve where their scale is the display's; else they are built anew.
+    Toolkit(gpu::Window& window, BuiltFonts fonts);
     ~Toolkit();
     Toolkit(const Toolkit&) = delete;
     Toolkit& operator=(const Toolkit&) = delete;
@@ -35,7 +36,7 @@ public:
     /// makes of their triangles does not count.
     double panel_milliseconds() const { return m_panel_milliseconds; }
 
-    const Fonts& fonts() const { return m_fonts; }
+    const Fonts& fonts() const { return m_fonts.fonts; }
     /// Where the pointer has been since the last frame, in order, in coordinates of the window.
     const std::vector<gpu::PointerEvent>& pointer_path() const { return m_pointer_path; }
     /// Coordinates of the window a pixel of the layout.
@@ -49,7 +50,7 @@ private:
 
     gpu::Window& m_window;
     InputQueue m_input;
-    Fonts m_fonts;
+    BuiltFonts m_fonts;
     Typing m_typing;
     std::vector<gpu::PointerEvent> m_pointer_path;
     bool m_has_input = false;

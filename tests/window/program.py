@@ -50,15 +50,18 @@ class Program:
         """The file that keeps what was open."""
         return self.folder / "state/afterglow/session.json"
 
+    def environment(self):
+        """The variables that the program is started with."""
+        return {**os.environ, "DISPLAY": self.screen.display, "HOME": str(self.folder),
+                "XDG_DATA_HOME": str(self.folder / "own"),
+                "XDG_STATE_HOME": str(self.folder / "state"),
+                "AFTERGLOW_DATA": str(self.folder / "data"),
+                "AFTERGLOW_STATE_FILE": str(self.state_file),
+                "VISUAL": str(self.folder / "editor"), "LIBGL_ALWAYS_SOFTWARE": "1"}
+
     def start(self, *arguments):
         self.state_file.unlink(missing_ok=True)
-        environment = {**os.environ, "DISPLAY": self.screen.display, "HOME": str(self.folder),
-                       "XDG_DATA_HOME": str(self.folder / "own"),
-                       "XDG_STATE_HOME": str(self.folder / "state"),
-                       "AFTERGLOW_DATA": str(self.folder / "data"),
-                       "AFTERGLOW_STATE_FILE": str(self.state_file),
-                       "VISUAL": str(self.folder / "editor"), "LIBGL_ALWAYS_SOFTWARE": "1"}
-        self.process = subprocess.Popen([self.executable, *arguments], env=environment)
+        self.process = subprocess.Popen([self.executable, *arguments], env=self.environment())
         return self.wait("a look is open and drawn", lambda s: s.get("look") and s["frame"] > 2)
 
     def state(self):

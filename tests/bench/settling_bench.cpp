@@ -1,0 +1,124 @@
+// What a frame of the window's picture costs while values rest and have become constants of the
+// programs, against the same look as it is while a hand turns something. CPU time of the process;
+// the yardstick is measured twice, and where the two differ a run says little.
+#include "bench/side_by_side.h"
+#include "lab/lab.h"
+#include "model/modulation.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <memory>
+
+namespace fs = std::filesystem;
+
+namespace {
+class SettlingBench {
+public:
+    explicit SettlingBench(const fs::path& folder) {
+        auto context = gpu::Context::headless();
+        auto worker = context ? gpu::Context::shared_with(**context) : fail(context.error());
+        if (!worker) {
+            fmt::print(stderr, "{}", to_string(worker.error()));
+            std::exit(EXIT_FAILURE);
+        }
+        m_context = std::move(*context);
+        Roots roots{AFTERGLOW_SOURCE_DIR, folder / "user", folder / "state", folder / "cache"};
+        m_lab = std::make_unique<Lab>(Library(std::move(roots)), *m_context, std::move(*worker));
+        m_lab->set_picture_size({false, {1280, 720}, 1.0});
+    }
+    ~SettlingBench() { m_lab.reset(); }
+    SettlingBench(const SettlingBench&) = delete;
+    SettlingBench& operator=(const SettlingBench&) = delete;
+
+    void open(const std::string& look) {
+        m_lab->open(look);
+        m_lab->update(0.0);
+        while (m_lab->is_loading() || !m_lab->renderer() || m_lab->player().frame_number() < 5)
+            frame();
+    }
+    double frame_milliseconds() {
+        constexpr int frames = 4;
+        const double start = bench::busy_seconds();
+        for (int i = 0; i < frames; ++i)
+            frame();
+        return 1e3 * (bench::busy_seconds() - start) / frames;
+    }
+    void settle() {
+        constexpr double longest = 0.1;  // of a turn, so that it need not be waited for
+        while (!m_lab->renderer()->executor().is_settled())
+            frame(longest);
+        frame();
+        frame();
+    }
+    /// As the first turn of a knob does; nothing that one could see.
+    void turn_a_knob() {
+        const Look& look = m_lab->document()->look();
+        const auto knob = std::ranges::find_if(look.parameters, [&](const Parameter& parameter) {
+            return why_unmodulated(look, parameter).empty();
+        });
+        m_lab->edit([&](Document& document) {
+            const double value = document.value(*knob).number();
+            document.set_value(knob->name, Value(value + (value > 0.5 ? -1e-5 : 1e-5)));
+            document.finish();
+        });
+        frame();
+    }
+    double first_turn_milliseconds() {
+        const double start = bench::busy_seconds();
+        turn_a_knob();
+        return 1e3 * (bench::busy_seconds() - start);
+    }
+
+private:
+    void frame(double seconds = 1.0 / 60.0) {
+        m_lab->update(seconds);
+        while (m_lab->is_amid_frame())
+            m_lab->update(0.0);
+        gpu::finish();
+    }
+
+    std::unique_ptr<gpu::Context> m_context;
+    std::unique_ptr<Lab> m_lab;
+};
+
+void measure(SettlingBench& bench, const std::string& look) {
+    constexpr int rounds = 5;
+    bench.open(look);
+    std::vector<double> own;
+    std::vector<double> settled;
+    std::vector<double> itself;
+    std::vector<double> turns;
+    for (int i = 0; i < rounds; ++i) {
+        bench.settle();
+        settled.push_back(bench.frame_milliseconds());
+        turns.push_back(bench.first_turn_milliseconds());
+        const double one = bench.frame_milliseconds();
+        const double other = bench.frame_milliseconds();
+        own.push_back((one + other) / 2.0);
+        itself.push_back(one / other);
+    }
+    const double unsettled = bench::median(own);
+    fmt::print(
+        "  {:<40} {:7.2f} ms   settled {:7.2f} ms   ratio {:.3f}   first turn {:7.2f} ms   itself "
+        "{:.3f}\n",
+        look, unsettled, bench::median(settled), bench::median(settled) / unsettled,
+        bench::median(turns), bench::median(itself));
+    std::fflush(stdout);
+}
+}  // namespace
+
+int main(int argc, char** argv) {
+    std::string name = (fs::temp_directory_path() / "afterglow-bench-XXXXXX").string();
+    const fs::path folder = mkdtemp(name.data());
+    fmt::print("A frame at 1280 x 720, values resting, CPU time:\n");
+    std::vector<std::string> looks(argv + 1, argv + argc);
+    if (looks.empty())
+        looks = {"phosphor", "presets/phosphor/crisp-lab-scope.json", "crt"};
+    for (const std::string& look : looks) {
+        SettlingBench bench(folder);
+        measure(bench, look);
+    }
+    fs::remove_all(folder);
+    return EXIT_SUCCESS;
+}
