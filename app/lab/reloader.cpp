@@ -1,6 +1,7 @@
 #include "lab/reloader.h"
 
 #include "formats/stack_format.h"
+#include "gpu/driver_cache.h"
 #include "graph/image_texture.h"
 #include "graph/settled_look.h"
 #include "io/picture_codec.h"
@@ -384,6 +385,9 @@ void Reloader::draw_first(const Job& job, const Programs* known, Programs& progr
         drawn.tripwire = nullptr;  // its uniforms are somebody else's now
     warm_up->draw({*loaded.look, drawn, known, loaded.images, m_picture, FirstDrawsOf::Size::whole},
                   *job.progress);
+    constexpr auto patience = std::chrono::milliseconds(500);
+    if (!is_at_home)
+        gpu::wait_for_driver_cache(patience);  // or the drawing context finds nothing there
     loaded.is_warm = is_at_home;
 }
 
