@@ -44,12 +44,16 @@ public:
             frame();
         return 1e3 * (bench::busy_seconds() - start) / frames;
     }
-    void settle() {
+    /// False where the driver refuses such programs.
+    bool settle() {
         constexpr double longest = 0.1;  // of a turn, so that it need not be waited for
-        while (!m_lab->renderer()->executor().is_settled())
+        constexpr int most_frames = 300;
+        int frames = 0;
+        while (!m_lab->renderer()->executor().is_settled() && ++frames < most_frames)
             frame(longest);
         frame();
         frame();
+        return frames < most_frames;
     }
     /// As the first turn of a knob does; nothing that one could see.
     void turn_a_knob() {
@@ -90,7 +94,10 @@ void measure(SettlingBench& bench, const std::string& look) {
     std::vector<double> itself;
     std::vector<double> turns;
     for (int i = 0; i < rounds; ++i) {
-        bench.settle();
+        if (!bench.settle()) {
+            fmt::print("  {:<40} does not settle\n", look);
+            return;
+        }
         settled.push_back(bench.frame_milliseconds());
         turns.push_back(bench.first_turn_milliseconds());
         const double one = bench.frame_milliseconds();
