@@ -12,6 +12,10 @@
 
 namespace fs = std::filesystem;
 
+namespace {
+constexpr auto cache_patience = std::chrono::milliseconds(500);
+}
+
 Reloader::Reloader(std::unique_ptr<gpu::Context> context, const gpu::Context& screen,
                    const Roots& roots)
     : m_shared_includes(roots.shared_includes()),
@@ -385,17 +389,22 @@ void Reloader::draw_first(const Job& job, const Programs* known, Programs& progr
         drawn.tripwire = nullptr;  // its uniforms are somebody else's now
     warm_up->draw({*loaded.look, drawn, known, loaded.images, m_picture, FirstDrawsOf::Size::whole},
                   *job.progress);
-    constexpr auto patience = std::chrono::milliseconds(500);
     if (!is_at_home)
-        gpu::wait_for_driver_cache(patience);  // or the drawing context finds nothing there
+        gpu::wait_for_driver_cache(cache_patience);  // or the drawing context finds nothing there
     loaded.is_warm = is_at_home;
 }
 
-// The views are the window's, in whatever home the look draws: what its driver keeps will do.
+// The views are the window's, in whatever home the look draws: what its driver keeps will do. The
+// first look of all is waited for, and nothing is seen that it could stop.
 void Reloader::look_first(const Look& look, const Values& values) {
+    if (!m_is_prepared)
+        return;
+    if (!m_first_views)
+        if (auto made = FirstViews::make())
+            m_first_views.emplace(std::move(*made));
     const auto plan = plan_targets(look, m_picture, expected_source, values);
-    if (m_first_views && plan)  // else the look itself will say why
-        m_first_views->look_at(look, *plan);
+    if (m_first_views && plan && m_first_views->look_at(look, *plan) > 0)
+        gpu::wait_for_driver_cache(cache_patience);
 }
 
 // Whose programs serve: for the open look those that it is drawn with, or newer ones beside them;
