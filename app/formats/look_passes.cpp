@@ -71,13 +71,56 @@ void read_size(ObjectReader& reader, const Look& look, Pass& pass) {
         read_side(size->children[i], reader, pass.size[i]);
 }
 
-void read_one_channel(ObjectReader& reader, Pass& pass) {
-    const JsonValue* when = reader.find("one_channel");
+// "": not there.
+std::string read_expression(ObjectReader& reader, const char* key, const char* example) {
+    const JsonValue* when = reader.find(key);
     if (!when || !reader.expect(*when, JsonValue::Kind::text))
-        return;
-    pass.one_channel = when->text;
+        return {};
     if (trim(when->text).empty())
-        reader.problem(*when, "\"one_channel\" must be an expression such as \"$mono\"");
+        reader.problem(*when,
+                       fmt::format("\"{}\" must be an expression such as \"{}\"", key, example));
+    return when->text;
+}
+
+bool reads_in_frame(const Pass& reader, const std::string& name) {
+    return std::ranges::any_of(reader.inputs, [&](const Input& input) {
+        return input.from == Input::From::pass && input.name == name && input.frames_ago == 0;
+    });
+}
+
+std::optional<std::string> problem_of_onto(const Look& look, const Pass& pass) {
+    const auto place = find_pass(look, pass.onto->pass);
+    if (!place)
+        return fmt::format("there is no pass '{}'{}", pass.onto->pass,
+                           did_you_mean(pass.onto->pass, pass_names(look)));
+    const Pass& host = look.passes[static_cast<std::size_t>(*place)];
+    const bool is_once = !pass.accumulate && pass.repeat == Count(1);
+    if (pass.blend != Blend::add || !is_once)
+        return "only a pass with \"blend\": \"add\" that is drawn once a frame can be drawn onto "
+               "another";
+    if (host.blend != Blend::replace || host.accumulate || host.onto)
+        return fmt::format(
+            "'{}' accumulates, blends or is drawn onto another, so nothing can be "
+            "drawn onto it",
+            host.name);
+    if (!reads_in_frame(host, pass.name))
+        return fmt::format("'{}' does not read '{}'", host.name, pass.name);
+    return std::nullopt;
+}
+
+void read_onto(ObjectReader& reader, Look& look, std::size_t index) {
+    const JsonValue* onto = reader.find("onto");
+    if (!onto || !reader.expect(*onto, JsonValue::Kind::object))
+        return;
+    ObjectReader members(*onto, reader.file(), reader.problems());
+    Pass& pass = look.passes[index];
+    const JsonValue* name = members.require("pass");
+    const JsonValue* where = members.require("where");
+    pass.onto = Onto{members.text("pass"), read_expression(members, "where", "1 - $is_squared")};
+    members.refuse_unknown();
+    if (name && where)
+        if (const auto problem = problem_of_onto(look, pass))
+            reader.problem(*onto, *problem);
 }
 
 void read_set(ObjectReader& reader, Pass& pass) {
@@ -160,7 +203,8 @@ Pass read_pass(ObjectReader& reader, LookFolder& folder, const Look& look, bool 
     const bool is_shown = is_last && look.output == Encoding::display;
     pass.format =
         reader.choice("format", format_words(), is_shown ? Format::rgba8 : Format::rgba16f);
-    read_one_channel(reader, pass);
+    pass.one_channel = read_expression(reader, "one_channel", "$mono");
+    pass.half_floats = read_expression(reader, "half_floats", "1 - $slow");
     read_size(reader, look, pass);
     pass.blend = reader.choice("blend", blend_words(), Blend::replace);
     if (pass.blend != Blend::replace && facts_of(pass.format).is_integer)
@@ -210,8 +254,10 @@ void read_passes(ObjectReader& reader, LookFolder& folder, Look& look) {
                                   : Pass{});
     }
     check_names(readers, look);
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < count; ++i)
         read_inputs(readers[i], look, i);
+    for (std::size_t i = 0; i < count; ++i) {
+        read_onto(readers[i], look, i);
         readers[i].refuse_unknown();
     }
 }

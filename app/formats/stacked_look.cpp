@@ -195,6 +195,8 @@ private:
         }
         for (auto& [uniform, parameter] : pass.rename)
             parameter.insert(0, scope);
+        if (pass.onto)
+            pass.onto->pass.insert(0, scope);
         if (auto* repeat = std::get_if<std::string>(&pass.repeat))
             *repeat = scope + *repeat;
         if (pass.converge)

@@ -14,6 +14,7 @@ const std::vector<BuiltinUniform>& builtin_uniforms() {
         {"u_samples", {Scalar::integer, 1, 1}},             // accumulated so far
         {"u_view", {Scalar::floating, 4, 4}},               // orbit: the object's turn
         {"u_camera", {Scalar::floating, 4, 4}},             // orbit: the camera's
+        {"u_drawn_onto", {Scalar::boolean, 1, 1}},          // see "onto" in look.json
     };
     return all;
 }

@@ -25,6 +25,8 @@ void lift_limits();
 
 /// How what is drawn next meets what is there. Alpha is unassociated.
 void set_blend(Blend blend);
+/// Colours are added; alpha stays what it is.
+void set_blend_onto();
 
 /// Three vertices without attributes.
 void draw_triangle();

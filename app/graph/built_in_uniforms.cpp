@@ -105,9 +105,9 @@ BuiltInUniforms::Numbers BuiltInUniforms::numbers_of(const Place& place, const F
             return {resolution(facts.extent_of(place.of)), 3};
         case BuiltIn::press:
             return {widened(frame.press.numbers()), 4};
-        case BuiltIn::samples:
-        case BuiltIn::view:
-        case BuiltIn::camera:
+        case BuiltIn::drawn_onto:
+            return {{facts.meets_drawn_onto ? 1.0 : 0.0}, 1};
+        default:  // samples are written draw by draw, turns with the parameters
             break;
     }
     return {{}, 0};

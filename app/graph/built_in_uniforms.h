@@ -17,6 +17,7 @@ struct PassFacts {
     Extent output;
     Extent source;
     RowOrder rows = RowOrder::bottom_first;  // of the target
+    bool meets_drawn_onto = false;           // as the plan has it
     std::function<Extent(const BoundInput&)> extent_of;
 };
 

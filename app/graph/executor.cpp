@@ -55,10 +55,12 @@ void Executor::prepare() {
 Result<void> Executor::replace(Look look, Programs programs) {
     const gpu::ContextScope scope(m_home.get());
     drop_frame();
+    if (pass_names(look) != pass_names(m_look))
+        m_seen.clear();
     if (auto made = m_keyboard.prepare(look); !made)
         return made;
     if (m_targets.size() > 0) {
-        auto plan = plan_targets(look, m_viewport, m_source_extent, m_values, m_largest_side);
+        auto plan = plan_targets(look, m_viewport, m_source_extent, m_values, plan_terms());
         if (!plan)
             return fail(plan.error());
         auto sound = SoundTextures::make(look);
@@ -68,6 +70,7 @@ Result<void> Executor::replace(Look look, Programs programs) {
         if (!targets)
             return fail(targets.error());
         m_plan = std::move(*plan);
+        m_order = draw_order(m_plan);
         m_targets = std::move(*targets);
         m_source.set_slots(m_plan.source_slots);
         m_sound = std::move(*sound);
@@ -97,7 +100,7 @@ Result<void> Executor::make_empty() {
 
 Result<void> Executor::resize(Extent viewport, Extent source) {
     const gpu::ContextScope scope(m_home.get());
-    auto plan = plan_targets(m_look, viewport, source, m_values, m_largest_side);
+    auto plan = plan_targets(m_look, viewport, source, m_values, plan_terms());
     if (!plan)
         return fail(plan.error());
     if (auto empty = make_empty(); !empty)
@@ -116,6 +119,7 @@ Result<void> Executor::resize(Extent viewport, Extent source) {
         m_sound = std::move(*sound);
         m_cubes = {};
         m_plan = std::move(*plan);
+        m_order = draw_order(m_plan);
         m_source.set_slots(m_plan.source_slots);
         ++m_picture_number;
         for (PassState& state : m_passes)

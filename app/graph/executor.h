@@ -74,6 +74,9 @@ public:
     /// What is done about each pass from the next frame on; empty: all are drawn. A frozen pass
     /// whose target holds nothing yet is drawn once.
     Result<void> set_runs(std::vector<PassRun> runs);
+    /// Passes whose own pictures somebody looks at from the next frame on; empty: all. The others
+    /// may share targets, and are then not what target() tells.
+    Result<void> set_seen(std::vector<bool> seen);
     /// Converted to the look's source_encoding. The source's size in a plan is resize's business.
     Result<void> set_source(const Picture& picture);
     /// For an image of the look, or an image parameter, by its name; flat or solid. Without it that
@@ -158,7 +161,8 @@ public:
     /// What the pass was told then.
     PassReport report(int pass) const;
     /// Read and written in a frame by the passes that are drawn, for a pixel of the picture; an
-    /// input counts where the program really reads it, points and segments count their target once.
+    /// input counts where the program really reads it, points and segments count their target once,
+    /// or not at all where they are drawn onto another's.
     double bytes_per_pixel() const;
     /// Passes on whose pictures, of any frame, that of one of `seen` depends, these included.
     /// Unlike needed_for() it knows which inputs the programs really read.
@@ -196,9 +200,14 @@ private:
     }
     void prepare();
     Result<void> make_empty();
+    PlanTerms plan_terms() const;
+    Result<void> plan_again() { return m_targets.size() > 0 ? resize_again() : Result<void>(); }
+    std::size_t host_of(std::size_t pass) const;  // whose target it is drawn onto; else its own
+    bool is_followed_onto(std::size_t pass) const;
     int repeats_of(const Pass& pass) const;
 
     void note_frame(const Frame& frame, const std::vector<bool>* only, bool is_again);
+    void draw_shared_whole();
     bool draws(Draw shape) const;  // in the present frame
     void move_on(bool is_unfinished);
     void draw_passes();
@@ -251,6 +260,8 @@ private:
     std::vector<PassState> m_passes;
     std::optional<Unsettled> m_unsettled;
     std::vector<PassRun> m_runs;
+    std::vector<bool> m_seen;
+    std::vector<std::size_t> m_order;           // in which passes are drawn
     std::optional<PassThrough> m_pass_through;  // from the first bypass on
     ParameterUniforms m_parameters;
     TargetSet m_targets;

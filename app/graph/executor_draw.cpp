@@ -29,6 +29,7 @@ void Executor::note_frame(const Frame& frame, const std::vector<bool>* only, boo
     m_work.passes.assign(m_passes.size(), only == nullptr);
     for (std::size_t i = 0; only && i < std::min(only->size(), m_passes.size()); ++i)
         m_work.passes[i] = (*only)[i];
+    draw_shared_whole();
     m_work.is_again = is_again;
     for (PassState& state : m_passes)
         state.whole_samples = state.samples;
@@ -43,6 +44,25 @@ void Executor::note_frame(const Frame& frame, const std::vector<bool>* only, boo
     m_drawn.tints = {};
     m_drawn.sound = nullptr;
     m_work.draw_calls = 0;
+}
+
+// What is drawn onto a target begins and ends with it.
+void Executor::draw_shared_whole() {
+    for (std::size_t guest = 0; guest < m_passes.size(); ++guest)
+        if (const std::size_t host = host_of(guest); host != guest)
+            m_work.passes[host] = m_work.passes[host] || m_work.passes[guest];
+    for (std::size_t guest = 0; guest < m_passes.size(); ++guest)
+        m_work.passes[guest] = m_work.passes[host_of(guest)];
+}
+
+std::size_t Executor::host_of(std::size_t pass) const {
+    return m_plan.targets[pass].onto.value_or(pass);
+}
+
+bool Executor::is_followed_onto(std::size_t pass) const {
+    const auto place = std::ranges::find(m_order, pass);
+    return place != m_order.end() && place + 1 != m_order.end() &&
+           host_of(place[1]) == host_of(pass);
 }
 
 bool Executor::draws(Draw shape) const {
@@ -68,9 +88,9 @@ void Executor::move_on(bool is_unfinished) {
 void Executor::draw_passes() {
     ++m_picture_number;
     const gpu::DrawScope scope;
-    for (std::size_t i = 0; i < m_passes.size(); ++i)
-        if (m_work.passes[i])
-            draw_pass(i);
+    for (const std::size_t pass : m_order)
+        if (m_work.passes[pass])
+            draw_pass(pass);
     look_behind_frame();
     m_samplers.release();
     m_draw_calls = m_work.draw_calls;
@@ -152,10 +172,13 @@ void Executor::end_draw(std::size_t index) {
 }
 
 void Executor::end_pass(std::size_t index) {
-    if (is_watched(index))
-        m_tripwire->look_at(index, m_targets[index].canvas(), m_drawn.number,
+    if (is_followed_onto(index))
+        return;
+    const std::size_t host = host_of(index);
+    if (is_watched(host))
+        m_tripwire->look_at(host, m_targets[host].canvas(), m_drawn.number,
                             m_guard == Guard::clamp);
-    m_targets[index].canvas().texture().generate_mipmaps();
+    m_targets[host].canvas().texture().generate_mipmaps();
 }
 
 PassFacts Executor::facts_of_pass(std::size_t index) const {
@@ -172,6 +195,7 @@ PassFacts Executor::facts_of_pass(std::size_t index) const {
             m_viewport,
             source,
             pass.rows,
+            meets_drawn_onto(m_look, m_plan, index),
             [this, source](const BoundInput& input) {
                 if (input.from == Input::From::pass && input.pass >= 0)
                     return m_plan.targets[static_cast<std::size_t>(input.pass)].extent;
@@ -217,6 +241,8 @@ PassReport Executor::report(int pass) const {
 
 // What a draw meets: the picture so far, or what changes nothing under the pass's blending.
 void Executor::start_target(std::size_t index, bool goes_on) {
+    if (host_of(index) != index)
+        return;
     const Pass& pass = m_look.passes[index];
     Target& target = m_targets[index];
     const bool is_whole = m_passes[index].covers_target;
@@ -231,8 +257,12 @@ void Executor::start_target(std::size_t index, bool goes_on) {
 // Where draws go from here on, and what they read.
 void Executor::aim(std::size_t index) {
     const Pass& pass = m_look.passes[index];
-    m_targets[index].canvas().bind();
-    gpu::set_blend(facts_of(pass.format).is_integer ? Blend::replace : pass.blend);
+    const std::size_t host = host_of(index);
+    m_targets[host].canvas().bind();
+    if (host != index)
+        gpu::set_blend_onto();
+    else
+        gpu::set_blend(facts_of(pass.format).is_integer ? Blend::replace : pass.blend);
     bind(m_passes[index]);
 }
 

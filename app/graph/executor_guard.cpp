@@ -29,7 +29,8 @@ bool Executor::is_remembered(std::size_t pass) const {
 }
 
 bool Executor::is_watched(std::size_t pass) const {
-    if (m_guard == Guard::off || !m_tripwire || !facts_of(m_plan.targets[pass].format).is_float)
+    if (m_guard == Guard::off || !m_tripwire || host_of(pass) != pass ||
+        !facts_of(m_plan.targets[pass].format).is_float)
         return false;
     const bool is_next = static_cast<std::size_t>(m_drawn.number) % m_passes.size() == pass;
     switch (m_guard) {

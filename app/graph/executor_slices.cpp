@@ -47,17 +47,17 @@ bool Executor::continue_frame(double seconds) {
         do {  // at least one band: a slice always goes on
             continue_pass(left);
             left = seconds - seconds_since(begun);
-        } while (m_work.pass < m_passes.size() && left > 0.0);
+        } while (m_work.pass < m_order.size() && left > 0.0);
         m_samplers.release();
     }
-    if (m_work.pass < m_passes.size())
+    if (m_work.pass < m_order.size())
         return false;
     finish_frame();
     return true;
 }
 
 void Executor::continue_pass(double seconds) {
-    const std::size_t index = m_work.pass;
+    const std::size_t index = m_order[m_work.pass];
     const bool is_drawn = m_work.passes[index];
     if (is_drawn && !m_work.has_begun_pass)
         m_work.has_begun_pass = begin_pass(index);

@@ -3,6 +3,26 @@
 
 #include <algorithm>
 
+Result<void> Executor::set_seen(std::vector<bool> seen) {
+    const gpu::ContextScope scope(m_home.get());
+    drop_frame();
+    std::swap(m_seen, seen);
+    auto planned = plan_again();
+    if (!planned)
+        std::swap(m_seen, seen);
+    return planned;
+}
+
+PlanTerms Executor::plan_terms() const {
+    std::vector<bool> kept(m_passes.size(), false);
+    for (std::size_t i = 0; i < kept.size(); ++i)
+        kept[i] = run_of(i) != PassRun::drawn;
+    std::vector<bool> seen = m_seen;
+    if (!seen.empty())
+        seen.resize(m_passes.size(), true);
+    return {m_largest_side, std::move(seen), std::move(kept)};
+}
+
 Result<void> Executor::set_runs(std::vector<PassRun> runs) {
     const gpu::ContextScope scope(m_home.get());
     if (!m_pass_through && std::ranges::find(runs, PassRun::bypassed) != runs.end()) {
@@ -15,7 +35,11 @@ Result<void> Executor::set_runs(std::vector<PassRun> runs) {
     std::vector<bool> changed(m_passes.size(), false);
     for (std::size_t i = 0; i < changed.size(); ++i)
         changed[i] = run_of(i) != (i < runs.size() ? runs[i] : PassRun::drawn);
-    m_runs = std::move(runs);
+    std::swap(m_runs, runs);
+    if (auto planned = plan_again(); !planned) {
+        std::swap(m_runs, runs);
+        return planned;
+    }
     restart_samples(changed);
     return {};
 }
@@ -41,6 +65,9 @@ std::vector<bool> Executor::read_for(const std::vector<bool>& seen) const {
         if (read[pass])
             continue;
         read[pass] = true;
+        for (std::size_t guest = 0; guest < m_plan.targets.size(); ++guest)
+            if (m_plan.targets[guest].onto == pass)
+                open.push_back(guest);
         for (const BoundInput& input : m_passes[pass].inputs)
             if (input.from == Input::From::pass && input.pass >= 0)
                 open.push_back(static_cast<std::size_t>(input.pass));
@@ -51,6 +78,8 @@ std::vector<bool> Executor::read_for(const std::vector<bool>& seen) const {
 double Executor::bytes_per_pixel() const {
     const auto bytes_of = [this](std::size_t pass) {
         const PlannedTarget& target = m_plan.targets[pass];
+        if (target.onto)
+            return 0.0;
         return static_cast<double>(target.extent.width) * target.extent.height *
                facts_of(target.format).bytes;
     };

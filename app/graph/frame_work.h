@@ -8,8 +8,8 @@
 struct FrameWork {
     std::vector<bool> passes;  // of the look; those that are drawn
     bool is_again = false;     // the frame was drawn before: history does not move
-    std::size_t pass = 0;
-    int first_draw = 0;  // of the pass
+    std::size_t pass = 0;      // place in the order of drawing
+    int first_draw = 0;        // of the pass
     int draw = 0;
     int draws = 0;  // up to this one
     int row = 0;    // of the draw

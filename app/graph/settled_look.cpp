@@ -14,7 +14,7 @@ bool can_settle(const Parameter& parameter) {
 }
 }  // namespace
 
-Look settled_look(Look look, const Values& values,
+Look settled_look(Look look, const Values& values, const Plan& plan,
                   const std::function<bool(const Parameter&)>& moves) {
     std::vector<Uniforms> uniforms(look.passes.size());
     for (const Parameter& parameter : look.parameters) {
@@ -27,6 +27,10 @@ Look settled_look(Look look, const Values& values,
                                                                                      value};
     }
     for (std::size_t i = 0; i < uniforms.size(); ++i) {
+        for (const BuiltInUniform& told : look.passes[i].built_ins)
+            if (told.says == BuiltIn::drawn_onto)
+                uniforms[i][told.name] = {{Scalar::boolean, 1, 1},
+                                          meets_drawn_onto(look, plan, i) ? 1.0 : 0.0};
         Pass& pass = look.passes[i];
         pass.vertex.text = settled_text(pass.vertex.text, uniforms[i]);
         pass.fragment.text = settled_text(pass.fragment.text, uniforms[i]);

@@ -7,8 +7,9 @@
 Result<Target> Target::make(const PlannedTarget& planned) {
     Target target;
     target.m_planned = planned;
+    const Extent extent = planned.onto ? Extent{1, 1} : planned.extent;
     for (int i = 0; i < planned.slots; ++i) {
-        auto canvas = gpu::Canvas::make(planned.extent, planned.format, planned.mipmapped);
+        auto canvas = gpu::Canvas::make(extent, planned.format, planned.mipmapped);
         if (!canvas)
             return fail(canvas.error());
         target.m_slots.push_back(std::move(*canvas));
@@ -50,7 +51,8 @@ void Target::take_spare() {
 void Target::make_room() {
     if (m_unfinished == Unfinished::no || m_spare)
         return;
-    if (auto made = gpu::Canvas::make(m_planned.extent, m_planned.format, m_planned.mipmapped)) {
+    const gpu::Texture& texture = m_slots.front().texture();
+    if (auto made = gpu::Canvas::make(texture.extent(), m_planned.format, m_planned.mipmapped)) {
         m_spare.emplace(std::move(*made));
         return;
     }
@@ -97,5 +99,6 @@ void Target::adopt(Target&& former) {
 }
 
 bool is_compatible(const PlannedTarget& a, const PlannedTarget& b) {
-    return a.extent == b.extent && a.format == b.format && a.mipmapped == b.mipmapped;
+    return a.onto.has_value() == b.onto.has_value() && a.extent == b.extent &&
+           a.format == b.format && a.mipmapped == b.mipmapped;
 }

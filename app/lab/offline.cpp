@@ -15,6 +15,7 @@
 #include "lab/naming.h"
 #include "lab/signal_file.h"
 #include "lab/trip_words.h"
+#include "model/parameter_use.h"
 #include "model/placing.h"
 #include "signals/kinds.h"
 
@@ -300,27 +301,41 @@ Result<void> Offline::settle(const std::vector<std::string>& seen) {
     });
     if (turns_texts || m_unsettled)
         return {};
-    const auto programs = build_programs(settled_look(
-        look, m_document.values(), [&](const Parameter& parameter) { return moves(parameter); }));
-    if (!programs)  // the driver knows better: what the author wrote goes on
-        return {};
-    m_unsettled = executor().programs();
-    if (auto done = m_renderer->replace(look, *programs); !done)
-        return done;
     std::vector<bool> is_seen(look.passes.size(), false);
     is_seen.back() = true;
     for (std::size_t i = 0; i < is_seen.size(); ++i)
         if (std::ranges::find(seen, look.passes[i].name) != seen.end())
             is_seen[i] = true;
+    if (!turns_sharing())
+        if (auto done = m_renderer->set_seen(is_seen); !done)
+            return done;
+    const auto programs =
+        build_programs(settled_look(look, m_document.values(), executor().plan(),
+                                    [&](const Parameter& parameter) { return moves(parameter); }));
+    if (!programs)  // the driver knows better: what the author wrote goes on
+        return m_renderer->set_seen({});
+    m_unsettled = executor().programs();
+    if (auto done = m_renderer->replace(look, *programs); !done)
+        return done;
     std::vector<PassRun> runs;
     for (const bool is_read : executor().read_for(is_seen))
         runs.push_back(is_read ? PassRun::drawn : PassRun::left_out);
     return m_renderer->set_runs(runs);
 }
 
+// Programs that are settled know of one plan.
+bool Offline::turns_sharing() const {
+    const Look& look = executor().look();
+    return std::ranges::any_of(look.parameters, [&](const Parameter& parameter) {
+        return moves(parameter) && decides_sharing(look, parameter);
+    });
+}
+
 Result<void> Offline::end_settled() {
     if (!m_unsettled)
         return {};
+    if (auto done = m_renderer->set_seen({}); !done)
+        return done;
     const Programs programs = *std::exchange(m_unsettled, std::nullopt);
     if (auto done = m_renderer->replace(executor().look(), programs); !done)
         return done;

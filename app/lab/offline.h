@@ -110,6 +110,7 @@ public:
 private:
     void take_values();
     bool moves(const Parameter& parameter) const;
+    bool turns_sharing() const;
     Result<void> end_settled();
     Result<void> follow_constants();
     void make_moves(double seconds);

@@ -45,6 +45,11 @@ public:
     const Values& drawn_values() const { return m_drawn_values; }
     /// As Executor::set_runs, of the variant too.
     Result<void> set_runs(const std::vector<PassRun>& runs);
+    /// As Executor::set_seen; of a variant all passes are.
+    Result<void> set_seen(std::vector<bool> seen) {
+        drop_frame();
+        return m_executor.set_seen(std::move(seen));
+    }
     /// What the pass has drawn is gone, of the variant too.
     void clear_history(int pass);
     Result<void> resize(Extent picture, Extent source);

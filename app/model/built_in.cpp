@@ -10,7 +10,8 @@ const std::vector<BuiltInUniform>& own_built_ins() {
                                                  {"u_mouse", BuiltIn::mouse},
                                                  {"u_samples", BuiltIn::samples},
                                                  {"u_view", BuiltIn::view},
-                                                 {"u_camera", BuiltIn::camera}};
+                                                 {"u_camera", BuiltIn::camera},
+                                                 {"u_drawn_onto", BuiltIn::drawn_onto}};
     return all;
 }
 

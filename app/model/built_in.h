@@ -18,6 +18,7 @@ enum class BuiltIn {
     mouse,          // from the bottom left of the picture
     view,           // orbit: the object's turn, a matrix
     camera,         // orbit: the camera's
+    drawn_onto,     // whether passes draw onto its target, or onto one that it reads
     frame_before,   // from 0, after the pass's modulo
     microseconds,   // since the frame before
     source_aspect,  // width to height, as it is to be seen

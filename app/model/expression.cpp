@@ -81,7 +81,11 @@ private:
     }
 
     double named() {
-        const std::string name = word();
+        std::string name = word();
+        if (m_at < m_text.size() && m_text[m_at] == '.') {  // a component
+            ++m_at;
+            name += '.' + word();
+        }
         const auto found = m_names.find(name);
         return found == m_names.end() ? stop("unknown name '$" + name + "'") : found->second;
     }

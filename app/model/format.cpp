@@ -50,6 +50,19 @@ std::optional<Format> one_channel_of(Format format) {
     }
 }
 
+std::optional<Format> half_floats_of(Format format) {
+    switch (format) {
+        case Format::r32f:
+            return Format::r16f;
+        case Format::rg32f:
+            return Format::rg16f;
+        case Format::rgba32f:
+            return Format::rgba16f;
+        default:
+            return std::nullopt;
+    }
+}
+
 std::optional<Format> parse_format(std::string_view name) {
     const auto& formats = all_formats();
     const auto found = std::find_if(formats.begin(), formats.end(),

@@ -43,4 +43,6 @@ const std::vector<FormatFacts>& all_formats();
 const FormatFacts& facts_of(Format format);
 /// The same numbers, but red alone; none for what has no such form.
 std::optional<Format> one_channel_of(Format format);
+/// The same channels in floats of 16 bits; none for what has no floats of 32.
+std::optional<Format> half_floats_of(Format format);
 std::optional<Format> parse_format(std::string_view name);

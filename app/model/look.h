@@ -47,6 +47,15 @@ enum class Draw { fullscreen, quad, points, segments };
 bool is_of_beam(Draw draw);
 enum class Blend { replace, add, alpha, multiply, maximum };
 
+/// A pass that reads another one and only adds it to what it draws itself. While an expression says
+/// so and nobody looks at either, the plan may have it drawn straight onto that pass's target.
+struct Onto {
+    std::string pass;
+    std::string where;  // the expression: it is allowed above 0
+
+    bool operator==(const Onto&) const = default;
+};
+
 /// One draw: a vertex and a fragment shader, inputs, one target.
 struct Pass {
     std::string name;
@@ -55,7 +64,9 @@ struct Pass {
     Stage fragment;
     Format format = Format::rgba16f;
     std::string one_channel = {};  // an expression: where it is above 0 only red is kept
+    std::string half_floats = {};  // likewise: where floats have 16 bits in the place of 32
     std::array<Side, 2> size;      // width, height
+    std::optional<Onto> onto = std::nullopt;
     Blend blend = Blend::replace;
     std::vector<Input> inputs;
     Values set;  // uniforms with a fixed value

@@ -39,7 +39,15 @@ bool is_used_by(const Look& look, std::size_t pass, const Parameter& parameter) 
     if (!name.starts_with(user.scope))
         return false;
     const std::string own = name.substr(user.scope.size());
-    return reads(user.one_channel, own) || follows(user, own);
+    return reads(user.one_channel, own) || reads(user.half_floats, own) ||
+           (user.onto && reads(user.onto->where, own)) || follows(user, own);
+}
+
+bool decides_sharing(const Look& look, const Parameter& parameter) {
+    return std::ranges::any_of(look.passes, [&](const Pass& pass) {
+        return pass.onto && parameter.name.starts_with(pass.scope) &&
+               reads(pass.onto->where, parameter.name.substr(pass.scope.size()));
+    });
 }
 
 bool is_idle(const Look& look, std::size_t pass, Extent extent) {

@@ -5,6 +5,9 @@
 /// Whether a pass uses a parameter: in its shaders, for its size, or for how often it draws.
 bool is_used_by(const Look& look, std::size_t pass, const Parameter& parameter);
 
+/// Whether it decides which passes are drawn onto another's target.
+bool decides_sharing(const Look& look, const Parameter& parameter);
+
 /// Whether parameters have made the pass, `extent` texels large, a single one: so looks do with
 /// passes that the picture is without at present.
 bool is_idle(const Look& look, std::size_t pass, Extent extent);

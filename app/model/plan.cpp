@@ -15,6 +15,7 @@ Look with_overrides(Look look, const PassOverrides& overrides) {
             if (own->second.format) {
                 pass.format = *own->second.format;
                 pass.one_channel.clear();
+                pass.half_floats.clear();
             }
             if (own->second.scale)
                 pass.size.fill({Side::By::viewport, *own->second.scale, {}});
@@ -88,48 +89,71 @@ Result<Extent> extent_of(const Pass& pass, const Extent& source, const Extent& b
                   std::max(1, static_cast<int>(std::lround(*height)))};
 }
 
-Result<Format> format_of(const Pass& pass, const Measures& measures) {
-    if (pass.one_channel.empty())
-        return pass.format;
-    const auto is_one = evaluate(pass.one_channel, measures.names_for(pass));
-    if (!is_one)
+// Whether an expression of the pass is above 0; an empty one never is.
+Result<bool> is_in_force(const std::string& expression, const char* key, const Pass& pass,
+                         const Measures& measures) {
+    if (expression.empty())
+        return false;
+    const auto value = evaluate(expression, measures.names_for(pass));
+    if (!value)
         return fail({pass.declared.file, pass.declared.line,
-                     fmt::format("\"one_channel\" of pass '{}': {}", pass.name,
-                                 is_one.error().front().message)});
-    return *is_one > 0.0 ? one_channel_of(pass.format).value_or(pass.format) : pass.format;
+                     fmt::format("\"{}\" of pass '{}': {}", key, pass.name,
+                                 value.error().front().message)});
+    return *value > 0.0;
+}
+
+Result<Format> format_of(const Pass& pass, const Measures& measures) {
+    const auto is_one = is_in_force(pass.one_channel, "one_channel", pass, measures);
+    if (!is_one)
+        return fail(is_one.error());
+    const auto is_half = is_in_force(pass.half_floats, "half_floats", pass, measures);
+    if (!is_half)
+        return fail(is_half.error());
+    const Format format = *is_one ? one_channel_of(pass.format).value_or(pass.format) : pass.format;
+    return *is_half ? half_floats_of(format).value_or(format) : format;
 }
 
 Measures measures_of(const Look& look, Extent viewport, Extent source, const Values& values) {
     Measures measures{viewport, source, {}};
-    for (const Parameter& parameter : look.parameters)
-        measures.values[parameter.name] = value_of(parameter, values).number();
+    for (const Parameter& parameter : look.parameters) {
+        const Value& value = value_of(parameter, values);
+        measures.values[parameter.name] = value.number();
+        for (std::size_t i = 0; i < value.numbers.size() && i < 4; ++i)
+            measures.values[parameter.name + '.' + "xyzw"[i]] = value.numbers[i];
+    }
     return measures;
 }
-}  // namespace
 
-Extent source_extent_of(const Look& look, const Pass& pass, const Plan& plan, Extent source) {
-    const auto read = pass.source.empty() ? std::nullopt : find_pass(look, pass.source);
-    const bool is_planned = read && static_cast<std::size_t>(*read) < plan.targets.size();
-    return is_planned ? plan.targets[static_cast<std::size_t>(*read)].extent : source;
+// The pass whose target it may share in this plan.
+Result<std::optional<std::size_t>> host_of(const Look& look, std::size_t guest,
+                                           const Measures& measures, const PlanTerms& terms) {
+    const Pass& pass = look.passes[guest];
+    const auto host = pass.onto ? find_pass(look, pass.onto->pass) : std::nullopt;
+    if (!host)
+        return std::nullopt;
+    const auto allowed = is_in_force(pass.onto->where, "onto", pass, measures);
+    if (!allowed)
+        return fail(allowed.error());
+    const auto at = static_cast<std::size_t>(*host);
+    if (!*allowed || terms.must_stand_alone(guest) || terms.must_stand_alone(at))
+        return std::nullopt;
+    return at;
 }
 
-Result<Plan> plan_targets(const Look& look, Extent viewport, Extent source, const Values& values,
-                          int largest_side) {
-    Plan plan;
-    const Measures measures = measures_of(look, viewport, source, values);
+Result<void> let_share(const Look& look, const Measures& measures, const PlanTerms& terms,
+                       Plan& plan) {
     for (std::size_t i = 0; i < look.passes.size(); ++i) {
-        const Pass& pass = look.passes[i];
-        const Extent read = source_extent_of(look, pass, plan, source);
-        const bool is_first = i == 0 || look.passes[i - 1].scope != pass.scope;
-        const auto extent = extent_of(pass, read, is_first ? read : plan.targets.back().extent,
-                                      measures, largest_side);
-        if (!extent)
-            return fail(extent.error());
-        const auto format = format_of(pass, measures);
-        if (!format)
-            return fail(format.error());
-        plan.targets.push_back({*extent, *format});
+        const auto host = host_of(look, i, measures, terms);
+        if (!host)
+            return fail(host.error());
+        if (*host)
+            plan.targets[i] = {plan.targets[**host].extent, plan.targets[**host].format, 1, false,
+                               **host};
     }
+    return {};
+}
+
+void add_lifetimes(const Look& look, Plan& plan) {
     for (const Pass& pass : look.passes) {
         for (const Input& input : pass.inputs) {
             if (input.from == Input::From::source)
@@ -144,7 +168,67 @@ Result<Plan> plan_targets(const Look& look, Extent viewport, Extent source, cons
             target.mipmapped = target.mipmapped || (input.sampler.mipmap && has_levels);
         }
     }
+}
+}  // namespace
+
+bool PlanTerms::must_stand_alone(std::size_t pass) const {
+    const bool is_seen = pass >= seen.size() || seen[pass];
+    return is_seen || (pass < kept.size() && kept[pass]);
+}
+
+Extent source_extent_of(const Look& look, const Pass& pass, const Plan& plan, Extent source) {
+    const auto read = pass.source.empty() ? std::nullopt : find_pass(look, pass.source);
+    const bool is_planned = read && static_cast<std::size_t>(*read) < plan.targets.size();
+    return is_planned ? plan.targets[static_cast<std::size_t>(*read)].extent : source;
+}
+
+Result<Plan> plan_targets(const Look& look, Extent viewport, Extent source, const Values& values,
+                          const PlanTerms& terms) {
+    Plan plan;
+    const Measures measures = measures_of(look, viewport, source, values);
+    for (std::size_t i = 0; i < look.passes.size(); ++i) {
+        const Pass& pass = look.passes[i];
+        const Extent read = source_extent_of(look, pass, plan, source);
+        const bool is_first = i == 0 || look.passes[i - 1].scope != pass.scope;
+        const auto extent = extent_of(pass, read, is_first ? read : plan.targets.back().extent,
+                                      measures, terms.largest_side);
+        if (!extent)
+            return fail(extent.error());
+        const auto format = format_of(pass, measures);
+        if (!format)
+            return fail(format.error());
+        plan.targets.push_back({*extent, *format});
+    }
+    add_lifetimes(look, plan);
+    if (auto shared = let_share(look, measures, terms, plan); !shared)
+        return fail(shared.error());
     return plan;
+}
+
+std::vector<std::size_t> draw_order(const Plan& plan) {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < plan.targets.size(); ++i) {
+        if (plan.targets[i].onto)
+            continue;
+        order.push_back(i);
+        for (std::size_t guest = 0; guest < plan.targets.size(); ++guest)
+            if (plan.targets[guest].onto == i)
+                order.push_back(guest);
+    }
+    return order;
+}
+
+bool meets_drawn_onto(const Look& look, const Plan& plan, std::size_t pass) {
+    const auto has_guest = [&plan](std::size_t host) {
+        return std::ranges::any_of(
+            plan.targets, [host](const PlannedTarget& target) { return target.onto == host; });
+    };
+    return has_guest(pass) ||
+           std::ranges::any_of(look.passes[pass].inputs, [&](const Input& input) {
+               const auto read = find_pass(look, input.name);
+               return input.from == Input::From::pass && read &&
+                      has_guest(static_cast<std::size_t>(*read));
+           });
 }
 
 namespace {
@@ -155,6 +239,8 @@ double bytes_of(const PlannedTarget& target) {
 }  // namespace
 
 std::size_t memory_of(const PlannedTarget& target) {
+    if (target.onto)
+        return static_cast<std::size_t>(facts_of(target.format).bytes);
     const double levels = target.mipmapped ? 4.0 / 3.0 : 1.0;
     return static_cast<std::size_t>(bytes_of(target) * target.slots * levels);
 }

@@ -28,6 +28,9 @@ struct PlannedTarget {
     Format format = Format::rgba16f;
     int slots = 1;           // pictures kept: the current one and those that some input still reads
     bool mipmapped = false;  // some input reads its smaller levels
+    // The place of the pass onto whose target it is drawn: then it has none of its own but a texel
+    // of transparent black, which whatever reads it gets, and extent and format are that target's.
+    std::optional<std::size_t> onto = std::nullopt;
 
     bool operator==(const PlannedTarget&) const = default;
 };
@@ -40,10 +43,26 @@ struct Plan {
     bool operator==(const Plan&) const = default;
 };
 
+/// What a plan depends on besides look, sizes and values.
+struct PlanTerms {
+    int largest_side = 16384;     // of a target, px
+    std::vector<bool> seen = {};  // passes whose own pictures somebody looks at; empty: all
+    std::vector<bool> kept = {};  // passes that draw nothing of their own; empty: none
+
+    bool must_stand_alone(std::size_t pass) const;
+};
+
 /// Sizes, formats and lifetimes of the targets for a picture of `viewport` pixels.
-/// Fails where an expression cannot be read or a target would be empty or past `largest_side`.
+/// Fails where an expression cannot be read or a target would be empty or too large.
 Result<Plan> plan_targets(const Look& look, Extent viewport, Extent source, const Values& values,
-                          int largest_side = 16384);
+                          const PlanTerms& terms = {});
+
+/// Passes by place, in the order in which they are drawn: those that are drawn onto another's
+/// target come right behind that one, the rest as the look has them.
+std::vector<std::size_t> draw_order(const Plan& plan);
+
+/// Whether something is drawn onto the target of the pass, or onto one that it reads.
+bool meets_drawn_onto(const Look& look, const Plan& plan, std::size_t pass);
 
 /// The size of what a pass's look reads as the source: of the picture `source`, or in a stack of
 /// the target of the look before.

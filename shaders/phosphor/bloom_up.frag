@@ -1,17 +1,18 @@
 #version 410 core
 // Bloom by a pyramid: back to twice the size. Linear light.
+#include "bloom_size.glsl"
 #include "bloom_width.glsl"
 #include "pyramid.glsl"
 
 uniform sampler2D own;      // of this size, on the way down
 uniform sampler2D smaller;  // on the way up
-uniform sampler2D reduced;  // what the pyramid stands on
 uniform int level;
+uniform vec2 u_output_resolution;
 
 out vec4 color;
 
 void main() {
-    float variance = bloom_variance(float(textureSize(reduced, 0).y));
-    float share = pyramid_share(level, variance);
+    float height = floor(u_output_resolution.y * bloom_size + 0.5);  // of what the pyramid stands on
+    float share = pyramid_share(level, bloom_variance(height));
     color = vec4(pyramid_widened(own, smaller, gl_FragCoord.xy, share), 1.0);
 }

@@ -6,6 +6,7 @@
 #include "composite_as_written.glsl"
 #include "glass.glsl"
 #include "graticule_light.glsl"
+#include "kept_light.glsl"
 #include "noise.glsl"
 #include "one_color.glsl"
 #include "tone_map_every_frame.glsl"
@@ -54,13 +55,13 @@ bool is_straight() {
 }
 
 vec3 light_at(vec2 at) {
-    return light_of(texture(phosphor, at).rgb) + bloom_intensity * light_of(texture(bloom, at).rgb);
+    return light_of(kept_light(phosphor, at)) + bloom_intensity * light_of(texture(bloom, at).rgb);
 }
 
 // Red and blue from either side: aberration / width of the picture, as a lens that bends them apart.
 vec3 fringed_light(vec2 at) {
     if (is_straight())
-        return light_of(texelFetch(phosphor, ivec2(gl_FragCoord.xy), 0).rgb) +
+        return light_of(kept_texel(phosphor, ivec2(gl_FragCoord.xy))) +
                bloom_intensity * light_of(texture(bloom, at).rgb);
     // Without aberration compilers see that all three are one reading.
     vec2 shift = aberration == 0.0 ? vec2(0.0) : vec2(aberration / u_resolution.x, 0.0);

@@ -1,13 +1,13 @@
 #version 410 core
 // Persistence: the phosphor's light. Linear, no upper end but the ceiling.
-// Custom: what glowed a frame ago, faded, and what the beam adds now; 32-bit floats, as half floats
-// stop fading at slow decays. A measured tube: the mean light of the frame, from what it held
+// Custom: what glowed a frame ago, faded, and what the beam adds now, unless it is drawn onto this
+// pass's target. 32-bit floats, as half floats stop fading at slow decays; see light_bits. A measured tube: the mean light of the frame, from what it held
 // before and from what the beam brought.
 #include "as_written.glsl"
 #include "ceiling.glsl"
-#include "color.glsl"
 #include "decay.glsl"
 #include "fresh.glsl"
+#include "kept_light.glsl"
 #include "one_color.glsl"
 #include "tone_map_every_frame.glsl"
 #include "tonemap.glsl"
@@ -16,21 +16,18 @@
 uniform sampler2D previous;  // this pass, a frame ago
 uniform sampler2D held;      // the charge that a measured tube held a frame ago
 uniform float u_time_delta;
+uniform int light_bits = 0;  // @items "32" "16 where it fades as truly"  @label "Light kept in bits"  @group "Phosphor"
+                             // @help "16 bits a channel are half the memory, and half the work for a graphics card. Slow fading needs 32, as steps finer than one part in 2048 are lost. So 16 are taken while what fades slowest loses a 64th or more in 1/240 s: for Decay up to 0.939. Measured tubes have 32."
 
 in vec2 uv;
 out vec4 color;
 
-// The brightest channel reaches the ceiling and takes the others along: the hue stays.
-vec3 saturated(vec3 light, float most) {
-    return light * min(1.0, most / max(brightest_channel(light), 1e-20));
-}
-
 vec3 custom_light() {
-    vec3 kept = texture(previous, uv).rgb;
-    vec3 fresh = fresh_at(uv).rgb;  // faded to the frame's end
-    float most = has_one_color() ? one_color_ceiling() : ceiling;
-    return as_written ? min(kept * decay + fresh, vec3(most))
-                      : saturated(kept * left_after(u_time_delta) + fresh, most);
+    vec3 kept = kept_texel(previous, ivec2(gl_FragCoord.xy)) *
+                (as_written ? vec3(decay) : left_after(u_time_delta));
+    if (u_drawn_onto)
+        return kept;
+    return below_ceiling(kept + fresh_at(uv).rgb);  // fresh light has faded to the frame's end
 }
 
 // Conserves: what a term held and was given is held on or is light. In frames shorter than 1/60 s a

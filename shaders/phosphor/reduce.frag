@@ -1,12 +1,12 @@
 #version 410 core
 // What the bloom is made of: the phosphor's light at a smaller size, at first the half. Linear light.
 
+#include "bloom_size.glsl"
+#include "kept_light.glsl"
 #include "one_color.glsl"
 
 uniform sampler2D image;
 uniform vec2 u_resolution;
-uniform float bloom_size = 0.5;    // @range 0.25 1  @limit 0.0625 1  @label "Resolution"  @unit "of the picture"  @group "Bloom"
-                                   // @help "Size of the picture that is blurred. The glow is as wide at any size; a smaller one is softer and faster. 0.5 is the article's."
 
 in vec2 uv;
 out vec4 color;
@@ -19,7 +19,7 @@ vec3 mean_light(vec2 at) {
     vec3 sum = vec3(0.0);
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j)
-            sum += texture(image, at + (vec2(i, j) - 0.5 * float(n - 1)) * apart).rgb;
+            sum += kept_light(image, at + (vec2(i, j) - 0.5 * float(n - 1)) * apart);
     return sum / float(n * n);
 }
 

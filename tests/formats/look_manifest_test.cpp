@@ -123,7 +123,7 @@ TEST_CASE("every key of a pass, an input and an image is read") {
         R"json({"name": "a", "fragment": "blur.frag", "scale": [2, 0.5], "scale_of": "source",
             "inputs": {"s": "source@2", "l": {"from": "noise", "wrap": "mirror"}, "o": {"from": "a@64", "filter": "nearest", "wrap": "border", "mipmap": true}},
             "rename": {"radius": "a_radius"}, "accumulate": true, "converge": 500, "repeat": 8, "frame_modulo": 60, "set": {"x": true, "m": [1, 0, 0, 1]}},
-           {"name": "b", "fragment": "blur.frag", "size": [320, "$HEIGHT / floor($pixels)"], "one_channel": "$mono", "repeat": "count", "accumulate": true, "converge": "enough"})json"));
+           {"name": "b", "fragment": "blur.frag", "size": [320, "$HEIGHT / floor($pixels)"], "one_channel": "$mono", "half_floats": "1 - $slow", "repeat": "count", "accumulate": true, "converge": "enough"})json"));
     REQUIRE(look.has_value());
     CHECK(look->default_source == "pattern:smpte");
     CHECK(look->source_encoding == Encoding::display);
@@ -151,6 +151,7 @@ TEST_CASE("every key of a pass, an input and an image is read") {
     CHECK(b.size[0] == Side{Side::By::pixels, 320.0, {}});
     CHECK(b.size[1] == Side{Side::By::expression, 1.0, "$HEIGHT / floor($pixels)"});
     CHECK(b.one_channel == "$mono");
+    CHECK(b.half_floats == "1 - $slow");
     CHECK(std::get<std::string>(b.repeat) == "count");
     CHECK(b.converge == Count("enough"));
 }
@@ -389,4 +390,42 @@ TEST_CASE("cut anywhere or changed at random, a manifest is read or refused at a
             for (const Diagnostic& reason : look.error())
                 CHECK(reason.line >= 1);
     }
+}
+
+namespace {
+std::string with_onto(const std::string& onto, const std::string& more = {},
+                      const std::string& host = {}) {
+    return look_with("", R"({"name": "light", "fragment": "blur.frag", )" + more + R"("onto": )" +
+                             onto + R"(},
+{"name": "glow", "fragment": "blur.frag", )" +
+                             host +
+                             R"("inputs": {"now": "light", "then": "glow@1"}},
+{"name": "show", "fragment": "blur.frag", "inputs": {"image": "glow"}})");
+}
+}  // namespace
+
+TEST_CASE("a pass says onto which one it may be drawn, and where") {
+    LookOnDisk disk;
+    const std::string onto = R"({"pass": "glow", "where": "1 - $apart"})";
+    const std::string adds = R"("blend": "add", )";
+    const auto look = disk.load(with_onto(onto, adds));
+    REQUIRE(look.has_value());
+    CHECK(look->passes[0].onto == Onto{"glow", "1 - $apart"});
+    CHECK_FALSE(look->passes[1].onto.has_value());
+
+    const std::string once =
+        "look.json:2: error: only a pass with \"blend\": \"add\" that is drawn once a frame can be "
+        "drawn onto another\n";
+    CHECK(disk.errors_of(with_onto(onto)) == once);
+    CHECK(disk.errors_of(with_onto(onto, adds + R"("repeat": 2, )")) == once);
+    CHECK(disk.errors_of(with_onto(onto, adds, R"("accumulate": true, )")) ==
+          "look.json:2: error: 'glow' accumulates, blends or is drawn onto another, so nothing can "
+          "be drawn onto it\n");
+    CHECK(disk.errors_of(with_onto(R"({"pass": "show", "where": "1"})", adds)) ==
+          "look.json:2: error: 'show' does not read 'light'\n");
+    CHECK(disk.errors_of(with_onto(R"({"pass": "glos", "where": "1"})", adds)) ==
+          "look.json:2: error: there is no pass 'glos' (did you mean 'glow'?)\n");
+    CHECK(disk.errors_of(with_onto(R"({"pass": "glow", "where": " ", "wher": 1})", adds)) ==
+          "look.json:2: error: \"where\" must be an expression such as \"1 - $is_squared\"\n"
+          "look.json:2: error: unknown key \"wher\" (did you mean 'where'?)\n");
 }

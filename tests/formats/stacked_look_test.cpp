@@ -176,3 +176,13 @@ TEST_CASE("what lies before a look that reads no picture is not drawn, and that 
     CHECK(warnings[0].message ==
           "'crt' is not seen: 'scope', which comes after it, does not work on a picture");
 }
+
+TEST_CASE("in a stack a pass is drawn onto one of its own look") {
+    Look scope = signal_look("scope");
+    scope.passes[0].onto = Onto{"glow", "1"};
+    Pass glow;
+    glow.name = "glow";
+    scope.passes.push_back(glow);
+    const Look look = stacked({scope, picture_look("crt", Encoding::linear, Encoding::linear)});
+    CHECK(look.passes[0].onto == Onto{"scope/glow", "1"});
+}

@@ -96,3 +96,45 @@ TEST_CASE("what moves stays a uniform of settled programs, and the next start ca
     turned->advance();
     CHECK(turned->picture().pixels[0] == 7.0f);
 }
+
+TEST_CASE("every preset of Phosphor is the same picture where nobody looks at its passes") {
+    constexpr Extent size{160, 120};
+    int sharing = 0;
+    for (const auto& file : std::filesystem::directory_iterator(
+             std::filesystem::path(AFTERGLOW_SOURCE_DIR) / "presets" / "phosphor")) {
+        const std::string preset = file.path().stem().string();
+        CAPTURE(preset);
+        const RenderRequest request{.look = "phosphor",
+                                    .preset = preset,
+                                    .values = {{"dither", "0"}, {"bloom_intensity", "0"}},
+                                    .size = size};
+        Offline apart = opened(request);
+        Offline together = opened(request);
+        REQUIRE(together.settle().has_value());
+        const auto& targets = together.executor().plan().targets;
+        sharing += static_cast<int>(std::ranges::count_if(
+            targets, [](const PlannedTarget& target) { return target.onto.has_value(); }));
+        for (int i = 0; i < 6; ++i) {
+            apart.advance();
+            together.advance();
+        }
+        const auto difference = difference_between(apart.picture(), together.picture(), 0.0);
+        REQUIRE(difference.has_value());
+        CHECK(difference->psnr_db >= 60.0);
+    }
+    CHECK(sharing >= 5);
+}
+
+TEST_CASE("what moves may decide who shares a target: then nobody does") {
+    const TemporaryFolder folder;
+    folder.write("moves.txt", "0.02 beam_kind Segments\n");
+    auto roots = find_roots(AFTERGLOW_SOURCE_DIR);
+    REQUIRE(roots.has_value());
+    auto prepared = prepare({.look = "phosphor", .moves = (folder.path() / "moves.txt").string()},
+                            Library(std::move(*roots)));
+    REQUIRE_MESSAGE(prepared.has_value(), (prepared ? "" : to_string(prepared.error())));
+    auto offline = Offline::create(std::move(*prepared), {32, 32}, 60.0);
+    REQUIRE(offline.has_value());
+    REQUIRE(offline->settle().has_value());
+    CHECK_FALSE(offline->executor().plan().targets[0].onto.has_value());
+}

@@ -41,7 +41,7 @@ Look scope() {
 }
 
 std::string problem(const Look& look, Extent viewport = {100, 50}) {
-    const auto plan = plan_targets(look, viewport, {}, {}, 1000);
+    const auto plan = plan_targets(look, viewport, {}, {}, {.largest_side = 1000});
     REQUIRE_FALSE(plan.has_value());
     return to_string(plan.error().front());
 }
@@ -76,7 +76,7 @@ TEST_CASE("a size that no texture can have is refused at the pass's line") {
     Look look;
     look.passes = {pass("big")};
     look.passes[0].size.fill({Side::By::pixels, 1000, {}});
-    CHECK(plan_targets(look, {1, 1}, {}, {}, 1000).has_value());
+    CHECK(plan_targets(look, {1, 1}, {}, {}, {.largest_side = 1000}).has_value());
     look.passes[0].size[1].factor = 1001;
     CHECK(problem(look) ==
           "look.json:7: error: pass 'big' would be 1000 x 1001 px; a side is 1 to 1000 px");
@@ -229,4 +229,73 @@ TEST_CASE("a person's override reaches the pass and whoever reads it") {
     CHECK(look.passes[2].inputs[0].sampler.filter == Filter::nearest);
     CHECK(look.passes[3].inputs[1].sampler.filter == Filter::linear);
     CHECK(with_overrides(scope(), {}) == scope());
+}
+
+namespace {
+// The beam may be drawn onto the persistence while the knob `plain` is above 0.
+Look sharing_scope() {
+    Look look = scope();
+    look.passes[0].onto = Onto{"persistence", "$plain"};
+    look.passes[0].format = Format::rgba32f;
+    look.passes[1].format = Format::rgba16f;
+    look.parameters.push_back(knob("plain", 1, {}));
+    return look;
+}
+
+Plan sharing_plan(const PlanTerms& terms, double plain = 1.0) {
+    return plan_targets(sharing_scope(), {100, 10}, {}, {{"plain", plain}}, terms).value();
+}
+}  // namespace
+
+TEST_CASE("a pass is drawn onto another's target while its look allows it and nobody looks") {
+    const PlanTerms last_seen{.seen = {false, false, false, true}};
+    const Plan shared = sharing_plan(last_seen);
+    CHECK(shared.targets[0] == PlannedTarget{{100, 10}, Format::rgba16f, 1, false, 1});
+    CHECK(draw_order(shared) == std::vector<std::size_t>{1, 0, 2, 3});
+    CHECK(meets_drawn_onto(sharing_scope(), shared, 1));
+    CHECK(meets_drawn_onto(sharing_scope(), shared, 2));
+    CHECK_FALSE(meets_drawn_onto(sharing_scope(), shared, 0));
+    const Plan apart = sharing_plan({});
+    CHECK(apart.targets[0] == PlannedTarget{{100, 10}, Format::rgba32f});
+    CHECK(draw_order(apart) == std::vector<std::size_t>{0, 1, 2, 3});
+    CHECK_FALSE(meets_drawn_onto(sharing_scope(), apart, 1));
+    // 16 bytes a texel of the beam; in its place one texel of 8.
+    CHECK(memory_of(apart) - memory_of(shared) == 100 * 10 * 16 - 8);
+
+    CHECK(sharing_plan(last_seen, 0.0) == apart);
+    CHECK(sharing_plan({.seen = {true, false, false, true}}) == apart);
+    CHECK(sharing_plan({.seen = {false, true, false, true}}) == apart);
+    CHECK(sharing_plan({.seen = last_seen.seen, .kept = {true}}) == apart);
+    CHECK(sharing_plan({.seen = last_seen.seen, .kept = {false, true, false, false}}) == apart);
+}
+
+TEST_CASE("whether passes share targets is told of the parameter that decides it") {
+    Look look = sharing_scope();
+    CHECK(decides_sharing(look, look.parameters.back()));
+    CHECK_FALSE(decides_sharing(look, look.parameters.front()));
+    CHECK(is_used_by(look, 0, look.parameters.back()));
+    look.passes[0].onto->where = "$plan";
+    CHECK(problem(look) == "look.json:7: error: \"onto\" of pass 'beam': unknown name '$plan'");
+}
+
+TEST_CASE("floats have half their bits where the look says so, by any component of a value") {
+    Look look;
+    look.passes = {pass("light")};
+    look.passes[0].format = Format::rgba32f;
+    look.passes[0].half_floats = "$speed.y - 2";
+    look.parameters = {knob("speed", 0.0, {})};
+    const auto format = [&look](double x, double y) {
+        return plan_targets(look, {8, 8}, {}, {{"speed", Value({x, y, 0.0})}})
+            .value()
+            .targets[0]
+            .format;
+    };
+    CHECK(format(5.0, 1.0) == Format::rgba32f);
+    CHECK(format(0.0, 3.0) == Format::rgba16f);
+    look.passes[0].one_channel = "$speed";
+    CHECK(format(1.0, 3.0) == Format::r16f);
+    CHECK(is_used_by(look, 0, look.parameters[0]));
+    look.passes[0].half_floats = "$speed.w";
+    CHECK(problem(look) ==
+          "look.json:7: error: \"half_floats\" of pass 'light': unknown name '$speed.w'");
 }

@@ -1,0 +1,81 @@
+#pragma once
+
+#include "bench/side_by_side.h"
+#include "lab/offline.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace bench {
+
+using ValueTexts = std::vector<std::pair<std::string, std::string>>;
+
+[[noreturn]] inline void give_up(const Diagnostics& problems) {
+    fmt::print(stderr, "{}", to_string(problems));
+    std::exit(EXIT_FAILURE);
+}
+
+template <class T>
+T wanted(Result<T> result) {
+    if (!result)
+        give_up(result.error());
+    return std::move(*result);
+}
+
+/// A preset of Phosphor as the program draws it, and the article's points for the plain programs.
+struct Engine {
+    Offline offline;
+    Player player;
+
+    Engine(const std::string& preset, const ValueTexts& values, Extent extent,
+           const std::vector<std::string>& seen = {})
+        : offline(made(preset, values, extent)) {
+        if (auto set = player.set_signal(offline.document().state().signal); !set)
+            give_up(set.error());
+        if (auto off = offline.set_guard(Executor::Guard::off); !off)
+            give_up(off.error());
+        if (auto settled = offline.settle(seen); !settled)
+            give_up(settled.error());
+    }
+
+    Beam points() { return player.trace(player.advance_fixed(60.0).span); }
+    void draw() { offline.advance(); }
+
+private:
+    static Offline made(const std::string& preset, const ValueTexts& values, Extent extent) {
+        RenderRequest request;
+        request.look = "phosphor";
+        request.preset = preset;
+        request.values = values;
+        request.size = extent;
+        const Library library(wanted(find_roots(AFTERGLOW_SOURCE_DIR)));
+        return wanted(Offline::create(wanted(prepare(request, library)), extent, 60.0));
+    }
+};
+
+/// Of red, per pixel of the full picture.
+struct Spread {
+    double energy = 0.0;
+    double variance = 0.0;  // px^2, of one axis
+};
+
+inline Spread spread_of(const Picture& picture, Extent full) {
+    const double step = static_cast<double>(full.width) / picture.extent.width;
+    double sum = 0.0;
+    std::array<double, 4> moments{};
+    for (int y = 0; y < picture.extent.height; ++y)
+        for (int x = 0; x < picture.extent.width; ++x) {
+            const auto light = static_cast<double>(picture.pixels[picture.index(x, y)]);
+            sum += light;
+            const std::array terms{step * x, step * y, step * step * x * x, step * step * y * y};
+            for (std::size_t i = 0; i < terms.size(); ++i)
+                moments[i] += light * terms[i];
+        }
+    const double x = moments[0] / sum;
+    const double y = moments[1] / sum;
+    return {sum * step * step, 0.5 * ((moments[2] + moments[3]) / sum - x * x - y * y)};
+}
+
+}  // namespace bench
