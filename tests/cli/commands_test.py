@@ -302,7 +302,7 @@ class Describing(ProgramTest):
         document = json.loads(run("describe", "phosphor", "--json", "--size", "640x360").stdout)
         passes = {one["name"]: one for one in document["passes"]}
         self.assertEqual(list(passes), ["beam", "segments", "excitation", "persistence", "reduced", "bloom_x", "bloom_down_1", "bloom_down_2", "bloom_down_3",
-                                        "bloom_down_4", "bloom_up_3", "bloom_up_2", "bloom_up_1", "bloom_y", "composite"])
+                                        "bloom_down_4", "bloom_down_5", "bloom_up_4", "bloom_up_3", "bloom_up_2", "bloom_up_1", "bloom_y", "composite"])
         self.assertEqual((passes["bloom_x"]["width"], passes["bloom_x"]["height"]), (320, 180))
         inputs = {one["name"]: one["from"] for one in passes["persistence"]["inputs"]}
         self.assertEqual((inputs["current"], inputs["previous"]), ("beam", "persistence@1"))
@@ -346,7 +346,7 @@ class Measuring(ProgramTest):
         self.assert_done(result)
         document = json.loads(result.stdout)
         self.assertGreater(document["frame"]["cpu_ms"], 0)
-        self.assertEqual(len(document["passes"]), 15)
+        self.assertEqual(len(document["passes"]), 17)
         self.assertEqual(document["draw_calls"], 6)  # without what the picture does not need
         self.assertTrue(document["renderer"])
 
