@@ -46,6 +46,7 @@ void Lab::follow_settling(double wall_seconds) {
         m_settling.is_asked = true;
         m_reloader.settle({.look = m_document->drawn_look(),
                            .values = m_settling.values,
+                           .plan = m_renderer->executor().plan(),
                            .moving = moving_in(m_settling.modulations),
                            .images = m_images});
     }

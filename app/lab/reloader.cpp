@@ -440,9 +440,9 @@ LoadedRequest Reloader::load_settled(const Job& job) {
     loaded.generation = job.generation;
     loaded.whose = job.whose;
     loaded.images = asked.images;
-    loaded.look = settled_look(asked.look, asked.values, [&asked](const Parameter& parameter) {
-        return asked.moving.contains(parameter.name);
-    });
+    loaded.look = settled_look(
+        asked.look, asked.values, asked.plan,
+        [&asked](const Parameter& parameter) { return asked.moving.contains(parameter.name); });
     auto programs =
         build_programs(*loaded.look, job.shown.get(), nullptr, job.progress.get(), job.home);
     if (!programs)

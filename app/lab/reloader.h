@@ -48,6 +48,7 @@ struct LoadedRequest {
 struct SettledRequest {
     Look look;
     Values values;
+    Plan plan;
     std::set<std::string> moving;  // parameters that stay uniforms
     ImageTextures images;
 };
