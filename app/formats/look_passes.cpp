@@ -123,6 +123,27 @@ void read_onto(ObjectReader& reader, Look& look, std::size_t index) {
             reader.problem(*onto, *problem);
 }
 
+void read_spot(ObjectReader& reader, Pass& pass) {
+    const JsonValue* spot = reader.find("spot");
+    if (!spot)
+        return;
+    if (pass.draw != Draw::segments)
+        return reader.problem(*spot, "only a pass that draws segments has a \"spot\"");
+    if (!spot->is(JsonValue::Kind::array) || spot->children.size() != 2)
+        return reader.problem(*spot, "\"spot\" must be a list of two: [across, up]");
+    for (std::size_t i = 0; i < 2; ++i) {
+        const JsonValue& length = spot->children[i];
+        if (length.is(JsonValue::Kind::number) && length.number >= 0.0)
+            pass.spot[i] = fmt::format("{:.12f}", length.number);
+        else if (length.is(JsonValue::Kind::text) && !trim(length.text).empty())
+            pass.spot[i] = length.text;
+        else
+            reader.problem(length,
+                           "a length of \"spot\" must be a number from 0 on or an expression such "
+                           "as \"2 * $spot_px / $HEIGHT\"");
+    }
+}
+
 void read_set(ObjectReader& reader, Pass& pass) {
     const JsonValue* set = reader.find("set");
     if (!set || !reader.expect(*set, JsonValue::Kind::object))
@@ -206,6 +227,7 @@ Pass read_pass(ObjectReader& reader, LookFolder& folder, const Look& look, bool 
     pass.one_channel = read_expression(reader, "one_channel", "$mono");
     pass.half_floats = read_expression(reader, "half_floats", "1 - $slow");
     read_size(reader, look, pass);
+    read_spot(reader, pass);
     pass.blend = reader.choice("blend", blend_words(), Blend::replace);
     if (pass.blend != Blend::replace && facts_of(pass.format).is_integer)
         reader.problem(*reader.find("blend"), "a target of whole numbers cannot be blended");

@@ -1,5 +1,7 @@
 #include "graph/beam_buffer.h"
 
+#include "graph/merge_segments.h"
+
 #include <cstddef>
 
 void BeamBuffer::advance(const Frame& frame) {
@@ -14,7 +16,8 @@ void BeamBuffer::clear() {
     m_last.reset();
 }
 
-void BeamBuffer::write(const Frame& frame, bool has_points, bool has_segments) {
+void BeamBuffer::write(const Frame& frame, bool has_points,
+                       const std::optional<BeamSpot>& segments) {
     m_point_count = static_cast<int>(frame.beam.size());
     m_has_tints = !frame.tints.empty() && frame.tints.size() == frame.beam.size();
     m_tints.of_points = m_has_tints ? frame.tints : std::span<const BeamTint>();
@@ -23,10 +26,10 @@ void BeamBuffer::write(const Frame& frame, bool has_points, bool has_segments) {
         if (m_has_tints)
             m_point_tint_buffer.write(std::as_bytes(frame.tints));
     }
-    if (!has_segments)
+    if (!segments)
         return;
     make_segments(frame.beam, m_before, m_segments, m_tints);
-    join_straight(m_segments, m_tints);
+    merge_segments(m_segments, m_tints, *segments);
     m_segment_buffer.write(std::as_bytes(std::span(m_segments)));
     if (m_has_tints)
         m_segment_tint_buffer.write(std::as_bytes(std::span(m_tints.of_segments)));

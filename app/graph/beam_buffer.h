@@ -12,8 +12,9 @@ public:
     void advance(const Frame& frame);
     /// Forgets the frames before.
     void clear();
-    /// Makes the vertices that the draw modes in use need.
-    void write(const Frame& frame, bool has_points, bool has_segments);
+    /// Makes the vertices that the draw modes in use need: points, and segments for the smallest
+    /// spot that these are drawn with.
+    void write(const Frame& frame, bool has_points, const std::optional<BeamSpot>& segments);
 
     /// The attributes of a program of a `draw` pass.
     gpu::VertexArray vertices_for(const gpu::Program& program, Draw draw) const;

@@ -77,6 +77,7 @@ Result<void> Executor::replace(Look look, Programs programs) {
     }
     m_cubes = {};
     m_unsettled.reset();
+    m_spots.clear();
     m_look = std::move(look);
     m_programs = std::move(programs);
     ++m_picture_number;
@@ -128,6 +129,7 @@ Result<void> Executor::resize(Extent viewport, Extent source) {
     }
     m_viewport = viewport;
     m_source_extent = source;
+    m_spots.clear();
     return {};
 }
 
@@ -137,9 +139,11 @@ void Executor::set_values(const Values& values) {
     for (const Parameter& parameter : m_look.parameters)
         if (value_of(parameter, m_values) != value_of(parameter, values))
             changed.push_back(parameter.name);
-    if (!changed.empty())
+    if (!changed.empty()) {
         restart_samples(redraw_after(m_look, changed).passes);
-    end_settled_if_moved(changed);
+        end_settled_if_moved(changed);
+        m_spots.clear();
+    }
     m_values = values;
     m_parameters.write(m_look, m_values);
 }

@@ -208,7 +208,9 @@ private:
 
     void note_frame(const Frame& frame, const std::vector<bool>* only, bool is_again);
     void draw_shared_whole();
-    bool draws(Draw shape) const;  // in the present frame
+    bool draws(std::size_t pass, Draw shape) const;  // in the present frame
+    bool draws_points() const;
+    std::optional<BeamSpot> smallest_spot();  // none where no segments are drawn
     void move_on(bool is_unfinished);
     void draw_passes();
     void draw_pass(std::size_t pass);
@@ -256,6 +258,7 @@ private:
     Extent m_viewport;
     Extent m_source_extent;
     BeamBuffer m_beam;
+    std::vector<BeamSpot> m_spots;  // of the passes, for these values and sizes; empty: not known
     Quad m_quad;
     std::vector<PassState> m_passes;
     std::optional<Unsettled> m_unsettled;

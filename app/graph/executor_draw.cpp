@@ -36,7 +36,7 @@ void Executor::note_frame(const Frame& frame, const std::vector<bool>* only, boo
     m_draws_whole = only == nullptr;
     if (!is_again)
         m_beam.advance(frame);
-    m_beam.write(frame, draws(Draw::points), draws(Draw::segments));
+    m_beam.write(frame, draws_points(), smallest_spot());
     m_keyboard.show(frame.keys);
     m_sound.show(frame);
     m_drawn = frame;
@@ -65,11 +65,33 @@ bool Executor::is_followed_onto(std::size_t pass) const {
            host_of(place[1]) == host_of(pass);
 }
 
-bool Executor::draws(Draw shape) const {
+bool Executor::draws(std::size_t pass, Draw shape) const {
+    return m_look.passes[pass].draw == shape && m_work.passes[pass] && !is_kept(pass);
+}
+
+bool Executor::draws_points() const {
     for (std::size_t i = 0; i < m_passes.size(); ++i)
-        if (m_look.passes[i].draw == shape && m_work.passes[i] && !is_kept(i))
+        if (draws(i, Draw::points))
             return true;
     return false;
+}
+
+std::optional<BeamSpot> Executor::smallest_spot() {
+    std::optional<BeamSpot> smallest;
+    for (std::size_t i = 0; i < m_passes.size(); ++i) {
+        if (!draws(i, Draw::segments))
+            continue;
+        if (m_spots.empty())
+            for (std::size_t j = 0; j < m_passes.size(); ++j)
+                m_spots.push_back(spot_of(m_look, m_look.passes[j], m_viewport,
+                                          m_plan.targets[j].extent, m_values)
+                                      .value_or(BeamSpot{}));
+        const BeamSpot& spot = m_spots[i];
+        smallest = smallest ? BeamSpot{std::min(smallest->across, spot.across),
+                                       std::min(smallest->up, spot.up)}
+                            : spot;
+    }
+    return smallest;
 }
 
 // What was this frame's is a frame ago.

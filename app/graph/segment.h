@@ -15,6 +15,10 @@ struct Segment {
     bool operator==(const Segment&) const = default;
 };
 
+/// How wrong the time between two points may be that is told by their ages, floats: of the older
+/// age.
+constexpr float age_rounding = 2.5e-7f;
+
 /// The colours of a beam's points, if it has any, and those of its segments: on the way to a point
 /// the beam has the point's.
 struct SegmentTints {
@@ -29,8 +33,3 @@ struct SegmentTints {
 /// around them.
 void make_segments(std::span<const BeamPoint> beam, const std::optional<BeamPoint>& before,
                    std::vector<Segment>& segments, SegmentTints& tints);
-
-/// Makes one segment of those that go straight on at the same speed, current and colour: the same
-/// light, of fewer and tighter quads. A joint that is left out is at most 2e-6 half screens, a
-/// hundredth of a pixel of a picture 10000 pixels high, from where the beam then passes.
-void join_straight(std::vector<Segment>& segments, SegmentTints& tints);

@@ -13,6 +13,15 @@ struct BeamPoint {
     bool operator==(const BeamPoint&) const = default;
 };
 
+/// The smallest spot that a pass makes of the beam: the standard deviation of its light across and
+/// up, where the signal's -1..1 is 2 long. 0: not known.
+struct BeamSpot {
+    double across = 0.0;
+    double up = 0.0;
+
+    bool operator==(const BeamSpot&) const = default;
+};
+
 /// The colour of the beam on its way to a point: linear factors of the look's own, 1 leaves it.
 struct BeamTint {
     float r = 1.0f;

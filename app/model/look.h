@@ -67,6 +67,8 @@ struct Pass {
     std::string half_floats = {};  // likewise: where floats have 16 bits in the place of 32
     std::array<Side, 2> size;      // width, height
     std::optional<Onto> onto = std::nullopt;
+    // Of a pass of segments, expressions: the smallest spot, see BeamSpot; empty: half a texel.
+    std::array<std::string, 2> spot = {};
     Blend blend = Blend::replace;
     std::vector<Input> inputs;
     Values set;  // uniforms with a fixed value

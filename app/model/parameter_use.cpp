@@ -39,7 +39,9 @@ bool is_used_by(const Look& look, std::size_t pass, const Parameter& parameter) 
     if (!name.starts_with(user.scope))
         return false;
     const std::string own = name.substr(user.scope.size());
-    return reads(user.one_channel, own) || reads(user.half_floats, own) ||
+    const bool is_spot = std::ranges::any_of(
+        user.spot, [&](const std::string& length) { return reads(length, own); });
+    return is_spot || reads(user.one_channel, own) || reads(user.half_floats, own) ||
            (user.onto && reads(user.onto->where, own)) || follows(user, own);
 }
 

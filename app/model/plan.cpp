@@ -124,6 +124,28 @@ Measures measures_of(const Look& look, Extent viewport, Extent source, const Val
     return measures;
 }
 
+// 0 where it comes to no length.
+Result<double> spot_length(const Pass& pass, std::size_t axis, int texels,
+                           const Measures& measures) {
+    if (pass.spot[axis].empty())
+        return 1.0 / texels;
+    const auto length = evaluate(pass.spot[axis], measures.names_for(pass));
+    if (!length)
+        return fail(
+            {pass.declared.file, pass.declared.line,
+             fmt::format("\"spot\" of pass '{}': {}", pass.name, length.error().front().message)});
+    return std::isfinite(*length) ? std::max(*length, 0.0) : 0.0;
+}
+
+Result<BeamSpot> spot_in(const Pass& pass, Extent extent, const Measures& measures) {
+    const auto across = spot_length(pass, 0, extent.width, measures);
+    if (!across)
+        return fail(across.error());
+    const auto up = spot_length(pass, 1, extent.height, measures);
+    if (!up)
+        return fail(up.error());
+    return BeamSpot{*across, *up};
+}
 // The pass whose target it may share in this plan.
 Result<std::optional<std::size_t>> host_of(const Look& look, std::size_t guest,
                                            const Measures& measures, const PlanTerms& terms) {
@@ -176,6 +198,11 @@ bool PlanTerms::must_stand_alone(std::size_t pass) const {
     return is_seen || (pass < kept.size() && kept[pass]);
 }
 
+Result<BeamSpot> spot_of(const Look& look, const Pass& pass, Extent viewport, Extent extent,
+                         const Values& values) {
+    return spot_in(pass, extent, measures_of(look, viewport, viewport, values));
+}
+
 Extent source_extent_of(const Look& look, const Pass& pass, const Plan& plan, Extent source) {
     const auto read = pass.source.empty() ? std::nullopt : find_pass(look, pass.source);
     const bool is_planned = read && static_cast<std::size_t>(*read) < plan.targets.size();
@@ -198,6 +225,8 @@ Result<Plan> plan_targets(const Look& look, Extent viewport, Extent source, cons
         if (!format)
             return fail(format.error());
         plan.targets.push_back({*extent, *format});
+        if (const auto spot = spot_in(pass, *extent, measures); !spot)
+            return fail(spot.error());
     }
     add_lifetimes(look, plan);
     if (auto shared = let_share(look, measures, terms, plan); !shared)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "model/beam.h"
 #include "model/look.h"
 
 #include <map>
@@ -63,6 +64,11 @@ std::vector<std::size_t> draw_order(const Plan& plan);
 
 /// Whether something is drawn onto the target of the pass, or onto one that it reads.
 bool meets_drawn_onto(const Look& look, const Plan& plan, std::size_t pass);
+
+/// The smallest spot of a pass of segments whose target has `extent`; where its look does not say
+/// so, half a texel of a target that the signal fills. Fails where an expression cannot be read.
+Result<BeamSpot> spot_of(const Look& look, const Pass& pass, Extent viewport, Extent extent,
+                         const Values& values);
 
 /// The size of what a pass's look reads as the source: of the picture `source`, or in a stack of
 /// the target of the look before.

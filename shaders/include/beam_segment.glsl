@@ -106,9 +106,18 @@ int beam_segment_readings(float sigma) {
     return clamp(int(ceil(0.75 / sigma)), 1, 16);
 }
 
-// From a pixel's middle to reading (i, j) of n on each side, px.
-vec2 beam_segment_reading(int i, int j, int n) {
-    return (vec2(i, j) + 0.5) / float(n) - 0.5;
+// From a pixel's middle to one of n readings on each side, px.
+vec2 beam_segment_reading(ivec2 reading, int n) {
+    return (vec2(reading) + 0.5) / float(n) - 0.5;
+}
+
+// The next of n * n readings; false behind the last one. To be asked at the end of a do loop: software
+// GL computes what stands behind a loop's first condition once more than it is wanted.
+bool beam_segment_has_next(inout ivec2 reading, int n) {
+    reading.x += 1;
+    if (reading.x == n)
+        reading = ivec2(0, reading.y + 1);
+    return reading.y < n;
 }
 
 // From px of the picture to px along and beside a segment.
@@ -125,11 +134,11 @@ float beam_segment_over_pixel(vec2 middle, vec2 start, vec2 end, float sigma, fl
     int n = beam_segment_readings(sigma);
     float segment_length = distance(start, end);
     float sum = 0.0;
-    for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j) {
-            vec2 at = beam_segment_place(middle + beam_segment_reading(i, j, n), start, end);
-            sum += beam_segment_light(at, segment_length, sigma, fade, charges);
-        }
+    ivec2 reading = ivec2(0);
+    do {
+        vec2 at = beam_segment_place(middle + beam_segment_reading(reading, n), start, end);
+        sum += beam_segment_light(at, segment_length, sigma, fade, charges);
+    } while (beam_segment_has_next(reading, n));
     return sum / float(n * n);
 }
 

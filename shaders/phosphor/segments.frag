@@ -50,9 +50,10 @@ vec4 charge_at(vec2 place, float sigma, vec3 rates) {
 vec4 charge_over_pixel(float sigma, vec3 rates) {
     int n = beam_segment_readings(sigma);
     vec4 sum = vec4(0.0);
-    for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j)
-            sum += charge_at(gl_FragCoord.xy + beam_segment_reading(i, j, n), sigma, rates);
+    ivec2 reading = ivec2(0);
+    do
+        sum += charge_at(gl_FragCoord.xy + beam_segment_reading(reading, n), sigma, rates);
+    while (beam_segment_has_next(reading, n));
     return sum / float(n * n);
 }
 

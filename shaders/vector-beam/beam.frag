@@ -35,9 +35,10 @@ vec2 light_at(vec2 place, float segment_length) {
 vec2 light_over_pixel(float segment_length) {
     int n = beam_segment_readings(sigma);
     vec2 sum = vec2(0.0);
-    for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j)
-            sum += light_at(gl_FragCoord.xy + beam_segment_reading(i, j, n), segment_length);
+    ivec2 reading = ivec2(0);
+    do
+        sum += light_at(gl_FragCoord.xy + beam_segment_reading(reading, n), segment_length);
+    while (beam_segment_has_next(reading, n));
     return sum / float(n * n);
 }
 

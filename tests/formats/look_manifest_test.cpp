@@ -156,6 +156,27 @@ TEST_CASE("every key of a pass, an input and an image is read") {
     CHECK(b.converge == Count("enough"));
 }
 
+TEST_CASE("a pass of segments may say how small its spot is") {
+    LookOnDisk disk;
+    const std::string signal = "\"driven_by\": \"signal\", \"output\": \"linear\", ";
+    const std::string segments =
+        R"({"name": "a", "draw": "segments", "vertex": "beam.vert", "fragment": "blur.frag", )";
+    const auto look = disk.load(look_with(signal, segments + R"("spot": [0.5, "4 / $HEIGHT"]})"));
+    REQUIRE(look.has_value());
+    CHECK(look->passes[0].spot[0] == "0.500000000000");
+    CHECK(look->passes[0].spot[1] == "4 / $HEIGHT");
+    CHECK(disk.errors_of(look_with(signal, segments + "\n\"spot\": [-1,\n\" \"]}")) ==
+          "look.json:3: error: a length of \"spot\" must be a number from 0 on or an expression "
+          "such as \"2 * $spot_px / $HEIGHT\"\n"
+          "look.json:4: error: a length of \"spot\" must be a number from 0 on or an expression "
+          "such as \"2 * $spot_px / $HEIGHT\"\n");
+    CHECK(disk.errors_of(look_with(signal, segments + "\"spot\": 1}")) ==
+          "look.json:2: error: \"spot\" must be a list of two: [across, up]\n");
+    CHECK(disk.errors_of(
+              look_with(signal, R"({"name": "a", "fragment": "blur.frag", "spot": [1, 1]})")) ==
+          "look.json:2: error: only a pass that draws segments has a \"spot\"\n");
+}
+
 TEST_CASE("unknown keys are told with their line and the nearest known one") {
     LookOnDisk disk;
     CHECK(disk.errors_of(

@@ -51,71 +51,13 @@ TEST_CASE("a point that is not finite breaks the line and nothing more") {
     CHECK(made == std::vector<Segment>{{1, 1, 2, 1, 1, 1, 0, 0}});
 }
 
-namespace {
-std::vector<Segment> joined(const Beam& beam) {
-    std::vector<Segment> made;
-    SegmentTints tints{beam.tints, {}};
-    make_segments(beam, std::nullopt, made, tints);
-    join_straight(made, tints);
-    CHECK(tints.of_segments.size() == (beam.tints.empty() ? 0 : made.size()));
-    return made;
-}
-
-// From -0.5 to 0.5 in `pieces`, 0.016 s long, with a charge of 8 in all.
-Beam straight(int pieces) {
+TEST_CASE(
+    "points that come evenly are lit evenly, also where ages are rounded to a part of the way") {
     Beam beam;
-    for (int i = 0; i <= pieces; ++i) {
-        const float share = static_cast<float>(i) / static_cast<float>(pieces);
-        beam.push_back({share - 0.5f, 0.3f * share, 8.0f / static_cast<float>(pieces),
-                        0.016f * (1.0f - share)});
-    }
-    return beam;
-}
-}  // namespace
-
-TEST_CASE("what goes straight on at one speed is one segment with all of the charge and time") {
-    for (const int pieces : {1, 2, 7, 4000}) {
-        CAPTURE(pieces);
-        const auto made = joined(straight(pieces));
-        REQUIRE(made.size() == 1);
-        const Segment& whole = made.front();
-        CHECK((whole.x0 == -0.5f && whole.y0 == 0.0f && whole.x1 == 0.5f && whole.y1 == 0.3f));
-        CHECK(std::abs(whole.start_intensity - 8.0f) < 1e-4f);
-        CHECK(whole.end_intensity == whole.start_intensity);
-        CHECK((whole.start_age == 0.016f && whole.end_age == 0.0f));
-    }
-    CHECK(joined({{0.2f, 0.1f, 1, 3}, {0.2f, 0.1f, 1, 2}, {0.2f, 0.1f, 1, 1}}).size() == 1);
-}
-
-TEST_CASE("a bend, another speed, current or colour and a blanked way part segments") {
-    Beam beam = straight(8);
-    beam[4].y += 4e-6f;  // twice as far from the line as may be
-    CHECK(joined(beam).size() > 1);
-    beam = straight(8);
-    beam[4].x += 4e-6f;  // slower, then faster
-    CHECK(joined(beam).size() > 1);
-    beam = straight(8);
-    beam[6].intensity = 0.0f;
-    CHECK(joined(beam).size() == 2);
-    beam = straight(8);
-    beam[6].age_seconds += 0.0005f;  // as much charge in less time
-    CHECK(joined(beam).size() > 1);
-    beam = straight(8);
-    beam.tints.assign(9, BeamTint{});
-    CHECK(joined(beam).size() == 1);
-    beam.tints[5] = {1.0f, 0.5f, 0.0f};
-    CHECK(joined(beam).size() == 3);
-}
-
-TEST_CASE("a slow curve is cut where it would leave its chord") {
-    Beam beam;
-    for (int i = 0; i <= 4000; ++i) {
-        const float angle = 0.0005f * static_cast<float>(i);
-        beam.push_back({std::cos(angle), std::sin(angle), 1.0f, 0.0f});
-    }
-    const auto made = joined(beam);
-    // A chord of length c lies c c / 8 below the arc of a circle of radius 1: 2e-6 on each axis, at
-    // most 2.83e-6, is 0.0048 of an arc 2 long.
-    CHECK(made.size() >= 420);
-    CHECK(made.size() < 1500);
+    constexpr int count = 262144;
+    for (int k = 1; k <= count; ++k)
+        beam.push_back({static_cast<float>(k) / count, 0.0f, 1.0f / 64.0f,
+                        static_cast<float>((1.0 - static_cast<double>(k) / count) / 60.0)});
+    for (const Segment& segment : segments(beam))
+        REQUIRE(segment.start_intensity == 1.0f / 64.0f);
 }

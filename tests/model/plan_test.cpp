@@ -135,6 +135,24 @@ TEST_CASE("a target keeps red alone where its look says so and nobody overrides 
     CHECK(problem(look).starts_with("look.json:7: error: \"one_channel\" of pass 'light': "));
 }
 
+TEST_CASE("the smallest spot is what the look says of it, else half a texel") {
+    Look look;
+    look.passes = {pass("beam")};
+    look.passes[0].scope = "scope/";
+    look.parameters = {knob("scope/width", 3.0, {})};
+    const auto spot = [&look](const Values& values = {}) {
+        return spot_of(look, look.passes[0], {200, 100}, {50, 25}, values).value();
+    };
+    CHECK(spot() == BeamSpot{2.0 * 0.5 / 50, 2.0 * 0.5 / 25});
+    look.passes[0].spot = {"$width / $WIDTH", "2 * $width / $HEIGHT"};
+    CHECK(spot() == BeamSpot{3.0 / 200, 6.0 / 100});
+    CHECK(spot({{"scope/width", Value(8.0)}}) == BeamSpot{8.0 / 200, 16.0 / 100});
+    CHECK(spot({{"scope/width", Value(-1.0)}}) == BeamSpot{});
+    CHECK(is_used_by(look, 0, look.parameters[0]));
+    look.passes[0].spot[1] = "$widht";
+    CHECK(problem(look) == "look.json:7: error: \"spot\" of pass 'beam': unknown name '$widht'");
+}
+
 TEST_CASE("a knob reaches the passes behind its own") {
     const Redraw composite = redraw_after(scope(), {"exposure"});
     CHECK(composite.passes == std::vector<bool>{false, false, false, true});

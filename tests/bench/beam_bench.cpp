@@ -1,0 +1,189 @@
+// What a beam costs by how finely it is cut: making its samples, merging, uploading and drawing
+// them, beside a plain GL program that draws each (bench/plain_beam.h). Pictures are compared
+// before times are.
+#include "bench/plain_beam.h"
+#include "bench/side_by_side.h"
+#include "gpu/readback.h"
+#include "graph/merge_segments.h"
+#include "graph/settled_look.h"
+#include "lab/offline.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+
+namespace {
+constexpr Extent screen{1280, 720};
+constexpr double spot_px = 1.0;
+constexpr int rounds = 9;
+
+[[noreturn]] void give_up(const Diagnostics& problems) {
+    fmt::print(stderr, "{}", to_string(problems));
+    std::exit(EXIT_FAILURE);
+}
+
+template <class T>
+T wanted(Result<T> result) {
+    if (!result)
+        give_up(result.error());
+    if constexpr (!std::is_void_v<T>)
+        return std::move(*result);
+}
+
+/// Vector beam's first pass alone, with its values as constants.
+class OurBeam {
+public:
+    explicit OurBeam(int samples) : m_prepared(prepared(samples)), m_executor(made(m_prepared)) {
+        wanted(m_player.set_signal(m_prepared.document.state().signal));
+        wanted(m_executor.resize(screen, screen));
+        m_executor.set_values(m_prepared.document.values());
+        std::vector<PassRun> runs(m_executor.look().passes.size(), PassRun::left_out);
+        runs.front() = PassRun::drawn;
+        wanted(m_executor.set_runs(std::move(runs)));
+    }
+
+    /// Of the next frame, behind the last one of the frame before: the figure is closed.
+    Beam closed() {
+        Beam beam = samples();
+        beam.insert(beam.begin(), beam.back());
+        return beam;
+    }
+    Beam samples() {
+        m_frame = m_player.advance_fixed(60.0);
+        return m_player.trace(m_frame.span);
+    }
+    void draw() {
+        const Beam beam = samples();
+        Frame frame;
+        frame.number = m_frame.number;
+        frame.time = m_frame.span.end;
+        frame.time_delta = m_frame.span.seconds();
+        frame.is_first = m_frame.number == 1;
+        frame.beam = beam;
+        m_executor.draw(frame);
+    }
+    Picture picture() const { return gpu::read_picture(m_executor.target(0)); }
+
+private:
+    static Prepared prepared(int samples) {
+        RenderRequest request;
+        request.look = "vector-beam";
+        request.size = screen;
+        request.signal = fmt::format("lissajous:x=5,y=4,amplitude=0.84,points={}", samples);
+        request.values = {{"spot_sigma", fmt::format("{}", spot_px * 512.0 / screen.height)},
+                          {"spot_growth", "0"},
+                          {"screen_size", "1"},
+                          {"fit", "1"}};
+        const Library library(wanted(find_roots(AFTERGLOW_SOURCE_DIR)));
+        return wanted(prepare(request, library));
+    }
+    static Executor made(const Prepared& prepared) {
+        const Look& look = prepared.document.look();
+        const Look settled =
+            settled_look(look, prepared.document.values(), [](const Parameter&) { return false; });
+        return Executor(look, wanted(build_programs(settled)));
+    }
+
+    Prepared m_prepared;
+    Executor m_executor;
+    Player m_player;
+    PlayedFrame m_frame;
+};
+
+double sum_of(const Picture& picture, std::size_t channel) {
+    double sum = 0.0;
+    for (std::size_t i = channel; i < picture.pixels.size(); i += 4)
+        sum += static_cast<double>(picture.pixels[i]);
+    return sum;
+}
+
+// All light of ours is in green; of each picture all light is as much.
+double root_mean_square(const Picture& plain, const Picture& ours) {
+    const double scale = sum_of(plain, 0) / sum_of(ours, 1);
+    double difference = 0.0;
+    double all = 0.0;
+    for (std::size_t i = 0; i < plain.pixels.size(); i += 4) {
+        const auto light = static_cast<double>(plain.pixels[i]);
+        difference += std::pow(scale * static_cast<double>(ours.pixels[i + 1]) - light, 2);
+        all += light * light;
+    }
+    return std::sqrt(difference / all);
+}
+
+const char* verdict(bool counts, bool holds) {
+    if (!counts)
+        return "the machine is too busy";
+    return holds ? "holds" : "DOES NOT HOLD";
+}
+
+void print_parts(OurBeam& beam) {
+    const BeamSpot spot{2.0 * spot_px / screen.width, 2.0 * spot_px / screen.height};
+    std::vector<double> making;
+    std::vector<double> merging;
+    std::vector<Segment> segments;
+    SegmentTints none;
+    for (int i = 0; i < 9; ++i) {
+        const double start = bench::busy_seconds();
+        const Beam samples = beam.samples();
+        const double between = bench::busy_seconds();
+        make_segments(samples, std::nullopt, segments, none);
+        merge_segments(segments, none, spot);
+        making.push_back(1e3 * (between - start));
+        merging.push_back(1e3 * (bench::busy_seconds() - between));
+    }
+    fmt::print("  {} segments; of ours {:.2f} ms make the samples, {:.2f} ms merge them\n",
+               segments.size(), bench::median(making), bench::median(merging));
+}
+
+void print_against_plain(int samples, double most) {
+    constexpr double most_apart = 0.01;
+    OurBeam ours(samples);
+    auto plain = wanted(bench::PlainBeam::make(screen, spot_px));
+    for (int i = 0; i < 2; ++i) {  // the first frame has no sample before it
+        plain.draw(ours.closed());
+        ours.draw();
+    }
+    const double apart = root_mean_square(plain.picture(), ours.picture());
+    fmt::print("{} samples: pictures {:.3f} % RMS apart, at most {:.0f} %: {}\n", samples,
+               100.0 * apart, 100.0 * most_apart, verdict(true, apart <= most_apart));
+    print_parts(ours);
+    const int frames = std::clamp(65536 / samples, 1, 6);
+    const bench::Cost cost = bench::side_by_side(
+        rounds, frames, [&] { plain.draw(ours.closed()); }, [&] { ours.draw(); });
+    fmt::print("  each {:.2f} ms, merged {:.2f} ms, merged / each {:.4f} (itself {:.3f})",
+               cost.plain_milliseconds, cost.our_milliseconds, cost.ratio, cost.itself);
+    if (most < 1.0)
+        fmt::print(", at most {:.4f}: {}", most, verdict(cost.counts(), cost.ratio <= most));
+    fmt::print("\n");
+    std::fflush(stdout);
+}
+
+void print_growth(int few, int many, double most) {
+    constexpr int frames = 8;
+    OurBeam yardstick(few);
+    OurBeam ours(many);
+    const bench::Cost cost = bench::side_by_side(
+        2 * rounds, frames, [&] { yardstick.draw(); }, [&] { ours.draw(); });
+    fmt::print(
+        "{} samples {:.2f} ms, {} samples {:.2f} ms: {:.2f} times (itself {:.3f}), at most "
+        "{}: {}\n",
+        few, cost.plain_milliseconds, many, cost.our_milliseconds, cost.ratio, cost.itself, most,
+        verdict(cost.counts(), cost.ratio <= most));
+    std::fflush(stdout);
+}
+}  // namespace
+
+int main() {
+    constexpr double no_bound = 1.0;
+    const auto context = wanted(gpu::Context::headless());
+    fmt::print("A Lissajous figure 5:4 of {} x {} px, a spot of sigma {} px\n", screen.width,
+               screen.height, spot_px);
+    for (const int samples : {4096, 16384, 65536})
+        print_against_plain(samples, no_bound);
+    print_against_plain(262144, 1.0 / 15.0);
+    for (const int samples : {16384, 65536, 262144})
+        print_growth(4096, samples, 5.0);
+    return EXIT_SUCCESS;
+}
