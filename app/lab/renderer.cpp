@@ -366,11 +366,20 @@ void Renderer::draw_unseen(const PlayedFrame& played, const Beam& beam) {
         draw_frame(played, beam, &carried);
 }
 
+namespace {
+bool draws_beam(const Look& look, const std::vector<bool>& passes) {
+    for (std::size_t i = 0; i < std::min(look.passes.size(), passes.size()); ++i)
+        if (passes[i] && is_of_beam(look.passes[i].draw))
+            return true;
+    return false;
+}
+}  // namespace
+
 void Renderer::redraw(const Player& player, const std::vector<bool>& passes) {
     if (player.past().empty())
         return;
     const PlayedFrame& present = player.past().back();
-    const Beam beam = player.trace(present.span);
+    const Beam beam = draws_beam(m_executor.look(), passes) ? player.trace(present.span) : Beam();
     const Frame frame = frame_of(present, beam);
     drop_frame();
     if (m_slicing.is_due())

@@ -34,10 +34,15 @@ struct Measures {
     Extent viewport;
     Extent source;
     std::map<std::string, double> values;  // of all parameters
+    mutable std::map<std::string, std::map<std::string, double>> names_of_scopes = {};  // so far
 
     // What an expression of a pass may speak of: in a stack the parameters of its own look.
-    std::map<std::string, double> names_for(const Pass& pass) const {
-        std::map<std::string, double> names{{"WIDTH", viewport.width}, {"HEIGHT", viewport.height}};
+    const std::map<std::string, double>& names_for(const Pass& pass) const {
+        const auto [found, is_new] = names_of_scopes.try_emplace(pass.scope);
+        std::map<std::string, double>& names = found->second;
+        if (!is_new)
+            return names;
+        names = {{"WIDTH", viewport.width}, {"HEIGHT", viewport.height}};
         for (const auto& [name, value] : values)
             if (name.starts_with(pass.scope))
                 names[name.substr(pass.scope.size())] = value;

@@ -1,0 +1,63 @@
+"""What the window costs while it rests: idle_bench.py PROGRAM. Phosphor at 1280 x 720 under Xvfb, paused;
+CPU time of the program and its turns over ten seconds, none of which anybody touches it."""
+
+import os
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "window"))
+from program import Program  # noqa: E402
+from screen import Screen  # noqa: E402
+
+SOURCE = Path(__file__).resolve().parents[2]
+WINDOW = (1280, 720)
+SECONDS = 10
+AT_MOST = 1.0  # percent of a core
+
+
+def cpu_seconds(process):
+    fields = Path("/proc/%d/stat" % process.pid).read_text().rpartition(")")[2].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
+def fall_asleep(program):
+    """Waits until the program has drawn no turn for three seconds."""
+    seen = {"turn": None, "since": 0.0}
+
+    def sleeps(state):
+        if state["turn"] != seen["turn"]:
+            seen.update(turn=state["turn"], since=time.monotonic())
+        return time.monotonic() - seen["since"] > 3
+    program.wait("the program sleeps", sleeps)
+
+
+def report(what, program):
+    fall_asleep(program)
+    before, turn = cpu_seconds(program.process), program.state()["turn"]
+    time.sleep(SECONDS)
+    share = 100 * (cpu_seconds(program.process) - before) / SECONDS
+    print("  %-34s %.2f %% of a core, at most %.0f %%: %s; %d turns" % (
+        what, share, AT_MOST, "holds" if share <= AT_MOST else "DOES NOT HOLD",
+        program.state()["turn"] - turn), flush=True)
+
+
+def main():
+    executable = Path(sys.argv[1]).resolve()
+    print("The paused window at %d x %d, over %d s:" % (*WINDOW, SECONDS))
+    with Screen(*WINDOW) as screen, tempfile.TemporaryDirectory(prefix="afterglow-bench-") as folder:
+        program = Program(executable, SOURCE, Path(folder), screen)
+        program.arrange(*WINDOW, [640, 360])
+        program.start()
+        program.key("space")
+        report("all panes as at first", program)
+        program.key("ctrl+3")
+        program.wait("the inspector is closed", lambda s: "channels:RGB" not in s["widgets"])
+        report("inspector closed", program)
+        program.key("F11")
+        report("only the picture", program)
+        program.stop()
+
+
+main()
