@@ -37,10 +37,10 @@ bool rests(const fs::path& thread) {
 }
 }  // namespace
 
-void wait_for_driver_cache(std::chrono::milliseconds most) {
+void wait_for_driver_cache(std::chrono::milliseconds most, const PassProgress& progress) {
     const auto end = std::chrono::steady_clock::now() + most;
     for (const fs::path& thread : cache_threads())
-        while (!rests(thread) && std::chrono::steady_clock::now() < end)
+        while (!rests(thread) && !progress.is_cancelled() && std::chrono::steady_clock::now() < end)
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 

@@ -13,6 +13,7 @@ std::array<float, 4> rgba_of(const float* pixel, int channels) {
         return {pixel[0], pixel[0], pixel[0], 1.0f};
     return {pixel[0], pixel[1], pixel[2], channels == 4 ? pixel[3] : 1.0f};
 }
+
 void fill_row(const float* pixel, int channels, int width, float* texel) {
     if (channels == 4) {
         std::copy_n(pixel, 4 * static_cast<std::size_t>(width), texel);

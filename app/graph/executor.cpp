@@ -55,12 +55,14 @@ void Executor::prepare() {
 Result<void> Executor::replace(Look look, Programs programs) {
     const gpu::ContextScope scope(m_home.get());
     drop_frame();
-    if (pass_names(look) != pass_names(m_look))
-        m_seen.clear();
+    PlanTerms terms = plan_terms();
+    const bool has_other_passes = pass_names(look) != pass_names(m_look);
+    if (has_other_passes)
+        terms.seen.clear();
     if (auto made = m_keyboard.prepare(look); !made)
         return made;
     if (m_targets.size() > 0) {
-        auto plan = plan_targets(look, m_viewport, m_source_extent, m_values, plan_terms());
+        auto plan = plan_targets(look, m_viewport, m_source_extent, m_values, terms);
         if (!plan)
             return fail(plan.error());
         auto sound = SoundTextures::make(look);
@@ -75,6 +77,8 @@ Result<void> Executor::replace(Look look, Programs programs) {
         m_source.set_slots(m_plan.source_slots);
         m_sound = std::move(*sound);
     }
+    if (has_other_passes)
+        m_seen.clear();
     m_cubes = {};
     m_unsettled.reset();
     m_spots.clear();

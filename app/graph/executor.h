@@ -64,8 +64,8 @@ public:
     /// The values in force; a parameter without one takes its default. Uploads what changed.
     void set_values(const Values& values);
     /// Draws with `programs` of the same look, in whose texts the present values are, but for those
-    /// that `moving` names, events and orbits. What is told of the passes stays. The look's own
-    /// programs come back as soon as another value is set, or the look is replaced.
+    /// that `moving` names. What programs() and report() tell stays that of the look's own, which
+    /// come back as soon as another value is set, or the look is replaced.
     void settle(Programs programs, std::set<std::string> moving);
     bool is_settled() const { return m_unsettled.has_value(); }
     /// Programs hold the values of whom they last drew for: to be called before each draw where two
@@ -258,7 +258,7 @@ private:
     Extent m_viewport;
     Extent m_source_extent;
     BeamBuffer m_beam;
-    std::vector<BeamSpot> m_spots;  // of the passes, for these values and sizes; empty: not known
+    std::vector<std::optional<BeamSpot>> m_spots;  // of the passes, for these values and sizes
     Quad m_quad;
     std::vector<PassState> m_passes;
     std::optional<Unsettled> m_unsettled;

@@ -82,11 +82,12 @@ std::optional<BeamSpot> Executor::smallest_spot() {
         if (!draws(i, Draw::segments))
             continue;
         if (m_spots.empty())
-            for (std::size_t j = 0; j < m_passes.size(); ++j)
-                m_spots.push_back(spot_of(m_look, m_look.passes[j], m_viewport,
-                                          m_plan.targets[j].extent, m_values)
-                                      .value_or(BeamSpot{}));
-        const BeamSpot& spot = m_spots[i];
+            m_spots.resize(m_passes.size());
+        if (!m_spots[i])
+            m_spots[i] =
+                spot_of(m_look, m_look.passes[i], m_viewport, m_plan.targets[i].extent, m_values)
+                    .value_or(BeamSpot{});
+        const BeamSpot& spot = *m_spots[i];
         smallest = smallest ? BeamSpot{std::min(smallest->across, spot.across),
                                        std::min(smallest->up, spot.up)}
                             : spot;

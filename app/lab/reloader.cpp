@@ -2,6 +2,7 @@
 
 #include "formats/stack_format.h"
 #include "gpu/driver_cache.h"
+#include "graph/first_views.h"
 #include "graph/image_texture.h"
 #include "graph/settled_look.h"
 #include "io/picture_codec.h"
@@ -268,7 +269,7 @@ void Reloader::keep(LoadedRequest loaded) {
 }
 
 void Reloader::prepare_for_more() {
-    if (m_shown && m_shown->home && !is_busy())
+    if (m_is_prepared && m_shown && m_shown->home && !is_busy())
         m_drawing_contexts.have_spare();
     {
         const std::lock_guard lock(m_mutex);
@@ -390,21 +391,22 @@ void Reloader::draw_first(const Job& job, const Programs* known, Programs& progr
     warm_up->draw({*loaded.look, drawn, known, loaded.images, m_picture, FirstDrawsOf::Size::whole},
                   *job.progress);
     if (!is_at_home)
-        gpu::wait_for_driver_cache(cache_patience);  // or the drawing context finds nothing there
+        gpu::wait_for_driver_cache(cache_patience,
+                                   *job.progress);  // or the drawing context finds nothing there
     loaded.is_warm = is_at_home;
 }
 
 // The views are the window's, in whatever home the look draws: what its driver keeps will do. The
 // first look of all is waited for, and nothing is seen that it could stop.
-void Reloader::look_first(const Look& look, const Values& values) {
+void Reloader::look_first(const Job& job, const Look& look, const Values& values) {
     if (!m_is_prepared)
         return;
     if (!m_first_views)
         if (auto made = FirstViews::make())
-            m_first_views.emplace(std::move(*made));
+            m_first_views = std::make_unique<FirstViews>(std::move(*made));
     const auto plan = plan_targets(look, m_picture, expected_source, values);
     if (m_first_views && plan && m_first_views->look_at(look, *plan) > 0)
-        gpu::wait_for_driver_cache(cache_patience);
+        gpu::wait_for_driver_cache(cache_patience, *job.progress);
 }
 
 // Whose programs serve: for the open look those that it is drawn with, or newer ones beside them;
@@ -483,6 +485,6 @@ LoadedRequest Reloader::load(const Job& job) {
     }
     loaded.programs = std::move(*programs);
     if (job.whose == LoadedRequest::Whose::look && !job.progress->is_cancelled())
-        look_first(*loaded.look, values);
+        look_first(job, *loaded.look, values);
     return loaded;
 }

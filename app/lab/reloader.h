@@ -4,7 +4,6 @@
 #include "formats/look_format.h"
 #include "glsl/check_cache.h"
 #include "gpu/context.h"
-#include "graph/first_views.h"
 #include "graph/programs.h"
 #include "graph/warm_up.h"
 #include "io/file_watcher.h"
@@ -24,6 +23,8 @@
 #include <string>
 #include <thread>
 #include <utility>
+
+class FirstViews;
 
 /// What became of one reading of a look.
 struct LoadedRequest {
@@ -105,8 +106,8 @@ public:
     bool is_busy() const;
     /// Whether a look is being read, and not only turned.
     bool is_reading() const;
-    /// Called on the reloader's thread when take_finished() has something; before anything is asked
-    /// for.
+    /// Called on the reloader's thread whenever it has done something: there may be a result to
+    /// take. To be set before anything is asked for.
     void set_wake(std::function<void()> wake) { m_wake_owner = std::move(wake); }
     /// A picture is seen or there will be none: what only later work needs is made ready.
     void prepare_for_more();
@@ -157,7 +158,7 @@ private:
     Result<Programs> link(const Job& job, LoadedRequest& loaded);
     void draw_first(const Job& job, const Programs* known, Programs& programs,
                     LoadedRequest& loaded);
-    void look_first(const Look& look, const Values& values);
+    void look_first(const Job& job, const Look& look, const Values& values);
     Result<ImageTextures> load_images(const Look& look, Diagnostics& warnings);
 
     std::filesystem::path m_shared_includes;
@@ -185,7 +186,7 @@ private:
     Turning m_settled;
     std::shared_ptr<PassProgress> m_settling;  // of the one that is being made or waits
     bool m_is_preparing = false;               // prepare_for_more() was asked for
-    bool m_is_prepared = false;                // the thread's
+    std::atomic<bool> m_is_prepared = false;   // set by the thread
     std::shared_ptr<PassProgress> m_turning;   // of the one that is being made; null: none is
     std::uint64_t m_submitted = 0;
     std::uint64_t m_completed = 0;
@@ -207,8 +208,8 @@ private:
 
     CheckCache m_checks{m_kept_shaders.get()};          // the thread's
     std::map<std::filesystem::path, ReadImage> m_read;  // the thread's
-    std::optional<Programs> m_linked;         // the thread's: what the next reading may reuse
-    std::optional<WarmUp> m_warm_up;          // the thread's; without it the first frame is slower
-    std::optional<FirstViews> m_first_views;  // the same of what looks at it
+    std::optional<Programs> m_linked;  // the thread's: what the next reading may reuse
+    std::optional<WarmUp> m_warm_up;   // the thread's; without it the first frame is slower
+    std::unique_ptr<FirstViews> m_first_views;  // the same of what looks at it
     std::thread m_thread;
 };

@@ -91,10 +91,8 @@ double share_of_turn(double turns) {
 }
 
 bool drives_size(const Look& look, const Parameter& parameter) {
-    Parameter unbound = parameter;
-    unbound.bindings.clear();  // what is left are sizes and counts
     for (std::size_t i = 0; i < look.passes.size(); ++i)
-        if (is_used_by(look, i, unbound))
+        if (shapes_target(look, i, parameter))
             return true;
     return false;
 }

@@ -27,10 +27,21 @@ bool follows(const Pass& pass, const std::string& name) {
 }
 }  // namespace
 
-bool is_used_by(const Look& look, std::size_t pass, const Parameter& parameter) {
+bool shapes_target(const Look& look, std::size_t pass, const Parameter& parameter) {
     const Pass& user = look.passes[pass];
     const std::string& name = parameter.name;
     if (user.repeat == Count(name) || user.converge == Count(name))
+        return true;
+    if (!name.starts_with(user.scope))
+        return false;
+    const std::string own = name.substr(user.scope.size());
+    return reads(user.one_channel, own) || follows(user, own);
+}
+
+bool is_used_by(const Look& look, std::size_t pass, const Parameter& parameter) {
+    const Pass& user = look.passes[pass];
+    const std::string& name = parameter.name;
+    if (shapes_target(look, pass, parameter))
         return true;
     if (std::ranges::any_of(parameter.bindings, [&](const Binding& binding) {
             return static_cast<std::size_t>(binding.pass) == pass;
@@ -41,8 +52,7 @@ bool is_used_by(const Look& look, std::size_t pass, const Parameter& parameter) 
     const std::string own = name.substr(user.scope.size());
     const bool is_spot = std::ranges::any_of(
         user.spot, [&](const std::string& length) { return reads(length, own); });
-    return is_spot || reads(user.one_channel, own) || reads(user.half_floats, own) ||
-           (user.onto && reads(user.onto->where, own)) || follows(user, own);
+    return is_spot || reads(user.half_floats, own) || (user.onto && reads(user.onto->where, own));
 }
 
 bool decides_sharing(const Look& look, const Parameter& parameter) {

@@ -5,6 +5,10 @@
 /// Whether a pass uses a parameter: in its shaders, for its size, or for how often it draws.
 bool is_used_by(const Look& look, std::size_t pass, const Parameter& parameter);
 
+/// Whether it says how large a pass is, how often it draws or how many channels its target has: all
+/// that it drew before is lost when that changes.
+bool shapes_target(const Look& look, std::size_t pass, const Parameter& parameter);
+
 /// Whether it decides which passes are drawn onto another's target.
 bool decides_sharing(const Look& look, const Parameter& parameter);
 

@@ -10,6 +10,10 @@
 
 Look with_overrides(Look look, const PassOverrides& overrides) {
     for (Pass& pass : look.passes) {
+        const bool shares_changed =
+            pass.onto && (overrides.contains(pass.name) || overrides.contains(pass.onto->pass));
+        if (shares_changed)
+            pass.onto.reset();  // what is seen of either is not what the look meant
         const auto own = overrides.find(pass.name);
         if (own != overrides.end()) {
             if (own->second.format) {
@@ -151,6 +155,7 @@ Result<BeamSpot> spot_in(const Pass& pass, Extent extent, const Measures& measur
         return fail(up.error());
     return BeamSpot{*across, *up};
 }
+
 // The pass whose target it may share in this plan.
 Result<std::optional<std::size_t>> host_of(const Look& look, std::size_t guest,
                                            const Measures& measures, const PlanTerms& terms) {
@@ -173,9 +178,11 @@ Result<void> let_share(const Look& look, const Measures& measures, const PlanTer
         const auto host = host_of(look, i, measures, terms);
         if (!host)
             return fail(host.error());
-        if (*host)
-            plan.targets[i] = {plan.targets[**host].extent, plan.targets[**host].format, 1, false,
-                               **host};
+        if (!*host)
+            continue;
+        const PlannedTarget& shared = plan.targets[**host];
+        if (plan.targets[i].extent == shared.extent && plan.targets[i].format == shared.format)
+            plan.targets[i] = {shared.extent, shared.format, 1, false, **host};
     }
     return {};
 }

@@ -42,7 +42,10 @@ Result<PatternSize> size_of(std::string_view text) {
     const auto height = parse_integer(has_cross ? text.substr(cross + 1) : std::string_view());
     constexpr int largest = 8192;
     if (!width || !height || *width < 1 || *height < 1 || *width > largest || *height > largest)
-        return fail({{}, 0, fmt::format("'size={}' is not of the form size=640x480", whole)});
+        return fail(
+            {{},
+             0,
+             fmt::format("'size={}' is not of the form size=640x480 or size=640x480i", whole)});
     return PatternSize{{*width, *height}, is_interlaced};
 }
 

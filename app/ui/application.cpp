@@ -97,8 +97,8 @@ private:
     bool wait();  // whether a turn is due
     Extent view() const;
     void turn();
-    bool awaits_picture() const;
-    bool is_attended(Clock::time_point now) const;
+    bool awaits_picture();
+    bool is_attended(Clock::time_point now);
     void note_pace(double wall_seconds);
     void follow_remote();
     void draw();
@@ -130,6 +130,7 @@ private:
     Clock::time_point m_drawn = m_last;
     double m_frame_seconds = 0.0;  // since a frame of the picture was whole
     long m_turn = 0;
+    bool m_has_had_picture = false;           // a look has drawn
     std::optional<bool> m_waits_for_display;  // as the window was last told
     bool m_is_quitting = false;
 };
@@ -205,13 +206,14 @@ void Application::note_pace(double wall_seconds) {
 }
 
 // The first of all; the panels are there.
-bool Application::awaits_picture() const {
+bool Application::awaits_picture() {
+    m_has_had_picture = m_has_had_picture || (m_lab.renderer() && m_lab.renderer()->has_drawn());
     const bool is_coming = m_lab.is_loading() || m_lab.is_amid_frame();
-    return m_turn > 0 && is_coming && !(m_lab.renderer() && m_lab.renderer()->has_drawn());
+    return m_turn > 0 && is_coming && !m_has_had_picture;
 }
 
 // Whether a new frame of the panels would be missed: else they come a few times a second.
-bool Application::is_attended(Clock::time_point now) const {
+bool Application::is_attended(Clock::time_point now) {
     constexpr double now_and_then = 0.1;
     if (m_window.has_input() || m_toolkit.is_behind() ||
         seconds_between(m_drawn, now) > now_and_then)

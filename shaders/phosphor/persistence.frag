@@ -1,8 +1,8 @@
 #version 410 core
 // Persistence: the phosphor's light. Linear, no upper end but the ceiling.
 // Custom: what glowed a frame ago, faded, and what the beam adds now, unless it is drawn onto this
-// pass's target. 32-bit floats, as half floats stop fading at slow decays; see light_bits. A measured tube: the mean light of the frame, from what it held
-// before and from what the beam brought.
+// pass's target. 32-bit floats, as half floats stop fading at slow decays; see light_bits. A measured
+// tube: the mean light of the frame, from what it held before and from what the beam brought.
 #include "as_written.glsl"
 #include "ceiling.glsl"
 #include "decay.glsl"

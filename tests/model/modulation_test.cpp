@@ -129,6 +129,17 @@ TEST_CASE("an envelope follows the level, a beat jumps and comes down; silence d
     CHECK(moved_to("gain", beat, 2.0) == Value(1.0));
 }
 
+TEST_CASE("what a pass keeps its light in, where it is drawn and how fine its spot is may move") {
+    Look look = moving_look();
+    const std::string read = "$" + look.parameters[0].name;
+    look.passes[0].half_floats = read;
+    look.passes[0].onto = Onto{"elsewhere", read};
+    look.passes[0].spot = {read, read};
+    CHECK(why_unmodulated(look, look.parameters[0]).empty());
+    look.passes[0].one_channel = read;
+    CHECK_FALSE(why_unmodulated(look, look.parameters[0]).empty());
+}
+
 TEST_CASE("what is no number, or says how large a pass is, does not move") {
     Look look = moving_look();
     look.passes.resize(2);

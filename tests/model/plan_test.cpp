@@ -254,8 +254,8 @@ namespace {
 Look sharing_scope() {
     Look look = scope();
     look.passes[0].onto = Onto{"persistence", "$plain"};
-    look.passes[0].format = Format::rgba32f;
-    look.passes[1].format = Format::rgba16f;
+    for (const std::size_t pass : {0U, 1U})
+        look.passes[pass].format = Format::rgba16f;
     look.parameters.push_back(knob("plain", 1, {}));
     return look;
 }
@@ -274,17 +274,35 @@ TEST_CASE("a pass is drawn onto another's target while its look allows it and no
     CHECK(meets_drawn_onto(sharing_scope(), shared, 2));
     CHECK_FALSE(meets_drawn_onto(sharing_scope(), shared, 0));
     const Plan apart = sharing_plan({});
-    CHECK(apart.targets[0] == PlannedTarget{{100, 10}, Format::rgba32f});
+    CHECK(apart.targets[0] == PlannedTarget{{100, 10}, Format::rgba16f});
     CHECK(draw_order(apart) == std::vector<std::size_t>{0, 1, 2, 3});
     CHECK_FALSE(meets_drawn_onto(sharing_scope(), apart, 1));
-    // 16 bytes a texel of the beam; in its place one texel of 8.
-    CHECK(memory_of(apart) - memory_of(shared) == 100 * 10 * 16 - 8);
+    // 8 bytes a texel of the beam; in its place one texel.
+    CHECK(memory_of(apart) - memory_of(shared) == 100 * 10 * 8 - 8);
 
     CHECK(sharing_plan(last_seen, 0.0) == apart);
     CHECK(sharing_plan({.seen = {true, false, false, true}}) == apart);
     CHECK(sharing_plan({.seen = {false, true, false, true}}) == apart);
     CHECK(sharing_plan({.seen = last_seen.seen, .kept = {true}}) == apart);
     CHECK(sharing_plan({.seen = last_seen.seen, .kept = {false, true, false, false}}) == apart);
+}
+
+TEST_CASE("passes share no target where their own would differ, or a person has changed either") {
+    const PlanTerms last_seen{.seen = {false, false, false, true}};
+    const auto shares = [&](const Look& look) {
+        const auto plan = plan_targets(look, {100, 10}, {}, {}, last_seen);
+        return plan.value().targets[0].onto.has_value();
+    };
+    CHECK(shares(sharing_scope()));
+    Look finer = sharing_scope();
+    finer.passes[0].format = Format::rgba32f;
+    CHECK_FALSE(shares(finer));
+    Look smaller = sharing_scope();
+    smaller.passes[0].size.fill({Side::By::viewport, 0.5, {}});
+    CHECK_FALSE(shares(smaller));
+    const PassOverride linear{.filter = Filter::linear};
+    CHECK_FALSE(shares(with_overrides(sharing_scope(), {{"persistence", linear}})));
+    CHECK_FALSE(shares(with_overrides(sharing_scope(), {{"beam", linear}})));
 }
 
 TEST_CASE("whether passes share targets is told of the parameter that decides it") {
