@@ -1,20 +1,16 @@
 #include "formats/modern_glsl.h"
 
+#include "base/text.h"
+#include "formats/later_words.h"
 #include "glsl/tokens.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
 namespace {
-// Names in GLSL ES 3.00; keywords or functions in 4.10 or later, or in a driver's own extensions.
-constexpr std::array<std::string_view, 33> taken_words{
-    "sample",    "buffer",   "shared",   "patch",      "precise",      "resource", "readonly",
-    "writeonly", "coherent", "restrict", "subroutine", "double",       "dvec2",    "dvec3",
-    "dvec4",     "dmat2",    "dmat3",    "dmat4",      "noise1",       "noise2",   "noise3",
-    "noise4",    "fma",      "ldexp",    "frexp",      "min3",         "max3",     "mid3",
-    "half",      "input",    "output",   "image2D",    "sampler2DRect"};
-
 constexpr std::array<std::pair<std::string_view, std::string_view>, 16> old_functions{
     {{"texture2D", "texture"},
      {"texture3D", "texture"},
@@ -32,6 +28,26 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 16> old_func
      {"texture2DGradEXT", "textureGrad"},
      {"textureCubeGrad", "textureGrad"},
      {"textureCubeGradEXT", "textureGrad"}}};
+
+constexpr const char* word_for_es = "afterglow_es";
+constexpr int es_1 = 100;
+
+// `float smooth =`, `vec2 layout(`: a type before it, and behind it what follows a name.
+bool is_name_of_author(const std::vector<Token>& tokens, std::size_t at) {
+    if (at == 0 || at + 1 >= tokens.size() || tokens[at].in_directive)
+        return false;
+    constexpr std::array<std::string_view, 6> behind_names{";", "=", ",", ")", "[", "("};
+    constexpr std::array<std::string_view, 17> no_types{
+        "return", "else",     "do",      "case",          "const",    "in",
+        "out",    "inout",    "uniform", "lowp",          "mediump",  "highp",
+        "flat",   "centroid", "smooth",  "noperspective", "invariant"};
+    const Token& before = tokens[at - 1];
+    if (before.is(","))  // in a list
+        return tokens[at + 1].is("=") || tokens[at + 1].is(";");
+    return before.kind == Token::Kind::word && !before.in_directive &&
+           std::ranges::find(no_types, before.text) == no_types.end() &&
+           std::ranges::find(behind_names, tokens[at + 1].text) != behind_names.end();
+}
 
 bool is_call(const std::vector<Token>& tokens, std::size_t at) {
     return at + 1 < tokens.size() && tokens[at + 1].is("(");
@@ -57,14 +73,18 @@ std::string with_joined_lines(std::string_view text) {
 
 class Modernising {
 public:
-    Modernising(std::string_view text, const WordChanges& changes)
-        : m_text(text), m_changes(changes) {
+    Modernising(std::string_view text, const WordChanges& changes, GlslVersion version)
+        : m_text(text), m_changes(changes), m_version(version) {
         for (const Token& token : scan(text).all)
             if (token.kind != Token::Kind::comment)
                 m_tokens.push_back(token);
-        for (const Token& token : m_tokens)
-            if (token.kind == Token::Kind::word)
-                m_words.insert(token.text);
+        for (std::size_t i = 0; i < m_tokens.size(); ++i) {
+            if (m_tokens[i].kind != Token::Kind::word)
+                continue;
+            m_words.insert(m_tokens[i].text);
+            if (is_name_of_author(m_tokens, i))
+                m_names.insert(m_tokens[i].text);
+        }
     }
 
     std::string modern() {
@@ -87,7 +107,8 @@ private:
         if (directive + 1 >= m_tokens.size())
             return false;
         const Token& name = m_tokens[directive + 1];
-        return name.in_directive && (name.is("version") || name.is("extension") || name.is("line"));
+        return name.in_directive && (name.is("version") || name.is("extension") ||
+                                     name.is("include") || name.is("line"));
     }
 
     // A driver may read `a-b` as a decrement where b is -1.
@@ -109,14 +130,33 @@ private:
         std::string word(m_tokens[at].text);
         if (const auto changed = m_changes.find(word); changed != m_changes.end())
             return changed->second;
-        if (std::ranges::find(taken_words, word) != taken_words.end())
+        if (is_taken(word))
             return free_name(word);
-        if (word == "texture" && !is_call(m_tokens, at) && !m_tokens[at].in_directive)
+        if (word == "GL_ES" && m_version.is_es)
+            return word_for_es;
+        if (word == "texture" && is_texture_of_author(at))
             return free_name(word);
         for (const auto& [old, now] : old_functions)
             if (old == word)
                 return std::string(now);
         return word;
+    }
+
+    // What every text since ES 3.00 says for itself may stand in one without #version, too: there
+    // only what is declared is a name.
+    bool is_taken(std::string_view word) const {
+        constexpr int usual = 330;
+        const LaterWord* const later = find_later_word(word);
+        if (!later || later->since <= m_version.words)
+            return false;
+        return later->since > usual || m_names.contains(word);
+    }
+
+    bool is_texture_of_author(std::size_t at) const {
+        constexpr int first_with_texture = 130;
+        if (m_version.words < first_with_texture && m_names.contains("texture"))
+            return true;
+        return !is_call(m_tokens, at) && !m_tokens[at].in_directive;
     }
 
     const std::string& free_name(const std::string& word) {
@@ -138,17 +178,34 @@ private:
 
     std::string_view m_text;
     const WordChanges& m_changes;
+    GlslVersion m_version;
     std::vector<Token> m_tokens;
     std::set<std::string_view> m_words;
+    std::set<std::string_view> m_names;               // those that the text declares
     std::map<std::string, std::string> m_free_names;  // by the words that they stand for
     std::string m_done;
     std::size_t m_at = 0;
 };
 }  // namespace
 
-std::string modern_glsl(std::string_view text, const WordChanges& changes) {
+GlslVersion glsl_version_of(std::string_view text) {
+    const Tokens tokens = scan(text);
+    for (const Directive& directive : find_directives(text, tokens)) {
+        if (directive.name != "version" || directive.arguments.empty())
+            continue;
+        const int number = parse_integer(directive.arguments.front().text).value_or(es_1);
+        const bool is_es =
+            number == es_1 || (directive.arguments.size() > 1 && directive.arguments[1].is("es"));
+        if (!is_es || number == es_1)
+            return {number, is_es};
+        return {number >= 320 ? 450 : number >= 310 ? 430 : 330, true};
+    }
+    return {es_1, true};
+}
+
+std::string modern_glsl(std::string_view text, const WordChanges& changes, GlslVersion version) {
     const std::string joined = with_joined_lines(text);
-    return Modernising(joined, changes).modern();
+    return Modernising(joined, changes, version).modern();
 }
 
 void add_words(std::string_view text, GlslWords& words) {
@@ -159,6 +216,8 @@ void add_words(std::string_view text, GlslWords& words) {
 
 std::string modern_glsl_start(const GlslWords& words) {
     std::string start = "#version 410 core\n";
+    if (words.contains("GL_ES"))
+        start += fmt::format("#define {} 1\n", word_for_es);
     for (const char* const packing :
          {"packHalf2x16", "unpackHalf2x16", "packSnorm2x16", "unpackSnorm2x16"})
         if (words.contains(packing))

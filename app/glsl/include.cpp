@@ -37,7 +37,7 @@ std::string with_plain_line_ends(std::string_view text) {
 class Assembler {
 public:
     Assembler(const fs::path& file, const IncludeRoots& roots, std::vector<fs::path>& files)
-        : m_paths(file, roots), m_files(files) {
+        : m_paths(file, roots), m_given(roots.given), m_files(files) {
         m_stage.file = file;
         for (const fs::path& known : files)
             m_known.insert(known.native());
@@ -143,10 +143,26 @@ private:
         m_stage.lines.push_back(at);
     }
 
+    // `<`, words, `>`
+    static std::string_view name_between(const std::vector<Token>& signs) {
+        const char* const begin = signs.front().text.data() + 1;
+        return {begin, static_cast<std::size_t>(signs.back().text.data() - begin)};
+    }
+
+    void add_given(std::string_view name, const Location& at) {
+        if (std::ranges::find(m_given, name) == m_given.end())
+            return error(at, fmt::format("there is no '<{}>' here; a file is included by "
+                                         "#include \"file.glsl\"",
+                                         name));
+        add_line(fmt::format("#include <{}>", name), at);
+    }
+
     void include(const Directive& directive, const Location& at) {
         if (m_is_full)
             return;
         const auto& arguments = directive.arguments;
+        if (!m_given.empty() && arguments.size() > 2 && arguments.front().is("<"))
+            return add_given(name_between(arguments), at);
         if (arguments.size() != 1 || arguments.front().kind != Token::Kind::string)
             return error(at, "an include is written #include \"file.glsl\"");
         const std::string_view name =
@@ -193,6 +209,7 @@ private:
     };
 
     IncludePaths m_paths;
+    std::span<const std::string_view> m_given;
     std::vector<fs::path>& m_files;
     Stage m_stage;
     Diagnostics m_errors;

@@ -3,13 +3,17 @@
 #include "model/look.h"
 
 #include <filesystem>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// Folders that an #include may read from, besides the including file's own.
 struct IncludeRoots {
     std::filesystem::path look_folder;  // "": the folder of the file that is loaded
     std::filesystem::path shared;       // the program's shaders/include
+    // Of `#include <NAME>`, which stay in the text as they are: what they bring is given elsewhere.
+    std::span<const std::string_view> given = {};
 };
 
 /// Reads `file` and everything it includes. Includes are looked for beside the including file, in

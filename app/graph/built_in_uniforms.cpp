@@ -44,6 +44,10 @@ Sixteen widened(const std::array<double, 4>& numbers) {
     return {numbers[0], numbers[1], numbers[2], numbers[3]};
 }
 
+Sixteen date_numbers(const Date& date, int first_month) {
+    return {date.year * 1.0, date.month - 1.0 + first_month, date.day * 1.0, date.seconds};
+}
+
 // From 0..1 to clip space, by column. The quad's y goes from the top of a picture down, which is up
 // in a target whose first row is its top.
 Sixteen quad_to_clip(RowOrder rows) {
@@ -76,9 +80,9 @@ BuiltInUniforms::Numbers BuiltInUniforms::numbers_of(const Place& place, const F
         case BuiltIn::delta_before:
             return {{frame.number > 1 ? frame.time_delta : 0.0}, 1};
         case BuiltIn::date:
-            return {{frame.date.year * 1.0, frame.date.month * 1.0, frame.date.day * 1.0,
-                     frame.date.seconds},
-                    4};
+            return {date_numbers(frame.date, 1), 4};
+        case BuiltIn::date_from_0:
+            return {date_numbers(frame.date, 0), 4};
         case BuiltIn::target_size:
             return size(facts.target);
         case BuiltIn::output_size:

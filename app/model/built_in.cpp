@@ -26,6 +26,7 @@ bool tells_time(BuiltIn says) {
         case BuiltIn::frame_rate:
         case BuiltIn::delta_before:
         case BuiltIn::date:
+        case BuiltIn::date_from_0:
             return true;
         default:
             return false;

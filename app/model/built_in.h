@@ -25,6 +25,7 @@ enum class BuiltIn {
     time_before,    // of the frame's start, s: 0 in the first one
     delta_before,   // since the frame before, s: 0 in the first one
     date,           // year, month from 1, day, seconds since midnight
+    date_from_0,    // the same, its month from 0
     quad_to_clip,   // the matrix that draws the quad over the whole target, a picture's top on top
     frame_rate,     // frames a second, by time_delta
     press,          // of the mouse: see Press::numbers

@@ -11,6 +11,35 @@ TEST_CASE("names that GLSL 4.10 takes for itself get others, in comments they st
     CHECK(modern_glsl("float resampled;") == "float resampled;");
 }
 
+TEST_CASE("a word is left to those whose version has it") {
+    constexpr GlslVersion newest{450, false};
+    CHECK(modern_glsl("double sample; sample in vec2 a;", {}, newest) ==
+          "double sample; sample in vec2 a;");
+    CHECK(modern_glsl("uint a = uint(1);", {}, {100, true}) == "uint a = uint(1);");
+    CHECK(modern_glsl("float smooth = 1.0; a = smooth;", {}, {100, true}) ==
+          "float smooth_ = 1.0; a = smooth_;");
+    CHECK(modern_glsl("smooth in vec2 a; float filter;", {}, {330, false}) ==
+          "smooth in vec2 a; float filter_;");
+}
+
+TEST_CASE("the version of a text is what its #version says, else that of GLSL ES 1.00") {
+    const auto told = [](std::string_view text) {
+        const GlslVersion version = glsl_version_of(text);
+        return std::pair(version.words, version.is_es);
+    };
+    CHECK(told("float a;") == std::pair(100, true));
+    CHECK(told("#version 100\n") == std::pair(100, true));
+    CHECK(told("// why\n#version 300 es\n") == std::pair(330, true));
+    CHECK(told("#version 120\n") == std::pair(120, false));
+    CHECK(told("#version 450 core\n") == std::pair(450, false));
+}
+
+TEST_CASE("GL_ES is defined for ES alone, under a name that may be") {
+    CHECK(modern_glsl("#ifdef GL_ES\n") == "#ifdef afterglow_es\n");
+    CHECK(modern_glsl("#ifdef GL_ES\n", {}, {330, false}) == "#ifdef GL_ES\n");
+    CHECK(modern_glsl_start({"GL_ES"}) == "#version 410 core\n#define afterglow_es 1\n");
+}
+
 TEST_CASE("the old names of texture functions are the new ones") {
     CHECK(modern_glsl("texture2D(a, b) + textureCubeLodEXT(c, d, 1.0)") ==
           "texture(a, b) + textureLod(c, d, 1.0)");

@@ -3,9 +3,10 @@
 #include "base/file.h"
 #include "base/text.h"
 #include "formats/bare/bare_names.h"
+#include "formats/bare/bare_stage.h"
+#include "formats/bare/host_names.h"
 #include "formats/bare/varyings.h"
-#include "formats/modern_glsl.h"
-#include "glsl/declarations.h"
+#include "glsl/check_cache.h"
 #include "glsl/include.h"
 #include "glsl/parameters.h"
 #include "glsl/tokens.h"
@@ -37,93 +38,151 @@ bool defines_main(std::string_view text) {
     return false;
 }
 
-// ES 1.00 and old desktop versions have outputs of their own.
-Stage modern_stage(const Stage& written) {
-    WordChanges changes{{"varying", "in"}};
-    GlslWords words;
-    add_words(written.text, words);
-    std::string start = modern_glsl_start(words);
-    if (words.contains("gl_FragColor")) {
-        changes["gl_FragColor"] = "afterglow_color";
-        start += "out vec4 afterglow_color;\n";
-    }
-    if (words.contains("gl_FragData")) {
-        changes["gl_FragData"] = "afterglow_data";
-        start += "out vec4 afterglow_data[1];\n";
-    }
-    Stage stage;
-    stage.file = written.file;
-    stage.text = start + modern_glsl(written.text, changes);
-    stage.lines.append({{}, 1}, static_cast<std::size_t>(std::ranges::count(start, '\n')));
-    for (std::size_t line = 0; line < written.lines.size(); ++line)
-        stage.lines.push_back(written.lines[line]);
-    return stage;
-}
+/// Makes a look of a text, drawing by drawing.
+class BareLook {
+public:
+    BareLook(const Stage& written, const ReadingHelp& help, Diagnostics& warnings)
+        : m_written(written), m_help(help), m_warnings(warnings) {}
 
-// Of samplers: the picture that the shader works on, and for the others the sizes that it asks for.
-void feed_bare(Pass& pass, Look& look) {
-    for (const Declaration& declared : find_declarations(pass.fragment.text)) {
-        if (is_bare_source(declared.name)) {
-            look.driven_by = Driver::picture;
-            look.default_source = source_pattern;
-            const bool is_known =
-                std::ranges::find(pass.inputs, declared.name, &Input::uniform) != pass.inputs.end();
-            if (!is_known)
-                pass.inputs.push_back({declared.name, Input::From::source, {}, 0, {}});
+    Result<Look> make() {
+        GlslWords words;
+        add_words(m_written.text, words);
+        const std::vector<BarePass> passes = bare_passes(words);
+        for (const BarePass& pass : passes)
+            add_pass(pass, passes.size() == 1);
+        if (auto problems = turn_constants(m_look, m_help.values); !problems.empty())
+            return fail(std::move(problems));
+        for (std::size_t i = 0; i < m_look.passes.size(); ++i)
+            if (auto problems = feed(i); !problems.empty())
+                return fail(std::move(problems));
+        auto parameters = find_parameters(m_look, m_help.cache, m_warnings);
+        if (!parameters)
+            return fail(std::move(parameters.error()));
+        m_look.parameters.insert(m_look.parameters.begin(), parameters->begin(), parameters->end());
+        for (Parameter& parameter : m_look.parameters)
+            if (parameter.control == Control::image && parameter.initial.path.empty())
+                parameter.initial = Value::of_path(bare_stand_in(parameter.name));
+        m_look.source_encoding = Encoding::display;
+        m_look.output = Encoding::display;
+        m_look.settle_frames = frames_shown;
+        return std::move(m_look);
+    }
+
+private:
+    void add_pass(const BarePass& asked, bool is_alone) {
+        Pass pass;
+        pass.name = asked.name;
+        pass.built_ins.clear();
+        pass.declared = {m_written.file, 1};
+        pass.format = is_alone || asked.define.empty() ? Format::rgba8 : Format::rgba32f;
+        pass.output = Encoding::display;
+        pass.fragment = bare_fragment_stage(m_written, asked.define);
+        GlslWords words;
+        add_words(pass.fragment.text, words);
+        for (const BuiltInUniform& told : bare_built_ins())
+            if (words.contains(told.name))
+                pass.built_ins.push_back(told);
+        m_look.passes.push_back(std::move(pass));
+    }
+
+    Diagnostics feed(std::size_t index) {
+        Pass& pass = m_look.passes[index];
+        const std::vector<BareVarying> varyings = find_varyings(pass.fragment.text);
+        if (varyings.size() > most_varyings) {
+            const Location at = place_in(pass.fragment, varyings[most_varyings].line);
+            return {{at.file, at.line,
+                     fmt::format("more than {} values come from a vertex shader", most_varyings)}};
         }
-        constexpr std::string_view asks_size = "Resolution";
-        if (declared.name.starts_with("u_tex") && declared.name.ends_with(asks_size)) {
-            const std::string sampler =
-                declared.name.substr(0, declared.name.size() - asks_size.size());
-            pass.built_ins.push_back({declared.name, BuiltIn::input_resolution,
-                                      Input{sampler, Input::From::image, sampler, 0, {}}});
+        pass.vertex = vertex_stage_for(varyings, pass.fragment, m_warnings);
+        const auto checked = m_help.cache ? m_help.cache->check(pass.vertex, pass.fragment)
+                                          : check_program(pass.vertex, pass.fragment);
+        if (!checked)
+            return checked.error();
+        for (const Uniform& uniform : checked->uniforms) {
+            if (uniform.kind == Uniform::Kind::sampler)
+                feed_sampler(uniform, index);
+            else
+                tell_size(uniform.name, pass);
+        }
+        return {};
+    }
+
+    void feed_sampler(const Uniform& uniform, std::size_t index) {
+        Pass& pass = m_look.passes[index];
+        const auto drawn = find_pass(m_look, uniform.name);
+        const auto last = static_cast<int>(m_look.passes.size()) - 1;
+        if (drawn && *drawn < last) {
+            const bool is_of_last_frame = static_cast<std::size_t>(*drawn) >= index;
+            pass.inputs.push_back(
+                {uniform.name, Input::From::pass, uniform.name, is_of_last_frame ? 1 : 0, {}});
+        } else if (is_bare_source(uniform.name)) {
+            m_look.driven_by = Driver::picture;
+            m_look.default_source = source_pattern;
+            pass.inputs.push_back({uniform.name, Input::From::source, {}, 0, {}});
+        } else if (uniform.type_name == "samplerCube" || uniform.type_name == "sampler3D") {
+            feed_solid(uniform, index);
+        } else if (is_drawn_by_viewer(uniform.name)) {
+            const Location& at = uniform.declared.front();
+            add_new(m_warnings, {at.file, at.line,
+                                 fmt::format("'{}' is what glslViewer draws of a scene or buffer "
+                                             "that is not here: it is a picture to be chosen",
+                                             uniform.name),
+                                 Severity::warning});
         }
     }
-}
+
+    // A cube or a volume, which a person chooses a flat drawing of.
+    void feed_solid(const Uniform& uniform, std::size_t index) {
+        const bool is_cube = uniform.type_name == "samplerCube";
+        m_look.passes[index].inputs.push_back(
+            {uniform.name, Input::From::image, uniform.name, 0, {}});
+        auto known = std::ranges::find(m_look.parameters, uniform.name, &Parameter::name);
+        if (known == m_look.parameters.end()) {
+            Parameter chosen;
+            chosen.name = uniform.name;
+            chosen.label = uniform.name;
+            chosen.control = Control::image;
+            chosen.declared = uniform.declared.front();
+            chosen.initial = Value::of_path(is_cube ? "solid:sky" : "solid:noise-volume");
+            Image image;
+            image.name = uniform.name;
+            image.rows = RowOrder::top_first;
+            image.shape = is_cube ? PictureShape::cube : PictureShape::volume;
+            m_look.images.push_back(std::move(image));
+            known = m_look.parameters.insert(m_look.parameters.end(), std::move(chosen));
+        }
+        known->bindings.push_back({static_cast<int>(index), uniform.name});
+    }
+
+    // `u_tex0Resolution` of `u_tex0`.
+    static void tell_size(const std::string& name, Pass& pass) {
+        constexpr std::string_view asks_size = "Resolution";
+        if (!name.starts_with("u_tex") || !name.ends_with(asks_size))
+            return;
+        const std::string sampler = name.substr(0, name.size() - asks_size.size());
+        pass.built_ins.push_back(
+            {name, BuiltIn::input_resolution, Input{sampler, Input::From::image, sampler, 0, {}}});
+    }
+
+    const Stage& m_written;
+    const ReadingHelp& m_help;
+    Diagnostics& m_warnings;
+    Look m_look;
+};
 
 Result<Look> read_bare_look(const fs::path& file, const fs::path& shared, const ReadingHelp& help,
                             LoadedLook& loaded) {
-    const auto written = load_stage(file, {file.parent_path(), shared}, loaded.files);
+    const auto written =
+        load_stage(file, {file.parent_path(), shared, host_chunks()}, loaded.files);
     if (!written)
         return fail(written.error());
-    Look look;
-    Pass pass;
-    pass.name = "picture";
-    pass.built_ins.clear();
-    pass.declared = {file, 1};
-    pass.format = Format::rgba8;
-    pass.output = Encoding::display;
-    pass.fragment = modern_stage(*written);
-    GlslWords words;
-    add_words(pass.fragment.text, words);
-    for (const BuiltInUniform& told : bare_built_ins())
-        if (words.contains(told.name))
-            pass.built_ins.push_back(told);
-    const std::vector<BareVarying> varyings = find_varyings(pass.fragment.text);
-    if (varyings.size() > most_varyings) {
-        const Location at = place_in(pass.fragment, varyings[most_varyings].line);
-        return fail({at.file, at.line,
-                     fmt::format("more than {} values come from a vertex shader", most_varyings)});
-    }
-    pass.vertex = vertex_stage_for(varyings, pass.fragment, loaded.warnings);
-    feed_bare(pass, look);
-    look.passes.push_back(std::move(pass));
     loaded.is_parsed = true;
-    if (auto problems = turn_constants(look, help.values); !problems.empty())
-        return fail(std::move(problems));
-    auto parameters = find_parameters(look, help.cache, loaded.warnings);
-    if (!parameters)
-        return fail(std::move(parameters.error()));
-    look.parameters.insert(look.parameters.begin(), parameters->begin(), parameters->end());
-    for (Parameter& parameter : look.parameters)
-        if (parameter.control == Control::image)
-            parameter.initial = Value::of_path(bare_stand_in(parameter.name));
-    look.id = foreign_look_id(file);
-    look.name = file.stem().string();
-    look.manifest = file;
-    look.source_encoding = Encoding::display;
-    look.output = Encoding::display;
-    look.settle_frames = frames_shown;
+    auto look = BareLook(*written, help, loaded.warnings).make();
+    if (!look)
+        return look;
+    look->id = foreign_look_id(file);
+    look->name = file.stem().string();
+    look->manifest = file;
     return look;
 }
 }  // namespace

@@ -5,6 +5,20 @@
 #include <algorithm>
 #include <array>
 
+std::vector<BarePass> bare_passes(const GlslWords& words) {
+    constexpr int most_buffers = 16;  // of a kind
+    std::vector<BarePass> passes;
+    const auto add = [&](const char* define, const char* name) {
+        for (int i = 0; i < most_buffers; ++i)
+            if (std::string asked = define + std::to_string(i); words.contains(asked))
+                passes.push_back({name + std::to_string(i), std::move(asked)});
+    };
+    add("BUFFER_", "u_buffer");
+    add("DOUBLE_BUFFER_", "u_doubleBuffer");
+    passes.push_back({"picture", {}});
+    return passes;
+}
+
 const std::vector<BuiltInUniform>& bare_built_ins() {
     static const std::vector<BuiltInUniform> all{// glslViewer and The Book of Shaders
                                                  {"u_time", BuiltIn::time_before},
@@ -12,6 +26,7 @@ const std::vector<BuiltInUniform>& bare_built_ins() {
                                                  {"u_frame", BuiltIn::frame_before},
                                                  {"u_resolution", BuiltIn::target_resolution},
                                                  {"u_mouse", BuiltIn::mouse},
+                                                 {"u_date", BuiltIn::date_from_0},
                                                  // three.js and its like
                                                  {"time", BuiltIn::time_before},
                                                  {"resolution", BuiltIn::target_resolution},
@@ -32,6 +47,13 @@ bool is_bare_source(std::string_view sampler) {
     constexpr std::array<std::string_view, 4> names{"gm_BaseTexture", "tDiffuse", "texture0",
                                                     "uSampler"};
     return std::ranges::find(names, sampler) != names.end();
+}
+
+bool is_drawn_by_viewer(std::string_view sampler) {
+    constexpr std::array<std::string_view, 6> starts{
+        "u_buffer", "u_doubleBuffer", "u_scene", "u_pyramid", "u_flood", "u_lightShadowMap"};
+    return std::ranges::any_of(starts,
+                               [&](std::string_view start) { return sampler.starts_with(start); });
 }
 
 const char* bare_stand_in(std::string_view sampler) {

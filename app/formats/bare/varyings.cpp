@@ -9,67 +9,202 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <set>
 
 namespace {
 constexpr std::array qualifiers{"lowp",   "mediump",       "highp",    "flat",
                                 "smooth", "noperspective", "centroid", "invariant"};
 
-/// Cuts a text into the statements that stand in no brackets.
+/// What the preprocessor and constants say of a text, as far as declarations need it.
+class SmallFacts {
+public:
+    explicit SmallFacts(const std::vector<Token>& tokens) {
+        for (std::size_t i = 0; i + 2 < tokens.size(); ++i) {
+            const Token& word = tokens[i + 1];
+            if (tokens[i].is("define") && tokens[i].in_directive && word.in_directive)
+                add_macro(word.text, tokens[i + 2]);
+            else if (tokens[i].is("int") && tokens[i + 2].is("=") && i + 3 < tokens.size())
+                add_number(word.text, tokens[i + 3]);
+        }
+    }
+
+    bool is_in(const Token& token) const {
+        return token.is("in") || token.is("varying") || m_words_for_in.contains(token.text);
+    }
+
+    bool is_qualifier(const Token& token) const {
+        return std::ranges::find(qualifiers, token.text) != qualifiers.end() ||
+               m_qualifiers.contains(token.text);
+    }
+
+    std::string_view number_for(std::string_view word) const {
+        const auto known = m_numbers.find(word);
+        return known == m_numbers.end() ? word : known->second;
+    }
+
+private:
+    void add_macro(std::string_view name, const Token& value) {
+        const bool is_empty = !value.in_directive || value.starts_directive;
+        if (!is_empty && is_in(value))
+            m_words_for_in.insert(name);
+        else if (is_empty || is_qualifier(value))
+            m_qualifiers.insert(name);
+        else
+            add_number(name, value);
+    }
+
+    void add_number(std::string_view name, const Token& value) {
+        if (value.kind == Token::Kind::number)
+            m_numbers.emplace(name, value.text);
+    }
+
+    std::set<std::string_view> m_words_for_in;
+    std::set<std::string_view> m_qualifiers;
+    std::map<std::string_view, std::string_view> m_numbers;
+};
+
+/// Reads one statement: `in highp vec2 uv, at[3]` or `in Block { vec2 uv; } name`.
+class StatementReader {
+public:
+    StatementReader(const std::vector<Token>& words, const SmallFacts& facts)
+        : m_words(words), m_facts(facts) {}
+
+    std::vector<BareVarying> varyings() {
+        BareVarying first;
+        if (!read_qualifiers(first) || m_at >= m_words.size())
+            return {};
+        first.type = m_words[m_at].text;
+        first.line = m_words[m_at++].line;
+        if (is_next("{"))
+            return {block(first)};
+        first.size = array_size();
+        return names(first, ";");
+    }
+
+private:
+    bool is_next(std::string_view sign) const {
+        return m_at < m_words.size() && m_words[m_at].is(sign);
+    }
+
+    // Whether an `in` is among them.
+    bool read_qualifiers(BareVarying& varying) {
+        bool is_in = false;
+        for (; m_at < m_words.size(); ++m_at) {
+            const Token& word = m_words[m_at];
+            if (word.is("layout"))
+                skip_brackets();
+            else if (m_facts.is_in(word))
+                is_in = true;
+            else if (!m_facts.is_qualifier(word))
+                break;
+            varying.is_flat = varying.is_flat || word.is("flat");
+        }
+        return is_in;
+    }
+
+    void skip_brackets() {
+        while (m_at + 1 < m_words.size() && !m_words[m_at].is(")"))
+            ++m_at;
+    }
+
+    std::string array_size() {
+        std::string size;
+        bool is_open = is_next("[");
+        for (; is_open && m_at < m_words.size(); ++m_at) {
+            size += m_facts.number_for(m_words[m_at].text);
+            is_open = !m_words[m_at].is("]");
+        }
+        return size;
+    }
+
+    // `uv, at[3];`, each as `first` is but for what it says itself.
+    std::vector<BareVarying> names(const BareVarying& first, std::string_view end) {
+        std::vector<BareVarying> found;
+        while (m_at < m_words.size() && m_words[m_at].kind == Token::Kind::word) {
+            BareVarying next = first;
+            next.name = m_words[m_at].text;
+            next.line = m_words[m_at++].line;
+            if (const std::string size = array_size(); !size.empty())
+                next.size = size;
+            found.push_back(std::move(next));
+            while (m_at < m_words.size() && !is_next(",") && !is_next(end))
+                ++m_at;
+            if (!is_next(","))
+                break;
+            ++m_at;
+        }
+        if (is_next(end))
+            ++m_at;
+        return found;
+    }
+
+    BareVarying block(BareVarying made) {
+        ++m_at;
+        while (m_at < m_words.size() && !is_next("}")) {
+            BareVarying member;
+            read_qualifiers(member);
+            if (m_at + 1 >= m_words.size() || m_words[m_at].kind != Token::Kind::word)
+                break;
+            member.type = m_words[m_at++].text;
+            member.size = array_size();
+            const std::vector<BareVarying> members = names(member, ";");
+            made.members.insert(made.members.end(), members.begin(), members.end());
+            if (members.empty())
+                break;
+        }
+        m_at = std::min(m_at + 1, m_words.size());
+        if (m_at < m_words.size() && m_words[m_at].kind == Token::Kind::word)
+            made.name = m_words[m_at].text;
+        return made;
+    }
+
+    const std::vector<Token>& m_words;
+    const SmallFacts& m_facts;
+    std::size_t m_at = 0;
+};
+
+/// Cuts a text into its statements.
 class VaryingFinder {
 public:
     explicit VaryingFinder(std::string_view text) {
+        std::vector<Token> tokens;
         for (const Token& token : scan(text).all)
-            if (token.kind != Token::Kind::comment && !token.in_directive)
-                add(token);
+            if (token.kind != Token::Kind::comment)
+                tokens.push_back(token);
+        const SmallFacts facts(tokens);
+        for (const Token& token : tokens)
+            if (!token.in_directive)
+                add(token, facts);
     }
 
     std::vector<BareVarying> found;
 
 private:
-    void add(const Token& token) {
-        m_depth += token.is("(") || token.is("{") || token.is("[") ? 1 : 0;
-        if (m_depth == 0 && (token.is(";") || token.is(",")))
-            read(token.is(","));
-        else if (m_depth == 0)
-            m_words.push_back(token);
+    void add(const Token& token, const SmallFacts& facts) {
+        const bool opens = token.is("(") || token.is("{") || token.is("[");
         const bool closes = token.is(")") || token.is("}") || token.is("]");
-        m_depth = std::max(m_depth - (closes ? 1 : 0), 0);
-        if (m_depth == 0 && token.is("}"))
-            m_words.clear();
+        m_is_of_in = m_is_of_in || (m_depth == 0 && facts.is_in(token));
+        m_depth = std::max(m_depth + (opens ? 1 : 0) - (closes ? 1 : 0), 0);
+        // What is in a function's brackets says nothing here.
+        if (m_depth == 0 || opens || m_is_of_in)
+            m_statement.push_back(token);
+        const bool ends_code = token.is("}") && !m_is_of_in;
+        if (m_depth > 0 || (!token.is(";") && !ends_code))
+            return;
+        if (m_is_of_in)
+            for (BareVarying& varying : StatementReader(m_statement, facts).varyings())
+                if (!varying.name.starts_with("gl_") &&
+                    m_names.insert(varying.name.empty() ? varying.type : varying.name).second)
+                    found.push_back(std::move(varying));
+        m_statement.clear();
+        m_is_of_in = false;
     }
 
-    // `in highp vec2 uv`, or after a comma the next name of the same type.
-    void read(bool goes_on) {
-        std::vector<Token> kept;  // for the next name
-        BareVarying varying;
-        bool is_varying = false;
-        std::vector<Token> rest;
-        for (const Token& word : m_words) {
-            is_varying = is_varying || word.is("in") || word.is("varying");
-            varying.is_flat = varying.is_flat || word.is("flat");
-            const bool is_qualifier = word.is("in") || word.is("varying") || word.is("layout") ||
-                                      std::ranges::find(qualifiers, word.text) != qualifiers.end();
-            if (word.kind == Token::Kind::word && !is_qualifier)
-                rest.push_back(word);
-            if (is_qualifier || rest.size() == 1)
-                kept.push_back(word);
-        }
-        if (is_varying && rest.size() >= 2) {
-            varying.type = rest[0].text;
-            varying.name = rest[1].text;
-            varying.line = rest[1].line;
-            if (m_names.insert(rest[1].text).second)
-                found.push_back(varying);
-        }
-        m_words.clear();
-        if (goes_on && is_varying && rest.size() >= 2)
-            m_words = std::move(kept);
-    }
-
-    std::vector<Token> m_words;
-    std::set<std::string_view> m_names;  // of `found`
+    std::vector<Token> m_statement;
+    std::set<std::string> m_names;  // of `found`
     int m_depth = 0;
+    bool m_is_of_in = false;
 };
 
 /// What a varying is given, and whether its name says so.
@@ -107,6 +242,57 @@ void warn_of_guess(const BareVarying& varying, const std::string& value, const L
                          varying.name, value == "place" ? "the place in the picture" : value),
              Severity::warning});
 }
+/// Puts a vertex stage together, and knows where each of its lines was written.
+class VertexText {
+public:
+    VertexText(const Stage& stage, Diagnostics& warnings) : m_stage(stage), m_warnings(warnings) {}
+
+    void declare(const BareVarying& varying) {
+        std::string code;
+        if (varying.members.empty())
+            code = fmt::format("{}out {} {}{};\n", varying.is_flat ? "flat " : "", varying.type,
+                               varying.name, varying.size);
+        else
+            code = fmt::format("out {} {{ ", varying.type);
+        for (const BareVarying& member : varying.members)
+            code += fmt::format("{}{} {}{}; ", member.is_flat ? "flat " : "", member.type,
+                                member.name, member.size);
+        if (!varying.members.empty())
+            code += fmt::format("}} {};\n", varying.name);
+        add(code, place_in(m_stage, varying.line));
+    }
+
+    void give(const BareVarying& varying, const std::string& instance = {}) {
+        if (!varying.members.empty()) {
+            for (const BareVarying& member : varying.members)
+                give(member, varying.name.empty() ? "" : varying.name + '.');
+            return;
+        }
+        const Given given = given_to(varying);
+        const Location at = place_in(m_stage, varying.line);
+        const std::string name = instance + varying.name;
+        if (varying.size.empty())
+            add(fmt::format("    {} = {};\n", name, given.value), at);
+        else
+            add(fmt::format("    for (int i = 0; i < {0}.length(); ++i) {0}[i] = {1};\n", name,
+                            given.value),
+                at);
+        if (!given.is_known)
+            warn_of_guess(varying, given.value, at, m_warnings);
+    }
+
+    void add(std::string_view code, const Location& at) {
+        made.text += code;
+        made.lines.append(at, static_cast<std::size_t>(std::ranges::count(code, '\n')));
+    }
+
+    Stage made;
+
+private:
+    const Stage& m_stage;
+    Diagnostics& m_warnings;
+};
+
 }  // namespace
 
 std::vector<BareVarying> find_varyings(std::string_view text) {
@@ -115,27 +301,19 @@ std::vector<BareVarying> find_varyings(std::string_view text) {
 
 Stage vertex_stage_for(const std::vector<BareVarying>& varyings, const Stage& stage,
                        Diagnostics& warnings) {
-    Stage made{stage.file, "#version 410 core\n", {{{}, 1}}};
-    Stage body{{},
-               "void main() {\n"
-               "    vec2 place = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);\n"
-               "    gl_Position = vec4(place * 2.0 - 1.0, 0.0, 1.0);\n",
-               {}};
-    for (const BareVarying& varying : varyings) {
-        const Given given = given_to(varying);
-        const Location at = place_in(stage, varying.line);
-        made.text += fmt::format("{}out {} {};\n", varying.is_flat ? "flat " : "", varying.type,
-                                 varying.name);
-        made.lines.push_back(at);
-        body.text += fmt::format("    {} = {};\n", varying.name, given.value);
-        body.lines.push_back(at);
-        if (!given.is_known)
-            warn_of_guess(varying, given.value, at, warnings);
-    }
-    made.text += body.text + "}\n";
-    made.lines.append({{}, 1}, 3);
-    for (std::size_t i = 0; i < varyings.size(); ++i)
-        made.lines.push_back(body.lines[i]);
-    made.lines.push_back({{}, 1});
-    return made;
+    const Location ours{{}, 1};
+    VertexText text(stage, warnings);
+    text.made.file = stage.file;
+    text.add("#version 410 core\n", ours);
+    for (const BareVarying& varying : varyings)
+        text.declare(varying);
+    text.add(
+        "void main() {\n"
+        "    vec2 place = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);\n"
+        "    gl_Position = vec4(place * 2.0 - 1.0, 0.0, 1.0);\n",
+        ours);
+    for (const BareVarying& varying : varyings)
+        text.give(varying);
+    text.add("}\n", ours);
+    return std::move(text.made);
 }

@@ -1,5 +1,6 @@
 #include "formats/isf/body.h"
 
+#include "formats/later_words.h"
 #include "glsl/tokens.h"
 
 #include <algorithm>
@@ -10,25 +11,11 @@
 namespace {
 const std::string own_prefix = "isf_own_";
 
-// Reserved or built in since GLSL 1.30, or by Mesa; an author of before may have used them.
-const std::set<std::string_view>& later_words() {
-    static const std::set<std::string_view> all{
-        "active",     "buffer",    "cast",      "class",   "coherent", "common",   "dmat2",
-        "dmat3",      "dmat4",     "double",    "dvec2",   "dvec3",    "dvec4",    "enum",
-        "extern",     "external",  "filter",    "fixed",   "goto",     "half",     "inline",
-        "input",      "interface", "long",      "max3",    "mid3",     "min3",     "namespace",
-        "noinline",   "output",    "partition", "patch",   "precise",  "public",   "readonly",
-        "resource",   "restrict",  "sample",    "shared",  "short",    "sizeof",   "static",
-        "subroutine", "template",  "this",      "typedef", "union",    "unsigned", "using",
-        "writeonly"};
-    return all;
-}
-
-// Built-in functions that an author may have written before they were there.
-const std::set<std::string_view>& later_functions() {
-    static const std::set<std::string_view> all{"fma",    "ldexp",  "frexp", "noise1",
-                                                "noise2", "noise3", "noise4"};
-    return all;
+// An author of before may have used them as names.
+bool is_later(std::string_view word, LaterWord::Kind kind) {
+    constexpr int first_too_late = 400;
+    const LaterWord* const later = find_later_word(word);
+    return later && later->kind == kind && later->since >= first_too_late;
 }
 
 const std::map<std::string_view, std::string_view>& former_names() {
@@ -101,7 +88,7 @@ private:
     void find_own_functions() {
         const std::vector<Token>& all = m_tokens.all;
         for (std::size_t i = 1; i + 1 < all.size(); ++i)
-            if (later_functions().contains(all[i].text) && all[i + 1].is("(") &&
+            if (is_later(all[i].text, LaterWord::Kind::function) && all[i + 1].is("(") &&
                 all[i - 1].kind == Token::Kind::word && !all[i - 1].is("return"))
                 m_own.insert(all[i].text);
     }
@@ -128,7 +115,8 @@ private:
 }  // namespace
 
 std::string isf_word(std::string_view word) {
-    return (later_words().contains(word) ? own_prefix : std::string()) + std::string(word);
+    return (is_later(word, LaterWord::Kind::keyword) ? own_prefix : std::string()) +
+           std::string(word);
 }
 
 std::string_view isf_author_word(std::string_view word) {

@@ -111,6 +111,170 @@ TEST_CASE("more varyings than a driver takes are refused at the line of the firs
           file.string() + ":258: error: more than 256 values come from a vertex shader\n");
 }
 
+TEST_CASE("what GameMaker declares for an author need not be declared") {
+    const Look look = bare_look(
+        "varying vec2 v_vTexcoord;\nvarying LOWPREC vec4 v_vColour;\n"
+        "void main() {\n"
+        "    vec4 color = v_vColour * texture2D(gm_BaseTexture, v_vTexcoord);\n"
+        "    DoAlphaTest(color);\n    DoFog(color, 1.0);\n"
+        "    if (gm_PS_FogEnabled) color = gm_FogColour * gm_AlphaRefValue;\n"
+        "    gl_FragColor = color;\n}\n");
+    CHECK(look.driven_by == Driver::picture);
+    REQUIRE(look.passes[0].inputs.size() == 1);
+    CHECK(look.passes[0].inputs[0].from == Input::From::source);
+    CHECK(look.parameters.empty());
+}
+
+TEST_CASE("what three.js declares and includes for an author need not be there") {
+    const Look look = bare_look(
+        "#include <common>\n#include <packing>\nvarying vec2 vUv;\n"
+        "void main() {\n"
+        "    vec3 seen = normalize(cameraPosition - vec3(vUv, 0.0));\n"
+        "    float z = perspectiveDepthToViewZ(pow2(seen.z), 0.1, 9.0) * PI;\n"
+        "    gl_FragColor = saturate((viewMatrix * vec4(seen, z)) * rand(vUv));\n"
+        "    #include <tonemapping_fragment>\n}\n");
+    CHECK(look.parameters.empty());
+}
+
+TEST_CASE("names that an author declares are not declared for him") {
+    bare_look(
+        "#include <common>\n#define PI 3.0\nfloat rand(vec2 at) { return at.x; }\n"
+        "vec3 other, cameraPosition;\n"
+        "void main() {\n    cameraPosition = vec3(PI);\n    vec4 viewMatrix = vec4(1.0);\n"
+        "    gl_FragColor = vec4(cameraPosition, rand(vec2(0.5))) * viewMatrix;\n}\n");
+}
+
+TEST_CASE("a piece of three.js that is not here is named at its line") {
+    const TemporaryFolder folder;
+    const auto file =
+        folder.write("a.frag", "#include <common>\n#include <lights_pars_begin>\nvoid main() {}\n");
+    const LoadedLook loaded = load_bare_look(file, {}, {});
+    REQUIRE_FALSE(loaded.look.has_value());
+    CHECK(to_string(loaded.look.error()) ==
+          file.string() +
+              ":2: error: there is no '<lights_pars_begin>' here; a file is included by #include "
+              "\"file.glsl\"\n");
+}
+
+TEST_CASE("numbers of inputs and uniforms and what came after 4.10 are understood") {
+    const Look look = bare_look(
+        "#version 450\nlayout(location = 1) in vec2 uv;\nlayout(location = 0) in vec4 tint;\n"
+        "layout(location = 0) out vec4 color;\n"
+        "layout(binding = 0) uniform sampler2D tDiffuse;\n"
+        "layout(location = 3) uniform float u_time;\n"
+        "void main() {\n    vec2 at = {uv.x, 0.5};\n"
+        "    color = texture(tDiffuse, at) * tint * u_time;\n}\n");
+    CHECK(look.passes[0].fragment.text.find("\n in vec2 uv;\n in vec4 tint;\n") !=
+          std::string::npos);
+    CHECK(look.passes[0].fragment.text.find("layout(location = 0) out vec4") != std::string::npos);
+}
+
+TEST_CASE("what a layout says besides numbers stays") {
+    const Look look = bare_look(
+        "#version 450\nlayout(std140,\n    binding = 1) uniform Block { vec4 tint; };\n"
+        "layout(origin_upper_left) in vec4 gl_FragCoord;\nout vec4 color;\n"
+        "void main() { color = tint + gl_FragCoord; }\n",
+        "Block");
+    CHECK(look.passes[0].fragment.text.find("layout(std140)\n uniform Block") != std::string::npos);
+    CHECK(look.passes[0].fragment.text.find("layout(origin_upper_left)") != std::string::npos);
+}
+
+TEST_CASE("what versions before 1.30 have of a vertex shader is there") {
+    bare_look(
+        "#version 120\nuniform sampler2D texture0;\n"
+        "void main() { gl_FragColor = texture2D(texture0, gl_TexCoord[0].xy) * gl_Color; }\n");
+}
+
+TEST_CASE("several outputs may be written, the first is the picture") {
+    bare_look(
+        "#extension GL_EXT_draw_buffers : require\nprecision highp float;\n"
+        "void main() { gl_FragData[0] = vec4(1.0); gl_FragData[1] = vec4(0.0); }\n");
+}
+
+TEST_CASE("words that are free in GLSL ES 1.00 may be names") {
+    bare_look(
+        "precision mediump float;\nuniform sampler2D filter;\nuniform float active;\n"
+        "varying vec2 uv;\n"
+        "float smooth(float x) { return x * x; }\nfloat common(float x) { return x; }\n"
+        "vec4 texture(vec2 at) { return texture2D(filter, at); }\n"
+        "void main() {\n"
+        "    int partition = 1; float sample = 0.5; vec2 centroid = uv; float layout = 1.0;\n"
+        "    float flat = 1.0, uint = 2.0; float patch = 1.0; float buffer = 1.0;\n"
+        "    gl_FragColor = texture(centroid) * smooth(active) * common(sample) * layout * flat *\n"
+        "        float(partition) * patch * buffer;\n}\n");
+}
+
+TEST_CASE("what stands under GL_ES counts in GLSL ES, and not in desktop versions") {
+    const Look look = bare_look(
+        "#ifdef GL_ES\nprecision mediump float;\nvarying vec2 vUv;\n#endif\n"
+        "void main() { gl_FragColor = vec4(vUv, 0.0, 1.0); }\n");
+    CHECK(look.passes[0].vertex.text.find("vUv = place;") != std::string::npos);
+    bare_look(
+        "#version 330\n#ifdef GL_ES\n#error this is not ES\n#endif\nout vec4 c;\n"
+        "void main() { c = vec4(1.0); }\n");
+}
+
+TEST_CASE("arrays, blocks and macros bring varyings as well") {
+    const Look arrays = bare_look(
+        "precision mediump float;\n#define TAPS 5\nvarying vec2 blurCoord[TAPS];\n"
+        "void main() { gl_FragColor = vec4(blurCoord[0], blurCoord[4].x, 1.0); }\n");
+    CHECK(arrays.passes[0].vertex.text.find("out vec2 blurCoord[5];") != std::string::npos);
+    bare_look(
+        "#version 330\nin VS_OUT { vec2 uv; vec3 normal; } fs_in;\nout vec4 o;\n"
+        "void main() { o = vec4(fs_in.uv, fs_in.normal.z, 1.0); }\n");
+    bare_look(
+        "#version 330\nin Values { vec2 uv, pos[2]; };\nout vec4 o;\n"
+        "void main() { o = vec4(uv, pos[1]); }\n");
+    bare_look(
+        "#version 130\n#if __VERSION__ >= 130\n#define VARYING in\nout vec4 c;\n#else\n"
+        "#define VARYING varying\n#define c gl_FragColor\n#endif\nVARYING vec2 uv;\n"
+        "void main() { c = vec4(uv, 0.0, 1.0); }\n");
+}
+
+TEST_CASE("a cube and a volume are pictures to be chosen, with solids of the program's own") {
+    const Look look = bare_look(
+        "#version 300 es\nprecision highp float;\nuniform samplerCube envMap;\n"
+        "uniform highp sampler3D fog;\nout vec4 c;\n"
+        "void main() { c = texture(envMap, vec3(1.0)) + texture(fog, vec3(0.5)); }\n");
+    REQUIRE(names_in(look) == "envMap, fog");
+    CHECK(look.parameters[0].initial.path == "solid:sky");
+    CHECK(look.parameters[1].initial.path == "solid:noise-volume");
+    CHECK(look.images.size() == 2);
+}
+
+TEST_CASE("the buffers of glslViewer are drawn as passes, each with its word defined") {
+    const Look look = bare_look(
+        "uniform vec2 u_resolution;\nuniform sampler2D u_buffer0;\n"
+        "uniform sampler2D u_doubleBuffer0;\n"
+        "void main() {\n    vec2 st = gl_FragCoord.xy / u_resolution;\n"
+        "#ifdef BUFFER_0\n    gl_FragColor = vec4(st, 0.0, 1.0);\n"
+        "#elif defined(DOUBLE_BUFFER_0)\n"
+        "    gl_FragColor = texture2D(u_doubleBuffer0, st) + texture2D(u_buffer0, st);\n"
+        "#else\n    gl_FragColor = texture2D(u_doubleBuffer0, st);\n#endif\n}\n");
+    REQUIRE(pass_names(look) ==
+            std::vector<std::string>{"u_buffer0", "u_doubleBuffer0", "picture"});
+    const auto ago = [&](std::size_t pass, const char* uniform) {
+        const auto& inputs = look.passes[pass].inputs;
+        const auto found = std::ranges::find(inputs, uniform, &Input::uniform);
+        REQUIRE(found != inputs.end());
+        return found->frames_ago;
+    };
+    CHECK(ago(1, "u_buffer0") == 0);
+    CHECK(ago(1, "u_doubleBuffer0") == 1);
+    CHECK(ago(2, "u_doubleBuffer0") == 0);
+    CHECK(look.passes[0].format == Format::rgba32f);
+    CHECK(look.passes[2].format == Format::rgba8);
+    CHECK(look.parameters.empty());
+}
+
+TEST_CASE("what glslViewer draws of a scene is named as not being here") {
+    bare_look(
+        "uniform float a;\nuniform sampler2D u_scene;\n"
+        "void main() { gl_FragColor = texture2D(u_scene, vec2(0.5)) * a; }\n",
+        "a.frag:2: warning: 'u_scene' is what glslViewer draws of a scene or buffer that is not "
+        "here: it is a picture to be chosen");
+}
+
 TEST_CASE("glslang's errors are at the author's line") {
     const TemporaryFolder folder;
     const LoadedLook loaded = load_bare_look(
