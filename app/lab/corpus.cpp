@@ -1,6 +1,7 @@
 #include "lab/corpus.h"
 
 #include "base/text.h"
+#include "formats/shadertoy/toy_files.h"
 #include "gpu/draw.h"
 #include "gpu/error_log.h"
 #include "lab/offline.h"
@@ -28,18 +29,29 @@ private:
     std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
 };
 
-// By name alone: a sample need not read all. Shaders of libretro alone are pieces of presets more
-// often than looks.
+// By name alone: a sample need not read all.
 bool may_be_of_corpus(const fs::path& file) {
-    constexpr std::array<std::string_view, 6> endings{".slangp", ".json", ".frag",
-                                                      ".fsh",    ".fs",   ".glsl"};
+    constexpr std::array<std::string_view, 8> endings{".slangp", ".slang", ".json", ".frag",
+                                                      ".fsh",    ".fs",    ".glsl", ".txt"};
     return std::ranges::find(endings, to_lower(file.extension().string())) != endings.end() &&
            file.filename() != "look.json";
 }
 
 // Of several files of one shader the one that shows it.
 bool is_of_corpus(const fs::path& file) {
-    return is_foreign_look(file);
+    return is_foreign_look(file) && !is_shown_by_another(file);
+}
+
+bool is_of_libretro(const fs::path& file, std::string_view ending) {
+    return to_lower(file.extension().string()) == ending;
+}
+
+// Where there are presets, shaders of libretro are their pieces.
+void drop_pieces(std::vector<fs::path>& files) {
+    const bool has_presets = std::ranges::any_of(
+        files, [](const fs::path& file) { return is_of_libretro(file, ".slangp"); });
+    if (has_presets)
+        std::erase_if(files, [](const fs::path& file) { return is_of_libretro(file, ".slang"); });
 }
 
 // Each file has a number from its path in the folder and the seed; those with the lowest are the
@@ -114,6 +126,7 @@ std::vector<fs::path> corpus_files(const fs::path& folder, const CorpusChoice& c
             named.push_back(path);
         }
     }
+    drop_pieces(named);
     if (choice.sample > 0)
         order_by_chance(named, folder, choice.seed);
     std::vector<fs::path> files;

@@ -28,6 +28,26 @@ TEST_CASE("the same seed draws the same files of a folder, wherever it is") {
     CHECK(sampled_names(here, 2) != first);
 }
 
+TEST_CASE("each look of a folder is tried once, by the file that shows it") {
+    const TemporaryFolder folder;
+    const auto names = [&] {
+        std::vector<std::string> found;
+        for (const auto& file : corpus_files(folder.path(), {}))
+            found.push_back(file.filename().string());
+        return found;
+    };
+    const char* const pass = "void mainImage(out vec4 c, in vec2 p) { c = vec4(1.0); }\n";
+    folder.write("waves/Image.glsl", pass);
+    folder.write("waves/BufferA.glsl", pass);
+    folder.write("waves/Common.glsl", "float a;\n");
+    folder.write("alone.txt", pass);
+    folder.write("notes.txt", "of a person\n");
+    folder.write("one.slang", "#version 450\n");
+    CHECK(names() == std::vector<std::string>{"alone.txt", "one.slang", "Image.glsl"});
+    folder.write("one.slangp", "shaders = 1\nshader0 = one.slang\n");
+    CHECK(names() == std::vector<std::string>{"alone.txt", "one.slangp", "Image.glsl"});
+}
+
 TEST_CASE("of the public corpus of Shadertoy's shaders 99 in 100 are translated") {
     constexpr int sample = 1000;
     constexpr int seed = 11;

@@ -225,6 +225,37 @@ TEST_CASE("a volume reads noise, 32 texels a side, which repeats") {
     CHECK(seen[2] > 0.0f);
 }
 
+TEST_CASE("a volume's resolution has its depth") {
+    DrawnToy toy =
+        buffer_with("c = vec4(iChannelResolution[1], 1.0);",
+                    R"({"channel": 1, "type": "volume", "sampler": {"filter": "linear"}})");
+    CHECK(toy.after(1) == Texel{32, 32, 32, 1});
+}
+
+TEST_CASE("vflip says which row of a video lies at the bottom") {
+    const TemporaryFolder folder;
+    Picture rows{{1, 2}, 3, Encoding::display, {1.0f, 1.0f, 1.0f, 0.0f, 0.0f, 0.0f}};
+    REQUIRE(save_picture(rows, folder / "rows.png").has_value());
+    for (const char* flip : {"true", "false"}) {
+        RenderRequest request;
+        request.look =
+            folder
+                .write("a.json",
+                       fmt::format(R"({{"renderpass": [{{"type": "image", "code": "{}",
+                    "inputs": [{{"channel": 0, "type": "webcam", "sampler": {{"vflip": "{}"}}}}]}}]}})",
+                                   main_image("c = texelFetch(iChannel0, ivec2(0), 0);"), flip))
+                .string();
+        request.source = (folder / "rows.png").string();
+        request.size = {1, 1};
+        auto prepared = prepare(request, Library(*find_roots({})));
+        REQUIRE_MESSAGE(prepared.has_value(), to_string(prepared.error()));
+        auto offline = Offline::create(std::move(*prepared), request.size, 60.0);
+        REQUIRE(offline.has_value());
+        offline->advance();
+        CHECK(offline->picture().pixels[0] == (flip == std::string("true") ? 0.0f : 1.0f));
+    }
+}
+
 TEST_CASE("vflip says which row of a picture lies at the bottom") {
     const auto reading = [](const char* flip) {
         return fmt::format(R"({{"channel": 1, "type": "texture", "filepath": "rows.png",

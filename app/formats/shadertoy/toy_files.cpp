@@ -166,6 +166,16 @@ std::optional<fs::path> find_toy_image(const fs::path& folder) {
     return std::nullopt;
 }
 
+bool is_shown_by_another(const fs::path& file) {
+    const auto named = pass_named(file);
+    if (!named || named->kind == Kind::image)
+        return false;
+    return std::ranges::any_of(files_in(file.parent_path()), [&](const fs::path& other) {
+        const auto pass = pass_named(other);
+        return pass && pass->kind == Kind::image && pass->shader == named->shader;
+    });
+}
+
 Result<Toy> load_toy_files(const fs::path& file, const fs::path& shared_includes,
                            std::vector<fs::path>& files) {
     return ToyFolder(file, shared_includes, files).load(file);

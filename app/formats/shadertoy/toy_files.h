@@ -12,6 +12,9 @@ bool is_toy_text(std::string_view text);
 /// names.
 std::optional<std::filesystem::path> find_toy_image(const std::filesystem::path& folder);
 
+/// Whether a file is a pass of a shader whose Image lies beside it as a file of its own.
+bool is_shown_by_another(const std::filesystem::path& file);
+
 /// Reads `file` with the other passes beside it whose names begin as its own does. Includes are
 /// found as in a look of our own. `files` gets all that was read or looked for.
 Result<Toy> load_toy_files(const std::filesystem::path& file,

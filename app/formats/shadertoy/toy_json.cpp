@@ -11,6 +11,7 @@ namespace fs = std::filesystem;
 namespace {
 using Kind = ToyPass::Kind;
 
+constexpr const char* error_key = "Error";  // of an answer without a shader
 constexpr std::size_t most_code_bytes = std::size_t{4} << 20;
 
 constexpr auto kind_words =
@@ -86,6 +87,10 @@ public:
     Reading(const fs::path& file, Diagnostics& warnings) : m_file(file), m_warnings(warnings) {}
 
     Result<Toy> read(const JsonValue& document) {
+        if (const JsonValue* refusal = find_member(document, error_key))
+            return fail(
+                {m_file, refusal->line,
+                 fmt::format("Shadertoy answered with no shader but '{}'", text_of(refusal))});
         const JsonValue* shader = shader_of(document);
         const JsonValue* passes = shader ? find_member(*shader, "renderpass") : nullptr;
         if (!passes || !passes->is(JsonValue::Kind::array))
@@ -248,7 +253,11 @@ private:
 }  // namespace
 
 bool is_toy_json(std::string_view text) {
-    return text.find("\"renderpass\"") != std::string_view::npos;
+    // Presets and looks say what they are.
+    const auto has = [&](const char* key) {
+        return text.find(fmt::format("\"{}\"", key)) != std::string_view::npos;
+    };
+    return has("renderpass") || (has(error_key) && !has("format"));
 }
 
 Result<Toy> parse_toy_json(std::string_view text, const fs::path& file, Diagnostics& warnings) {

@@ -40,6 +40,7 @@ private:
     Input texture_of(const ToyInput& wired);
     std::string add_picture(const ToyInput& wired);
     Input sound_of(const ToyInput& wired);
+    Input source_of(const ToyInput& wired);
     std::string free_name(const std::string& wanted) const;
     void warn(const Location& at, std::string message);
     void choose_driver();
@@ -168,6 +169,17 @@ Input ToyLook::sound_of(const ToyInput& wired) {
     return input;
 }
 
+// What the person plays, whose rows lie one way for all who read it.
+Input ToyLook::source_of(const ToyInput& wired) {
+    const RowOrder rows = wired.is_flipped ? RowOrder::bottom_first : RowOrder::top_first;
+    if (m_sees && rows != m_look.source_rows)
+        warn(wired.declared, "a video is read with and without vflip: it is drawn as it was first");
+    else
+        m_look.source_rows = rows;
+    m_sees = true;
+    return {{}, Input::From::source, {}, 0, wired.sampler};
+}
+
 std::optional<Input> ToyLook::input_of(const ToyPass& toy_pass, const ToyInput& wired) {
     switch (wired.kind) {
         case ToyKind::buffer:
@@ -181,8 +193,7 @@ std::optional<Input> ToyLook::input_of(const ToyPass& toy_pass, const ToyInput& 
             return Input{{}, Input::From::keyboard, "keyboard", 0, {Filter::nearest}};
         case ToyKind::video:
         case ToyKind::webcam:
-            m_sees = true;
-            return Input{{}, Input::From::source, {}, 0, wired.sampler};
+            return source_of(wired);
         case ToyKind::music:
         case ToyKind::music_stream:
         case ToyKind::microphone:

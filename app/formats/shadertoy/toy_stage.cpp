@@ -75,10 +75,7 @@ private:
             declare_if_meant("float", name);
         declare_if_meant("int", "iFrame");
         declare_if_meant("vec4", "iMouse");
-        if (has("iDate") && !m_declared.contains("iDate"))  // the site's months begin at 0
-            add_own(
-                "uniform vec4 afterglow_date;\nvec4 iDate = afterglow_date - "
-                "vec4(0.0, 1.0, 0.0, 0.0);\n");
+        declare_if_meant("vec4", "iDate");
         for (int channel = 0; channel < toy_channels; ++channel) {
             const ToyChannel& fed = channels[static_cast<std::size_t>(channel)];
             const std::string name = fmt::format("iChannel{}", channel);
@@ -95,9 +92,12 @@ private:
         std::vector<std::string> all;
         for (std::size_t channel = 0; channel < channels.size(); ++channel) {
             const std::string name = fmt::format("afterglow_resolution{}", channel);
-            if (channels[channel].is_fed)
+            const bool is_volume = channels[channel].shape == PictureShape::volume;
+            if (channels[channel].is_fed && !is_volume)
                 declare("vec3", name);
-            all.push_back(channels[channel].is_fed ? name : "vec3(0.0)");
+            all.push_back(!channels[channel].is_fed ? "vec3(0.0)"
+                          : is_volume ? fmt::format("vec3(textureSize(iChannel{}, 0))", channel)
+                                      : name);
         }
         add_own(fmt::format("vec3 iChannelResolution[4] = vec3[4]({});\n", fmt::join(all, ", ")));
     }
@@ -181,7 +181,7 @@ std::vector<BuiltInUniform> toy_built_ins(const std::vector<Input>& inputs, cons
                                     {"iFrameRate", BuiltIn::frame_rate},
                                     {"iFrame", BuiltIn::frame_before},
                                     {"iMouse", BuiltIn::press},
-                                    {"afterglow_date", BuiltIn::date}};
+                                    {"iDate", BuiltIn::date_from_0}};
     for (int channel = 0; channel < toy_channels; ++channel) {
         const auto input =
             std::ranges::find(inputs, fmt::format("iChannel{}", channel), &Input::uniform);

@@ -104,3 +104,14 @@ TEST_CASE("JSON that is no shader, or whose pass has no code, is refused with it
                         .error()) == "a.json:2: error: 'Image' has no code\n");
     CHECK_FALSE(parse_toy_json("{\"renderpass\": [", "a.json", warnings).has_value());
 }
+
+TEST_CASE("what Shadertoy answers instead of a shader is told in its words") {
+    const std::string answer = "{\n\"Error\": \"Shader not found\"}";
+    CHECK(is_toy_json(answer));
+    CHECK_FALSE(is_toy_json(R"({"format": 1, "Error": "x"})"));
+    Diagnostics warnings;
+    const auto toy = parse_toy_json(answer, "a.json", warnings);
+    REQUIRE_FALSE(toy.has_value());
+    CHECK(to_string(toy.error()) ==
+          "a.json:2: error: Shadertoy answered with no shader but 'Shader not found'\n");
+}
