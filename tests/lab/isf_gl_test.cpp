@@ -109,6 +109,31 @@ TEST_CASE("a last pass with a target is the picture and what the next frame read
     check_near(texel(drawn.after(4), 0, 0), {2.0, 2.0, 2.0, 2.0});
 }
 
+TEST_CASE("a target that two passes write is what the later made of the earlier") {
+    // Each frame doubles what there was and adds one, twice.
+    const DrawnIsf drawn(
+        R"("PASSES": [{"TARGET": "t", "PERSISTENT": true, "FLOAT": true}, {"TARGET": "t"},
+                      {"FLOAT": true}])",
+        "void main() {\n"
+        "  vec4 was = IMG_THIS_PIXEL(t);\n"
+        "  gl_FragColor = PASSINDEX == 2 ? was : was * 2.0 + 1.0;\n}\n");
+    check_near(texel(drawn.after(1), 0, 0), {3.0, 3.0, 3.0, 3.0});
+    check_near(texel(drawn.after(3), 0, 0), {63.0, 63.0, 63.0, 63.0});
+}
+
+TEST_CASE("a last pass with a size fills the whole picture, linearly filtered") {
+    const DrawnIsf drawn(R"("PASSES": [{"WIDTH": 2, "HEIGHT": 1, "FLOAT": true}])",
+                         "void main() { gl_FragColor = vec4(RENDERSIZE, floor(gl_FragCoord.x), "
+                         "1.0); }\n");
+    const Picture picture = drawn.after(1);
+    REQUIRE(picture.extent == Extent{8, 4});
+    // Eight columns over two texels whose centres lie at 2 and 6: 0 and 1 outside of them, by
+    // quarters between.
+    const std::vector<double> across{0.0, 0.0, 0.125, 0.375, 0.625, 0.875, 1.0, 1.0};
+    for (int x = 0; x < 8; ++x)
+        check_near(texel(picture, x, 2), {2.0, 1.0, across[static_cast<std::size_t>(x)], 1.0});
+}
+
 TEST_CASE("coordinates begin at the bottom left") {
     const DrawnIsf drawn(
         float_picture,

@@ -114,6 +114,7 @@ public:
             m_header.passes.push_back({{}, {}, {}, false, false, {m_file, 1}});
         read_imports(json);
         read_buffers_of_version_1(json);
+        unite_targets();
         if (!m_problems.empty())
             return fail(std::move(m_problems));
         return std::move(m_header);
@@ -256,6 +257,26 @@ private:
                 if (pass.height.empty())
                     pass.height = text_of(find_member(buffer, "HEIGHT"));
             }
+        }
+    }
+
+    // Passes of one target draw into one picture: what some say of it is so for all, and of sizes
+    // the last one.
+    void unite_targets() {
+        std::map<std::string, IsfPass> united;
+        for (const IsfPass& pass : m_header.passes) {
+            IsfPass& target = united[pass.target];
+            target.is_persistent = target.is_persistent || pass.is_persistent;
+            target.is_float = target.is_float || pass.is_float;
+            target.width = pass.width.empty() ? target.width : pass.width;
+            target.height = pass.height.empty() ? target.height : pass.height;
+        }
+        for (IsfPass& pass : m_header.passes) {
+            if (pass.target.empty())
+                continue;
+            const IsfPass& target = united[pass.target];
+            pass = {pass.target,          target.width,    target.height,
+                    target.is_persistent, target.is_float, pass.declared};
         }
     }
 

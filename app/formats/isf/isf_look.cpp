@@ -1,5 +1,6 @@
 #include "formats/isf/isf_look.h"
 
+#include "base/text.h"
 #include "formats/isf/body.h"
 #include "formats/isf/controls.h"
 #include "glsl/check_cache.h"
@@ -11,7 +12,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 
 namespace fs = std::filesystem;
 
@@ -56,6 +56,10 @@ Side side_of(const std::string& expression) {
     return {Side::By::expression, 1.0, fmt::format("max(1, floor(finite({})))", expression)};
 }
 
+bool is_whole(const std::string& expression, std::string_view side) {
+    return expression.empty() || trim(expression) == side;
+}
+
 std::vector<BuiltInUniform> isf_built_ins() {
     return {{"RENDERSIZE", BuiltIn::target_size},
             {"TIME", BuiltIn::time_before},
@@ -93,6 +97,8 @@ public:
         const std::size_t before = m_problems.size();
         for (std::size_t i = 0; i < m_header.passes.size() && m_problems.size() == before; ++i)
             make_pass(i);
+        if (m_problems.empty() && is_stretched())
+            add_stretch();
         if (m_problems.empty())
             finish();
         if (!m_problems.empty())
@@ -133,18 +139,40 @@ private:
         m_look.parameters.push_back(std::move(made));
     }
 
+    std::string unique_name(const std::string& wanted) const {
+        std::string name = wanted;
+        for (int copy = 2; std::ranges::find(m_names, name) != m_names.end(); ++copy)
+            name = fmt::format("{}-{}", wanted, copy);
+        return name;
+    }
+
     void name_passes() {
-        std::set<std::string> known;
         for (std::size_t i = 0; i < m_header.passes.size(); ++i) {
-            const IsfPass& pass = m_header.passes[i];
-            const bool is_last = i + 1 == m_header.passes.size();
-            std::string name = !pass.target.empty() ? pass.target
-                               : is_last            ? "picture"
-                                                    : fmt::format("pass-{}", i + 1);
-            if (!known.insert(name).second)
-                problem(pass.declared, fmt::format("two passes are called '{}'", name));
-            m_names.push_back(std::move(name));
+            const std::string& target = m_header.passes[i].target;
+            const bool is_picture = i + 1 == m_header.passes.size() && !is_stretched();
+            m_names.push_back(unique_name(!target.empty() ? target
+                                          : is_picture    ? "picture"
+                                                          : fmt::format("pass-{}", i + 1)));
         }
+    }
+
+    // A last pass has the picture's size, or it is drawn at its own and stretched.
+    bool is_stretched() const {
+        const IsfPass& last = m_header.passes.back();
+        return !is_whole(last.width, "$WIDTH") || !is_whole(last.height, "$HEIGHT");
+    }
+
+    void add_stretch() {
+        Pass pass;
+        pass.name = unique_name("picture");
+        pass.vertex = isf_vertex_stage({}, m_header, 0);
+        pass.fragment = isf_stretching_stage();
+        pass.format = m_look.passes.back().format;
+        pass.inputs = {{"image", Input::From::pass, m_look.passes.back().name, 0, {}}};
+        pass.output = Encoding::display;
+        pass.declared = m_look.passes.back().declared;
+        pass.built_ins.clear();
+        m_look.passes.push_back(std::move(pass));
     }
 
     void add_images() {
@@ -213,13 +241,26 @@ private:
             return Input{{}, Input::From::sound, {}, 0, {}, sound_texture_of(*input)};
         if (std::ranges::find(m_look.images, name, &Image::name) != m_look.images.end())
             return Input{{}, Input::From::image, name, 0, {}};
-        const auto pass = std::ranges::find(m_header.passes, name, &IsfPass::target);
-        if (pass == m_header.passes.end())
-            return std::nullopt;
-        const bool is_drawn = static_cast<std::size_t>(pass - m_header.passes.begin()) < reader;
-        if (!is_drawn && !pass->is_persistent)
-            return std::nullopt;  // it holds nothing yet: transparent black
-        return Input{{}, Input::From::pass, name, is_drawn ? 0 : 1, {}};
+        return target_input(name, reader);
+    }
+
+    // What is drawn last into a target before a pass reads it, in this frame or the one before.
+    std::optional<Input> target_input(const std::string& target, std::size_t reader) const {
+        std::optional<std::size_t> drawn;
+        std::optional<std::size_t> kept;
+        for (std::size_t i = 0; i < m_header.passes.size(); ++i) {
+            if (m_header.passes[i].target != target)
+                continue;
+            if (i < reader)
+                drawn = i;
+            if (m_header.passes[i].is_persistent)
+                kept = i;
+        }
+        if (drawn)
+            return Input{{}, Input::From::pass, m_names[*drawn], 0, {}};
+        if (kept)
+            return Input{{}, Input::From::pass, m_names[*kept], 1, {}};
+        return std::nullopt;  // it holds nothing yet: transparent black
     }
 
     // Uniforms of the author's own, which nobody sets.

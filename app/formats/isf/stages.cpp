@@ -38,6 +38,13 @@ constexpr const char* whole_target =
 
 constexpr const char* no_vertex_code = "void main() { isf_vertShaderInit(); }\n";
 
+constexpr const char* stretching =
+    "#version 410 core\n"
+    "in vec2 isf_FragNormCoord;\n"
+    "uniform sampler2D image;\n"
+    "out vec4 color;\n"
+    "void main() { color = texture(image, isf_FragNormCoord); }\n";
+
 const char* uniform_type(IsfInput::Type type) {
     switch (type) {
         case IsfInput::Type::floating:
@@ -147,4 +154,8 @@ Stage isf_vertex_stage(const IsfSource& source, const IsfHeader& header, std::si
         fmt::format(fmt::runtime(picture_functions), "textureLod", ", 0.0", ", 0.0") + whole_target;
     return stage_of(source.vertex_file, prefix,
                     isf_body(source.vertex_text, IsfStage::vertex, declared.names), 1);
+}
+
+Stage isf_stretching_stage() {
+    return builtin_stage(stretching);
 }

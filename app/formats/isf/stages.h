@@ -17,3 +17,7 @@ struct IsfSource {
 /// The pass's number is a constant, so that what other passes do counts for nothing.
 Stage isf_fragment_stage(const IsfSource& source, const IsfHeader& header, std::size_t pass);
 Stage isf_vertex_stage(const IsfSource& source, const IsfHeader& header, std::size_t pass);
+
+/// The fragment stage that draws the picture `image` over the whole target; with the vertex stage
+/// of a shader that has none of its own.
+Stage isf_stretching_stage();

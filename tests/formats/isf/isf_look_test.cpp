@@ -190,10 +190,45 @@ TEST_CASE("what tells time is drawn for a while before it is seen, what rests on
         60);
 }
 
-TEST_CASE("two passes of one target are refused") {
+TEST_CASE("of two passes of one target the later reads the earlier, the next frame the later") {
     const IsfFolder folder;
-    CHECK(folder.refusal("\"PASSES\": [{\"TARGET\": \"a\"},\n{\"TARGET\": \"a\"}]", draws_red) ==
-          "a.fs:2: error: two passes are called 'a'");
+    const Look look = folder.look(
+        R"("PASSES": [{"TARGET": "t", "PERSISTENT": true}, {"TARGET": "t", "WIDTH": 5, "FLOAT": true}, {}])",
+        "void main() { gl_FragColor = IMG_THIS_PIXEL(t); }\n");
+    CHECK(pass_names(look) == std::vector<std::string>{"t", "t-2", "picture"});
+    CHECK(find_input(look.passes[0], "t")->reference() == "t-2@1");
+    CHECK(find_input(look.passes[1], "t")->reference() == "t");
+    CHECK(find_input(look.passes[2], "t")->reference() == "t-2");
+    // It is one target: what one of its passes says of it is so for all.
+    const auto plan = plan_targets(look, {100, 50}, {}, {});
+    REQUIRE(plan.has_value());
+    for (std::size_t i = 0; i < 2; ++i) {
+        CHECK(plan->targets[i].extent == Extent{5, 50});
+        CHECK(plan->targets[i].format == Format::rgba32f);
+    }
+}
+
+TEST_CASE("a target may have any name, that of the picture too") {
+    const IsfFolder folder;
+    const Look look = folder.look(R"("PASSES": [{"TARGET": "picture"}, {}])",
+                                  "void main() { gl_FragColor = IMG_THIS_PIXEL(picture); }\n");
+    CHECK(pass_names(look) == std::vector<std::string>{"picture", "picture-2"});
+    CHECK(find_input(look.passes[1], "picture")->reference() == "picture");
+}
+
+TEST_CASE("a last pass with a size is stretched over the picture") {
+    const IsfFolder folder;
+    const Look look = folder.look(
+        R"("PASSES": [{"TARGET": "a"}, {"TARGET": "b", "WIDTH": "$WIDTH/4", "PERSISTENT": true}])",
+        "void main() { gl_FragColor = IMG_THIS_PIXEL(b); }\n");
+    CHECK(pass_names(look) == std::vector<std::string>{"a", "b", "picture"});
+    const auto plan = plan_targets(look, {120, 60}, {}, {});
+    REQUIRE(plan.has_value());
+    CHECK(plan->targets[1].extent == Extent{30, 60});
+    CHECK(plan->targets[2].extent == Extent{120, 60});
+    const Look whole =
+        folder.look(R"("PASSES": [{"WIDTH": " $WIDTH", "HEIGHT": "$HEIGHT"}])", draws_red);
+    CHECK(pass_names(whole) == std::vector<std::string>{"picture"});
 }
 
 TEST_CASE("a vertex shader of the same name is the shader's own, with its own lines") {
