@@ -19,7 +19,7 @@ public:
         : m_text(text), m_names(names) {}
 
     Result<double> read() {
-        const double value = sum();
+        const double value = choice();
         skip_blank();
         if (m_problem.empty() && m_at < m_text.size())
             m_problem = "unexpected '" + std::string(m_text.substr(m_at)) + "'";
@@ -32,6 +32,37 @@ public:
 
 private:
     static constexpr int deepest = 64;
+
+    double choice() {
+        const double condition = comparison();
+        if (!accept('?'))
+            return condition;
+        if (m_depth + 1 >= deepest)
+            return stop("too many choices");
+        ++m_depth;
+        const double yes = choice();
+        expect(':');
+        const double no = choice();
+        --m_depth;
+        return condition != 0.0 ? yes : no;
+    }
+
+    double comparison() {
+        const double a = sum();
+        if (accept("<="))
+            return a <= sum() ? 1.0 : 0.0;
+        if (accept(">="))
+            return a >= sum() ? 1.0 : 0.0;
+        if (accept("=="))
+            return a == sum() ? 1.0 : 0.0;
+        if (accept("!="))
+            return a != sum() ? 1.0 : 0.0;
+        if (accept('<'))
+            return a < sum() ? 1.0 : 0.0;
+        if (accept('>'))
+            return a > sum() ? 1.0 : 0.0;
+        return a;
+    }
 
     double sum() {
         double value = product();
@@ -70,7 +101,7 @@ private:
 
     double atom() {
         if (accept('(')) {
-            const double value = sum();
+            const double value = choice();
             expect(')');
             return value;
         }
@@ -100,17 +131,17 @@ private:
 
     double call(const std::string& name) {
         expect('(');
-        const double a = sum();
+        const double a = choice();
         if (name == "max" || name == "min" || name == "pow") {
             expect(',');
-            const double b = sum();
+            const double b = choice();
             expect(')');
             return name == "max" ? std::max(a, b) : name == "min" ? std::min(a, b) : std::pow(a, b);
         }
         expect(')');
         static const std::map<std::string, double (*)(double)> functions{
-            {"abs", std::fabs},    {"ceil", std::ceil},   {"finite", finite},
-            {"floor", std::floor}, {"round", std::round}, {"sqrt", std::sqrt}};
+            {"abs", std::fabs},  {"ceil", std::ceil},   {"finite", finite}, {"floor", std::floor},
+            {"log2", std::log2}, {"round", std::round}, {"sqrt", std::sqrt}};
         const auto function = functions.find(name);
         return function == functions.end() ? stop("unknown function '" + name + "'")
                                            : function->second(a);
@@ -125,13 +156,15 @@ private:
         return std::string(m_text.substr(start, m_at - start));
     }
 
-    bool accept(char wanted) {
+    bool accept(std::string_view wanted) {
         skip_blank();
-        if (m_at >= m_text.size() || m_text[m_at] != wanted)
+        if (!m_text.substr(m_at).starts_with(wanted))
             return false;
-        ++m_at;
+        m_at += wanted.size();
         return true;
     }
+
+    bool accept(char wanted) { return accept(std::string_view(&wanted, 1)); }
 
     void expect(char wanted) {
         if (!accept(wanted))

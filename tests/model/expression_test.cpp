@@ -34,6 +34,22 @@ TEST_CASE("names stand behind a dollar sign and functions before a bracket") {
     CHECK(value("finite(3) + finite(1 / 0) + finite(-1 / 0) + finite(sqrt(-1))") == 3.0);
 }
 
+TEST_CASE("a choice takes one of two by a comparison, and each may be a choice") {
+    CHECK(value("$WIDTH > 100 ? 10 : 20") == 10.0);
+    CHECK(value("$WIDTH < 100 ? 10 : 20 + 1") == 21.0);
+    CHECK(value("1 >= 1 ? 2 <= 1 ? 3 : 4 : 5") == 4.0);
+    CHECK(value("0 ? 1 : 0 ? 2 : 3") == 3.0);
+    CHECK(value("(3 == 3) + (3 != 3) * 4") == 1.0);
+    CHECK(value("max($WIDTH > 1 ? 7 : 8, 2)") == 7.0);
+    CHECK(value("$WIDTH > 0 ? 640 / $WIDTH : 1 / 0") == 1.0);
+    CHECK(value("pow(2, floor(log2($WIDTH)))") == 512.0);
+    CHECK(problem("1 ? 2") == "':' is missing");
+    std::string chain;
+    for (int i = 0; i < 10000; ++i)
+        chain += "1 ? ";
+    CHECK(problem(chain) == "too many choices");
+}
+
 TEST_CASE("what cannot be read is said in words") {
     CHECK(problem("$HEIGHT") == "unknown name '$HEIGHT'");
     CHECK(problem("sin(1)") == "unknown function 'sin'");

@@ -18,6 +18,29 @@ bool is_later(std::string_view word, LaterWord::Kind kind) {
     return later && later->kind == kind && later->since >= first_too_late;
 }
 
+// What the language has for itself, and an input may be called where nothing else is meant by it:
+// keywords since GLSL 1.30, and functions.
+const std::set<std::string_view>& language_words() {
+    static const std::set<std::string_view> all{
+        "abs",          "acos",        "all",           "any",           "asin",
+        "atan",         "case",        "ceil",          "clamp",         "cos",
+        "cross",        "default",     "degrees",       "determinant",   "dFdx",
+        "dFdy",         "distance",    "dot",           "equal",         "exp",
+        "exp2",         "faceforward", "flat",          "floor",         "fract",
+        "fwidth",       "greaterThan", "inverse",       "inversesqrt",   "isinf",
+        "isnan",        "layout",      "length",        "lessThan",      "log",
+        "log2",         "main",        "max",           "min",           "mix",
+        "mod",          "modf",        "noperspective", "normalize",     "not",
+        "outerProduct", "pow",         "radians",       "reflect",       "refract",
+        "round",        "sign",        "sin",           "smooth",        "smoothstep",
+        "sqrt",         "step",        "switch",        "tan",           "texelFetch",
+        "texture",      "texture2D",   "texture2DLod",  "texture2DProj", "texture2DRect",
+        "textureCube",  "textureGrad", "textureLod",    "textureProj",   "textureSize",
+        "transpose",    "trunc",       "uint",          "uvec2",         "uvec3",
+        "uvec4"};
+    return all;
+}
+
 const std::map<std::string_view, std::string_view>& former_names() {
     static const std::map<std::string_view, std::string_view> all{
         {"gl_FragColor", "isf_FragColor"},
@@ -47,8 +70,9 @@ public:
         find_own_functions();
         std::string result;
         std::size_t copied = 0;
-        for (const Token& token : m_tokens.all) {
-            const std::string other = replacement(token);
+        for (std::size_t i = 0; i < m_tokens.all.size(); ++i) {
+            const Token& token = m_tokens.all[i];
+            const std::string other = replacement(i);
             const std::size_t begin = place_of(token);
             if (other.empty() || blanked[begin] == ' ')
                 continue;
@@ -93,17 +117,29 @@ private:
                 m_own.insert(all[i].text);
     }
 
-    std::string replacement(const Token& token) const {
+    // An input that is called as a function of the language is; an input cannot be called.
+    bool is_declared_input(std::size_t index) const {
+        const std::vector<Token>& all = m_tokens.all;
+        const bool is_called = index + 1 < all.size() && all[index + 1].is("(");
+        const bool is_member = index > 0 && all[index - 1].is(".");
+        return language_words().contains(all[index].text) && !is_called && !is_member &&
+               std::ranges::find(m_declared, all[index].text) != m_declared.end();
+    }
+
+    std::string replacement(std::size_t index) const {
+        const Token& token = m_tokens.all[index];
         if (token.kind != Token::Kind::word)
             return {};
+        if (is_declared_input(index))
+            return own_prefix + std::string(token.text);
         if (token.is("varying"))
             return m_stage == IsfStage::vertex ? "out" : "in";
         if (const auto former = former_names().find(token.text); former != former_names().end())
             return std::string(former->second);
         if (m_own.contains(token.text))
             return own_prefix + std::string(token.text);
-        const std::string word = isf_word(token.text);
-        return word == token.text ? std::string() : word;
+        return later_words().contains(token.text) ? own_prefix + std::string(token.text)
+                                                  : std::string();
     }
 
     std::string_view m_text;
@@ -114,9 +150,10 @@ private:
 };
 }  // namespace
 
-std::string isf_word(std::string_view word) {
-    return (is_later(word, LaterWord::Kind::keyword) ? own_prefix : std::string()) +
-           std::string(word);
+std::string isf_declared_word(std::string_view name) {
+    const bool is_taken =
+        is_later(name, LaterWord::Kind::keyword) || language_words().contains(name);
+    return (is_taken ? own_prefix : std::string()) + std::string(name);
 }
 
 std::string_view isf_author_word(std::string_view word) {

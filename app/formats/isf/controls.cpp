@@ -25,9 +25,13 @@ std::string isf_label(const IsfInput& input) {
     return label_from_name(words);
 }
 
+bool has_range(const IsfInput& input, std::size_t component) {
+    return component < input.low.size() && component < input.high.size();
+}
+
 /// The ends of one component.
 Range range_at(const IsfInput& input, std::size_t index) {
-    const bool is_whole = index < input.low.size() && index < input.high.size();
+    const bool is_whole = has_range(input, index);
     const double low = is_whole ? input.low[index] : 0.0;
     const double high = is_whole ? input.high[index] : 1.0;
     return {std::min(low, high), std::max(low, high)};
@@ -65,12 +69,23 @@ void set_switch(const IsfInput& input, Parameter& made) {
     made.initial = Value(number_at(input.initial, 0, is_event ? 0.0 : 1.0) != 0.0 ? 1.0 : 0.0);
 }
 
+/// Of a point: without ends of its own wide enough for a default in pixels to lie amid it.
+Range point_range_at(const IsfInput& input, std::size_t component) {
+    Range range = range_at(input, component);
+    const double initial = number_at(input.initial, component, 0.5);
+    if (!has_range(input, component) && (initial < range.low || initial > range.high)) {
+        range.low = std::min(range.low, 2.0 * initial);
+        range.high = std::max(range.high, 2.0 * initial);
+    }
+    return range;
+}
+
 void set_point(const IsfInput& input, Parameter& made) {
     made.type.rows = 2;
     made.control = Control::point;
     std::vector<double> initial;
     for (std::size_t i = 0; i < 2; ++i) {
-        const Range range = range_at(input, i);
+        const Range range = point_range_at(input, i);
         initial.push_back(number_at(input.initial, i, 0.5 * (range.low + range.high)));
         made.range.low = i == 0 ? range.low : std::min(made.range.low, range.low);
         made.range.high = i == 0 ? range.high : std::max(made.range.high, range.high);

@@ -26,14 +26,26 @@ struct HeaderComment {
     std::size_t end = 0;
 };
 
+// What may stand before the header takes a whole line.
+bool is_line_before(std::string_view text) {
+    if (text.starts_with("//"))
+        return true;
+    if (!text.starts_with('#'))
+        return false;
+    const std::string_view name = trim(text.substr(1));
+    return name.starts_with("version") || name.starts_with("extension");
+}
+
 std::optional<HeaderComment> find_comment(std::string_view text) {
     std::size_t at = 0;
     while (at < text.size()) {
         at = text.find_first_not_of(" \t\r\n\f\v", at);
-        if (at == std::string_view::npos || !text.substr(at).starts_with('/'))
+        if (at == std::string_view::npos)
             return std::nullopt;
         if (text.substr(at).starts_with("/*"))
             break;
+        if (!is_line_before(text.substr(at, text.find('\n', at) - at)))
+            return std::nullopt;
         at = std::min(text.find('\n', at), text.size());
     }
     const std::size_t end = at < text.size() ? text.find("*/", at + 2) : std::string_view::npos;
@@ -49,43 +61,42 @@ std::string json_of(std::string_view text, const HeaderComment& comment) {
     return json;
 }
 
-// What hosts take for true: true, another number than 0, a text that says so.
-bool is_truthy(const JsonValue* value) {
-    if (!value)
-        return false;
-    switch (value->kind) {
-        case JsonKind::boolean:
-            return value->boolean;
-        case JsonKind::number:
-            return value->number != 0.0;
-        case JsonKind::text: {
-            const std::string text = to_lower(trim(value->text));
-            return text == "true" || text == "yes" || parse_number(text).value_or(0.0) != 0.0;
-        }
-        default:
-            return false;
-    }
-}
-
 std::string text_of(const JsonValue* value) {
     if (!value)
         return {};
     return value->is(JsonKind::number) ? format_number(value->number) : value->text;
 }
 
+// A number however it is written: 1, true, "1", "true".
+std::optional<double> written_number(const JsonValue& value) {
+    if (value.is(JsonKind::number))
+        return value.number;
+    if (value.is(JsonKind::boolean))
+        return value.boolean ? 1.0 : 0.0;
+    if (!value.is(JsonKind::text))
+        return std::nullopt;
+    const std::string text = to_lower(trim(value.text));
+    if (text == "true" || text == "yes")
+        return 1.0;
+    if (text == "false" || text == "no")
+        return 0.0;
+    return parse_number(text);
+}
+
+// What hosts take for true: true, another number than 0, a text that says so.
+bool is_truthy(const JsonValue* value) {
+    return value && written_number(*value).value_or(0.0) != 0.0;
+}
+
 std::vector<double> numbers_of(const JsonValue* value) {
     if (!value)
         return {};
-    if (value->is(JsonKind::number))
-        return {value->number};
-    if (value->is(JsonKind::boolean))
-        return {value->boolean ? 1.0 : 0.0};
+    if (const auto number = written_number(*value))
+        return {*number};
     std::vector<double> numbers;
     for (const JsonValue& child : value->children)
-        if (child.is(JsonKind::number) || child.is(JsonKind::boolean))
-            numbers.push_back(child.is(JsonKind::number) ? child.number
-                              : child.boolean            ? 1.0
-                                                         : 0.0);
+        if (const auto number = written_number(child))
+            numbers.push_back(*number);
     return numbers;
 }
 
@@ -144,14 +155,37 @@ private:
 
     // A name becomes a name of the shader.
     bool can_be_name(const std::string& name, const JsonValue& at) {
-        static const std::set<std::string_view> taken{"RENDERSIZE", "TIME", "TIMEDELTA",
-                                                      "FRAMEINDEX", "DATE", "PASSINDEX"};
+        static const std::set<std::string_view> taken{"RENDERSIZE",
+                                                      "TIME",
+                                                      "TIMEDELTA",
+                                                      "FRAMEINDEX",
+                                                      "DATE",
+                                                      "PASSINDEX",
+                                                      "isf_FragNormCoord",
+                                                      "isf_FragColor",
+                                                      "isf_vertShaderInit",
+                                                      "vv_FragNormCoord",
+                                                      "vv_vertShaderInit",
+                                                      "IMG_PIXEL",
+                                                      "IMG_NORM_PIXEL",
+                                                      "IMG_THIS_PIXEL",
+                                                      "IMG_THIS_NORM_PIXEL",
+                                                      "IMG_SIZE"};
+        // Keywords of the language since its beginning; later ones an input may be called.
+        static const std::set<std::string_view> keywords{
+            "attribute", "bool",     "break",     "bvec2",  "bvec3",     "bvec4",       "centroid",
+            "const",     "continue", "discard",   "do",     "else",      "false",       "float",
+            "for",       "highp",    "if",        "in",     "inout",     "int",         "invariant",
+            "ivec2",     "ivec3",    "ivec4",     "lowp",   "mat2",      "mat3",        "mat4",
+            "mediump",   "out",      "precision", "return", "sampler2D", "samplerCube", "struct",
+            "true",      "uniform",  "varying",   "vec2",   "vec3",      "vec4",        "void",
+            "while"};
         const Tokens tokens = scan(name);
         const bool is_word = tokens.all.size() == 1 && tokens.all[0].text == name &&
                              tokens.all[0].kind == Token::Kind::word;
         if (name.empty())
             problem(at, "has no \"NAME\"");
-        else if (!is_word || name.starts_with("gl_"))
+        else if (!is_word || name.starts_with("gl_") || keywords.contains(name))
             problem(at, fmt::format("'{}' cannot be a name in a shader", name));
         else if (taken.contains(name))
             problem(at, fmt::format("'{}' is a name of the format itself", name));

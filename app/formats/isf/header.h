@@ -70,8 +70,8 @@ struct IsfHeader {
     const IsfInput* find_input(std::string_view name) const;
 };
 
-/// Whether a shader's text begins with a comment that holds an object: blanks and `//` comments may
-/// stand before it.
+/// Whether a shader's text begins with a comment that holds an object: blanks, `//` comments,
+/// `#version` and `#extension` may stand before it.
 bool has_isf_header(std::string_view text);
 
 /// Reads the header of a shader's text. Errors, several at once, have the file and the line: no

@@ -38,6 +38,9 @@ constexpr const char* whole_target =
 
 constexpr const char* no_vertex_code = "void main() { isf_vertShaderInit(); }\n";
 
+// Stands near the beginning of every fragment stage.
+constexpr const char* place_in_target = "in vec2 isf_FragNormCoord;\n";
+
 constexpr const char* stretching =
     "#version 410 core\n"
     "in vec2 isf_FragNormCoord;\n"
@@ -96,7 +99,7 @@ private:
 
     void declare(const std::string& type, const std::string& name) {
         names.push_back(name);
-        text += fmt::format("uniform {} {};\n", type, isf_word(name));
+        text += fmt::format("uniform {} {};\n", type, isf_declared_word(name));
         if (type == "sampler2D")
             add_facts(name);
     }
@@ -109,7 +112,7 @@ private:
                 text += fmt::format("#define {} {}\n", asked, value);
         };
         add("imgRect", "vec4(0.0, 0.0, 1.0, 1.0)");
-        add("imgSize", fmt::format("vec2(textureSize({}, 0))", isf_word(name)));
+        add("imgSize", fmt::format("vec2(textureSize({}, 0))", isf_declared_word(name)));
         add("flip", "false");
     }
 
@@ -135,7 +138,7 @@ Stage isf_fragment_stage(const IsfSource& source, const IsfHeader& header, std::
     const std::string_view code = std::string_view(source.text).substr(header.code_begin);
     const Declarations declared(header, code);
     const std::string prefix =
-        prefix_of(pass, "in vec2 isf_FragNormCoord;\nout vec4 isf_FragColor;\n", declared) +
+        prefix_of(pass, std::string(place_in_target) + "out vec4 isf_FragColor;\n", declared) +
         fmt::format(fmt::runtime(picture_functions), "texture", "", ", bias");
     return stage_of(source.file, prefix, isf_body(code, IsfStage::fragment, declared.names),
                     header.code_line);
@@ -158,4 +161,10 @@ Stage isf_vertex_stage(const IsfSource& source, const IsfHeader& header, std::si
 
 Stage isf_stretching_stage() {
     return builtin_stage(stretching);
+}
+
+bool is_isf_pass(const Pass& pass) {
+    constexpr std::size_t head = 256;
+    return std::string_view(pass.fragment.text).substr(0, head).find(place_in_target) !=
+           std::string_view::npos;
 }

@@ -6,7 +6,7 @@
 
 namespace {
 std::string fragment_body(const std::string& code) {
-    return isf_body(code, IsfStage::fragment, {"TIME", "speed"});
+    return isf_body(code, IsfStage::fragment, {"TIME", "speed", "texture", "smooth"});
 }
 }  // namespace
 
@@ -46,4 +46,14 @@ TEST_CASE("a version and extensions are blanked out, and lines stay where they w
     CHECK(body.find("version") == std::string::npos);
     CHECK(body.find("extension") == std::string::npos);
     CHECK(body.find("#define A \\\n  2\nfloat x;\n") != std::string::npos);
+}
+
+TEST_CASE("an input that is called as something of the language is another word, unless called") {
+    CHECK(fragment_body("texture2D(texture, p) * smooth;") ==
+          "texture(isf_own_texture, p) * isf_own_smooth;");
+    CHECK(fragment_body("switch (x) { default: a.texture; }") ==
+          "switch (x) { default: a.texture; }");
+    CHECK(isf_declared_word("texture") == "isf_own_texture");
+    CHECK(isf_declared_word("sample") == "isf_own_sample");
+    CHECK(isf_declared_word("textures") == "textures");
 }

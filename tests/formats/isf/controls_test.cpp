@@ -88,3 +88,9 @@ TEST_CASE("the value at which a filter does nothing is known") {
     input.identity = {1.0, 2.0};
     CHECK_FALSE(isf_control(input).identity.has_value());
 }
+
+TEST_CASE("a point without a range has one that its default lies in the middle of") {
+    CHECK(control_of(Type::point, {300.0, 200.0}).range == Range{0.0, 600.0, 0.0});
+    CHECK(control_of(Type::point, {-3.0, 0.5}).range == Range{-6.0, 1.0, 0.0});
+    CHECK(control_of(Type::point, {1.0, 0.0}).range == Range{0.0, 1.0, 0.0});
+}

@@ -21,6 +21,8 @@ std::string refusal_of(const std::string& text) {
 TEST_CASE("an ISF shader begins with a comment that holds an object") {
     CHECK(has_isf_header("/*{}*/ void main() {}"));
     CHECK(has_isf_header("\n// by me\n/*\n  { \"A\": 1 }\n*/"));
+    CHECK(has_isf_header("#version 150\n# extension GL_ARB_x : enable\n/*{}*/ void main() {}"));
+    CHECK_FALSE(has_isf_header("#define A\n/*{}*/ void main() {}"));
     CHECK_FALSE(has_isf_header("/* a comment */ void main() {}"));
     CHECK_FALSE(has_isf_header("void main() {} /*{}*/"));
     CHECK_FALSE(has_isf_header("// only a line"));
@@ -60,6 +62,22 @@ TEST_CASE("inputs have the type that the header says, and numbers however they a
     CHECK(header.inputs[4].initial == std::vector{0.5, 1.0});
     CHECK(header.inputs[7].high == std::vector{64.0});
     CHECK(header.inputs[0].declared == Location{"a.fs", 2});
+}
+
+TEST_CASE("a number may be written as a text, true and false too") {
+    const IsfHeader header = header_of(R"({"INPUTS": [
+        {"NAME": "a", "TYPE": "bool", "DEFAULT": "false"},
+        {"NAME": "b", "TYPE": "bool", "DEFAULT": "TRUE"},
+        {"NAME": "c", "TYPE": "float", "DEFAULT": "0.25", "MIN": "0", "MAX": "4"},
+        {"NAME": "d", "TYPE": "point2D", "DEFAULT": ["1", "2.5"]},
+        {"NAME": "e", "TYPE": "bool", "DEFAULT": "perhaps"}]})");
+    CHECK(header.inputs[0].initial == std::vector{0.0});
+    CHECK(header.inputs[1].initial == std::vector{1.0});
+    CHECK(header.inputs[2].initial == std::vector{0.25});
+    CHECK(header.inputs[2].low == std::vector{0.0});
+    CHECK(header.inputs[2].high == std::vector{4.0});
+    CHECK(header.inputs[3].initial == std::vector{1.0, 2.5});
+    CHECK(header.inputs[4].initial.empty());
 }
 
 TEST_CASE("a pass is persistent by true, a number or a text that says so") {

@@ -113,6 +113,30 @@ TEST_CASE("inputs and targets may be called by words that became reserved") {
     CHECK(look.passes[1].inputs[0].name == "buffer");
 }
 
+TEST_CASE("inputs may be called as functions and keywords of the language that they are not") {
+    const IsfFolder folder;
+    const Look look = folder.look(
+        R"("INPUTS": [{"NAME": "texture", "TYPE": "image"}, {"NAME": "smooth", "TYPE": "float"},
+                      {"NAME": "switch", "TYPE": "bool"}, {"NAME": "length", "TYPE": "float"}])",
+        "void main() {\n"
+        "  gl_FragColor = IMG_THIS_PIXEL(texture) + texture2D(texture, isf_FragNormCoord);\n"
+        "  gl_FragColor += texture(texture, _texture_imgSize) * smooth;\n"
+        "  gl_FragColor *= length + length(gl_FragCoord.xy);\n"
+        "  if (switch) discard;\n}\n");
+    for (const Parameter& parameter : look.parameters) {
+        CAPTURE(parameter.name);
+        CHECK(parameter.bindings.size() == 1);
+    }
+}
+
+TEST_CASE("a name that no shader can have is told at its line") {
+    const IsfFolder folder;
+    CHECK(folder.refusal("\"INPUTS\": [\n{\"NAME\": \"while\", \"TYPE\": \"float\"}]", draws_red) ==
+          "a.fs:2: error: 'while' cannot be a name in a shader");
+    CHECK(folder.refusal("\"PASSES\": [\n{\"TARGET\": \"IMG_SIZE\"}, {}]", draws_red) ==
+          "a.fs:2: error: 'IMG_SIZE' is a name of the format itself");
+}
+
 TEST_CASE("a parameter belongs to the passes whose part of the shader reads it") {
     const IsfFolder folder;
     const Look look = folder.look(
