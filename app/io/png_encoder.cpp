@@ -29,26 +29,29 @@ void flush_nothing(png_structp) {}
 void ignore_warning(png_structp, png_const_charp) {}
 
 // libpng leaves by a long jump, so nothing here has a destructor.
-bool write_png(png_structp png, png_infop info, Extent extent, const std::uint8_t* rgb) {
+bool write_png(png_structp png, png_infop info, Extent extent, int channels,
+               const std::uint8_t* bytes) {
     if (setjmp(png_jmpbuf(png)))
         return false;
     const auto width = static_cast<png_uint_32>(extent.width);
-    png_set_IHDR(png, info, width, static_cast<png_uint_32>(extent.height), 8, PNG_COLOR_TYPE_RGB,
-                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_IHDR(png, info, width, static_cast<png_uint_32>(extent.height), 8,
+                 channels == 4 ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
     png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
     png_set_compression_level(png, 1);
     png_write_info(png, info);
     for (int y = 0; y < extent.height; ++y)
-        png_write_row(png, rgb + static_cast<std::size_t>(y) * width * 3);
+        png_write_row(
+            png, bytes + static_cast<std::size_t>(y) * width * static_cast<std::size_t>(channels));
     png_write_end(png, info);
     return true;
 }
-}  // namespace
 
-Result<std::string> encode_png(Extent extent, std::span<const std::uint8_t> rgb) {
-    assert(rgb.size() ==
-           static_cast<std::size_t>(extent.width) * static_cast<std::size_t>(extent.height) * 3);
+Result<std::string> encode_bytes(Extent extent, int channels, std::span<const std::uint8_t> bytes) {
+    assert(bytes.size() == static_cast<std::size_t>(extent.width) *
+                               static_cast<std::size_t>(extent.height) *
+                               static_cast<std::size_t>(channels));
     PngTarget target;
     png_structp png =
         png_create_write_struct(PNG_LIBPNG_VER_STRING, &target, leave_png, ignore_warning);
@@ -56,12 +59,21 @@ Result<std::string> encode_png(Extent extent, std::span<const std::uint8_t> rgb)
     bool is_good = false;
     if (info) {
         png_set_write_fn(png, &target, append_png, flush_nothing);
-        is_good = write_png(png, info, extent, rgb.data());
+        is_good = write_png(png, info, extent, channels, bytes.data());
     }
     png_destroy_write_struct(&png, &info);
     if (!is_good)
         return fail({{}, 0, "cannot be encoded: " + target.error});
     return std::move(target.bytes);
+}
+}  // namespace
+
+Result<std::string> encode_png(Extent extent, std::span<const std::uint8_t> rgb) {
+    return encode_bytes(extent, 3, rgb);
+}
+
+Result<std::string> encode_png_with_alpha(Extent extent, std::span<const std::uint8_t> rgba) {
+    return encode_bytes(extent, 4, rgba);
 }
 
 Result<std::string> encode_png(const Picture& picture) {

@@ -12,3 +12,6 @@
 /// same bytes; errors carry no file.
 Result<std::string> encode_png(Extent extent, std::span<const std::uint8_t> rgb);
 Result<std::string> encode_png(const Picture& picture);
+
+/// The same as RGBA, of display_bytes_with_alpha().
+Result<std::string> encode_png_with_alpha(Extent extent, std::span<const std::uint8_t> rgba);

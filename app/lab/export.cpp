@@ -1,7 +1,9 @@
 #include "lab/export.h"
 
 #include "base/text.h"
+#include "formats/isf/stages.h"
 #include "io/picture_file.h"
+#include "io/png_encoder.h"
 #include "io/y4m.h"
 #include "lab/frame_export.h"
 #include "lab/offline.h"
@@ -35,6 +37,13 @@ Result<std::vector<std::uint8_t>> film_bytes(const PipedFrame& frame, Extent ext
     return display_bytes(frame.picture);
 }
 
+Result<std::string> encoded(const RawPicture& picture, std::string_view extension,
+                            bool keeps_alpha) {
+    if (keeps_alpha && extension == ".png")
+        return encode_png_with_alpha(picture.extent, display_bytes_with_alpha(picture));
+    return encode_picture(picture, extension);
+}
+
 Result<void> write_all(int descriptor, std::string_view bytes) {
     while (!bytes.empty()) {
         const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
@@ -56,10 +65,11 @@ ExportPart part_of(double start_seconds, double seconds, double fps) {
     return {first, first + std::max<std::int64_t>(count, 1)};
 }
 
-FramePipeline::Stages sequence_stages(const FrameNames& names, std::int64_t first) {
-    const auto make = [names, first](const PipedFrame& frame) -> Result<FromFrame> {
+FramePipeline::Stages sequence_stages(const FrameNames& names, std::int64_t first,
+                                      bool keeps_alpha) {
+    const auto make = [names, first, keeps_alpha](const PipedFrame& frame) -> Result<FromFrame> {
         const auto file = names.name(static_cast<int>(frame.number));
-        const auto bytes = encode_picture(frame.picture, to_lower(file.extension().string()));
+        const auto bytes = encoded(frame.picture, to_lower(file.extension().string()), keeps_alpha);
         if (!bytes)
             return fail({file, 0, bytes.error().front().message});
         // Looking for leftovers before every file would take ever longer as files come to be.
@@ -197,7 +207,8 @@ Result<bool> export_to(const std::string& output, Offline& offline, ExportJob jo
         const auto names = parse_frame_names(output);
         if (!names)
             return fail(names.error());
-        job.stages = sequence_stages(*names, job.part.first);
+        const Pass& pass = offline.executor().look().passes[static_cast<std::size_t>(job.pass)];
+        job.stages = sequence_stages(*names, job.part.first, is_isf_pass(pass));
     }
     FlashLog flashes;
     if (job.pass + 1 == static_cast<int>(offline.executor().look().passes.size()))

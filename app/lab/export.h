@@ -33,8 +33,10 @@ struct ExportJob {
     std::function<bool(std::int64_t drawn)> go_on = {};
 };
 
-/// Pictures one by one, .png or .exr; a frame has the number that it has on the look's clock.
-FramePipeline::Stages sequence_stages(const FrameNames& names, std::int64_t first);
+/// Pictures one by one, .png or .exr; a frame has the number that it has on the look's clock. PNGs
+/// are all with alpha or all without.
+FramePipeline::Stages sequence_stages(const FrameNames& names, std::int64_t first,
+                                      bool keeps_alpha = false);
 /// Pictures into a film, which lives as long.
 FramePipeline::Stages film_stages(FilmFile& film);
 /// Pictures as y4m into an open file of the system.

@@ -1,6 +1,7 @@
 #include "lab/sharing.h"
 
 #include "base/text.h"
+#include "formats/isf/stages.h"
 #include "formats/look_format.h"
 #include "formats/preset_format.h"
 #include "formats/preset_png.h"
@@ -8,6 +9,7 @@
 #include "io/atomic_file.h"
 #include "io/picture_file.h"
 #include "io/png_encoder.h"
+#include "model/display_bytes.h"
 
 namespace fs = std::filesystem;
 
@@ -45,7 +47,9 @@ Result<void> save_picture_with_preset(const Picture& picture, const Document& do
                                       const fs::path& file, const RecentMedia& recent) {
     if (to_lower(file.extension().string()) != ".png")
         return save_picture(picture, file);
-    auto png = encode_png(picture);
+    const bool has_alpha = is_isf_pass(document.look().passes.back()) && is_transparent(picture);
+    auto png = has_alpha ? encode_png_with_alpha(picture.extent, display_bytes_with_alpha(picture))
+                         : encode_png(picture);
     if (!png)
         return fail(png.error());
     const auto whole =

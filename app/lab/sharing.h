@@ -21,6 +21,7 @@ std::string share_line_of(const Document& document, const RecentMedia& recent);
 Result<void> write_preset(const Document& document, const std::string& name,
                           const std::filesystem::path& file, const RecentMedia& recent);
 
-/// Writes a picture; a PNG also carries the document as a preset, so that it opens as one.
+/// Writes a picture; a PNG also carries the document as a preset, so that it opens as one. Where
+/// alpha is meant as such (ISF) and is below 1 anywhere, the PNG has it, unassociated.
 Result<void> save_picture_with_preset(const Picture& picture, const Document& document,
                                       const std::filesystem::path& file, const RecentMedia& recent);

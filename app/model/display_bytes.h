@@ -14,3 +14,11 @@ std::uint8_t display_byte(float value, Encoding encoding);
 std::vector<std::uint8_t> display_bytes(const Picture& picture);
 /// The same bytes as of picture_of(picture).
 std::vector<std::uint8_t> display_bytes(const RawPicture& picture);
+
+/// RGBA: the same colours, and alpha to the nearest 1/255, which is no light and never encoded; 255
+/// where the picture has none.
+std::vector<std::uint8_t> display_bytes_with_alpha(const Picture& picture);
+std::vector<std::uint8_t> display_bytes_with_alpha(const RawPicture& picture);
+
+/// Whether a picture has alpha that is anywhere below 1, as 255 shades tell it.
+bool is_transparent(const Picture& picture);

@@ -1,7 +1,9 @@
 // What ISF shaders draw, rule by rule.
 #include "io/picture_file.h"
 #include "io/temporary_folder.h"
+#include "lab/export.h"
 #include "lab/offline.h"
+#include "lab/sharing.h"
 
 #include <doctest/doctest.h>
 
@@ -27,7 +29,7 @@ public:
         REQUIRE(save_picture(picture, m_request.source).has_value());
     }
 
-    Picture after(int frames) const {
+    Offline opened() const {
         const auto roots = find_roots({});
         REQUIRE(roots.has_value());
         auto prepared = prepare(m_request, Library(*roots));
@@ -35,9 +37,32 @@ public:
         CHECK(prepared->warnings.empty() != m_is_warned);
         auto offline = Offline::create(std::move(*prepared), m_request.size, 60.0);
         REQUIRE_MESSAGE(offline.has_value(), to_string(offline.error()));
-        Picture picture = offline->picture_after(frames);
-        CHECK(to_string(offline->take_problems()) == "");
+        return std::move(*offline);
+    }
+    Picture after(int frames) const {
+        Offline offline = opened();
+        Picture picture = offline.picture_after(frames);
+        CHECK(to_string(offline.take_problems()) == "");
         return picture;
+    }
+    /// The first frame, saved as a PNG and read again.
+    Picture saved() const {
+        Offline offline = opened();
+        Roots roots;
+        roots.state = m_folder.path();
+        const auto file = m_folder / "saved.png";
+        REQUIRE(save_picture_with_preset(offline.picture_after(1), offline.document(), file,
+                                         RecentMedia(roots)));
+        return load_picture(file).value();
+    }
+    /// The frame of that number of a sequence of two.
+    Picture exported(int number) const {
+        Offline offline = opened();
+        const auto go_on = [](std::int64_t) { return true; };
+        Diagnostics warnings;
+        REQUIRE(export_to((m_folder / "f%d.png").string(), offline,
+                          {.part = {0, 2}, .pass = 0, .go_on = go_on}, warnings));
+        return load_picture(m_folder / ("f" + std::to_string(number) + ".png")).value();
     }
 
 private:
@@ -56,6 +81,8 @@ void check_near(const std::vector<float>& texel, const std::vector<double>& expe
     for (std::size_t i = 0; i < texel.size(); ++i)
         CHECK(static_cast<double>(texel[i]) == doctest::Approx(expected[i]).epsilon(1e-5));
 }
+
+const std::string draws_orange = "void main() { gl_FragColor = vec4(1.0, 0.6, 0.2, 1.0); }\n";
 
 /// Red counts columns, green rows from the top, in steps of 32 / 255.
 Picture isf_source() {
@@ -254,4 +281,21 @@ TEST_CASE("an ISF cube is read by direction: a sky at first, then the faces that
     REQUIRE(save_picture(faces, folder / "faces.png").has_value());
     drawn.request().values = {{"room", (folder / "faces.png").string()}};
     check_near(texel(drawn.after(1), 0, 0), {0.4, 0.6, 0.0, 1.0});
+}
+
+TEST_CASE("a picture of a shader that is transparent is saved with its alpha, colours unchanged") {
+    const DrawnIsf half("", "void main() { gl_FragColor = vec4(1.0, 0.6, 0.2, 0.4); }\n");
+    check_near(texel(half.saved(), 3, 2), {1.0, 0.6, 0.2, 0.4});
+    const DrawnIsf empty("", "void main() { gl_FragColor = vec4(1.0, 0.6, 0.2, 0.0); }\n");
+    check_near(texel(empty.saved(), 3, 2), {1.0, 0.6, 0.2, 0.0});
+    const DrawnIsf opaque("", draws_orange);
+    check_near(texel(opaque.saved(), 3, 2), {1.0, 0.6, 0.2});
+}
+
+TEST_CASE("all pictures of a sequence have alpha, also those that are opaque") {
+    const DrawnIsf drawn("",
+                         "void main() { gl_FragColor = vec4(1.0, 0.6, 0.2, 1.0 - 0.4 * "
+                         "float(FRAMEINDEX)); }\n");
+    check_near(texel(drawn.exported(0), 3, 2), {1.0, 0.6, 0.2, 1.0});
+    check_near(texel(drawn.exported(1), 3, 2), {1.0, 0.6, 0.2, 0.6});
 }
