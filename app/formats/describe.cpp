@@ -95,6 +95,8 @@ Json described(const Parameter& parameter, const Look& look, const Values& value
         json["encoding"] = "display";
     if (parameter.is_constant)
         json["constant"] = true;
+    for (const Range& axis : parameter.axes)
+        json["axes"].push_back({{"min", axis.low}, {"max", axis.high}});
     for (const Item& item : parameter.items)
         json["items"].push_back({{"value", item.value}, {"label", item.label}});
     for (const Binding& binding : parameter.bindings) {

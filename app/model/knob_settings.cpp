@@ -23,6 +23,7 @@ Parameter with_ends(Parameter parameter, const KnobSetting& setting) {
         if (const auto ends = fitted_ends(parameter, *setting.ends)) {
             parameter.range.low = ends->low;
             parameter.range.high = ends->high;
+            parameter.axes.clear();
         }
     return parameter;
 }

@@ -19,7 +19,7 @@ double number_at(const TurnedNumber& turned, double share) {
     }
     if (is_switch(parameter))
         return share >= 0.5 ? 1.0 : 0.0;
-    Range range = with_ends(parameter, turned.setting).range;
+    Range range = range_of(with_ends(parameter, turned.setting), turned.component);
     range.step = step_of(parameter);
     const double value = value_at(range, parameter.scale, share);
     const auto steps = steps_in(range, parameter.range.low);
@@ -55,6 +55,6 @@ double share_at(const TurnedNumber& turned, const Value& value) {
     }
     if (is_switch(parameter))
         return number >= 0.5 ? 1.0 : 0.0;
-    const Range range = with_ends(parameter, turned.setting).range;
+    const Range range = range_of(with_ends(parameter, turned.setting), turned.component);
     return std::clamp(place_in(range, parameter.scale, number), 0.0, 1.0);
 }

@@ -223,12 +223,12 @@ Values modulated(const Look& look, Values values, const Modulations& modulations
         const Parameter* parameter = find_parameter(look, name);
         if (!parameter || !why_unmodulated(look, *parameter).empty())
             continue;
-        const Range& range = parameter->range;
-        const double by = modulation.depth * (range.high - range.low) *
-                          amount_of(modulation, name, seconds, loudness);
+        const double by = modulation.depth * amount_of(modulation, name, seconds, loudness);
         Value value = value_of(*parameter, values);
-        for (double& number : value.numbers)
-            number += by;
+        for (std::size_t i = 0; i < value.numbers.size(); ++i) {
+            const Range& range = range_of(*parameter, i);
+            value.numbers[i] += by * (range.high - range.low);
+        }
         values[name] = clamped(*parameter, std::move(value));
     }
     return values;

@@ -22,8 +22,7 @@ Result<Value> next_item(const Parameter& parameter, const Value& value, bool up)
     return Value((up ? found + 1 : found - 1)->value);
 }
 
-double next_number(const Parameter& parameter, double number, bool up) {
-    const Range& range = parameter.range;
+double next_number(const Parameter& parameter, const Range& range, double number, bool up) {
     const double sign = up ? 1.0 : -1.0;
     if (const double step = step_of(parameter); step > 0.0)
         return std::clamp(number + sign * step, std::min(range.low, number),
@@ -61,7 +60,7 @@ Result<Value> one_step(const Parameter& parameter, const Value& value, std::size
     if (parameter.type.scalar == Scalar::boolean)
         number = number == 0.0 ? 1.0 : 0.0;
     else
-        number = next_number(parameter, number, up);
+        number = next_number(parameter, range_of(parameter, chosen), number, up);
     next = clamped(parameter, std::move(next));
     if (next == value)
         return at_end(up);

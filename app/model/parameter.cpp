@@ -44,6 +44,10 @@ std::string type_name(const Parameter& parameter) {
     return glsl_name(parameter.type);
 }
 
+const Range& range_of(const Parameter& parameter, std::size_t component) {
+    return component < parameter.axes.size() ? parameter.axes[component] : parameter.range;
+}
+
 std::string part_label(const Parameter& parameter, std::size_t component) {
     constexpr const char* axes[] = {"x", "y", "z", "w"};
     if (component < parameter.parts.size())

@@ -75,6 +75,7 @@ struct Parameter {
     Control control = Control::slider;
     Value initial;  // the default
     Range range;
+    std::vector<Range> axes;  // of a point whose axes have ranges of their own, within `range`
     std::optional<Limit> limit;
     Scale scale = Scale::linear;
     std::vector<Item> items;
@@ -94,6 +95,9 @@ struct Parameter {
 /// "float", "vec3", "color", "point", "list", "event", "image", "sound": the type as `describe`
 /// says it.
 std::string type_name(const Parameter& parameter);
+
+/// The ends of one component.
+const Range& range_of(const Parameter& parameter, std::size_t component);
 
 /// What a component of a vector is called: "Red", or "x".
 std::string part_label(const Parameter& parameter, std::size_t component);

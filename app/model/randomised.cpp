@@ -14,8 +14,7 @@ bool counts_work(const Look& look, const std::string& name) {
     });
 }
 
-double rolled_number(const Parameter& parameter, double origin, Dice& dice) {
-    Range range = parameter.range;
+double rolled_number(const Parameter& parameter, Range range, double origin, Dice& dice) {
     range.step = step_of(parameter);
     const auto steps = steps_in(range, origin);
     if (steps && parameter.scale == Scale::linear)
@@ -40,9 +39,10 @@ Value rolled(const Parameter& parameter, double origin, Value value, Dice& dice)
                          .items[static_cast<std::size_t>(
                              dice.choose(static_cast<double>(parameter.items.size())))]
                          .value);
-    for (double& number : value.numbers)
-        number = parameter.type.scalar == Scalar::boolean ? dice.choose(2.0)
-                                                          : rolled_number(parameter, origin, dice);
+    for (std::size_t i = 0; i < value.numbers.size(); ++i)
+        value.numbers[i] = parameter.type.scalar == Scalar::boolean
+                               ? dice.choose(2.0)
+                               : rolled_number(parameter, range_of(parameter, i), origin, dice);
     return value;
 }
 }  // namespace

@@ -18,10 +18,11 @@ double value_at(double place, const Range& range) {
     return std::round((range.low + std::clamp(place, 0.0, 1.0) * span) / step) * step;
 }
 
-/// Where a point of the range is in the pad.
-ImVec2 place_in(const Range& range, double x, double y, const ImVec2& low, const ImVec2& high) {
-    return {low.x + (high.x - low.x) * static_cast<float>(place_of(x, range)),
-            high.y - (high.y - low.y) * static_cast<float>(place_of(y, range))};
+/// Where a point is in the pad.
+ImVec2 place_in(const Parameter& parameter, double x, double y, const ImVec2& low,
+                const ImVec2& high) {
+    return {low.x + (high.x - low.x) * static_cast<float>(place_of(x, range_of(parameter, 0))),
+            high.y - (high.y - low.y) * static_cast<float>(place_of(y, range_of(parameter, 1)))};
 }
 
 void draw_cross(const ImVec2& low, const ImVec2& high, const ImVec2& at, bool is_changed) {
@@ -40,7 +41,7 @@ void draw_ring(const ImVec2& at) {
                                           theme::packed(theme::text), 0, 1.5f);
 }
 
-Turned draw_pad(const Range& range, double& x, double& y, bool is_changed, float width) {
+Turned draw_pad(const Parameter& parameter, double& x, double& y, bool is_changed, float width) {
     const float height = std::round(ImGui::GetFontSize() * 6.0f);
     ImGui::InvisibleButton("##pad", {width, height});
     const ImVec2 low = ImGui::GetItemRectMin();
@@ -50,12 +51,12 @@ Turned draw_pad(const Range& range, double& x, double& y, bool is_changed, float
     const ImVec2 moved = ImGui::GetIO().MouseDelta;
     const bool has_moved = ImGui::IsItemActivated() || moved.x != 0.0f || moved.y != 0.0f;
     if (ImGui::IsItemActive() && has_moved) {
-        x = value_at((mouse.x - low.x) / width, range);
-        y = value_at((high.y - mouse.y) / height, range);
+        x = value_at((mouse.x - low.x) / width, range_of(parameter, 0));
+        y = value_at((high.y - mouse.y) / height, range_of(parameter, 1));
         turned.is_changed = true;
     }
     turned.is_finished = ImGui::IsItemDeactivated();
-    draw_cross(low, high, place_in(range, x, y, low, high), is_changed);
+    draw_cross(low, high, place_in(parameter, x, y, low, high), is_changed);
     return turned;
 }
 }  // namespace
@@ -66,10 +67,10 @@ Turned draw_point(const Parameter& parameter, Value& value, const Value* now,
         return {};
     const float width = columns.control_and_number();
     Turned turned =
-        draw_pad(parameter.range, value.numbers[0], value.numbers[1], facts.is_changed, width);
+        draw_pad(parameter, value.numbers[0], value.numbers[1], facts.is_changed, width);
     if (now && now->numbers.size() >= 2)
-        draw_ring(place_in(parameter.range, now->numbers[0], now->numbers[1],
-                           ImGui::GetItemRectMin(), ImGui::GetItemRectMax()));
+        draw_ring(place_in(parameter, now->numbers[0], now->numbers[1], ImGui::GetItemRectMin(),
+                           ImGui::GetItemRectMax()));
     const ScopedFont font(fonts.numbers);
     const float half = (width - 4.0f) * 0.5f;
     for (std::size_t i = 0; i < value.numbers.size(); ++i) {

@@ -115,6 +115,15 @@ TEST_CASE("what counts stays whole, and a point moves with both its numbers") {
     CHECK(moved_to("place", moving, 0.75) == Value({0.5, 0.75}));
 }
 
+TEST_CASE("each axis of a point moves over its own range") {
+    Look look = moving_look();
+    look.parameters[2].axes = {{0.0, 8.0, 0.0}, {0.0, 2.0, 0.0}};
+    Modulation moving = lfo(LfoShape::square);
+    moving.depth = 0.25;
+    const Values now = modulated(look, {}, {{"place", moving}}, 0.0, nullptr);
+    CHECK(value_of(look.parameters[2], now) == Value({2.25, 1.0}));
+}
+
 TEST_CASE("an envelope follows the level, a beat jumps and comes down; silence does nothing") {
     const Modulation envelope{
         .kind = ModulationKind::envelope, .depth = 0.5, .attack = 0.1, .release = 0.4};

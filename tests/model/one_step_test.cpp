@@ -85,6 +85,18 @@ TEST_CASE("of a vector one number is stepped, a colour as a whole, a point upwar
     CHECK(is_near(raised->numbers[1], 5.1));
 }
 
+TEST_CASE("a point is stepped over the range of its upward axis") {
+    Parameter point = slider(0, 1920);
+    point.type.rows = 2;
+    point.control = Control::point;
+    point.initial = Value({960.0, 540.0});
+    point.axes = {{0.0, 1920.0, 0.0}, {0.0, 1000.0, 0.0}};
+    const auto next = one_step(point, point.initial, 0, true);
+    REQUIRE(next.has_value());
+    CHECK(is_near(next->numbers[0], 960.0));
+    CHECK(is_near(next->numbers[1], 550.0));
+}
+
 TEST_CASE("at its end, and without steps, a parameter says why it takes none") {
     CHECK(why_not(slider(0, 1), Value(1.0)) == "is at its upper end");
     CHECK(why_not(slider(0, 1), Value(0.0), false) == "is at its lower end");

@@ -87,9 +87,12 @@ void set_point(const IsfInput& input, Parameter& made) {
     for (std::size_t i = 0; i < 2; ++i) {
         const Range range = point_range_at(input, i);
         initial.push_back(number_at(input.initial, i, 0.5 * (range.low + range.high)));
+        made.axes.push_back(range);
         made.range.low = i == 0 ? range.low : std::min(made.range.low, range.low);
         made.range.high = i == 0 ? range.high : std::max(made.range.high, range.high);
     }
+    if (made.axes[0] == made.axes[1])
+        made.axes.clear();
     made.initial = Value(std::move(initial));
 }
 

@@ -59,11 +59,13 @@ TEST_CASE("a long is a list of its values, else a slider of whole numbers") {
     CHECK(slider.range == Range{0.0, 9.0, 1.0});
 }
 
-TEST_CASE("a point has two numbers in one range") {
+TEST_CASE("each axis of a point has its own range, and one range holds both") {
     const Parameter point = control_of(Type::point, {64.0, 36.0}, {1.5, 1.0}, {900.0, 600.0});
     CHECK(point.control == Control::point);
     CHECK(point.type == NumberType{Scalar::floating, 2, 1});
+    CHECK(point.axes == std::vector<Range>{{1.5, 900.0, 0.0}, {1.0, 600.0, 0.0}});
     CHECK(point.range == Range{1.0, 900.0, 0.0});
+    CHECK(control_of(Type::point, {}, {0.0, 0.0}, {2.0, 2.0}).axes.empty());
     CHECK(point.initial == Value({64.0, 36.0}));
     CHECK(control_of(Type::point).initial == Value({0.5, 0.5}));
 }
@@ -90,6 +92,8 @@ TEST_CASE("the value at which a filter does nothing is known") {
 }
 
 TEST_CASE("a point without a range has one that its default lies in the middle of") {
+    CHECK(control_of(Type::point, {300.0, 200.0}).axes ==
+          std::vector<Range>{{0.0, 600.0, 0.0}, {0.0, 400.0, 0.0}});
     CHECK(control_of(Type::point, {300.0, 200.0}).range == Range{0.0, 600.0, 0.0});
     CHECK(control_of(Type::point, {-3.0, 0.5}).range == Range{-6.0, 1.0, 0.0});
     CHECK(control_of(Type::point, {1.0, 0.0}).range == Range{0.0, 1.0, 0.0});
