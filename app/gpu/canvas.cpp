@@ -61,12 +61,21 @@ void Canvas::clear(std::array<float, 4> rgba) const {
 }
 
 void Canvas::copy_to(const Canvas& other) const {
-    const Extent extent = m_texture.extent();
+    blit_to(other, GL_NEAREST);
+}
+
+void Canvas::stretch_to(const Canvas& other) const {
+    blit_to(other, GL_LINEAR);
+}
+
+void Canvas::blit_to(const Canvas& other, GLenum filter) const {
+    const Extent from = m_texture.extent();
+    const Extent to = other.m_texture.extent();
     glDisable(GL_SCISSOR_TEST);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, m_name.get());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, other.m_name.get());
-    glBlitFramebuffer(0, 0, extent.width, extent.height, 0, 0, extent.width, extent.height,
-                      GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBlitFramebuffer(0, 0, from.width, from.height, 0, 0, to.width, to.height, GL_COLOR_BUFFER_BIT,
+                      filter);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 

@@ -23,12 +23,15 @@ public:
     void clear(std::array<float, 4> rgba = {}) const;
     /// Copies the largest level to a canvas of the same size and format.
     void copy_to(const Canvas& other) const;
+    /// The same to a canvas of another size and the same format, linearly filtered.
+    void stretch_to(const Canvas& other) const;
     /// Copies six squares, side by side, to the faces of a cube of the same format. Where draws go
     /// stays as it is.
     void copy_faces_to(const Texture& cube) const;
 
 private:
     explicit Canvas(Texture texture);
+    void blit_to(const Canvas& other, GLenum filter) const;
 
     Texture m_texture;
     Name<delete_framebuffer> m_name;

@@ -42,7 +42,8 @@ std::size_t FirstViews::look_at(const Look& look, const Plan& plan) {
             target.format,
             encoding_of(look, static_cast<int>(i)),
             target.mipmapped,
-            {is_power_of_two(target.extent.width), is_power_of_two(target.extent.height)}};
+            {is_power_of_two(target.extent.width), is_power_of_two(target.extent.height)},
+            look.passes[i].has_alpha};
         if (m_met.insert(kind).second)
             look_at(kind);
     }
@@ -61,6 +62,12 @@ void FirstViews::look_at(const Kind& kind) {
     m_viewer.draw(texture, *view, options);
     options.width = options.height = 4.0;  // now texels are magnified
     m_viewer.draw(texture, *view, options);
+    if (kind.has_alpha) {
+        options.is_over_checker = true;
+        m_viewer.draw(texture, *view, options);
+        options.width = options.height = 0.0;
+        m_viewer.draw(texture, *view, options);
+    }
     m_meter.start(texture, ChannelChoice::rgb);
     m_meter.stop();
     m_cells.draw(texture, kind.encoding);

@@ -28,6 +28,7 @@ private:
         Encoding encoding;
         bool is_mipmapped;
         std::array<bool, 2> has_power_of_two;  // across, up
+        bool has_alpha;
 
         auto operator<=>(const Kind&) const = default;
     };

@@ -81,6 +81,12 @@ double seen_luminance(const std::array<float, 4>& rgba, Format format, const Vie
         const double visible = std::clamp(light[i], 0.0, 1.0);
         display[i] = is_encoded ? visible : srgb_encode(visible);
     }
+    constexpr double checker = 0.28;  // the Viewer's, its two greys taken together
+    if (options.is_over_checker && options.channels == ChannelChoice::rgb && !is_lone) {
+        const double alpha = std::clamp(static_cast<double>(rgba[3]), 0.0, 1.0);
+        for (double& one : display)
+            one = checker + (one - checker) * alpha;
+    }
     const bool is_grey = options.marks_flaws || options.marks_clipping;
     return is_grey ? srgb_decode(luminance_of(display)) : luminance_of(decoded(display));
 }

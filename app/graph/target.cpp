@@ -98,6 +98,16 @@ void Target::adopt(Target&& former) {
         canvas(ago) = std::move(former.canvas(ago));
 }
 
+void Target::adopt_stretched(Target& former) {
+    former.drop();
+    m_is_drawn = former.m_is_drawn;
+    const int count = std::min(m_planned.slots, former.m_planned.slots);
+    for (int ago = 0; ago < count; ++ago) {
+        former.canvas(ago).stretch_to(canvas(ago));
+        canvas(ago).texture().generate_mipmaps();
+    }
+}
+
 bool is_compatible(const PlannedTarget& a, const PlannedTarget& b) {
     return a.onto.has_value() == b.onto.has_value() && a.extent == b.extent &&
            a.format == b.format && a.mipmapped == b.mipmapped;

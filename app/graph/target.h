@@ -39,6 +39,9 @@ public:
     /// Takes over the newest pictures of a target of the same size and format.
     void adopt(Target&& former);
 
+    /// Takes over the newest pictures of a target of the same format, stretched to its own size.
+    void adopt_stretched(Target& former);
+
     /// From here on canvas() counts from a picture that is not whole yet: the next one, or the
     /// present one once more.
     enum class Unfinished { no, next, again };

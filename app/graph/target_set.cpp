@@ -17,6 +17,12 @@ Diagnostics at_pass(Diagnostics problems, const Pass& pass) {
     }
     return problems;
 }
+
+// Where only its size has changed; numbers that count things cannot be filtered.
+bool is_stretched(const Pass& pass, const PlannedTarget& former, const PlannedTarget& now) {
+    return pass.keeps_when_resized && former.format == now.format && now.slots > 1 &&
+           !facts_of(now.format).is_integer;
+}
 }  // namespace
 
 Target* TargetSet::find(const std::string& pass) {
@@ -47,6 +53,8 @@ Result<TargetSet> TargetSet::make(const Look& look, const Plan& plan, TargetSet&
         Target* had = former.find(name);
         if (made[i] && had && is_compatible(had->planned(), plan.targets[i]))
             made[i]->adopt(std::move(*had));
+        else if (made[i] && had && is_stretched(look.passes[i], had->planned(), plan.targets[i]))
+            made[i]->adopt_stretched(*had);
         set.m_targets.push_back({name, made[i] ? std::move(*made[i]) : std::move(*had)});
     }
     return set;

@@ -10,7 +10,8 @@
 class TargetSet {
 public:
     /// What `plan` asks for. Targets of `former` with the same pass, size and format go on with
-    /// what they hold; on failure `former` is as it was.
+    /// what they hold, and of another size where the pass keeps it; on failure `former` is as it
+    /// was.
     static Result<TargetSet> make(const Look& look, const Plan& plan, TargetSet& former);
 
     std::size_t size() const { return m_targets.size(); }

@@ -36,6 +36,7 @@ uniform bool is_encoded;
 uniform bool marks_flaws;
 uniform bool marks_clipping;
 uniform bool is_false_color;
+uniform bool is_over_checker;
 )";
 
 // Most views ask for nothing. What is constant costs nothing, also where a driver goes through
@@ -44,7 +45,8 @@ std::string nothing(bool is_encoded) {
     return fmt::format(R"(
 const vec2 levels = vec2(0.0, 1.0);
 const float gain = 1.0;
-const bool marks_flaws = false, marks_clipping = false, is_false_color = false;
+const bool marks_flaws = false, marks_clipping = false, is_false_color = false,
+           is_over_checker = false;
 const bool is_encoded = {};
 )",
                        is_encoded);
@@ -123,6 +125,16 @@ vec3 on_display(vec3 light) {
     return is_encoded ? visible : encode(visible);
 }
 
+// What lies behind a transparent picture: squares of the view's pixels, in display values.
+vec3 checker() {
+    ivec2 square = ivec2(gl_FragCoord.xy) / 8;
+    return vec3(((square.x + square.y) & 1) == 0 ? 0.25 : 0.31);
+}
+
+vec3 over_checker(vec3 seen, float alpha) {
+    return isnan(alpha) ? seen : mix(checker(), seen, clamp(alpha, 0.0, 1.0));
+}
+
 void main() {
     vec2 texel = region.xy + place * region.zw;
     if (any(lessThan(texel, vec2(0.0))) || any(greaterThanEqual(texel, vec2(textureSize(shown, 0))))) {
@@ -131,7 +143,8 @@ void main() {
     }
     bool is_marking = marks_flaws || marks_clipping;
     vec3 mark = is_marking ? mark_at(texel) : no_mark;
-    vec3 numbers = chosen(averaged(texel));
+    vec4 mean = averaged(texel);
+    vec3 numbers = chosen(mean);
     bool is_finite = !any(isnan(numbers)) && !any(isinf(numbers));
     if (mark != no_mark) {
         color = vec4(mark, 1.0);
@@ -140,6 +153,8 @@ void main() {
     } else {
         // A mean takes in neighbours that no mark is due for.
         vec3 seen = on_display(exposed(is_finite ? numbers : chosen(texel_at(ivec2(texel)))));
+        if (is_over_checker && channels == 0 && !is_marking && !is_false_color)
+            seen = over_checker(seen, mean.a);
         color = vec4(is_marking && !is_false_color ? vec3(luminance(seen)) : seen, 1.0);
     }
 }
@@ -192,7 +207,7 @@ const gpu::Program& Viewer::program_for(Format format, const ViewOptions& option
         return m_programs.naturals;
     const bool is_plain = options.levels == Levels{} && options.exposure_stops == 0.0 &&
                           !options.marks_flaws && !options.marks_clipping &&
-                          !options.is_false_color;
+                          !options.is_false_color && !options.is_over_checker;
     return !is_plain ? m_programs.floats : is_encoded ? m_programs.encoded : m_programs.light;
 }
 
@@ -225,6 +240,7 @@ void Viewer::draw(const gpu::Texture& from, const gpu::Canvas& to, const ViewOpt
     program.write("marks_flaws", std::array{options.marks_flaws ? 1.0 : 0.0});
     program.write("marks_clipping", std::array{options.marks_clipping ? 1.0 : 0.0});
     program.write("is_false_color", std::array{options.is_false_color ? 1.0 : 0.0});
+    program.write("is_over_checker", std::array{options.is_over_checker ? 1.0 : 0.0});
     program.write("gain", std::array{std::exp2(options.exposure_stops)});
     program.write("channels", std::array{static_cast<double>(channels)});
     program.write("is_encoded", std::array{is_encoded ? 1.0 : 0.0});

@@ -24,6 +24,7 @@ struct ViewOptions {
     bool marks_flaws = false;         // NaN red, infinite green, negative blue
     bool marks_clipping = false;      // at or above white yellow; all at or below black: dark cyan
     bool is_false_color = false;      // from black to white by false_color()
+    bool is_over_checker = false;     // colours that are not marked: alpha is transparency
     Filter filter = Filter::nearest;  // where texels are magnified; smaller views are averaged
     // The part that is shown, in texels of the largest level from the bottom left; outside of it
     // the view is transparent black. Without a width all is shown.

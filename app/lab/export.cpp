@@ -1,7 +1,6 @@
 #include "lab/export.h"
 
 #include "base/text.h"
-#include "formats/isf/stages.h"
 #include "io/picture_file.h"
 #include "io/png_encoder.h"
 #include "io/y4m.h"
@@ -208,7 +207,7 @@ Result<bool> export_to(const std::string& output, Offline& offline, ExportJob jo
         if (!names)
             return fail(names.error());
         const Pass& pass = offline.executor().look().passes[static_cast<std::size_t>(job.pass)];
-        job.stages = sequence_stages(*names, job.part.first, is_isf_pass(pass));
+        job.stages = sequence_stages(*names, job.part.first, pass.has_alpha);
     }
     FlashLog flashes;
     if (job.pass + 1 == static_cast<int>(offline.executor().look().passes.size()))

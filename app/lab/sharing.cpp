@@ -1,7 +1,6 @@
 #include "lab/sharing.h"
 
 #include "base/text.h"
-#include "formats/isf/stages.h"
 #include "formats/look_format.h"
 #include "formats/preset_format.h"
 #include "formats/preset_png.h"
@@ -47,7 +46,7 @@ Result<void> save_picture_with_preset(const Picture& picture, const Document& do
                                       const fs::path& file, const RecentMedia& recent) {
     if (to_lower(file.extension().string()) != ".png")
         return save_picture(picture, file);
-    const bool has_alpha = is_isf_pass(document.look().passes.back()) && is_transparent(picture);
+    const bool has_alpha = document.look().passes.back().has_alpha && is_transparent(picture);
     auto png = has_alpha ? encode_png_with_alpha(picture.extent, display_bytes_with_alpha(picture))
                          : encode_png(picture);
     if (!png)

@@ -316,12 +316,13 @@ Views::Part Views::large_part(const Lab& lab, const WindowState& window) const {
     const Executor& executor = lab.renderer()->executor();
     const int last = static_cast<int>(executor.look().passes.size()) - 1;
     const int shown = lab.picture_pass();
+    const Pass& pass = executor.look().passes[static_cast<std::size_t>(shown)];
     return {&executor.target(shown),
-            executor.look().passes[static_cast<std::size_t>(shown)].name,
+            pass.name,
             shown,
             executor.target(last).extent(),
             window.picture,
-            {.encoding = encoding_of(executor.look(), shown)}};
+            {.encoding = encoding_of(executor.look(), shown), .is_over_checker = pass.has_alpha}};
 }
 
 // What the part is compared with; a picture from a file is no pass.

@@ -84,6 +84,8 @@ struct Pass {
     std::string scope;   // stands before the names of its look's parameters, "crt/"
     std::string source;  // the pass that its look reads as the source; "": the source itself
     Encoding output = Encoding::linear;  // of what it writes, where it is not the last pass
+    bool has_alpha = false;              // its alpha is meant as transparency, unassociated
+    bool keeps_when_resized = false;     // what is remembered of it is stretched to another size
 
     bool operator==(const Pass&) const = default;
 };

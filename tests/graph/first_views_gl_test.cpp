@@ -36,6 +36,9 @@ TEST_CASE_FIXTURE(Headless, "each kind of picture is looked at once") {
     CHECK(views.look_at(light, plan_of(usual)) == 1);
     CHECK(views.look_at(light, plan_of(usual)) == 0);
     CHECK(views.look_at(encoded, plan_of(usual)) == 1);
+    Look transparent = encoded;
+    transparent.passes[0].has_alpha = true;
+    CHECK(views.look_at(transparent, plan_of(usual)) == 1);
     PlannedTarget other = usual;
     other.extent = {640, 480};  // no side is a power of two either
     CHECK(views.look_at(light, plan_of(other)) == 0);

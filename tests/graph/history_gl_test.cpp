@@ -91,6 +91,34 @@ TEST_CASE_FIXTURE(Headless, "a target whose format or size changes starts anew, 
     CHECK(red(executor, 0) == 1.0f);
 }
 
+TEST_CASE_FIXTURE(Headless,
+                  "what a pass remembers is stretched to another size where it keeps it") {
+    // The left half of the first picture is 0 and the right one 1; after that it stays as it was.
+    Look look = look_of({pass("kept",
+                              "uniform sampler2D previous;\nuniform float drawn;\n"
+                              "void main() { color = drawn > 0.5 ? vec4(step(0.5, uv.x)) "
+                              ": texture(previous, uv); }\n",
+                              {reads("previous", "kept", 1)})},
+                        {knob("drawn", {}, Value(1.0), {{0, "drawn"}})});
+    look.passes[0].keeps_when_resized = true;
+    Executor executor = executor_of(look);
+    executor.draw(frame(1));
+    executor.set_values({{"drawn", Value(0.0)}});
+    REQUIRE(executor.resize({8, 2}, {}).has_value());
+    executor.draw(frame(2));
+    // Centres of eight columns among those of four: linear between the two middle ones.
+    const std::vector<float> across{0.0f, 0.0f, 0.0f, 0.25f, 0.75f, 1.0f, 1.0f, 1.0f};
+    const Picture wide = gpu::read_picture(executor.target(0));
+    REQUIRE(wide.extent == Extent{8, 2});
+    for (int x = 0; x < 8; ++x)
+        CHECK(wide.pixels[wide.index(x, 1)] ==
+              doctest::Approx(across[static_cast<std::size_t>(x)]).epsilon(1e-5));
+    look.passes[0].format = Format::rgba16f;
+    REQUIRE(executor.replace(look, programs_of(look, &executor.programs())).has_value());
+    executor.draw(frame(3));
+    CHECK(gpu::read_picture(executor.target(0)).pixels.back() == 0.0f);
+}
+
 TEST_CASE_FIXTURE(Headless, "a look that cannot be had leaves the one before at work") {
     Executor executor = executor_of(look_of({counter()}));
     executor.draw(frame(1));

@@ -205,3 +205,32 @@ TEST_CASE_FIXTURE(Viewing, "false colours are as bright as the number is large")
     const Rgba of_luminance = shown(one({2, 0, 0, 1}), options);
     CHECK(std::abs(of_luminance[0] - false_color(0.2126)[0]) <= 0.55 / 255.0);
 }
+
+TEST_CASE_FIXTURE(Viewing, "a transparent picture lies over a checker, each texel by its alpha") {
+    const ViewOptions over{.encoding = Encoding::display, .is_over_checker = true};
+    const Rgba one_square = shown(one({1.0f, 0.5f, 0.0f, 0.0f}), over, {32, 32}, 0, 0);
+    const Rgba other_square = shown(one({1.0f, 0.5f, 0.0f, 0.0f}), over, {32, 32}, 8, 0);
+    for (const Rgba& square : {one_square, other_square}) {
+        CHECK(square[0] == square[1]);
+        CHECK(square[1] == square[2]);
+        CHECK(square[3] == 1.0f);
+    }
+    CHECK(std::abs(other_square[0] - one_square[0]) > 0.02f);  // two greys that are
+    CHECK(std::abs(other_square[0] - one_square[0]) < 0.10f);  // no more than told apart
+    CHECK(shown(one({1, 1, 1, 0}), over, {32, 32}, 8, 8)[0] == one_square[0]);
+    const Rgba half = shown(one({1.0f, 0.5f, 0.0f, 0.25f}), over, {32, 32}, 0, 0);
+    const std::array<double, 3> colors{1.0, 0.5, 0.0};
+    for (std::size_t i = 0; i < 3; ++i)
+        CHECK(half[i] == shade(0.75 * static_cast<double>(one_square[0]) + 0.25 * colors[i]));
+    CHECK(shown(one({1.0f, 0.5f, 0.25f, 1.0f}), over)[1] == shade(0.5));
+    CHECK(shown(one({1.0f, 0.5f, 0.25f, 7.0f}), over)[2] == shade(0.25));
+}
+
+TEST_CASE_FIXTURE(Viewing, "a lone channel and marks are no picture, and lie over nothing") {
+    ViewOptions over{.encoding = Encoding::display, .is_over_checker = true};
+    over.channels = ChannelChoice::red;
+    CHECK(shown(one({1, 0, 0, 0}), over)[0] == 1.0f);
+    over.channels = ChannelChoice::rgb;
+    over.is_false_color = true;
+    CHECK(shown(one({1, 1, 1, 0}), over)[0] == 1.0f);
+}

@@ -170,6 +170,7 @@ private:
         pass.format = m_look.passes.back().format;
         pass.inputs = {{"image", Input::From::pass, m_look.passes.back().name, 0, {}}};
         pass.output = Encoding::display;
+        pass.has_alpha = true;
         pass.declared = m_look.passes.back().declared;
         pass.built_ins.clear();
         m_look.passes.push_back(std::move(pass));
@@ -208,6 +209,8 @@ private:
         pass.built_ins = isf_built_ins();
         pass.declared = declared.declared;
         pass.output = Encoding::display;
+        pass.has_alpha = true;
+        pass.keeps_when_resized = declared.is_persistent;
         const auto checked = m_cache ? m_cache->check(pass.vertex, pass.fragment)
                                      : check_program(pass.vertex, pass.fragment);
         if (!checked) {

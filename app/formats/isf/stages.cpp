@@ -38,9 +38,6 @@ constexpr const char* whole_target =
 
 constexpr const char* no_vertex_code = "void main() { isf_vertShaderInit(); }\n";
 
-// Stands near the beginning of every fragment stage.
-constexpr const char* place_in_target = "in vec2 isf_FragNormCoord;\n";
-
 constexpr const char* stretching =
     "#version 410 core\n"
     "in vec2 isf_FragNormCoord;\n"
@@ -138,7 +135,7 @@ Stage isf_fragment_stage(const IsfSource& source, const IsfHeader& header, std::
     const std::string_view code = std::string_view(source.text).substr(header.code_begin);
     const Declarations declared(header, code);
     const std::string prefix =
-        prefix_of(pass, std::string(place_in_target) + "out vec4 isf_FragColor;\n", declared) +
+        prefix_of(pass, "in vec2 isf_FragNormCoord;\nout vec4 isf_FragColor;\n", declared) +
         fmt::format(fmt::runtime(picture_functions), "texture", "", ", bias");
     return stage_of(source.file, prefix, isf_body(code, IsfStage::fragment, declared.names),
                     header.code_line);
@@ -161,10 +158,4 @@ Stage isf_vertex_stage(const IsfSource& source, const IsfHeader& header, std::si
 
 Stage isf_stretching_stage() {
     return builtin_stage(stretching);
-}
-
-bool is_isf_pass(const Pass& pass) {
-    constexpr std::size_t head = 256;
-    return std::string_view(pass.fragment.text).substr(0, head).find(place_in_target) !=
-           std::string_view::npos;
 }

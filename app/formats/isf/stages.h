@@ -18,9 +18,6 @@ struct IsfSource {
 Stage isf_fragment_stage(const IsfSource& source, const IsfHeader& header, std::size_t pass);
 Stage isf_vertex_stage(const IsfSource& source, const IsfHeader& header, std::size_t pass);
 
-/// Whether a pass is one of an ISF shader's: only there alpha is meant as transparency.
-bool is_isf_pass(const Pass& pass);
-
 /// The fragment stage that draws the picture `image` over the whole target; with the vertex stage
 /// of a shader that has none of its own.
 Stage isf_stretching_stage();

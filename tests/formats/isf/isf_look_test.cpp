@@ -137,6 +137,17 @@ TEST_CASE("a name that no shader can have is told at its line") {
           "a.fs:2: error: 'IMG_SIZE' is a name of the format itself");
 }
 
+TEST_CASE("alpha of every pass means transparency, and persistent targets outlast another size") {
+    const IsfFolder folder;
+    const Look look = folder.look(
+        R"("PASSES": [{"TARGET": "a", "PERSISTENT": true}, {"TARGET": "b"}, {"WIDTH": 5}])",
+        draws_red);
+    for (const Pass& pass : look.passes) {
+        CHECK(pass.has_alpha);
+        CHECK(pass.keeps_when_resized == (pass.name == "a"));
+    }
+}
+
 TEST_CASE("a parameter belongs to the passes whose part of the shader reads it") {
     const IsfFolder folder;
     const Look look = folder.look(
