@@ -38,6 +38,8 @@ struct ByteOf {
     Byte color;
     Alpha alpha;
 };
+template <class Byte, class Alpha>
+ByteOf(Byte, Alpha) -> ByteOf<Byte, Alpha>;
 
 // `Sent` channels of each pixel.
 template <int Sent, class Number, class Bytes>
