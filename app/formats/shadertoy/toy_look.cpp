@@ -173,7 +173,8 @@ Input ToyLook::sound_of(const ToyInput& wired) {
 Input ToyLook::source_of(const ToyInput& wired) {
     const RowOrder rows = wired.is_flipped ? RowOrder::bottom_first : RowOrder::top_first;
     if (m_sees && rows != m_look.source_rows)
-        warn(wired.declared, "a video is read with and without vflip: it is drawn as it was first");
+        warn(wired.declared,
+             "a video is read with and without vflip: its rows lie as the first says");
     else
         m_look.source_rows = rows;
     m_sees = true;
