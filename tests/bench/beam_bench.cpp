@@ -81,8 +81,10 @@ private:
     }
     static Executor made(const Prepared& prepared) {
         const Look& look = prepared.document.look();
+        const Values& values = prepared.document.values();
+        const Plan plan = wanted(plan_targets(look, screen, {}, values));
         const Look settled =
-            settled_look(look, prepared.document.values(), [](const Parameter&) { return false; });
+            settled_look(look, values, plan, [](const Parameter&) { return false; });
         return Executor(look, wanted(build_programs(settled)));
     }
 

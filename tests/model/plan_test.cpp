@@ -300,7 +300,8 @@ TEST_CASE("passes share no target where their own would differ, or a person has 
     Look smaller = sharing_scope();
     smaller.passes[0].size.fill({Side::By::viewport, 0.5, {}});
     CHECK_FALSE(shares(smaller));
-    const PassOverride linear{.filter = Filter::linear};
+    PassOverride linear;
+    linear.filter = Filter::linear;
     CHECK_FALSE(shares(with_overrides(sharing_scope(), {{"persistence", linear}})));
     CHECK_FALSE(shares(with_overrides(sharing_scope(), {{"beam", linear}})));
 }

@@ -138,8 +138,8 @@ private:
             return std::string(former->second);
         if (m_own.contains(token.text))
             return own_prefix + std::string(token.text);
-        return later_words().contains(token.text) ? own_prefix + std::string(token.text)
-                                                  : std::string();
+        return is_later(token.text, LaterWord::Kind::keyword) ? own_prefix + std::string(token.text)
+                                                              : std::string();
     }
 
     std::string_view m_text;
