@@ -140,6 +140,7 @@ TEST_CASE("an envelope follows the level, a beat jumps and comes down; silence d
 
 TEST_CASE("what a pass keeps its light in, where it is drawn and how fine its spot is may move") {
     Look look = moving_look();
+    look.passes.resize(1);
     const std::string read = "$" + look.parameters[0].name;
     look.passes[0].half_floats = read;
     look.passes[0].onto = Onto{"elsewhere", read};

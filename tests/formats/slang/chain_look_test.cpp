@@ -328,7 +328,7 @@ TEST_CASE("what is wrong with a chain names pass, file and line") {
     REQUIRE_FALSE(broken.look.has_value());
     const Diagnostic& wrong = broken.look.error().front();
     CHECK(wrong.file == folder / "1.slang");
-    CHECK(wrong.line == 14);
+    CHECK(wrong.line == 13);
     CHECK(wrong.message.starts_with("pass 'Middle': 'nope'"));
 
     const LoadedLook lacking = load_slang_look(
