@@ -53,6 +53,9 @@ class Trying(Person):
         program.click("sheet_columns")
         program.click("sheet_count:3")
         program.click("sheet_down")
+        self.screen.do("mousemove", *program.middle("sheet_choice:bloom_radius"))
+        self.screen.do("click", 5)  # the list is longer than its room
+        program.wait("the list has moved", lambda s: s["widgets"]["sheet_choice:bloom_intensity"][3] < 700)
         program.click("sheet_choice:bloom_intensity")
         program.wait("a sheet of all combinations is being drawn", lambda s: s["sheet"]["columns"] == 3 and
                      s["sheet"]["cells"] == 15 and s["sheet"]["drawn"] > 5)
