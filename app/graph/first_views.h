@@ -6,9 +6,9 @@
 #include "model/plan.h"
 
 #include <array>
-#include <compare>
 #include <cstddef>
 #include <set>
+#include <tuple>
 
 /// Looks once, at a small texture, at each kind of picture that a look's passes draw, in the ways
 /// that a window does: large and small, its numbers, its flashes. A driver that keeps its code in
@@ -30,7 +30,11 @@ private:
         std::array<bool, 2> has_power_of_two;  // across, up
         bool has_alpha;
 
-        auto operator<=>(const Kind&) const = default;
+        bool operator<(const Kind& other) const {
+            return std::tie(format, encoding, is_mipmapped, has_power_of_two, has_alpha) <
+                   std::tie(other.format, other.encoding, other.is_mipmapped,
+                            other.has_power_of_two, other.has_alpha);
+        }
     };
     FirstViews(Viewer viewer, Meter meter, LightCells cells);
     void look_at(const Kind& kind);
