@@ -28,11 +28,9 @@ public:
         seen.back() = true;
         expect(m_executor.resize(picture_extent, picture_extent));
         expect(m_executor.set_seen(seen));
-        for (std::size_t i = 0; i < look.passes.size(); ++i) {
-            const std::string& name = look.passes[i].name;
+        for (const std::string& name : pass_names(look))
             m_passes.push_back(name == "reduced" || name.starts_with("bloom_down") ||
                                name.starts_with("bloom_up") || name == "bloom_y");
-        }
         m_frame.number = 1;
         m_frame.time = m_frame.time_delta = 1.0 / 60.0;
         m_frame.is_first = true;

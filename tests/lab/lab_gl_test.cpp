@@ -63,6 +63,7 @@ TEST_CASE("the picture's size is chosen apart from its view, from a quarter to t
     const auto drawn_at = [&small](const PictureSize& size) {
         small.lab().set_picture_size(size);
         small.turn(1);
+        REQUIRE(small.turn_until([&] { return !small.lab().is_amid_frame(); }));
         return small.lab().renderer()->executor().target(1).extent();
     };
     CHECK(drawn_at({true, {}, 1.0}) == Extent{40, 20});
