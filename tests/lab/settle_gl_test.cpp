@@ -6,6 +6,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 namespace {
 Offline opened(const RenderRequest& request) {
     auto roots = find_roots(AFTERGLOW_SOURCE_DIR);
