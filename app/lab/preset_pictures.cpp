@@ -31,6 +31,11 @@ struct PresetPictures::Basket {
         int drawn = 0;
     };
 
+    bool is_empty() {
+        const std::lock_guard lock(mutex);
+        return painted.empty();
+    }
+
     std::mutex mutex;
     std::deque<Painted> painted;
 };
@@ -55,7 +60,7 @@ void PresetPictures::update(const Lab& lab, bool is_seen, double wall_seconds) {
         list(lab);
     }
     const bool owes = std::ranges::any_of(m_entries, [](const auto& e) { return e.second.is_due; });
-    if (owes && m_work.is_free())
+    if (owes && m_work.is_free() && m_basket->is_empty())  // else what is due may lie there
         start(lab);
 }
 
