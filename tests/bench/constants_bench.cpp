@@ -1,8 +1,8 @@
 // Turning a constant of a shader that is seen: how long until its picture is there, and while a
 // hand goes on turning how often a new one comes. The shader marches 48 steps, as many of
 // Shadertoy's do; nothing of it is kept, by us or by the driver.
+#include "bench/bench_lab.h"
 #include "gpu/draw.h"
-#include "lab/lab.h"
 
 #include <fmt/format.h>
 
@@ -44,28 +44,15 @@ double milliseconds_since(Clock::time_point start) {
 }
 
 /// A lab of some size without a window, in a folder of its own.
-class ConstantsBench {
+class ConstantsBench : public bench::BenchLab {
 public:
-    ConstantsBench(const fs::path& folder, Extent picture) {
-        auto context = gpu::Context::headless();
-        auto worker = context ? gpu::Context::shared_with(**context) : fail(context.error());
-        if (!worker) {
-            fmt::print(stderr, "{}", to_string(worker.error()));
-            std::exit(EXIT_FAILURE);
-        }
-        m_context = std::move(*context);
-        Roots roots{AFTERGLOW_SOURCE_DIR, folder / "user", folder / "state", folder / "cache"};
-        m_lab = std::make_unique<Lab>(Library(std::move(roots)), *m_context, std::move(*worker));
-        m_lab->set_picture_size({false, picture, 1.0});
+    ConstantsBench(const fs::path& folder, Extent picture) : BenchLab(folder, picture) {
         const fs::path file = folder / "marching.glsl";
         std::ofstream(file) << marching;
         m_lab->open(file.string());
         while (m_lab->player().frame_number() < 10)
             turn();
     }
-    ~ConstantsBench() { m_lab.reset(); }
-    ConstantsBench(const ConstantsBench&) = delete;
-    ConstantsBench& operator=(const ConstantsBench&) = delete;
 
     double frame_milliseconds() {
         const auto start = Clock::now();
@@ -112,9 +99,6 @@ private:
         m_lab->update(1.0 / 60.0);
         gpu::finish();
     }
-
-    std::unique_ptr<gpu::Context> m_context;
-    std::unique_ptr<Lab> m_lab;
 };
 }  // namespace
 

@@ -1,8 +1,8 @@
 // Opening heavy looks of libretro's while a light one is seen: how long until each is there, with
 // nothing kept of it and again, and how long the drawing thread is busy in its longest turns until
 // then, which is how long the window would stop. Needs AFTERGLOW_SLANG_DIR.
+#include "bench/bench_lab.h"
 #include "gpu/draw.h"
-#include "lab/lab.h"
 
 #include <fmt/format.h>
 
@@ -28,26 +28,13 @@ struct Turn {
 };
 
 /// A lab of 640 x 480 px without a window, in a folder of its own.
-class OpeningBench {
+class OpeningBench : public bench::BenchLab {
 public:
-    explicit OpeningBench(const fs::path& folder) {
-        auto context = gpu::Context::headless();
-        auto worker = context ? gpu::Context::shared_with(**context) : fail(context.error());
-        if (!worker) {
-            fmt::print(stderr, "{}", to_string(worker.error()));
-            std::exit(EXIT_FAILURE);
-        }
-        m_context = std::move(*context);
-        Roots roots{AFTERGLOW_SOURCE_DIR, folder / "user", folder / "state", folder / "cache"};
-        m_lab = std::make_unique<Lab>(Library(std::move(roots)), *m_context, std::move(*worker));
-        m_lab->set_picture_size({false, {640, 480}, 1.0});
+    explicit OpeningBench(const fs::path& folder) : BenchLab(folder, {640, 480}) {
         m_lab->open("crt");
         while (m_lab->player().frame_number() < 10)
             turn();
     }
-    ~OpeningBench() { m_lab.reset(); }
-    OpeningBench(const OpeningBench&) = delete;
-    OpeningBench& operator=(const OpeningBench&) = delete;
 
     /// False where it does not open.
     bool open(const fs::path& preset, const char* how) {
@@ -86,9 +73,6 @@ private:
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
         return turn;
     }
-
-    std::unique_ptr<gpu::Context> m_context;
-    std::unique_ptr<Lab> m_lab;
 };
 }  // namespace
 

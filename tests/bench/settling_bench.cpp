@@ -1,8 +1,8 @@
 // What a frame of the window's picture costs while values rest and have become constants of the
 // programs, against the same look as it is while a hand turns something. CPU time of the process;
 // the yardstick is measured twice, and where the two differ a run says little.
+#include "bench/bench_lab.h"
 #include "bench/side_by_side.h"
-#include "lab/lab.h"
 #include "model/modulation.h"
 
 #include <fmt/format.h>
@@ -13,23 +13,9 @@
 namespace fs = std::filesystem;
 
 namespace {
-class SettlingBench {
+class SettlingBench : public bench::BenchLab {
 public:
-    explicit SettlingBench(const fs::path& folder) {
-        auto context = gpu::Context::headless();
-        auto worker = context ? gpu::Context::shared_with(**context) : fail(context.error());
-        if (!worker) {
-            fmt::print(stderr, "{}", to_string(worker.error()));
-            std::exit(EXIT_FAILURE);
-        }
-        m_context = std::move(*context);
-        Roots roots{AFTERGLOW_SOURCE_DIR, folder / "user", folder / "state", folder / "cache"};
-        m_lab = std::make_unique<Lab>(Library(std::move(roots)), *m_context, std::move(*worker));
-        m_lab->set_picture_size({false, {1280, 720}, 1.0});
-    }
-    ~SettlingBench() { m_lab.reset(); }
-    SettlingBench(const SettlingBench&) = delete;
-    SettlingBench& operator=(const SettlingBench&) = delete;
+    explicit SettlingBench(const fs::path& folder) : BenchLab(folder, {1280, 720}) {}
 
     void open(const std::string& look) {
         m_lab->open(look);
@@ -81,9 +67,6 @@ private:
             m_lab->update(0.0);
         gpu::finish();
     }
-
-    std::unique_ptr<gpu::Context> m_context;
-    std::unique_ptr<Lab> m_lab;
 };
 
 void measure(SettlingBench& bench, const std::string& look) {

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "lab/lab.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <memory>
+
+namespace bench {
+
+/// A lab without a window, with the looks of the source tree and a folder of its own for the rest.
+/// Ends the program where there is no GL.
+class BenchLab {
+public:
+    BenchLab(const std::filesystem::path& folder, Extent picture) {
+        auto context = gpu::Context::headless();
+        auto worker = context ? gpu::Context::shared_with(**context) : fail(context.error());
+        if (!worker) {
+            fmt::print(stderr, "{}", to_string(worker.error()));
+            std::exit(EXIT_FAILURE);
+        }
+        m_context = std::move(*context);
+        Roots roots{AFTERGLOW_SOURCE_DIR, folder / "user", folder / "state", folder / "cache"};
+        m_lab = std::make_unique<Lab>(Library(std::move(roots)), *m_context, std::move(*worker));
+        m_lab->set_picture_size({false, picture, 1.0});
+    }
+    ~BenchLab() { m_lab.reset(); }
+    BenchLab(const BenchLab&) = delete;
+    BenchLab& operator=(const BenchLab&) = delete;
+
+protected:
+    std::unique_ptr<gpu::Context> m_context;
+    std::unique_ptr<Lab> m_lab;
+};
+
+}  // namespace bench
