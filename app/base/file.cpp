@@ -23,6 +23,16 @@ Result<std::size_t> size_of(const fs::path& file) {
         return fail({file, 0, error.message()});
     return static_cast<std::size_t>(size);
 }
+
+Result<std::string> read_so_many(const fs::path& file, std::size_t count) {
+    std::ifstream stream(file, std::ios::binary);
+    std::string bytes(count, '\0');
+    stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    if (!stream && !stream.eof())
+        return fail({file, 0, std::string("cannot be read: ") + std::strerror(errno)});
+    bytes.resize(static_cast<std::size_t>(stream.gcount()));
+    return bytes;
+}
 }  // namespace
 
 Result<std::string> read_bytes(const fs::path& file, std::size_t most_bytes) {
@@ -33,20 +43,14 @@ Result<std::string> read_bytes(const fs::path& file, std::size_t most_bytes) {
         return fail(
             {file, 0,
              fmt::format("is too large: {} bytes, at most {} are read", *size, most_bytes)});
-    return read_start(file, *size);
+    return read_so_many(file, *size);
 }
 
 Result<std::string> read_start(const fs::path& file, std::size_t count) {
     const auto size = size_of(file);
     if (!size)
         return fail(size.error());
-    std::ifstream stream(file, std::ios::binary);
-    std::string bytes(std::min(*size, count), '\0');
-    stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    if (!stream && !stream.eof())
-        return fail({file, 0, std::string("cannot be read: ") + std::strerror(errno)});
-    bytes.resize(static_cast<std::size_t>(stream.gcount()));
-    return bytes;
+    return read_so_many(file, std::min(*size, count));
 }
 
 Result<std::string> read_text(const fs::path& file) {

@@ -8,6 +8,7 @@
 #include "formats/slang/slang_format.h"
 #include "glsl/include.h"
 #include "glsl/parameters.h"
+#include "glsl/shader_files.h"
 #include "glsl/turned_constants.h"
 #include "model/plan.h"
 
@@ -21,14 +22,14 @@ namespace {
 // Loads each file once, however many passes use it, and tells its mistakes once.
 class StageLoader {
 public:
-    StageLoader(IncludeRoots roots, std::vector<fs::path>& files)
-        : m_roots(std::move(roots)), m_files(files) {}
+    StageLoader(IncludeRoots roots, std::vector<fs::path>& files, ShaderFiles* disk)
+        : m_roots(std::move(roots)), m_files(files), m_disk(disk ? *disk : m_own) {}
 
     Stage load(const fs::path& file) {
         const auto known = m_stages.find(file);
         if (known != m_stages.end())
             return known->second;
-        auto stage = load_stage(file, m_roots, m_files);
+        auto stage = load_stage(file, m_roots, m_files, &m_disk);
         if (!stage)
             problems.insert(problems.end(), stage.error().begin(), stage.error().end());
         return m_stages[file] = stage ? std::move(*stage) : Stage{};
@@ -39,11 +40,14 @@ public:
 private:
     IncludeRoots m_roots;
     std::vector<fs::path>& m_files;
+    ShaderFiles m_own;
+    ShaderFiles& m_disk;
     std::map<fs::path, Stage> m_stages;
 };
 
-Diagnostics load_stages(Look& look, const fs::path& shared, std::vector<fs::path>& files) {
-    StageLoader loader({look.manifest.parent_path(), shared}, files);
+Diagnostics load_stages(Look& look, const fs::path& shared, ShaderFiles* disk,
+                        std::vector<fs::path>& files) {
+    StageLoader loader({look.manifest.parent_path(), shared}, files, disk);
     for (Pass& pass : look.passes) {
         pass.fragment = loader.load(pass.fragment.file);
         pass.vertex =
@@ -85,11 +89,11 @@ Result<Look> read_look(const fs::path& manifest, const fs::path& shared, const R
     auto look = load_manifest(manifest, loaded.files);
     if (!look)
         return look;
-    Diagnostics problems = load_stages(*look, shared, loaded.files);
+    Diagnostics problems = load_stages(*look, shared, help.disk, loaded.files);
     if (!problems.empty())
         return fail(std::move(problems));
     loaded.is_parsed = true;
-    problems = turn_constants(*look, help.values);
+    problems = turn_constants(*look, help.values, help.cache);
     if (!problems.empty())
         return fail(std::move(problems));
     auto parameters = find_parameters(*look, help.cache, loaded.warnings);

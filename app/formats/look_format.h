@@ -8,12 +8,14 @@
 
 class CheckCache;
 class PassProgress;
+class ShaderFiles;
 
 /// What reading a look may be given; all may be null.
 struct ReadingHelp {
     CheckCache* cache = nullptr;       // shaders that did not change are not checked again
     PassProgress* progress = nullptr;  // of looks that are translated; cancelled there, it fails
     const Values* values = nullptr;    // what constants of its texts are turned to, among others
+    ShaderFiles* disk = nullptr;       // files that did not change are not looked into again
 };
 
 /// A look as it was read, or why it was not.

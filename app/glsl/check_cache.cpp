@@ -4,8 +4,23 @@
 
 #include <fmt/format.h>
 
+#include <functional>
+#include <string_view>
+
 namespace {
 constexpr std::size_t most_programs = 512;
+
+// FNV's step; its product first, so that two equal numbers do not undo each other.
+std::size_t mixed(std::size_t digest, std::size_t next) {
+    return (digest * 0x100000001b3u) ^ next;
+}
+
+// There is room for one more.
+template <class Known>
+void make_room(Known& known) {
+    if (known.size() >= most_programs)
+        known.clear();
+}
 
 // Places are part of the answer, so they are part of the question.
 std::string places_of(const LineMap& lines) {
@@ -30,17 +45,27 @@ struct QuestionKind {
 };
 }  // namespace
 
+CheckCache::StageKey CheckCache::key_of(const Stage& stage) {
+    const std::hash<std::string_view> digest;
+    std::size_t places = digest(stage.file.native());
+    for (const LineMap::Stretch& stretch : stage.lines.stretches()) {
+        places = mixed(places, digest(stretch.first.file.native()));
+        places = mixed(mixed(places, static_cast<std::size_t>(stretch.first.line)), stretch.end);
+    }
+    return {digest(stage.text), places, stage.text.size()};
+}
+
 template <class Answer, class Kind>
-Answer CheckCache::remembered(std::map<std::uint64_t, Answer>& known, const Stage& vertex,
+Answer CheckCache::remembered(std::map<ProgramKey, Answer>& known, const Stage& vertex,
                               const Stage& fragment, const Kind& kind) {
-    const std::string question =
-        fmt::format("{} {} {}", kind.name, digest_of_stage(vertex), digest_of_stage(fragment));
-    const std::uint64_t key = digest_of(question);
+    const ProgramKey key{key_of(vertex), key_of(fragment)};
     {
         const std::scoped_lock lock(m_mutex);
         if (const auto found = known.find(key); found != known.end())
             return found->second;
     }
+    const std::string question =
+        fmt::format("{} {} {}", kind.name, digest_of_stage(vertex), digest_of_stage(fragment));
     const auto kept = m_kept ? m_kept->find(question) : std::nullopt;
     auto unpacked = kept ? kind.unpack(*kept) : std::nullopt;
     Answer answer = unpacked ? Answer(std::move(*unpacked)) : kind.ask(vertex, fragment);
@@ -49,8 +74,7 @@ Answer CheckCache::remembered(std::map<std::uint64_t, Answer>& known, const Stag
     if (!unpacked && answer && m_kept && m_keeps)
         m_kept->keep(question, packed(*answer));
     const std::scoped_lock lock(m_mutex);
-    if (known.size() >= most_programs)
-        known.clear();
+    make_room(known);
     known.insert_or_assign(key, answer);
     return answer;
 }
@@ -64,4 +88,17 @@ Result<Translation> CheckCache::translate(const Stage& vertex, const Stage& frag
     return remembered(
         m_translated, vertex, fragment,
         QuestionKind<Translation>{"translate", translate_from_vulkan, unpacked_translation});
+}
+
+std::shared_ptr<const StageNotes> CheckCache::notes(const Stage& stage) {
+    const StageKey key = key_of(stage);
+    const std::scoped_lock lock(m_mutex);
+    if (const auto found = m_notes.find(key); found != m_notes.end())
+        return found->second;
+    make_room(m_notes);
+    return m_notes[key] = std::make_shared<const StageNotes>(find_notes(stage));
+}
+
+std::shared_ptr<const StageNotes> notes_of(const Stage& stage, CheckCache* cache) {
+    return cache ? cache->notes(stage) : std::make_shared<const StageNotes>(find_notes(stage));
 }

@@ -2,15 +2,18 @@
 
 #include "base/byte_store.h"
 #include "glsl/check.h"
+#include "glsl/stage_notes.h"
 #include "glsl/translate.h"
 
+#include <array>
 #include <atomic>
-#include <cstdint>
+#include <cstddef>
 #include <map>
+#include <memory>
 #include <mutex>
 
-/// Remembers what check_program and translate_from_vulkan said about texts, by digest, so that a
-/// reload compiles only what changed. Thread-safe.
+/// Remembers what check_program, translate_from_vulkan and find_notes said about texts, by digest,
+/// so that a reload looks only into what changed. Thread-safe.
 class CheckCache {
 public:
     /// What is good is also kept in `kept`, where a former run of the program may have kept it
@@ -23,18 +26,29 @@ public:
     Result<Reflection> check(const Stage& vertex, const Stage& fragment);
     /// As translate_from_vulkan.
     Result<Translation> translate(const Stage& vertex, const Stage& fragment);
+    /// As find_notes.
+    std::shared_ptr<const StageNotes> notes(const Stage& stage);
     /// How many programs were compiled, and not remembered.
     int compilations() const { return m_compilations; }
 
 private:
+    // Digests of the text and of its places, and the text's length.
+    using StageKey = std::array<std::size_t, 3>;
+    using ProgramKey = std::array<StageKey, 2>;
+
+    static StageKey key_of(const Stage& stage);
     template <class Answer, class Kind>
-    Answer remembered(std::map<std::uint64_t, Answer>& known, const Stage& vertex,
+    Answer remembered(std::map<ProgramKey, Answer>& known, const Stage& vertex,
                       const Stage& fragment, const Kind& kind);
 
     ByteStore* m_kept;
     std::atomic<bool> m_keeps = true;
     std::atomic<int> m_compilations = 0;
     std::mutex m_mutex;
-    std::map<std::uint64_t, Result<Reflection>> m_known;
-    std::map<std::uint64_t, Result<Translation>> m_translated;
+    std::map<ProgramKey, Result<Reflection>> m_known;
+    std::map<ProgramKey, Result<Translation>> m_translated;
+    std::map<StageKey, std::shared_ptr<const StageNotes>> m_notes;
 };
+
+/// As find_notes; `cache` may be null.
+std::shared_ptr<const StageNotes> notes_of(const Stage& stage, CheckCache* cache);

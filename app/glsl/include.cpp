@@ -1,7 +1,8 @@
 #include "glsl/include.h"
 
-#include "base/file.h"
+#include "base/text.h"
 #include "glsl/include_paths.h"
+#include "glsl/shader_files.h"
 #include "glsl/tokens.h"
 
 #include <fmt/format.h>
@@ -14,7 +15,7 @@ namespace fs = std::filesystem;
 namespace {
 constexpr std::size_t most_nested_includes = 64;
 constexpr int most_files = 4096;
-constexpr std::size_t most_bytes = std::size_t{4} << 20;
+constexpr std::size_t most_bytes = ShaderFiles::most_bytes;
 constexpr std::size_t most_bytes_read = 4 * most_bytes;  // also of what says nothing
 constexpr std::size_t most_errors = 32;
 constexpr std::size_t most_lines = 200'000;
@@ -22,22 +23,11 @@ constexpr std::size_t most_lines = 200'000;
 constexpr const char* too_large =
     "the shader with its includes is too large (more than 4 MiB or 200000 lines)";
 
-// Compilers disagree on whether a lone CR ends a line; LF alone leaves no doubt.
-std::string with_plain_line_ends(std::string_view text) {
-    std::string plain;
-    plain.reserve(text.size());
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const bool is_pair = text[i] == '\r' && i + 1 < text.size() && text[i + 1] == '\n';
-        if (!is_pair)
-            plain += text[i] == '\r' ? '\n' : text[i];
-    }
-    return plain;
-}
-
 class Assembler {
 public:
-    Assembler(const fs::path& file, const IncludeRoots& roots, std::vector<fs::path>& files)
-        : m_paths(file, roots), m_given(roots.given), m_files(files) {
+    Assembler(const fs::path& file, const IncludeRoots& roots, std::vector<fs::path>& files,
+              ShaderFiles& disk)
+        : m_disk(disk), m_paths(file, roots, disk), m_given(roots.given), m_files(files) {
         m_stage.file = file;
         for (const fs::path& known : files)
             m_known.insert(known.native());
@@ -68,17 +58,18 @@ private:
                          fmt::format("'{}' leads out of the look's folder and of the shared "
                                      "includes",
                                      file.string()));
-        auto text = read_text(file);
+        const Result<ShaderText>& text = m_disk.read(file);
         if (!text)
             return refuse(file, from, text.error());
-        m_bytes_read += text->size();
-        if (text->size() > most_bytes || m_bytes_read > most_bytes_read) {
+        m_bytes_read += text->file_size;
+        if (text->file_size > most_bytes || m_bytes_read > most_bytes_read) {
             m_is_full = true;
             return error({file, 1}, too_large);
         }
-        std::error_code unknown;
-        m_open.push_back({file, fs::canonical(file, unknown)});
-        add_text(with_plain_line_ends(*text));
+        if (text->is_once)
+            m_once.push_back(text->place);
+        m_open.push_back({file, text->place});
+        add_text(*text);
         m_open.pop_back();
     }
 
@@ -92,32 +83,20 @@ private:
         }
     }
 
-    void add_text(std::string text) {
+    void add_text(const ShaderText& from) {
         const fs::path file = m_open.back().path;
-        text = without_line_directives(std::move(text));
-        const std::string scanned = text;
-        const Tokens tokens = scan(scanned);
-        if (tokens.unclosed_comment > 0)
-            error({file, tokens.unclosed_comment}, "the comment that starts here never ends");
+        const std::string_view text = from.text;
+        if (from.unclosed_comment > 0)
+            error({file, from.unclosed_comment}, "the comment that starts here never ends");
         std::size_t done = 0;
         int line = 1;
-        for (const Directive& directive : find_directives(scanned, tokens)) {
-            if (directive.name == "pragma" && is_once(directive)) {
-                m_once.push_back(m_open.back().real);
-                blank_out(text, directive.begin, directive.end);
-            }
-            if (directive.name != "include")
-                continue;
-            add_lines(std::string_view(text).substr(done, directive.begin - done), line, done > 0);
+        for (const ShaderText::Include& directive : from.includes) {
+            add_lines(text.substr(done, directive.begin - done), line, done > 0);
             include(directive, {file, directive.line});
             done = directive.end;
-            line = directive.arguments.empty() ? directive.line : directive.arguments.back().line;
+            line = directive.last_line;
         }
-        add_lines(std::string_view(text).substr(done), line, done > 0);
-    }
-
-    static bool is_once(const Directive& directive) {
-        return directive.arguments.size() == 1 && directive.arguments.front().is("once");
+        add_lines(text.substr(done), line, done > 0);
     }
 
     // Adds a part of a file. The pieces of a line around an #include count only if they say
@@ -143,12 +122,6 @@ private:
         m_stage.lines.push_back(at);
     }
 
-    // `<`, words, `>`
-    static std::string_view name_between(const std::vector<Token>& signs) {
-        const char* const begin = signs.front().text.data() + 1;
-        return {begin, static_cast<std::size_t>(signs.back().text.data() - begin)};
-    }
-
     void add_given(std::string_view name, const Location& at) {
         if (std::ranges::find(m_given, name) == m_given.end())
             return error(at, fmt::format("there is no '<{}>' here; a file is included by "
@@ -157,16 +130,14 @@ private:
         add_line(fmt::format("#include <{}>", name), at);
     }
 
-    void include(const Directive& directive, const Location& at) {
+    void include(const ShaderText::Include& directive, const Location& at) {
         if (m_is_full)
             return;
-        const auto& arguments = directive.arguments;
-        if (!m_given.empty() && arguments.size() > 2 && arguments.front().is("<"))
-            return add_given(name_between(arguments), at);
-        if (arguments.size() != 1 || arguments.front().kind != Token::Kind::string)
+        if (!m_given.empty() && directive.given)
+            return add_given(*directive.given, at);
+        if (!directive.file)
             return error(at, "an include is written #include \"file.glsl\"");
-        const std::string_view name =
-            arguments.front().text.substr(1, arguments.front().text.size() - 2);
+        const std::string& name = *directive.file;
         if (std::string fault = fault_of_include_name(name); !fault.empty())
             return error(at, fault);
         std::vector<fs::path> tried;
@@ -182,8 +153,7 @@ private:
     }
 
     void enter(const fs::path& file, const Location& at) {
-        std::error_code unknown;
-        const fs::path real = fs::canonical(file, unknown);
+        const fs::path& real = m_disk.place_of(file);
         if (std::ranges::find(m_once, real) != m_once.end())
             return;
         const auto open = std::ranges::find(m_open, real, &Open::real);
@@ -208,6 +178,7 @@ private:
         fs::path real;
     };
 
+    ShaderFiles& m_disk;
     IncludePaths m_paths;
     std::span<const std::string_view> m_given;
     std::vector<fs::path>& m_files;
@@ -223,8 +194,9 @@ private:
 }  // namespace
 
 Result<Stage> load_stage(const fs::path& file, const IncludeRoots& roots,
-                         std::vector<fs::path>& files) {
-    return Assembler(file, roots, files).assemble();
+                         std::vector<fs::path>& files, ShaderFiles* disk) {
+    ShaderFiles own;
+    return Assembler(file, roots, files, disk ? *disk : own).assemble();
 }
 
 Stage builtin_stage(std::string text) {

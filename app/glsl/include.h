@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+class ShaderFiles;
+
 /// Folders that an #include may read from, besides the including file's own.
 struct IncludeRoots {
     std::filesystem::path look_folder;  // "": the folder of the file that is loaded
@@ -20,9 +22,10 @@ struct IncludeRoots {
 /// the look's folder, in `include/` beside it, and in the shared folder; all that is read lies in
 /// one of these, also when links are followed. `#pragma once` is obeyed, `#line` is blanked out.
 /// `files` gets every file that was read, or looked for and missing (for a watcher), also on
-/// failure. Errors name the including line; several at once.
+/// failure. Errors name the including line; several at once. `disk`, which may be null, is shared
+/// by the stages of one reading.
 Result<Stage> load_stage(const std::filesystem::path& file, const IncludeRoots& roots,
-                         std::vector<std::filesystem::path>& files);
+                         std::vector<std::filesystem::path>& files, ShaderFiles* disk = nullptr);
 
 /// A stage made from a text of the program's own (no includes).
 Stage builtin_stage(std::string text);

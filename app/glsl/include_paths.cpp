@@ -1,12 +1,14 @@
 #include "glsl/include_paths.h"
 
-#include "base/file.h"
+#include "base/text.h"
+#include "glsl/shader_files.h"
 
 #include <algorithm>
 
 namespace fs = std::filesystem;
 
-IncludePaths::IncludePaths(const fs::path& file, const IncludeRoots& roots) {
+IncludePaths::IncludePaths(const fs::path& file, const IncludeRoots& roots, ShaderFiles& disk)
+    : m_disk(disk) {
     fs::path look = roots.look_folder.empty() ? file.parent_path() : roots.look_folder;
     if (look.empty())
         look = ".";
@@ -18,11 +20,9 @@ IncludePaths::IncludePaths(const fs::path& file, const IncludeRoots& roots) {
 }
 
 bool IncludePaths::is_allowed(const fs::path& file) const {
-    std::error_code error;
-    if (!fs::exists(file, error))
-        return true;
-    return std::ranges::any_of(m_folders,
-                               [&](const fs::path& folder) { return is_inside(file, folder); });
+    return !m_disk.exists(file) || std::ranges::any_of(m_folders, [&](const fs::path& folder) {
+        return m_disk.is_inside(file, folder);
+    });
 }
 
 std::optional<fs::path> IncludePaths::find(std::string_view name, const fs::path& beside,
@@ -33,8 +33,7 @@ std::optional<fs::path> IncludePaths::find(std::string_view name, const fs::path
         const fs::path candidate = (folder / name).lexically_normal();
         if (std::ranges::find(tried, candidate) == tried.end())
             tried.push_back(candidate);
-        std::error_code error;
-        if (fs::exists(candidate, error))
+        if (m_disk.exists(candidate))
             return candidate;
     }
     return std::nullopt;

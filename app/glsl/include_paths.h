@@ -8,7 +8,7 @@
 /// Where includes may be found.
 class IncludePaths {
 public:
-    IncludePaths(const std::filesystem::path& file, const IncludeRoots& roots);
+    IncludePaths(const std::filesystem::path& file, const IncludeRoots& roots, ShaderFiles& disk);
 
     /// Whether a file lies in one of the folders after links are followed; true for what is
     /// missing.
@@ -21,6 +21,7 @@ public:
                                               std::vector<std::filesystem::path>& tried) const;
 
 private:
+    ShaderFiles& m_disk;
     std::vector<std::filesystem::path> m_folders;
 };
 

@@ -1,7 +1,6 @@
 #include "glsl/pass_uniforms.h"
 
 #include "glsl/builtins.h"
-#include "glsl/declarations.h"
 #include "glsl/include.h"
 
 #include <fmt/format.h>
@@ -17,7 +16,7 @@ class Sorter {
 public:
     Sorter(const Pass& pass, int index) : m_pass(pass), m_index(index) {}
 
-    PassUniforms sort(const Reflection& reflection) {
+    PassUniforms sort(const Reflection& reflection, CheckCache* cache) {
         m_result.warnings = reflection.warnings;
         for (const Uniform& uniform : reflection.uniforms)
             m_names.push_back(uniform.name);
@@ -29,7 +28,7 @@ public:
             check_input(input, reflection);
         for (const Uniform& uniform : reflection.uniforms)
             add(uniform);
-        read_hints();
+        read_hints(cache);
         return std::move(m_result);
     }
 
@@ -135,25 +134,26 @@ private:
                               with_article(uniform.type_name)));
     }
 
-    void read_hints() {
+    void read_hints(CheckCache* cache) {
         if (m_result.free.empty())
             return;
-        for (const Stage* stage : {&vertex_of(m_pass), &m_pass.fragment})
-            for (const Declaration& declaration : find_declarations(stage->text))
-                read_hints(declaration, *stage);
+        for (const Stage* stage : {&vertex_of(m_pass), &m_pass.fragment}) {
+            const auto notes = notes_of(*stage, cache);
+            for (const UniformNotes& uniform : notes->uniforms)
+                read_hints(uniform);
+        }
     }
 
-    void read_hints(const Declaration& declaration, const Stage& stage) {
-        const auto is_declared_here = [&](const FreeUniform& free) {
-            return free.uniform.name == declaration.name &&
-                   std::ranges::find(free.uniform.declared, place_in(stage, declaration.line)) !=
-                       free.uniform.declared.end();
-        };
-        const auto free = std::ranges::find_if(m_result.free, is_declared_here);
+    void read_hints(const UniformNotes& notes) {
+        const auto free = std::ranges::find_if(m_result.free, [&](const FreeUniform& other) {
+            const auto& declared = other.uniform.declared;
+            return other.uniform.name == notes.name &&
+                   std::ranges::find(declared, notes.declared) != declared.end();
+        });
         if (free == m_result.free.end())
             return;
-        const Hints hints = parse_hints(declaration.comments, stage, m_result.errors);
-        merge_hints(free->hints, hints, free->parameter, m_result.errors);
+        m_result.errors.insert(m_result.errors.end(), notes.errors.begin(), notes.errors.end());
+        merge_hints(free->hints, notes.hints, free->parameter, m_result.errors);
     }
 
     const Pass& m_pass;
@@ -178,5 +178,5 @@ PassUniforms find_pass_uniforms(const Pass& pass, int index, CheckCache* cache) 
         failed.errors = std::move(reflection.error());
         return failed;
     }
-    return Sorter(pass, index).sort(*reflection);
+    return Sorter(pass, index).sort(*reflection, cache);
 }

@@ -77,7 +77,8 @@ std::vector<std::string> TurnedConstants::write_into(Stage& stage) {
     std::vector<std::string> names;
     std::string turned;
     std::size_t copied = 0;
-    for (const WrittenConstant& written : find_constants(stage.text)) {
+    const auto notes = notes_of(stage, m_cache);
+    for (const WrittenConstant& written : notes->constants) {
         const Constant* const constant = note(written, stage);
         if (!constant)
             continue;
@@ -125,8 +126,8 @@ Diagnostics TurnedConstants::add_to(Look& look) const {
     return errors;
 }
 
-Diagnostics turn_constants(Look& look, const Values* values) {
-    TurnedConstants constants(values);
+Diagnostics turn_constants(Look& look, const Values* values, CheckCache* cache) {
+    TurnedConstants constants(values, cache);
     for (std::size_t i = 0; i < look.passes.size(); ++i)
         constants.write_into(look.passes[i], i);
     return constants.add_to(look);

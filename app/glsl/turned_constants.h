@@ -1,7 +1,6 @@
 #pragma once
 
-#include "glsl/constants.h"
-#include "glsl/hint.h"
+#include "glsl/check_cache.h"
 
 #include <string>
 #include <vector>
@@ -11,8 +10,9 @@
 /// them) knows of no constants.
 class TurnedConstants {
 public:
-    /// By name, or by the name that `@was` says; null: all is as written.
-    explicit TurnedConstants(const Values* values) : m_values(values) {}
+    /// By name, or by the name that `@was` says; null: all is as written. `cache` may be null.
+    explicit TurnedConstants(const Values* values, CheckCache* cache = nullptr)
+        : m_values(values), m_cache(cache) {}
 
     /// Writes the numbers into a text, each in the place of the author's, on its line. What is
     /// found, for bind().
@@ -39,9 +39,10 @@ private:
     void error(const Location& at, std::string message);
 
     const Values* m_values;
+    CheckCache* m_cache;
     std::vector<Constant> m_constants;
     Diagnostics m_errors;
 };
 
 /// Writes into all passes of a look, and adds its constants.
-Diagnostics turn_constants(Look& look, const Values* values);
+Diagnostics turn_constants(Look& look, const Values* values, CheckCache* cache = nullptr);

@@ -53,7 +53,7 @@ void Lab::follow_settling(double wall_seconds) {
     if (auto made = m_reloader.take_settled(); made && made->programs)
         m_settling.arrival = std::make_unique<Arrival>(std::move(*made));
     if (!m_settling.arrival || is_amid_frame() ||
-        !m_settling.arrival->go_on({&*m_programs, picture_extent()}, seconds_a_turn))
+        !m_settling.arrival->go_on({m_reloader.drawn_with(), picture_extent()}, seconds_a_turn))
         return;
     LoadedRequest made = std::exchange(m_settling.arrival, nullptr)->take();
     m_renderer->settle(std::move(*made.programs), moving_in(m_settling.modulations));

@@ -142,7 +142,7 @@ void Lab::take_reload() {
     constexpr double seconds_a_turn = 0.012;
     const bool waits = is_arriving && is_amid_frame();  // or turning would drop frame after frame
     if (m_arrival && !waits &&
-        m_arrival->go_on({m_programs ? &*m_programs : nullptr, picture_extent()}, seconds_a_turn))
+        m_arrival->go_on({m_reloader.drawn_with(), picture_extent()}, seconds_a_turn))
         apply(std::exchange(m_arrival, nullptr)->take());
 }
 

@@ -59,7 +59,7 @@ void Reloader::go_back_to(const OpenRequest& request) {
 }
 
 void Reloader::set_shown(const Programs& programs) {
-    m_shown = std::make_shared<const Programs>(programs);
+    m_recent.show(programs);
     m_is_unopened = false;
 }
 
@@ -92,8 +92,8 @@ void Reloader::turn(const OpenRequest& request, LoadedRequest::Whose whose) {
                                   .generation = m_submitted,
                                   .progress = std::make_shared<PassProgress>(),
                                   .whose = whose,
-                                  .shown = m_shown,
-                                  .home = m_shown ? m_shown->home : nullptr};
+                                  .shown = m_recent.all(),
+                                  .home = home_of_shown()};
     }
     m_wake.notify_all();
 }
@@ -124,8 +124,8 @@ void Reloader::settle(SettledRequest request) {
                              .generation = m_submitted,
                              .progress = m_settling,
                              .whose = LoadedRequest::Whose::settled,
-                             .shown = m_shown,
-                             .home = m_shown ? m_shown->home : nullptr,
+                             .shown = m_recent.all(),
+                             .home = home_of_shown(),
                              .settled = std::make_shared<const SettledRequest>(std::move(request))};
     }
     m_wake.notify_all();
@@ -144,10 +144,10 @@ std::optional<LoadedRequest> Reloader::take_settled() {
 void Reloader::submit(OpenRequest request, bool is_reload) {
     m_request = request;
     Job job{.request = std::move(request), .is_reload = is_reload};
-    job.is_opening = !is_reload || m_is_unopened || !m_shown;
+    job.is_opening = !is_reload || m_is_unopened || !drawn_with();
     if (!job.is_opening)
-        job.shown = m_shown;
-    job.home = job.is_opening ? m_drawing_contexts.lend() : m_shown->home;
+        job.shown = m_recent.all();
+    job.home = job.is_opening ? m_drawing_contexts.lend() : drawn_with()->home;
     {
         const std::lock_guard lock(m_mutex);
         if (m_progress)
@@ -269,7 +269,7 @@ void Reloader::keep(LoadedRequest loaded) {
 }
 
 void Reloader::prepare_for_more() {
-    if (m_is_prepared && m_shown && m_shown->home && !is_busy())
+    if (m_is_prepared && home_of_shown() && !is_busy())
         m_drawing_contexts.have_spare();
     {
         const std::lock_guard lock(m_mutex);
@@ -409,19 +409,24 @@ void Reloader::look_first(const Job& job, const Look& look, const Values& values
         gpu::wait_for_driver_cache(cache_patience, *job.progress);
 }
 
-// Whose programs serve: for the open look those that it is drawn with, or newer ones beside them;
-// for another one only if it is the same.
-const Programs* Reloader::known_for(const Job& job, const Look& look) const {
-    if (m_linked && (job.is_opening ? serves(*m_linked, look) : m_linked->home == job.home))
-        return &*m_linked;
-    return job.shown.get();
+// Whose programs serve: for the open look those that it is or was drawn with, and newer ones beside
+// them; for another one only if it is the same.
+std::optional<Programs> Reloader::known_for(const Job& job, const Look& look) const {
+    const bool serves_linked =
+        m_linked && (job.is_opening ? serves(*m_linked, look) : m_linked->home == job.home);
+    if (serves_linked && job.shown)
+        return joined(*m_linked, job.shown->passes);
+    if (serves_linked)
+        return m_linked;
+    return job.shown ? std::optional(*job.shown) : std::nullopt;
 }
 
 // What a hand goes past is kept for no other run, and does not wait for first draws: where the GPU
 // is busy with the picture they come late.
 Result<Programs> Reloader::link(const Job& job, LoadedRequest& loaded) {
     const bool is_look = job.whose == LoadedRequest::Whose::look;
-    const Programs* known = known_for(job, *loaded.look);
+    const std::optional<Programs> reusable = known_for(job, *loaded.look);
+    const Programs* const known = reusable ? &*reusable : nullptr;
     auto programs = build_programs(*loaded.look, known, is_look ? m_kept_shaders.get() : nullptr,
                                    job.progress.get(), known ? known->home : job.home);
     if (!programs)
@@ -467,8 +472,9 @@ LoadedRequest Reloader::load(const Job& job) {
     };
     const Values values = values_of(job.request);
     m_checks.set_keeping(job.whose == LoadedRequest::Whose::look);
+    m_shader_files.begin_reading();
     LoadedLook read = load_stack(stack_of(job.request), m_shared_includes,
-                                 {&m_checks, job.progress.get(), &values});
+                                 {&m_checks, job.progress.get(), &values, &m_shader_files});
     loaded.files = std::move(read.files);
     loaded.problems = std::move(read.warnings);
     if (!read.look)

@@ -3,8 +3,10 @@
 #include "base/pass_progress.h"
 #include "formats/look_format.h"
 #include "glsl/check_cache.h"
+#include "glsl/shader_files.h"
 #include "gpu/context.h"
 #include "graph/programs.h"
+#include "graph/recent_programs.h"
 #include "graph/warm_up.h"
 #include "io/file_watcher.h"
 #include "lab/drawing_contexts.h"
@@ -93,6 +95,8 @@ public:
     /// What the open look is drawn with: later readings of it take what they can from there, and
     /// are drawn in its home.
     void set_shown(const Programs& programs);
+    /// What its home has drawn with: these and former ones; null: nothing.
+    const Programs* drawn_with() const { return m_recent.all().get(); }
     /// What was asked for last could not be opened: reading it again opens another look.
     void note_unopened() { m_is_unopened = true; }
     /// The open look's own files: a change of one makes it read again.
@@ -130,7 +134,8 @@ private:
         std::uint64_t generation = 0;
         std::shared_ptr<PassProgress> progress = {};  // shared with who asked
         LoadedRequest::Whose whose = LoadedRequest::Whose::look;
-        std::shared_ptr<const Programs> shown = {};  // of the look that it is of; null: another
+        std::shared_ptr<const Programs> shown = {};  // of the look that it is of, with former
+                                                     // ones; null: another
         std::shared_ptr<gpu::Context> home = {};
         bool is_opening = false;                             // then nobody draws in its home yet
         std::shared_ptr<const SettledRequest> settled = {};  // null: it is read
@@ -141,6 +146,9 @@ private:
         std::optional<LoadedRequest> made;
     };
 
+    std::shared_ptr<gpu::Context> home_of_shown() const {
+        return drawn_with() ? drawn_with()->home : nullptr;
+    }
     void submit(OpenRequest request, bool is_reload);
     void run();
     void work_on(const Job& job);
@@ -154,7 +162,7 @@ private:
     }
     LoadedRequest load(const Job& job);
     LoadedRequest load_settled(const Job& job);
-    const Programs* known_for(const Job& job, const Look& look) const;
+    std::optional<Programs> known_for(const Job& job, const Look& look) const;
     Result<Programs> link(const Job& job, LoadedRequest& loaded);
     void draw_first(const Job& job, const Programs* known, Programs& programs,
                     LoadedRequest& loaded);
@@ -165,7 +173,7 @@ private:
     std::shared_ptr<ByteStore> m_kept_shaders;
     std::unique_ptr<gpu::Context> m_context;
     DrawingContexts m_drawing_contexts;
-    std::shared_ptr<const Programs> m_shown;  // of the open look; null: none is open
+    RecentPrograms m_recent;  // of the open look
     bool m_is_unopened = false;
     std::unique_ptr<FileWatcher> m_watcher;
     std::string m_watch_problem;
@@ -207,6 +215,7 @@ private:
     };
 
     CheckCache m_checks{m_kept_shaders.get()};          // the thread's
+    ShaderFiles m_shader_files;                         // the thread's
     std::map<std::filesystem::path, ReadImage> m_read;  // the thread's
     std::optional<Programs> m_linked;  // the thread's: what the next reading may reuse
     std::optional<WarmUp> m_warm_up;   // the thread's; without it the first frame is slower

@@ -50,7 +50,7 @@ public:
         const std::vector<BarePass> passes = bare_passes(words);
         for (const BarePass& pass : passes)
             add_pass(pass, passes.size() == 1);
-        if (auto problems = turn_constants(m_look, m_help.values); !problems.empty())
+        if (auto problems = turn_constants(m_look, m_help.values, m_help.cache); !problems.empty())
             return fail(std::move(problems));
         for (std::size_t i = 0; i < m_look.passes.size(); ++i)
             if (auto problems = feed(i); !problems.empty())
@@ -173,7 +173,7 @@ private:
 Result<Look> read_bare_look(const fs::path& file, const fs::path& shared, const ReadingHelp& help,
                             LoadedLook& loaded) {
     const auto written =
-        load_stage(file, {file.parent_path(), shared, host_chunks()}, loaded.files);
+        load_stage(file, {file.parent_path(), shared, host_chunks()}, loaded.files, help.disk);
     if (!written)
         return fail(written.error());
     loaded.is_parsed = true;

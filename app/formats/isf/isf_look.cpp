@@ -81,7 +81,7 @@ public:
         : m_source(source),
           m_header(header),
           m_cache(help.cache),
-          m_constants(help.values),
+          m_constants(help.values, help.cache),
           m_files(files),
           m_warnings(warnings),
           m_listens(std::ranges::any_of(header.inputs, is_sound)) {}

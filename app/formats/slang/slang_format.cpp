@@ -160,7 +160,7 @@ Filter chosen_filter(const ReadingHelp& help) {
 Result<Look> read_look_of(const fs::path& file, SlangFiles& files, const ReadingHelp& help,
                           LoadedLook& loaded) {
     constexpr int frames_of_a_past = 60;
-    TurnedConstants constants(help.values);
+    TurnedConstants constants(help.values, help.cache);
     const auto chain = read_chain(file, files, help, constants, loaded.is_parsed);
     if (!chain)
         return fail(chain.error());

@@ -1,0 +1,113 @@
+#include "glsl/shader_files.h"
+
+#include "base/file.h"
+#include "glsl/tokens.h"
+
+#include <algorithm>
+
+namespace fs = std::filesystem;
+
+namespace {
+// Compilers disagree on whether a lone CR ends a line; LF alone leaves no doubt.
+std::string with_plain_line_ends(std::string_view text) {
+    std::string plain;
+    plain.reserve(text.size());
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool is_pair = text[i] == '\r' && i + 1 < text.size() && text[i + 1] == '\n';
+        if (!is_pair)
+            plain += text[i] == '\r' ? '\n' : text[i];
+    }
+    return plain;
+}
+
+bool is_once(const Directive& directive) {
+    return directive.name == "pragma" && directive.arguments.size() == 1 &&
+           directive.arguments.front().is("once");
+}
+
+// `<`, words, `>`
+std::string name_between(const std::vector<Token>& signs) {
+    const char* const begin = signs.front().text.data() + 1;
+    return {begin, signs.back().text.data()};
+}
+
+ShaderText::Include include_of(const Directive& directive) {
+    const auto& arguments = directive.arguments;
+    ShaderText::Include include;
+    include.begin = directive.begin;
+    include.end = directive.end;
+    include.line = directive.line;
+    include.last_line = arguments.empty() ? directive.line : arguments.back().line;
+    if (arguments.size() == 1 && arguments.front().kind == Token::Kind::string)
+        include.file = arguments.front().text.substr(1, arguments.front().text.size() - 2);
+    if (arguments.size() > 2 && arguments.front().is("<"))
+        include.given = name_between(arguments);
+    return include;
+}
+
+ShaderText text_from(std::string_view bytes) {
+    ShaderText found;
+    found.file_size = bytes.size();
+    if (bytes.size() > ShaderFiles::most_bytes)
+        return found;
+    const std::string scanned = without_line_directives(with_plain_line_ends(bytes));
+    found.text = scanned;
+    const Tokens tokens = scan(scanned);
+    found.unclosed_comment = tokens.unclosed_comment;
+    for (const Directive& directive : find_directives(scanned, tokens)) {
+        if (is_once(directive)) {
+            found.is_once = true;
+            blank_out(found.text, directive.begin, directive.end);
+        }
+        if (directive.name == "include")
+            found.includes.push_back(include_of(directive));
+    }
+    return found;
+}
+}  // namespace
+
+void ShaderFiles::begin_reading() {
+    std::erase_if(m_known, [this](const auto& known) { return known.second.reading < m_reading; });
+    m_places.clear();
+    ++m_reading;
+}
+
+const fs::path& ShaderFiles::place_of(const fs::path& path) {
+    const auto [place, is_new] = m_places.try_emplace(path.native());
+    std::error_code missing;
+    if (is_new)
+        place->second = fs::canonical(path, missing);
+    return place->second;
+}
+
+const Result<ShaderText>& ShaderFiles::read(const fs::path& file) {
+    const auto [at, is_new] = m_known.try_emplace(file.native());
+    Known& known = at->second;
+    if (!is_new && known.reading == m_reading)
+        return known.found;
+    known.reading = m_reading;
+    Result<std::string> bytes = read_text(file);
+    if (is_new || bytes != known.bytes) {
+        if (bytes)
+            known.found = text_from(*bytes);
+        else
+            known.found = fail(bytes.error());
+        known.bytes = std::move(bytes);
+    }
+    if (known.found)
+        known.found->place = place_of(file);
+    return known.found;
+}
+
+bool ShaderFiles::exists(const fs::path& file) {
+    return !place_of(file).empty();
+}
+
+bool ShaderFiles::is_inside(const fs::path& file, const fs::path& folder) {
+    const fs::path& place = place_of(file);
+    const fs::path& root = place_of(folder);
+    if (place.empty() || root.empty())
+        return false;
+    const auto [end, _] = std::mismatch(root.begin(), root.end(), place.begin(), place.end());
+    return end == root.end();
+}
