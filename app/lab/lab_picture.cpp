@@ -87,6 +87,7 @@ void Lab::draw_picture(double wall_seconds) {
     m_renderer->set_sound(m_player.sound_texels());
     m_renderer->set_date(local_date());
     const bool rests = m_player.is_playing() && has_converged();
+    const bool comes_next = m_player.is_playing() && !rests;  // a frame, with all that is wanted
     const bool waits = rests || m_renderer->is_replaying_variant();
     const auto frame = waits ? std::nullopt : m_player.advance(wall_seconds);
     if (frame) {
@@ -102,9 +103,9 @@ void Lab::draw_picture(double wall_seconds) {
         m_renderer->continue_replay(m_player, seconds_a_turn, [this](const PlayedFrame& past) {
             succeeded(m_drive.show_past_source(past.span.end, *m_renderer));
         });
-    else if (m_wanted && m_wanted->needs_replay)
+    else if (m_wanted && m_wanted->needs_replay && !comes_next)
         start_replay();
-    else if (m_wanted && (rests || !m_player.is_playing()))
+    else if (m_wanted && !comes_next)
         m_renderer->redraw(m_player, std::exchange(m_wanted, std::nullopt)->passes);
 }
 

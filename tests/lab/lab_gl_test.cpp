@@ -104,6 +104,20 @@ TEST_CASE("while paused a turned knob shows, also through the frames that led he
     CHECK(small.frames() == frames);
 }
 
+TEST_CASE("while playing a turned knob waits for the next frame and leaves the past alone") {
+    SmallLab small;
+    small.turn(30);
+    const float frames = small.frames();
+    const float light = small.shown();
+    small.lab().edit([](Document& document) { document.set_value("step_size", Value(3.0)); });
+    for (int i = 0; i < 3; ++i)
+        small.lab().update(0.0);  // as on a screen that is faster than the look
+    CHECK(small.frames() == frames);
+    CHECK(small.shown() == light);
+    small.turn(1);
+    CHECK(small.shown() - light == 3 * (small.frames() - frames));
+}
+
 TEST_CASE("a replay can be cancelled") {
     SmallLab small;
     small.turn(30);
