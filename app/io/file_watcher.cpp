@@ -1,5 +1,6 @@
 #include "io/file_watcher.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -61,8 +62,15 @@ Result<void> FileWatcher::watch(const std::vector<fs::path>& files) {
         const auto known = m_files.find(file);
         watched[file] = known == m_files.end() ? stamp_of(file) : known->second;
     }
+    const auto has_same_name = [](const auto& one, const auto& other) {
+        return one.first == other.first;
+    };
+    const bool is_as_before = std::ranges::equal(watched, m_files, has_same_name);
     m_files = std::move(watched);
+    if (is_as_before && m_is_placed)
+        return {};
     Diagnostics problems = place_watches();
+    m_is_placed = problems.empty();
     if (!problems.empty())
         return fail(std::move(problems));
     return {};

@@ -66,5 +66,6 @@ private:
     std::set<std::filesystem::path> m_changed;
     std::set<std::filesystem::path> m_missing;  // may come back within moments (save by rename)
     std::chrono::steady_clock::time_point m_missing_until;
-    bool m_is_moved = false;  // a folder or link on the way to a file came or went
+    bool m_is_placed = false;  // all of m_files could be watched
+    bool m_is_moved = false;   // a folder or link on the way to a file came or went
 };
