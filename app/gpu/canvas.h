@@ -3,6 +3,7 @@
 #include "gpu/texture.h"
 
 #include <array>
+#include <utility>
 
 namespace gpu {
 
@@ -16,6 +17,8 @@ public:
 
     const Texture& texture() const { return m_texture; }
     Texture& texture() { return m_texture; }
+    /// Alone it belongs to no context.
+    Texture take_texture() && { return std::move(m_texture); }
 
     /// From here on draws go to the whole of it.
     void bind() const;

@@ -2,6 +2,7 @@
 
 #include "gpu/context.h"
 #include "graph/image_texture.h"
+#include "graph/view_programs.h"
 
 #include <algorithm>
 #include <cassert>
@@ -50,6 +51,8 @@ void Executor::prepare() {
     m_parameters = ParameterUniforms(m_look, m_programs);
     m_parameters.write(m_look, m_values);
     m_upright.forget();
+    if (m_programs.views)
+        m_upright.draw_with(part_of(m_programs.views, &ViewPrograms::pass_through));
 }
 
 Result<void> Executor::replace(Look look, Programs programs) {

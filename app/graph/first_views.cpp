@@ -18,58 +18,83 @@ int small_side(bool has_power_of_two) {
 }
 }  // namespace
 
-FirstViews::FirstViews(Viewer viewer, Meter meter, LightCells cells)
-    : m_viewer(std::move(viewer)), m_meter(std::move(meter)), m_cells(std::move(cells)) {}
+FirstViews::FirstViews(std::shared_ptr<const ViewPrograms> programs)
+    : m_programs(std::move(programs)),
+      m_viewer(part_of(m_programs, &ViewPrograms::viewer)),
+      m_meter(part_of(m_programs, &ViewPrograms::meter)),
+      m_cells(part_of(m_programs, &ViewPrograms::cells)) {}
 
 Result<FirstViews> FirstViews::make() {
-    auto viewer = Viewer::make();
-    if (!viewer)
-        return fail(viewer.error());
-    auto meter = Meter::make();
-    if (!meter)
-        return fail(meter.error());
-    auto cells = LightCells::make();
-    if (!cells)
-        return fail(cells.error());
-    return FirstViews(std::move(*viewer), std::move(*meter), std::move(*cells));
+    auto programs = ViewPrograms::make();
+    if (!programs)
+        return fail(programs.error());
+    return FirstViews(std::make_shared<const ViewPrograms>(std::move(*programs)));
 }
 
-std::size_t FirstViews::look_at(const Look& look, const Plan& plan) {
-    const std::size_t before = m_met.size();
+void FirstViews::expect(const Look& look, const Plan& plan) {
     for (std::size_t i = 0; i < plan.targets.size(); ++i) {
         const PlannedTarget& target = plan.targets[i];
-        const Kind kind{
-            target.format,
-            encoding_of(look, static_cast<int>(i)),
-            target.mipmapped,
-            {is_power_of_two(target.extent.width), is_power_of_two(target.extent.height)},
-            look.passes[i].has_alpha};
-        if (m_met.insert(kind).second)
-            look_at(kind);
+        const bool has_levels = std::max(target.extent.width, target.extent.height) > 1;
+        expect({target.format,
+                encoding_of(look, static_cast<int>(i)),
+                target.mipmapped && has_levels,
+                {is_power_of_two(target.extent.width), is_power_of_two(target.extent.height)},
+                look.passes[i].has_alpha});
     }
-    return m_met.size() - before;
+}
+
+void FirstViews::expect(const Kind& kind) {
+    if (!m_met.insert(kind).second)
+        return;
+    for (const Way way : {Way::minified, Way::magnified, Way::numbers, Way::flashes})
+        m_owed.push_back({kind, way});
+    for (const Way way : {Way::minified_over_checker, Way::magnified_over_checker})
+        if (kind.has_alpha)
+            m_owed.push_back({kind, way});
 }
 
 // Where there is no memory, those who look later will say so.
-void FirstViews::look_at(const Kind& kind) {
-    const Extent extent{small_side(kind.has_power_of_two[0]), small_side(kind.has_power_of_two[1])};
-    const auto seen = gpu::Canvas::make(extent, kind.format, kind.is_mipmapped);
-    const auto view = gpu::Canvas::make(view_extent, Format::rgba8);
-    if (!seen || !view)
-        return;
-    const gpu::Texture& texture = seen->texture();
-    ViewOptions options{.encoding = kind.encoding};
-    m_viewer.draw(texture, *view, options);
-    options.width = options.height = 4.0;  // now texels are magnified
-    m_viewer.draw(texture, *view, options);
-    if (kind.has_alpha) {
-        options.is_over_checker = true;
-        m_viewer.draw(texture, *view, options);
-        options.width = options.height = 0.0;
-        m_viewer.draw(texture, *view, options);
-    }
-    m_meter.start(texture, ChannelChoice::rgb);
-    m_meter.stop();
-    m_cells.draw(texture, kind.encoding);
+const gpu::Texture* FirstViews::picture_of(const Kind& kind) {
+    if (m_seen && m_seen->kind == kind)
+        return &m_seen->canvas.texture();
+    m_seen.reset();
+    auto made = gpu::Canvas::make(
+        {small_side(kind.has_power_of_two[0]), small_side(kind.has_power_of_two[1])}, kind.format,
+        kind.is_mipmapped);
+    if (!made)
+        return nullptr;
+    return &m_seen.emplace(Seen{kind, std::move(*made)}).canvas.texture();
+}
+
+void FirstViews::draw_next() {
+    const Owed owed = m_owed.front();
+    m_owed.pop_front();
+    if (const gpu::Texture* picture = picture_of(owed.kind))
+        look_at(*picture, owed);
+    if (m_owed.empty())
+        m_seen.reset();
     gpu::finish();
+}
+
+void FirstViews::look_at(const gpu::Texture& texture, const Owed& owed) {
+    if (owed.way == Way::flashes) {
+        m_cells.draw(texture, owed.kind.encoding);
+    } else if (owed.way == Way::numbers) {
+        m_meter.start(texture, ChannelChoice::rgb);
+        m_meter.stop();
+    } else {
+        view(texture, owed);
+    }
+}
+
+void FirstViews::view(const gpu::Texture& texture, const Owed& owed) {
+    const auto view = gpu::Canvas::make(view_extent, Format::rgba8);
+    if (!view)
+        return;
+    ViewOptions options{.encoding = owed.kind.encoding};
+    if (owed.way == Way::magnified || owed.way == Way::magnified_over_checker)
+        options.width = options.height = 4.0;
+    options.is_over_checker =
+        owed.way == Way::minified_over_checker || owed.way == Way::magnified_over_checker;
+    m_viewer.draw(texture, *view, options);
 }

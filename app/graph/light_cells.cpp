@@ -33,11 +33,15 @@ bool holds_light(const gpu::Texture& texture, Encoding encoding) {
     return encoding == Encoding::linear || texture.format() == Format::srgb8_alpha8;
 }
 
+Result<gpu::Program> LightCells::make_program() {
+    return build_measuring_program(cells_text);
+}
+
 Result<LightCells> LightCells::make() {
-    auto program = build_measuring_program(cells_text);
+    auto program = make_program();
     if (!program)
         return fail(program.error());
-    return LightCells(std::move(*program));
+    return LightCells(std::make_shared<const gpu::Program>(std::move(*program)));
 }
 
 bool LightCells::draw(const gpu::Texture& from, Encoding encoding) {
@@ -45,12 +49,12 @@ bool LightCells::draw(const gpu::Texture& from, Encoding encoding) {
         !fit_floats(m_cells, flash_cells))
         return false;
     const gpu::DrawScope scope;
-    m_program.write("cells", std::array{static_cast<double>(flash_cells.width),
-                                        static_cast<double>(flash_cells.height)});
-    m_program.write("is_encoded", std::array{holds_light(from, encoding) ? 0.0 : 1.0});
-    m_program.write("is_lone", std::array{facts_of(from.format()).channels == 1 ? 1.0 : 0.0});
+    m_program->write("cells", std::array{static_cast<double>(flash_cells.width),
+                                         static_cast<double>(flash_cells.height)});
+    m_program->write("is_encoded", std::array{holds_light(from, encoding) ? 0.0 : 1.0});
+    m_program->write("is_lone", std::array{facts_of(from.format()).channels == 1 ? 1.0 : 0.0});
     m_samplers.bind(0, from, {Filter::linear, Wrap::edge, false});
-    m_program.use();
+    m_program->use();
     m_vertices.bind();
     m_cells->bind();
     gpu::draw_triangle();

@@ -8,13 +8,20 @@
 #include "model/flash.h"
 #include "model/picture.h"
 
+#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 /// The mean light of the parts of a picture, as flashes are counted in them.
 class LightCells {
 public:
+    /// What they are drawn with.
+    static Result<gpu::Program> make_program();
+    /// With a program of its own.
     static Result<LightCells> make();
+    explicit LightCells(std::shared_ptr<const gpu::Program> program)
+        : m_program(std::move(program)) {}
 
     /// Draws the cells of a texture whose numbers have this encoding: 64 places of each cell are
     /// read. False without memory: then there are none.
@@ -23,9 +30,7 @@ public:
     const gpu::Canvas& canvas() const { return *m_cells; }
 
 private:
-    explicit LightCells(gpu::Program program) : m_program(std::move(program)) {}
-
-    gpu::Program m_program;
+    std::shared_ptr<const gpu::Program> m_program;  // of who looks in the same context
     gpu::VertexArray m_vertices;
     gpu::Samplers m_samplers;
     std::optional<gpu::Canvas> m_cells;

@@ -142,17 +142,14 @@ std::size_t clipped_in(const std::vector<float>& texels) {
 }
 }  // namespace
 
-Meter::Meter(gpu::Program floats, gpu::Program naturals)
-    : m_floats(std::move(floats)), m_naturals(std::move(naturals)) {}
-
-Result<Meter> Meter::make() {
+Result<MeterPrograms> MeterPrograms::make() {
     auto floats = build_meter(float_texel_text);
     if (!floats)
         return fail(floats.error());
     auto naturals = build_meter(natural_texel_text);
     if (!naturals)
         return fail(naturals.error());
-    return Meter(std::move(*floats), std::move(*naturals));
+    return MeterPrograms{std::move(*floats), std::move(*naturals)};
 }
 
 void Meter::draw(const gpu::Texture& from, const gpu::Program& program, ChannelChoice channels,
@@ -190,7 +187,7 @@ void Meter::start(const gpu::Texture& from, ChannelChoice channels, std::optiona
     if (m_measured.is_empty() || !fit_floats(m_blocks, blocks_of(m_measured, side)) ||
         !fit_floats(m_samples, samples))
         return;
-    draw(from, is_integer ? m_naturals : m_floats, channels, ceiling);
+    draw(from, is_integer ? m_programs->naturals : m_programs->floats, channels, ceiling);
     m_blocks_to_come.emplace(*m_blocks);
     m_samples_to_come.emplace(*m_samples);
 }

@@ -16,11 +16,20 @@ struct Measured {
     std::size_t clipped = 0;  // texels with a finite number at the ceiling or above
 };
 
+/// What meters draw with.
+struct MeterPrograms {
+    static Result<MeterPrograms> make();
+
+    gpu::Program floats;
+    gpu::Program naturals;  // for integer targets
+};
+
 /// Measures targets without waiting: one draw reduces every texel to sums of blocks, one takes
 /// samples, and both come back in a later frame.
 class Meter {
 public:
-    static Result<Meter> make();
+    explicit Meter(std::shared_ptr<const MeterPrograms> programs)
+        : m_programs(std::move(programs)) {}
 
     /// Whether an answer is under way.
     bool is_busy() const { return m_blocks_to_come.has_value(); }
@@ -33,12 +42,10 @@ public:
     void stop();
 
 private:
-    Meter(gpu::Program floats, gpu::Program naturals);
     void draw(const gpu::Texture& from, const gpu::Program& program, ChannelChoice channels,
               std::optional<double> ceiling);
 
-    gpu::Program m_floats;
-    gpu::Program m_naturals;  // for integer targets
+    std::shared_ptr<const MeterPrograms> m_programs;  // of who looks in the same context
     gpu::VertexArray m_vertices;
     gpu::Samplers m_samplers;
     std::optional<gpu::Canvas> m_blocks;

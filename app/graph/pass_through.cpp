@@ -27,8 +27,8 @@ std::string fragment_text(bool from_naturals, bool to_naturals) {
 }
 }  // namespace
 
-Result<PassThrough> PassThrough::make() {
-    std::vector<gpu::Program> programs;
+Result<PassThroughPrograms> build_pass_through() {
+    PassThroughPrograms programs;
     for (const bool to_naturals : {false, true})
         for (const bool from_naturals : {false, true}) {
             auto program = gpu::Program::build({{}, through_vertex, {}},
@@ -37,14 +37,22 @@ Result<PassThrough> PassThrough::make() {
                 return fail(program.error());
             programs.push_back(std::move(*program));
         }
-    return PassThrough(std::move(programs));
+    return programs;
+}
+
+Result<PassThrough> PassThrough::make() {
+    auto programs = build_pass_through();
+    if (!programs)
+        return fail(programs.error());
+    return PassThrough(std::make_shared<const PassThroughPrograms>(std::move(*programs)));
 }
 
 void PassThrough::draw(const gpu::Texture& from, const Sampler& sampler, const gpu::Canvas& to,
                        gpu::Samplers& samplers, bool is_flipped) const {
     const bool from_naturals = facts_of(from.format()).is_integer;
     const bool to_naturals = facts_of(to.texture().format()).is_integer;
-    const gpu::Program& program = m_programs[(to_naturals ? 2U : 0U) + (from_naturals ? 1U : 0U)];
+    const gpu::Program& program =
+        (*m_programs)[(to_naturals ? 2U : 0U) + (from_naturals ? 1U : 0U)];
     program.write("is_flipped", std::array{is_flipped ? 1.0 : 0.0});
     program.use();
     samplers.bind(0, from, sampler);

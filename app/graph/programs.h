@@ -9,7 +9,9 @@
 #include <memory>
 #include <vector>
 
+class FirstViews;
 struct TripwirePrograms;
+struct ViewPrograms;
 
 /// What a pass compiles to, and from what.
 struct PassProgram {
@@ -28,6 +30,10 @@ struct Programs {
     std::shared_ptr<gpu::Context> home = {};
     // Of the executors' guard; null: each makes its own.
     std::shared_ptr<const TripwirePrograms> tripwire = {};
+    // What the passes are looked at with, at home; null: nobody does.
+    std::shared_ptr<const ViewPrograms> views = {};
+    // What has been met with them; null: there is no home.
+    std::shared_ptr<FirstViews> first_views = {};
 };
 
 /// Whether build_programs() would take all of `look` from `programs`.

@@ -5,7 +5,9 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
+#include <utility>
 
 /// Pictures whose top row comes first, turned over for those who look at them. Each is turned when
 /// it is first looked at after it may have changed, and forgotten when nobody does.
@@ -18,6 +20,10 @@ public:
     /// Whether view() needs not draw.
     bool holds(const gpu::Texture& stored, std::uint64_t number) const;
     void forget() { m_copies.clear(); }
+    /// Without it, it makes programs of its own when it needs them.
+    void draw_with(std::shared_ptr<const PassThroughPrograms> programs) {
+        m_pass_through.emplace(std::move(programs));
+    }
 
 private:
     struct Copy {

@@ -189,7 +189,7 @@ std::array<double, 3> false_color(double place) {
     return {channel(-0.14861, 1.78277), channel(-0.29227, -0.90649), channel(1.97294, 0.0)};
 }
 
-Result<Viewer> Viewer::make() {
+Result<ViewerPrograms> ViewerPrograms::make() {
     auto encoded = build_view(nothing(true) + float_texel_text + smooth_floats);
     auto light = build_view(nothing(false) + float_texel_text + smooth_floats);
     auto floats = build_view(anything + float_texel_text + smooth_floats);
@@ -197,18 +197,25 @@ Result<Viewer> Viewer::make() {
     for (const auto* program : {&encoded, &light, &floats, &naturals})
         if (!*program)
             return fail(program->error());
-    return Viewer(
-        Programs{std::move(*encoded), std::move(*light), std::move(*floats), std::move(*naturals)});
+    return ViewerPrograms{std::move(*encoded), std::move(*light), std::move(*floats),
+                          std::move(*naturals)};
+}
+
+Result<Viewer> Viewer::make() {
+    auto programs = ViewerPrograms::make();
+    if (!programs)
+        return fail(programs.error());
+    return Viewer(std::make_shared<const ViewerPrograms>(std::move(*programs)));
 }
 
 const gpu::Program& Viewer::program_for(Format format, const ViewOptions& options,
                                         bool is_encoded) const {
     if (facts_of(format).is_integer)
-        return m_programs.naturals;
+        return m_programs->naturals;
     const bool is_plain = options.levels == Levels{} && options.exposure_stops == 0.0 &&
                           !options.marks_flaws && !options.marks_clipping &&
                           !options.is_false_color && !options.is_over_checker;
-    return !is_plain ? m_programs.floats : is_encoded ? m_programs.encoded : m_programs.light;
+    return !is_plain ? m_programs->floats : is_encoded ? m_programs->encoded : m_programs->light;
 }
 
 void Viewer::draw(const gpu::Texture& from, const gpu::Canvas& to, const ViewOptions& options) {

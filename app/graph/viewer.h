@@ -8,7 +8,9 @@
 #include "model/picture.h"
 
 #include <array>
+#include <memory>
 #include <optional>
+#include <utility>
 
 enum class ChannelChoice { rgb, red, green, blue, alpha, luminance };
 
@@ -41,27 +43,33 @@ struct ViewOptions {
 /// intensity images", Bull. Astr. Soc. India 39 (2011), with its start 0.5, rotations -1.5, hue 1.
 std::array<double, 3> false_color(double place);
 
+/// What viewers draw with.
+struct ViewerPrograms {
+    static Result<ViewerPrograms> make();
+
+    gpu::Program encoded;  // floats as they are, where nothing is asked; of display values
+    gpu::Program light;    // the same of light
+    gpu::Program floats;   // floats, whatever is asked
+    gpu::Program naturals;
+};
+
 /// Draws targets as a person looks into them: thumbnails, and views with levels, exposure, channels
 /// and zoom. Numbers that are not finite show as magenta where flaws are not marked.
 class Viewer {
 public:
+    /// With programs of its own.
     static Result<Viewer> make();
+    explicit Viewer(std::shared_ptr<const ViewerPrograms> programs)
+        : m_programs(std::move(programs)) {}
 
     /// Into the whole of `to`, a canvas of 8 bits a channel with opaque alpha inside the picture.
     void draw(const gpu::Texture& from, const gpu::Canvas& to, const ViewOptions& options = {});
 
 private:
-    struct Programs {
-        gpu::Program encoded;  // floats as they are, where nothing is asked; of display values
-        gpu::Program light;    // the same of light
-        gpu::Program floats;   // floats, whatever is asked
-        gpu::Program naturals;
-    };
-    explicit Viewer(Programs programs) : m_programs(std::move(programs)) {}
     const gpu::Program& program_for(Format format, const ViewOptions& options,
                                     bool is_encoded) const;
 
-    Programs m_programs;
+    std::shared_ptr<const ViewerPrograms> m_programs;  // of who looks in the same context
     gpu::VertexArray m_vertices;
     gpu::Samplers m_samplers;
 };

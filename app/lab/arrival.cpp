@@ -15,15 +15,31 @@ void Arrival::start(const Beside& beside) {
                                                   m_loaded.images, beside.picture},
                                      *idle);
     m_progress.begin(PassProgress::Step::drawing, m_draws->total());
+    const auto plan =
+        plan_targets(*m_loaded.look, beside.picture, expected_source, values_of(m_loaded.request));
+    m_views = m_loaded.programs->first_views;
+    if (m_views && plan)
+        m_views->expect(*m_loaded.look, *plan);
+}
+
+bool Arrival::is_ready() const {
+    return (!m_draws || m_draws->is_done()) && (!m_views || m_views->owed() == 0);
+}
+
+void Arrival::draw_next() {
+    if (m_draws && !m_draws->is_done()) {
+        m_progress.next(m_draws->next_pass());
+        return m_draws->draw_next();
+    }
+    const gpu::ContextScope scope(m_loaded.programs->home.get());
+    m_views->draw_next();
 }
 
 bool Arrival::go_on(const Beside& beside, double seconds) {
     const auto begun = std::chrono::steady_clock::now();
     if (!m_has_started)
         start(beside);
-    while (m_draws && !m_draws->is_done() && seconds_since(begun) < seconds) {
-        m_progress.next(m_draws->next_pass());
-        m_draws->draw_next();
-    }
-    return !m_draws || m_draws->is_done();
+    while (!is_ready() && seconds_since(begun) < seconds)
+        draw_next();
+    return is_ready();
 }

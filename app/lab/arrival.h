@@ -23,9 +23,12 @@ public:
 
 private:
     void start(const Beside& beside);
+    bool is_ready() const;
+    void draw_next();
 
     LoadedRequest m_loaded;
     PassProgress m_progress;
     bool m_has_started = false;
     std::unique_ptr<FirstDraws> m_draws;  // null: nothing is drawn for the first time
+    std::shared_ptr<FirstViews> m_views;  // the same of who looks at it
 };

@@ -1,9 +1,28 @@
 #pragma once
 
 #include "gpu/context.h"
+#include "graph/first_views.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
+
+/// A context that looks draw in, one after the other, and what they are looked at with there.
+class DrawingHome {
+public:
+    explicit DrawingHome(std::unique_ptr<gpu::Context> context) : m_context(std::move(context)) {}
+    DrawingHome(const DrawingHome&) = delete;
+    DrawingHome& operator=(const DrawingHome&) = delete;
+    ~DrawingHome();
+
+    gpu::Context& context() const { return *m_context; }
+    /// While its context is current.
+    Result<FirstViews*> views();
+
+private:
+    std::unique_ptr<gpu::Context> m_context;
+    std::optional<FirstViews> m_views;
+};
 
 /// Contexts that looks draw in. A driver makes a program's code for the context that first draws
 /// with it, perhaps for a long time; so a look that is opened draws first in a context of its own,
@@ -18,12 +37,12 @@ public:
 
     /// On the thread of `screen`: one that is nobody's, until it is given back by its last owner,
     /// on any thread. Null where the driver gives none.
-    std::shared_ptr<gpu::Context> lend();
+    std::shared_ptr<DrawingHome> lend();
     /// The next lend() finds one; making it may take a driver a while.
     void have_spare() { static_cast<void>(lend()); }
 
 private:
     const gpu::Context& m_screen;
-    std::vector<std::shared_ptr<gpu::Context>> m_all;
+    std::vector<std::shared_ptr<DrawingHome>> m_all;
     bool m_has_failed = false;
 };

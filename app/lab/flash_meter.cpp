@@ -1,12 +1,5 @@
 #include "lab/flash_meter.h"
 
-Result<FlashMeter> FlashMeter::make() {
-    auto cells = LightCells::make();
-    if (!cells)
-        return fail(cells.error());
-    return FlashMeter(std::move(*cells));
-}
-
 void FlashMeter::update(const Seen& seen, double seconds) {
     while (!m_coming.empty() && m_coming.front().cells.has_come()) {
         Coming& first = m_coming.front();

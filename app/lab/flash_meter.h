@@ -10,7 +10,7 @@
 /// How often the picture flashes: its cells of every frame, counted when they have come.
 class FlashMeter {
 public:
-    static Result<FlashMeter> make();
+    explicit FlashMeter(LightCells cells) : m_cells(std::move(cells)) {}
 
     /// A frame; another `number` whenever it may be another picture.
     struct Seen {
@@ -30,8 +30,6 @@ public:
     bool is_counting() const { return !m_coming.empty() || m_flashes != Flashes{}; }
 
 private:
-    explicit FlashMeter(LightCells cells) : m_cells(std::move(cells)) {}
-
     struct Coming {
         double seconds = 0.0;
         gpu::Download cells;

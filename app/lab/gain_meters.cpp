@@ -4,13 +4,6 @@
 
 #include <chrono>
 
-Result<GainMeters> GainMeters::make() {
-    auto meter = Meter::make();
-    if (!meter)
-        return fail(meter.error());
-    return GainMeters(std::move(*meter));
-}
-
 void GainMeters::stop() {
     m_meter.stop();
     m_passes.clear();

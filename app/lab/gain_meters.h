@@ -5,13 +5,16 @@
 #include "lab/rota.h"
 #include "model/gain.h"
 
+#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 /// How loud every pass of the open look is: one pass in turn is measured.
 class GainMeters {
 public:
-    static Result<GainMeters> make();
+    explicit GainMeters(std::shared_ptr<const MeterPrograms> programs)
+        : m_meter(std::move(programs)) {}
 
     /// To be called every turn while the meters are shown; never waits for the GPU.
     void update(const Executor& executor, const Values& values, double seconds);
@@ -24,7 +27,6 @@ public:
     const Gain* gain(std::size_t pass) const;
 
 private:
-    explicit GainMeters(Meter meter) : m_meter(std::move(meter)) {}
     void take_answer();
 
     Meter m_meter;

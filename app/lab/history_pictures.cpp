@@ -19,14 +19,7 @@ std::size_t farthest_place(const std::vector<std::size_t>& places, std::size_t p
     });
 }
 
-Result<HistoryPictures> HistoryPictures::make() {
-    auto viewer = Viewer::make();
-    if (!viewer)
-        return fail(viewer.error());
-    return HistoryPictures(std::move(*viewer));
-}
-
-void HistoryPictures::update(const Lab& lab) {
+void HistoryPictures::update(const Lab& lab, Views& views) {
     const Document* document = lab.document();
     if (!document || !lab.renderer() || lab.is_loading() || document->is_restacking() ||
         document->history().is_in_gesture() || lab.renderer()->replay().is_running() ||
@@ -40,30 +33,22 @@ void HistoryPictures::update(const Lab& lab) {
     constexpr int enough = 1 << 20;
     m_frames = std::min(m_frames + 1, enough);
     if (is_copy_due(m_frames))
-        copy(lab, history_place(*document));
+        copy(lab, views, history_place(*document));
 }
 
 // Where there is no memory a step has no picture.
-void HistoryPictures::copy(const Lab& lab, std::size_t place) {
+void HistoryPictures::copy(const Lab& lab, Views& views, std::size_t place) {
     constexpr int height = 72;
     const Executor& executor = lab.renderer()->executor();
     const int last = static_cast<int>(executor.look().passes.size()) - 1;
-    const gpu::Texture& picture = executor.target(last);
-    const Extent whole = picture.extent();
+    const Extent whole = executor.target(last).extent();
     const Extent small{
         std::clamp(height * whole.width / std::max(whole.height, 1), height / 2, height * 5 / 2),
         height};
-    const auto found = m_copies.find(place);
-    if (found == m_copies.end() || found->second.canvas.texture().extent() != small) {
-        auto canvas = gpu::Canvas::make(small, Format::rgba8);
-        if (!canvas)
-            return;
-        m_copies.erase(place);
-        m_copies.emplace(place, Copy{*m_present, std::move(*canvas)});
-    }
-    Copy& copy = m_copies.at(place);
-    copy.state = *m_present;
-    m_viewer.draw(picture, copy.canvas, {.encoding = encoding_of(executor.look(), last)});
+    auto picture = views.small_picture(lab, last, small);
+    if (!picture)
+        return;
+    m_copies.insert_or_assign(place, Copy{*m_present, std::move(*picture)});
     forget_far(place);
 }
 
@@ -81,6 +66,6 @@ Views::Image HistoryPictures::picture(const Document& document, std::size_t plac
     const auto found = m_copies.find(place);
     if (found == m_copies.end() || found->second.state != history_state(document, place))
         return {};
-    const gpu::Texture& texture = found->second.canvas.texture();
+    const gpu::Texture& texture = found->second.picture;
     return {texture.handle(), texture.extent()};
 }

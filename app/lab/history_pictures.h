@@ -20,24 +20,20 @@ std::size_t farthest_place(const std::vector<std::size_t>& places, std::size_t p
 /// Small copies of the picture, one for each of the states in the history that were shown last.
 class HistoryPictures {
 public:
-    static Result<HistoryPictures> make();
-
-    /// Looks whether a copy is due. To be called after Lab::update.
-    void update(const Lab& lab);
+    /// Looks whether a copy is due. To be called after Views::update.
+    void update(const Lab& lab, Views& views);
     /// Row 0 at the bottom, as Views gives them; without a handle where there is none.
     Views::Image picture(const Document& document, std::size_t place) const;
 
 private:
-    explicit HistoryPictures(Viewer viewer) : m_viewer(std::move(viewer)) {}
-    void copy(const Lab& lab, std::size_t place);
+    void copy(const Lab& lab, Views& views, std::size_t place);
     void forget_far(std::size_t place);
 
     struct Copy {
         DocumentState state;  // what is drawn: the history may have another one there by now
-        gpu::Canvas canvas;
+        gpu::Texture picture;
     };
 
-    Viewer m_viewer;
     std::map<std::size_t, Copy> m_copies;  // by the place in the history
     std::optional<DocumentState> m_present;
     int m_frames = 0;  // that showed it

@@ -11,13 +11,6 @@ constexpr double inspection_share = 0.1;  // of the time
 constexpr std::size_t bin_count = 128;
 }  // namespace
 
-Result<Inspection> Inspection::make() {
-    auto meter = Meter::make();
-    if (!meter)
-        return fail(meter.error());
-    return Inspection(std::move(*meter));
-}
-
 void Inspection::stop() {
     m_meter.stop();
     m_statistics.reset();

@@ -2,14 +2,17 @@
 
 #include "graph/meter.h"
 
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 /// What there is to tell of the inspected target's numbers. They are measured at most five times a
 /// second, and where that is slow for less than a tenth of the time.
 class Inspection {
 public:
-    static Result<Inspection> make();
+    explicit Inspection(std::shared_ptr<const MeterPrograms> programs)
+        : m_meter(std::move(programs)) {}
 
     struct Subject {
         std::string pass;
@@ -29,7 +32,6 @@ public:
     const Histogram& histogram() const { return m_histogram; }
 
 private:
-    explicit Inspection(Meter meter) : m_meter(std::move(meter)) {}
     void take_answer(const Levels& levels);
 
     Meter m_meter;

@@ -1,10 +1,7 @@
 #include "lab/reloader.h"
 
 #include "formats/stack_format.h"
-#include "gpu/driver_cache.h"
-#include "graph/first_views.h"
 #include "graph/image_texture.h"
-#include "graph/settled_look.h"
 #include "io/picture_codec.h"
 #include "lab/kept_shaders.h"
 #include "lab/look_media.h"
@@ -12,10 +9,6 @@
 #include <algorithm>
 
 namespace fs = std::filesystem;
-
-namespace {
-constexpr auto cache_patience = std::chrono::milliseconds(500);
-}
 
 Reloader::Reloader(std::unique_ptr<gpu::Context> context, const gpu::Context& screen,
                    const Roots& roots)
@@ -147,7 +140,13 @@ void Reloader::submit(OpenRequest request, bool is_reload) {
     job.is_opening = !is_reload || m_is_unopened || !drawn_with();
     if (!job.is_opening)
         job.shown = m_recent.all();
-    job.home = job.is_opening ? m_drawing_contexts.lend() : drawn_with()->home;
+    if (job.is_opening) {
+        job.lent = m_drawing_contexts.lend();
+        if (job.lent)
+            job.home = {job.lent, &job.lent->context()};
+    } else {
+        job.home = drawn_with()->home;
+    }
     {
         const std::lock_guard lock(m_mutex);
         if (m_progress)
@@ -324,7 +323,6 @@ void Reloader::run() {
     m_linked.reset();
     m_read.clear();
     m_warm_up.reset();
-    m_first_views.reset();
     m_context->release();
     lock.lock();
     m_has_ended = true;
@@ -368,98 +366,6 @@ Result<ImageTextures> Reloader::load_images(const Look& look, Diagnostics& warni
     return images;
 }
 
-// Each new program draws once: in the home that is new, where it will be drawn with; else here, as
-// that one is current elsewhere, and what the driver keeps in files of its own will do.
-void Reloader::draw_first(const Job& job, const Programs* known, Programs& programs,
-                          LoadedRequest& loaded) {
-    const bool is_at_home = job.is_opening && job.home && programs.home == job.home;
-    const gpu::ContextScope scope(is_at_home ? job.home.get() : nullptr);
-    std::optional<WarmUp> own;
-    if (is_at_home) {
-        if (auto made = WarmUp::make())
-            own.emplace(std::move(*made));
-        if (auto made = build_tripwire(job.home))
-            programs.tripwire = std::move(*made);
-    }
-    const std::optional<WarmUp>& warm_up = is_at_home ? own : m_warm_up;
-    if (!warm_up)
-        return;
-    Programs drawn = programs;
-    drawn.home = nullptr;
-    if (!is_at_home)
-        drawn.tripwire = nullptr;  // its uniforms are somebody else's now
-    warm_up->draw({*loaded.look, drawn, known, loaded.images, m_picture, FirstDrawsOf::Size::whole},
-                  *job.progress);
-    if (!is_at_home)
-        gpu::wait_for_driver_cache(cache_patience,
-                                   *job.progress);  // or the drawing context finds nothing there
-    loaded.is_warm = is_at_home;
-}
-
-// The views are the window's, in whatever home the look draws: what its driver keeps will do. The
-// first look of all is waited for, and nothing is seen that it could stop.
-void Reloader::look_first(const Job& job, const Look& look, const Values& values) {
-    if (!m_is_prepared)
-        return;
-    if (!m_first_views)
-        if (auto made = FirstViews::make())
-            m_first_views = std::make_unique<FirstViews>(std::move(*made));
-    const auto plan = plan_targets(look, m_picture, expected_source, values);
-    if (m_first_views && plan && m_first_views->look_at(look, *plan) > 0)
-        gpu::wait_for_driver_cache(cache_patience, *job.progress);
-}
-
-// Whose programs serve: for the open look those that it is or was drawn with, and newer ones beside
-// them; for another one only if it is the same.
-std::optional<Programs> Reloader::known_for(const Job& job, const Look& look) const {
-    const bool serves_linked =
-        m_linked && (job.is_opening ? serves(*m_linked, look) : m_linked->home == job.home);
-    if (serves_linked && job.shown)
-        return joined(*m_linked, job.shown->passes);
-    if (serves_linked)
-        return m_linked;
-    return job.shown ? std::optional(*job.shown) : std::nullopt;
-}
-
-// What a hand goes past is kept for no other run, and does not wait for first draws: where the GPU
-// is busy with the picture they come late.
-Result<Programs> Reloader::link(const Job& job, LoadedRequest& loaded) {
-    const bool is_look = job.whose == LoadedRequest::Whose::look;
-    const std::optional<Programs> reusable = known_for(job, *loaded.look);
-    const Programs* const known = reusable ? &*reusable : nullptr;
-    auto programs = build_programs(*loaded.look, known, is_look ? m_kept_shaders.get() : nullptr,
-                                   job.progress.get(), known ? known->home : job.home);
-    if (!programs)
-        return programs;
-    if (known)
-        programs->tripwire = known->tripwire;
-    if (is_look)
-        draw_first(job, known, *programs, loaded);
-    if (!job.progress->is_cancelled())
-        m_linked = *programs;
-    return programs;
-}
-
-// Where the driver refuses such programs, what the author wrote goes on.
-LoadedRequest Reloader::load_settled(const Job& job) {
-    const SettledRequest& asked = *job.settled;
-    LoadedRequest loaded;
-    loaded.generation = job.generation;
-    loaded.whose = job.whose;
-    loaded.images = asked.images;
-    loaded.look = settled_look(
-        asked.look, asked.values, asked.plan,
-        [&asked](const Parameter& parameter) { return asked.moving.contains(parameter.name); });
-    auto programs =
-        build_programs(*loaded.look, job.shown.get(), nullptr, job.progress.get(), job.home);
-    if (!programs)
-        return loaded;
-    programs->tripwire = job.shown ? job.shown->tripwire : nullptr;
-    draw_first(job, job.shown.get(), *programs, loaded);
-    loaded.programs = std::move(*programs);
-    return loaded;
-}
-
 LoadedRequest Reloader::load(const Job& job) {
     LoadedRequest loaded;
     loaded.request = job.request;
@@ -491,6 +397,6 @@ LoadedRequest Reloader::load(const Job& job) {
     }
     loaded.programs = std::move(*programs);
     if (job.whose == LoadedRequest::Whose::look && !job.progress->is_cancelled())
-        look_first(job, *loaded.look, values);
+        look_first(job, loaded, values);
     return loaded;
 }

@@ -26,8 +26,6 @@
 #include <thread>
 #include <utility>
 
-class FirstViews;
-
 /// What became of one reading of a look.
 struct LoadedRequest {
     /// Whose programs they are: of a look that is read; of the open one with constants of its
@@ -138,6 +136,7 @@ private:
                                                      // ones; null: another
         std::shared_ptr<gpu::Context> home = {};
         bool is_opening = false;                             // then nobody draws in its home yet
+        std::shared_ptr<DrawingHome> lent = {};              // then that one; null: there is none
         std::shared_ptr<const SettledRequest> settled = {};  // null: it is read
     };
     /// What turn() asks for: one a picture.
@@ -166,7 +165,8 @@ private:
     Result<Programs> link(const Job& job, LoadedRequest& loaded);
     void draw_first(const Job& job, const Programs* known, Programs& programs,
                     LoadedRequest& loaded);
-    void look_first(const Job& job, const Look& look, const Values& values);
+    Result<void> take_views(const Job& job, Programs& programs);
+    void look_first(const Job& job, const LoadedRequest& loaded, const Values& values);
     Result<ImageTextures> load_images(const Look& look, Diagnostics& warnings);
 
     std::filesystem::path m_shared_includes;
@@ -219,6 +219,5 @@ private:
     std::map<std::filesystem::path, ReadImage> m_read;  // the thread's
     std::optional<Programs> m_linked;  // the thread's: what the next reading may reuse
     std::optional<WarmUp> m_warm_up;   // the thread's; without it the first frame is slower
-    std::unique_ptr<FirstViews> m_first_views;  // the same of what looks at it
     std::thread m_thread;
 };

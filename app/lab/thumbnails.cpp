@@ -36,16 +36,13 @@ void Thumbnails::draw(Viewer& viewer, const Executor& executor, std::size_t pass
     const int index = static_cast<int>(pass);
     const gpu::Texture& target = executor.target(index);
     const Extent small = small_extent(target.extent(), m_height);
-    std::optional<gpu::Canvas>& picture = m_pictures[pass];
-    if (!picture || picture->texture().extent() != small) {
-        picture.reset();
-        if (auto made = gpu::Canvas::make(small, Format::rgba8))
-            picture.emplace(std::move(*made));
-    }
-    if (picture)
-        viewer.draw(target, *picture, {.encoding = encoding_of(executor.look(), index)});
+    auto canvas = gpu::Canvas::make(small, Format::rgba8);
+    if (!canvas)
+        return m_pictures[pass].reset();
+    viewer.draw(target, *canvas, {.encoding = encoding_of(executor.look(), index)});
+    m_pictures[pass] = std::move(*canvas).take_texture();
 }
 
 const gpu::Texture* Thumbnails::picture(std::size_t pass) const {
-    return pass < m_pictures.size() && m_pictures[pass] ? &m_pictures[pass]->texture() : nullptr;
+    return pass < m_pictures.size() && m_pictures[pass] ? &*m_pictures[pass] : nullptr;
 }

@@ -27,6 +27,6 @@ private:
 
     std::vector<std::string> m_passes;  // names: another look has others
     int m_height = 0;
-    std::vector<std::optional<gpu::Canvas>> m_pictures;
+    std::vector<std::optional<gpu::Texture>> m_pictures;
     Rota m_rota;
 };

@@ -23,32 +23,21 @@ bool made(std::optional<Part>& part, Diagnostics& problems) {
 }  // namespace
 
 Views::Views(Parts parts)
-    : m_viewer(std::move(parts.viewer)),
-      m_inspection(std::move(parts.inspection)),
-      m_pins(std::move(parts.pins)),
-      m_gains(std::move(parts.gains)),
+    : m_pins(std::move(parts.pins)),
       m_compared(std::move(parts.compared)),
-      m_flash_meter(std::move(parts.flash_meter)),
       m_comfort(std::move(parts.comfort)),
       m_closer(std::move(parts.closer)) {}
 
 Result<Views> Views::make() {
     Diagnostics problems;
-    std::optional<Viewer> viewer;
-    std::optional<Inspection> inspection;
     std::optional<Pins> pins;
-    std::optional<GainMeters> gains;
     std::optional<ComparedPictures> compared;
-    std::optional<FlashMeter> flash_meter;
     std::optional<Comfort> comfort;
     std::optional<CloserLook> closer;
-    if (!made(viewer, problems) || !made(inspection, problems) || !made(pins, problems) ||
-        !made(gains, problems) || !made(compared, problems) || !made(flash_meter, problems) ||
-        !made(comfort, problems) || !made(closer, problems))
+    if (!made(pins, problems) || !made(compared, problems) || !made(comfort, problems) ||
+        !made(closer, problems))
         return fail(std::move(problems));
-    return Views({std::move(*viewer), std::move(*inspection), std::move(*pins), std::move(*gains),
-                  std::move(*compared), std::move(*flash_meter), std::move(*comfort),
-                  std::move(*closer)});
+    return Views({std::move(*pins), std::move(*compared), std::move(*comfort), std::move(*closer)});
 }
 
 Views::Image Views::image_of(const gpu::Texture* texture) {
@@ -60,7 +49,7 @@ Views::Image Views::image_of(const std::optional<gpu::Canvas>& canvas) {
 }
 
 Picture Views::read_picture() const {
-    return m_picture ? gpu::read_picture(m_picture->texture()) : Picture();
+    return m_home && m_home->picture ? gpu::read_picture(m_home->picture->texture()) : Picture();
 }
 
 Views::Image Views::thumbnail(std::size_t pass) const {
@@ -83,6 +72,7 @@ bool Views::fit(std::optional<gpu::Canvas>& canvas, Extent extent) {
 
 void Views::draw_part(const gpu::Texture& from, std::optional<gpu::Canvas>& to, Extent size,
                       const Part& part) {
+    const gpu::ContextScope home(m_home->home.get());
     if (!fit(to, size))
         return;
     const PicturePlace place = place_of(part.view, part.whole, size);
@@ -93,7 +83,28 @@ void Views::draw_part(const gpu::Texture& from, std::optional<gpu::Canvas>& to, 
     options.height = size.height / place.zoom * up;
     options.left = -place.left / place.zoom * across;
     options.bottom = from.extent().height + place.top / place.zoom * up - options.height;
-    m_viewer.draw(from, *to, options);
+    m_home->viewer.draw(from, *to, options);
+}
+
+std::optional<gpu::Texture> Views::small_picture(const Lab& lab, int pass, Extent extent) {
+    const Executor& executor = lab.renderer()->executor();
+    if (!m_home || !m_home->serve(executor.programs()))
+        return std::nullopt;
+    const gpu::ContextScope home(m_home->home.get());
+    auto canvas = gpu::Canvas::make(extent, Format::rgba8);
+    if (!canvas)
+        return std::nullopt;
+    m_home->viewer.draw(executor.target(pass), *canvas,
+                        {.encoding = encoding_of(executor.look(), pass)});
+    return std::move(*canvas).take_texture();
+}
+
+// What was seen of another look until now is seen no more.
+void Views::move_to(const Programs& programs) {
+    if (m_home && m_home->serve(programs))
+        return;
+    m_shown = {};
+    m_home = std::make_unique<HomeViews>(programs);
 }
 
 void Views::probe(const Lab& lab, const std::optional<Probe>& probe) {
@@ -183,8 +194,8 @@ void Views::inspect(const Executor& executor, const WindowState& window) {
 
 void Views::draw_inspected(const Executor& executor, const WindowState& window) {
     if (!m_inspected_part || window.is_picture_only || !window.shows_inspector) {
-        m_inspected.reset();
-        m_inspection.stop();
+        m_home->inspected.reset();
+        m_home->inspection.stop();
         m_closer.update_inspected(nullptr, 0.0);
         return;
     }
@@ -192,9 +203,12 @@ void Views::draw_inspected(const Executor& executor, const WindowState& window) 
     part.view = inspector_view(window);
     const double now = present_seconds();
     const Extent room = window.views.inspector;
-    draw_part(*part.texture, m_inspected, room, part);
-    m_inspection.update(*part.texture, {part.name, part.options.channels, part.options.levels},
-                        now);
+    {
+        const gpu::ContextScope home(m_home->home.get());
+        draw_part(*part.texture, m_home->inspected, room, part);
+        m_home->inspection.update(*part.texture,
+                                  {part.name, part.options.channels, part.options.levels}, now);
+    }
     const CellNumbers::Subject cells =
         part.cells(room, window.views.cell, executor.picture_number());
     m_closer.update_inspected(&cells, now);
@@ -215,29 +229,26 @@ void Views::look_closer(const Lab& lab, const WindowState& window) {
     m_closer.update_waveform(has_waveform ? &along : nullptr, now);
 }
 
+void Views::stop() {
+    m_shown = {};
+    m_home.reset();
+    m_compared.stop();
+    m_thumbnails.stop();
+    m_probed.reset();
+    m_pins.stop();
+    m_closer.stop();
+    m_inspected_part.reset();
+}
+
 void Views::update(const Lab& lab, const WindowState& window) {
     if (lab.awaits_source())
         return;  // what was shown before stays
-    if (!lab.renderer() || lab.renderer()->executor().plan().targets.empty()) {
-        m_picture.reset();
-        m_beside.reset();
-        m_output.reset();
-        m_shown = {};
-        m_flash_meter.stop();
-        m_compared.stop();
-        m_inspected.reset();
-        m_thumbnails.stop();
-        m_probed.reset();
-        m_inspection.stop();
-        m_pins.stop();
-        m_gains.stop();
-        m_closer.stop();
-        m_inspected_part.reset();
-        return;
-    }
+    if (!lab.renderer() || lab.renderer()->executor().plan().targets.empty())
+        return stop();
     if (lab.renderer()->replay().is_running() || !lab.renderer()->has_whole_picture())
         return;  // what was shown stays until the past has been drawn again, or the first frame
     const Executor& executor = lab.renderer()->executor();
+    move_to(executor.programs());
     inspect(executor, window);
     draw_picture(lab, window);
     look_closer(lab, window);
@@ -258,24 +269,25 @@ void Views::update(const Lab& lab, const WindowState& window) {
 void Views::show_strip(const Lab& lab, int height) {
     if (height <= 0) {
         m_thumbnails.stop();
-        return m_gains.stop();
+        return m_home->gains.stop();
     }
     const Executor& executor = lab.renderer()->executor();
+    const gpu::ContextScope home(m_home->home.get());
     m_measures_gains = !m_measures_gains;
     if (m_measures_gains)
-        m_gains.update(executor, lab.document()->values(), present_seconds());
+        m_home->gains.update(executor, lab.document()->values(), present_seconds());
     else
-        m_thumbnails.update(m_viewer, executor, height, present_seconds());
+        m_thumbnails.update(m_home->viewer, executor, height, present_seconds());
 }
 
 // Whatever the panels show; in whole pixels where the picture has a size of its own.
 void Views::draw_output(const Lab& lab, Extent extent) {
     if (extent.is_empty())
-        return m_output.reset();
+        return m_home->output.reset();
     const Executor& executor = lab.renderer()->executor();
     const int shown = lab.picture_pass();
     const int last = static_cast<int>(executor.look().passes.size()) - 1;
-    draw_part(executor.target(shown), m_output, extent,
+    draw_part(executor.target(shown), m_home->output, extent,
               {.texture = &executor.target(shown),
                .pass = shown,
                .whole = executor.target(last).extent(),
@@ -286,10 +298,11 @@ void Views::draw_output(const Lab& lab, Extent extent) {
 // The look's own picture, however it is looked at.
 void Views::count_flashes(const Lab& lab, const WindowState& window) {
     if (!window.shows_flashes || window.is_picture_only)
-        return m_flash_meter.stop();
+        return m_home->flash_meter.stop();
     const Executor& executor = lab.renderer()->executor();
     const int last = static_cast<int>(executor.look().passes.size()) - 1;
-    m_flash_meter.update(
+    const gpu::ContextScope home(m_home->home.get());
+    m_home->flash_meter.update(
         {executor.target(last), encoding_of(executor.look(), last), executor.picture_number()},
         present_seconds());
 }
@@ -299,7 +312,7 @@ void Views::show_in_comfort(const Lab& lab, const ComfortClamp& clamp) {
     const double now = present_seconds();
     if (lab.is_moving() || !clamp.is_on)
         m_comfort.note_moving(clamp, now);
-    const std::array views{&m_picture, &m_beside, &m_output};
+    const std::array views{&m_home->picture, &m_home->beside, &m_home->output};
     for (std::size_t i = 0; i < views.size(); ++i) {
         const gpu::Texture* own = *views[i] ? &(*views[i])->texture() : nullptr;
         m_shown[i] = own ? &m_comfort.shown(i, *own, clamp, now) : nullptr;
@@ -307,7 +320,8 @@ void Views::show_in_comfort(const Lab& lab, const ComfortClamp& clamp) {
 }
 
 bool Views::is_settling() const {
-    return m_flash_meter.is_counting() || m_comfort.is_settling(present_seconds());
+    return (m_home && m_home->flash_meter.is_counting()) ||
+           m_comfort.is_settling(present_seconds());
 }
 
 Views::Part Views::large_part(const Lab& lab, const WindowState& window) const {
@@ -348,7 +362,7 @@ void Views::draw_wiped(const Lab& lab, Part part, const WindowState& window) {
         wipe_column(place_of(part.view, part.whole, size), part.whole, size, window.wipe_share);
     part.options.columns =
         lab.sides()->is_other_left ? std::array{0, line} : std::array{line, size.width};
-    draw_part(*m_compared.other(), m_picture, size, part);
+    draw_part(*m_compared.other(), m_home->picture, size, part);
 }
 
 // Its numbers are shown as they are: no light is meant by them.
@@ -357,7 +371,7 @@ void Views::draw_difference(const Lab& lab, Part part, const WindowState& window
         return;
     part.options = {.levels = {0.0, std::exp2(-lab.comparing().chosen().gain_stops)},
                     .encoding = Encoding::display};
-    draw_part(*m_compared.difference(), m_picture, window.views.picture, part);
+    draw_part(*m_compared.difference(), m_home->picture, window.views.picture, part);
 }
 
 // What a step changes, while somebody asks for it.
@@ -365,12 +379,12 @@ bool Views::draw_step(const Lab& lab, const WindowState& window) {
     const gpu::Texture* step = lab.tryouts().probe().picture();
     if (!step || window.shows_pass_large)
         return false;
-    draw_part(*step, m_picture, window.views.picture,
+    draw_part(*step, m_home->picture, window.views.picture,
               {.texture = step,
                .whole = step->extent(),
                .view = window.picture,
                .options = {.encoding = Encoding::display}});
-    m_beside.reset();
+    m_home->beside.reset();
     return true;
 }
 
@@ -383,11 +397,11 @@ void Views::draw_picture(const Lab& lab, const WindowState& window) {
     compare(lab, part);
     const gpu::Texture* other = m_compared.other();
     const bool is_flashing = other && lab.comparing().is_flashing();
-    draw_part(is_flashing ? *other : *part.texture, m_picture, size, part);
+    draw_part(is_flashing ? *other : *part.texture, m_home->picture, size, part);
     if (other && mode == CompareMode::side_by_side)
-        draw_part(*other, m_beside, size, part);
+        draw_part(*other, m_home->beside, size, part);
     else
-        m_beside.reset();
+        m_home->beside.reset();
     if (other && !is_flashing && mode == CompareMode::wipe)
         draw_wiped(lab, part, window);
     if (other && !is_flashing && mode == CompareMode::difference)

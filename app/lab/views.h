@@ -1,13 +1,10 @@
 #pragma once
 
 #include "gpu/canvas.h"
-#include "graph/viewer.h"
 #include "lab/closer_look.h"
 #include "lab/comfort.h"
 #include "lab/compared_pictures.h"
-#include "lab/flash_meter.h"
-#include "lab/gain_meters.h"
-#include "lab/inspection.h"
+#include "lab/home_views.h"
 #include "lab/lab.h"
 #include "lab/pins.h"
 #include "lab/thumbnails.h"
@@ -15,6 +12,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -36,7 +34,7 @@ public:
     /// The other picture of two that are seen side by side; each has room_of_one() to itself.
     Image beside() const { return image_of(m_shown[1]); }
     /// How often the picture flashed within the last second; 0 while nobody wants to know.
-    const Flashes& flashes() const { return m_flash_meter.flashes(); }
+    Flashes flashes() const { return m_home ? m_home->flash_meter.flashes() : Flashes{}; }
     /// Whether what is shown changes yet for a while, though the lab rests.
     bool is_settling() const;
     /// What the two pictures of a comparison come to.
@@ -46,32 +44,37 @@ public:
     Picture read_picture() const;
     /// The picture as the output window shows it, its size; null: nothing.
     const gpu::Texture* output() const { return m_shown[2]; }
-    Image inspected() const { return image_of(m_inspected); }
-    /// What the inspected target's numbers come to; nothing while the inspector is closed.
-    const Inspection& inspection() const { return m_inspection; }
+    Image inspected() const { return m_home ? image_of(m_home->inspected) : Image{}; }
+    /// What the inspected target's numbers come to; none while the inspector is closed, or until
+    /// they have come.
+    std::optional<Statistics> statistics() const {
+        return m_home ? m_home->inspection.statistics() : std::nullopt;
+    }
+    /// How they are spread between the inspector's levels; empty likewise.
+    Histogram histogram() const { return m_home ? m_home->inspection.histogram() : Histogram{}; }
     /// What each pass has at the pinned points; nothing while they are not shown.
     const Pins& pins() const { return m_pins; }
     /// Numbers of single texels, and along a line; nothing where they are not shown.
     const CloserLook& closer() const { return m_closer; }
     Image thumbnail(std::size_t pass) const;
-    /// How loud each pass is; nothing while the strip is closed.
-    const GainMeters& gains() const { return m_gains; }
+    /// How loud a pass is; null: not known yet, or nobody asks.
+    const Gain* gain(std::size_t pass) const { return m_home ? m_home->gains.gain(pass) : nullptr; }
+    /// A small picture of a pass, display values; none where there is no memory, or another look
+    /// is seen yet.
+    std::optional<gpu::Texture> small_picture(const Lab& lab, int pass, Extent extent);
     /// What is shown of the passes is not all from the present picture yet: it comes when update()
     /// is called again, also while nothing moves.
     bool is_owing() const {
-        return m_thumbnails.is_owing() || m_gains.is_owing() || m_closer.is_owing();
+        return m_thumbnails.is_owing() || m_closer.is_owing() ||
+               (m_home && m_home->gains.is_owing());
     }
     /// The stored numbers of WindowState::probe's pixel.
     const std::optional<std::array<float, 4>>& probed() const { return m_probed; }
 
 private:
     struct Parts {
-        Viewer viewer;
-        Inspection inspection;
         Pins pins;
-        GainMeters gains;
         ComparedPictures compared;
-        FlashMeter flash_meter;
         Comfort comfort;
         CloserLook closer;
     };
@@ -106,22 +109,19 @@ private:
     void look_closer(const Lab& lab, const WindowState& window);
     void probe(const Lab& lab, const std::optional<Probe>& probe);
 
-    Viewer m_viewer;
-    Inspection m_inspection;
+    void move_to(const Programs& programs);
+    void stop();
+
+    std::unique_ptr<HomeViews> m_home;  // of the look that is seen; null: none is
     Pins m_pins;
     Thumbnails m_thumbnails;
-    GainMeters m_gains;
     bool m_measures_gains = true;  // in this update; else small pictures are drawn
     ComparedPictures m_compared;
-    FlashMeter m_flash_meter;
     Comfort m_comfort;
     CloserLook m_closer;
-    std::optional<Part> m_inspected_part;          // of this update; none: nobody looks
-    std::array<const gpu::Texture*, 3> m_shown{};  // the three below, or what stands for them
-    std::optional<gpu::Canvas> m_picture;
-    std::optional<gpu::Canvas> m_beside;
-    std::optional<gpu::Canvas> m_output;
-    std::optional<gpu::Canvas> m_inspected;
+    std::optional<Part> m_inspected_part;  // of this update; none: nobody looks
+    std::array<const gpu::Texture*, 3>
+        m_shown{};  // picture, beside and output, or what stands for them
     std::optional<std::array<float, 4>> m_probed;
 };
 

@@ -70,14 +70,13 @@ class Application {
 public:
     /// `lab` stays longer; a look is being opened in it.
     Application(const WindowOptions& options, gpu::Window& window, Lab& lab, BuiltFonts fonts,
-                Views views, HistoryPictures history_pictures, Start start)
+                Views views, Start start)
         : m_options(options),
           m_window(window),
           m_toolkit(window, std::move(fonts)),
           m_lab(lab),
           m_first_file(std::move(start.first_file)),
           m_views(std::move(views)),
-          m_history_pictures(std::move(history_pictures)),
           m_state(std::move(start.state)),
           m_waker(m_lab.watch_descriptor(), [] { gpu::Window::wake(); }) {}
 
@@ -188,7 +187,7 @@ void Application::turn() {
     m_shelf.update(m_lab.library(), m_lab.document() ? &m_lab.document()->look() : nullptr,
                    wall_seconds);
     m_views.update(m_lab, m_state);
-    m_history_pictures.update(m_lab);
+    m_history_pictures.update(m_lab, m_views);
     m_preset_pictures.update(m_lab, m_state.sees(BottomPart::presets), wall_seconds);
     draw();
 }
@@ -332,11 +331,8 @@ Result<void> run_window(const WindowOptions& options) {
     auto views = Views::make();
     if (!views)
         return fail(views.error());
-    auto history_pictures = HistoryPictures::make();
-    if (!history_pictures)
-        return fail(history_pictures.error());
     Application application(options, **window, lab, fonts.get(), std::move(*views),
-                            std::move(*history_pictures), std::move(start));
+                            std::move(start));
     application.run();
     return {};
 }

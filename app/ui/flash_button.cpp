@@ -28,7 +28,7 @@ theme::Color color_of(const Flashes& flashes) {
 }
 
 void draw_counts(const Scene& scene) {
-    const Flashes& flashes = scene.views.flashes();
+    const Flashes flashes = scene.views.flashes();
     ImGui::TextUnformatted(fmt::format("Within the last second: {} general, {} red flashes",
                                        flashes.general, flashes.red)
                                .c_str());

@@ -51,13 +51,13 @@ void expose(const Scene&, Edits& edits) {
 }
 
 void fit_levels(const Scene& scene, Edits& edits) {
-    edits.arrange([statistics = *scene.views.inspection().statistics()](WindowState& window) {
+    edits.arrange([statistics = *scene.views.statistics()](WindowState& window) {
         window.inspected.fit(statistics);
     });
 }
 
 bool can_fit_levels(const Scene& scene) {
-    return has_passes(scene) && scene.views.inspection().statistics();
+    return has_passes(scene) && scene.views.statistics();
 }
 
 void reset_levels(const Scene&, Edits& edits) {

@@ -335,7 +335,7 @@ void draw_pass_strip(const Scene& scene, Edits& edits) {
                         .pass = look.passes[i],
                         .target = targets[i],
                         .milliseconds = i < times.size() ? times[i] : 0.0,
-                        .gain = scene.views.gains().gain(i),
+                        .gain = scene.views.gain(i),
                         .change = i < changes.size() ? changes[i] : std::nullopt,
                         .is_chosen = look.passes[i].name == scene.window.inspected.pass,
                         .state = pass_switch_actions::words_of(i, look, scene.lab.pass_switches())};

@@ -88,7 +88,7 @@ std::string probe_text(const Scene& scene) {
 // What the inspector shows of its target's numbers.
 std::string inspection_text(const Scene& scene) {
     const PassView& view = scene.window.inspected;
-    const auto& all = scene.views.inspection().statistics();
+    const auto all = scene.views.statistics();
     const std::string measured =
         all ? fmt::format(R"({{"minimum":{},"maximum":{},"mean":{},"finite":{},"flaws":{}}})",
                           all->minimum, all->maximum, all->mean, all->finite,
@@ -133,7 +133,7 @@ std::string gains_text(const Scene& scene) {
     const std::size_t passes =
         scene.lab.renderer() ? scene.lab.renderer()->executor().look().passes.size() : 0;
     for (std::size_t pass = 0; pass < passes; ++pass) {
-        const Gain* gain = scene.views.gains().gain(pass);
+        const Gain* gain = scene.views.gain(pass);
         gains.push_back(gain ? fmt::format("[{},{}]", gain->peak, gain->clipped) : "null");
     }
     return fmt::format(R"(,"gains":[{}])", fmt::join(gains, ","));
@@ -167,7 +167,7 @@ std::string trip_text(const Lab& lab) {
 
 // How often the picture flashes, and whether a person's clamp is on.
 std::string flashes_text(const Scene& scene) {
-    const Flashes& flashes = scene.views.flashes();
+    const Flashes flashes = scene.views.flashes();
     return fmt::format(R"(,"flashes":[{},{}],"comfort":{})", flashes.general, flashes.red,
                        scene.window.comfort.is_on);
 }

@@ -8,11 +8,16 @@
 
 namespace {
 struct Measuring : Headless {
-    Result<Meter> meter = Meter::make();
+    std::optional<Meter> meter;
+
+    Measuring() {
+        auto programs = MeterPrograms::make();
+        REQUIRE(programs.has_value());
+        meter.emplace(std::make_shared<const MeterPrograms>(std::move(*programs)));
+    }
 
     Measured measured(const gpu::Texture& from, ChannelChoice channels,
                       std::optional<double> ceiling = std::nullopt) {
-        REQUIRE(meter.has_value());
         meter->start(from, channels, ceiling);
         for (;;)
             if (auto answer = meter->take())

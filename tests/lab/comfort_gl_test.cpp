@@ -28,16 +28,17 @@ struct Flashing : Headless {
     template <class Shown>
     Flashes counted(int period, Shown shown) {
         std::uint64_t number = 0;
-        auto meter = FlashMeter::make();
-        REQUIRE(meter.has_value());
+        auto cells = LightCells::make();
+        REQUIRE(cells.has_value());
+        FlashMeter meter(std::move(*cells));
         Flashes most;
         for (int frame = 0; frame < 120; ++frame) {
             draw(frame, period);
             const double seconds = frame / 60.0;
-            meter->update({shown(seconds), Encoding::display, ++number}, seconds);
+            meter.update({shown(seconds), Encoding::display, ++number}, seconds);
             gpu::finish();  // else some frames might be passed over
-            most = {std::max(most.general, meter->flashes().general),
-                    std::max(most.red, meter->flashes().red)};
+            most = {std::max(most.general, meter.flashes().general),
+                    std::max(most.red, meter.flashes().red)};
         }
         return most;
     }

@@ -5,9 +5,12 @@
 namespace {
 /// A look whose first pass is 1 after a frame, and 1 more after each; the second a fourth of it.
 struct Metered : SmallLab {
-    Result<GainMeters> meters = GainMeters::make();
+    std::optional<GainMeters> meters;
 
     Metered() {
+        auto programs = MeterPrograms::make();
+        REQUIRE(programs.has_value());
+        meters.emplace(std::make_shared<const MeterPrograms>(std::move(*programs)));
         lab().transport().pause();
         lab().edit([](Document& document) { document.set_value("gain", Value(0.25)); });
         REQUIRE(turn_until([&] { return !lab().is_moving(); }));
@@ -22,7 +25,6 @@ struct Metered : SmallLab {
 
 TEST_CASE("every pass is measured, one a turn, and again when it has changed") {
     Metered lab;
-    REQUIRE(lab.meters.has_value());
     lab.update(10.0);
     CHECK(lab.meters->gain(0) == nullptr);
     CHECK(lab.meters->is_owing());

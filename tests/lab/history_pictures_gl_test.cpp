@@ -17,30 +17,35 @@ TEST_CASE("what is forgotten first is farthest from the present") {
 
 TEST_CASE("each state in the history has a picture of its own, until another takes its place") {
     SmallLab small;
-    auto pictures = HistoryPictures::make();
-    REQUIRE(pictures.has_value());
+    auto views = Views::make();
+    REQUIRE(views.has_value());
+    HistoryPictures pictures;
+    const auto look = [&] {
+        views->update(small.lab(), {});
+        pictures.update(small.lab(), *views);
+    };
     const auto turn_with = [&](double gain) {
         small.lab().edit([gain](Document& document) { document.set_value("gain", Value(gain)); });
         small.lab().update(1.0 / 60.0);
-        pictures->update(small.lab());
+        look();
     };
-    pictures->update(small.lab());
+    look();
     turn_with(2.0);
     turn_with(3.0);
     const auto handle = [&](std::size_t place) {
-        return pictures->picture(small.document(), place).handle;
+        return pictures.picture(small.document(), place).handle;
     };
     CHECK(handle(0) != 0);
     CHECK(handle(1) != 0);
     CHECK(handle(2) != 0);
     CHECK(handle(1) != handle(2));
-    CHECK(pictures->picture(small.document(), 1).extent == Extent{72, 72});  // of a square picture
+    CHECK(pictures.picture(small.document(), 1).extent == Extent{72, 72});  // of a square picture
 
     small.lab().edit([](Document& document) { document.undo(); });
     small.lab().edit([](Document& document) { document.set_value("gain", Value(4.0)); });
     CHECK(handle(1) != 0);
     CHECK(handle(2) == 0);  // what stood there was another state
     small.lab().update(1.0 / 60.0);
-    pictures->update(small.lab());
+    look();
     CHECK(handle(2) != 0);
 }

@@ -4,10 +4,15 @@
 
 namespace {
 struct Inspecting : Headless {
-    Result<Inspection> inspection = Inspection::make();
+    std::optional<Inspection> inspection;
     Result<gpu::Canvas> target = gpu::Canvas::make({16, 16}, Format::rgba32f);
     Inspection::Subject subject{"beam", ChannelChoice::rgb, {0, 4}};
 
+    Inspecting() {
+        auto programs = MeterPrograms::make();
+        REQUIRE(programs.has_value());
+        inspection.emplace(std::make_shared<const MeterPrograms>(std::move(*programs)));
+    }
     void show(float number) { target->clear({number, number, number, 1}); }
     // As many turns as it takes for what is under way to come.
     void turn(double seconds) {

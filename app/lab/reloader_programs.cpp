@@ -1,0 +1,132 @@
+// The part of Reloader that links programs, and meets with them what the window is not to wait for.
+#include "gpu/driver_cache.h"
+#include "graph/first_views.h"
+#include "graph/settled_look.h"
+#include "lab/kept_shaders.h"
+#include "lab/reloader.h"
+
+namespace {
+constexpr auto cache_patience = std::chrono::milliseconds(500);
+}
+
+// Each new program draws once: in the home that is new, where it will be drawn with; else here, as
+// that one is current elsewhere, and what the driver keeps in files of its own will do.
+void Reloader::draw_first(const Job& job, const Programs* known, Programs& programs,
+                          LoadedRequest& loaded) {
+    const bool is_at_home = job.is_opening && job.home && programs.home == job.home;
+    const gpu::ContextScope scope(is_at_home ? job.home.get() : nullptr);
+    std::optional<WarmUp> own;
+    if (is_at_home) {
+        if (auto made = WarmUp::make())
+            own.emplace(std::move(*made));
+        if (auto made = build_tripwire(job.home))
+            programs.tripwire = std::move(*made);
+    }
+    const std::optional<WarmUp>& warm_up = is_at_home ? own : m_warm_up;
+    if (!warm_up)
+        return;
+    Programs drawn = programs;
+    drawn.home = nullptr;
+    if (!is_at_home) {  // their uniforms are somebody else's now
+        drawn.tripwire = nullptr;
+        drawn.views = nullptr;
+    }
+    warm_up->draw({*loaded.look, drawn, known, loaded.images, m_picture, FirstDrawsOf::Size::whole},
+                  *job.progress);
+    if (!is_at_home)
+        gpu::wait_for_driver_cache(cache_patience,
+                                   *job.progress);  // or the drawing context finds nothing there
+    loaded.is_warm = is_at_home;
+}
+
+// Those of its home are made once for all looks that draw there.
+Result<void> Reloader::take_views(const Job& job, Programs& programs) {
+    if (!job.lent) {
+        auto made = ViewPrograms::make();
+        if (!made)
+            return fail(made.error());
+        programs.views = std::make_shared<const ViewPrograms>(std::move(*made));
+        return {};
+    }
+    const gpu::ContextScope scope(job.home.get());
+    const auto views = job.lent->views();
+    if (!views)
+        return fail(views.error());
+    programs.first_views = {job.lent, *views};
+    programs.views = {job.lent, (*views)->programs().get()};
+    return {};
+}
+
+// Who looks at the passes does so where they are drawn. The first look of all is waited for, and
+// nothing is seen that it could stop.
+void Reloader::look_first(const Job& job, const LoadedRequest& loaded, const Values& values) {
+    if (!m_is_prepared || !job.lent || loaded.programs->home != job.home)
+        return;
+    const auto plan = plan_targets(*loaded.look, m_picture, expected_source, values);
+    if (!plan)
+        return;  // the look itself will say so
+    const gpu::ContextScope scope(job.home.get());
+    FirstViews& views = *loaded.programs->first_views;
+    views.expect(*loaded.look, *plan);
+    while (views.owed() > 0 && !job.progress->is_cancelled())
+        views.draw_next();
+}
+
+// Whose programs serve: for the open look those that it is or was drawn with, and newer ones beside
+// them; for another one only if it is the same.
+std::optional<Programs> Reloader::known_for(const Job& job, const Look& look) const {
+    const bool serves_linked =
+        m_linked && (job.is_opening ? serves(*m_linked, look) : m_linked->home == job.home);
+    if (serves_linked && job.shown)
+        return joined(*m_linked, job.shown->passes);
+    if (serves_linked)
+        return m_linked;
+    return job.shown ? std::optional(*job.shown) : std::nullopt;
+}
+
+// What a hand goes past is kept for no other run, and does not wait for first draws: where the GPU
+// is busy with the picture they come late.
+Result<Programs> Reloader::link(const Job& job, LoadedRequest& loaded) {
+    const bool is_look = job.whose == LoadedRequest::Whose::look;
+    const std::optional<Programs> reusable = known_for(job, *loaded.look);
+    const Programs* const known = reusable ? &*reusable : nullptr;
+    auto programs = build_programs(*loaded.look, known, is_look ? m_kept_shaders.get() : nullptr,
+                                   job.progress.get(), known ? known->home : job.home);
+    if (!programs)
+        return programs;
+    if (known) {
+        programs->tripwire = known->tripwire;
+        programs->views = known->views;
+        programs->first_views = known->first_views;
+    } else {
+        if (auto taken = take_views(job, *programs); !taken)
+            return fail(taken.error());
+    }
+    if (is_look)
+        draw_first(job, known, *programs, loaded);
+    if (!job.progress->is_cancelled())
+        m_linked = *programs;
+    return programs;
+}
+
+// Where the driver refuses such programs, what the author wrote goes on.
+LoadedRequest Reloader::load_settled(const Job& job) {
+    const SettledRequest& asked = *job.settled;
+    LoadedRequest loaded;
+    loaded.generation = job.generation;
+    loaded.whose = job.whose;
+    loaded.images = asked.images;
+    loaded.look = settled_look(
+        asked.look, asked.values, asked.plan,
+        [&asked](const Parameter& parameter) { return asked.moving.contains(parameter.name); });
+    auto programs =
+        build_programs(*loaded.look, job.shown.get(), nullptr, job.progress.get(), job.home);
+    if (!programs)
+        return loaded;
+    programs->tripwire = job.shown ? job.shown->tripwire : nullptr;
+    programs->views = job.shown ? job.shown->views : nullptr;
+    programs->first_views = job.shown ? job.shown->first_views : nullptr;
+    draw_first(job, job.shown.get(), *programs, loaded);
+    loaded.programs = std::move(*programs);
+    return loaded;
+}
