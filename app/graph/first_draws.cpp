@@ -2,9 +2,9 @@
 
 #include "glsl/include.h"
 #include "gpu/draw.h"
+#include "graph/power_of_two.h"
 
 #include <algorithm>
-#include <bit>
 #include <cassert>
 
 namespace {
@@ -14,27 +14,35 @@ bool is_known(const PassProgram& program, const Programs* known) {
            });
 }
 
-// Some drivers make other code for textures whose sides are powers of two.
 Extent small_like(Extent viewport) {
-    const auto side = [](int length) {
-        return std::has_single_bit(static_cast<unsigned>(std::max(length, 1))) ? 64 : 96;
-    };
+    const auto side = [](int length) { return is_power_of_two(length) ? 64 : 96; };
     return {side(viewport.width), side(viewport.height)};
 }
 
+// Whether drivers tell no target of the one plan from that of the other.
+bool are_alike(const Plan& one, const Plan& other) {
+    return std::ranges::equal(
+        one.targets, other.targets, [](const PlannedTarget& a, const PlannedTarget& b) {
+            return is_power_of_two(a.extent.width) == is_power_of_two(b.extent.width) &&
+                   is_power_of_two(a.extent.height) == is_power_of_two(b.extent.height);
+        });
+}
+
 // Making room for large targets takes longer than the draws, and what drivers distinguish, sides
-// that are powers of two, is met by a quarter of them as well.
-Extent quarter_like(Extent viewport) {
+// that are powers of two, is met by about a quarter of them as well.
+Extent quarter_like(const Look& look, Extent viewport) {
     constexpr int least = 128;
-    const Extent quarter{viewport.width / 4, viewport.height / 4};
-    const auto is_alike = [](int side, int whole) {
-        return side >= least && whole % 4 == 0 &&
-               std::has_single_bit(static_cast<unsigned>(side)) ==
-                   std::has_single_bit(static_cast<unsigned>(whole));
-    };
-    return is_alike(quarter.width, viewport.width) && is_alike(quarter.height, viewport.height)
-               ? quarter
-               : viewport;
+    constexpr int tries = 8;
+    const auto whole = plan_targets(look, viewport, expected_source, {});
+    for (int more = 0; whole && more < tries; ++more) {
+        const Extent quarter{viewport.width / 4 + more, viewport.height / 4 + more};
+        if (std::min(quarter.width, quarter.height) < least)
+            continue;
+        const auto plan = plan_targets(look, quarter, expected_source, {});
+        if (plan && are_alike(*whole, *plan))
+            return quarter;
+    }
+    return viewport;
 }
 
 Picture black(Extent extent) {
@@ -82,7 +90,7 @@ FirstDraws::FirstDraws(const FirstDrawsOf& of, const PassProgram& idle) {
         return;
     m_executor.emplace(std::move(stand_in), std::move(drawn));
     const bool is_small = of.size == FirstDrawsOf::Size::small;
-    const Extent extent = is_small ? small_like(of.viewport) : quarter_like(of.viewport);
+    const Extent extent = is_small ? small_like(of.viewport) : quarter_like(of.look, of.viewport);
     const Extent source = is_small ? Extent{96, 96} : expected_source;
     const auto guard = of.programs.tripwire ? Executor::Guard::search : Executor::Guard::off;
     const bool is_ready = m_executor->resize(extent, source).has_value() &&
@@ -105,4 +113,10 @@ void FirstDraws::draw_next() {
     // A band of it will do, and a heavy one keeps nobody else from the GPU for long.
     m_executor->rehearse(first_frame(beam), m_new[m_done++]);
     gpu::finish();
+}
+
+void FirstDraws::draw_all(PassProgress& progress) {
+    progress.begin(PassProgress::Step::drawing, total());
+    while (!is_done() && progress.next(next_pass()))
+        draw_next();
 }

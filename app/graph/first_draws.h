@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/pass_progress.h"
 #include "graph/executor.h"
 
 #include <memory>
@@ -32,8 +33,8 @@ struct FirstDrawsOf {
 /// to the context that it was made in.
 class FirstDraws {
 public:
-    /// `idle` stands in for the known programs; it draws nothing. Where there is no memory there is
-    /// nothing to be drawn.
+    /// `idle` stands in for the known programs; it draws nothing, and need not be where there are
+    /// none. Where there is no memory there is nothing to be drawn.
     FirstDraws(const FirstDrawsOf& of, const PassProgram& idle);
 
     std::size_t total() const { return m_new.size(); }
@@ -43,6 +44,8 @@ public:
     const std::string& next_pass() const;
     /// Draws a band of the next one and waits for it.
     void draw_next();
+    /// Draws them all, unless they are cancelled.
+    void draw_all(PassProgress& progress);
 
 private:
     std::optional<Executor> m_executor;

@@ -2,16 +2,12 @@
 
 #include "gpu/canvas.h"
 #include "gpu/draw.h"
+#include "graph/power_of_two.h"
 
 #include <algorithm>
-#include <bit>
 
 namespace {
 constexpr Extent view_extent{24, 24};  // smaller than what is looked at
-
-bool is_power_of_two(int length) {
-    return std::has_single_bit(static_cast<unsigned>(std::max(length, 1)));
-}
 
 int small_side(bool has_power_of_two) {
     return has_power_of_two ? 64 : 96;

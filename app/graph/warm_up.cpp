@@ -29,10 +29,8 @@ void WarmUp::draw(const FirstDrawsOf& of, PassProgress& progress) const {
     FirstDraws draws(of, m_first);
     if (draws.is_done())
         return;
-    progress.begin(PassProgress::Step::drawing, draws.total());
     draw_with(m_first);
-    while (!draws.is_done() && progress.next(draws.next_pass()))
-        draws.draw_next();
+    draws.draw_all(progress);
     draw_with(m_last);
     gpu::finish();
 }

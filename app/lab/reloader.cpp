@@ -140,13 +140,12 @@ void Reloader::submit(OpenRequest request, bool is_reload) {
     job.is_opening = !is_reload || m_is_unopened || !drawn_with();
     if (!job.is_opening)
         job.shown = m_recent.all();
-    if (job.is_opening) {
-        job.lent = m_drawing_contexts.lend();
-        if (job.lent)
-            job.home = {job.lent, &job.lent->context()};
-    } else {
+    const bool is_opening = job.is_opening;
+    std::promise<std::shared_ptr<DrawingHome>> lent;
+    if (is_opening)
+        job.lending = lent.get_future();
+    else
         job.home = drawn_with()->home;
-    }
     {
         const std::lock_guard lock(m_mutex);
         if (m_progress)
@@ -158,6 +157,16 @@ void Reloader::submit(OpenRequest request, bool is_reload) {
         drop_turning();
     }
     m_wake.notify_all();
+    if (is_opening)  // a driver may take a while to make it, and the look is read meanwhile
+        lent.set_value(m_drawing_contexts.lend());
+}
+
+void Reloader::wait_for_home(Job& job) {
+    if (!job.is_opening)
+        return;
+    job.lent = job.lending.get();
+    if (job.lent)
+        job.home = {job.lent, &job.lent->context()};
 }
 
 void Reloader::cancel(std::optional<OpenRequest> open) {
@@ -286,7 +295,7 @@ void Reloader::prepare() {
     m_is_prepared = true;
 }
 
-void Reloader::work_on(const Job& job) {
+void Reloader::work_on(Job job) {
     LoadedRequest loaded = job.settled ? load_settled(job) : load(job);
     {
         const std::lock_guard lock(m_mutex);
@@ -299,8 +308,6 @@ void Reloader::work_on(const Job& job) {
 
 void Reloader::run() {
     m_context->make_current();
-    if (auto made = WarmUp::make())
-        m_warm_up.emplace(std::move(*made));
     constexpr auto rest = std::chrono::seconds(1);  // what is seen first has the machine to itself
     std::unique_lock lock(m_mutex);
     for (;;) {
@@ -312,7 +319,7 @@ void Reloader::run() {
             break;
         lock.unlock();
         if (job)
-            work_on(*job);
+            work_on(std::move(*job));
         else if (prepares)
             prepare();
         lock.lock();
@@ -366,7 +373,7 @@ Result<ImageTextures> Reloader::load_images(const Look& look, Diagnostics& warni
     return images;
 }
 
-LoadedRequest Reloader::load(const Job& job) {
+LoadedRequest Reloader::load(Job& job) {
     LoadedRequest loaded;
     loaded.request = job.request;
     loaded.is_reload = job.is_reload;
@@ -390,6 +397,7 @@ LoadedRequest Reloader::load(const Job& job) {
         return refuse(images.error());
     loaded.images = std::move(*images);
     loaded.look = std::move(*read.look);
+    wait_for_home(job);
     auto programs = link(job, loaded);
     if (!programs) {
         loaded.look.reset();

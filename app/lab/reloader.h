@@ -17,6 +17,7 @@
 #include <condition_variable>
 #include <cstdint>
 #include <functional>
+#include <future>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -135,8 +136,9 @@ private:
         std::shared_ptr<const Programs> shown = {};  // of the look that it is of, with former
                                                      // ones; null: another
         std::shared_ptr<gpu::Context> home = {};
-        bool is_opening = false;                             // then nobody draws in its home yet
-        std::shared_ptr<DrawingHome> lent = {};              // then that one; null: there is none
+        bool is_opening = false;  // then nobody draws in its home yet
+        std::shared_future<std::shared_ptr<DrawingHome>> lending = {};  // then that one to come
+        std::shared_ptr<DrawingHome> lent = {};  // when it has come; null: there is none
         std::shared_ptr<const SettledRequest> settled = {};  // null: it is read
     };
     /// What turn() asks for: one a picture.
@@ -150,7 +152,7 @@ private:
     }
     void submit(OpenRequest request, bool is_reload);
     void run();
-    void work_on(const Job& job);
+    void work_on(Job job);
     void prepare();
     std::optional<Job> take_job();
     void keep(LoadedRequest loaded);
@@ -159,12 +161,16 @@ private:
     Turning& turning(LoadedRequest::Whose whose) {
         return whose == LoadedRequest::Whose::turned ? m_turned : m_variant;
     }
-    LoadedRequest load(const Job& job);
+    LoadedRequest load(Job& job);
+    static void wait_for_home(Job& job);
     LoadedRequest load_settled(const Job& job);
     std::optional<Programs> known_for(const Job& job, const Look& look) const;
     Result<Programs> link(const Job& job, LoadedRequest& loaded);
     void draw_first(const Job& job, const Programs* known, Programs& programs,
                     LoadedRequest& loaded);
+    void draw_first_at_home(const Job& job, Programs& programs, const LoadedRequest& loaded);
+    void draw_first_here(const Job& job, const Programs* known, const Programs& programs,
+                         const LoadedRequest& loaded);
     Result<void> take_views(const Job& job, Programs& programs);
     void look_first(const Job& job, const LoadedRequest& loaded, const Values& values);
     Result<ImageTextures> load_images(const Look& look, Diagnostics& warnings);

@@ -1,4 +1,5 @@
 // The part of Reloader that links programs, and meets with them what the window is not to wait for.
+#include "gpu/draw.h"
 #include "gpu/driver_cache.h"
 #include "graph/first_views.h"
 #include "graph/settled_look.h"
@@ -9,34 +10,50 @@ namespace {
 constexpr auto cache_patience = std::chrono::milliseconds(500);
 }
 
-// Each new program draws once: in the home that is new, where it will be drawn with; else here, as
-// that one is current elsewhere, and what the driver keeps in files of its own will do.
+// Each new program draws once: in the home that is new, where it will be drawn with; else here.
 void Reloader::draw_first(const Job& job, const Programs* known, Programs& programs,
                           LoadedRequest& loaded) {
-    const bool is_at_home = job.is_opening && job.home && programs.home == job.home;
-    const gpu::ContextScope scope(is_at_home ? job.home.get() : nullptr);
-    std::optional<WarmUp> own;
-    if (is_at_home) {
+    loaded.is_warm = job.is_opening && job.home && programs.home == job.home;
+    if (loaded.is_warm)
+        draw_first_at_home(job, programs, loaded);
+    else
+        draw_first_here(job, known, programs, loaded);
+}
+
+// Nobody has drawn there yet, so that nothing is known.
+void Reloader::draw_first_at_home(const Job& job, Programs& programs, const LoadedRequest& loaded) {
+    const gpu::ContextScope scope(job.home.get());
+    if (auto made = build_tripwire(job.home))
+        programs.tripwire = std::move(*made);
+    Programs drawn = programs;
+    drawn.home = nullptr;
+    FirstDraws draws({.look = *loaded.look,
+                      .programs = drawn,
+                      .images = loaded.images,
+                      .viewport = m_picture,
+                      .size = FirstDrawsOf::Size::whole},
+                     PassProgram{});
+    draws.draw_all(*job.progress);
+    gpu::finish();
+}
+
+// The home is current elsewhere, and what the driver keeps in files of its own will do.
+void Reloader::draw_first_here(const Job& job, const Programs* known, const Programs& programs,
+                               const LoadedRequest& loaded) {
+    if (!m_warm_up)
         if (auto made = WarmUp::make())
-            own.emplace(std::move(*made));
-        if (auto made = build_tripwire(job.home))
-            programs.tripwire = std::move(*made);
-    }
-    const std::optional<WarmUp>& warm_up = is_at_home ? own : m_warm_up;
-    if (!warm_up)
+            m_warm_up.emplace(std::move(*made));
+    if (!m_warm_up)
         return;
     Programs drawn = programs;
     drawn.home = nullptr;
-    if (!is_at_home) {  // their uniforms are somebody else's now
-        drawn.tripwire = nullptr;
-        drawn.views = nullptr;
-    }
-    warm_up->draw({*loaded.look, drawn, known, loaded.images, m_picture, FirstDrawsOf::Size::whole},
-                  *job.progress);
-    if (!is_at_home)
-        gpu::wait_for_driver_cache(cache_patience,
-                                   *job.progress);  // or the drawing context finds nothing there
-    loaded.is_warm = is_at_home;
+    drawn.tripwire = nullptr;  // the uniforms of these are somebody else's now
+    drawn.views = nullptr;
+    m_warm_up->draw(
+        {*loaded.look, drawn, known, loaded.images, m_picture, FirstDrawsOf::Size::whole},
+        *job.progress);
+    // Or the drawing context finds nothing there.
+    gpu::wait_for_driver_cache(cache_patience, *job.progress);
 }
 
 // Those of its home are made once for all looks that draw there.
