@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
+
 namespace gpu {
 
 void delete_framebuffer(GLuint id) {
@@ -48,15 +51,30 @@ void Canvas::bind() const {
     glViewport(0, 0, m_texture.extent().width, m_texture.extent().height);
 }
 
+namespace {
+// The nearest that there is where a number has no whole part of the type.
+template <class Whole>
+std::array<Whole, 4> whole_parts(const std::array<float, 4>& rgba) {
+    const auto least = static_cast<double>(std::numeric_limits<Whole>::lowest());
+    const auto most = static_cast<double>(std::numeric_limits<Whole>::max());
+    std::array<Whole, 4> whole{};
+    std::ranges::transform(rgba, whole.begin(), [least, most](float number) {
+        return static_cast<Whole>(std::clamp(static_cast<double>(number), least, most));
+    });
+    return whole;
+}
+}  // namespace
+
 void Canvas::clear(std::array<float, 4> rgba) const {
     bind();
     glDisable(GL_SCISSOR_TEST);
-    if (facts_of(m_texture.format()).is_integer) {
-        const GLuint whole[4] = {static_cast<GLuint>(rgba[0]), static_cast<GLuint>(rgba[1]),
-                                 static_cast<GLuint>(rgba[2]), static_cast<GLuint>(rgba[3])};
-        glClearBufferuiv(GL_COLOR, 0, whole);
-    } else {
-        glClearBufferfv(GL_COLOR, 0, rgba.data());
+    switch (sample_kind_of(m_texture.format())) {
+        case SampleKind::floating:
+            return glClearBufferfv(GL_COLOR, 0, rgba.data());
+        case SampleKind::natural:
+            return glClearBufferuiv(GL_COLOR, 0, whole_parts<GLuint>(rgba).data());
+        case SampleKind::integer:
+            return glClearBufferiv(GL_COLOR, 0, whole_parts<GLint>(rgba).data());
     }
 }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <functional>
+#include <span>
 
 namespace gpu {
 
@@ -18,6 +20,29 @@ GLenum layout_of(int channels) {
 
 GLenum integer_layout_of(int channels) {
     return channels == 1 ? GL_RED_INTEGER : channels == 3 ? GL_RGB_INTEGER : GL_RGBA_INTEGER;
+}
+
+template <class Whole>
+void with_whole_numbers(std::span<float> floats, GLenum type,
+                        const std::function<void(GLenum, void*)>& read) {
+    std::vector<Whole> whole(floats.size());
+    read(type, whole.data());
+    std::ranges::transform(whole, floats.begin(),
+                           [](Whole number) { return static_cast<float>(number); });
+}
+
+// GL hands whole numbers over as such only: `read` gets the type of what the format holds, and
+// where to put so many of them.
+void with_numbers_of(Format format, std::span<float> floats,
+                     const std::function<void(GLenum, void*)>& read) {
+    switch (sample_kind_of(format)) {
+        case SampleKind::floating:
+            return read(GL_FLOAT, floats.data());
+        case SampleKind::natural:
+            return with_whole_numbers<GLuint>(floats, GL_UNSIGNED_INT, read);
+        case SampleKind::integer:
+            return with_whole_numbers<GLint>(floats, GL_INT, read);
+    }
 }
 
 void flip_rows(Picture& picture) {
@@ -37,16 +62,11 @@ Picture read_picture(const Texture& texture) {
     picture.pixels.resize(picture.index(0, picture.extent.height));
     glFinish();  // as in read_pixel
     glBindTexture(GL_TEXTURE_2D, texture.id());
-    if (facts.is_integer) {
-        std::vector<GLuint> whole(picture.pixels.size());
-        glGetTexImage(GL_TEXTURE_2D, 0, integer_layout_of(picture.channels), GL_UNSIGNED_INT,
-                      whole.data());
-        std::ranges::transform(whole, picture.pixels.begin(),
-                               [](GLuint number) { return static_cast<float>(number); });
-    } else {
-        glGetTexImage(GL_TEXTURE_2D, 0, layout_of(picture.channels), GL_FLOAT,
-                      picture.pixels.data());
-    }
+    const int channels = picture.channels;
+    with_numbers_of(texture.format(), picture.pixels, [channels](GLenum type, void* numbers) {
+        const GLenum layout = type == GL_FLOAT ? layout_of(channels) : integer_layout_of(channels);
+        glGetTexImage(GL_TEXTURE_2D, 0, layout, type, numbers);
+    });
     glBindTexture(GL_TEXTURE_2D, 0);
     flip_rows(picture);
     return picture;
@@ -93,14 +113,9 @@ std::array<float, 4> read_pixel(const Texture& texture, int x, int y) {
                            0);
     std::array<float, 4> rgba{0.0f, 0.0f, 0.0f, 1.0f};
     const int row = extent.height - 1 - y;
-    if (facts_of(texture.format()).is_integer) {
-        std::array<GLuint, 4> whole{};
-        glReadPixels(x, row, 1, 1, GL_RGBA_INTEGER, GL_UNSIGNED_INT, whole.data());
-        std::ranges::transform(whole, rgba.begin(),
-                               [](GLuint number) { return static_cast<float>(number); });
-    } else {
-        glReadPixels(x, row, 1, 1, GL_RGBA, GL_FLOAT, rgba.data());
-    }
+    with_numbers_of(texture.format(), rgba, [x, row](GLenum type, void* numbers) {
+        glReadPixels(x, row, 1, 1, type == GL_FLOAT ? GL_RGBA : GL_RGBA_INTEGER, type, numbers);
+    });
     glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
     return rgba;
 }

@@ -95,13 +95,15 @@ Result<void> Executor::replace(Look look, Programs programs) {
 }
 
 Result<void> Executor::make_empty() {
-    for (const Format format : {Format::rgba8, Format::r32ui}) {
-        if (m_empty.contains(format))
+    for (const auto& [kind, format] : {std::pair{SampleKind::floating, Format::rgba8},
+                                       std::pair{SampleKind::natural, Format::r32ui},
+                                       std::pair{SampleKind::integer, Format::r32i}}) {
+        if (m_empty.contains(kind))
             continue;
         auto empty = gpu::Canvas::make({1, 1}, format);
         if (!empty)
             return fail(empty.error());
-        m_empty.emplace(format, std::move(*empty));
+        m_empty.emplace(kind, std::move(*empty));
     }
     return {};
 }

@@ -273,7 +273,7 @@ private:
     CubeCopies m_cubes;
     SoundTextures m_sound;
     std::map<std::string, std::shared_ptr<const gpu::Texture>> m_images;
-    std::map<Format, gpu::Canvas> m_empty;  // one texel of transparent black
+    std::map<SampleKind, gpu::Canvas> m_empty;  // one texel of transparent black
     gpu::Samplers m_samplers;
     mutable Upright m_upright;
     Guard m_guard = Guard::off;

@@ -292,13 +292,24 @@ void Executor::aim(std::size_t index) {
 namespace {
 using Sampled = gpu::Uniform::Sampled;
 
-bool can_read(Sampled sampled, const gpu::Texture& texture) {
-    const bool holds_naturals = facts_of(texture.format()).is_integer;
+// Of 2D textures.
+std::optional<SampleKind> kind_read_by(Sampled sampled) {
     switch (sampled) {
         case Sampled::floating:
+            return SampleKind::floating;
         case Sampled::natural:
-            return texture.shape() == PictureShape::flat &&
-                   holds_naturals == (sampled == Sampled::natural);
+            return SampleKind::natural;
+        case Sampled::integer:
+            return SampleKind::integer;
+        default:
+            return std::nullopt;
+    }
+}
+
+bool can_read(Sampled sampled, const gpu::Texture& texture) {
+    if (const auto kind = kind_read_by(sampled))
+        return texture.shape() == PictureShape::flat && sample_kind_of(texture.format()) == *kind;
+    switch (sampled) {
         case Sampled::cube:
             return texture.shape() == PictureShape::cube;
         case Sampled::volume:
@@ -313,10 +324,10 @@ void Executor::bind(const PassState& state) {
     for (const BoundInput& input : state.inputs) {
         const gpu::Texture* texture =
             input.sampled == Sampled::cube ? cube_for(input) : texture_for(input);
-        if (!texture || !can_read(input.sampled, *texture))
-            texture = input.sampled == Sampled::natural    ? &m_empty.at(Format::r32ui).texture()
-                      : input.sampled == Sampled::floating ? &m_empty.at(Format::rgba8).texture()
-                                                           : nullptr;
+        if (!texture || !can_read(input.sampled, *texture)) {
+            const auto kind = kind_read_by(input.sampled);
+            texture = kind ? &m_empty.at(*kind).texture() : nullptr;
+        }
         if (texture)
             m_samplers.bind(input.unit, *texture, input.sampler);
         else

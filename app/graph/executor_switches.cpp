@@ -114,7 +114,7 @@ void Executor::pass_through(std::size_t index) {
     const gpu::Texture* from = texture_for(input);
     Target& target = m_targets[index];
     m_passes[index].timer->begin();
-    m_pass_through->draw(from ? *from : m_empty.at(Format::rgba8).texture(), input.sampler,
+    m_pass_through->draw(from ? *from : m_empty.at(SampleKind::floating).texture(), input.sampler,
                          target.canvas(), m_samplers, rows_of(input) != pass.rows);
     m_passes[index].timer->end();
     target.canvas().texture().generate_mipmaps();

@@ -2,7 +2,8 @@
 
 #include "gpu/draw.h"
 #include "graph/measuring.h"
-#include "graph/texel_text.h"
+
+#include <algorithm>
 
 namespace {
 constexpr const char* gather_start = R"(#version 410 core
@@ -13,37 +14,29 @@ uniform ivec2 place;  // texel, from the bottom left
 constexpr const char* gather_end = R"(
 void main() { color = texel_at(place); }
 )";
-
-Result<gpu::Program> build_gatherer(const std::string& reading) {
-    return build_measuring_program(gather_start + reading + gather_end);
-}
 }  // namespace
 
-Gatherer::Gatherer(gpu::Program floats, gpu::Program naturals)
-    : m_floats(std::move(floats)), m_naturals(std::move(naturals)) {}
-
 Result<Gatherer> Gatherer::make() {
-    auto floats = build_gatherer(float_texel_text);
-    if (!floats)
-        return fail(floats.error());
-    auto naturals = build_gatherer(natural_texel_text);
-    if (!naturals)
-        return fail(naturals.error());
-    return Gatherer(std::move(*floats), std::move(*naturals));
+    auto programs = build_texel_programs(gather_start, gather_end);
+    if (!programs)
+        return fail(programs.error());
+    return Gatherer(std::move(*programs));
 }
 
 void Gatherer::start(const std::vector<TexelPlace>& places) {
     stop();
     const Extent row{static_cast<int>(places.size()), 1};
-    if (places.empty() || !fit_floats(m_canvas, row))
+    const bool can_read = std::ranges::all_of(places, [this](const TexelPlace& one) {
+        return m_programs.find(one.target.format()) != nullptr;
+    });
+    if (places.empty() || !can_read || !fit_floats(m_canvas, row))
         return;
     const gpu::DrawScope scope;
     m_vertices.bind();
     for (int i = 0; i < row.width; ++i) {
         const TexelPlace& one = places[static_cast<std::size_t>(i)];
         const Extent extent = one.target.extent();
-        const gpu::Program& program =
-            facts_of(one.target.format()).is_integer ? m_naturals : m_floats;
+        const gpu::Program& program = *m_programs.find(one.target.format());
         program.write("place",
                       std::array<double, 2>{static_cast<double>(one.x),
                                             static_cast<double>(extent.height - 1 - one.y)});

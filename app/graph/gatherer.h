@@ -1,9 +1,9 @@
 #pragma once
 
 #include "gpu/download.h"
-#include "gpu/program.h"
 #include "gpu/samplers.h"
 #include "gpu/vertex_array.h"
+#include "graph/sample_programs.h"
 
 #include <array>
 #include <optional>
@@ -31,10 +31,9 @@ public:
     void stop() { m_to_come.reset(); }
 
 private:
-    Gatherer(gpu::Program floats, gpu::Program naturals);
+    explicit Gatherer(SamplePrograms programs) : m_programs(std::move(programs)) {}
 
-    gpu::Program m_floats;
-    gpu::Program m_naturals;  // for integer targets
+    SamplePrograms m_programs;
     gpu::VertexArray m_vertices;
     gpu::Samplers m_samplers;
     std::optional<gpu::Canvas> m_canvas;  // one row

@@ -1,5 +1,7 @@
 #include "graph/measuring.h"
 
+#include "graph/texel_text.h"
+
 #include <algorithm>
 
 namespace {
@@ -13,6 +15,12 @@ void main() {
 
 Result<gpu::Program> build_measuring_program(const std::string& fragment_text) {
     return gpu::Program::build({{}, vertex_text, {}}, {{}, fragment_text, {}});
+}
+
+Result<SamplePrograms> build_texel_programs(std::string start, std::string end) {
+    return SamplePrograms::make([start = std::move(start), end = std::move(end)](SampleKind kind) {
+        return build_measuring_program(start + texel_text(kind) + end);
+    });
 }
 
 bool fit_canvas(std::optional<gpu::Canvas>& canvas, Extent extent, Format format) {

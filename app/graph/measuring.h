@@ -2,7 +2,7 @@
 
 #include "gpu/canvas.h"
 #include "gpu/download.h"
-#include "gpu/program.h"
+#include "graph/sample_programs.h"
 
 #include <array>
 #include <optional>
@@ -13,6 +13,10 @@
 
 /// A fragment stage of the program's own, drawn over the whole of a target.
 Result<gpu::Program> build_measuring_program(const std::string& fragment_text);
+
+/// The same for every kind of texture: between the parts it is told how texels are read, see
+/// texel_text.h.
+Result<SamplePrograms> build_texel_programs(std::string start, std::string end);
 
 /// Makes the canvas anew where it has another size or format; false without memory: then nothing is
 /// measured, and the passes themselves are what needs it.

@@ -2,7 +2,6 @@
 
 #include "gpu/draw.h"
 #include "graph/measuring.h"
-#include "graph/texel_text.h"
 
 #include <algorithm>
 #include <array>
@@ -80,10 +79,6 @@ void main() {
 }
 )";
 
-Result<gpu::Program> build_meter(const std::string& reading) {
-    return build_measuring_program(meter_start + reading + meter_end);
-}
-
 int block_side_for(Extent extent) {
     const int longest = std::max(extent.width, extent.height);
     return std::clamp((longest + most_blocks - 1) / most_blocks, least_block_side, most_block_side);
@@ -143,13 +138,10 @@ std::size_t clipped_in(const std::vector<float>& texels) {
 }  // namespace
 
 Result<MeterPrograms> MeterPrograms::make() {
-    auto floats = build_meter(float_texel_text);
-    if (!floats)
-        return fail(floats.error());
-    auto naturals = build_meter(natural_texel_text);
-    if (!naturals)
-        return fail(naturals.error());
-    return MeterPrograms{std::move(*floats), std::move(*naturals)};
+    auto programs = build_texel_programs(meter_start, meter_end);
+    if (!programs)
+        return fail(programs.error());
+    return MeterPrograms{std::move(*programs)};
 }
 
 void Meter::draw(const gpu::Texture& from, const gpu::Program& program, ChannelChoice channels,
@@ -179,15 +171,15 @@ void Meter::draw(const gpu::Texture& from, const gpu::Program& program, ChannelC
 void Meter::start(const gpu::Texture& from, ChannelChoice channels, std::optional<double> ceiling) {
     stop();
     m_measured = from.extent();
-    const bool is_integer = facts_of(from.format()).is_integer;
     m_is_color = channels == ChannelChoice::rgb && facts_of(from.format()).channels > 1;
     const int side = block_side_for(m_measured);
     const Extent samples{std::min(m_measured.width, most_samples),
                          std::min(m_measured.height, most_samples)};
-    if (m_measured.is_empty() || !fit_floats(m_blocks, blocks_of(m_measured, side)) ||
+    const gpu::Program* program = m_programs->all.find(from.format());
+    if (!program || m_measured.is_empty() || !fit_floats(m_blocks, blocks_of(m_measured, side)) ||
         !fit_floats(m_samples, samples))
         return;
-    draw(from, is_integer ? m_programs->naturals : m_programs->floats, channels, ceiling);
+    draw(from, *program, channels, ceiling);
     m_blocks_to_come.emplace(*m_blocks);
     m_samples_to_come.emplace(*m_samples);
 }

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "gpu/download.h"
-#include "gpu/program.h"
 #include "gpu/samplers.h"
 #include "gpu/vertex_array.h"
+#include "graph/sample_programs.h"
 #include "graph/viewer.h"
 #include "model/statistics.h"
 
@@ -20,8 +20,7 @@ struct Measured {
 struct MeterPrograms {
     static Result<MeterPrograms> make();
 
-    gpu::Program floats;
-    gpu::Program naturals;  // for integer targets
+    SamplePrograms all;
 };
 
 /// Measures targets without waiting: one draw reduces every texel to sums of blocks, one takes

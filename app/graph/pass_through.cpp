@@ -2,6 +2,8 @@
 
 #include "gpu/draw.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <string>
 
@@ -16,27 +18,39 @@ void main() {
 }
 )";
 
-std::string fragment_text(bool from_naturals, bool to_naturals) {
-    const std::string read = "texture(image, uv)";
-    return std::string("#version 410 core\nin vec2 uv;\nuniform ") +
-           (from_naturals ? "usampler2D" : "sampler2D") + " image;\nout " +
-           (to_naturals ? "uvec4" : "vec4") + " color;\nvoid main() { color = " +
-           (to_naturals ? "uvec4(" + (from_naturals ? read : "max(" + read + ", 0.0)") + ")"
-                        : "vec4(" + read + ")") +
-           "; }\n";
+// What the kind that is written has too: below 0 a natural has none, above the half an integer.
+std::string held_text(SampleKind read, SampleKind written) {
+    std::string numbers = "texture(image, uv)";
+    if (written == SampleKind::natural && read != SampleKind::natural)
+        return fmt::format("max({}, {}vec4(0))", numbers, glsl_prefix(read));
+    if (written == SampleKind::integer && read == SampleKind::natural)
+        return fmt::format("min({}, 0x7fffffffu)", numbers);
+    return numbers;
+}
+
+Result<gpu::Program> build_through(SampleKind read, SampleKind written) {
+    const std::string fragment =
+        fmt::format(R"(#version 410 core
+in vec2 uv;
+uniform {0}sampler2D image;
+out {1}vec4 color;
+void main() {{ color = {1}vec4({2}); }}
+)",
+                    glsl_prefix(read), glsl_prefix(written), held_text(read, written));
+    return gpu::Program::build({{}, through_vertex, {}}, {{}, fragment, {}});
 }
 }  // namespace
 
 Result<PassThroughPrograms> build_pass_through() {
     PassThroughPrograms programs;
-    for (const bool to_naturals : {false, true})
-        for (const bool from_naturals : {false, true}) {
-            auto program = gpu::Program::build({{}, through_vertex, {}},
-                                               {{}, fragment_text(from_naturals, to_naturals), {}});
-            if (!program)
-                return fail(program.error());
-            programs.push_back(std::move(*program));
-        }
+    for (const SampleKind written :
+         {SampleKind::floating, SampleKind::natural, SampleKind::integer}) {
+        auto into = SamplePrograms::make(
+            [written](SampleKind read) { return build_through(read, written); });
+        if (!into)
+            return fail(into.error());
+        programs.push_back(std::move(*into));
+    }
     return programs;
 }
 
@@ -49,10 +63,11 @@ Result<PassThrough> PassThrough::make() {
 
 void PassThrough::draw(const gpu::Texture& from, const Sampler& sampler, const gpu::Canvas& to,
                        gpu::Samplers& samplers, bool is_flipped) const {
-    const bool from_naturals = facts_of(from.format()).is_integer;
-    const bool to_naturals = facts_of(to.texture().format()).is_integer;
-    const gpu::Program& program =
-        (*m_programs)[(to_naturals ? 2U : 0U) + (from_naturals ? 1U : 0U)];
+    const auto written = static_cast<std::size_t>(sample_kind_of(to.texture().format()));
+    const gpu::Program* found = (*m_programs)[written].find(from.format());
+    if (!found)
+        return;
+    const gpu::Program& program = *found;
     program.write("is_flipped", std::array{is_flipped ? 1.0 : 0.0});
     program.use();
     samplers.bind(0, from, sampler);

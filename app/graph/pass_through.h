@@ -1,20 +1,21 @@
 #pragma once
 
 #include "gpu/canvas.h"
-#include "gpu/program.h"
 #include "gpu/samplers.h"
 #include "gpu/vertex_array.h"
+#include "graph/sample_programs.h"
 
 #include <memory>
 #include <utility>
 #include <vector>
 
-/// What PassThroughs draw with: from floats, from naturals; then the same into naturals.
-using PassThroughPrograms = std::vector<gpu::Program>;
+/// What PassThroughs draw with: into each kind of numbers.
+using PassThroughPrograms = std::vector<SamplePrograms>;
 Result<PassThroughPrograms> build_pass_through();
 
 /// Draws what a texture holds over the whole of a target of any size and format: what a bypassed
-/// pass does. Numbers stay as they are; of lights an integer target takes the whole part.
+/// pass does. Numbers stay as they are; of lights an integer target takes the whole part, and of
+/// numbers that it has none of the nearest.
 class PassThrough {
 public:
     /// With programs of its own.

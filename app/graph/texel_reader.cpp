@@ -2,7 +2,6 @@
 
 #include "gpu/draw.h"
 #include "graph/measuring.h"
-#include "graph/texel_text.h"
 
 namespace {
 constexpr const char* reader_start = R"(#version 410 core
@@ -18,32 +17,25 @@ void main() {
     color = texel_at(ivec2(texel.x, last.y - texel.y));
 }
 )";
-
-Result<gpu::Program> build_reader(const std::string& reading) {
-    return build_measuring_program(reader_start + reading + reader_end);
-}
 }  // namespace
 
 Result<TexelReader> TexelReader::make() {
-    auto floats = build_reader(float_texel_text);
-    if (!floats)
-        return fail(floats.error());
-    auto naturals = build_reader(natural_texel_text);
-    if (!naturals)
-        return fail(naturals.error());
-    return TexelReader(std::move(*floats), std::move(*naturals));
+    auto programs = build_texel_programs(reader_start, reader_end);
+    if (!programs)
+        return fail(programs.error());
+    return TexelReader(std::move(*programs));
 }
 
 bool TexelReader::draw(const gpu::Texture& from, const TexelRows& rows,
                        std::optional<gpu::Canvas>& to) {
-    if (rows.count.is_empty() || !fit_floats(to, rows.count))
+    const gpu::Program* program = m_programs.find(from.format());
+    if (!program || rows.count.is_empty() || !fit_floats(to, rows.count))
         return false;
     const gpu::DrawScope scope;
-    const gpu::Program& program = facts_of(from.format()).is_integer ? m_naturals : m_floats;
-    program.write("first", rows.first);
-    program.write("across", rows.across);
-    program.write("down", rows.down);
-    program.use();
+    program->write("first", rows.first);
+    program->write("across", rows.across);
+    program->write("down", rows.down);
+    program->use();
     m_samplers.bind(0, from, {Filter::nearest, Wrap::edge, false});
     to->bind();
     m_vertices.bind();

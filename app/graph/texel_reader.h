@@ -1,9 +1,9 @@
 #pragma once
 
 #include "gpu/download.h"
-#include "gpu/program.h"
 #include "gpu/samplers.h"
 #include "gpu/vertex_array.h"
+#include "graph/sample_programs.h"
 
 #include <array>
 #include <optional>
@@ -30,11 +30,9 @@ public:
     bool draw(const gpu::Texture& from, const TexelRows& rows, std::optional<gpu::Canvas>& to);
 
 private:
-    TexelReader(gpu::Program floats, gpu::Program naturals)
-        : m_floats(std::move(floats)), m_naturals(std::move(naturals)) {}
+    explicit TexelReader(SamplePrograms programs) : m_programs(std::move(programs)) {}
 
-    gpu::Program m_floats;
-    gpu::Program m_naturals;  // for integer targets
+    SamplePrograms m_programs;
     gpu::VertexArray m_vertices;
     gpu::Samplers m_samplers;
 };

@@ -1,5 +1,9 @@
 #pragma once
 
+#include "graph/sample_programs.h"
+
+#include <fmt/format.h>
+
 #include <string>
 
 // GLSL for stages that read the texels of any target: `shown`, a sampler; `texel_at(place)`, RGBA;
@@ -15,12 +19,10 @@ vec3 chosen(vec4 rgba) {
 }
 )";
 
-inline const std::string float_texel_text = choosing_text + R"(
-uniform sampler2D shown;
-vec4 texel_at(ivec2 texel) { return texelFetch(shown, texel, 0); }
-)";
-
-inline const std::string natural_texel_text = choosing_text + R"(
-uniform usampler2D shown;  // of an integer target
-vec4 texel_at(ivec2 texel) { return vec4(texelFetch(shown, texel, 0)); }
-)";
+/// Of targets that hold this kind of numbers.
+inline std::string texel_text(SampleKind kind) {
+    return fmt::format(
+        "{}uniform {}sampler2D shown;\n"
+        "vec4 texel_at(ivec2 texel) {{ return vec4(texelFetch(shown, texel, 0)); }}\n",
+        choosing_text, glsl_prefix(kind));
+}

@@ -160,20 +160,23 @@ void main() {
 }
 )";
 
-constexpr const char* smooth_floats = R"(
+// Whole numbers cannot be filtered.
+std::string reading_text(SampleKind kind) {
+    constexpr const char* smooth = R"(
 vec4 rgba_at(vec2 texel) { return texture(shown, texel / vec2(textureSize(shown, 0))); }
 )";
-
-constexpr const char* smooth_naturals = R"(
+    constexpr const char* nearest = R"(
 vec4 rgba_at(vec2 texel) {
     ivec2 last = textureSize(shown, 0) - 1;
     return texel_at(clamp(ivec2(floor(texel)), ivec2(0), last));
 }
 )";
+    return texel_text(kind) + (kind == SampleKind::floating ? smooth : nearest);
+}
 
-Result<gpu::Program> build_view(const std::string& reading) {
+Result<gpu::Program> build_view(const std::string& options, SampleKind kind) {
     const Stage vertex{{}, view_vertex, {}};
-    const Stage fragment{{}, view_start + reading + view_end, {}};
+    const Stage fragment{{}, view_start + options + reading_text(kind) + view_end, {}};
     return gpu::Program::build(vertex, fragment);
 }
 }  // namespace
@@ -190,15 +193,15 @@ std::array<double, 3> false_color(double place) {
 }
 
 Result<ViewerPrograms> ViewerPrograms::make() {
-    auto encoded = build_view(nothing(true) + float_texel_text + smooth_floats);
-    auto light = build_view(nothing(false) + float_texel_text + smooth_floats);
-    auto floats = build_view(anything + float_texel_text + smooth_floats);
-    auto naturals = build_view(anything + natural_texel_text + smooth_naturals);
-    for (const auto* program : {&encoded, &light, &floats, &naturals})
+    auto encoded = build_view(nothing(true), SampleKind::floating);
+    auto light = build_view(nothing(false), SampleKind::floating);
+    for (const auto* program : {&encoded, &light})
         if (!*program)
             return fail(program->error());
-    return ViewerPrograms{std::move(*encoded), std::move(*light), std::move(*floats),
-                          std::move(*naturals)};
+    auto all = SamplePrograms::make([](SampleKind kind) { return build_view(anything, kind); });
+    if (!all)
+        return fail(all.error());
+    return ViewerPrograms{std::move(*encoded), std::move(*light), std::move(*all)};
 }
 
 Result<Viewer> Viewer::make() {
@@ -208,14 +211,15 @@ Result<Viewer> Viewer::make() {
     return Viewer(std::make_shared<const ViewerPrograms>(std::move(*programs)));
 }
 
-const gpu::Program& Viewer::program_for(Format format, const ViewOptions& options,
+const gpu::Program* Viewer::program_for(Format format, const ViewOptions& options,
                                         bool is_encoded) const {
-    if (facts_of(format).is_integer)
-        return m_programs->naturals;
-    const bool is_plain = options.levels == Levels{} && options.exposure_stops == 0.0 &&
-                          !options.marks_flaws && !options.marks_clipping &&
-                          !options.is_false_color && !options.is_over_checker;
-    return !is_plain ? m_programs->floats : is_encoded ? m_programs->encoded : m_programs->light;
+    const bool is_plain = !facts_of(format).is_integer && options.levels == Levels{} &&
+                          options.exposure_stops == 0.0 && !options.marks_flaws &&
+                          !options.marks_clipping && !options.is_false_color &&
+                          !options.is_over_checker;
+    if (!is_plain)
+        return m_programs->all.find(format);
+    return is_encoded ? &m_programs->encoded : &m_programs->light;
 }
 
 void Viewer::draw(const gpu::Texture& from, const gpu::Canvas& to, const ViewOptions& options) {
@@ -236,10 +240,13 @@ void Viewer::draw(const gpu::Texture& from, const gpu::Canvas& to, const ViewOpt
         options.channels == ChannelChoice::rgb && facts_of(from.format()).channels == 1;
     const ChannelChoice channels = is_lone ? ChannelChoice::red : options.channels;
 
+    const gpu::Program* found = program_for(from.format(), options, is_encoded);
+    if (!found)
+        return;
+    const gpu::Program& program = *found;
     const gpu::DrawScope scope;
     if (options.columns)
         gpu::limit_columns((*options.columns)[0], (*options.columns)[1]);
-    const gpu::Program& program = program_for(from.format(), options, is_encoded);
     program.write("region", region);
     program.write("texels_a_pixel", density);
     program.write("levels", std::array{options.levels.black,

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "gpu/canvas.h"
-#include "gpu/program.h"
 #include "gpu/samplers.h"
 #include "gpu/vertex_array.h"
+#include "graph/sample_programs.h"
 #include "model/levels.h"
 #include "model/picture.h"
 
@@ -49,8 +49,7 @@ struct ViewerPrograms {
 
     gpu::Program encoded;  // floats as they are, where nothing is asked; of display values
     gpu::Program light;    // the same of light
-    gpu::Program floats;   // floats, whatever is asked
-    gpu::Program naturals;
+    SamplePrograms all;    // whatever is asked
 };
 
 /// Draws targets as a person looks into them: thumbnails, and views with levels, exposure, channels
@@ -66,7 +65,7 @@ public:
     void draw(const gpu::Texture& from, const gpu::Canvas& to, const ViewOptions& options = {});
 
 private:
-    const gpu::Program& program_for(Format format, const ViewOptions& options,
+    const gpu::Program* program_for(Format format, const ViewOptions& options,
                                     bool is_encoded) const;
 
     std::shared_ptr<const ViewerPrograms> m_programs;  // of who looks in the same context

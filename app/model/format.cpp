@@ -26,12 +26,28 @@ const std::vector<FormatFacts>& all_formats() {
         {Format::rgba16ui, "rgba16ui", 4, 8, false, true},
         {Format::rg32ui, "rg32ui", 2, 8, false, true},
         {Format::rgba32ui, "rgba32ui", 4, 16, false, true},
+        {Format::r32i, "r32i", 1, 4, false, true, true},
+        {Format::r8i, "r8i", 1, 1, false, true, true},
+        {Format::rg8i, "rg8i", 2, 2, false, true, true},
+        {Format::rgba8i, "rgba8i", 4, 4, false, true, true},
+        {Format::r16i, "r16i", 1, 2, false, true, true},
+        {Format::rg16i, "rg16i", 2, 4, false, true, true},
+        {Format::rgba16i, "rgba16i", 4, 8, false, true, true},
+        {Format::rg32i, "rg32i", 2, 8, false, true, true},
+        {Format::rgba32i, "rgba32i", 4, 16, false, true, true},
     };
     return formats;
 }
 
 const FormatFacts& facts_of(Format format) {
     return all_formats()[static_cast<std::size_t>(format)];
+}
+
+SampleKind sample_kind_of(Format format) {
+    const FormatFacts& facts = facts_of(format);
+    if (!facts.is_integer)
+        return SampleKind::floating;
+    return facts.is_signed ? SampleKind::integer : SampleKind::natural;
 }
 
 std::optional<Format> one_channel_of(Format format) {

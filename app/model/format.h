@@ -28,7 +28,20 @@ enum class Format {
     rgba16ui,
     rg32ui,
     rgba32ui,
+    r32i,
+    r8i,
+    rg8i,
+    rgba8i,
+    r16i,
+    rg16i,
+    rgba16i,
+    rg32i,
+    rgba32i,
 };
+
+/// The numbers that samplers read in a target and that stages write into it: fractions and light,
+/// whole ones from 0, or whole ones of either sign.
+enum class SampleKind { floating, natural, integer };
 
 struct FormatFacts {
     Format format = Format::rgba16f;
@@ -37,10 +50,12 @@ struct FormatFacts {
     int bytes = 8;  // a texel
     bool is_float = true;
     bool is_integer = false;
+    bool is_signed = false;  // of an integer one
 };
 
 const std::vector<FormatFacts>& all_formats();
 const FormatFacts& facts_of(Format format);
+SampleKind sample_kind_of(Format format);
 /// The same numbers, but red alone; none for what has no such form.
 std::optional<Format> one_channel_of(Format format);
 /// The same channels in floats of 16 bits; none for what has no floats of 32.

@@ -52,6 +52,18 @@ double format_limit(Format format) {
         case Format::rg32ui:
         case Format::rgba32ui:
             return 4294967295.0;
+        case Format::r8i:
+        case Format::rg8i:
+        case Format::rgba8i:
+            return 127.0;
+        case Format::r16i:
+        case Format::rg16i:
+        case Format::rgba16i:
+            return 32767.0;
+        case Format::r32i:
+        case Format::rg32i:
+        case Format::rgba32i:
+            return 2147483647.0;
     }
     return 1.0;
 }

@@ -47,6 +47,41 @@ class ExportTest(ProgramTest):
         return [file.name for file in self.folder.iterdir() if file.name.startswith(".afterglow")]
 
 
+class Targets(ExportTest):
+    def test_numbers_below_zero_of_a_pass_of_whole_numbers_are_saved(self):
+        self.write("look.json", """{ "format": "afterglow-look", "version": 1, "name": "Signed", "driven_by": "nothing", "passes": [
+            { "name": "signed", "fragment": "i.frag", "format": "rgba32i" },
+            { "name": "light", "fragment": "f.frag", "format": "rgba32f" },
+            { "name": "shown", "fragment": "s.frag", "inputs": { "image": "signed" } }]}""")
+        self.write("s.frag", """#version 410 core
+            uniform isampler2D image;
+            out vec4 color;
+            void main() { color = vec4(texelFetch(image, ivec2(0), 0).r == -5 ? 0.2 : 0.0); }""")
+        for name, kind in (("i", "ivec4"), ("f", "vec4")):
+            self.write(f"{name}.frag", f"""#version 410 core
+                out {kind} color;
+                void main() {{ color = {kind}(-5, 70000, -2147483647 - 1, -32768); }}""")
+        for name in ("signed", "light"):
+            for ending in ("exr", "png"):
+                self.assert_done(run("render", self.folder, "--size", "4x4", "--pass", name, "-o",
+                                     self.folder / f"{name}.{ending}"))
+        self.assert_done(run("render", self.folder, "--size", "4x4", "-o", self.folder / "shown.png"))
+        self.assertEqual(read_png(self.folder / "shown.png")[2][0][0], 51)
+        for ending in ("exr", "png"):
+            self.assert_done(run("compare", self.folder / f"signed.{ending}", self.folder / f"light.{ending}",
+                                 "--fail-above", "max=0"))
+        numbers = self.write("i.frag", """#version 410 core
+            out ivec4 color;
+            void main() { color = ivec4(-4, 70000, -2147483647 - 1, -32768); }""")
+        self.assert_done(run("render", self.folder, "--size", "4x4", "--pass", "signed", "-o", numbers.with_suffix(".exr")))
+        self.assert_refused(run("compare", numbers.with_suffix(".exr"), self.folder / "light.exr", "--fail-above", "max=0"))
+        passes = json.loads(run("describe", self.folder, "--json").stdout)["passes"]
+        self.assertEqual(passes[0]["format"], "rgba32i")
+        # 4 x 4 bytes a pixel are written and read, 4 are shown.
+        measured = json.loads(run("bench", self.folder, "--size", "4x4", "--frames", "2", "--json").stdout)
+        self.assertEqual(measured["bytes_per_pixel"], 36)
+
+
 class Sequences(ExportTest):
     def test_each_file_is_what_the_frame_alone_gives(self):
         for texel in ("rgba8", "rgba16f", "rgba32f"):

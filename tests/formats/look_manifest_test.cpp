@@ -332,7 +332,8 @@ TEST_CASE("sizes, formats and counts are checked") {
         "of: r8, "
         "rg8, rgba8, srgb8_alpha8, rgb10_a2, r11f_g11f_b10f, r16f, rg16f, rgba16f, r32f, rg32f, "
         "rgba32f, "
-        "r32ui, r8ui, rg8ui, rgba8ui, rgb10_a2ui, r16ui, rg16ui, rgba16ui, rg32ui, rgba32ui\n");
+        "r32ui, r8ui, rg8ui, rgba8ui, rgb10_a2ui, r16ui, rg16ui, rgba16ui, rg32ui, rgba32ui, "
+        "r32i, r8i, rg8i, rgba8i, r16i, rg16i, rgba16i, rg32i, rgba32i\n");
     const auto whole =
         disk.load(look_with("", R"({"name": "j", "fragment": "blur.frag", "format": "r32ui"},
 {"name": "k", "fragment": "blur.frag", "inputs": {"a": "j"}})"));

@@ -93,16 +93,20 @@ TEST_CASE_FIXTURE(Headless, "a canvas is cleared to a colour and copied") {
     REQUIRE(whole.has_value());
     whole->clear({70000.0f, 0, 0, 0});
     CHECK(gpu::read_pixel(whole->texture(), 0, 0)[0] == 70000.0f);
+    whole->clear({-5.0f, 0, 0, 0});
+    CHECK(gpu::read_pixel(whole->texture(), 0, 0)[0] == 0.0f);
 }
 
 TEST_CASE_FIXTURE(Headless, "whole numbers of every integer format come back, channel by channel") {
-    constexpr std::array<float, 4> numbers{200.0f, 100.0f, 50.0f, 3.0f};
+    constexpr std::array<float, 4> from_zero{200.0f, 100.0f, 50.0f, 3.0f};
+    constexpr std::array<float, 4> of_either_sign{-128.0f, 127.0f, -5.0f, -1.0f};
     for (const FormatFacts& facts : all_formats()) {
         if (!facts.is_integer)
             continue;
         CAPTURE(facts.name);
         auto whole = gpu::Canvas::make({2, 1}, facts.format);
         REQUIRE(whole.has_value());
+        const auto& numbers = facts.is_signed ? of_either_sign : from_zero;
         whole->clear(numbers);
         const auto pixel = gpu::read_pixel(whole->texture(), 1, 0);
         const Picture picture = gpu::read_picture(whole->texture());

@@ -82,6 +82,42 @@ TEST_CASE_FIXTURE(Headless, "a bypass goes between integer and floating targets"
     CHECK(red(executor, 2) == 2.0f);
 }
 
+namespace {
+// What a bypassed target of the second format has of the number that one of the first is given.
+float handed_on(Format from, const std::string& number, Format to) {
+    const auto writing = [](Format format, const std::string& value) {
+        const std::string type(
+            std::array{"vec4", "uvec4", "ivec4"}[static_cast<std::size_t>(sample_kind_of(format))]);
+        return Stage{"test.frag",
+                     "#version 410 core\nout " + type + " color;\nvoid main() { color = " + type +
+                         "(" + value + "); }\n",
+                     {}};
+    };
+    Look look = look_of({pass("given", ""), pass("whole", "", {reads("image", "given")})});
+    look.passes[0].format = from;
+    look.passes[0].fragment = writing(from, number);
+    look.passes[1].format = to;
+    look.passes[1].fragment = writing(to, "1");
+    Executor executor = executor_of(look);
+    run(executor, {drawn, bypassed});
+    executor.draw(frame(1));
+    return red(executor, 1);
+}
+}  // namespace
+
+TEST_CASE_FIXTURE(Headless,
+                  "a bypass keeps a number that both targets hold, or gives the nearest") {
+    CHECK(handed_on(Format::rgba32f, "-3.75", Format::r16i) == -3.0f);
+    CHECK(handed_on(Format::rgba32f, "-3.75", Format::r16ui) == 0.0f);
+    CHECK(handed_on(Format::r8i, "-128", Format::rgba32f) == -128.0f);
+    CHECK(handed_on(Format::r8i, "-128", Format::r32i) == -128.0f);
+    CHECK(handed_on(Format::r32i, "-5", Format::r32ui) == 0.0f);
+    CHECK(handed_on(Format::r32i, "70000", Format::r32ui) == 70000.0f);
+    CHECK(handed_on(Format::r32ui, "70000u", Format::r32i) == 70000.0f);
+    CHECK(handed_on(Format::r32ui, "4000000000u", Format::r32i) == 2147483648.0f);  // 2^31 - 1
+    CHECK(handed_on(Format::r32ui, "4000000000u", Format::r32ui) == 4000000000.0f);
+}
+
 TEST_CASE_FIXTURE(Headless, "a bypassed pass without a source is transparent black") {
     Look look = look_of({tens("shown", {"image", Input::From::source, "", 0, {}})});
     Executor executor = executor_of(look);

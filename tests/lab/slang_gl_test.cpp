@@ -32,7 +32,10 @@ std::string chain_shader(const std::string& color, const std::vector<std::string
     int binding = 1;
     for (const std::string& sampler : samplers)
         text += fmt::format("layout(set = 0, binding = {}) uniform {}sampler2D {};\n", ++binding,
-                            sampler.starts_with("Whole") ? "u" : "", sampler);
+                            sampler.starts_with("Whole")    ? "u"
+                            : sampler.starts_with("Signed") ? "i"
+                                                            : "",
+                            sampler);
     return text + "void main() { FragColor = " + color + "; }\n";
 }
 
@@ -274,6 +277,37 @@ TEST_CASE("whole numbers go through an integer target as they are") {
          chain_shader("vec4(texture(Whole, at).r == 4000000000u ? 1.0 : 0.0)", {"Whole"})},
         "");
     CHECK(first_red(chain.open({1, 1}, flat(0.0f)).picture_after(1)) == 255);
+}
+
+TEST_CASE("numbers below zero go through every signed target, and its feedback, as they are") {
+    struct Signed {
+        std::string format;
+        std::string least;
+        float read = 0.0f;
+    };
+    const std::string of_32 = "(-2147483647 - 1)";
+    for (const Signed& one :
+         {Signed{"R8_SINT", "-128", -128.0f}, Signed{"R8G8_SINT", "-128", -128.0f},
+          Signed{"R8G8B8A8_SINT", "-128", -128.0f}, Signed{"R16_SINT", "-32768", -32768.0f},
+          Signed{"R16G16_SINT", "-32768", -32768.0f},
+          Signed{"R16G16B16A16_SINT", "-32768", -32768.0f},
+          Signed{"R32_SINT", of_32, -2147483648.0f}, Signed{"R32G32_SINT", of_32, -2147483648.0f},
+          Signed{"R32G32B32A32_SINT", of_32, -2147483648.0f}}) {
+        CAPTURE(one.format);
+        const DrawnChain chain(
+            {chain_shader(fmt::format("ivec4({})", one.least), {},
+                          fmt::format("#pragma format {}\n#pragma name Signed\n", one.format),
+                          "ivec4"),
+             chain_shader(fmt::format("vec4(texture(Signed, at).r == {0} ? 0.2 : 0.0) +"
+                                      " vec4(texture(SignedFeedback, at).r == {0} ? 0.4 : 0.0)",
+                                      one.least),
+                          {"Signed", "SignedFeedback"})},
+            "");
+        Offline offline = chain.open({1, 1}, flat(0.0f));
+        CHECK(first_red(offline.picture_after(1)) == 51);
+        CHECK(first_red(offline.picture_after(1)) == 153);
+        CHECK(offline.picture(0).pixels[0] == one.read);
+    }
 }
 
 TEST_CASE("an input with smaller levels is the mean of what it covers in its smallest") {

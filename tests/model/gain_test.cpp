@@ -45,6 +45,9 @@ TEST_CASE("a format's limit is its largest finite number") {
     CHECK(format_limit(Format::rgba16f) == 65504.0);  // IEEE 754-2008, binary16
     CHECK(format_limit(Format::r32f) == std::ldexp(2.0 - std::ldexp(1.0, -23), 127));
     CHECK(format_limit(Format::r32ui) == std::exp2(32.0) - 1.0);
+    CHECK(format_limit(Format::rgba8i) == std::exp2(7.0) - 1.0);
+    CHECK(format_limit(Format::rg16i) == std::exp2(15.0) - 1.0);
+    CHECK(format_limit(Format::r32i) == std::exp2(31.0) - 1.0);
 }
 
 TEST_CASE("a ceiling limits the pass that keeps light, or else each pass that has it") {

@@ -33,7 +33,10 @@ std::string shader_of(const std::string& color, const std::vector<std::string>& 
     int binding = 1;
     for (const std::string& sampler : samplers)
         text += fmt::format("layout(set = 0, binding = {}) uniform {}sampler2D {};\n", ++binding,
-                            sampler.starts_with("Whole") ? "u" : "", sampler);
+                            sampler.starts_with("Whole")    ? "u"
+                            : sampler.starts_with("Signed") ? "i"
+                                                            : "",
+                            sampler);
     return text + "void main() { FragColor = " + color + "; }\n";
 }
 
@@ -127,6 +130,12 @@ TEST_CASE("parity: the formats of targets") {
                           "#pragma format R32_UINT\n#pragma name Whole\n", "uvec4"),
                 shader_of("vec4(float(texture(Whole, at).r) / 4e9)", {"Whole"})},
                "");
+    for (const char* format : {"R8G8B8A8_SINT", "R16_SINT", "R32G32B32A32_SINT"})
+        check_same(
+            {shader_of("ivec4(texture(Source, at) * 250.0 - 125.0)", {"Source"},
+                       fmt::format("#pragma format {}\n#pragma name Signed\n", format), "ivec4"),
+             shader_of("vec4(texture(Signed, at)) / 250.0 + 0.5", {"Signed"})},
+            "");
 }
 
 TEST_CASE("parity: sizes are rounded, and told") {

@@ -149,6 +149,8 @@ void Surface::begin() const {
     aim();
     if (m_format == GL_R32UI)
         return glClearBufferuiv(GL_COLOR, 0, naught.data());
+    if (m_format == GL_RGBA8I || m_format == GL_R16I || m_format == GL_RGBA32I)
+        return glClearBufferiv(GL_COLOR, 0, std::array<GLint, 4>{}.data());
     glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
     glClear(GL_COLOR_BUFFER_BIT);
 }

@@ -129,7 +129,10 @@ GLenum format_of(const ParsedChain& chain, int pass) {
                                                        {"R32_SFLOAT", GL_R32F},
                                                        {"R32G32_SFLOAT", GL_RG32F},
                                                        {"R32G32B32A32_SFLOAT", GL_RGBA32F},
-                                                       {"R32_UINT", GL_R32UI}};
+                                                       {"R32_UINT", GL_R32UI},
+                                                       {"R8G8B8A8_SINT", GL_RGBA8I},
+                                                       {"R16_SINT", GL_R16I},
+                                                       {"R32G32B32A32_SINT", GL_RGBA32I}};
     const bool is_shown = pass + 1 == count_of(chain) && !ends_with_copy(chain);
     if (pass >= count_of(chain) || is_shown)
         return GL_RGBA8;

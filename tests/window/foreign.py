@@ -27,6 +27,25 @@ void main() {
     color = vec4(vec3(LEVEL, LEVEL, bar), 1.0);
 }
 """
+CHAIN_HEAD = """#version 450
+layout(std140, set = 0, binding = 0) uniform UBO { mat4 MVP; } u;
+#pragma stage vertex
+layout(location = 0) in vec4 Position;
+layout(location = 1) in vec2 TexCoord;
+layout(location = 0) out vec2 at;
+void main() { gl_Position = u.MVP * Position; at = TexCoord; }
+#pragma stage fragment
+layout(location = 0) in vec2 at;
+"""
+BELOW_ZERO = CHAIN_HEAD + """#pragma format R16G16B16A16_SINT
+#pragma name Below
+layout(location = 0) out ivec4 numbers;
+void main() { numbers = ivec4(int(at.x * 8.0) - 5, -128, 127, -32768); }
+"""
+READS_IT = CHAIN_HEAD + """layout(location = 0) out vec4 color;
+layout(set = 0, binding = 2) uniform isampler2D Below;
+void main() { color = vec4(vec3(texture(Below, at).rrr + 5) / 8.0, 1.0); }
+"""
 TAKES_SECONDS = """/*{"INPUTS": [
     {"NAME": "inputImage", "TYPE": "image"},
     {"NAME": "steps", "TYPE": "long", "MIN": 1, "MAX": 1000000000, "DEFAULT": 4000}]}*/
@@ -56,6 +75,31 @@ class Foreign(Person):
 
     def wait_for_color(self, what, place, color):
         self.program.wait_for(what, lambda: self.color_at(*place) == color)
+
+    def test_numbers_below_zero_of_a_pass_are_told_marked_and_measured(self):
+        program = self.program
+        self.looks.parent.joinpath("below.slang").write_text(BELOW_ZERO)
+        self.looks.parent.joinpath("reads.slang").write_text(READS_IT)
+        x, y = self.open_text("signed.slangp", "shaders = 2\nshader0 = below.slang\nshader1 = reads.slang\n")
+        program.click("pass:Below")
+        state = program.wait("its ends are measured", lambda s: s["inspected"] == "Below" and s["measured"])
+        self.assertEqual((state["measured"]["minimum"], state["measured"]["maximum"]), (-128, 127))
+        program.key("p")
+        program.place("back_to_picture")
+        self.hover("picture")
+        program.wait("its numbers are told", lambda s: s["probe"] and s["probe"]["pass"] == "Below" and
+                     s["probe"]["rgba"] == ["-1", "-128", "127", "-32768"])
+        program.click("channels:R")
+        program.click("fit_levels")
+        program.wait("black and white are the ends of red", lambda s: s["levels"] == [-5, 2])
+        self.snapshot("below_zero")
+        program.click("mark_flaws")
+        self.wait_for_color("what is below zero is blue", (x - 100, y), (0, 0, 255))
+        self.snapshot("below_zero_marked")
+        program.click("mark_flaws")
+        program.click("reset_levels")
+        program.click("channels:RGB")
+        program.key("Escape")
 
     def test_the_left_button_is_the_looks_and_the_middle_one_moves_the_view(self):
         x, y = self.open_text("mouse.glsl", FOLLOWS_THE_MOUSE)

@@ -41,7 +41,16 @@ constexpr std::array format_names{FormatName{"R8_UNORM", Format::r8},
                                   FormatName{"R16G16_UINT", Format::rg16ui},
                                   FormatName{"R16G16B16A16_UINT", Format::rgba16ui},
                                   FormatName{"R32G32_UINT", Format::rg32ui},
-                                  FormatName{"R32G32B32A32_UINT", Format::rgba32ui}};
+                                  FormatName{"R32G32B32A32_UINT", Format::rgba32ui},
+                                  FormatName{"R32_SINT", Format::r32i},
+                                  FormatName{"R8_SINT", Format::r8i},
+                                  FormatName{"R8G8_SINT", Format::rg8i},
+                                  FormatName{"R8G8B8A8_SINT", Format::rgba8i},
+                                  FormatName{"R16_SINT", Format::r16i},
+                                  FormatName{"R16G16_SINT", Format::rg16i},
+                                  FormatName{"R16G16B16A16_SINT", Format::rgba16i},
+                                  FormatName{"R32G32_SINT", Format::rg32i},
+                                  FormatName{"R32G32B32A32_SINT", Format::rgba32i}};
 
 // With the corners of all passes: between two texels the last bit of a coordinate decides.
 constexpr const char* stretching_corners = R"(#version 410 core
