@@ -3,6 +3,7 @@
 #include "gpu/context.h"
 #include "graph/image_texture.h"
 #include "graph/view_programs.h"
+#include "model/value_changes.h"
 
 #include <algorithm>
 #include <cassert>
@@ -144,17 +145,14 @@ Result<void> Executor::resize(Extent viewport, Extent source) {
 
 void Executor::set_values(const Values& values) {
     const gpu::ContextScope scope(m_home.get());
-    std::vector<std::string> changed;
-    for (const Parameter& parameter : m_look.parameters)
-        if (value_of(parameter, m_values) != value_of(parameter, values))
-            changed.push_back(parameter.name);
+    const std::vector<std::string> changed = changed_parameters(m_look, m_values, values);
     if (!changed.empty()) {
         restart_samples(redraw_after(m_look, changed).passes);
         end_settled_if_moved(changed);
         m_spots.clear();
     }
-    m_values = values;
-    m_parameters.write(m_look, m_values);
+    follow_values(m_values, values);
+    m_parameters.write(m_look, m_values, changed);
 }
 
 void Executor::claim_programs() {

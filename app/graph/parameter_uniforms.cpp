@@ -77,22 +77,38 @@ void ParameterUniforms::forget_written() {
         driven.written = {};
 }
 
-void ParameterUniforms::write(const Look& look, const Values& values) {
+void ParameterUniforms::write_turned(const Look& look, const Values& values) {
     for (Turned& turned : m_turned) {
         const Orbit orbit = orbit_of(look, values, turned.pass);
         if (turned.written != orbit)
             turned.place.program->write(*turned.place.uniform, turned.matrix(orbit));
         turned.written = orbit;
     }
+}
+
+void ParameterUniforms::write(Driven& driven, const Parameter& parameter, const Values& values) {
+    Value value = value_of(parameter, values);
+    driven.is_over = driven.is_over && value.number() != 0.0;
+    if (driven.is_over)
+        value = Value(0.0);
+    if (value == driven.written && !driven.written.numbers.empty())
+        return;
+    write_to(driven, value_for_shaders(parameter, value));
+    driven.written = value;
+}
+
+void ParameterUniforms::write(const Look& look, const Values& values) {
+    write_turned(look, values);
+    for (Driven& driven : m_driven)
+        write(driven, look.parameters[driven.parameter], values);
+}
+
+void ParameterUniforms::write(const Look& look, const Values& values,
+                              const std::vector<std::string>& changed) {
+    write_turned(look, values);
     for (Driven& driven : m_driven) {
         const Parameter& parameter = look.parameters[driven.parameter];
-        Value value = value_of(parameter, values);
-        driven.is_over = driven.is_over && value.number() != 0.0;
-        if (driven.is_over)
-            value = Value(0.0);
-        if (value == driven.written && !driven.written.numbers.empty())
-            continue;
-        write_to(driven, value_for_shaders(parameter, value));
-        driven.written = value;
+        if (driven.written.numbers.empty() || std::ranges::binary_search(changed, parameter.name))
+            write(driven, parameter, values);
     }
 }

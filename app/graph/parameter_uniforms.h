@@ -20,6 +20,8 @@ public:
     ParameterUniforms(const Look& look, const Programs& programs);
 
     void write(const Look& look, const Values& values);
+    /// The same where since the last write() only these have changed; sorted.
+    void write(const Look& look, const Values& values, const std::vector<std::string>& changed);
     /// A frame has been drawn: events that were on in it are off until they have been let go.
     void end_events();
     /// Somebody else has written to the programs: the next write() writes all.
@@ -45,6 +47,8 @@ private:
     };
 
     static void write_to(const Driven& driven, const Value& usable);
+    static void write(Driven& driven, const Parameter& parameter, const Values& values);
+    void write_turned(const Look& look, const Values& values);
     void find_turned(const Look& look, int pass, const gpu::Program& program);
 
     std::vector<Driven> m_driven;

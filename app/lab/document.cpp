@@ -74,8 +74,12 @@ void Document::set_value(const std::string& name, Value value, bool goes_on) {
     if (!parameter || !present)
         return;
     DocumentState next = state();
-    next.values[*present] = clamped(*parameter, std::move(value));
-    change(std::move(next), parameter->label, goes_on);
+    Value& held = next.values[*present];
+    held = clamped(*parameter, std::move(value));
+    if (!is_restacking() && held == parameter->initial)
+        next.values.erase(*present);  // of the others only what was changed is there already
+    m_undo.change(std::move(next), parameter->label, goes_on);
+    follow_stack();
 }
 
 void Document::set_values(const Values& values, const std::string& step_name, bool goes_on) {

@@ -1,5 +1,6 @@
 // The part of Lab that shows another picture beside the present one, and keeps values in slots.
 #include "lab/lab.h"
+#include "model/value_changes.h"
 
 #include <fmt/format.h>
 
@@ -178,10 +179,8 @@ void Lab::follow_variant(double wall_seconds) {
     if (!former || !m_renderer->variant())
         return start_variant();
     follow_variant_constants();
-    std::vector<std::string> changed;
-    for (const Parameter& parameter : m_document->look().parameters)
-        if (value_of(parameter, former->values) != value_of(parameter, m_variant->values))
-            changed.push_back(parameter.name);
+    const std::vector<std::string> changed =
+        changed_parameters(m_document->look(), former->values, m_variant->values);
     m_renderer->set_variant_values(m_variant->values);
     show_variant_images();
     m_drawn_extent = {};  // sizes may depend on values

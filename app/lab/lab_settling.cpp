@@ -2,6 +2,7 @@
 #include "lab/lab.h"
 #include "lab/morphing.h"
 #include "lab/tryouts.h"
+#include "model/value_changes.h"
 
 #include <algorithm>
 
@@ -15,7 +16,9 @@ std::set<std::string> moving_in(const Modulations& modulations) {
 }  // namespace
 
 void Lab::forget_settling() {
-    m_settling = {};
+    m_settling.seconds = 0.0;
+    m_settling.is_asked = false;
+    m_settling.arrival.reset();
     m_reloader.stop_settling();
 }
 
@@ -35,7 +38,7 @@ void Lab::follow_settling(double wall_seconds) {
     if (!may_settle()) {
         forget_settling();
         if (m_applied) {
-            m_settling.values = m_applied->values;
+            follow_values(m_settling.values, m_applied->values);
             m_settling.modulations = m_applied->modulations;
         }
         return;

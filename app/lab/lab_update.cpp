@@ -8,8 +8,10 @@
 #include "lab/session.h"
 #include "lab/sharing.h"
 #include "lab/tryouts.h"
+#include "model/value_changes.h"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 namespace fs = std::filesystem;
@@ -333,6 +335,31 @@ void Lab::show_images(const ImageTextures& images) {
 }
 
 // Tells player and renderer what the person changed since last told.
+namespace {
+// Without constants of the texts, which are told when they are compiled.
+std::vector<std::string> turned_uniforms(const Look& look, const Values& before,
+                                         const Values& now) {
+    std::vector<std::string> names = changed_parameters(look, before, now);
+    std::erase_if(names,
+                  [&](const std::string& name) { return find_parameter(look, name)->is_constant; });
+    return names;
+}
+
+// As a copy, but for the many values of which mostly one has changed.
+void follow(std::optional<DocumentState>& applied, const DocumentState& state) {
+    if (!applied)
+        applied = state;
+    follow_values(applied->values, state.values);
+    applied->signal = state.signal;
+    applied->source = state.source;
+    applied->overrides = state.overrides;
+    applied->origin = state.origin;
+    applied->stack = state.stack;
+    applied->modulations = state.modulations;
+    assert(*applied == state);
+}
+}  // namespace
+
 void Lab::apply_document() {
     const DocumentState& state = m_document->state();
     m_board.follow(*m_document);
@@ -340,11 +367,9 @@ void Lab::apply_document() {
     if (m_applied == state && m_applied_signal == shown)
         return;
     const bool is_first = !m_applied;
-    std::vector<std::string> names;
-    for (const Parameter& parameter : m_document->look().parameters)
-        if (is_first || (!parameter.is_constant &&  // those are told when they are compiled
-                         value_of(parameter, m_applied->values) != m_document->value(parameter)))
-            names.push_back(parameter.name);
+    const std::vector<std::string> names =
+        is_first ? parameter_names(m_document->look())
+                 : turned_uniforms(m_document->look(), m_applied->values, state.values);
     m_renderer->set_values(state.values);
     m_renderer->set_modulations(state.modulations);
     const auto watched = m_chosen_images.files();
@@ -369,7 +394,7 @@ void Lab::apply_document() {
         succeeded(m_renderer->replace(m_document->drawn_look(), *m_programs));
         redraw.needs_replay = true;
     }
-    m_applied = state;
+    follow(m_applied, state);
     gather_problems();
     reconsider_trip(redraw);
     want(redraw);

@@ -1,6 +1,7 @@
 #include "lab/renderer.h"
 
 #include "base/elapsed.h"
+#include "model/value_changes.h"
 
 #include <algorithm>
 #include <chrono>
@@ -21,8 +22,8 @@ Result<void> Renderer::for_each(Act act) {
 }
 
 void Renderer::set_values(const Values& values) {
-    m_values = values;
-    m_drawn_values = values;
+    follow_values(m_values, values);
+    follow_values(m_drawn_values, values);
     m_executor.set_values(values);
 }
 

@@ -37,7 +37,8 @@ namespace {
 struct Measures {
     Extent viewport;
     Extent source;
-    std::map<std::string, double> values;  // of all parameters
+    const Look& look;
+    const Values& values;
     mutable std::map<std::string, std::map<std::string, double>> names_of_scopes = {};  // so far
 
     // What an expression of a pass may speak of: in a stack the parameters of its own look.
@@ -47,9 +48,15 @@ struct Measures {
         if (!is_new)
             return names;
         names = {{"WIDTH", viewport.width}, {"HEIGHT", viewport.height}};
-        for (const auto& [name, value] : values)
-            if (name.starts_with(pass.scope))
-                names[name.substr(pass.scope.size())] = value;
+        for (const Parameter& parameter : look.parameters) {
+            if (!parameter.name.starts_with(pass.scope))
+                continue;
+            const std::string name = parameter.name.substr(pass.scope.size());
+            const Value& value = value_of(parameter, values);
+            names[name] = value.number();
+            for (std::size_t i = 0; i < value.numbers.size() && i < 4; ++i)
+                names[name + '.' + "xyzw"[i]] = value.numbers[i];
+        }
         return names;
     }
 };
@@ -120,17 +127,6 @@ Result<Format> format_of(const Pass& pass, const Measures& measures) {
         return fail(is_half.error());
     const Format format = *is_one ? one_channel_of(pass.format).value_or(pass.format) : pass.format;
     return *is_half ? half_floats_of(format).value_or(format) : format;
-}
-
-Measures measures_of(const Look& look, Extent viewport, Extent source, const Values& values) {
-    Measures measures{viewport, source, {}};
-    for (const Parameter& parameter : look.parameters) {
-        const Value& value = value_of(parameter, values);
-        measures.values[parameter.name] = value.number();
-        for (std::size_t i = 0; i < value.numbers.size() && i < 4; ++i)
-            measures.values[parameter.name + '.' + "xyzw"[i]] = value.numbers[i];
-    }
-    return measures;
 }
 
 // 0 where it comes to no length.
@@ -212,7 +208,7 @@ bool PlanTerms::must_stand_alone(std::size_t pass) const {
 
 Result<BeamSpot> spot_of(const Look& look, const Pass& pass, Extent viewport, Extent extent,
                          const Values& values) {
-    return spot_in(pass, extent, measures_of(look, viewport, viewport, values));
+    return spot_in(pass, extent, Measures{viewport, viewport, look, values});
 }
 
 Extent source_extent_of(const Look& look, const Pass& pass, const Plan& plan, Extent source) {
@@ -224,7 +220,7 @@ Extent source_extent_of(const Look& look, const Pass& pass, const Plan& plan, Ex
 Result<Plan> plan_targets(const Look& look, Extent viewport, Extent source, const Values& values,
                           const PlanTerms& terms) {
     Plan plan;
-    const Measures measures = measures_of(look, viewport, source, values);
+    const Measures measures{viewport, source, look, values};
     for (std::size_t i = 0; i < look.passes.size(); ++i) {
         const Pass& pass = look.passes[i];
         const Extent read = source_extent_of(look, pass, plan, source);
@@ -294,14 +290,23 @@ std::size_t memory_of(const Plan& plan) {
 }
 
 namespace {
-bool is_driven(const Look& look, std::size_t pass, const std::vector<std::string>& parameters) {
+std::vector<const Parameter*> found_parameters(const Look& look,
+                                               const std::vector<std::string>& names) {
+    std::vector<const Parameter*> found;
+    for (const std::string& name : names)
+        if (const Parameter* parameter = find_parameter(look, name))
+            found.push_back(parameter);
+    return found;
+}
+
+bool is_driven(const Look& look, std::size_t pass,
+               const std::vector<const Parameter*>& parameters) {
     const Pass& read = look.passes[pass];
-    return std::ranges::any_of(parameters, [&](const std::string& name) {
+    return std::ranges::any_of(parameters, [&](const Parameter* parameter) {
         // How many samples there are does not change what they are samples of.
-        if (read.accumulate && (read.repeat == Count(name) || read.converge == Count(name)))
-            return false;
-        const Parameter* parameter = find_parameter(look, name);
-        return parameter && is_used_by(look, pass, *parameter);
+        const bool counts_samples = read.accumulate && (read.repeat == Count(parameter->name) ||
+                                                        read.converge == Count(parameter->name));
+        return !counts_samples && is_used_by(look, pass, *parameter);
     });
 }
 }  // namespace
@@ -318,9 +323,10 @@ std::vector<bool> reached_from(const Look& look, std::vector<bool> changed) {
 }
 
 Redraw redraw_after(const Look& look, const std::vector<std::string>& parameters) {
+    const auto turned = found_parameters(look, parameters);
     std::vector<bool> driven;
     for (std::size_t i = 0; i < look.passes.size(); ++i)
-        driven.push_back(is_driven(look, i, parameters));
+        driven.push_back(is_driven(look, i, turned));
     return redraw_of(look, std::move(driven));
 }
 

@@ -1,6 +1,7 @@
 """What the panels cost the CPU: panels_bench.py PROGRAM. The window at 1280 x 720 under Xvfb with the
-Phosphor look; what GL makes of their triangles is not in it."""
+Phosphor look, and with one of 50 passes and 1,000 parameters; what GL makes of their triangles is not in it."""
 
+import json
 import statistics
 import sys
 import tempfile
@@ -31,6 +32,34 @@ def report(what, program):
     print("  %-34s %.2f ms (p95 %.2f)" % (what, statistics.median(times), times[int(0.95 * len(times))]))
 
 
+def write_large_look(folder):
+    """50 passes of 20 parameters each."""
+    folder.mkdir()
+    passes = [{"name": "pass%d" % i, "fragment": "%d.frag" % i, "size": [8, 8], "inputs": {"before": "pass%d%s" % (max(i - 1, 0), "" if i else "@1")}}
+              for i in range(50)]
+    (folder / "look.json").write_text(json.dumps({"format": "afterglow-look", "version": 1, "name": "Large", "driven_by": "nothing", "passes": passes}))
+    for i in range(50):
+        names = ["knob_%d_%d" % (i, j) for j in range(20)]
+        (folder / ("%d.frag" % i)).write_text(
+            "#version 410 core\nuniform sampler2D before;\nuniform float u_time;\nin vec2 uv;\nout vec4 color;\n" +
+            "".join('uniform float %s = 0.25;  // @range 0 1 @group "Pass %d"\n' % (name, i) for name in names) +
+            "void main() { color = fract(texture(before, uv) + u_time + %s); }\n" % " + ".join(names))
+
+
+def measure_large(executable, folder, screen):
+    program = Program(executable, SOURCE, folder, screen)
+    program.arrange(*WINDOW, [64, 48])
+    write_large_look(folder / "large")
+    program.start(folder / "large")
+    report("50 passes, 1,000 parameters", program)
+    program.click("parameter:knob_0_3")
+    report("the same, one turned", program)
+    program.key("ctrl+f")
+    program.type("knob")
+    report("the same, a search that finds all", program)
+    program.stop()
+
+
 def main():
     executable = Path(sys.argv[1]).resolve()
     print("The panels, CPU time a frame at %d x %d, median (p95):" % WINDOW)
@@ -45,6 +74,8 @@ def main():
         program.key("F11")
         report("only the picture", program)
         program.stop()
+        (Path(folder) / "large").mkdir()
+        measure_large(executable, Path(folder) / "large", screen)
 
 
 main()

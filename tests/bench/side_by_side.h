@@ -37,6 +37,8 @@ struct Cost {
     double plain_milliseconds = 0.0;
     double our_milliseconds = 0.0;
     double ratio = 0.0;   // ours to plain
+    double more = 0.0;    // ms, ours over plain
+    double apart = 0.0;   // ms, the plain frames before ours from the same behind
     double itself = 0.0;  // the plain frames before ours to the same behind
     /// A machine on which the yardstick does not equal itself measures nothing.
     bool counts() const { return std::abs(itself - 1.0) <= 0.015; }
@@ -49,7 +51,9 @@ Cost side_by_side(int rounds, int frames, Plain plain, Ours ours) {
     seconds_of(warm_up, plain);
     seconds_of(warm_up, ours);
     std::vector<double> ratios;
+    std::vector<double> more;
     std::vector<double> itself;
+    std::vector<double> apart;
     std::vector<double> plain_milliseconds;
     std::vector<double> our_milliseconds;
     for (int i = 0; i < rounds; ++i) {
@@ -57,11 +61,18 @@ Cost side_by_side(int rounds, int frames, Plain plain, Ours ours) {
         const double between = seconds_of(frames, ours);
         const double behind = seconds_of(frames, plain);
         ratios.push_back(2.0 * between / (before + behind));
+        more.push_back(1e3 * (between - 0.5 * (before + behind)) / frames);
+        apart.push_back(1e3 * (before - behind) / frames);
         itself.push_back(before / behind);
         plain_milliseconds.push_back(1e3 * before / frames);
         our_milliseconds.push_back(1e3 * between / frames);
     }
-    return {median(plain_milliseconds), median(our_milliseconds), median(ratios), median(itself)};
+    return {median(plain_milliseconds),
+            median(our_milliseconds),
+            median(ratios),
+            median(more),
+            median(apart),
+            median(itself)};
 }
 
 }  // namespace bench

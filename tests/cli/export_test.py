@@ -10,8 +10,9 @@ import subprocess
 import time
 import unittest
 import wave
+import zlib
 
-from program import PROGRAM, ProgramTest, main, read_png, run
+from program import PROGRAM, ProgramTest, main, read_png, run, unfiltered
 
 HAS_FFMPEG = shutil.which("ffmpeg") is not None and shutil.which("ffprobe") is not None
 RATE = 48000
@@ -19,6 +20,16 @@ RATE = 48000
 
 def end_by_ctrl_c():
     signal.signal(signal.SIGINT, signal.SIG_DFL)  # as a terminal has it
+
+
+def png_bodies(data, wanted):
+    """What the chunks of one kind hold, in their order."""
+    at = 8
+    while at < len(data):
+        length, kind = struct.unpack(">I4s", data[at:at + 8])
+        if kind == wanted:
+            yield data[at + 8:at + 8 + length]
+        at += 12 + length
 
 
 class ExportTest(ProgramTest):
@@ -80,6 +91,24 @@ class Targets(ExportTest):
         # 4 x 4 bytes a pixel are written and read, 4 are shown.
         measured = json.loads(run("bench", self.folder, "--size", "4x4", "--frames", "2", "--json").stdout)
         self.assertEqual(measured["bytes_per_pixel"], 36)
+
+
+    def test_a_picture_of_4096_or_7680_pixels_is_drawn_to_its_end_and_a_larger_one_refused_in_words(self):
+        look = self.look("halves", "color = vec4(floor(uv.x * 2.0), 0.2, floor(uv.y * 2.0), 1.0);")
+        for width, height in ((4096, 4096), (7680, 4320)):
+            picture = self.folder / f"{width}.png"
+            self.assert_done(run("render", look, "--size", f"{width}x{height}", "--frames", 1, "-o", picture))
+            data = picture.read_bytes()
+            self.assertEqual(struct.unpack(">II", data[16:24]), (width, height))
+            rows = zlib.decompress(b"".join(png_bodies(data, b"IDAT")))
+            stride = 1 + 3 * width
+            self.assertEqual(len(rows), stride * height)
+            top = unfiltered(rows[0], bytearray(rows[1:stride]), bytearray(stride - 1))
+            self.assertEqual((bytes(top[:3]), bytes(top[-3:])), (b"\0\x33\xff", b"\xff\x33\xff"))
+        gone = self.folder / "none.png"
+        self.assert_refused(run("render", "phosphor", "--size", "16384x16384", "-o", gone), "GiB is the most")
+        self.assert_refused(run("render", look, "--size", "16385x16", "-o", gone), "16384 px a side", code=2)
+        self.assertFalse(gone.exists())
 
 
 class Sequences(ExportTest):

@@ -1,0 +1,220 @@
+// What a large look costs beside the same draws by plain calls to GL: 50 passes of few pixels with
+// two targets each and 1,000 parameters, drawn by the executor alone and by the lab as a window has
+// it, while nothing is turned and while a knob is. An argument is a part of the names of what is
+// measured alone.
+#include "bench/bench_lab.h"
+#include "bench/plain_scale.h"
+#include "bench/side_by_side.h"
+#include "gpu/readback.h"
+#include "io/temporary_folder.h"
+#include "lab/offline.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace {
+using bench::PlainScale;
+using bench::ScaleSize;
+
+constexpr int rounds = 15;
+constexpr double most_more = 1.0;  // ms
+
+template <class T>
+T wanted(Result<T> result) {
+    if (!result) {
+        fmt::print(stderr, "{}", to_string(result.error()));
+        std::exit(EXIT_FAILURE);
+    }
+    if constexpr (!std::is_void_v<T>)
+        return std::move(*result);
+}
+
+/// The knob that a hand drags, in the middle of the look.
+struct Knob {
+    int pass = 0;
+    int parameter = 0;
+};
+
+Knob dragged_knob(const ScaleSize& size) {
+    return {size.passes / 2, size.parameters_a_pass / 2};
+}
+
+double place_of(int turn) {
+    return 0.3 + 0.05 * (turn % 7);
+}
+
+/// No knob is where it is at first.
+Values all_turned(const ScaleSize& size) {
+    Values values;
+    for (int pass = 0; pass < size.passes; ++pass)
+        for (int i = 0; i < size.parameters_a_pass; ++i)
+            values[bench::scale_parameter(pass, i)] = Value(bench::scale_initial(pass, i) + 0.01);
+    return values;
+}
+
+Look look_at(const std::filesystem::path& folder) {
+    RenderRequest request;
+    request.look = folder.string();
+    const Library library(wanted(find_roots(AFTERGLOW_SOURCE_DIR)));
+    return wanted(prepare(request, library)).document.drawn_look();
+}
+
+/// The executor with nothing around it.
+class OwnExecutor {
+public:
+    OwnExecutor(const Look& look, Values values, Extent extent)
+        : m_executor(look, wanted(build_programs(look))), m_values(std::move(values)) {
+        m_executor.set_values(m_values);
+        wanted(m_executor.resize(extent, extent));
+        m_frame.is_first = true;
+        m_frame.time_delta = 1.0 / 60.0;
+    }
+    void set(const std::string& name, double value) {
+        m_values.insert_or_assign(name, Value(value));
+        m_executor.set_values(m_values);
+    }
+    void draw(double seconds) {
+        m_frame.time = seconds;
+        ++m_frame.number;
+        m_executor.draw(m_frame);
+        m_frame.is_first = false;
+    }
+    Picture picture() const {
+        return gpu::read_picture(
+            m_executor.target(static_cast<int>(m_executor.look().passes.size()) - 1));
+    }
+    const Plan& plan() const { return m_executor.plan(); }
+
+private:
+    Executor m_executor;
+    Values m_values;
+    Frame m_frame;
+};
+
+/// All that a window does for a frame but the panels.
+class ScaleLab : public bench::BenchLab {
+public:
+    ScaleLab(const std::filesystem::path& folder, const std::filesystem::path& look,
+             const Values& values, Extent extent)
+        : BenchLab(folder, extent) {
+        m_lab->open(look.string());
+        m_lab->update(0.0);
+        while (m_lab->is_loading() || !m_lab->renderer() || m_lab->player().frame_number() < 5)
+            draw();
+        m_lab->edit([&](Document& document) {
+            for (const auto& [name, value] : values)
+                document.set_value(name, value);
+        });
+        draw();
+    }
+    void set(const std::string& name, double value) {
+        m_lab->edit([&](Document& document) { document.set_value(name, Value(value), true); });
+    }
+    // So little time that values do not come to rest, which would make constants of them.
+    void draw(double /*seconds*/ = 0.0) {
+        m_lab->update(1e-5);
+        while (m_lab->is_amid_frame())
+            m_lab->update(0.0);
+    }
+};
+
+/// Where the yardstick differs from itself by a twentieth of the bound, the machine is too busy.
+void print_cost(const std::string& what, const bench::Cost& cost) {
+    const char* verdict = std::abs(cost.apart) > 0.05 * most_more ? "the machine is too busy"
+                          : cost.more <= most_more                ? "holds"
+                                                                  : "DOES NOT HOLD";
+    fmt::print(
+        "  {:<30} plain {:.3f} ms, ours {:.3f} ms, {:.3f} ms more (plain from itself {:.3f} ms), "
+        "at most {}: {}\n",
+        what, cost.plain_milliseconds, cost.our_milliseconds, cost.more, cost.apart, most_more,
+        verdict);
+    std::fflush(stdout);
+}
+
+/// What is drawn beside it, and which measures are taken: those whose names hold a text.
+struct Yardstick {
+    PlainScale& plain;
+    ScaleSize size;
+    std::string only;
+};
+
+/// Both draw the same frames; where a hand is at work one knob is turned in each.
+template <class Ours>
+void compare_costs(const std::string& name, const Yardstick& by, Ours& ours) {
+    constexpr int frames = 20;
+    const Knob knob = dragged_knob(by.size);
+    const std::string knob_name = bench::scale_parameter(knob.pass, knob.parameter);
+    double seconds = 1.0;
+    std::array<int, 2> turns{};
+    const auto measure = [&](const std::string& what, bool is_dragged) {
+        if (what.find(by.only) == std::string::npos)
+            return;
+        const auto plain = [&] {
+            if (is_dragged)
+                by.plain.set(knob.pass, knob.parameter, place_of(++turns[0]));
+            by.plain.draw(seconds += 1.0 / 60.0);
+        };
+        const auto draw_ours = [&] {
+            if (is_dragged)
+                ours.set(knob_name, place_of(++turns[1]));
+            ours.draw(seconds);
+        };
+        print_cost(what, bench::side_by_side(rounds, frames, plain, draw_ours));
+    };
+    measure(name + ", nothing turned", false);
+    measure(name + ", a knob dragged", true);
+}
+
+void print_picture(PlainScale& plain, OwnExecutor& ours) {
+    constexpr int frames = 10;
+    for (int i = 1; i <= frames; ++i) {
+        plain.draw(i / 60.0);
+        ours.draw(i / 60.0);
+    }
+    Picture picture = ours.picture();
+    Picture expected{picture.extent, 4, picture.encoding, plain.picture()};
+    double largest = 0.0;
+    const auto row = static_cast<std::size_t>(picture.extent.width) * 4;
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+        const std::size_t from_below = expected.pixels.size() - (i / row + 1) * row + i % row;
+        largest = std::max(largest, static_cast<double>(
+                                        std::abs(picture.pixels[i] - expected.pixels[from_below])));
+    }
+    fmt::print("  after {} frames the pictures are {:.4f} apart at most\n", frames, largest);
+}
+
+void measure(const TemporaryFolder& folder, const ScaleSize& size, const std::string& only) {
+    const bench::ScaleTexts texts = bench::scale_texts(size);
+    const std::filesystem::path place = folder / size.format;
+    folder.write(place / "look.json", texts.manifest);
+    for (std::size_t i = 0; i < texts.fragments.size(); ++i)
+        folder.write(place / fmt::format("pass{}.frag", i), texts.fragments[i]);
+    const Values values = all_turned(size);
+    const Extent extent{size.side, size.side};
+    ScaleLab lab(folder.path(), place, values, extent);
+    PlainScale plain = wanted(PlainScale::make(size));
+    for (int pass = 0; pass < size.passes; ++pass)
+        for (int i = 0; i < size.parameters_a_pass; ++i)
+            plain.set(pass, i, bench::scale_initial(pass, i) + 0.01);
+    OwnExecutor executor(look_at(place), values, extent);
+    std::size_t targets = 0;
+    for (const PlannedTarget& target : executor.plan().targets)
+        targets += static_cast<std::size_t>(target.slots);
+    fmt::print("{} passes of {} x {} px in {}, {} targets, {} parameters\n", size.passes, size.side,
+               size.side, size.format, targets, values.size());
+    print_picture(plain, executor);
+    const Yardstick yardstick{plain, size, only};
+    compare_costs("the executor", yardstick, executor);
+    compare_costs("the lab", yardstick, lab);
+}
+}  // namespace
+
+int main(int count, char** arguments) {
+    const TemporaryFolder folder;
+    const std::string only = count > 1 ? arguments[1] : "";
+    measure(folder, {}, only);
+    measure(folder, {.format = "rgba16f", .gl_format = GL_RGBA16F}, only);
+    return EXIT_SUCCESS;
+}
