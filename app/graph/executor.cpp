@@ -60,6 +60,7 @@ Result<void> Executor::replace(Look look, Programs programs) {
     const gpu::ContextScope scope(m_home.get());
     drop_frame();
     PlanTerms terms = plan_terms();
+    terms.read.clear();  // by what is no more
     const bool has_other_passes = pass_names(look) != pass_names(m_look);
     if (has_other_passes)
         terms.seen.clear();

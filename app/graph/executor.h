@@ -74,9 +74,13 @@ public:
     /// What is done about each pass from the next frame on; empty: all are drawn. A frozen pass
     /// whose target holds nothing yet is drawn once.
     Result<void> set_runs(std::vector<PassRun> runs);
+    /// Whether a frame may be drawn again in part, or in slices beside the one before; else a
+    /// picture that is read no more may be drawn over within its frame.
+    enum class Frames { drawn_again, drawn_once };
     /// Passes whose own pictures somebody looks at from the next frame on; empty: all. The others
-    /// may share targets, and are then not what target() tells.
-    Result<void> set_seen(std::vector<bool> seen);
+    /// may share targets, and are then not what target() tells. With drawn_once neither redraw()
+    /// nor frames beside may follow.
+    Result<void> set_seen(std::vector<bool> seen, Frames frames = Frames::drawn_again);
     /// Converted to the look's source_encoding. The source's size in a plan is resize's business.
     Result<void> set_source(const Picture& picture);
     /// For an image of the look, or an image parameter, by its name; flat or solid. Without it that
@@ -214,6 +218,7 @@ private:
     void move_on(bool is_unfinished);
     void draw_passes();
     void draw_pass(std::size_t pass);
+    void hand_back_after(std::size_t pass);
     bool begin_pass(std::size_t pass);
     void start_draw(std::size_t pass, int draw);
     void write_sample(std::size_t pass, int draw);
@@ -246,6 +251,7 @@ private:
     void draw_shape(std::size_t pass);
     bool is_remembered(std::size_t pass) const;  // later frames read it
     bool is_watched(std::size_t pass) const;
+    bool is_handed_back(std::size_t pass) const;
     void look_behind(const std::vector<bool>& drawn);
 
     std::shared_ptr<gpu::Context> m_home;
@@ -264,6 +270,7 @@ private:
     std::optional<Unsettled> m_unsettled;
     std::vector<PassRun> m_runs;
     std::vector<bool> m_seen;
+    Frames m_frames = Frames::drawn_again;
     std::vector<std::size_t> m_order;           // in which passes are drawn
     std::optional<PassThrough> m_pass_through;  // from the first bypass on
     ParameterUniforms m_parameters;

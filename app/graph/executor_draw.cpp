@@ -15,6 +15,7 @@ void Executor::draw(const Frame& frame, const std::vector<bool>* passes) {
 }
 
 void Executor::redraw(const Frame& frame, const std::vector<bool>& passes) {
+    assert(m_frames == Frames::drawn_again);
     const gpu::ContextScope scope(m_home.get());
     note_frame(frame, &passes, true);
     draw_passes();
@@ -111,12 +112,21 @@ void Executor::move_on(bool is_unfinished) {
 void Executor::draw_passes() {
     ++m_picture_number;
     const gpu::DrawScope scope;
-    for (const std::size_t pass : m_order)
+    for (const std::size_t pass : m_order) {
         if (m_work.passes[pass])
             draw_pass(pass);
+        hand_back_after(pass);
+    }
     look_behind_frame();
     m_samplers.release();
     m_draw_calls = m_work.draw_calls;
+}
+
+// No pass that comes yet reads what these hold.
+void Executor::hand_back_after(std::size_t pass) {
+    for (std::size_t i = 0; i < m_plan.targets.size(); ++i)
+        if (m_plan.targets[i].common && m_plan.targets[i].held_until == pass)
+            m_targets[i].hand_back(m_work.passes[i]);
 }
 
 void Executor::look_behind_frame() {

@@ -43,6 +43,12 @@ bool Executor::is_watched(std::size_t pass) const {
     }
 }
 
+// Its picture of this frame may be another's now.
+bool Executor::is_handed_back(std::size_t pass) const {
+    const PlannedTarget& target = m_plan.targets[pass];
+    return target.common && target.slots == 1 && target.held_until != m_order.back();
+}
+
 // Where what is kept was put right, the pass that began it is one of those before.
 void Executor::look_behind(const std::vector<bool>& drawn) {
     if (m_guard != Guard::clamp || m_draws_whole)
@@ -50,7 +56,7 @@ void Executor::look_behind(const std::vector<bool>& drawn) {
     for (std::size_t cause = 0; cause < m_passes.size(); ++cause)
         for (std::size_t pass = 0; pass < cause; ++pass)
             if (drawn[pass] && drawn[cause] && is_watched(cause) && !is_watched(pass) &&
-                facts_of(m_plan.targets[pass].format).is_float)
+                !is_handed_back(pass) && facts_of(m_plan.targets[pass].format).is_float)
                 m_tripwire->look_behind(cause, pass, m_targets[pass].canvas(), m_drawn.number);
 }
 

@@ -62,7 +62,10 @@ const gpu::Texture* Executor::stored_texture(const TextureChoice& choice) const 
     if (choice.from == Input::From::keyboard)
         return m_keyboard.texture();
     const auto pass = static_cast<std::size_t>(find_pass(m_look, choice.name).value_or(-1));
-    if (pass >= m_targets.size() || choice.frames_ago >= m_targets[pass].planned().slots)
+    if (pass >= m_targets.size())
+        return nullptr;
+    const PlannedTarget& planned = m_targets[pass].planned();
+    if (choice.frames_ago >= planned.slots - (planned.common ? 1 : 0))
         return nullptr;
     return &m_targets[pass].finished(choice.frames_ago).texture();
 }

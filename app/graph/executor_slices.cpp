@@ -4,9 +4,11 @@
 #include "graph/executor.h"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 void Executor::begin_draw(const Frame& frame, const std::vector<bool>* passes, bool is_beside) {
+    assert(m_frames == Frames::drawn_again || !is_beside);
     const gpu::ContextScope scope(m_home.get());
     note_frame(frame, passes, false);
     move_on(is_beside);
@@ -15,6 +17,7 @@ void Executor::begin_draw(const Frame& frame, const std::vector<bool>* passes, b
 }
 
 void Executor::begin_redraw(const Frame& frame, const std::vector<bool>& passes, bool is_beside) {
+    assert(m_frames == Frames::drawn_again);
     const gpu::ContextScope scope(m_home.get());
     note_frame(frame, &passes, true);
     for (std::size_t i = 0; is_beside && i < m_targets.size(); ++i)
@@ -62,6 +65,7 @@ void Executor::continue_pass(double seconds) {
     if (is_drawn && !m_work.has_begun_pass)
         m_work.has_begun_pass = begin_pass(index);
     const auto next_pass = [&] {
+        hand_back_after(index);
         ++m_work.pass;
         m_work.draw = m_work.row = 0;
         m_work.has_begun_pass = false;

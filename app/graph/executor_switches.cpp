@@ -3,24 +3,35 @@
 
 #include <algorithm>
 
-Result<void> Executor::set_seen(std::vector<bool> seen) {
+Result<void> Executor::set_seen(std::vector<bool> seen, Frames frames) {
     const gpu::ContextScope scope(m_home.get());
     drop_frame();
     std::swap(m_seen, seen);
+    std::swap(m_frames, frames);
     auto planned = plan_again();
-    if (!planned)
+    if (!planned) {
         std::swap(m_seen, seen);
+        std::swap(m_frames, frames);
+    }
     return planned;
 }
 
 PlanTerms Executor::plan_terms() const {
-    std::vector<bool> kept(m_passes.size(), false);
-    for (std::size_t i = 0; i < kept.size(); ++i)
-        kept[i] = run_of(i) != PassRun::drawn;
-    std::vector<bool> seen = m_seen;
-    if (!seen.empty())
-        seen.resize(m_passes.size(), true);
-    return {m_largest_side, std::move(seen), std::move(kept)};
+    PlanTerms terms{.largest_side = m_largest_side,
+                    .seen = m_seen,
+                    .draws_once = m_frames == Frames::drawn_once};
+    if (!terms.seen.empty())
+        terms.seen.resize(m_passes.size(), true);
+    for (std::size_t i = 0; i < m_passes.size(); ++i) {
+        terms.kept.push_back(run_of(i) != PassRun::drawn);
+        terms.left_out.push_back(run_of(i) == PassRun::left_out);
+        terms.read.emplace_back();
+        for (const Input& input : m_look.passes[i].inputs)
+            terms.read.back().push_back(
+                std::ranges::find(m_passes[i].inputs, input.uniform, &BoundInput::uniform) !=
+                m_passes[i].inputs.end());
+    }
+    return terms;
 }
 
 Result<void> Executor::set_runs(std::vector<PassRun> runs) {

@@ -7,8 +7,8 @@
 Result<Target> Target::make(const PlannedTarget& planned) {
     Target target;
     target.m_planned = planned;
-    const Extent extent = planned.onto ? Extent{1, 1} : planned.extent;
-    for (int i = 0; i < planned.slots; ++i) {
+    const Extent extent = planned.onto || planned.is_unused ? Extent{1, 1} : planned.extent;
+    for (int i = planned.common ? 1 : 0; i < planned.slots; ++i) {
         auto canvas = gpu::Canvas::make(extent, planned.format, planned.mipmapped);
         if (!canvas)
             return fail(canvas.error());
@@ -24,6 +24,10 @@ std::size_t Target::place_of(int frames_ago) const {
 }
 
 const gpu::Canvas& Target::canvas(int frames_ago) const {
+    if (m_slots.empty() || (m_is_newest_lent && frames_ago <= 0))
+        return *m_lent;
+    if (m_is_newest_lent)
+        return m_slots[place_of(frames_ago - 1)];
     if (m_unfinished == Unfinished::no)
         return m_slots[place_of(frames_ago)];
     if (frames_ago <= 0)
@@ -36,7 +40,9 @@ gpu::Canvas& Target::canvas(int frames_ago) {
 }
 
 void Target::advance() {
-    if (m_unfinished == Unfinished::next)
+    if (m_lent)
+        m_is_newest_lent = true;
+    else if (m_unfinished == Unfinished::next)
         take_spare();
     else
         m_current = (m_current + 1) % m_slots.size();
@@ -46,6 +52,13 @@ void Target::advance() {
 void Target::take_spare() {
     m_current = (m_current + 1) % m_slots.size();
     std::swap(*m_spare, m_slots[m_current]);
+}
+
+void Target::hand_back(bool is_drawn) {
+    if (!std::exchange(m_is_newest_lent, false) || m_slots.empty() || !is_drawn)
+        return;
+    m_current = (m_current + 1) % m_slots.size();
+    std::swap(*m_lent, m_slots[m_current]);
 }
 
 void Target::make_room() {
@@ -93,7 +106,7 @@ void Target::clear() {
 void Target::adopt(Target&& former) {
     former.drop();
     m_is_drawn = former.m_is_drawn;
-    const int count = std::min(m_planned.slots, former.m_planned.slots);
+    const int count = static_cast<int>(std::min(m_slots.size(), former.m_slots.size()));
     for (int ago = 0; ago < count; ++ago)
         canvas(ago) = std::move(former.canvas(ago));
 }
@@ -101,7 +114,7 @@ void Target::adopt(Target&& former) {
 void Target::adopt_stretched(Target& former) {
     former.drop();
     m_is_drawn = former.m_is_drawn;
-    const int count = std::min(m_planned.slots, former.m_planned.slots);
+    const int count = static_cast<int>(std::min(m_slots.size(), former.m_slots.size()));
     for (int ago = 0; ago < count; ++ago) {
         former.canvas(ago).stretch_to(canvas(ago));
         canvas(ago).texture().generate_mipmaps();
@@ -109,6 +122,6 @@ void Target::adopt_stretched(Target& former) {
 }
 
 bool is_compatible(const PlannedTarget& a, const PlannedTarget& b) {
-    return a.onto.has_value() == b.onto.has_value() && a.extent == b.extent &&
-           a.format == b.format && a.mipmapped == b.mipmapped;
+    return a.onto.has_value() == b.onto.has_value() && a.is_unused == b.is_unused &&
+           a.extent == b.extent && a.format == b.format && a.mipmapped == b.mipmapped;
 }

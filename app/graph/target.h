@@ -21,7 +21,9 @@ public:
     const gpu::Canvas& canvas(int frames_ago = 0) const;
 
     /// What canvas() was before an unfinished picture was begun.
-    const gpu::Canvas& finished(int frames_ago = 0) const { return m_slots[place_of(frames_ago)]; }
+    const gpu::Canvas& finished(int frames_ago = 0) const {
+        return m_slots.empty() ? *m_lent : m_slots[place_of(frames_ago)];
+    }
 
     /// Whether canvas(1) is another than what is drawn into.
     bool has_former() const {
@@ -36,6 +38,12 @@ public:
     bool is_drawn() const { return m_is_drawn; }
     /// After advance(): the last picture once more, as if it had been drawn again.
     void keep();
+    /// Where the newest picture is drawn, if it has one in common with others; null: in its own.
+    void lend(gpu::Canvas* common) { m_lent = common; }
+    /// What others may draw over from now on is given back: the newest picture of this frame, if it
+    /// was drawn, changes places with the oldest one, where former ones are kept.
+    void hand_back(bool is_drawn);
+
     /// Takes over the newest pictures of a target of the same size and format.
     void adopt(Target&& former);
 
@@ -52,7 +60,10 @@ public:
     /// It is whole.
     void finish();
     /// It never will be: all is as before begin(), except for what had to be drawn in its place.
-    void drop() { m_unfinished = Unfinished::no; }
+    void drop() {
+        m_unfinished = Unfinished::no;
+        m_is_newest_lent = false;
+    }
     /// Gives back what make_room() took.
     void forget_room();
 
@@ -61,7 +72,9 @@ private:
     void take_spare();
 
     PlannedTarget m_planned;
-    std::vector<gpu::Canvas> m_slots;
+    std::vector<gpu::Canvas> m_slots;  // its own
+    gpu::Canvas* m_lent = nullptr;
+    bool m_is_newest_lent = false;
     std::size_t m_current = 0;
     std::optional<gpu::Canvas> m_spare;  // the unfinished picture
     Unfinished m_unfinished = Unfinished::no;

@@ -23,6 +23,22 @@ bool is_stretched(const Pass& pass, const PlannedTarget& former, const PlannedTa
     return pass.keeps_when_resized && former.format == now.format && now.slots > 1 &&
            !facts_of(now.format).is_integer;
 }
+// None where those there were go on.
+Result<std::optional<std::vector<gpu::Canvas>>> make_common(
+    const Look& look, const std::vector<CommonPicture>& planned,
+    const std::vector<CommonPicture>& former) {
+    if (planned == former)
+        return std::nullopt;
+    std::vector<gpu::Canvas> made;
+    for (const CommonPicture& picture : planned) {
+        auto canvas = gpu::Canvas::make(picture.extent, picture.format, picture.mipmapped);
+        if (!canvas)
+            return fail({{look.manifest, 0,
+                          "targets that passes share: " + canvas.error().front().message}});
+        made.push_back(std::move(*canvas));
+    }
+    return made;
+}
 }  // namespace
 
 Target* TargetSet::find(const std::string& pass) {
@@ -47,7 +63,12 @@ Result<TargetSet> TargetSet::make(const Look& look, const Plan& plan, TargetSet&
             return fail(at_pass(target.error(), look.passes[i]));
         made[i] = std::move(*target);
     }
+    auto common = make_common(look, plan.common, former.m_planned_common);
+    if (!common)
+        return fail(common.error());
     TargetSet set;
+    set.m_planned_common = plan.common;
+    set.m_common = *common ? std::move(**common) : std::move(former.m_common);
     for (std::size_t i = 0; i < made.size(); ++i) {
         const std::string& name = look.passes[i].name;
         Target* had = former.find(name);
@@ -57,5 +78,13 @@ Result<TargetSet> TargetSet::make(const Look& look, const Plan& plan, TargetSet&
             made[i]->adopt_stretched(*had);
         set.m_targets.push_back({name, made[i] ? std::move(*made[i]) : std::move(*had)});
     }
+    set.lend_common();
     return set;
+}
+
+void TargetSet::lend_common() {
+    for (Named& named : m_targets) {
+        const std::optional<std::size_t> common = named.target.planned().common;
+        named.target.lend(common ? &m_common[*common] : nullptr);
+    }
 }

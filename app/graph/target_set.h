@@ -25,6 +25,9 @@ private:
     };
 
     Target* find(const std::string& pass);
+    void lend_common();
 
     std::vector<Named> m_targets;
+    std::vector<gpu::Canvas> m_common;  // as the plan has them
+    std::vector<CommonPicture> m_planned_common;
 };

@@ -307,7 +307,7 @@ Result<void> Offline::settle(const std::vector<std::string>& seen) {
         if (std::ranges::find(seen, look.passes[i].name) != seen.end())
             is_seen[i] = true;
     if (!turns_sharing())
-        if (auto done = m_renderer->set_seen(is_seen); !done)
+        if (auto done = m_renderer->set_seen(is_seen, Executor::Frames::drawn_once); !done)
             return done;
     const auto programs =
         build_programs(settled_look(look, m_document.values(), executor().plan(),

@@ -46,9 +46,10 @@ public:
     /// As Executor::set_runs, of the variant too.
     Result<void> set_runs(const std::vector<PassRun>& runs);
     /// As Executor::set_seen; of a variant all passes are.
-    Result<void> set_seen(std::vector<bool> seen) {
+    Result<void> set_seen(std::vector<bool> seen,
+                          Executor::Frames frames = Executor::Frames::drawn_again) {
         drop_frame();
-        return m_executor.set_seen(std::move(seen));
+        return m_executor.set_seen(std::move(seen), frames);
     }
     /// What the pass has drawn is gone, of the variant too.
     void clear_history(int pass);

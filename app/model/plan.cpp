@@ -1,5 +1,6 @@
 #include "model/plan.h"
 
+#include "model/common_pictures.h"
 #include "model/expression.h"
 #include "model/parameter_use.h"
 
@@ -178,18 +179,19 @@ Result<void> let_share(const Look& look, const Measures& measures, const PlanTer
             continue;
         const PlannedTarget& shared = plan.targets[**host];
         if (plan.targets[i].extent == shared.extent && plan.targets[i].format == shared.format)
-            plan.targets[i] = {shared.extent, shared.format, 1, false, **host};
+            plan.targets[i] = {.extent = shared.extent, .format = shared.format, .onto = **host};
     }
     return {};
 }
 
-void add_lifetimes(const Look& look, Plan& plan) {
-    for (const Pass& pass : look.passes) {
-        for (const Input& input : pass.inputs) {
+void add_lifetimes(const Look& look, const PlanTerms& terms, Plan& plan) {
+    for (std::size_t i = 0; i < look.passes.size(); ++i) {
+        for (std::size_t k = 0; k < look.passes[i].inputs.size(); ++k) {
+            const Input& input = look.passes[i].inputs[k];
             if (input.from == Input::From::source)
                 plan.source_slots = std::max(plan.source_slots, input.frames_ago + 1);
             const auto read = find_pass(look, input.name);
-            if (input.from != Input::From::pass || !read)
+            if (input.from != Input::From::pass || !read || !terms.reads(i, k))
                 continue;
             PlannedTarget& target = plan.targets[static_cast<std::size_t>(*read)];
             target.slots = std::max(target.slots, input.frames_ago + 1);
@@ -202,8 +204,11 @@ void add_lifetimes(const Look& look, Plan& plan) {
 }  // namespace
 
 bool PlanTerms::must_stand_alone(std::size_t pass) const {
-    const bool is_seen = pass >= seen.size() || seen[pass];
-    return is_seen || (pass < kept.size() && kept[pass]);
+    return is_seen(pass) || (pass < kept.size() && kept[pass]);
+}
+
+bool PlanTerms::reads(std::size_t pass, std::size_t input) const {
+    return !draws_once || pass >= read.size() || input >= read[pass].size() || read[pass][input];
 }
 
 Result<BeamSpot> spot_of(const Look& look, const Pass& pass, Extent viewport, Extent extent,
@@ -236,22 +241,23 @@ Result<Plan> plan_targets(const Look& look, Extent viewport, Extent source, cons
         if (const auto spot = spot_in(pass, *extent, measures); !spot)
             return fail(spot.error());
     }
-    add_lifetimes(look, plan);
+    add_lifetimes(look, terms, plan);
     if (auto shared = let_share(look, measures, terms, plan); !shared)
         return fail(shared.error());
-    return plan;
+    return terms.draws_once ? with_common_pictures(look, std::move(plan), terms) : plan;
 }
 
 std::vector<std::size_t> draw_order(const Plan& plan) {
     std::vector<std::size_t> order;
-    for (std::size_t i = 0; i < plan.targets.size(); ++i) {
-        if (plan.targets[i].onto)
-            continue;
-        order.push_back(i);
-        for (std::size_t guest = 0; guest < plan.targets.size(); ++guest)
-            if (plan.targets[guest].onto == i)
-                order.push_back(guest);
-    }
+    for (const bool is_last : {false, true})
+        for (std::size_t i = 0; i < plan.targets.size(); ++i) {
+            if (plan.targets[i].onto || plan.targets[i].is_drawn_last != is_last)
+                continue;
+            order.push_back(i);
+            for (std::size_t guest = 0; guest < plan.targets.size(); ++guest)
+                if (plan.targets[guest].onto == i)
+                    order.push_back(guest);
+        }
     return order;
 }
 
@@ -269,23 +275,26 @@ bool meets_drawn_onto(const Look& look, const Plan& plan, std::size_t pass) {
 }
 
 namespace {
-double bytes_of(const PlannedTarget& target) {
-    return static_cast<double>(target.extent.width) * target.extent.height *
-           facts_of(target.format).bytes;
+double bytes_of(Extent extent, Format format, bool is_mipmapped) {
+    const double levels = is_mipmapped ? 4.0 / 3.0 : 1.0;
+    return static_cast<double>(extent.width) * extent.height * facts_of(format).bytes * levels;
 }
 }  // namespace
 
 std::size_t memory_of(const PlannedTarget& target) {
-    if (target.onto)
+    if (target.onto || target.is_unused)
         return static_cast<std::size_t>(facts_of(target.format).bytes);
-    const double levels = target.mipmapped ? 4.0 / 3.0 : 1.0;
-    return static_cast<std::size_t>(bytes_of(target) * target.slots * levels);
+    const int own = target.slots - (target.common ? 1 : 0);
+    return static_cast<std::size_t>(bytes_of(target.extent, target.format, target.mipmapped) * own);
 }
 
 std::size_t memory_of(const Plan& plan) {
     std::size_t bytes = 0;
     for (const PlannedTarget& target : plan.targets)
         bytes += memory_of(target);
+    for (const CommonPicture& picture : plan.common)
+        bytes +=
+            static_cast<std::size_t>(bytes_of(picture.extent, picture.format, picture.mipmapped));
     return bytes;
 }
 

@@ -32,24 +32,50 @@ struct PlannedTarget {
     // The place of the pass onto whose target it is drawn: then it has none of its own but a texel
     // of transparent black, which whatever reads it gets, and extent and format are that target's.
     std::optional<std::size_t> onto = std::nullopt;
+    // The place in Plan::common of what its newest picture is drawn into: one of `slots` is not its
+    // own then. Behind the pass `held_until` others may draw there; where the target keeps former
+    // pictures, the newest one changes places with the oldest at that time.
+    std::optional<std::size_t> common = std::nullopt;
+    std::size_t held_until = 0;
+    bool is_drawn_last = false;  // behind all others, as only later frames read it
+    bool is_unused = false;      // never drawn nor looked at: it has but a texel
 
     bool operator==(const PlannedTarget&) const = default;
 };
 
+/// A picture that is no pass's own.
+struct CommonPicture {
+    Extent extent;
+    Format format = Format::rgba16f;
+    bool mipmapped = false;
+
+    bool operator==(const CommonPicture&) const = default;
+};
+
 /// What must be allocated to draw a frame of a look at a size.
 struct Plan {
-    std::vector<PlannedTarget> targets;  // one a pass, in the same order
-    int source_slots = 1;                // source pictures kept
+    std::vector<PlannedTarget> targets;      // one a pass, in the same order
+    int source_slots = 1;                    // source pictures kept
+    std::vector<CommonPicture> common = {};  // that several passes draw into, one after the other
 
     bool operator==(const Plan&) const = default;
 };
 
 /// What a plan depends on besides look, sizes and values.
 struct PlanTerms {
-    int largest_side = 16384;     // of a target, px
-    std::vector<bool> seen = {};  // passes whose own pictures somebody looks at; empty: all
-    std::vector<bool> kept = {};  // passes that draw nothing of their own; empty: none
+    int largest_side = 16384;         // of a target, px
+    std::vector<bool> seen = {};      // passes whose own pictures somebody looks at; empty: all
+    std::vector<bool> kept = {};      // passes that draw nothing of their own; empty: none
+    std::vector<bool> left_out = {};  // those of them that are not even to be there
+    // No frame is ever drawn again in part, so that a picture may be drawn over as soon as the last
+    // of its frame has read it.
+    bool draws_once = false;
+    // Of each pass's inputs those that its program reads; empty: all. Counts with draws_once.
+    std::vector<std::vector<bool>> read = {};
 
+    bool is_seen(std::size_t pass) const { return pass >= seen.size() || seen[pass]; }
+    bool is_left_out(std::size_t pass) const { return pass < left_out.size() && left_out[pass]; }
+    bool reads(std::size_t pass, std::size_t input) const;
     bool must_stand_alone(std::size_t pass) const;
 };
 
@@ -59,7 +85,7 @@ Result<Plan> plan_targets(const Look& look, Extent viewport, Extent source, cons
                           const PlanTerms& terms = {});
 
 /// Passes by place, in the order in which they are drawn: those that are drawn onto another's
-/// target come right behind that one, the rest as the look has them.
+/// target come right behind that one, the rest as the look has them, but for those drawn last.
 std::vector<std::size_t> draw_order(const Plan& plan);
 
 /// Whether something is drawn onto the target of the pass, or onto one that it reads.
@@ -74,7 +100,7 @@ Result<BeamSpot> spot_of(const Look& look, const Pass& pass, Extent viewport, Ex
 /// the target of the look before.
 Extent source_extent_of(const Look& look, const Pass& pass, const Plan& plan, Extent source);
 
-/// Bytes that the targets hold.
+/// Bytes that the targets hold, all of them or what is a target's own.
 std::size_t memory_of(const Plan& plan);
 std::size_t memory_of(const PlannedTarget& target);
 

@@ -1,0 +1,158 @@
+// Passes that draw into pictures in common, and the same pictures without that.
+#include "graph/looks.h"
+
+#include <cmath>
+#include <limits>
+
+namespace {
+const char* const shift =
+    "uniform sampler2D image; uniform int u_frame;\n"
+    "void main() { color = texture(image, uv.yx * 0.75) + vec4(0.125 * u_frame, uv, 1.0); }\n";
+
+// Levels, holes, glows of one and of two frames, and a charge that only the next frame reads.
+Look busy_look() {
+    const Sampler levels{Filter::linear, Wrap::edge, true};
+    Pass holes = pass("holes",
+                      "uniform sampler2D image;\nvoid main() {\n    if (uv.x < 0.5) discard;\n"
+                      "    color = texture(image, uv);\n}\n",
+                      {reads("image", "d")});
+    return look_of(
+        {pass("a", "uniform int u_frame;\nvoid main() { color = vec4(u_frame, uv, 1); }\n"),
+         pass("charge",
+              "uniform sampler2D beam; uniform sampler2D before;\n"
+              "void main() { color = 0.5 * texture(before, uv) + texture(beam, uv); }\n",
+              {reads("beam", "a"), reads("before", "charge", 1)}),
+         pass("b", shift, {reads("image", "a")}),
+         pass("c", shift, {reads("image", "b", 0, levels)}),
+         pass("d", shift, {reads("image", "c", 0, levels)}), holes,
+         pass("glow",
+              "uniform sampler2D now; uniform sampler2D before; uniform sampler2D older;\n"
+              "uniform sampler2D held;\n"
+              "void main() { color = texture(now, uv) + 0.5 * texture(before, uv) +\n"
+              "              0.25 * texture(older, uv) + texture(held, uv); }\n",
+              {reads("now", "holes"), reads("before", "glow", 1), reads("older", "glow", 2),
+               reads("held", "charge", 1)}),
+         pass("e", shift, {reads("image", "glow")}), pass("f", shift, {reads("image", "e")}),
+         pass("show", shift, {reads("image", "f", 0, levels)})});
+}
+
+std::vector<bool> last_of(const Look& look) {
+    std::vector<bool> seen(look.passes.size(), false);
+    seen.back() = true;
+    return seen;
+}
+
+Executor drawing_once(const Look& look, Extent extent = {8, 8}) {
+    Executor executor = executor_of(look, extent);
+    REQUIRE(executor.set_seen(last_of(look), Executor::Frames::drawn_once).has_value());
+    return executor;
+}
+
+std::vector<float> picture_of(const Executor& executor) {
+    return gpu::read_picture(executor.target(static_cast<int>(executor.look().passes.size()) - 1))
+        .pixels;
+}
+}  // namespace
+
+TEST_CASE_FIXTURE(Headless, "pictures in common change no bit of what is seen") {
+    const Look look = busy_look();
+    Executor apart = executor_of(look, {8, 8});
+    Executor common = drawing_once(look);
+    // One picture is the newest glow, then e, then the newest charge.
+    CHECK(memory_of(apart.plan()) - memory_of(common.plan()) == 2 * 8 * 8 * 16);
+    CHECK(draw_order(common.plan()).back() == 1);
+    const std::vector<bool> carried = carried_passes(look);
+    for (int n = 1; n <= 12; ++n) {
+        CAPTURE(n);
+        const bool is_seen = n % 3 != 2;
+        apart.draw(frame(n), is_seen ? nullptr : &carried);
+        common.draw(frame(n), is_seen ? nullptr : &carried);
+        if (is_seen)
+            CHECK(picture_of(common) == picture_of(apart));
+    }
+    apart.draw(frame(1));  // from the first frame again
+    common.draw(frame(1));
+    CHECK(picture_of(common) == picture_of(apart));
+}
+
+TEST_CASE_FIXTURE(Headless, "history goes on when pictures in common begin and end") {
+    const Look look = busy_look();
+    Executor apart = executor_of(look, {8, 8});
+    Executor turning = executor_of(look, {8, 8});
+    for (int n = 1; n <= 9; ++n) {
+        CAPTURE(n);
+        const bool is_once = n % 3 != 0;
+        REQUIRE(
+            turning
+                .set_seen(is_once ? last_of(look) : std::vector<bool>{},
+                          is_once ? Executor::Frames::drawn_once : Executor::Frames::drawn_again)
+                .has_value());
+        CHECK(turning.plan().common.empty() != is_once);
+        apart.draw(frame(n));
+        turning.draw(frame(n));
+        CHECK(picture_of(turning) == picture_of(apart));
+    }
+    REQUIRE(turning.set_seen(last_of(look), Executor::Frames::drawn_once).has_value());
+    REQUIRE(turning.replace(look, programs_of(look)).has_value());
+    apart.draw(frame(10));
+    turning.draw(frame(10));
+    CHECK(picture_of(turning) == picture_of(apart));
+}
+
+TEST_CASE_FIXTURE(Headless, "in bands, too, pictures in common are what they are at once") {
+    const Look look = busy_look();
+    Executor apart = executor_of(look, {8, 8});
+    Executor common = drawing_once(look);
+    for (int n = 1; n <= 4; ++n) {
+        apart.draw(frame(n));
+        common.begin_draw(frame(n), nullptr, false);
+        while (!common.continue_frame(1e-9)) {
+        }
+        CHECK(picture_of(common) == picture_of(apart));
+    }
+}
+
+TEST_CASE_FIXTURE(Headless, "who drew what is not finite is found though pictures are in common") {
+    Look look = busy_look();
+    look.passes[5].fragment = fragment(
+        "uniform sampler2D image; uniform int u_frame;\n"
+        "void main() { color = u_frame == 3 ? vec4(1.0 / 0.0) : texture(image, uv); }\n");
+    Executor common = drawing_once(look);
+    REQUIRE(common.set_guard(Executor::Guard::clamp).has_value());
+    const std::vector<bool> carried = carried_passes(look);
+    for (int n = 1; n <= 3; ++n)
+        common.draw(frame(n), &carried);
+    const auto trip = common.take_trip(true);
+    REQUIRE(trip.has_value());
+    CHECK(trip->pass == 5);
+    CHECK(trip->frame == 3);
+    common.draw(frame(4));
+    for (const float number : picture_of(common))
+        CHECK(std::abs(number) <= std::numeric_limits<float>::max());
+}
+
+TEST_CASE_FIXTURE(Headless,
+                  "inputs that a program does not read, and passes left out, cost nothing") {
+    Look look = look_of(
+        {pass("spare", "void main() { color = vec4(3.0); }\n"),
+         pass("a", "uniform int u_frame;\nvoid main() { color = vec4(u_frame); }\n",
+              {reads("unread", "spare"), reads("before", "a", 1)}),
+         pass("show", "uniform sampler2D image;\nvoid main() { color = texture(image, uv); }\n",
+              {reads("image", "a")})});
+    Executor executor = drawing_once(look, {4, 4});
+    CHECK(executor.plan().targets[1].slots == 1);
+    REQUIRE(executor.set_runs({PassRun::left_out, PassRun::drawn, PassRun::drawn}).has_value());
+    CHECK(memory_of(executor.plan()) == (2 * 4 * 4 + 1) * 16);
+    executor.draw(frame(1));
+    executor.draw(frame(2));
+    CHECK(red(executor, 2) == 2.0f);
+    Look reading = look;  // an edit: now it is read
+    reading.passes[1].fragment = fragment(
+        "uniform sampler2D before; uniform sampler2D unread;\n"
+        "void main() { color = texture(before, uv) + texture(unread, uv) + 1.0; }\n");
+    REQUIRE(executor.set_runs({}).has_value());
+    REQUIRE(executor.replace(reading, programs_of(reading)).has_value());
+    executor.draw(frame(3));
+    executor.draw(frame(4));
+    CHECK(red(executor, 2) == 2 * 4.0f);  // of a past that nobody read nothing is left
+}
