@@ -22,6 +22,7 @@ void print_json(const Measurement& measured) {
         {"passes", std::move(passes)},
         {"draw_calls", measured.draw_calls},
         {"bytes_per_pixel", measured.bytes_per_pixel},
+        {"target_bytes", measured.target_bytes},
         {"renderer", measured.renderer}};
     std::cout << document.dump(2) << '\n';
 }
@@ -32,12 +33,14 @@ void print_table(const Measurement& measured) {
                              measured.wall_milliseconds);
     for (const PassTime& pass : measured.passes)
         std::cout << fmt::format("{:<12} {:8.3f} ms\n", pass.name, pass.milliseconds);
-    std::cout << fmt::format("{} draw calls, {:.1f} bytes a pixel\n", measured.draw_calls,
-                             measured.bytes_per_pixel);
+    std::cout << fmt::format("{} draw calls, {:.1f} bytes a pixel, targets of {:.1f} MB\n",
+                             measured.draw_calls, measured.bytes_per_pixel,
+                             1e-6 * static_cast<double>(measured.target_bytes));
 }
 
 int bench(const BenchArguments& arguments, const std::string& data) {
     const RenderRequest request = arguments.look.request();
+    const auto seen = [](const Prepared&) { return std::vector<std::string>(); };
     const auto work = [&](Offline& offline, const Library&) -> Result<void> {
         const auto measured = measure(offline, arguments.frames);
         if (!measured)
@@ -45,7 +48,7 @@ int bench(const BenchArguments& arguments, const std::string& data) {
         arguments.as_json ? print_json(*measured) : print_table(*measured);
         return {};
     };
-    return run_drawing(request, data, {{}, work});
+    return run_drawing(request, data, {{}, work, seen});
 }
 }  // namespace
 

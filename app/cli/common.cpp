@@ -95,6 +95,8 @@ int run_drawing(RenderRequest request, const std::string& data, const Drawing& d
     const auto good = drawing.check ? drawing.check(*prepared) : Result<void>();
     if (!good)
         return report(good.error());
+    if (drawing.seen)
+        prepared->seen = drawing.seen(*prepared);
     auto offline = Offline::create(std::move(*prepared), request.size, request.fps);
     line.clear();
     if (!offline)

@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,8 @@ struct Drawing {
     /// Looks for mistakes before anything is drawn; may be empty.
     std::function<Result<void>(const Prepared& prepared)> check;
     std::function<Result<void>(Offline& offline, const Library& library)> draw;
+    /// As Prepared::seen; may be empty.
+    std::function<std::optional<std::vector<std::string>>(const Prepared& prepared)> seen = {};
 };
 /// Prepares the look, checks, draws, and reports what went wrong; the command's exit code.
 int run_drawing(RenderRequest request, const std::string& data, const Drawing& drawing);

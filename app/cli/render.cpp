@@ -140,6 +140,17 @@ std::vector<std::string> seen_passes(const RenderArguments& arguments, const Loo
     return {look.passes[static_cast<std::size_t>(pass)].name};
 }
 
+// Compiling for these values alone takes as long as a few frames.
+bool draws_many(const RenderArguments& arguments, const Look& look) {
+    constexpr double many = 60;
+    const double fps = arguments.look.request().fps;
+    if (arguments.frames > 0)
+        return arguments.frames >= many;
+    const double usual = is_film_output(arguments.output) ? many : look.settle_frames;
+    const double written = arguments.seconds > 0.0 ? arguments.seconds * fps : usual;
+    return arguments.start * fps + written >= many;
+}
+
 Result<void> draw(const RenderArguments& arguments, const FrameNames& names, Offline& offline,
                   const RecentMedia& recent) {
     const auto pass = chosen_pass(arguments, offline.executor().look());
@@ -148,8 +159,7 @@ Result<void> draw(const RenderArguments& arguments, const FrameNames& names, Off
     const auto part = part_to_write(arguments, offline);
     if (!part)
         return fail(part.error());
-    constexpr int many = 60;  // frames: compiling for these values alone takes as long as a few
-    if (part->end >= many)
+    if (draws_many(arguments, offline.executor().look()))
         if (auto settled = offline.settle(seen_passes(arguments, offline.executor().look(), *pass));
             !settled)
             return settled;
@@ -170,7 +180,14 @@ int render(const RenderArguments& arguments, const std::string& data) {
     const auto work = [&](Offline& offline, const Library& library) {
         return draw(arguments, names, offline, RecentMedia(library.roots()));
     };
-    return run_drawing(request, data, {check, work});
+    const auto seen = [&](const Prepared& prepared) -> std::optional<std::vector<std::string>> {
+        const Look& look = prepared.document.look();
+        const auto pass = chosen_pass(arguments, look);
+        if (!pass || !draws_many(arguments, look))
+            return std::nullopt;
+        return seen_passes(arguments, look, *pass);
+    };
+    return run_drawing(request, data, {check, work, seen});
 }
 }  // namespace
 

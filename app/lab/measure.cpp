@@ -61,6 +61,7 @@ Result<Measurement> measure(Offline& offline, int frames) {
         measured.passes.push_back({look.passes[i].name, median(std::move(passes[i]))});
     measured.draw_calls = offline.executor().draw_calls();
     measured.bytes_per_pixel = offline.executor().bytes_per_pixel();
+    measured.target_bytes = memory_of(offline.executor().plan());
     measured.renderer = offline.context().facts().renderer;
     return measured;
 }

@@ -18,6 +18,7 @@ struct Measurement {
     std::vector<PassTime> passes;
     int draw_calls = 0;
     double bytes_per_pixel = 0.0;
+    std::size_t target_bytes = 0;  // that the targets take
     std::string renderer;
 };
 

@@ -180,8 +180,12 @@ Result<Offline> Offline::create(Prepared prepared, Extent size, double fps) {
     auto programs = build_programs(look, nullptr, prepared.kept_shaders.get(), prepared.progress);
     if (!programs)
         return fail(programs.error());
+    const auto seen = prepared.seen;
     Offline offline(std::move(*context), std::move(prepared), std::move(*programs), size, fps);
     offline.take_values();  // first: sizes may depend on them
+    if (seen)
+        if (auto done = offline.show_to(offline.seen_with_picture(*seen)); !done)
+            return fail(done.error());
     if (auto done = offline.m_renderer->resize(size, size); !done)
         return fail(done.error());
     if (auto done = offline.set_guard(Executor::Guard::clamp); !done)
@@ -301,14 +305,9 @@ Result<void> Offline::settle(const std::vector<std::string>& seen) {
     });
     if (turns_texts || m_unsettled)
         return {};
-    std::vector<bool> is_seen(look.passes.size(), false);
-    is_seen.back() = true;
-    for (std::size_t i = 0; i < is_seen.size(); ++i)
-        if (std::ranges::find(seen, look.passes[i].name) != seen.end())
-            is_seen[i] = true;
-    if (!turns_sharing())
-        if (auto done = m_renderer->set_seen(is_seen, Executor::Frames::drawn_once); !done)
-            return done;
+    const std::vector<bool> is_seen = seen_with_picture(seen);
+    if (auto done = show_to(is_seen); !done)
+        return done;
     const auto programs =
         build_programs(settled_look(look, m_document.values(), executor().plan(),
                                     [&](const Parameter& parameter) { return moves(parameter); }));
@@ -321,6 +320,20 @@ Result<void> Offline::settle(const std::vector<std::string>& seen) {
     for (const bool is_read : executor().read_for(is_seen))
         runs.push_back(is_read ? PassRun::drawn : PassRun::left_out);
     return m_renderer->set_runs(runs);
+}
+
+std::vector<bool> Offline::seen_with_picture(const std::vector<std::string>& names) const {
+    std::vector<bool> seen;
+    for (const Pass& pass : executor().look().passes)
+        seen.push_back(std::ranges::find(names, pass.name) != names.end());
+    seen.back() = true;
+    return seen;
+}
+
+Result<void> Offline::show_to(const std::vector<bool>& seen) {
+    if (turns_sharing())
+        return {};
+    return m_renderer->set_seen(seen, Executor::Frames::drawn_once);
 }
 
 // Programs that are settled know of one plan.

@@ -14,6 +14,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,6 +39,9 @@ struct Prepared {
     Moves moves = {};
     std::shared_ptr<ByteStore> kept_shaders = {};  // null: all is compiled anew
     PassProgress* progress = nullptr;
+    // For who settles before the first frame: the passes that are looked at besides the picture, so
+    // that no others take memory meanwhile. None: all may be looked at.
+    std::optional<std::vector<std::string>> seen = {};
 };
 Result<Prepared> prepare(const RenderRequest& request, const Library& library);
 
@@ -111,6 +115,8 @@ private:
     void take_values();
     bool moves(const Parameter& parameter) const;
     bool turns_sharing() const;
+    std::vector<bool> seen_with_picture(const std::vector<std::string>& names) const;
+    Result<void> show_to(const std::vector<bool>& seen);
     Result<void> end_settled();
     Result<void> follow_constants();
     void make_moves(double seconds);
