@@ -81,6 +81,7 @@ public:
     /// may share targets, and are then not what target() tells. With drawn_once neither redraw()
     /// nor frames beside may follow.
     Result<void> set_seen(std::vector<bool> seen, Frames frames = Frames::drawn_again);
+    const std::vector<bool>& seen() const { return m_seen; }
     /// Converted to the look's source_encoding. The source's size in a plan is resize's business.
     Result<void> set_source(const Picture& picture);
     /// For an image of the look, or an image parameter, by its name; flat or solid. Without it that

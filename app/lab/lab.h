@@ -20,6 +20,7 @@
 #include "lab/rate_pictures.h"
 #include "lab/reloader.h"
 #include "lab/renderer.h"
+#include "lab/seen_passes.h"
 #include "lab/settling.h"
 #include "model/moves.h"
 #include "model/pass_switches.h"
@@ -296,6 +297,8 @@ public:
     /// The number that is not finite that has stopped the clock; none: there is none.
     const std::optional<Trip>& trip() const { return m_trip.trip; }
     void answer_trip(TripAnswer answer);
+    /// From the next frame on somebody looks at these passes.
+    void look_at(SeenPasses seen) { m_seen = std::move(seen); }
     /// Where nobody can be asked such numbers are clamped, and the first is told.
     void set_unattended(bool is_unattended) { m_trip.is_unattended = is_unattended; }
     /// What is drawn with other values beside the picture.
@@ -348,6 +351,7 @@ private:
     void follow_constants();
     bool may_settle() const;
     void follow_settling(double wall_seconds);
+    void follow_seen();
     void forget_settling();
     void forget_constants();
     bool is_following_constants() const;
@@ -429,6 +433,7 @@ private:
     double m_listened_seconds = 0.0;
     std::unique_ptr<Renderer> m_renderer;
     PassSwitches m_switches;
+    SeenPasses m_seen;
     Comparing m_comparing;
     std::optional<Variant> m_variant;  // that the renderer draws
     ChosenImages m_variant_images;

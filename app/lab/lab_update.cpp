@@ -43,6 +43,7 @@ void Lab::update(double wall_seconds) {
         // The last picture goes on meanwhile.
         m_reloader.restack(m_document->state().stack, m_document->state().values);
     follow_constants();
+    follow_seen();
     // Beside a look that is being opened others are at work on the same processor and driver.
     m_renderer->set_slice(is_reading() ? slice_seconds / 2.0 : slice_seconds);
     m_is_turn_spent =

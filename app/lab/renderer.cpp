@@ -123,6 +123,20 @@ Result<void> Renderer::set_runs(const std::vector<PassRun>& runs) {
     return done;
 }
 
+Result<void> Renderer::set_seen(const std::vector<bool>& seen, Executor::Frames frames) {
+    const Plan before = m_executor.plan();
+    if (auto done = m_executor.set_seen(seen, frames); !done)
+        return done;
+    auto done = m_variant ? m_variant->set_seen(seen, frames) : Result<void>();
+    if (!done)
+        end_variant();
+    if (m_executor.plan() != before) {
+        drop_frame();
+        m_holds_picture = false;
+    }
+    return done;
+}
+
 void Renderer::clear_history(int pass) {
     drop_frame();
     m_executor.clear_history(pass);
@@ -152,6 +166,10 @@ Result<void> Renderer::start_variant(const Values& values) {
     if (auto switched = m_variant->set_runs(m_runs); !switched) {
         end_variant();
         return switched;
+    }
+    if (auto looked_at = m_variant->set_seen(m_executor.seen()); !looked_at) {
+        end_variant();
+        return looked_at;
     }
     auto sized = m_picture.is_empty() ? Result<void>() : m_variant->resize(m_picture, m_source);
     if (!sized)

@@ -45,12 +45,10 @@ public:
     const Values& drawn_values() const { return m_drawn_values; }
     /// As Executor::set_runs, of the variant too.
     Result<void> set_runs(const std::vector<PassRun>& runs);
-    /// As Executor::set_seen; of a variant all passes are.
-    Result<void> set_seen(std::vector<bool> seen,
-                          Executor::Frames frames = Executor::Frames::drawn_again) {
-        drop_frame();
-        return m_executor.set_seen(std::move(seen), frames);
-    }
+    /// As Executor::set_seen, of the variant too. Where that changes the plan there is no whole
+    /// picture until the next frame.
+    Result<void> set_seen(const std::vector<bool>& seen,
+                          Executor::Frames frames = Executor::Frames::drawn_again);
     /// What the pass has drawn is gone, of the variant too.
     void clear_history(int pass);
     Result<void> resize(Extent picture, Extent source);

@@ -46,6 +46,11 @@ void save_target(Lab& lab, const PassView& view, std::filesystem::path file) {
         lab.renderer() ? inspected_texture(lab.renderer()->executor(), view) : std::nullopt;
     if (!inspected)
         return;
+    const bool is_there =
+        inspected->choice.from != Input::From::pass ||
+        !lab.renderer()->executor().plan().targets[static_cast<std::size_t>(inspected->pass)].onto;
+    if (!is_there)
+        return lab.say("Nobody looks at this pass: open the inspector, then save it", true);
     if (!lab.renderer()->has_whole_picture())
         return lab.say("The pass is still being drawn: save it when it is there", true);
     auto closer = CloserLook::make();

@@ -4,6 +4,7 @@
 #include "gpu/window.h"
 #include "lab/first_file.h"
 #include "lab/palette.h"
+#include "lab/seen_passes.h"
 #include "lab/session.h"
 #include "lab/session_keeper.h"
 #include "lab/waker.h"
@@ -176,6 +177,7 @@ void Application::turn() {
         m_lab.say(std::move(problem), true);
     m_lab.set_view(view());
     m_lab.set_unattended(m_state.is_picture_only || m_output.is_open());
+    m_lab.look_at(seen_passes(m_lab, m_state));
     m_lab.update(wall_seconds);
     m_first_file.update(m_lab);
     follow_remote();

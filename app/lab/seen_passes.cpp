@@ -1,0 +1,34 @@
+#include "lab/seen_passes.h"
+
+#include "lab/lab.h"
+#include "lab/window_state.h"
+
+#include <algorithm>
+
+std::vector<bool> SeenPasses::of(const Look& look) const {
+    if (are_all || look.passes.empty())
+        return {};
+    std::vector<bool> seen;
+    for (const Pass& pass : look.passes)
+        seen.push_back(std::ranges::find(names, pass.name) != names.end());
+    seen.back() = true;
+    return seen;
+}
+
+SeenPasses seen_passes(const Lab& lab, const WindowState& window) {
+    const bool has_panels = !window.is_picture_only;
+    const Document* document = lab.document();
+    if (!document || (has_panels && window.shows_strip) || window.sees(BottomPart::pins))
+        return {};
+    SeenPasses seen{.are_all = false};
+    seen.names.push_back(
+        document->look().passes.at(static_cast<std::size_t>(lab.picture_pass())).name);
+    if (window.shows_pass_large || (has_panels && window.shows_inspector)) {
+        seen.names.push_back(window.inspected.pass);
+        if (const auto& other = window.inspected.other; other && other->from == Input::From::pass)
+            seen.names.push_back(other->name);
+    }
+    if (window.probe)
+        seen.names.push_back(window.probe->pass);
+    return seen;
+}
