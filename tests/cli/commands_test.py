@@ -350,6 +350,16 @@ class Measuring(ProgramTest):
         self.assertEqual(document["draw_calls"], 6)  # without what the picture does not need
         self.assertTrue(document["renderer"])
 
+    def test_bench_tells_what_the_targets_take(self):
+        # Light of this frame and the last, the picture; at half the size what the bloom is made of, twice;
+        # of a measured tube the beam, what it holds, and one for its light and then what it holds next.
+        for tube, floats in (("Custom", 2), ("P31", 3)):
+            result = run("bench", "phosphor", "--size", "160x90", "--frames", "1", "--json", "--set", f"tube={tube}")
+            self.assert_done(result)
+            texels = 200  # bytes of those that stand for what is not used, at most
+            self.assertAlmostEqual(json.loads(result.stdout)["target_bytes"],
+                                   160 * 90 * (16 * floats + 4) + 80 * 45 * 2 * 8, delta=texels)
+
 
 class WithoutDisplay(ProgramTest):
     def test_the_window_says_what_it_found_and_renders_instead(self):
