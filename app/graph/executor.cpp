@@ -78,6 +78,7 @@ Result<void> Executor::replace(Look look, Programs programs) {
             return fail(targets.error());
         m_plan = std::move(*plan);
         m_order = draw_order(m_plan);
+        m_apart.clear();
         m_targets = std::move(*targets);
         m_source.set_slots(m_plan.source_slots);
         m_sound = std::move(*sound);
@@ -130,6 +131,7 @@ Result<void> Executor::resize(Extent viewport, Extent source) {
         m_targets = std::move(*targets);
         m_sound = std::move(*sound);
         m_cubes = {};
+        m_apart.clear();
         m_plan = std::move(*plan);
         m_order = draw_order(m_plan);
         m_source.set_slots(m_plan.source_slots);

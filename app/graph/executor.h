@@ -78,8 +78,9 @@ public:
     /// picture that is read no more may be drawn over within its frame.
     enum class Frames { drawn_again, drawn_once };
     /// Passes whose own pictures somebody looks at from the next frame on; empty: all. The others
-    /// may share targets, and are then not what target() tells. With drawn_once neither redraw()
-    /// nor frames beside may follow.
+    /// may share targets: what is drawn onto another's is drawn once more, by itself, for who asks
+    /// target() for it. With drawn_once such pictures may be gone, and neither redraw() nor frames
+    /// beside may follow.
     Result<void> set_seen(std::vector<bool> seen, Frames frames = Frames::drawn_again);
     const std::vector<bool>& seen() const { return m_seen; }
     /// Converted to the look's source_encoding. The source's size in a plan is resize's business.
@@ -188,6 +189,13 @@ private:
         bool covers_target = false;  // leaves no texel of what was there
     };
 
+    /// What a pass draws onto another's target, by itself.
+    struct Apart {
+        gpu::Canvas canvas;
+        std::uint64_t drawn = 0;  // m_shared_draws then
+        std::uint64_t asked = 0;  // the picture that it was last asked for
+    };
+
     /// What the look itself draws with, while it is settled.
     struct Unsettled {
         Programs programs;
@@ -213,6 +221,7 @@ private:
 
     void note_frame(const Frame& frame, const std::vector<bool>* only, bool is_again);
     void draw_shared_whole();
+    void write_beam(const Frame& frame);
     bool draws(std::size_t pass, Draw shape) const;  // in the present frame
     bool draws_points() const;
     std::optional<BeamSpot> smallest_spot();  // none where no segments are drawn
@@ -241,15 +250,18 @@ private:
     std::optional<int> enough_of(const Pass& pass) const;
     int samples_due(std::size_t pass) const;
     int samples_before(std::size_t pass) const;
-    void bind(const PassState& state);
+    void bind(const PassState& state) const;
     const gpu::Texture* texture_for(const BoundInput& input) const;
-    const gpu::Texture* cube_for(const BoundInput& input);
+    const gpu::Texture* cube_for(const BoundInput& input) const;
+    const gpu::Texture* picture_apart(std::size_t pass) const;
+    void draw_apart(std::size_t pass, const gpu::Canvas& canvas) const;
+    const gpu::Texture& newest_picture(std::size_t pass) const;
     const gpu::Texture& upright(const gpu::Texture& stored, RowOrder rows) const;
     const gpu::Texture* stored_texture(const TextureChoice& choice) const;
     RowOrder rows_of(const BoundInput& input) const;
     void start_target(std::size_t pass, bool goes_on);
     void aim(std::size_t pass);
-    void draw_shape(std::size_t pass);
+    void draw_shape(std::size_t pass) const;
     bool is_remembered(std::size_t pass) const;  // later frames read it
     bool is_watched(std::size_t pass) const;
     bool is_handed_back(std::size_t pass) const;
@@ -274,15 +286,17 @@ private:
     Frames m_frames = Frames::drawn_again;
     std::vector<std::size_t> m_order;           // in which passes are drawn
     std::optional<PassThrough> m_pass_through;  // from the first bypass on
-    ParameterUniforms m_parameters;
+    mutable ParameterUniforms m_parameters;
+    mutable std::map<std::size_t, Apart> m_apart;  // of those that somebody asked for
+    std::uint64_t m_shared_draws = 0;  // frames in which something was drawn onto others
     TargetSet m_targets;
     SourceHistory m_source;
     Keyboard m_keyboard;
-    CubeCopies m_cubes;
+    mutable CubeCopies m_cubes;
     SoundTextures m_sound;
     std::map<std::string, std::shared_ptr<const gpu::Texture>> m_images;
     std::map<SampleKind, gpu::Canvas> m_empty;  // one texel of transparent black
-    gpu::Samplers m_samplers;
+    mutable gpu::Samplers m_samplers;
     mutable Upright m_upright;
     Guard m_guard = Guard::off;
     bool m_draws_whole = false;  // the present frame

@@ -37,7 +37,7 @@ void Executor::note_frame(const Frame& frame, const std::vector<bool>* only, boo
     m_draws_whole = only == nullptr;
     if (!is_again)
         m_beam.advance(frame);
-    m_beam.write(frame, draws_points(), smallest_spot());
+    write_beam(frame);
     m_keyboard.show(frame.keys);
     m_sound.show(frame);
     m_drawn = frame;
@@ -47,13 +47,29 @@ void Executor::note_frame(const Frame& frame, const std::vector<bool>* only, boo
     m_work.draw_calls = 0;
 }
 
+// Where no pass draws it the former one stays, for who asks what was drawn of it.
+void Executor::write_beam(const Frame& frame) {
+    const std::optional<BeamSpot> spot = smallest_spot();
+    if (draws_points() || spot)
+        m_beam.write(frame, draws_points(), spot);
+}
+
 // What is drawn onto a target begins and ends with it.
 void Executor::draw_shared_whole() {
+    bool is_any = false;
     for (std::size_t guest = 0; guest < m_passes.size(); ++guest)
         if (const std::size_t host = host_of(guest); host != guest)
             m_work.passes[host] = m_work.passes[host] || m_work.passes[guest];
     for (std::size_t guest = 0; guest < m_passes.size(); ++guest)
-        m_work.passes[guest] = m_work.passes[host_of(guest)];
+        if (const std::size_t host = host_of(guest); host != guest) {
+            m_work.passes[guest] = m_work.passes[host];
+            is_any = is_any || m_work.passes[guest];
+        }
+    m_shared_draws += is_any ? 1 : 0;
+    std::erase_if(m_apart, [this](const auto& one) {
+        constexpr std::uint64_t pictures = 600;  // that nobody has asked in
+        return one.second.asked + pictures < m_picture_number;
+    });
 }
 
 std::size_t Executor::host_of(std::size_t pass) const {
@@ -330,7 +346,7 @@ bool can_read(Sampled sampled, const gpu::Texture& texture) {
 }
 }  // namespace
 
-void Executor::bind(const PassState& state) {
+void Executor::bind(const PassState& state) const {
     for (const BoundInput& input : state.inputs) {
         const gpu::Texture* texture =
             input.sampled == Sampled::cube ? cube_for(input) : texture_for(input);
@@ -346,7 +362,7 @@ void Executor::bind(const PassState& state) {
 }
 
 // Where a pass drew the faces of a cube these become one.
-const gpu::Texture* Executor::cube_for(const BoundInput& input) {
+const gpu::Texture* Executor::cube_for(const BoundInput& input) const {
     if (input.from != Input::From::pass)
         return texture_for(input);
     const Target& target = m_targets[static_cast<std::size_t>(input.pass)];
@@ -368,7 +384,7 @@ const gpu::Texture* Executor::texture_for(const BoundInput& input) const {
     return image == m_images.end() ? nullptr : image->second.get();
 }
 
-void Executor::draw_shape(std::size_t index) {
+void Executor::draw_shape(std::size_t index) const {
     const Draw shape = m_look.passes[index].draw;
     m_passes[index].vertices.bind();
     if (const int location = m_passes[index].tint_location; location >= 0)

@@ -1,7 +1,9 @@
 // The part of Executor that tells which pictures it holds, and hands them out as people see them.
+#include "gpu/draw.h"
 #include "graph/executor.h"
 
 #include <algorithm>
+#include <utility>
 
 std::vector<TextureChoice> Executor::textures() const {
     std::vector<TextureChoice> choices;
@@ -36,7 +38,51 @@ const gpu::Texture& Executor::upright(const gpu::Texture& stored, RowOrder rows)
 
 const gpu::Texture& Executor::target(int pass) const {
     const auto index = static_cast<std::size_t>(pass);
-    return upright(m_targets[index].finished().texture(), m_look.passes[index].rows);
+    return upright(newest_picture(index), m_look.passes[index].rows);
+}
+
+const gpu::Texture& Executor::newest_picture(std::size_t pass) const {
+    const gpu::Texture* apart = m_plan.targets[pass].onto ? picture_apart(pass) : nullptr;
+    return apart ? *apart : m_targets[pass].finished().texture();
+}
+
+// None before the first frame, and where there is no memory.
+const gpu::Texture* Executor::picture_apart(std::size_t pass) const {
+    if (m_shared_draws == 0)
+        return nullptr;
+    const gpu::ContextScope scope(m_home.get());
+    auto found = m_apart.find(pass);
+    if (found == m_apart.end()) {
+        const PlannedTarget& planned = m_plan.targets[pass];
+        auto canvas = gpu::Canvas::make(planned.extent, planned.format);
+        if (!canvas)
+            return nullptr;
+        found = m_apart.emplace(pass, Apart{std::move(*canvas)}).first;
+    }
+    Apart& apart = found->second;
+    apart.asked = m_picture_number;
+    if (std::exchange(apart.drawn, m_shared_draws) != m_shared_draws)
+        draw_apart(pass, apart.canvas);
+    return &apart.canvas.texture();
+}
+
+// Others may have drawn with these programs since.
+void Executor::draw_apart(std::size_t pass, const gpu::Canvas& canvas) const {
+    const gpu::DrawScope scope;
+    const PassState& state = m_passes[pass];
+    m_parameters.forget_written();
+    m_parameters.write(m_look, m_values);
+    state.program->use();
+    write_built_ins(pass);
+    canvas.clear();
+    canvas.bind();
+    gpu::set_blend(m_look.passes[pass].blend);
+    bind(state);
+    for (int i = 0; i < repeats_of(m_look.passes[pass]); ++i) {
+        state.built_ins.write_samples(*state.program, samples_before(pass) + i);
+        draw_shape(pass);
+    }
+    m_samplers.release();
 }
 
 const gpu::Texture* Executor::texture(const TextureChoice& choice) const {
@@ -67,5 +113,6 @@ const gpu::Texture* Executor::stored_texture(const TextureChoice& choice) const 
     const PlannedTarget& planned = m_targets[pass].planned();
     if (choice.frames_ago >= planned.slots - (planned.common ? 1 : 0))
         return nullptr;
-    return &m_targets[pass].finished(choice.frames_ago).texture();
+    return choice.frames_ago == 0 ? &newest_picture(pass)
+                                  : &m_targets[pass].finished(choice.frames_ago).texture();
 }

@@ -18,7 +18,7 @@ std::vector<bool> SeenPasses::of(const Look& look) const {
 SeenPasses seen_passes(const Lab& lab, const WindowState& window) {
     const bool has_panels = !window.is_picture_only;
     const Document* document = lab.document();
-    if (!document || (has_panels && window.shows_strip) || window.sees(BottomPart::pins))
+    if (!document)
         return {};
     SeenPasses seen{.are_all = false};
     seen.names.push_back(

@@ -18,6 +18,6 @@ struct SeenPasses {
     std::vector<bool> of(const Look& look) const;
 };
 
-/// What a window shows of the look that is open: all passes in the strip and where pins are told,
-/// else the picture and what is looked into.
+/// What a window shows in every frame of the look that is open: the picture and what is looked
+/// into. What the strip and the pins show of others, a few times a second, is drawn once more then.
 SeenPasses seen_passes(const Lab& lab, const WindowState& window);

@@ -60,6 +60,26 @@ TEST_CASE_FIXTURE(Headless,
     CHECK(executor.bytes_per_pixel() == 6 * 16.0);  // and the light written and read
 }
 
+TEST_CASE_FIXTURE(Headless, "what is drawn onto another's target is drawn by itself for who asks") {
+    Executor executor = sharing(glowing_look());
+    for (int n = 1; n <= 3; ++n) {
+        executor.draw(frame(n));
+        if (n == 2)
+            continue;  // nobody asks
+        CHECK(pixel(executor, 0) == Rgba{static_cast<float>(n), 0.125f, 0.0f, 7.0f});
+        CHECK(pixel(executor, 0, 3)[1] == 0.875f);
+        CHECK(red(executor, 2) == glow_after(n));
+        CHECK(executor.draw_calls() == 3);
+    }
+    executor.redraw(frame(9), {false, false, true});  // what was drawn onto it stays
+    CHECK(red(executor, 0) == 3.0f);
+    executor.redraw(frame(4), {true, false, true});
+    CHECK(red(executor, 0) == 4.0f);
+    REQUIRE(executor.set_seen({}).has_value());  // it has a target of its own again
+    executor.draw(frame(5));
+    CHECK(red(executor, 0) == 5.0f);
+}
+
 TEST_CASE_FIXTURE(Headless,
                   "history goes on when somebody begins and ends looking at what shares") {
     Executor executor = sharing(glowing_look());

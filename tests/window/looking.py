@@ -113,6 +113,19 @@ class Looking(Person):
         self.assertLessEqual(state["gains"][-1][0], 1)
         self.snapshot("gains")
 
+    def test_the_strip_tells_of_every_pass_also_when_it_opens_over_a_picture_that_rests(self):
+        program = self.program
+        program.key("space")
+        before = program.wait("every pass has been measured",
+                              lambda s: not s["is_playing"] and len(s["gains"]) > 5 and all(s["gains"]))
+        program.key("ctrl+4")
+        program.wait("the strip is closed", lambda s: "pass:beam" not in s["widgets"])
+        program.key("ctrl+4")
+        program.wait("the beam is told of as it was, though it has no target of its own",
+                     lambda s: s["gains"] and s["gains"][0] and s["gains"][0][0] > 0 and
+                     s["frame"] == before["frame"])
+        program.key("space")
+
     def test_a_pass_is_switched_to_see_what_it_does(self):
         program = self.program
 
