@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 namespace {
 // The program's own triangle and quad cover all; a person's vertex shader, points or `discard` may
@@ -133,7 +134,8 @@ Result<void> Executor::resize(Extent viewport, Extent source) {
         m_cubes = {};
         m_apart.clear();
         m_plan = std::move(*plan);
-        m_order = draw_order(m_plan);
+        if (std::exchange(m_order, draw_order(m_plan)) != m_order)
+            end_settled();  // those programs know who was drawn onto whom
         m_source.set_slots(m_plan.source_slots);
         ++m_picture_number;
         for (PassState& state : m_passes)

@@ -7,13 +7,10 @@ Result<void> Executor::set_seen(std::vector<bool> seen, Frames frames) {
     const gpu::ContextScope scope(m_home.get());
     std::swap(m_seen, seen);
     std::swap(m_frames, frames);
-    const std::vector<std::size_t> order = m_order;
     auto planned = plan_again();
     if (!planned) {
         std::swap(m_seen, seen);
         std::swap(m_frames, frames);
-    } else if (m_order != order) {
-        end_settled();  // those programs know who was drawn onto whom
     }
     return planned;
 }

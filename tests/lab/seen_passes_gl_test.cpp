@@ -89,6 +89,13 @@ TEST_CASE("programs that hold the values know who is drawn onto whom") {
     REQUIRE(small.turn_until([&] { return small.executor().is_settled(); }));
     CHECK(small.is_shared());
     CHECK(small.has_all_light());
+    small.lab().switch_pass(PassSwitch::freeze, "light");
+    small.turn(2);
+    CHECK_FALSE(small.is_shared());
+    CHECK(small.has_all_light());
+    small.lab().switch_pass(PassSwitch::freeze, "light");
+    small.turn(2);
+    CHECK(small.has_all_light());
     small.lab().look_at({});
     small.turn(3);
     CHECK(small.has_all_light());
