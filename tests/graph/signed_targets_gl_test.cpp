@@ -91,15 +91,16 @@ TEST_CASE_FIXTURE(Headless, "readouts have numbers below zero as they are writte
 }
 
 TEST_CASE_FIXTURE(Headless, "the least and the greatest number of a signed target are measured") {
-    auto meter = Meter::make();
-    REQUIRE(meter.has_value());
+    auto programs = MeterPrograms::make();
+    REQUIRE(programs.has_value());
+    Meter meter(std::make_shared<const MeterPrograms>(std::move(*programs)));
     for (const FormatFacts& facts : signed_formats()) {
         CAPTURE(facts.name);
         const Ends ends(facts);
         const auto measured = [&](ChannelChoice channels) {
-            meter->start(ends.target(), channels, facts.channels > 1 ? -5.0 : 0.0);
+            meter.start(ends.target(), channels, facts.channels > 1 ? -5.0 : 0.0);
             gpu::finish();
-            return meter->take().value();
+            return meter.take().value();
         };
         CHECK(measured(ChannelChoice::red).statistics ==
               Statistics{least_of(facts), least_of(facts), least_of(facts), 16, 0, 0});

@@ -9,26 +9,26 @@
 namespace {
 /// A line of Tektronix, "CRT Data", phosphor decay table, rev. A, 1966: milliseconds to 10, 1 and
 /// 0.1 %, and the luminance where P31's is 100.
-struct Measured {
+struct MeasuredLine {
     const char* name;
     double item;
     std::array<double, 3> milliseconds;
     double luminance;
 };
 
-constexpr std::array<Measured, 10> measured{{{"P1", 1, {27, 60, 95}, 45},
-                                             {"P2", 2, {0.37, 4.7, 51}, 60},
-                                             {"P3", 3, {19, 45, 74}, 45},
-                                             {"P4", 4, {0.32, 3.3, 20}, 50},
-                                             {"P7", 5, {0.305, 5.7, 66}, 45},
-                                             {"P11", 6, {0.274, 2.6, 17}, 25},
-                                             {"P14", 7, {0.44, 6.7, 55}, 40},
-                                             {"P28", 8, {0.39, 17, 132.5}, 50},
-                                             {"P31", 9, {0.34, 4.5, 32}, 100},
-                                             {"P32", 10, {1, 18, 235}, 25}}};
-constexpr const Measured& p7 = measured[4];
-constexpr const Measured& p31 = measured[8];
-constexpr const Measured& p32 = measured[9];
+constexpr std::array<MeasuredLine, 10> measured{{{"P1", 1, {27, 60, 95}, 45},
+                                                 {"P2", 2, {0.37, 4.7, 51}, 60},
+                                                 {"P3", 3, {19, 45, 74}, 45},
+                                                 {"P4", 4, {0.32, 3.3, 20}, 50},
+                                                 {"P7", 5, {0.305, 5.7, 66}, 45},
+                                                 {"P11", 6, {0.274, 2.6, 17}, 25},
+                                                 {"P14", 7, {0.44, 6.7, 55}, 40},
+                                                 {"P28", 8, {0.39, 17, 132.5}, 50},
+                                                 {"P31", 9, {0.34, 4.5, 32}, 100},
+                                                 {"P32", 10, {1, 18, 235}, 25}}};
+constexpr const MeasuredLine& p7 = measured[4];
+constexpr const MeasuredLine& p31 = measured[8];
+constexpr const MeasuredLine& p32 = measured[9];
 
 /// I(t) = sum of weight e^(-t / seconds).
 struct Decay {
@@ -76,7 +76,7 @@ Decay solved_for_sulphide(const std::array<double, 3>& times) {
     return d;
 }
 
-Decay solved(const Measured& tube) {
+Decay solved(const MeasuredLine& tube) {
     std::array<double, 3> seconds = tube.milliseconds;
     for (double& time : seconds)
         time *= 0.001;
@@ -89,7 +89,7 @@ constexpr std::array<int, 5> rates{24, 30, 60, 144, 240};
 constexpr Extent small{16, 16};
 
 /// All light is white, and far below the ceiling.
-Values white(const Measured& tube) {
+Values white(const MeasuredLine& tube) {
     return {{"tube", Value(tube.item)},
             {"tube_color", Value(1.0)},
             {"beam_color", Value(std::vector<double>{1, 1, 1})},
@@ -128,7 +128,7 @@ std::array<double, 3> scaled_to_1(std::array<double, 3> rgb) {
 
 TEST_CASE("every tube is at 10, 1 and 0.1 % at the measured times") {
     Tube tube({}, small);
-    for (const Measured& line : measured) {
+    for (const MeasuredLine& line : measured) {
         CAPTURE(line.name);
         const double full = brightness_after(tube, white(line), 0);
         for (std::size_t i = 0; i < 3; ++i) {
@@ -152,7 +152,7 @@ TEST_CASE("the time scale stretches a tube's fading") {
 
 TEST_CASE("after a flash each frame shows the light that falls into it, at every frame rate") {
     Tube tube({}, small);
-    for (const Measured& line : measured) {
+    for (const MeasuredLine& line : measured) {
         const Decay decay = solved(line);
         for (const int fps : rates) {
             CAPTURE(line.name);
@@ -179,7 +179,7 @@ TEST_CASE("after a flash each frame shows the light that falls into it, at every
 
 TEST_CASE("the light of two seconds is the same at every frame rate") {
     Tube tube({}, small);
-    for (const Measured& line : measured) {
+    for (const MeasuredLine& line : measured) {
         const Decay decay = solved(line);
         for (const int fps : rates) {
             CAPTURE(line.name);
@@ -234,7 +234,7 @@ TEST_CASE("a tube's light has its colour, and its luminance next to P31's") {
             CHECK(std::abs(shown[i] - line.second[i]) < 0.002);
     }
     const double reference = luminance(flashed(p31.item));
-    for (const Measured& line : measured) {
+    for (const MeasuredLine& line : measured) {
         CAPTURE(line.name);
         CHECK(std::abs(luminance(flashed(line.item)) / reference - line.luminance / 100) < 0.002);
     }
