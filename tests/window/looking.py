@@ -184,7 +184,7 @@ class Looking(Person):
         program.wait("the pixel of a frame ago is told",
                      lambda s: s["probe"] and s["probe"]["pass"] == "persistence@1")
         self.screen.do("click", "--repeat", 15, "--delay", 5, 4)
-        program.wait("its texels have numbers", lambda s: s["cells"][1] >= 4)
+        program.wait("its texels have numbers", lambda s: s["cells"][1] > 0)
         self.snapshot("cells")
         program.key("l")
         program.wait("the picture's middle row is plotted", lambda s: s["waveform"] == self.size[0])
