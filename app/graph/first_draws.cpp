@@ -2,7 +2,7 @@
 
 #include "glsl/include.h"
 #include "gpu/draw.h"
-#include "graph/power_of_two.h"
+#include "graph/stand_in_sizes.h"
 
 #include <algorithm>
 #include <cassert>
@@ -12,37 +12,6 @@ bool is_known(const PassProgram& program, const Programs* known) {
     return known && std::ranges::any_of(known->passes, [&](const PassProgram& other) {
                return other.program == program.program;
            });
-}
-
-Extent small_like(Extent viewport) {
-    const auto side = [](int length) { return is_power_of_two(length) ? 64 : 96; };
-    return {side(viewport.width), side(viewport.height)};
-}
-
-// Whether drivers tell no target of the one plan from that of the other.
-bool are_alike(const Plan& one, const Plan& other) {
-    return std::ranges::equal(
-        one.targets, other.targets, [](const PlannedTarget& a, const PlannedTarget& b) {
-            return is_power_of_two(a.extent.width) == is_power_of_two(b.extent.width) &&
-                   is_power_of_two(a.extent.height) == is_power_of_two(b.extent.height);
-        });
-}
-
-// Making room for large targets takes longer than the draws, and what drivers distinguish, sides
-// that are powers of two, is met by about a quarter of them as well.
-Extent quarter_like(const Look& look, Extent viewport) {
-    constexpr int least = 128;
-    constexpr int tries = 8;
-    const auto whole = plan_targets(look, viewport, expected_source, {});
-    for (int more = 0; whole && more < tries; ++more) {
-        const Extent quarter{viewport.width / 4 + more, viewport.height / 4 + more};
-        if (std::min(quarter.width, quarter.height) < least)
-            continue;
-        const auto plan = plan_targets(look, quarter, expected_source, {});
-        if (plan && are_alike(*whole, *plan))
-            return quarter;
-    }
-    return viewport;
 }
 
 Picture black(Extent extent) {
@@ -89,12 +58,12 @@ FirstDraws::FirstDraws(const FirstDrawsOf& of, const PassProgram& idle) {
     if (m_new.empty())
         return;
     m_executor.emplace(std::move(stand_in), std::move(drawn));
-    const bool is_small = of.size == FirstDrawsOf::Size::small;
-    const Extent extent = is_small ? small_like(of.viewport) : quarter_like(of.look, of.viewport);
-    const Extent source = is_small ? Extent{96, 96} : expected_source;
+    const PictureSizes whole{of.viewport, expected_source};
+    const PictureSizes sizes = of.size == FirstDrawsOf::Size::small ? small_like(of.look, whole)
+                                                                    : quarter_like(of.look, whole);
     const auto guard = of.programs.tripwire ? Executor::Guard::search : Executor::Guard::off;
-    const bool is_ready = m_executor->resize(extent, source).has_value() &&
-                          m_executor->set_source(black(source)).has_value() &&
+    const bool is_ready = m_executor->resize(sizes.viewport, sizes.source).has_value() &&
+                          m_executor->set_source(black(sizes.source)).has_value() &&
                           m_executor->set_guard(guard).has_value();
     for (const auto& [name, texture] : of.images)
         m_executor->set_image(name, texture);

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "model/extent.h"
+#include "model/look.h"
+
+/// What the sizes of a look's targets follow from, px.
+struct PictureSizes {
+    Extent viewport;
+    Extent source;
+};
+
+/// Small sizes with which drivers see the same kinds of targets as with `whole`: sides that are
+/// powers of two, and sides that are not, of the same passes. Where there are none near, of the
+/// viewport at least.
+PictureSizes small_like(const Look& look, const PictureSizes& whole);
+/// The same of about a quarter, or `whole` itself: making room for large targets takes longer than
+/// to draw a band of them.
+PictureSizes quarter_like(const Look& look, const PictureSizes& whole);

@@ -1,0 +1,52 @@
+#include "graph/stand_in_sizes.h"
+
+#include "graph/looks.h"
+#include "graph/power_of_two.h"
+#include "model/plan.h"
+
+#include <doctest/doctest.h>
+
+namespace {
+Look scaled(std::vector<double> factors) {
+    std::vector<Pass> passes;
+    for (const double factor : factors) {
+        passes.push_back(pass("p" + std::to_string(passes.size()), "void main() {}\n"));
+        passes.back().size[0].factor = passes.back().size[1].factor = factor;
+    }
+    return look_of(std::move(passes));
+}
+
+// Of each target, whether its sides are powers of two.
+std::vector<std::pair<bool, bool>> kinds(const Look& look, const PictureSizes& sizes) {
+    std::vector<std::pair<bool, bool>> found;
+    for (const PlannedTarget& target :
+         plan_targets(look, sizes.viewport, sizes.source, {}).value().targets)
+        found.emplace_back(is_power_of_two(target.extent.width),
+                           is_power_of_two(target.extent.height));
+    return found;
+}
+}  // namespace
+
+TEST_CASE("a third of a stand-in is a power of two only where a third of the picture is") {
+    const PictureSizes whole{{1280, 720}, {320, 240}};  // a third: 427 x 240; a twelfth: 107 x 60
+    const Look look = scaled({1.0 / 3.0, 1.0 / 12.0, 1.0});
+    CHECK(kinds(look, {{96, 96}, {96, 96}}) != kinds(look, whole));  // its third is 32
+    for (const PictureSizes& sizes : {small_like(look, whole), quarter_like(look, whole)}) {
+        CHECK(kinds(look, sizes) == kinds(look, whole));
+        CHECK(sizes.viewport.width <= 328);
+    }
+}
+
+TEST_CASE("sides of the picture that are powers of two are so in a stand-in") {
+    const PictureSizes whole{{1024, 768}, {320, 240}};  // halves: 512 x 384
+    const Look look = scaled({1.0, 0.5});
+    const PictureSizes small = small_like(look, whole);
+    CHECK(small.viewport == Extent{64, 96});
+    CHECK(kinds(look, small) == kinds(look, whole));
+    CHECK(quarter_like(look, whole).viewport == Extent{256, 192});
+}
+
+TEST_CASE("a picture that is small already stands for itself") {
+    const PictureSizes whole{{300, 200}, {320, 240}};
+    CHECK(quarter_like(scaled({1.0}), whole).viewport == whole.viewport);
+}
