@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bench/side_by_side.h"
+#include "bench/wanted.h"
 #include "lab/offline.h"
 
 #include <fmt/format.h>
@@ -11,18 +12,6 @@
 namespace bench {
 
 using ValueTexts = std::vector<std::pair<std::string, std::string>>;
-
-[[noreturn]] inline void give_up(const Diagnostics& problems) {
-    fmt::print(stderr, "{}", to_string(problems));
-    std::exit(EXIT_FAILURE);
-}
-
-template <class T>
-T wanted(Result<T> result) {
-    if (!result)
-        give_up(result.error());
-    return std::move(*result);
-}
 
 /// A preset of Phosphor as the program draws it, and the article's points for the plain programs.
 struct Engine {

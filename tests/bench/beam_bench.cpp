@@ -3,6 +3,7 @@
 // before times are.
 #include "bench/plain_beam.h"
 #include "bench/side_by_side.h"
+#include "bench/wanted.h"
 #include "gpu/readback.h"
 #include "graph/merge_segments.h"
 #include "graph/settled_look.h"
@@ -18,19 +19,7 @@ namespace {
 constexpr Extent screen{1280, 720};
 constexpr double spot_px = 1.0;
 constexpr int rounds = 9;
-
-[[noreturn]] void give_up(const Diagnostics& problems) {
-    fmt::print(stderr, "{}", to_string(problems));
-    std::exit(EXIT_FAILURE);
-}
-
-template <class T>
-T wanted(Result<T> result) {
-    if (!result)
-        give_up(result.error());
-    if constexpr (!std::is_void_v<T>)
-        return std::move(*result);
-}
+using bench::wanted;
 
 /// Vector beam's first pass alone, with its values as constants.
 class OurBeam {

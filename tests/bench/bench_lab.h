@@ -1,10 +1,8 @@
 #pragma once
 
+#include "bench/wanted.h"
 #include "lab/lab.h"
 
-#include <fmt/format.h>
-
-#include <cstdlib>
 #include <memory>
 
 namespace bench {
@@ -14,15 +12,10 @@ namespace bench {
 class BenchLab {
 public:
     BenchLab(const std::filesystem::path& folder, Extent picture) {
-        auto context = gpu::Context::headless();
-        auto worker = context ? gpu::Context::shared_with(**context) : fail(context.error());
-        if (!worker) {
-            fmt::print(stderr, "{}", to_string(worker.error()));
-            std::exit(EXIT_FAILURE);
-        }
-        m_context = std::move(*context);
+        m_context = wanted(gpu::Context::headless());
+        auto worker = wanted(gpu::Context::shared_with(*m_context));
         Roots roots{AFTERGLOW_SOURCE_DIR, folder / "user", folder / "state", folder / "cache"};
-        m_lab = std::make_unique<Lab>(Library(std::move(roots)), *m_context, std::move(*worker));
+        m_lab = std::make_unique<Lab>(Library(std::move(roots)), *m_context, std::move(worker));
         m_lab->set_picture_size({false, picture, 1.0});
     }
     ~BenchLab() { m_lab.reset(); }

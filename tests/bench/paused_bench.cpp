@@ -3,6 +3,7 @@
 // takes long is drawn in slices; how many bands that makes is a matter of wall time, so of who else
 // works.
 #include "bench/side_by_side.h"
+#include "bench/wanted.h"
 #include "gpu/counted_draws.h"
 #include "lab/lab.h"
 
@@ -14,18 +15,9 @@
 
 namespace {
 namespace fs = std::filesystem;
+using bench::wanted;
 
 constexpr int rounds = 9;
-
-template <class T>
-T wanted(Result<T> result) {
-    if (!result) {
-        fmt::print(stderr, "{}", to_string(result.error()));
-        std::exit(EXIT_FAILURE);
-    }
-    if constexpr (!std::is_void_v<T>)
-        return std::move(*result);
-}
 
 /// Phosphor in a lab without a window, paused after some frames.
 class PausedLab {

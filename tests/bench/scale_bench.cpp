@@ -5,6 +5,7 @@
 #include "bench/bench_lab.h"
 #include "bench/plain_scale.h"
 #include "bench/side_by_side.h"
+#include "bench/wanted.h"
 #include "gpu/readback.h"
 #include "io/temporary_folder.h"
 #include "lab/offline.h"
@@ -17,19 +18,10 @@
 namespace {
 using bench::PlainScale;
 using bench::ScaleSize;
+using bench::wanted;
 
 constexpr int rounds = 15;
 constexpr double most_more = 1.0;  // ms
-
-template <class T>
-T wanted(Result<T> result) {
-    if (!result) {
-        fmt::print(stderr, "{}", to_string(result.error()));
-        std::exit(EXIT_FAILURE);
-    }
-    if constexpr (!std::is_void_v<T>)
-        return std::move(*result);
-}
 
 /// The knob that a hand drags, in the middle of the look.
 struct Knob {
