@@ -52,8 +52,8 @@ public:
                 looks.push_back(*known->look);
             return;
         }
-        LoadedLook loaded =
-            load_look(m_stack[part].place, m_shared, {m_help.cache, m_help.progress, &values, m_help.disk});
+        LoadedLook loaded = load_look(m_stack[part].place, m_shared,
+                                      {m_help.cache, m_help.progress, &values, m_help.disk});
         add_new(whole.warnings, loaded.warnings);
         whole.is_parsed = whole.is_parsed && loaded.is_parsed;
         for (const fs::path& file : loaded.files)

@@ -188,7 +188,7 @@ public:
     void draw(int frame) {
         for (std::size_t i = 0; i < m_own.size(); ++i)
             if (!m_plan.targets[i].common)  // the oldest is drawn over
-                std::ranges::rotate(m_own[i], m_own[i].end() - 1);
+                std::rotate(m_own[i].begin(), m_own[i].end() - 1, m_own[i].end());
         m_newest_is_common.assign(m_own.size(), true);
         for (const std::size_t pass : draw_order(m_plan)) {
             for (const Input& input : m_look.passes[pass].inputs)
@@ -209,7 +209,7 @@ private:
         if (m_own[pass].empty())
             return;
         std::swap(m_own[pass].back(), m_common[*m_plan.targets[pass].common]);
-        std::ranges::rotate(m_own[pass], m_own[pass].end() - 1);
+        std::rotate(m_own[pass].begin(), m_own[pass].end() - 1, m_own[pass].end());
     }
 
     Tag& at(std::size_t pass, int frames_ago) {
