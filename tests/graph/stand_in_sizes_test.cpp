@@ -7,7 +7,7 @@
 #include <doctest/doctest.h>
 
 namespace {
-Look scaled(std::vector<double> factors) {
+Look scaled(const std::vector<double>& factors) {
     std::vector<Pass> passes;
     for (const double factor : factors) {
         passes.push_back(pass("p" + std::to_string(passes.size()), "void main() {}\n"));
