@@ -21,8 +21,8 @@ struct FirstDrawsOf {
     const Programs* known = nullptr;  // may be in use, and are not touched; null: none
     const ImageTextures& images;
     Extent viewport;  // of the picture to come
-    // Small: a few pixels, where nobody may wait for more; else large enough to meet the driver's
-    // every distinction.
+    // What is drawn where no quarter of the picture will do. Small: a few pixels, where nobody may
+    // wait for more; else all of it.
     enum class Size { small, whole };
     Size size = Size::small;
 };

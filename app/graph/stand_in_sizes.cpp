@@ -4,7 +4,6 @@
 #include "model/plan.h"
 
 #include <algorithm>
-#include <optional>
 
 namespace {
 // Whether drivers tell no target of the one plan from that of the other.
@@ -38,10 +37,10 @@ PictureSizes small_like(const Look& look, const PictureSizes& whole) {
     return alike(look, whole, small, 32).value_or(small);
 }
 
-PictureSizes quarter_like(const Look& look, const PictureSizes& whole) {
+std::optional<PictureSizes> quarter_like(const Look& look, const PictureSizes& whole) {
     constexpr int least = 128;
     const Extent quarter{whole.viewport.width / 4, whole.viewport.height / 4};
     if (std::min(quarter.width, quarter.height) < least)
-        return whole;
-    return alike(look, whole, {quarter, whole.source}, 7).value_or(whole);
+        return std::nullopt;
+    return alike(look, whole, {quarter, whole.source}, 7);
 }

@@ -3,6 +3,8 @@
 #include "model/extent.h"
 #include "model/look.h"
 
+#include <optional>
+
 /// What the sizes of a look's targets follow from, px.
 struct PictureSizes {
     Extent viewport;
@@ -13,6 +15,5 @@ struct PictureSizes {
 /// powers of two, and sides that are not, of the same passes. Where there are none near, of the
 /// viewport at least.
 PictureSizes small_like(const Look& look, const PictureSizes& whole);
-/// The same of about a quarter, or `whole` itself: making room for large targets takes longer than
-/// to draw a band of them.
-PictureSizes quarter_like(const Look& look, const PictureSizes& whole);
+/// The same of about a quarter; none: there is none near, or it would be a few pixels.
+std::optional<PictureSizes> quarter_like(const Look& look, const PictureSizes& whole);
