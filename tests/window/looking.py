@@ -183,8 +183,8 @@ class Looking(Person):
         self.hover("inspector")
         program.wait("the pixel of a frame ago is told",
                      lambda s: s["probe"] and s["probe"]["pass"] == "persistence@1")
-        self.screen.do("click", "--repeat", 15, "--delay", 5, 4)
-        program.wait("its texels have numbers", lambda s: s["cells"][1] > 0)
+        self.screen.do("click", "--repeat", 12, "--delay", 5, 4)
+        program.wait("its texels have numbers", lambda s: s["cells"][1] >= 4)
         self.snapshot("cells")
         program.key("l")
         program.wait("the picture's middle row is plotted", lambda s: s["waveform"] == self.size[0])
