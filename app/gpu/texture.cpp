@@ -1,6 +1,7 @@
 #include "gpu/texture.h"
 
 #include "gpu/gl_format.h"
+#include "gpu/mip_levels.h"
 
 #include <fmt/format.h>
 
@@ -75,6 +76,30 @@ std::size_t Texture::layers() const {
     return m_shape == PictureShape::cube ? faces : static_cast<std::size_t>(m_extent.width);
 }
 
+namespace {
+bool has_storage() {
+    static const bool has = epoxy_has_gl_extension("GL_ARB_texture_storage");
+    return has;
+}
+}  // namespace
+
+// In one piece where the driver can: asked level by level, Mesa keeps the textures of all contexts
+// that share them to itself while it clears the memory.
+void Texture::allocate() const {
+    if (!has_storage()) {
+        for (int level = 0; level < levels(); ++level)
+            allocate_level(level, {std::max(1, m_extent.width >> level),
+                                   std::max(1, m_extent.height >> level)});
+        return;
+    }
+    const GLenum internal = gl_format(m_format).internal;
+    if (m_shape == PictureShape::volume)
+        glTexStorage3D(target(), levels(), internal, m_extent.width, m_extent.height,
+                       m_extent.width);
+    else
+        glTexStorage2D(target(), levels(), internal, m_extent.width, m_extent.height);
+}
+
 void Texture::allocate_level(int level, const Extent& extent) const {
     const GlFormat gl = gl_format(m_format);
     if (m_shape == PictureShape::volume)
@@ -119,13 +144,10 @@ Result<Texture> Texture::make_solid(PictureShape shape, int side, Format format,
 }
 
 Result<Texture> Texture::allocated(Texture texture) {
-    const int levels = texture.levels();
     forget_errors();
     glBindTexture(texture.target(), texture.id());
-    for (int level = 0; level < levels; ++level)
-        texture.allocate_level(level, {std::max(1, texture.m_extent.width >> level),
-                                       std::max(1, texture.m_extent.height >> level)});
-    texture.set_own_sampling(levels);
+    texture.allocate();
+    texture.set_own_sampling(texture.levels());
     glBindTexture(texture.target(), 0);
     if (glGetError() != GL_NO_ERROR)
         return no_memory(texture.m_extent, texture.m_format);
@@ -150,7 +172,7 @@ void Texture::upload(std::span<const float> texels) {
 }
 
 void Texture::generate_mipmaps() {
-    if (!m_is_mipmapped)
+    if (!m_is_mipmapped || draw_mip_levels(*this))
         return;
     glBindTexture(target(), id());
     glGenerateMipmap(target());

@@ -43,6 +43,7 @@ public:
 private:
     Texture(PictureShape shape, Extent extent, Format format, bool is_mipmapped);
     static Result<Texture> allocated(Texture texture);
+    void allocate() const;
     void allocate_level(int level, const Extent& extent) const;
     void set_own_sampling(int levels) const;
     std::size_t layers() const;
