@@ -12,10 +12,11 @@ void LineMap::append(const Location& first, std::size_t count) {
     if (count == 0)
         return;
     const std::size_t begin = size();
-    if (!m_stretches.empty()) {
-        Stretch& last = m_stretches.back();
+    std::vector<Stretch>& stretches = m_stretches.own();
+    if (!stretches.empty()) {
+        Stretch& last = stretches.back();
         const std::size_t last_begin =
-            m_stretches.size() > 1 ? m_stretches[m_stretches.size() - 2].end : 0;
+            stretches.size() > 1 ? stretches[stretches.size() - 2].end : 0;
         const int next_line = last.first.line + static_cast<int>(last.end - last_begin);
         // Compared as text: what differs in spelling only is kept as it was written.
         if (next_line == first.line && last.first.file.native() == first.file.native()) {
@@ -23,14 +24,14 @@ void LineMap::append(const Location& first, std::size_t count) {
             return;
         }
     }
-    m_stretches.push_back({first, begin + count});
+    stretches.push_back({first, begin + count});
 }
 
 Location LineMap::operator[](std::size_t index) const {
     assert(index < size());
     const auto in = std::upper_bound(
-        m_stretches.begin(), m_stretches.end(), index,
+        m_stretches->begin(), m_stretches->end(), index,
         [](std::size_t wanted, const Stretch& stretch) { return wanted < stretch.end; });
-    const std::size_t begin = in == m_stretches.begin() ? 0 : std::prev(in)->end;
+    const std::size_t begin = in == m_stretches->begin() ? 0 : std::prev(in)->end;
     return {in->first.file, in->first.line + static_cast<int>(index - begin)};
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/diagnostic.h"
+#include "base/shared.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -8,7 +9,8 @@
 #include <vector>
 
 /// Where each line of an assembled text was written: line n of the text is lines[n - 1]. Kept as
-/// stretches, so that it is as large as the text has includes, not as it has lines.
+/// stretches, so that it is as large as the text has includes, not as it has lines; copies share
+/// them.
 class LineMap {
 public:
     /// Lines that follow each other in one file.
@@ -26,13 +28,13 @@ public:
     /// `count` lines, from `first` on.
     void append(const Location& first, std::size_t count);
 
-    std::size_t size() const { return m_stretches.empty() ? 0 : m_stretches.back().end; }
-    bool empty() const { return m_stretches.empty(); }
+    std::size_t size() const { return empty() ? 0 : m_stretches->back().end; }
+    bool empty() const { return m_stretches->empty(); }
     Location operator[](std::size_t index) const;
-    const std::vector<Stretch>& stretches() const { return m_stretches; }
+    const std::vector<Stretch>& stretches() const { return *m_stretches; }
 
     bool operator==(const LineMap&) const = default;
 
 private:
-    std::vector<Stretch> m_stretches;  // none empty, none that could be one with the next
+    Shared<std::vector<Stretch>> m_stretches;  // none empty, none that could be one with the next
 };

@@ -118,7 +118,7 @@ private:
             m_is_full = true;
             return error(at, too_large);
         }
-        m_stage.text.append(line).push_back('\n');
+        m_stage.text.own().append(line).push_back('\n');
         m_stage.lines.push_back(at);
     }
 

@@ -142,11 +142,11 @@ Stage Translator::with_lines(const std::string& text) const {
             at = place_in(m_author, parse_integer(number.substr(0, number.find(' '))).value_or(0));
             continue;
         }
-        stage.text += line;
-        stage.text += '\n';
+        stage.text.own() += line;
+        stage.text.own() += '\n';
         stage.lines.push_back(at);
         if (words.starts_with("#version") && packs_halves(text)) {
-            stage.text += "#extension GL_ARB_shading_language_packing : require\n";
+            stage.text.own() += "#extension GL_ARB_shading_language_packing : require\n";
             stage.lines.push_back(at);
         }
     }

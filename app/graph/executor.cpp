@@ -14,7 +14,7 @@ namespace {
 // not.
 bool covers(const Pass& pass) {
     return !is_of_beam(pass.draw) && pass.blend == Blend::replace && pass.vertex.file.empty() &&
-           pass.fragment.text.find("discard") == std::string::npos;
+           pass.fragment.text->find("discard") == std::string::npos;
 }
 }  // namespace
 

@@ -15,8 +15,8 @@ struct ViewPrograms;
 
 /// What a pass compiles to, and from what.
 struct PassProgram {
-    std::string vertex;
-    std::string fragment;
+    SharedText vertex;
+    SharedText fragment;
     Draw draw = Draw::fullscreen;
     Values set;
     // Shared: the look on the screen and the one being made from it keep what both have.

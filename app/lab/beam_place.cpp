@@ -33,7 +33,7 @@ GlassCurve glass_of(const Look& look, const Values& values, const std::string& s
     const bool is_radial =
         std::any_of(look.passes.begin(), look.passes.end(), [&](const Pass& pass) {
             return pass.scope == scope &&
-                   pass.fragment.text.find("barrel_radial(") != std::string::npos;
+                   pass.fragment.text->find("barrel_radial(") != std::string::npos;
         });
     return {is_radial ? GlassCurve::Kind::radial : GlassCurve::Kind::crossed,
             number_of(look, values, scope + "curvature", 0.0)};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/shared_text.h"
 #include "base/text.h"
 #include "model/built_in.h"
 #include "model/extent.h"
@@ -32,7 +33,7 @@ struct Side {
 /// GLSL as glslang and the driver get it, and where each of its lines was written.
 struct Stage {
     std::filesystem::path file;  // "": the program's own text
-    std::string text;
+    SharedText text;
     LineMap lines;
 
     bool operator==(const Stage&) const = default;

@@ -79,7 +79,7 @@ TEST_CASE("a look is read whole: passes, complete shaders and parameters") {
     CHECK(find_parameter(look, "lines")->bindings ==
           std::vector<Binding>{{0, "lines"}, {1, "lines"}});
     CHECK(find_parameter(look, "tint")->bindings == std::vector<Binding>{{0, "tint"}});
-    CHECK(look.passes[0].fragment.text.find("vec3 light(") != std::string::npos);
+    CHECK(look.passes[0].fragment.text->find("vec3 light(") != std::string::npos);
     CHECK(look.passes[0].fragment == look.passes[1].fragment);
     CHECK(look.passes[0].vertex.file.empty());
     CHECK_FALSE(look.passes[0].vertex.text.empty());

@@ -54,9 +54,9 @@ TEST_CASE("blocks and push constants become plain uniforms that differ by stage"
                                                      "glow = fragment_constants.glow"});
     REQUIRE(made->samplers.size() == 1);
     CHECK(made->samplers[0].uniform == "Source");
-    CHECK(made->fragment.text.starts_with("#version 410"));
+    CHECK(made->fragment.text->starts_with("#version 410"));
     for (const char* word : {"binding", "push_constant", "std140", "#line", "GOOGLE"})
-        CHECK(made->fragment.text.find(word) == std::string::npos);
+        CHECK(made->fragment.text->find(word) == std::string::npos);
     const auto frames = std::ranges::find(made->members, "FrameCount", &BlockMember::name);
     CHECK(frames->type == NumberType{Scalar::natural, 1, 1});
 }
@@ -68,7 +68,7 @@ TEST_CASE("a sampler with a name that is no name in OpenGL is found under its ne
     REQUIRE(made);
     REQUIRE(made->samplers.size() == 1);
     CHECK(made->samplers[0].name == "noise1");
-    CHECK(made->fragment.text.find("uniform sampler2D " + made->samplers[0].uniform + ";") !=
+    CHECK(made->fragment.text->find("uniform sampler2D " + made->samplers[0].uniform + ";") !=
           std::string::npos);
 }
 
@@ -79,7 +79,7 @@ TEST_CASE("what no code reads is not there") {
                                  "void main() { color = texture(Source, other_name); }\n");
     REQUIRE(made);
     CHECK(made->samplers.size() == 1);
-    CHECK(made->fragment.text.find("Unused") == std::string::npos);
+    CHECK(made->fragment.text->find("Unused") == std::string::npos);
 }
 
 TEST_CASE("the vertex stage takes its interpolation from the fragment stage") {
@@ -87,8 +87,8 @@ TEST_CASE("the vertex stage takes its interpolation from the fragment stage") {
                                  "layout(location = 1) flat in float size;\n"
                                  "void main() { color = vec4(size); }\n");
     REQUIRE(made);
-    CHECK(made->vertex.text.find("flat out float size") != std::string::npos);
-    CHECK(made->vertex.text.find("flat out vec2") == std::string::npos);
+    CHECK(made->vertex.text->find("flat out float size") != std::string::npos);
+    CHECK(made->vertex.text->find("flat out vec2") == std::string::npos);
 }
 
 TEST_CASE("functions that GLSL 4.10 lacks are asked for, and only by who calls them") {
@@ -96,10 +96,10 @@ TEST_CASE("functions that GLSL 4.10 lacks are asked for, and only by who calls t
     const auto packing = translated(
         head + "void main() { color = unpackHalf2x16(packHalf2x16(other_name)).xyxy; }\n");
     REQUIRE(packing.has_value());
-    CHECK(packing->fragment.text.starts_with("#version 410\n" + wanted));
-    CHECK(packing->vertex.text.find(wanted) == std::string::npos);
+    CHECK(packing->fragment.text->starts_with("#version 410\n" + wanted));
+    CHECK(packing->vertex.text->find(wanted) == std::string::npos);
     CHECK(static_cast<std::ptrdiff_t>(packing->fragment.lines.size()) ==
-          std::ranges::count(packing->fragment.text, '\n'));
+          std::ranges::count(*packing->fragment.text, '\n'));
 }
 
 TEST_CASE("errors stand at the author's lines") {

@@ -45,6 +45,29 @@ TEST_CASE_FIXTURE(
     CHECK(std::holds_alternative<RawPicture::Bytes>(raw.pixels));
 }
 
+TEST_CASE_FIXTURE(Headless, "a picture of many rows comes back whole, whatever it is kept in") {
+    Picture tall{{300, 700}, 4, Encoding::linear, {}};
+    for (int i = 0; i < 300 * 700 * 4; ++i)
+        tall.pixels.push_back(static_cast<float>(i * 37 % 256) / 255.0f);
+    CHECK(gpu::read_picture(texture_of(tall, Format::rgba32f)) == tall);
+    const Picture codes = gpu::read_picture(texture_of(tall, Format::rgba8));
+    REQUIRE(codes.pixels.size() == tall.pixels.size());
+    for (std::size_t i = 0; i < tall.pixels.size(); ++i)
+        REQUIRE(std::abs(codes.pixels[i] - tall.pixels[i]) < 1e-6f);
+}
+
+TEST_CASE_FIXTURE(Headless, "in 8 bits a number is the nearest code, and none at all is black") {
+    const float none = std::numeric_limits<float>::quiet_NaN();
+    const Picture odd{
+        {2, 1}, 4, Encoding::linear, {-3, 1.4f / 255, 1.6f / 255, 1, none, 7, 0.5f, 1}};
+    const gpu::Texture texture = texture_of(odd, Format::rgba8);
+    CHECK(gpu::read_pixel(texture, 0, 0) == std::array{0.0f, 1 / 255.0f, 2 / 255.0f, 1.0f});
+    const auto second = gpu::read_pixel(texture, 1, 0);
+    CHECK(second[0] == 0.0f);
+    CHECK(second[1] == 1.0f);
+    CHECK(std::abs(second[2] - 0.5f) <= 0.51f / 255);
+}
+
 TEST_CASE_FIXTURE(Headless, "every format gives back the channels that it has") {
     for (const FormatFacts& facts : all_formats()) {
         if (facts.is_integer)

@@ -117,7 +117,7 @@ TEST_CASE_FIXTURE(Headless,
 namespace {
 // The same pass, giving the beam's colour.
 Pass tinted(Pass made) {
-    std::string& vertex = made.vertex.text;
+    std::string& vertex = made.vertex.text.own();
     vertex.insert(vertex.find("in float intensity") != std::string::npos
                       ? vertex.find("in float intensity")
                       : vertex.find("in vec2 intensities"),

@@ -50,7 +50,7 @@ TEST_CASE_FIXTURE(Headless, "the source is converted to what the look reads") {
 
 TEST_CASE_FIXTURE(Headless, "source@n is the source of n frames ago") {
     Executor executor = executor_of(
-        look_of({show({source(2)}), pass("now", show({}).fragment.text.substr(44), {source()})}));
+        look_of({show({source(2)}), pass("now", show({}).fragment.text->substr(44), {source()})}));
     const float expected[] = {0, 0, 1, 2, 2, 4};
     for (int n = 1; n <= 6; ++n) {
         const auto value = static_cast<float>(n);

@@ -206,6 +206,6 @@ TEST_CASE("each copy of a look in a stack has its own constants") {
     const Look& look = prepared->document.look();
     CHECK(look.constants.at("a.frag/LEVEL") == Value(0.5));
     CHECK(look.constants.at("a.frag#2/LEVEL") == Value(1.0));
-    CHECK(look.passes.front().fragment.text.find("LEVEL 0.5 ") != std::string::npos);
-    CHECK(look.passes.back().fragment.text.find("LEVEL 1.0 ") != std::string::npos);
+    CHECK(look.passes.front().fragment.text->find("LEVEL 0.5 ") != std::string::npos);
+    CHECK(look.passes.back().fragment.text->find("LEVEL 1.0 ") != std::string::npos);
 }

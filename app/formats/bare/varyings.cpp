@@ -282,7 +282,7 @@ public:
     }
 
     void add(std::string_view code, const Location& at) {
-        made.text += code;
+        made.text.own() += code;
         made.lines.append(at, static_cast<std::size_t>(std::ranges::count(code, '\n')));
     }
 

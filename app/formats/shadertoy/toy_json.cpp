@@ -190,7 +190,7 @@ private:
         stage.file = m_file / pass;
         for (const char c : code)
             if (c != '\r')
-                stage.text += c;
+                stage.text.own() += c;
         stage.lines.append({stage.file, 1}, split_lines(stage.text).size());
         return stage;
     }

@@ -51,7 +51,7 @@ private:
     bool has(std::string_view word) const { return m_words.contains(word); }
 
     void add_own(std::string_view text) {
-        m_stage.text += text;
+        m_stage.text.own() += text;
         m_stage.lines.append({{}, 1}, static_cast<std::size_t>(std::ranges::count(text, '\n')));
     }
 
@@ -126,7 +126,7 @@ private:
         const std::size_t lines = split_lines(text).size();
         if (!text.empty() && !text.ends_with('\n'))
             text += '\n';
-        m_stage.text += text;
+        m_stage.text.own() += text;
         for (std::size_t line = 0; line < lines; ++line)
             m_stage.lines.push_back(origin_of(code.lines, static_cast<int>(line) + 1));
     }

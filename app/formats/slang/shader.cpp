@@ -55,7 +55,7 @@ private:
     void add(const SlangPiece& piece) {
         for (Stage* stage : {&m_shader.vertex, &m_shader.fragment})
             if (!m_only || m_only == stage)
-                stage->text += piece.lines;
+                stage->text.own() += piece.lines;
         const bool follows =
             m_placed.text == piece.text &&
             m_placed.first_line + static_cast<int>(m_placed.line_count) == piece.first_line;

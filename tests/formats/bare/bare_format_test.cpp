@@ -164,9 +164,9 @@ TEST_CASE("numbers of inputs and uniforms and what came after 4.10 are understoo
         "layout(location = 3) uniform float u_time;\n"
         "void main() {\n    vec2 at = {uv.x, 0.5};\n"
         "    color = texture(tDiffuse, at) * tint * u_time;\n}\n");
-    CHECK(look.passes[0].fragment.text.find("\n in vec2 uv;\n in vec4 tint;\n") !=
+    CHECK(look.passes[0].fragment.text->find("\n in vec2 uv;\n in vec4 tint;\n") !=
           std::string::npos);
-    CHECK(look.passes[0].fragment.text.find("layout(location = 0) out vec4") != std::string::npos);
+    CHECK(look.passes[0].fragment.text->find("layout(location = 0) out vec4") != std::string::npos);
 }
 
 TEST_CASE("what a layout says besides numbers stays") {
@@ -175,8 +175,8 @@ TEST_CASE("what a layout says besides numbers stays") {
         "layout(origin_upper_left) in vec4 gl_FragCoord;\nout vec4 color;\n"
         "void main() { color = tint + gl_FragCoord; }\n",
         "Block");
-    CHECK(look.passes[0].fragment.text.find("layout(std140)\n uniform Block") != std::string::npos);
-    CHECK(look.passes[0].fragment.text.find("layout(origin_upper_left)") != std::string::npos);
+    CHECK(look.passes[0].fragment.text->find("layout(std140)\n uniform Block") != std::string::npos);
+    CHECK(look.passes[0].fragment.text->find("layout(origin_upper_left)") != std::string::npos);
 }
 
 TEST_CASE("what versions before 1.30 have of a vertex shader is there") {
@@ -208,7 +208,7 @@ TEST_CASE("what stands under GL_ES counts in GLSL ES, and not in desktop version
     const Look look = bare_look(
         "#ifdef GL_ES\nprecision mediump float;\nvarying vec2 vUv;\n#endif\n"
         "void main() { gl_FragColor = vec4(vUv, 0.0, 1.0); }\n");
-    CHECK(look.passes[0].vertex.text.find("vUv = place;") != std::string::npos);
+    CHECK(look.passes[0].vertex.text->find("vUv = place;") != std::string::npos);
     bare_look(
         "#version 330\n#ifdef GL_ES\n#error this is not ES\n#endif\nout vec4 c;\n"
         "void main() { c = vec4(1.0); }\n");
@@ -218,7 +218,7 @@ TEST_CASE("arrays, blocks and macros bring varyings as well") {
     const Look arrays = bare_look(
         "precision mediump float;\n#define TAPS 5\nvarying vec2 blurCoord[TAPS];\n"
         "void main() { gl_FragColor = vec4(blurCoord[0], blurCoord[4].x, 1.0); }\n");
-    CHECK(arrays.passes[0].vertex.text.find("out vec2 blurCoord[5];") != std::string::npos);
+    CHECK(arrays.passes[0].vertex.text->find("out vec2 blurCoord[5];") != std::string::npos);
     bare_look(
         "#version 330\nin VS_OUT { vec2 uv; vec3 normal; } fs_in;\nout vec4 o;\n"
         "void main() { o = vec4(fs_in.uv, fs_in.normal.z, 1.0); }\n");

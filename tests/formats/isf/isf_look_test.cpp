@@ -349,7 +349,7 @@ TEST_CASE("a constant with a range is a parameter beside the inputs") {
     const Values values{{"STEPS", 12.0}};
     const LoadedLook turned = load_look(folder / "a.fs", {}, {nullptr, nullptr, &values});
     REQUIRE(turned.look.has_value());
-    CHECK(turned.look->passes[0].fragment.text.find("#define STEPS 12 ") != std::string::npos);
+    CHECK(turned.look->passes[0].fragment.text->find("#define STEPS 12 ") != std::string::npos);
     CHECK(folder.refusal(input, "#define level 8  // @range 1 9\n" + code)
               .find("'level' is the name of another parameter") != std::string::npos);
 }

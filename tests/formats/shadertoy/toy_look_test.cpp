@@ -308,8 +308,8 @@ TEST_CASE("constants with a range are parameters, in a common text those of all 
     CHECK(find_parameter(look, "GAIN")->initial == Value(0.5));
     CHECK_FALSE(find_parameter(look, "own")->is_constant);
     CHECK(look.constants == Values{{"GAIN", 1.5}, {"N", 5.0}});
-    CHECK(look.passes[0].fragment.text.find("#define GAIN 1.5  // @range") != std::string::npos);
-    CHECK(look.passes[1].fragment.text.find("const int N = 5;") != std::string::npos);
+    CHECK(look.passes[0].fragment.text->find("#define GAIN 1.5  // @range") != std::string::npos);
+    CHECK(look.passes[1].fragment.text->find("const int N = 5;") != std::string::npos);
 }
 
 TEST_CASE("a constant and a uniform of one name are told at the uniform's line") {

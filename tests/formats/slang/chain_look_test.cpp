@@ -291,12 +291,12 @@ TEST_CASE("constants with a range are parameters of all passes whose shaders hav
     REQUIRE(taps);
     CHECK(taps->label == "Taps");
     CHECK(taps->bindings == std::vector<Binding>{{0, "TAPS"}, {2, "TAPS"}});
-    CHECK(look.passes[0].fragment.text.find("0.375") != std::string::npos);
+    CHECK(look.passes[0].fragment.text->find("0.375") != std::string::npos);
 
     const Values values{{"TAPS", 5.0}};
     const LoadedLook turned = load_slang_look(folder / "a.slangp", {nullptr, nullptr, &values});
     REQUIRE(turned.look.has_value());
-    CHECK(turned.look->passes[0].fragment.text.find("0.625") != std::string::npos);
+    CHECK(turned.look->passes[0].fragment.text->find("0.625") != std::string::npos);
     CHECK(turned.look->passes[1] == look.passes[1]);
 }
 
