@@ -4,6 +4,7 @@
 #include "formats/stack_format.h"
 #include "glsl/check_cache.h"
 #include "io/temporary_folder.h"
+#include "problems_of.h"
 
 #include <doctest/doctest.h>
 
@@ -177,8 +178,7 @@ TEST_CASE("every look that comes with the program is read without a word") {
             continue;
         ++count;
         const LoadedLook loaded = load_look(entry.path(), source_tree / "shaders/include");
-        CHECK_MESSAGE(loaded.look.has_value(),
-                      to_string(loaded.look ? Diagnostics{} : loaded.look.error()));
+        CHECK_MESSAGE(loaded.look.has_value(), problems_of(loaded.look));
         CHECK_MESSAGE(loaded.warnings.empty(), to_string(loaded.warnings));
     }
     CHECK(count > 0);
@@ -195,9 +195,9 @@ TEST_CASE("every preset that comes with the program fits its look and is written
             if (entry.is_directory())
                 continue;  // what the presets draw
             const auto preset = load_preset(entry.path());
-            REQUIRE_MESSAGE(preset.has_value(), to_string(preset ? Diagnostics{} : preset.error()));
+            REQUIRE_MESSAGE(preset.has_value(), problems_of(preset));
             const auto values = fitted_values(*loaded.look, *preset, entry.path());
-            CHECK_MESSAGE(values.has_value(), to_string(values ? Diagnostics{} : values.error()));
+            CHECK_MESSAGE(values.has_value(), problems_of(values));
             CHECK(orphans(*loaded.look, preset->values).empty());
             CHECK(parse_preset(preset_to_json(*preset, &*loaded.look), "a.json") == preset);
         }

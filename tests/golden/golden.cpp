@@ -4,6 +4,7 @@
 #include "io/picture_file.h"
 #include "lab/offline.h"
 #include "model/difference.h"
+#include "problems_of.h"
 
 #include <doctest/doctest.h>
 
@@ -21,7 +22,7 @@ Library library() {
 
 Prepared prepared(const RenderRequest& request) {
     auto result = prepare(request, library());
-    REQUIRE_MESSAGE(result.has_value(), (result ? "" : to_string(result.error())));
+    REQUIRE_MESSAGE(result.has_value(), problems_of(result));
     return std::move(*result);
 }
 
@@ -44,11 +45,11 @@ private:
 void Drawer::start(Document document) {
     if (m_offline) {
         const auto again = m_offline->start_again(std::move(document));
-        REQUIRE_MESSAGE(again.has_value(), (again ? "" : to_string(again.error())));
+        REQUIRE_MESSAGE(again.has_value(), problems_of(again));
         return;
     }
     auto made = Offline::create({std::move(document), {}}, m_size, 60.0);
-    REQUIRE_MESSAGE(made.has_value(), (made ? "" : to_string(made.error())));
+    REQUIRE_MESSAGE(made.has_value(), problems_of(made));
     m_offline.emplace(std::move(*made));
 }
 
@@ -85,13 +86,13 @@ void compare_with_golden(const GoldenLook& look, const Picture& drawn, const std
         fs::path(AFTERGLOW_SOURCE_DIR) / "tests" / "golden" / look.id / (name + ".png");
     if (std::getenv("AFTERGLOW_UPDATE_GOLDEN")) {
         const auto saved = save_picture(drawn, file);
-        REQUIRE_MESSAGE(saved.has_value(), (saved ? "" : to_string(saved.error())));
+        REQUIRE_MESSAGE(saved.has_value(), problems_of(saved));
         return;
     }
     const auto golden = load_picture(file);
-    REQUIRE_MESSAGE(golden.has_value(), (golden ? "" : to_string(golden.error())));
+    REQUIRE_MESSAGE(golden.has_value(), problems_of(golden));
     const auto difference = difference_between(*golden, drawn, 4.0 / 255.0);
-    REQUIRE_MESSAGE(difference.has_value(), (difference ? "" : to_string(difference.error())));
+    REQUIRE_MESSAGE(difference.has_value(), problems_of(difference));
     INFO(name << ": mean " << difference->mean << ", share " << difference->share_beyond);
     CHECK(difference->mean < 0.7 / 255.0);
     CHECK(difference->share_beyond < 0.005);

@@ -4,6 +4,7 @@
 #include "io/png_encoder.h"
 #include "io/temporary_folder.h"
 #include "model/color.h"
+#include "problems_of.h"
 
 #include <OpenImageIO/imageio.h>
 #include <doctest/doctest.h>
@@ -208,7 +209,7 @@ TEST_CASE("a picture's format is told by its first bytes, whatever its name says
               std::vector<float>(8 * 8 * 3, 1.0f));
         fs::rename(named, folder / "picture");
         const auto loaded = load_picture(folder / "picture");
-        REQUIRE_MESSAGE(loaded.has_value(), (loaded ? "" : to_string(loaded.error())));
+        REQUIRE_MESSAGE(loaded.has_value(), problems_of(loaded));
         CHECK(loaded->pixels[0] > 0.98f);
     }
 }

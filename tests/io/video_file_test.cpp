@@ -2,6 +2,7 @@
 
 #include "io/child_process.h"
 #include "io/temporary_folder.h"
+#include "problems_of.h"
 
 #include <doctest/doctest.h>
 
@@ -20,13 +21,13 @@ std::string steps(int count, const char* rate) {
 
 std::unique_ptr<PictureReader> opened(const std::filesystem::path& file) {
     auto reader = open_video(file);
-    REQUIRE_MESSAGE(reader.has_value(), (reader ? "" : to_string(reader.error())));
+    REQUIRE_MESSAGE(reader.has_value(), problems_of(reader));
     return std::move(*reader);
 }
 
 double step_at(PictureReader& reader, std::int64_t number) {
     const auto picture = reader.read(number);
-    REQUIRE_MESSAGE(picture.has_value(), (picture ? "" : to_string(picture.error())));
+    REQUIRE_MESSAGE(picture.has_value(), problems_of(picture));
     REQUIRE(picture->has_value());
     CHECK((**picture).extent == Extent{16, 8});
     CHECK((**picture).encoding == Encoding::display);

@@ -1,6 +1,7 @@
 // What fragment shaders alone draw.
 #include "io/temporary_folder.h"
 #include "lab/offline.h"
+#include "problems_of.h"
 
 #include <doctest/doctest.h>
 
@@ -14,9 +15,9 @@ std::array<float, 4> bare_texel(const std::string& text, int frames) {
     const auto roots = find_roots({});
     REQUIRE(roots.has_value());
     auto prepared = prepare(request, Library(*roots));
-    REQUIRE_MESSAGE(prepared.has_value(), to_string(prepared.error()));
+    REQUIRE_MESSAGE(prepared.has_value(), problems_of(prepared));
     auto offline = Offline::create(std::move(*prepared), request.size, 60.0);
-    REQUIRE_MESSAGE(offline.has_value(), to_string(offline.error()));
+    REQUIRE_MESSAGE(offline.has_value(), problems_of(offline));
     for (int frame = 0; frame < frames; ++frame)
         offline->advance();
     const Picture picture = offline->picture();

@@ -4,6 +4,7 @@
 #include "lab/session.h"
 #include "lab/small_lab.h"
 #include "model/modulation.h"
+#include "problems_of.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,9 +61,9 @@ double rendered_red(RenderRequest request) {
     REQUIRE(roots.has_value());
     request.size = {4, 4};
     auto prepared = prepare(request, Library(*roots));
-    REQUIRE_MESSAGE(prepared.has_value(), to_string(prepared.error()));
+    REQUIRE_MESSAGE(prepared.has_value(), problems_of(prepared));
     auto offline = Offline::create(std::move(*prepared), request.size, 60.0);
-    REQUIRE_MESSAGE(offline.has_value(), to_string(offline.error()));
+    REQUIRE_MESSAGE(offline.has_value(), problems_of(offline));
     return static_cast<double>(offline->picture_after(1).pixels[0]);
 }
 }  // namespace
@@ -202,7 +203,7 @@ TEST_CASE("each copy of a look in a stack has its own constants") {
     const auto prepared = prepare(
         {.look = file + "+" + file, .values = {{"a.frag/LEVEL", "0.5"}, {"a.frag#2/LEVEL", "1"}}},
         Library(*roots));
-    REQUIRE_MESSAGE(prepared.has_value(), to_string(prepared.error()));
+    REQUIRE_MESSAGE(prepared.has_value(), problems_of(prepared));
     const Look& look = prepared->document.look();
     CHECK(look.constants.at("a.frag/LEVEL") == Value(0.5));
     CHECK(look.constants.at("a.frag#2/LEVEL") == Value(1.0));

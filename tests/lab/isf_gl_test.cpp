@@ -4,6 +4,7 @@
 #include "lab/export.h"
 #include "lab/offline.h"
 #include "lab/sharing.h"
+#include "problems_of.h"
 
 #include <doctest/doctest.h>
 
@@ -33,10 +34,10 @@ public:
         const auto roots = find_roots({});
         REQUIRE(roots.has_value());
         auto prepared = prepare(m_request, Library(*roots));
-        REQUIRE_MESSAGE(prepared.has_value(), to_string(prepared.error()));
+        REQUIRE_MESSAGE(prepared.has_value(), problems_of(prepared));
         CHECK(prepared->warnings.empty() != m_is_warned);
         auto offline = Offline::create(std::move(*prepared), m_request.size, 60.0);
-        REQUIRE_MESSAGE(offline.has_value(), to_string(offline.error()));
+        REQUIRE_MESSAGE(offline.has_value(), problems_of(offline));
         return std::move(*offline);
     }
     Picture after(int frames) const {

@@ -3,6 +3,7 @@
 #include "lab/offline.h"
 #include "lab/small_lab.h"
 #include "model/difference.h"
+#include "problems_of.h"
 
 #include <doctest/doctest.h>
 
@@ -13,9 +14,9 @@ Offline opened(const RenderRequest& request) {
     auto roots = find_roots(AFTERGLOW_SOURCE_DIR);
     REQUIRE(roots.has_value());
     auto prepared = prepare(request, Library(std::move(*roots)));
-    REQUIRE_MESSAGE(prepared.has_value(), (prepared ? "" : to_string(prepared.error())));
+    REQUIRE_MESSAGE(prepared.has_value(), problems_of(prepared));
     auto offline = Offline::create(std::move(*prepared), request.size, 60.0);
-    REQUIRE_MESSAGE(offline.has_value(), (offline ? "" : to_string(offline.error())));
+    REQUIRE_MESSAGE(offline.has_value(), problems_of(offline));
     return std::move(*offline);
 }
 
@@ -134,7 +135,7 @@ TEST_CASE("what moves may decide who shares a target: then nobody does") {
     REQUIRE(roots.has_value());
     auto prepared = prepare({.look = "phosphor", .moves = (folder.path() / "moves.txt").string()},
                             Library(std::move(*roots)));
-    REQUIRE_MESSAGE(prepared.has_value(), (prepared ? "" : to_string(prepared.error())));
+    REQUIRE_MESSAGE(prepared.has_value(), problems_of(prepared));
     auto offline = Offline::create(std::move(*prepared), {32, 32}, 60.0);
     REQUIRE(offline.has_value());
     REQUIRE(offline->settle().has_value());

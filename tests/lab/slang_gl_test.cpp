@@ -3,6 +3,7 @@
 #include "io/temporary_folder.h"
 #include "lab/offline.h"
 #include "lab/small_lab.h"
+#include "problems_of.h"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
@@ -68,10 +69,10 @@ public:
         if (!filter.empty())
             request.values.emplace_back("unspecified_filter", filter);
         auto prepared = prepare(request, Library(*roots));
-        REQUIRE_MESSAGE(prepared.has_value(), to_string(prepared.error()));
+        REQUIRE_MESSAGE(prepared.has_value(), problems_of(prepared));
         CHECK(to_string(prepared->warnings) == "");
         auto offline = Offline::create(std::move(*prepared), size, 60.0);
-        REQUIRE_MESSAGE(offline.has_value(), to_string(offline.error()));
+        REQUIRE_MESSAGE(offline.has_value(), problems_of(offline));
         return std::move(*offline);
     }
 

@@ -3,6 +3,7 @@
 #include "io/picture_file.h"
 #include "io/temporary_folder.h"
 #include "model/color.h"
+#include "problems_of.h"
 #include "signals/patterns.h"
 
 #include <doctest/doctest.h>
@@ -26,7 +27,7 @@ std::string sequence(const TemporaryFolder& folder, const std::string& settings)
 
 Source opened(const std::string& text) {
     auto source = Source::open(text);
-    REQUIRE_MESSAGE(source.has_value(), (source ? "" : to_string(source.error())));
+    REQUIRE_MESSAGE(source.has_value(), problems_of(source));
     return std::move(*source);
 }
 

@@ -1,6 +1,7 @@
 #include "lab/offline.h"
 #include "lab/session.h"
 #include "lab/small_lab.h"
+#include "problems_of.h"
 
 #include <cmath>
 
@@ -65,7 +66,7 @@ Result<float> drawn(const TemporaryFolder& folder, const RenderRequest& request,
 }
 
 float value_of(const Result<float>& result) {
-    REQUIRE_MESSAGE(result.has_value(), (result ? "" : to_string(result.error())));
+    REQUIRE_MESSAGE(result.has_value(), problems_of(result));
     return *result;
 }
 }  // namespace

@@ -2,6 +2,7 @@
 #include "io/picture_file.h"
 #include "io/temporary_folder.h"
 #include "lab/offline.h"
+#include "problems_of.h"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
@@ -40,9 +41,9 @@ public:
         const auto roots = find_roots({});
         REQUIRE(roots.has_value());
         auto prepared = prepare(request, Library(*roots));
-        REQUIRE_MESSAGE(prepared.has_value(), to_string(prepared.error()));
+        REQUIRE_MESSAGE(prepared.has_value(), problems_of(prepared));
         auto offline = Offline::create(std::move(*prepared), request.size, 60.0);
-        REQUIRE_MESSAGE(offline.has_value(), to_string(offline.error()));
+        REQUIRE_MESSAGE(offline.has_value(), problems_of(offline));
         m_offline.emplace(std::move(*offline));
     }
 
@@ -171,7 +172,7 @@ TEST_CASE("a cube and a volume read files that lie beside the shader") {
         "0.0, 1.0)",
         R"({"channel": 0, "type": "cubemap", "filepath": "faces.png"},
            {"channel": 1, "type": "volume", "filepath": "slices.png"})");
-    REQUIRE_MESSAGE(seen.has_value(), to_string(seen.error()));
+    REQUIRE_MESSAGE(seen.has_value(), problems_of(seen));
     CHECK(seen->pixels[0] == doctest::Approx(0.6).epsilon(0.01));
     CHECK(seen->pixels[1] == doctest::Approx(1.0).epsilon(0.01));
 }
@@ -248,7 +249,7 @@ TEST_CASE("vflip says which row of a video lies at the bottom") {
         request.source = (folder / "rows.png").string();
         request.size = {1, 1};
         auto prepared = prepare(request, Library(*find_roots({})));
-        REQUIRE_MESSAGE(prepared.has_value(), to_string(prepared.error()));
+        REQUIRE_MESSAGE(prepared.has_value(), problems_of(prepared));
         auto offline = Offline::create(std::move(*prepared), request.size, 60.0);
         REQUIRE(offline.has_value());
         offline->advance();
@@ -274,7 +275,7 @@ TEST_CASE("vflip says which row of a picture lies at the bottom") {
         request.look = file.string();
         request.size = {1, 1};
         auto prepared = prepare(request, Library(*find_roots({})));
-        REQUIRE_MESSAGE(prepared.has_value(), to_string(prepared.error()));
+        REQUIRE_MESSAGE(prepared.has_value(), problems_of(prepared));
         auto offline = Offline::create(std::move(*prepared), request.size, 60.0);
         REQUIRE(offline.has_value());
         offline->advance();

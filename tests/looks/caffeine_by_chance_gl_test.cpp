@@ -1,6 +1,7 @@
 // Caffeine against the plainest path tracer there is, which meets the lamp by chance alone: what is
 // sought on purpose, weighted and cut must come to the same light.
 #include "looks/path_tracer.h"
+#include "problems_of.h"
 
 #include <doctest/doctest.h>
 
@@ -224,7 +225,7 @@ TEST_CASE("every pixel has the light that comes there by chance, after any numbe
     for (const int bounces : {0, 1, most_bounces}) {
         CAPTURE(bounces);
         auto tracer = PathTracer::create(scene.settings(bounces), size, 256);
-        REQUIRE_MESSAGE(tracer.has_value(), (tracer ? "" : to_string(tracer.error())));
+        REQUIRE_MESSAGE(tracer.has_value(), problems_of(tracer));
         const std::vector<double> light = tracer->light_after(1024);
         double sum = 0.0;
         double right_sum = 0.0;

@@ -1,6 +1,7 @@
 // Caffeine against closed forms and brute force: points, lamp, surfaces, and how fast its error
 // falls.
 #include "looks/path_tracer.h"
+#include "problems_of.h"
 
 #include <doctest/doctest.h>
 
@@ -14,7 +15,7 @@ constexpr double pi = std::numbers::pi;
 
 PathTracer tracer(PathTracer::Settings settings, Extent size = {8, 8}, int batch = 64) {
     auto made = PathTracer::create(std::move(settings), size, batch);
-    REQUIRE_MESSAGE(made.has_value(), (made ? "" : to_string(made.error())));
+    REQUIRE_MESSAGE(made.has_value(), problems_of(made));
     return std::move(*made);
 }
 

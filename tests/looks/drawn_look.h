@@ -2,6 +2,7 @@
 
 #include "gpu/readback.h"
 #include "lab/offline.h"
+#include "problems_of.h"
 
 #include <doctest/doctest.h>
 
@@ -17,12 +18,11 @@ public:
         REQUIRE(context.has_value());
         m_context = std::move(*context);
         LoadedLook loaded = load_look(tree / folder, tree / "shaders" / "include");
-        REQUIRE_MESSAGE(loaded.look.has_value(),
-                        (loaded.look ? "" : to_string(loaded.look.error())));
+        REQUIRE_MESSAGE(loaded.look.has_value(), problems_of(loaded.look));
         for (Pass& pass : loaded.look->passes)
             pass.format = Format::rgba32f;
         auto programs = build_programs(*loaded.look);
-        REQUIRE_MESSAGE(programs.has_value(), (programs ? "" : to_string(programs.error())));
+        REQUIRE_MESSAGE(programs.has_value(), problems_of(programs));
         m_renderer = std::make_unique<Renderer>(std::move(*loaded.look), std::move(*programs));
         REQUIRE(m_renderer->resize(extent, extent).has_value());
         m_renderer->set_values(values);

@@ -4,6 +4,7 @@
 #include "gpu/context.h"
 #include "gpu/readback.h"
 #include "lab/renderer.h"
+#include "problems_of.h"
 
 #include <doctest/doctest.h>
 
@@ -18,13 +19,13 @@ struct ReadyLook {
 ReadyLook make_ready(const std::string& id) {
     const auto shaders = std::filesystem::path(AFTERGLOW_SOURCE_DIR) / "shaders";
     LoadedLook loaded = load_look(shaders / id, shaders / "include");
-    REQUIRE_MESSAGE(loaded.look.has_value(), (loaded.look ? "" : to_string(loaded.look.error())));
+    REQUIRE_MESSAGE(loaded.look.has_value(), problems_of(loaded.look));
     for (Pass& target : loaded.look->passes)
         target.format = Format::rgba32f;
     auto context = gpu::Context::headless();
     REQUIRE(context.has_value());
     auto programs = build_programs(*loaded.look);
-    REQUIRE_MESSAGE(programs.has_value(), (programs ? "" : to_string(programs.error())));
+    REQUIRE_MESSAGE(programs.has_value(), problems_of(programs));
     return {id, std::move(*context),
             std::make_unique<Renderer>(std::move(*loaded.look), std::move(*programs))};
 }

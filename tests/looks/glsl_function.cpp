@@ -5,6 +5,7 @@
 #include "gpu/readback.h"
 #include "io/temporary_folder.h"
 #include "lab/renderer.h"
+#include "problems_of.h"
 
 #include <doctest/doctest.h>
 
@@ -41,12 +42,12 @@ std::vector<Vec4> run_glsl(const std::string& body, const std::vector<Vec4>& inp
     folder.write("function/f.frag", "#version 410 core\n" + body + caller);
     const LoadedLook loaded = load_look(
         folder / "function", std::filesystem::path(AFTERGLOW_SOURCE_DIR) / "shaders" / "include");
-    REQUIRE_MESSAGE(loaded.look.has_value(), (loaded.look ? "" : to_string(loaded.look.error())));
+    REQUIRE_MESSAGE(loaded.look.has_value(), problems_of(loaded.look));
 
     const auto context = gpu::Context::headless();
     REQUIRE(context.has_value());
     auto programs = build_programs(*loaded.look);
-    REQUIRE_MESSAGE(programs.has_value(), (programs ? "" : to_string(programs.error())));
+    REQUIRE_MESSAGE(programs.has_value(), problems_of(programs));
     Renderer renderer(*loaded.look, std::move(*programs));
     const Picture source = as_picture(inputs);
     REQUIRE(renderer.resize(source.extent, source.extent).has_value());

@@ -2,12 +2,13 @@
 #include "about.h"
 #include "looks/tube.h"
 #include "model/difference.h"
+#include "problems_of.h"
 
 namespace {
 Look phosphor() {
     const std::filesystem::path shaders = std::filesystem::path(AFTERGLOW_SOURCE_DIR) / "shaders";
     LoadedLook loaded = load_look(shaders / "phosphor", shaders / "include");
-    REQUIRE_MESSAGE(loaded.look.has_value(), (loaded.look ? "" : to_string(loaded.look.error())));
+    REQUIRE_MESSAGE(loaded.look.has_value(), problems_of(loaded.look));
     return *loaded.look;
 }
 

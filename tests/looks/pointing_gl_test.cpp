@@ -2,6 +2,7 @@
 #include "base/text.h"
 #include "lab/beam_place.h"
 #include "lab/offline.h"
+#include "problems_of.h"
 
 #include <doctest/doctest.h>
 
@@ -21,9 +22,9 @@ Offline pointed(const std::string& look, const BeamPlace& place, Extent size, Te
                                format_number(place[1] + reach) + "]";
     auto prepared = prepare({.look = look, .values = std::move(values), .signal = signal},
                             Library(std::move(*roots)));
-    REQUIRE_MESSAGE(prepared.has_value(), (prepared ? "" : to_string(prepared.error())));
+    REQUIRE_MESSAGE(prepared.has_value(), problems_of(prepared));
     auto offline = Offline::create(std::move(*prepared), size, 60.0);
-    REQUIRE_MESSAGE(offline.has_value(), (offline ? "" : to_string(offline.error())));
+    REQUIRE_MESSAGE(offline.has_value(), problems_of(offline));
     offline->advance();
     return std::move(*offline);
 }

@@ -3,6 +3,7 @@
 #include "base/text.h"
 #include "gpu/readback.h"
 #include "lab/offline.h"
+#include "problems_of.h"
 
 #include <doctest/doctest.h>
 
@@ -18,8 +19,7 @@ public:
         LoadedLook loaded =
             load_look(std::filesystem::path(AFTERGLOW_SOURCE_DIR) / "shaders" / "phosphor",
                       std::filesystem::path(AFTERGLOW_SOURCE_DIR) / "shaders" / "include");
-        REQUIRE_MESSAGE(loaded.look.has_value(),
-                        (loaded.look ? "" : to_string(loaded.look.error())));
+        REQUIRE_MESSAGE(loaded.look.has_value(), problems_of(loaded.look));
         for (Pass& pass : loaded.look->passes)
             if (pass.name != "persistence")  // whose own must do
                 pass.format = Format::rgba32f;

@@ -5,6 +5,7 @@
 #include "lab/corpus.h"
 #include "parity/moving_picture.h"
 #include "parity/pair.h"
+#include "problems_of.h"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
@@ -60,7 +61,7 @@ public:
     plain::Difference difference(const std::vector<std::string>& shaders,
                                  const std::string& lines) const {
         auto pair = plain::Pair::open(preset(shaders, lines), {37, 23}, {61, 47});
-        REQUIRE_MESSAGE(pair.has_value(), to_string(pair.error()));
+        REQUIRE_MESSAGE(pair.has_value(), problems_of(pair));
         const auto difference = pair->compare(6);
         REQUIRE(difference.has_value());
         return *difference;
@@ -211,7 +212,7 @@ TEST_CASE("the public corpus of slang presets is drawn as plain calls draw it") 
              corpus_files(std::string(folder) + part, {".slangp", sample, seed})) {
             INFO(file.string());
             auto pair = plain::Pair::open(file, {160, 120}, {320, 240});
-            REQUIRE_MESSAGE(pair.has_value(), to_string(pair.error()));
+            REQUIRE_MESSAGE(pair.has_value(), problems_of(pair));
             const auto difference = pair->compare(5);
             REQUIRE(difference.has_value());
             check_same(*difference);

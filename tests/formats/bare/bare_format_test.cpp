@@ -2,6 +2,7 @@
 
 #include "formats/bare/varyings.h"
 #include "io/temporary_folder.h"
+#include "problems_of.h"
 
 #include <doctest/doctest.h>
 
@@ -11,7 +12,7 @@ namespace {
 Look bare_look(const std::string& text, const std::string& expected_warning = "") {
     const TemporaryFolder folder;
     const LoadedLook loaded = load_bare_look(folder.write("a.frag", text), {}, {});
-    REQUIRE_MESSAGE(loaded.look.has_value(), to_string(loaded.look.error()));
+    REQUIRE_MESSAGE(loaded.look.has_value(), problems_of(loaded.look));
     if (expected_warning.empty())
         CHECK(to_string(loaded.warnings) == "");
     else
@@ -175,7 +176,8 @@ TEST_CASE("what a layout says besides numbers stays") {
         "layout(origin_upper_left) in vec4 gl_FragCoord;\nout vec4 color;\n"
         "void main() { color = tint + gl_FragCoord; }\n",
         "Block");
-    CHECK(look.passes[0].fragment.text->find("layout(std140)\n uniform Block") != std::string::npos);
+    CHECK(look.passes[0].fragment.text->find("layout(std140)\n uniform Block") !=
+          std::string::npos);
     CHECK(look.passes[0].fragment.text->find("layout(origin_upper_left)") != std::string::npos);
 }
 
@@ -312,7 +314,7 @@ TEST_CASE("a constant with a range is a parameter, and an error keeps its line")
                                    "    gl_FragColor = vec4(taps[0]);\n"
                                    "}\n");
     const LoadedLook plain = load_bare_look(file, {}, {});
-    REQUIRE_MESSAGE(plain.look.has_value(), to_string(plain.look.error()));
+    REQUIRE_MESSAGE(plain.look.has_value(), problems_of(plain.look));
     CHECK(find_parameter(*plain.look, "N")->range == Range{1.0, 9.0, 1.0});
     const Values none{{"N", 0.0}};
     const LoadedLook empty = load_bare_look(file, {}, {nullptr, nullptr, &none});

@@ -1,6 +1,7 @@
 #include "base/file.h"
 #include "formats/isf/header.h"
 #include "formats/isf/isf_format.h"
+#include "problems_of.h"
 
 #include <doctest/doctest.h>
 
@@ -26,7 +27,7 @@ void count_file(const fs::path& file, IsfCounts& counts) {
     const auto text = read_text(file);
     REQUIRE(text.has_value());
     const auto header = read_isf_header(*text, file);
-    REQUIRE_MESSAGE(header.has_value(), to_string(header.error()));
+    REQUIRE_MESSAGE(header.has_value(), problems_of(header));
     ++counts.files;
     ++counts.kinds[header->kind()];
     counts.with_several_passes += header->passes.size() > 1 ? 1 : 0;

@@ -1,5 +1,7 @@
 #include "formats/isf/header.h"
 
+#include "problems_of.h"
+
 #include <doctest/doctest.h>
 
 namespace {
@@ -7,7 +9,7 @@ using Type = IsfInput::Type;
 
 IsfHeader header_of(const std::string& json) {
     auto header = read_isf_header("/*" + json + "*/\nvoid main() {}\n", "a.fs");
-    REQUIRE_MESSAGE(header.has_value(), to_string(header.error()));
+    REQUIRE_MESSAGE(header.has_value(), problems_of(header));
     return std::move(*header);
 }
 

@@ -1,5 +1,7 @@
 #include "formats/shadertoy/toy_json.h"
 
+#include "problems_of.h"
+
 #include <doctest/doctest.h>
 
 namespace {
@@ -8,7 +10,7 @@ using Kind = ToyPass::Kind;
 Toy toy_in(const std::string& text) {
     Diagnostics warnings;
     auto toy = parse_toy_json(text, "a.json", warnings);
-    REQUIRE_MESSAGE(toy.has_value(), to_string(toy.error()));
+    REQUIRE_MESSAGE(toy.has_value(), problems_of(toy));
     CHECK(to_string(warnings) == "");
     return *toy;
 }

@@ -1,5 +1,6 @@
 #include "formats/shadertoy/toy_format.h"
 #include "io/temporary_folder.h"
+#include "problems_of.h"
 
 #include <doctest/doctest.h>
 
@@ -36,7 +37,7 @@ public:
         return good(load_toy_look(write("a.glsl", text), {}, {}));
     }
     Look good(LoadedLook loaded) const {
-        REQUIRE_MESSAGE(loaded.look.has_value(), to_string(loaded.look.error()));
+        REQUIRE_MESSAGE(loaded.look.has_value(), problems_of(loaded.look));
         CHECK(told(loaded.warnings) == "");
         return *loaded.look;
     }

@@ -1,6 +1,7 @@
 #include "base/pass_progress.h"
 #include "formats/slang/slang_folder.h"
 #include "formats/slang/slang_format.h"
+#include "problems_of.h"
 
 #include <fmt/format.h>
 
@@ -49,7 +50,7 @@ public:
     }
     Look look(const std::string& lines = "") {
         LoadedLook loaded = load(lines);
-        REQUIRE_MESSAGE(loaded.look.has_value(), to_string(loaded.look.error()));
+        REQUIRE_MESSAGE(loaded.look.has_value(), problems_of(loaded.look));
         CHECK(told(loaded.warnings) == "");
         return *loaded.look;
     }

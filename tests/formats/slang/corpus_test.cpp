@@ -2,6 +2,7 @@
 #include "formats/slang/expand.h"
 #include "formats/slang/shader.h"
 #include "glsl/translate.h"
+#include "problems_of.h"
 
 #include <doctest/doctest.h>
 
@@ -68,7 +69,7 @@ void count_shaders(const SlangPreset& preset, SlangFiles& files, Counts& counts)
         if (is_new) {
             counts.most_lines = std::max(counts.most_lines, lines_of(pass.shader, files));
             const auto translated = translate_from_vulkan(shader->vertex, shader->fragment);
-            CHECK_MESSAGE(translated.has_value(), to_string(translated.error()));
+            CHECK_MESSAGE(translated.has_value(), problems_of(translated));
             counts.compiled += translated ? 1 : 0;
         }
         all.insert(all.end(), shader->parameters.begin(), shader->parameters.end());

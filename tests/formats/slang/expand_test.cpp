@@ -1,6 +1,7 @@
 #include "formats/slang/expand.h"
 
 #include "formats/slang/slang_folder.h"
+#include "problems_of.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +9,7 @@ namespace {
 // The lines of the vertex stage behind #version and what the host defines.
 std::string body_of(SlangFolder& folder, const std::string& text) {
     const auto shader = folder.shader_of("#version 450\n" + text);
-    REQUIRE_MESSAGE(shader.has_value(), to_string(shader.error()));
+    REQUIRE_MESSAGE(shader.has_value(), problems_of(shader));
     std::string body;
     for (const std::string_view line : split_lines(shader->vertex.text))
         if (!line.starts_with("#version") && !line.starts_with("#define _HAS_"))

@@ -1,13 +1,14 @@
 #include "formats/slang/preset.h"
 
 #include "formats/slang/slang_folder.h"
+#include "problems_of.h"
 
 #include <fmt/format.h>
 
 namespace {
 SlangPreset read(SlangFolder& folder, const std::string& text) {
     const auto preset = folder.preset_of(text);
-    REQUIRE_MESSAGE(preset.has_value(), to_string(preset.error()));
+    REQUIRE_MESSAGE(preset.has_value(), problems_of(preset));
     return *preset;
 }
 
