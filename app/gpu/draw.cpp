@@ -65,6 +65,15 @@ void set_blend_onto() {
     glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE);
 }
 
+bool can_read_own_target() {
+    static const bool can = epoxy_has_gl_extension("GL_ARB_texture_barrier");
+    return can;
+}
+
+void make_own_target_readable() {
+    glTextureBarrier();
+}
+
 void draw_triangle() {
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }

@@ -34,6 +34,11 @@ void draw_points(int count);
 /// Strips of four vertices, one an instance.
 void draw_quads(int instances);
 
+/// Whether a fragment may read the texel that it writes, and no other, of its own target.
+bool can_read_own_target();
+/// To be called before each such draw.
+void make_own_target_readable();
+
 /// From here on draws go to the window, to `extent` pixels of it.
 void bind_screen(Extent extent);
 /// Fills the window.

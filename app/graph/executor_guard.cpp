@@ -76,7 +76,7 @@ void Executor::mend() {
         if (!facts_of(m_plan.targets[pass].format).is_float)
             continue;
         for (int ago = 0; ago < m_plan.targets[pass].slots; ++ago) {
-            m_tripwire->mend(pass, m_targets[pass].canvas(ago));
+            m_tripwire->mend(m_targets[pass].canvas(ago));
             m_targets[pass].canvas(ago).texture().generate_mipmaps();
         }
     }

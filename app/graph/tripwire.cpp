@@ -72,13 +72,19 @@ Result<std::shared_ptr<const TripwirePrograms>> build_tripwire(
         gpu::ending_in(home, std::move(*finder)), gpu::ending_in(home, std::move(*mender))});
 }
 
+Tripwire::Mending Tripwire::best_mending() {
+    return gpu::can_read_own_target() ? Mending::in_place : Mending::there_and_back;
+}
+
 // Where there is no memory nothing is found; the passes themselves are what needs it.
 Tripwire::Watch* Tripwire::watch_for(std::size_t pass, const gpu::Texture& target) {
     const auto found = m_watches.find(pass);
     if (found != m_watches.end() && found->second.target == target.extent())
         return &found->second;
-    if (found != m_watches.end())
+    if (found != m_watches.end()) {
         m_watches.erase(found);
+        m_spares.clear();
+    }
     auto blocks = gpu::Canvas::make(trip_blocks_of(target.extent()), Format::r32f);
     if (!blocks)
         return nullptr;
@@ -121,7 +127,7 @@ void Tripwire::look_at(std::size_t pass, const gpu::Canvas& target, std::int64_t
     look.query.end();
     if (clamps) {
         look.query.begin_condition();
-        draw_mended(*watch, target);
+        draw_mended(target);
         gpu::PixelQuery::end_condition();
     }
     m_samplers.release();
@@ -139,34 +145,41 @@ void Tripwire::look_behind(std::size_t cause, std::size_t pass, const gpu::Canva
     m_samplers.release();
 }
 
-void Tripwire::mend(std::size_t pass, const gpu::Canvas& target) {
+void Tripwire::mend(const gpu::Canvas& target) {
     const gpu::DrawScope scope;
-    if (Watch* watch = watch_for(pass, target.texture()))
-        draw_mended(*watch, target);
+    draw_mended(target);
     m_samplers.release();
 }
 
-// There and back, as nobody may read what they draw into.
-void Tripwire::draw_mended(Watch& watch, const gpu::Canvas& target) {
-    const gpu::Texture& texture = target.texture();
-    if (!watch.spare || watch.spare->texture().extent() != texture.extent() ||
-        watch.spare->texture().format() != texture.format()) {
-        watch.spare.reset();
-        auto spare = gpu::Canvas::make(texture.extent(), texture.format());
-        if (!spare)
-            return;
-        watch.spare.emplace(std::move(*spare));
-    }
+const gpu::Canvas* Tripwire::spare_for(const gpu::Texture& target) {
+    const auto is_like = [&target](const gpu::Canvas& spare) {
+        return spare.texture().extent() == target.extent() &&
+               spare.texture().format() == target.format();
+    };
+    if (const auto found = std::ranges::find_if(m_spares, is_like); found != m_spares.end())
+        return &*found;
+    auto made = gpu::Canvas::make(target.extent(), target.format());
+    return made ? &m_spares.emplace_back(std::move(*made)) : nullptr;
+}
+
+void Tripwire::draw_mender(const gpu::Canvas& from, const gpu::Canvas& to) {
+    m_samplers.bind(0, from.texture(), trip_sampler);
+    to.bind();
+    gpu::draw_triangle();
+}
+
+void Tripwire::draw_mended(const gpu::Canvas& target) {
     gpu::set_blend(Blend::replace);
-    m_programs->mender->write("most", std::array{format_limit(texture.format())});
+    m_programs->mender->write("most", std::array{format_limit(target.texture().format())});
     m_programs->mender->use();
     m_vertices.bind();
-    m_samplers.bind(0, texture, trip_sampler);
-    watch.spare->bind();
-    gpu::draw_triangle();
-    m_samplers.bind(0, watch.spare->texture(), trip_sampler);
-    target.bind();
-    gpu::draw_triangle();
+    if (m_mending == Mending::in_place) {
+        gpu::make_own_target_readable();
+        draw_mender(target, target);
+    } else if (const gpu::Canvas* spare = spare_for(target.texture())) {
+        draw_mender(target, *spare);
+        draw_mender(*spare, target);
+    }
 }
 
 std::optional<Trip> Tripwire::first_in(std::size_t pass, const Watch& watch) const {
@@ -211,6 +224,7 @@ bool Tripwire::is_waiting() const {
 
 void Tripwire::clear() {
     m_watches.clear();
+    m_spares.clear();
     m_first_frame.reset();
     m_found.reset();
 }

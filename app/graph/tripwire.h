@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <vector>
 
 /// Where a number that is not finite was drawn first.
 struct Trip {
@@ -36,8 +37,14 @@ Result<std::shared_ptr<const TripwirePrograms>> build_tripwire(
 /// found is known some frames later.
 class Tripwire {
 public:
-    explicit Tripwire(std::shared_ptr<const TripwirePrograms> programs)
-        : m_programs(std::move(programs)) {}
+    /// How numbers are put right: each texel where it is, or by way of a second picture, which
+    /// every driver can.
+    enum class Mending { in_place, there_and_back };
+    static Mending best_mending();
+
+    explicit Tripwire(std::shared_ptr<const TripwirePrograms> programs,
+                      Mending mending = best_mending())
+        : m_programs(std::move(programs)), m_mending(mending) {}
 
     /// To be called within a DrawScope, right after the pass. Frames count up. With `clamps` what
     /// is no number becomes 0, and an infinity the format's largest number.
@@ -47,7 +54,7 @@ public:
     void look_behind(std::size_t cause, std::size_t pass, const gpu::Canvas& target,
                      std::int64_t frame);
     /// Puts finite numbers in the place of others, without looking where.
-    void mend(std::size_t pass, const gpu::Canvas& target);
+    void mend(const gpu::Canvas& target);
 
     /// The first that was found since last asked: of the earliest frame, in its first pass. With
     /// `waits` also what the GPU is still at.
@@ -65,18 +72,21 @@ private:
     /// What is known of a pass: a number a block of texels, see the shader.
     struct Watch {
         gpu::Canvas blocks;
-        Extent target;                          // px
-        std::optional<gpu::Canvas> spare = {};  // of the target's size and format
+        Extent target;  // px
         std::array<Look, 4> looks = {};
         std::size_t latest = 0;
     };
     void begin(std::int64_t frame);
     void draw_found(const Watch& watch, const gpu::Texture& target, std::int64_t frame);
     Watch* watch_for(std::size_t pass, const gpu::Texture& target);
-    void draw_mended(Watch& watch, const gpu::Canvas& target);
+    void draw_mended(const gpu::Canvas& target);
+    void draw_mender(const gpu::Canvas& from, const gpu::Canvas& to);
+    const gpu::Canvas* spare_for(const gpu::Texture& target);
     std::optional<Trip> first_in(std::size_t pass, const Watch& watch) const;
 
     std::shared_ptr<const TripwirePrograms> m_programs;
+    Mending m_mending;
+    std::vector<gpu::Canvas> m_spares;  // one of each size and format
     gpu::VertexArray m_vertices;
     gpu::Samplers m_samplers;
     std::map<std::size_t, Watch> m_watches;

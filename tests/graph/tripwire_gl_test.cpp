@@ -92,6 +92,30 @@ TEST_CASE_FIXTURE(Tripping, "clamped, it is gone before anybody reads it, and st
     CHECK(green(0) == std::numeric_limits<float>::max());
 }
 
+TEST_CASE_FIXTURE(Headless, "numbers are put right where they are and by a second picture alike") {
+    const float none = std::numeric_limits<float>::quiet_NaN();
+    const float endless_light = std::numeric_limits<float>::infinity();
+    auto programs = build_tripwire();
+    REQUIRE(programs.has_value());
+    const auto mended = [&](Tripwire::Mending way, Format format, const auto& numbers) {
+        auto target = gpu::Canvas::make({5, 3}, format);
+        REQUIRE(target.has_value());
+        target->clear(numbers);
+        Tripwire tripwire(*programs, way);
+        tripwire.mend(*target);
+        return gpu::read_pixel(target->texture(), 4, 1);
+    };
+    CHECK(Tripwire::best_mending() == Tripwire::Mending::in_place);  // on the tests' driver
+    for (const auto way : {Tripwire::Mending::in_place, Tripwire::Mending::there_and_back}) {
+        const std::array wrong{none, endless_light, -endless_light, 0.25f};
+        const float most = std::numeric_limits<float>::max();
+        CHECK(mended(way, Format::rgba32f, wrong) == std::array{0.0f, most, -most, 0.25f});
+        constexpr float most_half = 65504.0f;
+        CHECK(mended(way, Format::rgba16f, wrong) ==
+              std::array{0.0f, most_half, -most_half, 0.25f});
+    }
+}
+
 TEST_CASE_FIXTURE(Tripping, "a pass that nobody reads later is looked at in its turn") {
     const Look look = look_of({pass("one", "void main() { color = vec4(1.0); }\n"),
                                pass("bad",
