@@ -47,8 +47,12 @@ Result<Canvas> Canvas::make(Extent extent, Format format, bool is_mipmapped) {
 }
 
 void Canvas::bind() const {
+    bind_part(0, 0, m_texture.extent());
+}
+
+void Canvas::bind_part(int x, int y, Extent part) const {
     glBindFramebuffer(GL_FRAMEBUFFER, m_name.get());
-    glViewport(0, 0, m_texture.extent().width, m_texture.extent().height);
+    glViewport(x, y, part.width, part.height);
 }
 
 namespace {

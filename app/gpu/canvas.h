@@ -22,6 +22,8 @@ public:
 
     /// From here on draws go to the whole of it.
     void bind() const;
+    /// The same to a rectangle of it, whose lowest left texel is (x, y).
+    void bind_part(int x, int y, Extent part) const;
     /// Every texel of the largest level; integer formats take the whole part.
     void clear(std::array<float, 4> rgba = {}) const;
     /// Copies the largest level to a canvas of the same size and format.

@@ -234,7 +234,6 @@ private:
     void write_sample(std::size_t pass, int draw);
     void end_draw(std::size_t pass);
     void end_pass(std::size_t pass);
-    void look_behind_frame();
     bool may_be_unfinished(std::size_t pass) const;
     void continue_pass(double seconds);
     void draw_band(std::size_t pass, double seconds);
@@ -265,6 +264,8 @@ private:
     bool is_remembered(std::size_t pass) const;  // later frames read it
     bool is_watched(std::size_t pass) const;
     bool is_handed_back(std::size_t pass) const;
+    void guard_pass(std::size_t pass);
+    void guard_frame();
     void look_behind(const std::vector<bool>& drawn);
 
     std::shared_ptr<gpu::Context> m_home;

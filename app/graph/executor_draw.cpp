@@ -133,7 +133,7 @@ void Executor::draw_passes() {
             draw_pass(pass);
         hand_back_after(pass);
     }
-    look_behind_frame();
+    guard_frame();
     m_samplers.release();
     m_draw_calls = m_work.draw_calls;
 }
@@ -143,11 +143,6 @@ void Executor::hand_back_after(std::size_t pass) {
     for (std::size_t i = 0; i < m_plan.targets.size(); ++i)
         if (m_plan.targets[i].common && m_plan.targets[i].held_until == pass)
             m_targets[i].hand_back(m_work.passes[i]);
-}
-
-void Executor::look_behind_frame() {
-    if (!m_draws_whole && m_tripwire)
-        look_behind(m_work.passes);
 }
 
 void Executor::draw_pass(std::size_t index) {
@@ -224,9 +219,7 @@ void Executor::end_pass(std::size_t index) {
     if (is_followed_onto(index))
         return;
     const std::size_t host = host_of(index);
-    if (is_watched(host))
-        m_tripwire->look_at(host, m_targets[host].canvas(), m_drawn.number,
-                            m_guard == Guard::clamp);
+    guard_pass(host);
     m_targets[host].canvas().texture().generate_mipmaps();
 }
 

@@ -49,9 +49,32 @@ bool Executor::is_handed_back(std::size_t pass) const {
     return target.common && target.slots == 1 && target.held_until != m_order.back();
 }
 
+// Right after it was drawn, where nobody may read it before, or it will not be there later.
+void Executor::guard_pass(std::size_t pass) {
+    if (!is_watched(pass))
+        return;
+    const Tripwire::Drawn drawn{pass, &m_targets[pass].canvas()};
+    if (m_guard == Guard::clamp)
+        m_tripwire->look_and_mend(drawn, m_drawn.number);
+    else if (is_handed_back(pass))
+        m_tripwire->look_at({&drawn, 1}, m_drawn.number);
+}
+
+// All others together, behind the frame.
+void Executor::guard_frame() {
+    if (m_guard == Guard::clamp)
+        return look_behind(m_work.passes);
+    std::vector<Tripwire::Drawn> all;
+    for (std::size_t pass = 0; pass < m_passes.size(); ++pass)
+        if (m_work.passes[pass] && is_watched(pass) && !is_handed_back(pass))
+            all.push_back({pass, &m_targets[pass].canvas()});
+    if (!all.empty())
+        m_tripwire->look_at(all, m_drawn.number);
+}
+
 // Where what is kept was put right, the pass that began it is one of those before.
 void Executor::look_behind(const std::vector<bool>& drawn) {
-    if (m_guard != Guard::clamp || m_draws_whole)
+    if (m_draws_whole || !m_tripwire)
         return;
     for (std::size_t cause = 0; cause < m_passes.size(); ++cause)
         for (std::size_t pass = 0; pass < cause; ++pass)

@@ -115,7 +115,11 @@ void Executor::finish_frame() {
     m_is_amid_frame = false;
     for (std::size_t i = 0; i < m_targets.size(); ++i)
         m_targets[i].finish();
-    look_behind_frame();
+    {
+        const gpu::DrawScope scope;
+        guard_frame();
+        m_samplers.release();
+    }
     m_draw_calls = m_work.draw_calls;
     if (!m_work.is_again)
         m_parameters.end_events();
@@ -143,6 +147,7 @@ void Executor::rehearse(const Frame& frame, std::size_t pass) {
             if (m_work.draws > m_work.first_draw)
                 draw_band(pass, 0.0);
             end_pass(pass);
+            guard_frame();
         }
         m_samplers.release();
     }

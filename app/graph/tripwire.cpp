@@ -17,11 +17,12 @@ constexpr std::int64_t most_frames = 65535;  // codes stay below 2^24, exact in 
 // keeps the greatest: what came first is not overwritten by what came of it.
 constexpr const char* finder_text = R"(#version 410 core
 uniform sampler2D shown;
+uniform ivec2 corner;
 uniform float frames_left;
 out vec4 color;
 void main() {
     const int side = 16;
-    ivec2 low = ivec2(gl_FragCoord.xy) * side;
+    ivec2 low = (ivec2(gl_FragCoord.xy) - corner) * side;
     ivec2 end = min(low + side, textureSize(shown, 0));
     const uint not_finite = 0x7f800000u;  // an infinity's bits; those of NaN are greater
     uvec4 greatest = uvec4(0u);
@@ -76,19 +77,53 @@ Tripwire::Mending Tripwire::best_mending() {
     return gpu::can_read_own_target() ? Mending::in_place : Mending::there_and_back;
 }
 
+Tripwire::Look& Tripwire::Looks::open_next() {
+    latest = (latest + 1) % looks.size();
+    looks[latest].is_open = true;
+    return looks[latest];
+}
+
+bool Tripwire::Sheet::find_room(Extent part, int& left, int& bottom) {
+    const Extent whole = blocks.texture().extent();
+    if (x + part.width > whole.width) {
+        x = 0;
+        y += std::exchange(shelf_height, 0);
+    }
+    if (part.width > whole.width || y + part.height > whole.height)
+        return false;
+    left = std::exchange(x, x + part.width);
+    bottom = y;
+    shelf_height = std::max(shelf_height, part.height);
+    return true;
+}
+
+bool Tripwire::place(Watch& watch) {
+    constexpr int usual_side = 256;
+    const Extent part = trip_blocks_of(watch.target);
+    if (m_sheets.empty() || !m_sheets.back().find_room(part, watch.x, watch.y)) {
+        const int side = std::max({usual_side, part.width, part.height});
+        auto blocks = gpu::Canvas::make({side, side}, Format::r32f);
+        if (!blocks)
+            return false;
+        m_sheets.push_back({std::move(*blocks)});
+        m_sheets.back().find_room(part, watch.x, watch.y);
+    }
+    watch.sheet = m_sheets.size() - 1;
+    return true;
+}
+
 // Where there is no memory nothing is found; the passes themselves are what needs it.
 Tripwire::Watch* Tripwire::watch_for(std::size_t pass, const gpu::Texture& target) {
     const auto found = m_watches.find(pass);
     if (found != m_watches.end() && found->second.target == target.extent())
         return &found->second;
-    if (found != m_watches.end()) {
-        m_watches.erase(found);
+    if (found != m_watches.end()) {  // the picture has another size: so have the others
+        m_watches.clear();
+        m_sheets.clear();
         m_spares.clear();
     }
-    auto blocks = gpu::Canvas::make(trip_blocks_of(target.extent()), Format::r32f);
-    if (!blocks)
-        return nullptr;
-    return &m_watches.emplace(pass, Watch{std::move(*blocks), target.extent()}).first->second;
+    Watch watch{target.extent()};
+    return place(watch) ? &m_watches.emplace(pass, std::move(watch)).first->second : nullptr;
 }
 
 // The codes of the blocks reach only so many frames.
@@ -105,31 +140,38 @@ void Tripwire::begin(std::int64_t frame) {
 void Tripwire::draw_found(const Watch& watch, const gpu::Texture& target, std::int64_t frame) {
     m_programs->finder->write(
         "frames_left", std::array{static_cast<double>(most_frames - (frame - *m_first_frame))});
+    m_programs->finder->write("corner", std::array{double(watch.x), double(watch.y)});
     m_samplers.bind(0, target, trip_sampler);
-    watch.blocks.bind();
+    m_sheets[watch.sheet].blocks.bind_part(watch.x, watch.y, trip_blocks_of(watch.target));
     gpu::set_blend(Blend::maximum);
     m_programs->finder->use();
     m_vertices.bind();
     gpu::draw_triangle();
 }
 
-void Tripwire::look_at(std::size_t pass, const gpu::Canvas& target, std::int64_t frame,
-                       bool clamps) {
+void Tripwire::look_at(std::span<const Drawn> all, std::int64_t frame) {
     begin(frame);
-    Watch* watch = watch_for(pass, target.texture());
+    gpu::PixelQuery& query = m_gathered.open_next().query;
+    query.begin();
+    for (const Drawn& drawn : all)
+        if (const Watch* watch = watch_for(drawn.pass, drawn.target->texture()))
+            draw_found(*watch, drawn.target->texture(), frame);
+    query.end();
+    m_samplers.release();
+}
+
+void Tripwire::look_and_mend(const Drawn& drawn, std::int64_t frame) {
+    begin(frame);
+    Watch* watch = watch_for(drawn.pass, drawn.target->texture());
     if (!watch)
         return;
-    watch->latest = (watch->latest + 1) % watch->looks.size();
-    Look& look = watch->looks[watch->latest];
-    look.is_open = true;
-    look.query.begin();
-    draw_found(*watch, target.texture(), frame);
-    look.query.end();
-    if (clamps) {
-        look.query.begin_condition();
-        draw_mended(target);
-        gpu::PixelQuery::end_condition();
-    }
+    gpu::PixelQuery& query = watch->looks.open_next().query;
+    query.begin();
+    draw_found(*watch, drawn.target->texture(), frame);
+    query.end();
+    query.begin_condition();
+    draw_mended(*drawn.target);
+    gpu::PixelQuery::end_condition();
     m_samplers.release();
 }
 
@@ -139,7 +181,8 @@ void Tripwire::look_behind(std::size_t cause, std::size_t pass, const gpu::Canva
     const auto known = m_watches.find(cause);
     if (!watch || known == m_watches.end() || !m_first_frame)
         return;
-    known->second.looks[known->second.latest].query.begin_condition();
+    const Looks& causes = known->second.looks;
+    causes.looks[causes.latest].query.begin_condition();
     draw_found(*watch, target.texture(), frame);
     gpu::PixelQuery::end_condition();
     m_samplers.release();
@@ -182,34 +225,59 @@ void Tripwire::draw_mended(const gpu::Canvas& target) {
     }
 }
 
-std::optional<Trip> Tripwire::first_in(std::size_t pass, const Watch& watch) const {
-    const Picture codes = gpu::read_picture(watch.blocks.texture());
-    const auto greatest = std::max_element(codes.pixels.begin(), codes.pixels.end());
-    if (greatest == codes.pixels.end() || *greatest <= 0.0f)
+std::optional<Trip> Tripwire::first_in(std::size_t pass, const Watch& watch,
+                                       const Picture& sheet) const {
+    const Extent part = trip_blocks_of(watch.target);
+    float greatest = 0.0f;
+    int column = 0;
+    int row = 0;  // from the bottom
+    for (int y = part.height - 1; y >= 0; --y)
+        for (int x = 0; x < part.width; ++x) {
+            const float code =
+                sheet.pixels[sheet.index(watch.x + x, sheet.extent.height - 1 - (watch.y + y))];
+            if (code <= greatest)
+                continue;
+            greatest = code;
+            column = x;
+            row = y;
+        }
+    if (greatest <= 0.0f)
         return std::nullopt;
-    const auto block = static_cast<int>(greatest - codes.pixels.begin());
-    const auto code = static_cast<std::int64_t>(*greatest);
+    const auto code = static_cast<std::int64_t>(greatest);
     const auto texel = block_texels - 1 - static_cast<int>(code % block_texels);
-    const int row = codes.extent.height - 1 - block / codes.extent.width;  // from the bottom
-    return Trip{pass, block % codes.extent.width * trip_block_side + texel % trip_block_side,
+    return Trip{pass, column * trip_block_side + texel % trip_block_side,
                 watch.target.height - 1 - (row * trip_block_side + texel / trip_block_side),
                 *m_first_frame + most_frames - code / block_texels};
 }
 
-// Reading where it was waits for the GPU; it is seldom.
-std::optional<Trip> Tripwire::take(bool waits) {
-    bool is_any = waits && m_first_frame;
-    for (auto& [pass, watch] : m_watches)
-        for (Look& look : watch.looks)
+// Whether any look that has its answer found something.
+bool Tripwire::take_answers(bool waits) {
+    bool is_any = false;
+    const auto take_from = [&](Looks& looks) {
+        for (Look& look : looks.looks)
             if (look.is_open && (waits || look.query.has_come())) {
                 look.is_open = false;
-                is_any = is_any || look.query.is_any();
+                is_any = look.query.is_any() || is_any;
             }
+    };
+    take_from(m_gathered);
+    for (auto& [pass, watch] : m_watches)
+        take_from(watch.looks);
+    return is_any;
+}
+
+// Reading where it was waits for the GPU; it is seldom.
+std::optional<Trip> Tripwire::take(bool waits) {
+    const bool is_any = take_answers(waits) || (waits && m_first_frame);
     std::optional<Trip> first = std::exchange(m_found, std::nullopt);
     if (!is_any)
         return first;
+    std::vector<Picture> sheets;
+    for (const Sheet& sheet : m_sheets)
+        sheets.push_back(gpu::read_picture(sheet.blocks.texture()));
     for (const auto& [pass, watch] : m_watches)
-        if (const auto trip = first_in(pass, watch); trip && (!first || trip->frame < first->frame))
+        if (const auto trip = first_in(pass, watch, sheets[watch.sheet]);
+            trip && (!first || trip->frame < first->frame))
             first = trip;
     if (first)
         clear();
@@ -217,14 +285,19 @@ std::optional<Trip> Tripwire::take(bool waits) {
 }
 
 bool Tripwire::is_waiting() const {
-    return std::ranges::any_of(m_watches, [](const auto& watch) {
-        return std::ranges::any_of(watch.second.looks, &Look::is_open);
-    });
+    const auto waits = [](const Looks& looks) {
+        return std::ranges::any_of(looks.looks, &Look::is_open);
+    };
+    return waits(m_gathered) || std::ranges::any_of(m_watches, [&waits](const auto& watch) {
+               return waits(watch.second.looks);
+           });
 }
 
 void Tripwire::clear() {
     m_watches.clear();
+    m_sheets.clear();
     m_spares.clear();
+    m_gathered = {};
     m_first_frame.reset();
     m_found.reset();
 }

@@ -92,6 +92,30 @@ TEST_CASE_FIXTURE(Tripping, "clamped, it is gone before anybody reads it, and st
     CHECK(green(0) == std::numeric_limits<float>::max());
 }
 
+TEST_CASE_FIXTURE(Tripping, "of many large passes it is told which one it was, and where") {
+    std::vector<Pass> passes;
+    for (int i = 0; i < 12; ++i) {
+        const std::string own = std::to_string(i);
+        const std::string wrong = i == 10 ? "1234, 321" : i == 11 ? "7, 7" : "-1, 0";
+        passes.push_back(pass("p" + own,
+                              "uniform sampler2D previous;\n"
+                              "uniform float none = 0.0;\n"
+                              "void main() {\n"
+                              "    color = ivec2(gl_FragCoord.xy) == ivec2(" +
+                                  wrong + ") ? vec4(none / none) : vec4(0.5);\n}\n",
+                              {reads("previous", "p" + own, 1)}));
+    }
+    auto programs = build_programs(look_of(passes));
+    REQUIRE(programs.has_value());
+    executor = std::make_unique<Executor>(look_of(passes), std::move(*programs));
+    REQUIRE(executor->resize({1600, 900}, {1600, 900}).has_value());
+    REQUIRE(executor->set_guard(Executor::Guard::watch).has_value());
+    draw(1, 1);
+    const auto trip = executor->take_trip(true);
+    REQUIRE(trip);
+    CHECK(*trip == Trip{10, 1234, 900 - 1 - 321, 1});
+}
+
 TEST_CASE_FIXTURE(Headless, "numbers are put right where they are and by a second picture alike") {
     const float none = std::numeric_limits<float>::quiet_NaN();
     const float endless_light = std::numeric_limits<float>::infinity();
