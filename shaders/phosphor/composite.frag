@@ -55,14 +55,14 @@ bool is_straight() {
 }
 
 vec3 light_at(vec2 at) {
-    return light_of(kept_light(phosphor, at)) + bloom_intensity * light_of(texture(bloom, at).rgb);
+    return light_of(kept_light(phosphor, at)) + bloom_intensity * colored(texture(bloom, at).rgb);
 }
 
 // Red and blue from either side: aberration / width of the picture, as a lens that bends them apart.
 vec3 fringed_light(vec2 at) {
     if (is_straight())
         return light_of(kept_texel(phosphor, ivec2(gl_FragCoord.xy))) +
-               bloom_intensity * light_of(texture(bloom, at).rgb);
+               bloom_intensity * colored(texture(bloom, at).rgb);
     // Without aberration compilers see that all three are one reading.
     vec2 shift = aberration == 0.0 ? vec2(0.0) : vec2(aberration / u_resolution.x, 0.0);
     return vec3(light_at(at + shift).r, light_at(at).g, light_at(at - shift).b);

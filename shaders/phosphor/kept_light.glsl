@@ -35,6 +35,10 @@ vec3 kept_light(sampler2D image, vec2 at) {
     vec2 place = at * size - 0.5;
     vec2 corner = clamp(floor(place), vec2(0.0), max(size - 2.0, 0.0));
     vec2 part = clamp(place - corner, vec2(0.0), min(size - 1.0, 1.0));
+    if (has_one_color()) {
+        vec4 four = min(textureGather(image, (corner + 1.0) / size), vec4(one_color_ceiling()));
+        return vec3(mix(mix(four.w, four.z, part.x), mix(four.x, four.y, part.x), part.y), 0.0, 0.0);
+    }
     ivec2 texel = ivec2(corner);
     vec3 lower = mix(kept_texel(image, texel), kept_texel(image, texel + ivec2(1, 0)), part.x);
     vec3 upper =

@@ -21,12 +21,13 @@ float one_color_ceiling() {
     return ceiling / max(as_written ? weakest : strongest, 1e-3);
 }
 
-// The light of a texel.
+// The light of a texel, whatever its ceiling.
+vec3 colored(vec3 texel) {
+    return has_one_color() ? beam_color * texel.r : texel;
+}
+
 vec3 light_of(vec3 texel) {
-    if (!has_one_color())
-        return texel;
-    vec3 light = beam_color * texel.r;
-    return as_written ? min(light, vec3(ceiling)) : light;
+    return has_one_color() && as_written ? min(colored(texel), vec3(ceiling)) : colored(texel);
 }
 
 // What the bloom is made of: as the strongest channel has it.

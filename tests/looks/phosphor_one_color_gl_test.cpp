@@ -43,6 +43,31 @@ TEST_CASE("one colour shows what all channels show, from one channel") {
     }
 }
 
+// Light that has not met the ceiling is read texel by texel, else by the texture's own filter.
+TEST_CASE("what is shown is the same whether the beam has a target of its own or not") {
+    Tube apart({}, {96, 72});
+    Tube onto({}, {96, 72});
+    onto.look_at_the_last();
+    const Values common{{"beam_color", Value(std::vector<double>{0.3, 0.8, 0.1})},
+                        {"dither", Value(0.0)},
+                        {"curvature", Value(0.1)}};
+    for (const bool is_one : {false, true})
+        for (const double ceiling : {0.8, 1000.0})
+            for (const double as_written : {0.0, 1.0}) {
+                CAPTURE(is_one);
+                CAPTURE(ceiling);
+                CAPTURE(as_written);
+                const Values values =
+                    with(common, {{"ceiling", Value(ceiling)}, {"as_written", Value(as_written)}});
+                const Picture wanted = seen(apart, values, is_one);
+                const auto difference = difference_between(wanted, seen(onto, values, is_one), 0.0);
+                CHECK_FALSE(apart.is_drawn_onto("beam"));
+                REQUIRE(onto.is_drawn_onto("beam"));
+                REQUIRE(difference.has_value());
+                CHECK(difference->largest < 1e-4);
+            }
+}
+
 TEST_CASE("a measured tube keeps its three terms, whatever is asked of a custom one") {
     Tube tube({}, {64, 64});
     const Values measured{{"tube", Value(9.0)}, {"dither", Value(0.0)}};

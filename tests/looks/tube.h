@@ -39,6 +39,19 @@ public:
         m_number = 0;
     }
 
+    /// Nobody looks at any pass but the last one from here on.
+    void look_at_the_last() {
+        m_context->make_current();
+        std::vector<bool> seen(m_renderer->executor().look().passes.size(), false);
+        seen.back() = true;
+        REQUIRE(m_renderer->set_seen(seen, Executor::Frames::drawn_again).has_value());
+    }
+    bool is_drawn_onto(const char* pass) const {
+        const Executor& executor = m_renderer->executor();
+        const auto index = static_cast<std::size_t>(*find_pass(executor.look(), pass));
+        return executor.plan().targets[index].onto.has_value();
+    }
+
     /// One frame of 1/fps that holds these points.
     void draw(const Beam& beam, double fps = 60.0) {
         m_context->make_current();
