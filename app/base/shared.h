@@ -1,9 +1,11 @@
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <utility>
 
-/// A value whose copies are one in memory until one of them is changed.
+/// A value whose copies are one in memory until one of them is changed. Copies may belong to
+/// different threads.
 template <class T>
 class Shared {
 public:
@@ -21,6 +23,8 @@ public:
             m_value = std::make_shared<T>();
         else if (m_value.use_count() > 1)
             m_value = std::make_shared<T>(*m_value);
+        // What another thread read of it before it let go has been read.
+        std::atomic_thread_fence(std::memory_order_acquire);
         return *m_value;
     }
 
