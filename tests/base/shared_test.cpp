@@ -1,6 +1,10 @@
 #include "base/line_map.h"
 #include "base/shared_text.h"
 
+#include <doctest/doctest.h>
+
+#include <vector>
+
 TEST_CASE("a copy of a shared value is the same memory until one of the two is changed") {
     Shared<std::vector<int>> one(std::vector<int>{1, 2});
     Shared<std::vector<int>> copy = one;
