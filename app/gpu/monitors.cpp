@@ -5,6 +5,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
 #include <span>
 
 namespace gpu {
@@ -21,13 +22,6 @@ std::vector<GLFWmonitor*> handles() {
     return monitors;
 }
 
-bool holds(GLFWmonitor* monitor, int x, int y) {
-    int left = 0;
-    int top = 0;
-    glfwGetMonitorPos(monitor, &left, &top);
-    const GLFWvidmode* mode = glfwGetVideoMode(monitor);
-    return x >= left && y >= top && x < left + mode->width && y < top + mode->height;
-}
 }  // namespace
 
 std::vector<Monitor> Window::monitors() {
@@ -39,21 +33,39 @@ std::vector<Monitor> Window::monitors() {
     return monitors;
 }
 
+// Each asks the display server, and waits for it; this is wanted every turn.
+const std::vector<Window::Display>& Window::displays() const {
+    const auto now = std::chrono::steady_clock::now();
+    if (m_displays_read && now - *m_displays_read < std::chrono::seconds(1))
+        return m_displays;
+    m_displays.clear();
+    for (GLFWmonitor* handle : handles()) {
+        const GLFWvidmode* mode = glfwGetVideoMode(handle);
+        Display display{{}, {mode->width, mode->height}, mode->refreshRate};
+        glfwGetMonitorPos(handle, &display.low[0], &display.low[1]);
+        m_displays.push_back(display);
+    }
+    m_displays_read = now;
+    return m_displays;
+}
+
 std::size_t Window::monitor() const {
-    const auto [x, y] = position();
+    const auto [left, top] = position();
     const Extent extent = size();
-    const std::vector<GLFWmonitor*> monitors = handles();
-    for (std::size_t i = 0; i < monitors.size(); ++i)
-        if (holds(monitors[i], x + extent.width / 2, y + extent.height / 2))
-            return i;
-    return 0;
+    const std::array middle{left + extent.width / 2, top + extent.height / 2};
+    const auto holds = [&middle](const Display& display) {
+        return middle[0] >= display.low[0] && middle[1] >= display.low[1] &&
+               middle[0] < display.low[0] + display.size.width &&
+               middle[1] < display.low[1] + display.size.height;
+    };
+    const auto found = std::ranges::find_if(displays(), holds);
+    return found == displays().end() ? 0 : static_cast<std::size_t>(found - displays().begin());
 }
 
 double Window::refresh_rate() const {
-    const std::vector<GLFWmonitor*> monitors = handles();
-    if (monitors.empty())
+    if (displays().empty())
         return 60.0;
-    const int rate = glfwGetVideoMode(monitors[monitor()])->refreshRate;
+    const int rate = displays()[monitor()].refresh_rate;
     return rate > 0 ? rate : 60.0;
 }
 

@@ -6,6 +6,7 @@
 #include "model/extent.h"
 
 #include <array>
+#include <chrono>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -42,6 +43,8 @@ public:
 
     /// The displays there are, the first one first; several may have the same name.
     static std::vector<Monitor> monitors();
+    /// How many these are; this, monitor() and refresh_rate() as they were within the last second.
+    std::size_t monitor_count() const { return displays().size(); }
     /// The display that most of the window's middle is on, by its place in monitors().
     std::size_t monitor() const;
     /// A window without frame or pointer over all of a display, at its present resolution, that
@@ -104,9 +107,18 @@ private:
                                                   GLFWmonitor* monitor = nullptr);
     static Result<std::shared_ptr<Library>> open_library();
     struct Listeners;  // what GLFW calls
+    /// Where a display lies on the desktop.
+    struct Display {
+        std::array<int, 2> low;
+        Extent size;
+        int refresh_rate = 0;  // 0: not known
+    };
+    const std::vector<Display>& displays() const;
 
     std::shared_ptr<Library> m_library;  // shared: the last window of several closes it
     GLFWwindow* m_window;
+    mutable std::vector<Display> m_displays;
+    mutable std::optional<std::chrono::steady_clock::time_point> m_displays_read;
     std::vector<std::filesystem::path> m_dropped;
     std::vector<InputEvent> m_input;
 };

@@ -7,7 +7,7 @@ std::string OutputWindow::follow(WindowState& state, gpu::Window& panels) {
         state.output.is_open = false;
     m_is_left = false;
     const std::size_t own = panels.monitor();
-    const std::size_t wanted = state.output.monitor_for(gpu::Window::monitors().size(), own);
+    const std::size_t wanted = state.output.monitor_for(panels.monitor_count(), own);
     if (m_window && (!state.output.is_open || wanted != m_monitor)) {
         m_window.reset();
         panels.make_current();
