@@ -152,6 +152,7 @@ void Executor::rehearse(const Frame& frame, std::size_t pass) {
         m_samplers.release();
     }
     drop_frame();
+    m_passes[pass].pace = {};                           // a band of nothing says little
     static_cast<void>(target(static_cast<int>(pass)));  // turned over, if it is
 }
 

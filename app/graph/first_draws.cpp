@@ -16,7 +16,11 @@ bool is_known(const PassProgram& program, const Programs* known) {
 
 // Making room for large targets takes longer than to draw a band of them. Code that Mesa's llvmpipe
 // made with a few pixels did not always serve more of them; that of a quarter did (22.3).
-PictureSizes stand_in_for(const PictureSizes& whole, const FirstDrawsOf& of) {
+PictureSizes sizes_for(const FirstDrawsOf& of) {
+    const bool reads_source = of.look.driven_by == Driver::picture;
+    if (of.size == FirstDrawsOf::Size::own)
+        return {of.viewport, reads_source ? expected_source : of.viewport};
+    const PictureSizes whole{of.viewport, expected_source};
     if (const auto quarter = quarter_like(of.look, whole))
         return *quarter;
     return of.size == FirstDrawsOf::Size::small ? small_like(of.look, whole) : whole;
@@ -65,17 +69,25 @@ FirstDraws::FirstDraws(const FirstDrawsOf& of, const PassProgram& idle) {
     }
     if (m_new.empty())
         return;
-    m_executor.emplace(std::move(stand_in), std::move(drawn));
-    const PictureSizes whole{of.viewport, expected_source};
-    const PictureSizes sizes = stand_in_for(whole, of);
+    m_executor = std::make_unique<Executor>(std::move(stand_in), std::move(drawn));
+    if (make_ready(of))
+        return;
+    m_executor.reset();
+    m_new.clear();  // the look itself will say so
+}
+
+bool FirstDraws::make_ready(const FirstDrawsOf& of) {
+    const PictureSizes sizes = sizes_for(of);
     const auto guard = of.programs.tripwire ? Executor::Guard::search : Executor::Guard::off;
-    const bool is_ready = m_executor->resize(sizes.viewport, sizes.source).has_value() &&
-                          m_executor->set_source(black(sizes.source)).has_value() &&
-                          m_executor->set_guard(guard).has_value();
+    m_executor->set_values(of.values);
     for (const auto& [name, texture] : of.images)
         m_executor->set_image(name, texture);
-    if (!is_ready)
-        m_new.clear();  // the look itself will say so
+    const bool has_source =
+        of.size != FirstDrawsOf::Size::own || of.look.driven_by == Driver::picture;
+    return m_executor->set_seen(of.seen).has_value() &&
+           m_executor->resize(sizes.viewport, sizes.source).has_value() &&
+           (!has_source || m_executor->set_source(black(sizes.source)).has_value()) &&
+           m_executor->set_guard(guard).has_value();
 }
 
 const std::string& FirstDraws::next_pass() const {
@@ -85,7 +97,7 @@ const std::string& FirstDraws::next_pass() const {
 
 void FirstDraws::draw_next() {
     assert(!is_done());
-    const Beam beam(2);
+    const Beam beam{{-0.25f, 0.0f, 1.0f, 0.0f}, {0.25f, 0.0f, 1.0f, 0.0f}};
     // A band of it will do, and a heavy one keeps nobody else from the GPU for long.
     m_executor->rehearse(first_frame(beam), m_new[m_done++]);
     gpu::finish();
@@ -95,4 +107,12 @@ void FirstDraws::draw_all(PassProgress& progress) {
     progress.begin(PassProgress::Step::drawing, total());
     while (!is_done() && progress.next(next_pass()))
         draw_next();
+}
+
+std::unique_ptr<Executor> FirstDraws::take_executor() {
+    if (m_executor) {
+        m_executor->clear_history();
+        static_cast<void>(m_executor->set_guard(Executor::Guard::off));  // which cannot fail
+    }
+    return std::move(m_executor);
 }

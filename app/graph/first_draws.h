@@ -4,8 +4,8 @@
 #include "graph/executor.h"
 
 #include <memory>
-#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// Pictures of a look by name, as image_texture() makes them.
@@ -22,9 +22,12 @@ struct FirstDrawsOf {
     const ImageTextures& images;
     Extent viewport;  // of the picture to come
     // What is drawn where no quarter of the picture will do. Small: a few pixels, where nobody may
-    // wait for more; else all of it.
-    enum class Size { small, whole };
+    // wait for more; whole: all of it. Own: all of it in any case, as who draws the picture goes on
+    // with what the draws were made with.
+    enum class Size { small, whole, own };
     Size size = Size::small;
+    Values values = {};           // that the sizes follow
+    std::vector<bool> seen = {};  // as Executor::set_seen takes it
 };
 
 /// Draws once with each program that is new, one at a time, into targets of the look's formats. A
@@ -46,9 +49,13 @@ public:
     void draw_next();
     /// Draws them all, unless they are cancelled.
     void draw_all(PassProgress& progress);
+    /// What the draws were made with, as before a first frame. Null where there was no memory.
+    std::unique_ptr<Executor> take_executor();
 
 private:
-    std::optional<Executor> m_executor;
+    bool make_ready(const FirstDrawsOf& of);
+
+    std::unique_ptr<Executor> m_executor;
     std::vector<std::size_t> m_new;  // passes
     std::size_t m_done = 0;
 };

@@ -104,6 +104,7 @@ void Lab::open(const OpenRequest& request) {
     m_when_opened = {};
     m_preset_step.reset();
     m_reloader.set_picture(picture_extent());
+    m_reloader.set_seen(m_seen);
     m_reloader.open(request);
 }
 

@@ -96,7 +96,7 @@ struct TurnedPrograms {
 class Lab {
 public:
     /// `worker` is a context for the reloader's thread that shares with `screen`, which is current
-    /// here and outlives the lab.
+    /// here and outlives the lab. Null: one is made once the first picture is seen.
     Lab(Library library, const gpu::Context& screen, std::unique_ptr<gpu::Context> worker,
         std::unique_ptr<MidiInputs> midi = machine_midi_inputs());
     ~Lab();
@@ -357,7 +357,8 @@ private:
     bool is_following_constants() const;
     bool has_programs_for(const Variant& variant);
     void follow_variant_constants();
-    void open_document(Look look, const OpenRequest& request);
+    void open_document(LoadedRequest& loaded);
+    void begin_renderer(std::unique_ptr<Executor> drawn_first);
     void show_images(const ImageTextures& images);
     void take_chosen_images();
     void follow_heavy_pass();

@@ -226,7 +226,7 @@ void Lab::apply(LoadedRequest loaded) {
         m_document->replace_look(std::move(*loaded.look));
         succeeded(m_renderer->replace(m_document->drawn_look(), *m_programs));
     } else {
-        open_document(std::move(*loaded.look), loaded.request);
+        open_document(loaded);
     }
     set_pass_switches(m_switches);
     show_images(loaded.images);
@@ -253,7 +253,9 @@ bool has_unlocked_changes(const Document& document) {
 }
 }  // namespace
 
-void Lab::open_document(Look look, const OpenRequest& request) {
+void Lab::open_document(LoadedRequest& loaded) {
+    Look& look = *loaded.look;
+    const OpenRequest& request = loaded.request;
     const bool is_same = m_document && m_document->look().manifest == look.manifest;
     const bool had_changes = m_document && m_document->is_modified();
     const bool loses_changes = had_changes && has_unlocked_changes(*m_document);
@@ -268,7 +270,7 @@ void Lab::open_document(Look look, const OpenRequest& request) {
     else
         m_document.emplace(std::move(look));
     remember_foreign_looks(*m_document, m_drive.recent());
-    m_renderer = std::make_unique<Renderer>(m_document->drawn_look(), *m_programs);
+    begin_renderer(std::move(loaded.executor));
     constexpr double patience_seconds = 0.05;
     m_renderer->set_patience(patience_seconds);
     m_variant.reset();
@@ -291,6 +293,14 @@ void Lab::open_document(Look look, const OpenRequest& request) {
     tell_preset(is_same && loses_changes && !m_when_opened);
     if (left)
         keep_unsaved(*left);
+}
+
+// The first draws' targets go on where nothing was overridden.
+void Lab::begin_renderer(std::unique_ptr<Executor> drawn_first) {
+    if (drawn_first && drawn_first->look() == m_document->drawn_look())
+        m_renderer = std::make_unique<Renderer>(std::move(*drawn_first));
+    else
+        m_renderer = std::make_unique<Renderer>(m_document->drawn_look(), *m_programs);
 }
 
 void Lab::open_values(const OpenRequest& request) {

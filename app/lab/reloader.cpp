@@ -14,6 +14,7 @@ Reloader::Reloader(std::unique_ptr<gpu::Context> context, const gpu::Context& sc
                    const Roots& roots)
     : m_shared_includes(roots.shared_includes()),
       m_kept_shaders(kept_shaders(roots)),
+      m_screen(screen),
       m_context(std::move(context)),
       m_drawing_contexts(screen) {
     if (auto watcher = FileWatcher::start())
@@ -40,6 +41,32 @@ bool Reloader::end(std::chrono::milliseconds patience) {
     drop_turning();
     m_wake.notify_all();
     return m_end.wait_for(lock, patience, [this] { return m_has_ended; });
+}
+
+// On the thread of the window. A driver may take a while to make it.
+void Reloader::have_context() {
+    if (m_context || std::exchange(m_has_asked_for_context, true))
+        return;
+    auto made = gpu::Context::shared_with(m_screen);
+    const std::lock_guard lock(m_mutex);
+    if (made)  // else what needs it says so
+        m_context = std::move(*made);
+}
+
+// Its own, or the home of a look that is opened, in which nobody draws yet; false: there is none.
+bool Reloader::take_context(const Job& job, std::optional<gpu::ContextScope>& borrowed) {
+    const std::lock_guard lock(m_mutex);
+    if (m_context) {
+        if (gpu::Context::current() != m_context.get())
+            m_context->make_current();
+        m_borrowed.reset();
+        return true;
+    }
+    if (!job.is_opening || !job.home)
+        return false;
+    m_borrowed = job.home;
+    borrowed.emplace(m_borrowed.get());
+    return true;
 }
 
 void Reloader::open(const OpenRequest& request) {
@@ -77,6 +104,7 @@ void Reloader::turn(const OpenRequest& request, LoadedRequest::Whose whose) {
         if (same == *m_request)
             m_request->constants = request.constants;  // where it is read again
     }
+    have_context();
     {
         const std::lock_guard lock(m_mutex);
         drop_settling();
@@ -109,6 +137,7 @@ void Reloader::drop_settling() {
 }
 
 void Reloader::settle(SettledRequest request) {
+    have_context();
     {
         const std::lock_guard lock(m_mutex);
         drop_settling();
@@ -136,7 +165,7 @@ std::optional<LoadedRequest> Reloader::take_settled() {
 
 void Reloader::submit(OpenRequest request, bool is_reload) {
     m_request = request;
-    Job job{.request = std::move(request), .is_reload = is_reload};
+    Job job{.request = std::move(request), .is_reload = is_reload, .seen = m_seen};
     job.is_opening = !is_reload || m_is_unopened || !drawn_with();
     if (!job.is_opening)
         job.shown = m_recent.all();
@@ -146,6 +175,8 @@ void Reloader::submit(OpenRequest request, bool is_reload) {
         job.lending = lent.get_future();
     else
         job.home = drawn_with()->home;
+    if (!is_opening)
+        have_context();
     {
         const std::lock_guard lock(m_mutex);
         if (m_progress)
@@ -158,7 +189,15 @@ void Reloader::submit(OpenRequest request, bool is_reload) {
     }
     m_wake.notify_all();
     if (is_opening)  // a driver may take a while to make it, and the look is read meanwhile
-        lent.set_value(m_drawing_contexts.lend());
+        lend(lent);
+}
+
+// Where there is no home for it the look is read with the thread's own context.
+void Reloader::lend(std::promise<std::shared_ptr<DrawingHome>>& lent) {
+    auto home = m_drawing_contexts.lend();
+    if (!home)
+        have_context();
+    lent.set_value(std::move(home));
 }
 
 void Reloader::wait_for_home(Job& job) {
@@ -277,8 +316,12 @@ void Reloader::keep(LoadedRequest loaded) {
 }
 
 void Reloader::prepare_for_more() {
-    if (m_is_prepared && home_of_shown() && !is_busy())
-        m_drawing_contexts.have_spare();
+    if (m_is_prepared && !is_busy()) {  // one a turn
+        if (!m_context && !m_has_asked_for_context)
+            have_context();
+        else if (home_of_shown())
+            m_drawing_contexts.have_spare();
+    }
     {
         const std::lock_guard lock(m_mutex);
         if (std::exchange(m_is_preparing, true))
@@ -307,7 +350,6 @@ void Reloader::work_on(Job job) {
 }
 
 void Reloader::run() {
-    m_context->make_current();
     constexpr auto rest = std::chrono::seconds(1);  // what is seen first has the machine to itself
     std::unique_lock lock(m_mutex);
     for (;;) {
@@ -327,10 +369,15 @@ void Reloader::run() {
     m_finished.reset();
     drop_turning();
     lock.unlock();
-    m_linked.reset();
-    m_read.clear();
-    m_warm_up.reset();
-    m_context->release();
+    {
+        const gpu::ContextScope scope(m_borrowed.get());
+        m_linked.reset();
+        m_read.clear();
+        m_warm_up.reset();
+    }
+    m_borrowed.reset();
+    if (gpu::Context* const own = gpu::Context::current())
+        own->release();
     lock.lock();
     m_has_ended = true;
     m_end.notify_all();
@@ -373,6 +420,12 @@ Result<ImageTextures> Reloader::load_images(const Look& look, Diagnostics& warni
     return images;
 }
 
+namespace {
+Diagnostics no_context() {
+    return {{{}, 0, "the graphics driver gives no further OpenGL context"}};
+}
+}  // namespace
+
 LoadedRequest Reloader::load(Job& job) {
     LoadedRequest loaded;
     loaded.request = job.request;
@@ -392,12 +445,15 @@ LoadedRequest Reloader::load(Job& job) {
     loaded.problems = std::move(read.warnings);
     if (!read.look)
         return refuse(read.look.error());
+    wait_for_home(job);
+    std::optional<gpu::ContextScope> borrowed;
+    if (!take_context(job, borrowed))
+        return refuse(no_context());
     auto images = load_images(*read.look, loaded.problems);
     if (!images)
         return refuse(images.error());
     loaded.images = std::move(*images);
     loaded.look = std::move(*read.look);
-    wait_for_home(job);
     auto programs = link(job, loaded);
     if (!programs) {
         loaded.look.reset();

@@ -11,6 +11,7 @@
 #include "io/file_watcher.h"
 #include "lab/drawing_contexts.h"
 #include "lab/open.h"
+#include "lab/seen_passes.h"
 #include "model/picture.h"
 
 #include <atomic>
@@ -44,6 +45,8 @@ struct LoadedRequest {
     std::uint64_t generation = 0;  // of what was asked for
     Whose whose = Whose::look;
     bool is_warm = false;  // where it will be drawn each of its programs has been drawn with
+    std::unique_ptr<Executor> executor = {};  // of such a look, at the picture's size and values;
+                                              // null: there was no memory
 };
 
 /// The open look as it is to be drawn while these values rest.
@@ -59,7 +62,8 @@ struct SettledRequest {
 class Reloader {
 public:
     /// `context` shares objects with `screen`, the one of the caller's thread; from now on it
-    /// belongs to the reloader's thread.
+    /// belongs to the reloader's thread. Null: one is made when a picture is seen or the homes of
+    /// looks that are opened will not do.
     Reloader(std::unique_ptr<gpu::Context> context, const gpu::Context& screen, const Roots& roots);
     ~Reloader();
     Reloader(const Reloader&) = delete;
@@ -91,6 +95,8 @@ public:
     std::vector<std::filesystem::path> update();
     /// How large the picture is, for which programs are made ready.
     void set_picture(Extent picture) { m_picture = picture; }
+    /// Which passes of the looks to come somebody looks at.
+    void set_seen(const SeenPasses& seen) { m_seen = seen; }
     /// What the open look is drawn with: later readings of it take what they can from there, and
     /// are drawn in its home.
     void set_shown(const Programs& programs);
@@ -137,6 +143,7 @@ private:
                                                      // ones; null: another
         std::shared_ptr<gpu::Context> home = {};
         bool is_opening = false;  // then nobody draws in its home yet
+        SeenPasses seen = {};
         std::shared_future<std::shared_ptr<DrawingHome>> lending = {};  // then that one to come
         std::shared_ptr<DrawingHome> lent = {};  // when it has come; null: there is none
         std::shared_ptr<const SettledRequest> settled = {};  // null: it is read
@@ -150,6 +157,8 @@ private:
     std::shared_ptr<gpu::Context> home_of_shown() const {
         return drawn_with() ? drawn_with()->home : nullptr;
     }
+    void have_context();
+    bool take_context(const Job& job, std::optional<gpu::ContextScope>& borrowed);
     void submit(OpenRequest request, bool is_reload);
     void run();
     void work_on(Job job);
@@ -162,13 +171,14 @@ private:
         return whose == LoadedRequest::Whose::turned ? m_turned : m_variant;
     }
     LoadedRequest load(Job& job);
+    void lend(std::promise<std::shared_ptr<DrawingHome>>& lent);
     static void wait_for_home(Job& job);
     LoadedRequest load_settled(const Job& job);
     std::optional<Programs> known_for(const Job& job, const Look& look) const;
     Result<Programs> link(const Job& job, LoadedRequest& loaded);
     void draw_first(const Job& job, const Programs* known, Programs& programs,
                     LoadedRequest& loaded);
-    void draw_first_at_home(const Job& job, Programs& programs, const LoadedRequest& loaded);
+    void draw_first_at_home(const Job& job, Programs& programs, LoadedRequest& loaded);
     void draw_first_here(const Job& job, const Programs* known, const Programs& programs,
                          const LoadedRequest& loaded);
     Result<void> take_views(const Job& job, Programs& programs);
@@ -177,7 +187,9 @@ private:
 
     std::filesystem::path m_shared_includes;
     std::shared_ptr<ByteStore> m_kept_shaders;
-    std::unique_ptr<gpu::Context> m_context;
+    const gpu::Context& m_screen;
+    std::unique_ptr<gpu::Context> m_context;  // of the thread, from when it takes it
+    bool m_has_asked_for_context = false;
     DrawingContexts m_drawing_contexts;
     RecentPrograms m_recent;  // of the open look
     bool m_is_unopened = false;
@@ -186,6 +198,7 @@ private:
     std::vector<std::filesystem::path> m_look_files;
     std::vector<std::filesystem::path> m_extra_files;
     std::optional<OpenRequest> m_request;
+    SeenPasses m_seen;
     std::function<void()> m_wake_owner;
     std::atomic<Extent> m_picture = Extent{1280, 720};
 
@@ -223,7 +236,9 @@ private:
     CheckCache m_checks{m_kept_shaders.get()};          // the thread's
     ShaderFiles m_shader_files;                         // the thread's
     std::map<std::filesystem::path, ReadImage> m_read;  // the thread's
-    std::optional<Programs> m_linked;  // the thread's: what the next reading may reuse
-    std::optional<WarmUp> m_warm_up;   // the thread's; without it the first frame is slower
+    std::optional<Programs> m_linked;          // the thread's: what the next reading may reuse
+    std::shared_ptr<gpu::Context> m_borrowed;  // the thread's: it has made things there; null: it
+                                               // has a context of its own
+    std::optional<WarmUp> m_warm_up;           // the thread's; without it the first frame is slower
     std::thread m_thread;
 };

@@ -20,20 +20,22 @@ void Reloader::draw_first(const Job& job, const Programs* known, Programs& progr
         draw_first_here(job, known, programs, loaded);
 }
 
-// Nobody has drawn there yet, so that nothing is known.
-void Reloader::draw_first_at_home(const Job& job, Programs& programs, const LoadedRequest& loaded) {
+// Nobody has drawn there yet, so that nothing is known. Who draws next goes on with the targets:
+// making room takes longer than a band of each.
+void Reloader::draw_first_at_home(const Job& job, Programs& programs, LoadedRequest& loaded) {
     const gpu::ContextScope scope(job.home.get());
     if (auto made = build_tripwire(job.home))
         programs.tripwire = std::move(*made);
-    Programs drawn = programs;
-    drawn.home = nullptr;
     FirstDraws draws({.look = *loaded.look,
-                      .programs = drawn,
+                      .programs = programs,
                       .images = loaded.images,
                       .viewport = m_picture,
-                      .size = FirstDrawsOf::Size::whole},
+                      .size = FirstDrawsOf::Size::own,
+                      .values = values_of(job.request),
+                      .seen = job.seen.of(*loaded.look)},
                      PassProgram{});
     draws.draw_all(*job.progress);
+    loaded.executor = draws.take_executor();
     gpu::finish();
 }
 
@@ -136,6 +138,9 @@ LoadedRequest Reloader::load_settled(const Job& job) {
     loaded.look = settled_look(
         asked.look, asked.values, asked.plan,
         [&asked](const Parameter& parameter) { return asked.moving.contains(parameter.name); });
+    std::optional<gpu::ContextScope> borrowed;
+    if (!take_context(job, borrowed))
+        return loaded;
     auto programs =
         build_programs(*loaded.look, job.shown.get(), nullptr, job.progress.get(), job.home);
     if (!programs)

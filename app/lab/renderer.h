@@ -22,6 +22,8 @@ struct Replay {
 class Renderer {
 public:
     Renderer(Look look, Programs programs) : m_executor(std::move(look), std::move(programs)) {}
+    /// With what has been made ready for a first frame.
+    explicit Renderer(Executor executor) : m_executor(std::move(executor)) {}
 
     /// An edited look; what drew a moment ago keeps its history.
     Result<void> replace(const Look& look, const Programs& programs);

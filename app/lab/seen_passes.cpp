@@ -17,12 +17,10 @@ std::vector<bool> SeenPasses::of(const Look& look) const {
 
 SeenPasses seen_passes(const Lab& lab, const WindowState& window) {
     const bool has_panels = !window.is_picture_only;
-    const Document* document = lab.document();
-    if (!document)
-        return {};
     SeenPasses seen{.are_all = false};
-    seen.names.push_back(
-        document->look().passes.at(static_cast<std::size_t>(lab.picture_pass())).name);
+    if (const Document* document = lab.document())
+        seen.names.push_back(
+            document->look().passes.at(static_cast<std::size_t>(lab.picture_pass())).name);
     if (window.shows_pass_large || (has_panels && window.shows_inspector)) {
         seen.names.push_back(window.inspected.pass);
         if (const auto& other = window.inspected.other; other && other->from == Input::From::pass)

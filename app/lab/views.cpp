@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace {
 // Makes one part after the other; the first that fails says why.
@@ -251,9 +252,11 @@ void Views::update(const Lab& lab, const WindowState& window) {
     move_to(executor.programs());
     inspect(executor, window);
     draw_picture(lab, window);
-    look_closer(lab, window);
     draw_output(lab, window.output.is_black ? Extent{} : window.views.output);
     show_in_comfort(lab, window.comfort);
+    if (std::exchange(m_is_first, false))
+        return;  // what is waited for is seen; the rest comes with the next turn
+    look_closer(lab, window);
     count_flashes(lab, window);
     const bool is_whole = !window.is_picture_only;
     show_strip(lab, is_whole && window.shows_strip ? window.views.thumbnail_height : 0);

@@ -115,6 +115,7 @@ private:
     std::unique_ptr<HomeViews> m_home;  // of the look that is seen; null: none is
     Pins m_pins;
     Thumbnails m_thumbnails;
+    bool m_is_first = true;        // nothing was shown yet
     bool m_measures_gains = true;  // in this update; else small pictures are drawn
     ComparedPictures m_compared;
     Comfort m_comfort;

@@ -98,6 +98,7 @@ private:
     Extent view() const;
     void turn();
     bool awaits_picture();
+    bool is_before_panels(Clock::time_point now);
     bool is_attended(Clock::time_point now);
     void note_pace(double wall_seconds);
     void follow_remote();
@@ -183,11 +184,17 @@ void Application::turn() {
     follow_remote();
     if (m_window.framebuffer_size().is_empty())
         return;  // minimised
+    if (is_before_panels(now)) {
+        if (!m_toolkit.is_ready())
+            m_toolkit.make_ready(static_cast<float>(m_state.scale));
+        return;
+    }
     if ((m_lab.is_amid_frame() || awaits_picture()) && !is_attended(now))
         return;  // all there is of the machine for a look that takes long
     m_drawn = now;
-    m_shelf.update(m_lab.library(), m_lab.document() ? &m_lab.document()->look() : nullptr,
-                   wall_seconds);
+    if (m_turn > 0 || !m_has_had_picture)  // else the first picture comes before the lists
+        m_shelf.update(m_lab.library(), m_lab.document() ? &m_lab.document()->look() : nullptr,
+                       wall_seconds);
     m_views.update(m_lab, m_state);
     m_history_pictures.update(m_lab, m_views);
     m_preset_pictures.update(m_lab, m_state.sees(BottomPart::presets), wall_seconds);
@@ -206,17 +213,25 @@ void Application::note_pace(double wall_seconds) {
                   m_lab.is_moving() && m_state.frame_rate.wants_30(m_window.refresh_rate()));
 }
 
-// The first of all; the panels are there.
+// The first of all.
 bool Application::awaits_picture() {
     m_has_had_picture = m_has_had_picture || (m_lab.renderer() && m_lab.renderer()->has_drawn());
     const bool is_coming = m_lab.is_loading() || m_lab.is_amid_frame();
-    return m_turn > 0 && is_coming && !m_has_had_picture;
+    return is_coming && !m_has_had_picture;
+}
+
+// A first picture that comes at once is seen with the first panels. How large it is to be nobody
+// knows where there were no panels yet.
+bool Application::is_before_panels(Clock::time_point now) {
+    constexpr double patience_seconds = 0.25;
+    return m_turn == 0 && awaits_picture() && !m_state.views.picture.is_empty() &&
+           seconds_between(m_drawn, now) < patience_seconds;
 }
 
 // Whether a new frame of the panels would be missed: else they come a few times a second.
 bool Application::is_attended(Clock::time_point now) {
     constexpr double now_and_then = 0.1;
-    if (m_window.has_input() || m_toolkit.is_behind() ||
+    if (m_turn == 0 || m_window.has_input() || m_toolkit.is_behind() ||
         seconds_between(m_drawn, now) > now_and_then)
         return true;
     return !awaits_picture() && (now < m_attended_until || m_lab.is_loading());
@@ -320,15 +335,13 @@ Result<void> run_window(const WindowOptions& options) {
     auto window = gpu::Window::open(geometry_of(start.state));
     if (!window)
         return fail(window.error());
-    auto worker = gpu::Context::shared_with(**window);
-    if (!worker)
-        return fail(worker.error());
-    Lab lab(Library(options.roots), **window, std::move(*worker));
+    Lab lab(Library(options.roots), **window, nullptr);
     lab.set_wake([] { gpu::Window::wake(); });
     if (!start.state.views.picture.is_empty())
         lab.set_view(start.state.views.picture);  // as it was, until the panels say how it is
     if (!warnings.empty())
         lab.say(warnings.front());
+    lab.look_at(seen_passes(lab, start.state));
     open_first(options, session, lab, start);
     auto views = Views::make();
     if (!views)

@@ -36,6 +36,7 @@ Toolkit::~Toolkit() {
 void Toolkit::set_scale(float scale, float density) {
     if (scale == m_scale && density == m_density)
         return;
+    const bool is_first = !is_ready();
     m_scale = scale;
     m_density = density;
     ImGui::GetStyle() = theme::style();
@@ -46,6 +47,8 @@ void Toolkit::set_scale(float scale, float density) {
         m_fonts = std::move(other);
     }
     ImGui::GetIO().FontGlobalScale = 1.0f / density;
+    if (is_first)
+        return;  // the backend uploads them with all else that it makes for its first frame
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
 }
@@ -122,8 +125,7 @@ double cpu_seconds() {
 }
 }  // namespace
 
-void Toolkit::begin(float scale) {
-    m_begin_seconds = cpu_seconds();
+void Toolkit::make_ready(float scale) {
     // Where the desktop scales windows itself, a coordinate of the window covers several pixels.
     const Extent size = m_window.size();
     const Extent pixels = m_window.framebuffer_size();
@@ -133,6 +135,11 @@ void Toolkit::begin(float scale) {
     const float wanted = scale * m_window.content_scale() / density;
     set_scale(fitted_scale(wanted), density);
     ImGui_ImplOpenGL3_NewFrame();
+}
+
+void Toolkit::begin(float scale) {
+    m_begin_seconds = cpu_seconds();
+    make_ready(scale);
     take_input();
     ImGui::NewFrame();
 }

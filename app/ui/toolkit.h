@@ -24,6 +24,9 @@ public:
     bool has_input() const { return m_has_input; }
     /// Takes what was done on another window as if it had been done on this one.
     void also_take(const std::vector<gpu::InputEvent>& events) { m_input.add(events); }
+    /// Makes what a first frame at that scale would have to wait for; begin() does, too.
+    void make_ready(float scale);
+    bool is_ready() const { return m_scale > 0.0f; }
     /// Begins a frame at a scale of text and controls; `scale` 1 is the display's own.
     void begin(float scale);
     /// Draws what was asked for since begin().

@@ -30,6 +30,26 @@ TEST_CASE_FIXTURE(Headless,
     CHECK(FirstDraws({look, programs, &programs, {}, {1280, 720}}, *idle).is_done());
 }
 
+TEST_CASE_FIXTURE(Headless, "what first draws were made with goes on as before a first frame") {
+    const Look look = three_passes();
+    const Programs programs = programs_of(look);
+    FirstDraws draws({.look = look,
+                      .programs = programs,
+                      .images = {},
+                      .viewport = {8, 8},
+                      .size = FirstDrawsOf::Size::own},
+                     {});
+    PassProgress progress;
+    draws.draw_all(progress);
+    const std::unique_ptr<Executor> executor = draws.take_executor();
+    REQUIRE(executor != nullptr);
+    CHECK(executor->plan().targets[0].extent == Extent{8, 8});
+    Frame frame;
+    frame.number = 1;
+    executor->draw(frame);
+    CHECK(red(*executor, 0) == 1.0f);  // the counter begins with its first frame
+}
+
 TEST_CASE_FIXTURE(Headless, "cancelled first draws go no further, and say how far they came") {
     const Look look = three_passes();
     const Programs programs = programs_of(look);

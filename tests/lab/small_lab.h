@@ -64,10 +64,7 @@ public:
     void start(std::unique_ptr<MidiInputs> midi = machine_midi_inputs()) {
         m_lab.reset();
         m_context->make_current();
-        auto worker = gpu::Context::shared_with(*m_context);
-        REQUIRE(worker.has_value());
-        m_lab = std::make_unique<Lab>(Library(m_roots), *m_context, std::move(*worker),
-                                      std::move(midi));
+        m_lab = std::make_unique<Lab>(Library(m_roots), *m_context, nullptr, std::move(midi));
         m_lab->set_picture_size({false, {8, 8}, 1.0});
     }
     void wait_for_frames() {
