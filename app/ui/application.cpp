@@ -99,6 +99,8 @@ private:
     void turn();
     bool awaits_picture();
     bool is_before_panels(Clock::time_point now);
+    void make_panels_ready(double wall_seconds);
+    void list_looks(double wall_seconds);
     bool is_attended(Clock::time_point now);
     void note_pace(double wall_seconds);
     void follow_remote();
@@ -184,21 +186,28 @@ void Application::turn() {
     follow_remote();
     if (m_window.framebuffer_size().is_empty())
         return;  // minimised
-    if (is_before_panels(now)) {
-        if (!m_toolkit.is_ready())
-            m_toolkit.make_ready(static_cast<float>(m_state.scale));
-        return;
-    }
+    if (is_before_panels(now))
+        return make_panels_ready(wall_seconds);
     if ((m_lab.is_amid_frame() || awaits_picture()) && !is_attended(now))
         return;  // all there is of the machine for a look that takes long
     m_drawn = now;
-    if (m_turn > 0 || !m_has_had_picture)  // else the first picture comes before the lists
-        m_shelf.update(m_lab.library(), m_lab.document() ? &m_lab.document()->look() : nullptr,
-                       wall_seconds);
+    list_looks(wall_seconds);
     m_views.update(m_lab, m_state);
     m_history_pictures.update(m_lab, m_views);
     m_preset_pictures.update(m_lab, m_state.sees(BottomPart::presets), wall_seconds);
     draw();
+}
+
+void Application::list_looks(double wall_seconds) {
+    m_shelf.update(m_lab.library(), m_lab.document() ? &m_lab.document()->look() : nullptr,
+                   wall_seconds);
+}
+
+// While this thread has nothing else to do.
+void Application::make_panels_ready(double wall_seconds) {
+    if (!m_toolkit.is_ready())
+        m_toolkit.make_ready(static_cast<float>(m_state.scale));
+    list_looks(wall_seconds);
 }
 
 // Of the picture's frames: one that takes long covers many turns.
