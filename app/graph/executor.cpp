@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <tuple>
 #include <utility>
 
 namespace {
@@ -15,6 +16,19 @@ namespace {
 bool covers(const Pass& pass) {
     return !is_of_beam(pass.draw) && pass.blend == Blend::replace && pass.vertex.file.empty() &&
            pass.fragment.text->find("discard") == std::string::npos;
+}
+
+// Whether passes that keep their programs keep what make_state() finds for them.
+bool are_bound_alike(const Look& one, const Look& other) {
+    const auto of_pass = [](const Pass& pass) {
+        return std::tie(pass.name, pass.draw, pass.blend, pass.vertex.file, pass.inputs,
+                        pass.built_ins);
+    };
+    const auto of_parameter = [](const Parameter& parameter) {
+        return std::tie(parameter.name, parameter.control, parameter.bindings);
+    };
+    return std::ranges::equal(one.passes, other.passes, {}, of_pass, of_pass) &&
+           std::ranges::equal(one.parameters, other.parameters, {}, of_parameter, of_parameter);
 }
 }  // namespace
 
@@ -47,9 +61,13 @@ Executor::PassState Executor::make_state(std::size_t pass) const {
 
 void Executor::prepare() {
     assert(m_programs.passes.size() == m_look.passes.size());
-    m_passes.clear();
-    for (std::size_t i = 0; i < m_look.passes.size(); ++i)
-        m_passes.push_back(make_state(i));
+    std::vector<PassState> former = std::exchange(m_passes, {});
+    for (std::size_t i = 0; i < m_look.passes.size(); ++i) {
+        const bool serves = i < former.size() && former[i].program == m_programs.passes[i].program;
+        m_passes.push_back(serves ? std::move(former[i]) : make_state(i));
+        m_passes.back().pace = {};
+        m_passes.back().samples = m_passes.back().whole_samples = 0;
+    }
     m_parameters = ParameterUniforms(m_look, m_programs);
     m_parameters.write(m_look, m_values);
     m_upright.forget();
@@ -89,6 +107,8 @@ Result<void> Executor::replace(Look look, Programs programs) {
     m_cubes = {};
     m_unsettled.reset();
     m_spots.clear();
+    if (!are_bound_alike(look, m_look))
+        m_passes.clear();
     m_look = std::move(look);
     m_programs = std::move(programs);
     ++m_picture_number;

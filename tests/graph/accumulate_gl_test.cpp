@@ -59,6 +59,10 @@ TEST_CASE_FIXTURE(Headless,
         const Look look = counting();
         REQUIRE(executor.replace(look, programs_of(look)));
     }
+    SUBCASE("an edited look that keeps all programs") {
+        const Look look = counting();
+        REQUIRE(executor.replace(look, programs_of(look, &executor.programs())));
+    }
     SUBCASE("asked for") {
         executor.restart_samples();
     }

@@ -119,6 +119,45 @@ TEST_CASE_FIXTURE(Headless,
     CHECK(gpu::read_picture(executor.target(0)).pixels.back() == 0.0f);
 }
 
+TEST_CASE_FIXTURE(Headless, "a pass that keeps its program reads what the edited look gives it") {
+    Look look = look_of(
+        {pass("one", "void main() { color = vec4(1); }\n"),
+         pass("two", "void main() { color = vec4(2); }\n"),
+         pass("show", "uniform sampler2D image;\nvoid main() { color = texture(image, uv); }\n",
+              {reads("image", "one")})});
+    Executor executor = executor_of(look);
+    executor.draw(frame(1));
+    CHECK(red(executor, 2) == 1.0f);
+    look.passes[2].inputs = {reads("image", "two")};
+    const Programs programs = programs_of(look, &executor.programs());
+    REQUIRE(programs.passes[2].program == executor.programs().passes[2].program);
+    REQUIRE(executor.replace(look, programs).has_value());
+    executor.draw(frame(2));
+    CHECK(red(executor, 2) == 2.0f);
+}
+
+TEST_CASE_FIXTURE(Headless, "an undone edit draws as before, beside passes that stayed") {
+    Look look = look_of(
+        {pass("base", "uniform float gain;\nvoid main() { color = vec4(gain); }\n"),
+         pass("show", "uniform sampler2D image;\nvoid main() { color = texture(image, uv); }\n",
+              {reads("image", "base")})},
+        {knob("gain", {}, 1.0, {{0, "gain"}})});
+    Executor executor = executor_of(look);
+    executor.set_values({{"gain", 3.0}});
+    executor.draw(frame(1));
+    const Programs first = executor.programs();
+    Look edited = look;
+    edited.passes[1].fragment =
+        fragment("uniform sampler2D image;\nvoid main() { color = 2.0 * texture(image, uv); }\n");
+    REQUIRE(executor.replace(edited, programs_of(edited, &first)).has_value());
+    executor.draw(frame(2));
+    CHECK(red(executor, 1) == 6.0f);
+    REQUIRE(executor.replace(look, programs_of(look, &first)).has_value());
+    CHECK(executor.programs().passes[1].program == first.passes[1].program);
+    executor.draw(frame(3));
+    CHECK(red(executor, 1) == 3.0f);
+}
+
 TEST_CASE_FIXTURE(Headless, "a look that cannot be had leaves the one before at work") {
     Executor executor = executor_of(look_of({counter()}));
     executor.draw(frame(1));
