@@ -11,6 +11,13 @@
 #include <cmath>
 #include <utility>
 
+namespace {
+bool has_same_media(const PlayedSound& one, const PlayedSound& other) {
+    return one.file == other.file && one.sound == other.sound && one.scene == other.scene &&
+           one.drawing == other.drawing;
+}
+}  // namespace
+
 Result<void> Player::set_signal(const Spec& spec, PlayedSound sound) {
     std::unique_ptr<Signal> signal;
     double start = 0.0;
@@ -21,6 +28,12 @@ Result<void> Player::set_signal(const Spec& spec, PlayedSound sound) {
         if (!checked)
             return fail(checked.error());
         complete = std::move(*checked);
+        const SignalKind& kind = *find_kind(complete.kind);
+        const bool is_the_same = m_signal && complete == m_spec && has_same_media(sound, m_sound);
+        const bool is_heard =
+            m_silence.empty() && m_settings.plays_beam == static_cast<bool>(m_playout);
+        if (is_the_same && is_heard && !kind.is_live && !kind.is_sent)
+            return {};  // as after every edit of the look
         auto made = make(complete, sound);
         if (!made)
             return fail(made.error());
