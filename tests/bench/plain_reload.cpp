@@ -7,6 +7,7 @@
 #include <glslang/Public/ResourceLimits.h>
 #include <glslang/Public/ShaderLang.h>
 
+#include <chrono>
 #include <cstdlib>
 
 namespace bench {
@@ -121,6 +122,17 @@ double PlainReload::over_a_frame(int number) {
     glDeleteProgram(program);
     before->make_current();
     return 1e3 * ((drawn - start) - (again - drawn));
+}
+
+double PlainReload::until_linked(int number) {
+    gpu::Context* const before = gpu::Context::current();
+    m_context->make_current();
+    const auto start = std::chrono::steady_clock::now();
+    glDeleteProgram(build(with_factor(m_fragment, number)));
+    const std::chrono::duration<double, std::milli> taken =
+        std::chrono::steady_clock::now() - start;
+    before->make_current();
+    return taken.count();
 }
 
 }  // namespace bench

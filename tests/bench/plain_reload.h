@@ -24,6 +24,9 @@ public:
     /// second time, in milliseconds.
     double over_a_frame(int number);
 
+    /// Wall time until such a text is parsed, compiled and linked, in milliseconds.
+    double until_linked(int number);
+
 private:
     GLuint build(const std::string& fragment) const;
     void use(GLuint program) const;

@@ -222,6 +222,10 @@ void measure_links(const fs::path& folder, const Folders& folders, int first_tex
 void measure_frames(const fs::path& folder, const Folders& folders, int first_text) {
     ReloadBench reloads(folder, folders);
     bench::PlainReload plain(reloads.lab().renderer()->executor());
+    std::vector<double> linked;
+    for (int i = 0; i < edits; ++i)
+        linked.push_back(plain.until_linked(first_text++));
+    print("a plain program, parsed and linked, wall", linked);
     for (const bool by_rename : {false, true}) {
         fmt::print("{}\n", by_rename ? "saved by rename" : "saved in place (close-write)");
         std::vector<double> ours;
