@@ -86,7 +86,7 @@ void order_by_groups(Look& look, Diagnostics& warnings) {
 
 Result<Look> read_look(const fs::path& manifest, const fs::path& shared, const ReadingHelp& help,
                        LoadedLook& loaded) {
-    auto look = load_manifest(manifest, loaded.files);
+    auto look = load_manifest(manifest, loaded.files, help.disk);
     if (!look)
         return look;
     Diagnostics problems = load_stages(*look, shared, help.disk, loaded.files);

@@ -5,6 +5,7 @@
 #include "formats/look_passes.h"
 #include "formats/look_words.h"
 #include "formats/spec_json.h"
+#include "glsl/shader_files.h"
 #include "model/source_spec.h"
 #include "signals/kinds.h"
 #include "signals/patterns.h"
@@ -130,9 +131,10 @@ std::string look_id_of(const fs::path& manifest) {
     return fs::absolute(manifest, error).lexically_normal().parent_path().filename().string();
 }
 
-Result<Look> load_manifest(const fs::path& manifest, std::vector<fs::path>& files) {
+Result<Look> load_manifest(const fs::path& manifest, std::vector<fs::path>& files,
+                           ShaderFiles* disk) {
     files.push_back(manifest);
-    const auto text = read_text(manifest);
+    const auto text = disk ? disk->read_plain(manifest) : read_text(manifest);
     if (!text)
         return fail(text.error());
     const auto document = parse_json(*text, manifest);

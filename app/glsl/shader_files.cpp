@@ -4,6 +4,7 @@
 #include "glsl/tokens.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace fs = std::filesystem;
 
@@ -80,23 +81,41 @@ const fs::path& ShaderFiles::place_of(const fs::path& path) {
     return place->second;
 }
 
-const Result<ShaderText>& ShaderFiles::read(const fs::path& file) {
+ShaderFiles::Known& ShaderFiles::known(const fs::path& file) {
     const auto [at, is_new] = m_known.try_emplace(file.native());
     Known& known = at->second;
     if (!is_new && known.reading == m_reading)
-        return known.found;
+        return known;
     known.reading = m_reading;
     Result<std::string> bytes = read_text(file);
     if (is_new || bytes != known.bytes) {
-        if (bytes)
-            known.found = text_from(*bytes);
-        else
-            known.found = fail(bytes.error());
+        known.digest = std::hash<std::string>()(bytes ? *bytes : to_string(bytes.error()));
+        known.found.reset();
         known.bytes = std::move(bytes);
     }
-    if (known.found)
-        known.found->place = place_of(file);
-    return known.found;
+    return known;
+}
+
+const Result<ShaderText>& ShaderFiles::read(const fs::path& file) {
+    Known& text = known(file);
+    if (!text.found && text.bytes)
+        text.found = text_from(*text.bytes);
+    else if (!text.found)
+        text.found = fail(text.bytes.error());
+    if (*text.found)
+        (*text.found)->place = place_of(file);
+    return *text.found;
+}
+
+const Result<std::string>& ShaderFiles::read_plain(const fs::path& file) {
+    return known(file).bytes;
+}
+
+std::optional<std::size_t> ShaderFiles::digest_of_read(const fs::path& file) const {
+    const auto at = m_known.find(file.native());
+    if (at == m_known.end() || at->second.reading != m_reading)
+        return std::nullopt;
+    return at->second.digest;
 }
 
 bool ShaderFiles::exists(const fs::path& file) {

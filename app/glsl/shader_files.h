@@ -41,6 +41,10 @@ public:
 
     /// Errors as those of read_text. Valid until the next reading.
     const Result<ShaderText>& read(const std::filesystem::path& file);
+    /// The same of another text that a look is made of, into which nobody looks here.
+    const Result<std::string>& read_plain(const std::filesystem::path& file);
+    /// Of the text that this reading has of the file; nothing where it has not asked for it.
+    std::optional<std::size_t> digest_of_read(const std::filesystem::path& file) const;
     bool exists(const std::filesystem::path& file);
     /// Where links lead to; "" for what is missing.
     const std::filesystem::path& place_of(const std::filesystem::path& path);
@@ -50,10 +54,13 @@ public:
 private:
     struct Known {
         Result<std::string> bytes;
-        Result<ShaderText> found;
+        std::size_t digest = 0;                   // of them, or of why there are none
+        std::optional<Result<ShaderText>> found;  // in them
         std::uint64_t reading = 0;
     };
     using Path = std::filesystem::path::string_type;
+
+    Known& known(const std::filesystem::path& file);
 
     std::uint64_t m_reading = 0;
     std::unordered_map<Path, Known> m_known;

@@ -54,6 +54,11 @@ Result<PassProgram> idle_program() {
                        std::make_shared<const gpu::Program>(std::move(*program))};
 }
 
+bool has_new(const Programs& programs, const Programs* known) {
+    return !std::ranges::all_of(
+        programs.passes, [known](const PassProgram& program) { return is_known(program, known); });
+}
+
 FirstDraws::FirstDraws(const FirstDrawsOf& of, const PassProgram& idle) {
     Look stand_in = of.look;
     Programs drawn = of.programs;

@@ -30,6 +30,9 @@ struct FirstDrawsOf {
     std::vector<bool> seen = {};  // as Executor::set_seen takes it
 };
 
+/// Whether any of the programs is none of `known`; null: there are none.
+bool has_new(const Programs& programs, const Programs* known);
+
 /// Draws once with each program that is new, one at a time, into targets of the look's formats. A
 /// driver makes a program's code when it is first drawn with, for the states that it meets there,
 /// and some make it anew in each context; done before, in slices, no picture waits for it. Belongs

@@ -2,10 +2,7 @@
 
 #include "base/elapsed.h"
 
-void Arrival::start(const Beside& beside) {
-    m_has_started = true;
-    if (!m_loaded.look || !m_loaded.programs || m_loaded.is_warm)
-        return;
+void Arrival::start_draws(const Beside& beside) {
     const gpu::ContextScope scope(m_loaded.programs->home.get());  // it ends there, too
     const auto idle = idle_program();
     if (!idle)
@@ -15,6 +12,14 @@ void Arrival::start(const Beside& beside) {
                                                   m_loaded.images, beside.picture},
                                      *idle);
     m_progress.begin(PassProgress::Step::drawing, m_draws->total());
+}
+
+void Arrival::start(const Beside& beside) {
+    m_has_started = true;
+    if (!m_loaded.look || !m_loaded.programs || m_loaded.is_warm)
+        return;
+    if (has_new(*m_loaded.programs, beside.shown))
+        start_draws(beside);
     const auto plan =
         plan_targets(*m_loaded.look, beside.picture, expected_source, values_of(m_loaded.request));
     m_views = m_loaded.programs->first_views;

@@ -23,6 +23,7 @@ public:
 
 private:
     void start(const Beside& beside);
+    void start_draws(const Beside& beside);
     bool is_ready() const;
     void draw_next();
 

@@ -48,20 +48,29 @@ void Reloader::have_context() {
     if (m_context || std::exchange(m_has_asked_for_context, true))
         return;
     auto made = gpu::Context::shared_with(m_screen);
-    const std::lock_guard lock(m_mutex);
-    if (made)  // else what needs it says so
+    if (!made)
+        return;  // what needs it says so
+    {
+        const std::lock_guard lock(m_mutex);
         m_context = std::move(*made);
+    }
+    m_wake.notify_all();
+}
+
+bool Reloader::take_own_context() {
+    const std::lock_guard lock(m_mutex);
+    if (!m_context)
+        return false;
+    if (gpu::Context::current() != m_context.get())
+        m_context->make_current();
+    m_borrowed.reset();
+    return true;
 }
 
 // Its own, or the home of a look that is opened, in which nobody draws yet; false: there is none.
 bool Reloader::take_context(const Job& job, std::optional<gpu::ContextScope>& borrowed) {
-    const std::lock_guard lock(m_mutex);
-    if (m_context) {
-        if (gpu::Context::current() != m_context.get())
-            m_context->make_current();
-        m_borrowed.reset();
+    if (take_own_context())
         return true;
-    }
     if (!job.is_opening || !job.home)
         return false;
     m_borrowed = job.home;
@@ -245,16 +254,24 @@ void Reloader::watch_also(std::vector<fs::path> files) {
     if (files == m_extra_files)
         return;
     m_extra_files = std::move(files);
-    watch_look(m_look_files);
+    watch_all();
 }
 
 void Reloader::watch_look(const std::vector<fs::path>& files) {
+    if (m_is_watching && files == m_look_files)
+        return;
     m_look_files = files;
-    std::vector<fs::path> all = files;
+    watch_all();
+}
+
+void Reloader::watch_all() {
+    std::vector<fs::path> all = m_look_files;
     all.insert(all.end(), m_extra_files.begin(), m_extra_files.end());
     if (!m_watcher)
         return;
-    if (const auto watched = m_watcher->watch(all); !watched)
+    const auto watched = m_watcher->watch(all);
+    m_is_watching = watched.has_value();
+    if (!watched)
         m_watch_problem = "edits will not be seen: " + to_string(watched.error().front());
 }
 
@@ -330,9 +347,20 @@ void Reloader::prepare_for_more() {
     m_wake.notify_all();
 }
 
-// The compiler's own tables, and the module that reads pictures: each takes longer than all that
-// the first picture needs where its shaders are known.
+bool Reloader::can_prepare() const {
+    return m_is_prepared ? m_context && !m_is_ready_for_edits : m_is_preparing;
+}
+
+// The compilers' own tables, glslang's and the driver's, and the module that reads pictures: each
+// takes longer than all that the first picture needs where its shaders are known. When there is a
+// context of its own, what first draws need.
 void Reloader::prepare() {
+    if (m_is_prepared) {
+        m_is_ready_for_edits = true;
+        if (take_own_context())
+            make_warm_up();
+        return;
+    }
     warm_up();
     load_picture_module();
     m_is_prepared = true;
@@ -355,7 +383,7 @@ void Reloader::run() {
     for (;;) {
         std::optional<Job> job;
         const auto has_work = [&] { return m_is_ending || (job = take_job()); };
-        m_wake.wait(lock, [&] { return has_work() || (m_is_preparing && !m_is_prepared); });
+        m_wake.wait(lock, [&] { return has_work() || can_prepare(); });
         const bool prepares = !m_is_ending && !job && !m_wake.wait_for(lock, rest, has_work);
         if (m_is_ending)
             break;
@@ -426,6 +454,18 @@ Diagnostics no_context() {
 }
 }  // namespace
 
+LoadedLook Reloader::read(const Job& job, const Values& values) {
+    m_checks.set_keeping(job.whose == LoadedRequest::Whose::look);
+    m_shader_files.begin_reading();
+    const FormerReadings::Question question{stack_of(job.request), values};
+    if (auto former = m_readings.find(question, m_shader_files))
+        return std::move(*former);
+    LoadedLook read = load_stack(question.stack, m_shared_includes,
+                                 {&m_checks, job.progress.get(), &values, &m_shader_files});
+    m_readings.keep(question, read, m_shader_files);
+    return read;
+}
+
 LoadedRequest Reloader::load(Job& job) {
     LoadedRequest loaded;
     loaded.request = job.request;
@@ -437,10 +477,7 @@ LoadedRequest Reloader::load(Job& job) {
         return std::move(loaded);
     };
     const Values values = values_of(job.request);
-    m_checks.set_keeping(job.whose == LoadedRequest::Whose::look);
-    m_shader_files.begin_reading();
-    LoadedLook read = load_stack(stack_of(job.request), m_shared_includes,
-                                 {&m_checks, job.progress.get(), &values, &m_shader_files});
+    LoadedLook read = this->read(job, values);
     loaded.files = std::move(read.files);
     loaded.problems = std::move(read.warnings);
     if (!read.look)

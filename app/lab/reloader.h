@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/pass_progress.h"
-#include "formats/look_format.h"
+#include "formats/former_readings.h"
 #include "glsl/check_cache.h"
 #include "glsl/shader_files.h"
 #include "gpu/context.h"
@@ -158,11 +158,15 @@ private:
         return drawn_with() ? drawn_with()->home : nullptr;
     }
     void have_context();
+    bool take_own_context();
     bool take_context(const Job& job, std::optional<gpu::ContextScope>& borrowed);
     void submit(OpenRequest request, bool is_reload);
     void run();
     void work_on(Job job);
+    void watch_all();
+    bool can_prepare() const;
     void prepare();
+    void make_warm_up();
     std::optional<Job> take_job();
     void keep(LoadedRequest loaded);
     void drop_turning();
@@ -172,6 +176,7 @@ private:
     }
     LoadedRequest load(Job& job);
     void lend(std::promise<std::shared_ptr<DrawingHome>>& lent);
+    LoadedLook read(const Job& job, const Values& values);
     static void wait_for_home(Job& job);
     LoadedRequest load_settled(const Job& job);
     std::optional<Programs> known_for(const Job& job, const Look& look) const;
@@ -196,6 +201,7 @@ private:
     std::unique_ptr<FileWatcher> m_watcher;
     std::string m_watch_problem;
     std::vector<std::filesystem::path> m_look_files;
+    bool m_is_watching = false;  // both kinds of files
     std::vector<std::filesystem::path> m_extra_files;
     std::optional<OpenRequest> m_request;
     SeenPasses m_seen;
@@ -214,6 +220,7 @@ private:
     std::shared_ptr<PassProgress> m_settling;  // of the one that is being made or waits
     bool m_is_preparing = false;               // prepare_for_more() was asked for
     std::atomic<bool> m_is_prepared = false;   // set by the thread
+    bool m_is_ready_for_edits = false;         // the thread's: it has tried to be
     std::shared_ptr<PassProgress> m_turning;   // of the one that is being made; null: none is
     std::uint64_t m_submitted = 0;
     std::uint64_t m_completed = 0;
@@ -235,6 +242,7 @@ private:
 
     CheckCache m_checks{m_kept_shaders.get()};          // the thread's
     ShaderFiles m_shader_files;                         // the thread's
+    FormerReadings m_readings;                          // the thread's
     std::map<std::filesystem::path, ReadImage> m_read;  // the thread's
     std::optional<Programs> m_linked;          // the thread's: what the next reading may reuse
     std::shared_ptr<gpu::Context> m_borrowed;  // the thread's: it has made things there; null: it

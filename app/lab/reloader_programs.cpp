@@ -39,12 +39,20 @@ void Reloader::draw_first_at_home(const Job& job, Programs& programs, LoadedRequ
     gpu::finish();
 }
 
+void Reloader::make_warm_up() {
+    if (m_warm_up)
+        return;
+    if (auto made = WarmUp::make())
+        m_warm_up.emplace(std::move(*made));
+}
+
 // The home is current elsewhere, and what the driver keeps in files of its own will do.
 void Reloader::draw_first_here(const Job& job, const Programs* known, const Programs& programs,
                                const LoadedRequest& loaded) {
-    if (!m_warm_up)
-        if (auto made = WarmUp::make())
-            m_warm_up.emplace(std::move(*made));
+    if (!has_new(programs, known))
+        return;
+    job.progress->begin(PassProgress::Step::drawing, programs.passes.size());
+    make_warm_up();
     if (!m_warm_up)
         return;
     Programs drawn = programs;
