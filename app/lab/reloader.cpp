@@ -2,7 +2,6 @@
 
 #include "formats/stack_format.h"
 #include "graph/image_texture.h"
-#include "io/picture_codec.h"
 #include "lab/kept_shaders.h"
 #include "lab/look_media.h"
 
@@ -299,14 +298,6 @@ bool Reloader::is_reading() const {
     return m_completed != m_submitted || m_finished;
 }
 
-namespace {
-// The first picture that a person chooses must not hold up the window. Why the module cannot be
-// loaded is told by who reads a picture.
-void load_picture_module() {
-    static_cast<void>(picture_codec());
-}
-}  // namespace
-
 // What is to be read goes first. To be called with the mutex held, as the next one is.
 std::optional<Reloader::Job> Reloader::take_job() {
     std::optional<Job> job;
@@ -345,25 +336,6 @@ void Reloader::prepare_for_more() {
             return;
     }
     m_wake.notify_all();
-}
-
-bool Reloader::can_prepare() const {
-    return m_is_prepared ? m_context && !m_is_ready_for_edits : m_is_preparing;
-}
-
-// The compilers' own tables, glslang's and the driver's, and the module that reads pictures: each
-// takes longer than all that the first picture needs where its shaders are known. When there is a
-// context of its own, what first draws need.
-void Reloader::prepare() {
-    if (m_is_prepared) {
-        m_is_ready_for_edits = true;
-        if (take_own_context())
-            make_warm_up();
-        return;
-    }
-    warm_up();
-    load_picture_module();
-    m_is_prepared = true;
 }
 
 void Reloader::work_on(Job job) {

@@ -1,14 +1,22 @@
 // The part of Reloader that links programs, and meets with them what the window is not to wait for.
+#include "glsl/check.h"
 #include "gpu/draw.h"
 #include "gpu/driver_cache.h"
 #include "graph/first_views.h"
 #include "graph/settled_look.h"
+#include "io/picture_codec.h"
 #include "lab/kept_shaders.h"
 #include "lab/reloader.h"
 
 namespace {
 constexpr auto cache_patience = std::chrono::milliseconds(500);
+
+// The first picture that a person chooses must not hold up the window. Why the module cannot be
+// loaded is told by who reads a picture.
+void load_picture_module() {
+    static_cast<void>(picture_codec());
 }
+}  // namespace
 
 // Each new program draws once: in the home that is new, where it will be drawn with; else here.
 void Reloader::draw_first(const Job& job, const Programs* known, Programs& programs,
@@ -44,6 +52,25 @@ void Reloader::make_warm_up() {
         return;
     if (auto made = WarmUp::make())
         m_warm_up.emplace(std::move(*made));
+}
+
+bool Reloader::can_prepare() const {
+    return m_is_prepared ? m_context && !m_is_ready_for_edits : m_is_preparing;
+}
+
+// The compilers' own tables, glslang's and the driver's, and the module that reads pictures: each
+// takes longer than all that the first picture needs where its shaders are known. When there is a
+// context of its own, what first draws need.
+void Reloader::prepare() {
+    if (m_is_prepared) {
+        m_is_ready_for_edits = true;
+        if (take_own_context())
+            make_warm_up();
+        return;
+    }
+    warm_up();
+    load_picture_module();
+    m_is_prepared = true;
 }
 
 // The home is current elsewhere, and what the driver keeps in files of its own will do.
