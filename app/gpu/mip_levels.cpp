@@ -3,7 +3,6 @@
 #include "gpu/canvas.h"
 
 #include <algorithm>
-#include <array>
 
 namespace gpu {
 

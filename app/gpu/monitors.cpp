@@ -58,14 +58,15 @@ std::size_t Window::monitor() const {
                middle[0] < display.low[0] + display.size.width &&
                middle[1] < display.low[1] + display.size.height;
     };
-    const auto found = std::ranges::find_if(displays(), holds);
-    return found == displays().end() ? 0 : static_cast<std::size_t>(found - displays().begin());
+    const std::vector<Display>& all = displays();
+    const auto found = std::ranges::find_if(all, holds);
+    return found == all.end() ? 0 : static_cast<std::size_t>(found - all.begin());
 }
 
 double Window::refresh_rate() const {
-    if (displays().empty())
-        return 60.0;
-    const int rate = displays()[monitor()].refresh_rate;
+    const std::size_t own = monitor();
+    const std::vector<Display>& all = displays();  // may have been asked for anew since
+    const int rate = own < all.size() ? all[own].refresh_rate : 0;
     return rate > 0 ? rate : 60.0;
 }
 

@@ -11,11 +11,8 @@
 
 namespace {
 gpu::Texture texture_of(const Picture& picture, Format format = Format::rgba32f) {
-    auto texture = gpu::Texture::make(picture.extent, format);
+    auto texture = gpu::texture_of(picture, format, picture.encoding);
     REQUIRE(texture.has_value());
-    std::vector<float> texels;
-    gpu::fill_texels(picture, picture.encoding, texels);
-    texture->upload(texels);
     return std::move(*texture);
 }
 
