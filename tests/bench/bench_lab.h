@@ -3,6 +3,7 @@
 #include "bench/wanted.h"
 #include "lab/lab.h"
 
+#include <chrono>
 #include <memory>
 
 namespace bench {
@@ -23,6 +24,15 @@ public:
     BenchLab& operator=(const BenchLab&) = delete;
 
 protected:
+    /// The lab gets ready for more behind its first picture, which is nothing that a frame costs.
+    template <class Draw>
+    static void until_ready(Draw draw) {
+        constexpr auto patience = std::chrono::seconds(3);
+        for (const auto start = std::chrono::steady_clock::now();
+             std::chrono::steady_clock::now() - start < patience;)
+            draw();
+    }
+
     std::unique_ptr<gpu::Context> m_context;
     std::unique_ptr<Lab> m_lab;
 };

@@ -99,7 +99,7 @@ public:
             for (const auto& [name, value] : values)
                 document.set_value(name, value);
         });
-        draw();
+        until_ready([this] { draw(); });
     }
     void set(const std::string& name, double value) {
         m_lab->edit([&](Document& document) { document.set_value(name, Value(value), true); });
