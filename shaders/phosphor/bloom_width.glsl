@@ -5,8 +5,8 @@
 #include "as_written.glsl"
 #include "reference_height.glsl"
 
-uniform int bloom_kind = 0;  // @items "Taps" "Pyramid"  @label "Blur"  @group "Bloom"
-                             // @help "Taps: a Gaussian read tap by tap, which takes longer the wider it is. Pyramid: about the same glow by way of ever smaller pictures, as fast at any width; it has no end at an outermost tap."
+uniform int bloom_kind = 1;  // @items "Taps" "Pyramid"  @label "Blur"  @group "Bloom"
+                             // @help "Pyramid: by way of ever smaller pictures, as fast at any width. Taps: about the same glow, a Gaussian read tap by tap, which takes longer the wider it is and ends at the outermost tap; with the article's formulas it has the article's gaps."
 uniform float bloom_radius = 3.0;  // @range 0.5 12  @limit 0.05 64  @label "Radius"  @unit "half-size px at 512 lines"  @group "Bloom"
                                    // @help "How far the light spreads: the distance between two taps of the blur, in pixels of the half-size picture."
 uniform float bloom_sigma = 1.64;  // @range 0.5 4  @limit 0.1 16  @label "Sigma"  @unit "taps"  @group "Bloom"

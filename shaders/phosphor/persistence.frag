@@ -1,5 +1,5 @@
 #version 410 core
-// Persistence: the phosphor's light. Linear, no upper end but the ceiling.
+// Persistence: the phosphor's light, linear. The custom tube's meets its ceiling where it is read.
 // Custom: what glowed a frame ago, faded, and what the beam adds now, unless it is drawn onto this
 // pass's target. 32-bit floats, as half floats stop fading at slow decays; see light_bits. A measured
 // tube: the mean light of the frame, from what it held before and from what the beam brought.
@@ -14,6 +14,7 @@
 #include "tube_color.glsl"
 
 uniform sampler2D previous;  // this pass, a frame ago
+uniform bool u_drawn_onto;
 uniform sampler2D held;      // the charge that a measured tube held a frame ago
 uniform float u_time_delta;
 uniform int light_bits = 0;  // @items "32" "16 where it fades as truly"  @label "Light kept in bits"  @group "Phosphor"
@@ -27,7 +28,8 @@ vec3 custom_light() {
                 (as_written ? vec3(decay) : left_after(u_time_delta));
     if (u_drawn_onto)
         return kept;
-    return below_ceiling(kept + fresh_at(uv).rgb);  // fresh light has faded to the frame's end
+    vec3 light = kept + fresh_at(uv).rgb;  // fresh light has faded to the frame's end
+    return tone_map_every_frame ? below_ceiling(light) : min(light, largest_half);
 }
 
 // Conserves: what a term held and was given is held on or is light. In frames shorter than 1/60 s a

@@ -18,9 +18,7 @@ constexpr int rounds = 15;
 class Bloom {
 public:
     explicit Bloom(const std::string& radius)
-        : m_engine("article",
-                   {{"bloom_kind", "Pyramid"}, {"bloom_radius", radius}, {"ceiling", "1000"}},
-                   picture_extent),
+        : m_engine("article", {{"bloom_radius", radius}, {"ceiling", "1000"}}, picture_extent),
           m_executor(m_engine.offline.executor().look(), m_engine.offline.executor().programs()) {
         m_executor.set_values(m_engine.offline.document().values());
         const Look& look = m_executor.look();

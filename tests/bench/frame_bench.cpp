@@ -121,19 +121,14 @@ void print_small_cost(const Candidate& candidate, int frames) {
 
 int main(int count, char** arguments) {
     const int frames = count > 1 ? std::atoi(arguments[1]) : 14;
-    const ValueTexts pyramid{{"bloom_kind", "Pyramid"}, {"light_bits", "0"}};
-    const ValueTexts half_pyramid{{"bloom_kind", "Pyramid"}, {"light_bits", "1"}};
+    const ValueTexts halves{{"light_bits", "1"}};
+    const ValueTexts literal{{"bloom_kind", "Taps"}, {"light_bits", "1"}};
     const std::vector<Candidate> candidates{
-        {"literal", "article", {}, Way::literal, GL_RGBA16F, 1.02},
-        {"best, RGBA16F", "article", half_pyramid, Way::best_colour, GL_RGBA16F, 1.03},
-        {"best, RGBA32F", "article", pyramid, Way::best_colour, GL_RGBA32F, 1.03},
+        {"literal", "article", literal, Way::literal, GL_RGBA16F, 1.02},
+        {"best, RGBA16F", "article", halves, Way::best_colour, GL_RGBA16F, 1.03},
+        {"best, RGBA32F", "article", {}, Way::best_colour, GL_RGBA32F, 1.03},
         {"best, one colour, R32F", "article-mono", {}, Way::best_one_colour, GL_R32F, 1.03},
-        {"best, one colour, R16F",
-         "article-mono",
-         {{"light_bits", "1"}},
-         Way::best_one_colour,
-         GL_R16F,
-         1.03},
+        {"best, one colour, R16F", "article-mono", halves, Way::best_one_colour, GL_R16F, 1.03},
     };
     const std::string_view only = count > 2 ? arguments[2] : "";
     for (const Candidate& candidate : candidates) {

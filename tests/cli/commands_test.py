@@ -302,8 +302,8 @@ class Describing(ProgramTest):
         document = json.loads(run("describe", "phosphor", "--json", "--size", "640x360").stdout)
         passes = {one["name"]: one for one in document["passes"]}
         self.assertEqual(list(passes), ["beam", "segments", "excitation", "persistence", "reduced", "bloom_x", "bloom_down_1", "bloom_down_2", "bloom_down_3",
-                                        "bloom_down_4", "bloom_down_5", "bloom_up_4", "bloom_up_3", "bloom_up_2", "bloom_up_1", "bloom_y", "composite"])
-        self.assertEqual((passes["bloom_x"]["width"], passes["bloom_x"]["height"]), (320, 180))
+                                        "bloom_down_4", "bloom_down_5", "bloom_down_6", "bloom_up_5", "bloom_up_4", "bloom_up_3", "bloom_up_2", "bloom_up_1", "bloom_y", "composite"])
+        self.assertEqual((passes["bloom_y"]["width"], passes["bloom_y"]["height"]), (320, 180))
         inputs = {one["name"]: one["from"] for one in passes["persistence"]["inputs"]}
         self.assertEqual((inputs["current"], inputs["previous"]), ("beam", "persistence@1"))
         names = {one["name"] for one in document["parameters"]}
@@ -346,15 +346,16 @@ class Measuring(ProgramTest):
         self.assert_done(result)
         document = json.loads(result.stdout)
         self.assertGreater(document["frame"]["cpu_ms"], 0)
-        self.assertEqual(len(document["passes"]), 17)
-        self.assertEqual(document["draw_calls"], 6)  # without what the picture does not need
+        self.assertEqual(len(document["passes"]), 19)
+        self.assertEqual(document["draw_calls"], 16)  # without what the picture does not need
         self.assertTrue(document["renderer"])
 
     def test_bench_tells_what_the_targets_take(self):
         # Light of this frame and the last, the picture; at half the size what the bloom is made of, twice;
         # of a measured tube the beam, what it holds, and one for its light and then what it holds next.
         for tube, floats in (("Custom", 2), ("P31", 3)):
-            result = run("bench", "phosphor", "--size", "160x90", "--frames", "1", "--json", "--set", f"tube={tube}")
+            result = run("bench", "phosphor", "--size", "160x90", "--frames", "1", "--json", "--set", f"tube={tube}",
+                         "--set", "bloom_kind=Taps")
             self.assert_done(result)
             texels = 200  # bytes of those that stand for what is not used, at most
             self.assertAlmostEqual(json.loads(result.stdout)["target_bytes"],

@@ -8,6 +8,7 @@ const GoldenLook phosphor{
     .always = {{"dither", "false"}},  // noise would hide small changes and swell the files
     .companions = {{"tone_map_every_frame", {{"ceiling", "20"}}},
                    {"one_color", {{"fade_speed", "1,8,1"}}},  // which it leaves out
+                   {"bloom_taps", {{"bloom_kind", "Taps"}}},
                    {"time_scale", {{"tube", "P31"}}},
                    {"tail_gain", {{"tube", "P7"}}},
                    {"tube_color", {{"tube", "P7"}}},

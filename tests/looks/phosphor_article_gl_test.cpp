@@ -44,7 +44,7 @@ TEST_CASE("the article's ceiling cuts each channel by itself") {
               extent);
     tube.draw(tube.flood());
     for (std::size_t channel = 0; channel < 3; ++channel)
-        CHECK(is_near(tube.at("persistence", 50, 45, channel), 2.5, 1e-6));
+        CHECK(is_near(tube.at("reduced", 25, 22, channel), 2.5, 1e-6));
 }
 
 TEST_CASE("the article's spot is sampled, and cut to a square of at most twice its width") {
@@ -72,7 +72,8 @@ TEST_CASE("the article's blur reads its table at whole taps") {
     const double all =
         table[0] + 2.0 * (table[1] + table[2] + table[3] + table[4] + table[5] + table[6]);
     constexpr int radius = 3;
-    Tube tube(as_written({{"bloom_radius", Value(static_cast<double>(radius))},
+    Tube tube(as_written({{"bloom_kind", Value(0.0)},
+                          {"bloom_radius", Value(static_cast<double>(radius))},
                           {"beam_width", Value(64.0)}}),
               {128, 16});
     // One square of 2 x 2 px is one texel of the half-size picture.

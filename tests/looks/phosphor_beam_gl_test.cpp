@@ -113,7 +113,8 @@ TEST_CASE("the way from the last frame's point belongs to this frame, and not lo
 }
 
 TEST_CASE("the bloom ends at its outermost tap") {
-    Tube tube({{"bloom_radius", Value(8.0)},  // 4 texels of the half-size picture
+    Tube tube({{"bloom_kind", Value(0.0)},
+               {"bloom_radius", Value(8.0)},  // 4 texels of the half-size picture
                {"bloom_taps", Value(3.0)},
                {"bloom_sigma", Value(4.0)},
                {"beam_width", Value(0.5)},

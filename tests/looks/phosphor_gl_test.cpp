@@ -103,8 +103,10 @@ TEST_CASE("one lit spot keeps its energy through the bloom") {
     Tube tube({}, {256, 256});
     for (const double size : {0.5, 1.0, 0.25}) {
         CAPTURE(size);
-        tube.restart(
-            {{"beam_width", Value(2.0)}, {"ceiling", Value(1000.0)}, {"bloom_size", Value(size)}});
+        tube.restart({{"bloom_kind", Value(0.0)},
+                      {"beam_width", Value(2.0)},
+                      {"ceiling", Value(1000.0)},
+                      {"bloom_size", Value(size)}});
         tube.draw({{0.1f, -0.2f, 1.0f, 0.0f}});
         const double pixels_a_texel = 1.0 / (size * size);
         CHECK(tube.target("bloom_y").extent.width == 256 * size);
@@ -117,7 +119,8 @@ TEST_CASE("the bloom has the stated sigma, whatever its resolution") {
     Tube tube({}, {512, 512});
     for (const double size : {0.5, 0.25}) {
         CAPTURE(size);
-        tube.restart({{"bloom_radius", Value(3.0)},
+        tube.restart({{"bloom_kind", Value(0.0)},
+                      {"bloom_radius", Value(3.0)},
                       {"bloom_sigma", Value(1.64)},
                       {"bloom_taps", Value(25.0)},
                       {"bloom_size", Value(size)},
@@ -143,14 +146,16 @@ TEST_CASE("the bloom has the stated sigma, whatever its resolution") {
 }
 
 TEST_CASE("the phosphor saturates at its ceiling and keeps its hue") {
-    Tube tube({{"ceiling", Value(2.5)}});
+    Tube tube({{"ceiling", Value(2.5)}, {"beam_width", Value(16.0)}});
     tube.draw(tube.flood());
-    CHECK(tube.at("persistence", 64, 64, 1) == about(2.5, 1e-5));
-    CHECK(tube.at("persistence", 64, 64, 0) == about(0.5, 1e-4));
-    Tube red({{"ceiling", Value(2.5)}, {"beam_color", Value(std::vector<double>{1, 0.2, 0})}});
+    CHECK(tube.at("reduced", 32, 32, 1) == about(2.5, 1e-5));
+    CHECK(tube.at("reduced", 32, 32, 0) == about(0.5, 1e-4));
+    Tube red({{"ceiling", Value(2.5)},
+              {"beam_width", Value(16.0)},
+              {"beam_color", Value(std::vector<double>{1, 0.2, 0})}});
     red.draw(red.flood());
-    CHECK(red.at("persistence", 64, 64, 0) == about(2.5, 1e-5));
-    CHECK(red.at("persistence", 64, 64, 1) == about(0.5, 1e-4));
+    CHECK(red.at("reduced", 32, 32, 0) == about(2.5, 1e-5));
+    CHECK(red.at("reduced", 32, 32, 1) == about(0.5, 1e-4));
 }
 
 TEST_CASE("Reinhard of 2.5 at an exposure of 1.5 is 0.7895") {
@@ -256,7 +261,8 @@ Values all_off() {
     return with(plain_glass(), {{"beam_color", Value(std::vector<double>{0.2, 1, 0.6})},
                                 {"tone_map", Value(0.0)},
                                 {"exposure", Value(1.0)},
-                                {"keep_hue", Value(0.0)}});
+                                {"keep_hue", Value(0.0)},
+                                {"ceiling", Value(1000.0)}});
 }
 
 /// How far the picture is from the phosphor's light, cut off at 1.

@@ -43,7 +43,6 @@ TEST_CASE("one colour shows what all channels show, from one channel") {
     }
 }
 
-// Light that has not met the ceiling is read texel by texel, else by the texture's own filter.
 TEST_CASE("what is shown is the same whether the beam has a target of its own or not") {
     Tube apart({}, {96, 72});
     Tube onto({}, {96, 72});

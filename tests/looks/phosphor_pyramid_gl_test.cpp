@@ -88,14 +88,14 @@ TEST_CASE("the pyramid keeps a spot's energy and middle and has the stated sigma
         }
 }
 
-// Five times down and back: sqrt((4^5 - 1) / 2) = 22.6 texels of what it stands on.
-TEST_CASE("the pyramid has the stated sigma up to 22 texels") {
-    Tube tube({}, {2 * side, 2 * side});
-    for (const double radius : {9.0, 13.0}) {
+// Six times down and back: sqrt((4^6 - 1) / 2) = 45.2 texels of what it stands on.
+TEST_CASE("the pyramid has the stated sigma up to 45 texels") {
+    Tube tube({}, {4 * side, 4 * side});
+    for (const double radius : {9.0, 13.5}) {
         CAPTURE(radius);
         tube.restart(pyramid_of(radius));
         tube.draw({{0.0f, 0.0f, 1.0f, 0.0f}});
-        const double sigma = 1.64 * radius;  // texels at 512 lines, in which moments_of counts here
+        const double sigma = 1.64 * radius;  // pairs of texels, in which moments_of counts here
         const double added = moments_of(tube.target("bloom_y")).variance -
                              moments_of(tube.target("reduced")).variance;
         CHECK(is_near(added / (sigma * sigma), 1.0, 0.01));
