@@ -9,6 +9,8 @@
 struct SettledUniform {
     NumberType type;
     Value value;
+
+    bool operator==(const SettledUniform&) const = default;
 };
 
 /// The text with these uniforms as plain variables of their value, which compilers take as the

@@ -105,10 +105,13 @@ Result<void> Executor::replace(Look look, Programs programs) {
     if (has_other_passes)
         m_seen.clear();
     m_cubes = {};
-    m_unsettled.reset();
+    if (m_unsettled)
+        take_own_back();
     m_spots.clear();
-    if (!are_bound_alike(look, m_look))
+    if (!are_bound_alike(look, m_look)) {
         m_passes.clear();
+        m_settled_passes.clear();
+    }
     m_look = std::move(look);
     m_programs = std::move(programs);
     ++m_picture_number;

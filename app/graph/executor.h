@@ -206,6 +206,7 @@ private:
 
     PassState make_state(std::size_t pass) const;
     void end_settled();
+    void take_own_back();
     void hand_on_state(std::vector<PassState>& from);
     void end_settled_if_moved(const std::vector<std::string>& changed);
     const PassState& told_state(std::size_t pass) const {
@@ -282,6 +283,7 @@ private:
     Quad m_quad;
     std::vector<PassState> m_passes;
     std::optional<Unsettled> m_unsettled;
+    std::vector<PassState> m_settled_passes;  // that were drawn with last; they may come back
     std::vector<PassRun> m_runs;
     std::vector<bool> m_seen;
     Frames m_frames = Frames::drawn_again;

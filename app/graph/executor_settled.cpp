@@ -21,23 +21,31 @@ void Executor::settle(Programs programs, std::set<std::string> moving) {
     m_unsettled.emplace(Unsettled{std::exchange(m_programs, std::move(programs)),
                                   std::exchange(m_passes, {}), std::move(m_parameters),
                                   std::move(moving)});
-    for (std::size_t i = 0; i < m_look.passes.size(); ++i)
-        m_passes.push_back(make_state(i));
+    std::vector<PassState> former = std::exchange(m_settled_passes, {});
+    for (std::size_t i = 0; i < m_look.passes.size(); ++i) {
+        const bool serves = i < former.size() && former[i].program == m_programs.passes[i].program;
+        m_passes.push_back(serves ? std::move(former[i]) : make_state(i));
+    }
     hand_on_state(m_unsettled->passes);
     m_parameters = ParameterUniforms(m_look, m_programs);
     m_parameters.write(m_look, m_values);
+}
+
+// Their numbers are not written yet.
+void Executor::take_own_back() {
+    Unsettled own = std::move(*std::exchange(m_unsettled, std::nullopt));
+    m_settled_passes = std::exchange(m_passes, std::move(own.passes));
+    hand_on_state(m_settled_passes);
+    m_programs = std::move(own.programs);
+    m_parameters = std::move(own.parameters);
+    m_parameters.forget_written();  // others may have drawn with them
 }
 
 void Executor::end_settled() {
     if (!m_unsettled)
         return;
     drop_frame();
-    Unsettled own = std::move(*std::exchange(m_unsettled, std::nullopt));
-    std::swap(m_passes, own.passes);
-    hand_on_state(own.passes);
-    m_programs = std::move(own.programs);
-    m_parameters = std::move(own.parameters);
-    m_parameters.forget_written();  // others may have drawn with them
+    take_own_back();
     m_parameters.write(m_look, m_values);
 }
 

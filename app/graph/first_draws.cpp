@@ -54,9 +54,10 @@ Result<PassProgram> idle_program() {
                        std::make_shared<const gpu::Program>(std::move(*program))};
 }
 
-bool has_new(const Programs& programs, const Programs* known) {
-    return !std::ranges::all_of(
-        programs.passes, [known](const PassProgram& program) { return is_known(program, known); });
+std::vector<PassProgram> new_of(const Programs& programs, const Programs* known) {
+    std::vector<PassProgram> found = programs.passes;
+    std::erase_if(found, [known](const PassProgram& program) { return is_known(program, known); });
+    return found;
 }
 
 FirstDraws::FirstDraws(const FirstDrawsOf& of, const PassProgram& idle) {

@@ -30,8 +30,11 @@ struct FirstDrawsOf {
     std::vector<bool> seen = {};  // as Executor::set_seen takes it
 };
 
-/// Whether any of the programs is none of `known`; null: there are none.
-bool has_new(const Programs& programs, const Programs* known);
+/// Those of the programs that are none of `known`; null: there are none.
+std::vector<PassProgram> new_of(const Programs& programs, const Programs* known);
+inline bool has_new(const Programs& programs, const Programs* known) {
+    return !new_of(programs, known).empty();
+}
 
 /// Draws once with each program that is new, one at a time, into targets of the look's formats. A
 /// driver makes a program's code when it is first drawn with, for the states that it meets there,

@@ -1,7 +1,8 @@
 #include "graph/settled_look.h"
 
-#include "glsl/settled_text.h"
 #include "graph/parameter_uniforms.h"
+
+#include <algorithm>
 
 namespace {
 using Uniforms = std::map<std::string, SettledUniform>;
@@ -14,8 +15,28 @@ bool can_settle(const Parameter& parameter) {
 }
 }  // namespace
 
+void SettledTexts::begin_look() {
+    constexpr int oldest = 8;
+    for (Settled& settled : m_settled)
+        ++settled.age;
+    std::erase_if(m_settled, [](const Settled& settled) { return settled.age > oldest; });
+}
+
+SharedText SettledTexts::of(const SharedText& text, const Uniforms& uniforms) {
+    const auto found = std::ranges::find_if(m_settled, [&](const Settled& settled) {
+        return settled.text == text && settled.uniforms == uniforms;
+    });
+    if (found != m_settled.end()) {
+        found->age = 0;
+        return found->made;
+    }
+    m_settled.push_back({text, uniforms, SharedText(settled_text(text, uniforms))});
+    return m_settled.back().made;
+}
+
 Look settled_look(Look look, const Values& values, const Plan& plan,
-                  const std::function<bool(const Parameter&)>& moves) {
+                  const std::function<bool(const Parameter&)>& moves, SettledTexts& texts) {
+    texts.begin_look();
     std::vector<Uniforms> uniforms(look.passes.size());
     for (const Parameter& parameter : look.parameters) {
         if (!can_settle(parameter) || moves(parameter))
@@ -32,8 +53,8 @@ Look settled_look(Look look, const Values& values, const Plan& plan,
                 uniforms[i][told.name] = {{Scalar::boolean, 1, 1},
                                           meets_drawn_onto(look, plan, i) ? 1.0 : 0.0};
         Pass& pass = look.passes[i];
-        pass.vertex.text = settled_text(pass.vertex.text, uniforms[i]);
-        pass.fragment.text = settled_text(pass.fragment.text, uniforms[i]);
+        pass.vertex.text = texts.of(pass.vertex.text, uniforms[i]);
+        pass.fragment.text = texts.of(pass.fragment.text, uniforms[i]);
     }
     return look;
 }

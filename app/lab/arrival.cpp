@@ -2,15 +2,23 @@
 
 #include "base/elapsed.h"
 
+// What it will be drawn with.
+const Look& Arrival::drawn_look() const {
+    return m_loaded.settled ? m_loaded.settled->look : *m_loaded.look;
+}
+
+const Programs& Arrival::drawn_programs() const {
+    return m_loaded.settled ? m_loaded.settled->programs : *m_loaded.programs;
+}
+
 void Arrival::start_draws(const Beside& beside) {
     const gpu::ContextScope scope(m_loaded.programs->home.get());  // it ends there, too
     const auto idle = idle_program();
     if (!idle)
         return;  // the first frame is slower
-    m_draws =
-        std::make_unique<FirstDraws>(FirstDrawsOf{*m_loaded.look, *m_loaded.programs, beside.shown,
-                                                  m_loaded.images, beside.picture},
-                                     *idle);
+    m_draws = std::make_unique<FirstDraws>(
+        FirstDrawsOf{drawn_look(), drawn_programs(), beside.shown, m_loaded.images, beside.picture},
+        *idle);
     m_progress.begin(PassProgress::Step::drawing, m_draws->total());
 }
 
@@ -18,7 +26,7 @@ void Arrival::start(const Beside& beside) {
     m_has_started = true;
     if (!m_loaded.look || !m_loaded.programs || m_loaded.is_warm)
         return;
-    if (has_new(*m_loaded.programs, beside.shown))
+    if (has_new(drawn_programs(), beside.shown))
         start_draws(beside);
     const auto plan =
         plan_targets(*m_loaded.look, beside.picture, expected_source, values_of(m_loaded.request));

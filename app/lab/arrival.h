@@ -22,6 +22,8 @@ public:
     LoadedRequest take() { return std::move(m_loaded); }
 
 private:
+    const Look& drawn_look() const;
+    const Programs& drawn_programs() const;
     void start(const Beside& beside);
     void start_draws(const Beside& beside);
     bool is_ready() const;

@@ -126,7 +126,9 @@ public:
     void put_notice_away() { m_notice.reset(); }
     /// About a pass that keeps the window from answering; empty where none does.
     ChoiceList heavy_pass_choices() const;
-    bool is_loading() const { return m_reloader.is_busy() || m_arrival; }
+    /// Whether what a hand turns is in the next frame; else an edit's programs come first.
+    bool follows_at_once() const { return !m_own.are_late; }
+    bool is_loading() const { return m_reloader.is_busy() || m_arrival || m_own.edit; }
     /// Whether a look is, and not only constants of the open one are turned.
     bool is_reading() const;
     /// A look that takes long to be opened, and how far it is; none: none does.
@@ -353,6 +355,12 @@ private:
     void follow_settling(double wall_seconds);
     void follow_seen();
     void forget_settling();
+    bool rests_as(const Rest& rest) const;
+    void apply_edit(LoadedRequest loaded);
+    void draw_settled(SettledLook settled, bool owes_draws);
+    void rest_with(Programs settled, std::set<std::string> moving);
+    void follow_own_programs();
+    bool waits_for_own_programs() const;
     void forget_constants();
     bool is_following_constants() const;
     bool has_programs_for(const Variant& variant);
@@ -453,6 +461,7 @@ private:
     BackgroundWork<Exported> m_export;
     Reloader m_reloader;
     Settling m_settling;
+    OwnPrograms m_own;
     std::unique_ptr<Arrival> m_arrival;  // of the newest request; null: nothing has come
     std::string m_heavy_pass;            // "": none is
     bool m_has_told_heavy_pass = false;  // of the open look

@@ -56,6 +56,7 @@ void Lab::apply_turned_picture(LoadedRequest loaded) {
     const Values before = m_document->look().constants;
     m_opened->constants = loaded.request.constants;
     m_programs = std::move(*loaded.programs);
+    m_own = {};
     m_reloader.set_shown(*m_programs);
     forget_settling();
     m_tryouts->stop();  // they draw with the former ones

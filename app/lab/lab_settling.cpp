@@ -7,6 +7,8 @@
 #include <algorithm>
 
 namespace {
+constexpr double seconds_a_turn = 0.012;  // of first draws beside the picture
+
 std::set<std::string> moving_in(const Modulations& modulations) {
     std::set<std::string> names;
     for (const auto& [name, modulation] : modulations)
@@ -34,7 +36,8 @@ bool Lab::may_settle() const {
 void Lab::follow_settling(double wall_seconds) {
     constexpr double longest_turn = 0.1;
     constexpr double rest_seconds = 2.0;
-    constexpr double seconds_a_turn = 0.012;
+    if (!m_renderer->executor().is_settled())
+        m_reloader.set_rest(nullptr);
     if (!may_settle()) {
         forget_settling();
         if (m_applied) {
@@ -48,9 +51,9 @@ void Lab::follow_settling(double wall_seconds) {
     if (!m_settling.is_asked && is_due) {
         m_settling.is_asked = true;
         m_reloader.settle({.look = m_document->drawn_look(),
-                           .values = m_settling.values,
-                           .plan = m_renderer->executor().plan(),
-                           .moving = moving_in(m_settling.modulations),
+                           .rest = std::make_shared<const Rest>(
+                               Rest{m_settling.values, m_renderer->executor().plan(),
+                                    moving_in(m_settling.modulations)}),
                            .images = m_images});
     }
     if (auto made = m_reloader.take_settled(); made && made->programs)
@@ -59,5 +62,78 @@ void Lab::follow_settling(double wall_seconds) {
         !m_settling.arrival->go_on({m_reloader.drawn_with(), picture_extent()}, seconds_a_turn))
         return;
     LoadedRequest made = std::exchange(m_settling.arrival, nullptr)->take();
-    m_renderer->settle(std::move(*made.programs), moving_in(m_settling.modulations));
+    m_reloader.set_shown(joined(*m_programs, made.programs->passes));
+    rest_with(std::move(*made.programs), moving_in(m_settling.modulations));
+}
+
+void Lab::rest_with(Programs settled, std::set<std::string> moving) {
+    const Executor& executor = m_renderer->executor();
+    m_reloader.set_rest(
+        std::make_shared<const Rest>(Rest{m_document->values(), executor.plan(), moving}));
+    m_renderer->settle(std::move(settled), std::move(moving));
+}
+
+// Whether the picture is still drawn with the values that an edit was made ready for.
+bool Lab::rests_as(const Rest& rest) const {
+    return m_renderer && m_renderer->executor().is_settled() && m_applied &&
+           m_applied->values == m_document->values() &&
+           moving_in(m_applied->modulations) == rest.moving &&
+           changed_parameters(m_document->look(), rest.values, m_applied->values).empty();
+}
+
+// One whose values moved on meanwhile has no picture before its own programs can draw it.
+void Lab::apply_edit(LoadedRequest loaded) {
+    if (loaded.settled && !rests_as(*loaded.settled->rest)) {
+        loaded.settled.reset();
+        if (std::exchange(loaded.owes_draws, false)) {
+            m_own = {.edit = std::move(loaded)};
+            return;
+        }
+    }
+    apply(std::move(loaded));
+}
+
+// The edit's picture goes on as the former one was drawn, unless it is put together otherwise.
+void Lab::draw_settled(SettledLook settled, bool owes_draws) {
+    const Rest& rest = *settled.rest;
+    const bool is_alike =
+        std::ranges::equal(m_renderer->executor().plan().targets, rest.plan.targets, {},
+                           &PlannedTarget::onto, &PlannedTarget::onto) &&
+        changed_parameters(m_document->look(), rest.values, m_document->values()).empty();
+    if (!owes_draws || !is_alike)
+        m_reloader.set_shown(joined(*m_programs, settled.programs.passes));
+    if (!is_alike)
+        return;
+    m_own.are_late = owes_draws;
+    rest_with(std::move(settled.programs), rest.moving);
+}
+
+bool Lab::waits_for_own_programs() const {
+    const DocumentState& state = m_document->state();
+    return m_own.are_late && m_applied &&
+           (state.values != m_applied->values || state.modulations != m_applied->modulations ||
+            state.overrides != m_applied->overrides);
+}
+
+// Every turn, behind the picture.
+void Lab::follow_own_programs() {
+    if ((!m_own.are_late && !m_own.edit) || is_amid_frame())
+        return;
+    if (m_own.edit && !m_reloader.is_newest(*m_own.edit)) {
+        m_own = {};
+        return;
+    }
+    if (auto drawn = m_reloader.take_drawn())
+        m_own.arrival = std::make_unique<Arrival>(std::move(*drawn));
+    const bool is_waiting =
+        m_own.arrival
+            ? !m_own.arrival->go_on({m_reloader.drawn_with(), picture_extent()}, seconds_a_turn)
+            : m_reloader.owes_draws();
+    if (is_waiting)
+        return;
+    OwnPrograms own = std::exchange(m_own, {});
+    if (own.edit)
+        apply(std::move(*own.edit));
+    else
+        m_reloader.set_shown(joined(*m_programs, m_reloader.drawn_with()->passes));
 }

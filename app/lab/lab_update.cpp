@@ -55,6 +55,7 @@ void Lab::update(double wall_seconds) {
     else
         begin_drawing(wall_seconds);
     follow_settling(wall_seconds);
+    follow_own_programs();
     note_moves();
     tell_silence();
     follow_heavy_pass();
@@ -74,7 +75,7 @@ void Lab::go_on_drawing(double wall_seconds) {
             value_of(parameter, m_applied->values).number() == 0.0)
             m_missed_events[parameter.name] = Value(1.0);
     m_renderer->continue_frame();
-    if (!is_amid_frame())
+    if (!is_amid_frame() && !m_own.are_late)
         try_out();
 }
 
@@ -92,7 +93,7 @@ void Lab::hand_on_missed_events() {
 void Lab::begin_drawing(double wall_seconds) {
     wall_seconds += std::exchange(m_amid_seconds, 0.0);
     take_chosen_images();
-    if (!m_document->is_restacking())
+    if (!m_document->is_restacking() && !waits_for_own_programs())
         apply_document();
     hand_on_missed_events();
     if (m_renderer->owes_frame() && !m_player.is_playing())
@@ -101,7 +102,7 @@ void Lab::begin_drawing(double wall_seconds) {
     update_drive();
     draw_picture(wall_seconds);
     follow_trip();
-    if (!is_amid_frame())
+    if (!is_amid_frame() && !m_own.are_late)
         try_out();
 }
 
@@ -120,10 +121,10 @@ void Lab::tell_silence() {
 
 bool Lab::is_moving() const {
     return (m_player.is_playing() && !has_converged()) || is_loading() || m_wanted ||
-           (m_notice && m_notice->choices.empty()) || m_tryouts->is_busy() || m_morphing ||
-           m_hand.is_turning() || m_chosen_images.is_reading() || m_rate_check.is_running() ||
-           m_impulse.is_running() || m_export.is_running() || !m_drive.loading().empty() ||
-           m_drive.is_source_late() ||
+           m_own.are_late || (m_notice && m_notice->choices.empty()) || m_tryouts->is_busy() ||
+           m_morphing || m_hand.is_turning() || m_chosen_images.is_reading() ||
+           m_rate_check.is_running() || m_impulse.is_running() || m_export.is_running() ||
+           !m_drive.loading().empty() || m_drive.is_source_late() ||
            (m_renderer && (m_renderer->is_amid_frame() || m_renderer->replay().is_running() ||
                            m_renderer->awaits_trip()));
 }
@@ -146,7 +147,7 @@ void Lab::take_reload() {
     const bool waits = is_arriving && is_amid_frame();  // or turning would drop frame after frame
     if (m_arrival && !waits &&
         m_arrival->go_on({m_reloader.drawn_with(), picture_extent()}, seconds_a_turn))
-        apply(std::exchange(m_arrival, nullptr)->take());
+        apply_edit(std::exchange(m_arrival, nullptr)->take());
 }
 
 void Lab::show_problems(const Diagnostics& problems) {
@@ -219,12 +220,15 @@ void Lab::apply(LoadedRequest loaded) {
     }
     forget_trip();
     m_programs = std::move(*loaded.programs);
-    m_reloader.set_shown(*m_programs);
+    m_own = {};
+    m_reloader.set_shown(loaded.settled ? loaded.settled->programs : *m_programs);
     forget_settling();
     m_tryouts->stop();  // they draw with the former ones
     if (is_reload && m_document) {
         m_document->replace_look(std::move(*loaded.look));
         succeeded(m_renderer->replace(m_document->drawn_look(), *m_programs));
+        if (loaded.settled)
+            draw_settled(std::move(*loaded.settled), loaded.owes_draws);
     } else {
         open_document(loaded);
     }

@@ -308,9 +308,10 @@ Result<void> Offline::settle(const std::vector<std::string>& seen) {
     const std::vector<bool> is_seen = seen_with_picture(seen);
     if (auto done = show_to(is_seen); !done)
         return done;
-    const auto programs =
-        build_programs(settled_look(look, m_document.values(), executor().plan(),
-                                    [&](const Parameter& parameter) { return moves(parameter); }));
+    SettledTexts texts;
+    const auto programs = build_programs(settled_look(
+        look, m_document.values(), executor().plan(),
+        [&](const Parameter& parameter) { return moves(parameter); }, texts));
     if (!programs)  // the driver knows better: what the author wrote goes on
         return m_renderer->set_seen({});
     m_unsettled = executor().programs();

@@ -175,8 +175,10 @@ void Reloader::submit(OpenRequest request, bool is_reload) {
     m_request = request;
     Job job{.request = std::move(request), .is_reload = is_reload, .seen = m_seen};
     job.is_opening = !is_reload || m_is_unopened || !drawn_with();
-    if (!job.is_opening)
+    if (!job.is_opening) {
         job.shown = m_recent.all();
+        job.rest = m_rest;
+    }
     const bool is_opening = job.is_opening;
     std::promise<std::shared_ptr<DrawingHome>> lent;
     if (is_opening)
@@ -193,6 +195,7 @@ void Reloader::submit(OpenRequest request, bool is_reload) {
         job.generation = ++m_submitted;
         m_job = std::move(job);
         m_finished.reset();
+        m_drawn.reset();
         drop_turning();
     }
     m_wake.notify_all();
@@ -224,6 +227,7 @@ void Reloader::cancel(std::optional<OpenRequest> open) {
         m_progress->cancel();
     m_job.reset();
     m_finished.reset();
+    m_drawn.reset();
     drop_turning();
     m_completed = ++m_submitted;
 }
@@ -231,6 +235,16 @@ void Reloader::cancel(std::optional<OpenRequest> open) {
 PassProgress::State Reloader::progress() const {
     const std::lock_guard lock(m_mutex);
     return m_progress ? m_progress->state() : PassProgress::State{};
+}
+
+std::optional<LoadedRequest> Reloader::take_drawn() {
+    const std::lock_guard lock(m_mutex);
+    return std::exchange(m_drawn, std::nullopt);
+}
+
+bool Reloader::owes_draws() const {
+    const std::lock_guard lock(m_mutex);
+    return m_is_owing || m_drawn;
 }
 
 std::vector<fs::path> Reloader::update() {
@@ -316,6 +330,9 @@ void Reloader::keep(LoadedRequest loaded) {
         m_completed = std::max(m_completed, loaded.generation);
         if (is_newest)
             m_finished = std::move(loaded);
+    } else if (loaded.whose == LoadedRequest::Whose::drawn) {
+        if (is_newest)
+            m_drawn = std::move(loaded);
     } else if (loaded.whose == LoadedRequest::Whose::settled) {
         m_settled.made = std::move(loaded);
     } else if (is_newest) {
@@ -340,11 +357,18 @@ void Reloader::prepare_for_more() {
 
 void Reloader::work_on(Job job) {
     LoadedRequest loaded = job.settled ? load_settled(job) : load(job);
+    auto owed = owed_by(loaded);
     {
         const std::lock_guard lock(m_mutex);
+        m_is_owing = owed.has_value();
         if (!job.settled || !job.progress->is_cancelled())
             keep(std::move(loaded));
     }
+    if (m_wake_owner)
+        m_wake_owner();
+    if (!owed)
+        return;
+    draw_owed(job, std::move(*owed));
     if (m_wake_owner)
         m_wake_owner();
 }
@@ -367,11 +391,13 @@ void Reloader::run() {
         lock.lock();
     }
     m_finished.reset();
+    m_drawn.reset();
     drop_turning();
     lock.unlock();
     {
         const gpu::ContextScope scope(m_borrowed.get());
         m_linked.reset();
+        m_owed.clear();
         m_read.clear();
         m_warm_up.reset();
     }

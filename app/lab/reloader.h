@@ -7,6 +7,7 @@
 #include "gpu/context.h"
 #include "graph/programs.h"
 #include "graph/recent_programs.h"
+#include "graph/settled_look.h"
 #include "graph/warm_up.h"
 #include "io/file_watcher.h"
 #include "lab/drawing_contexts.h"
@@ -28,17 +29,33 @@
 #include <thread>
 #include <utility>
 
+/// Values of the open look that rest, and for which programs hold them as constants.
+struct Rest {
+    Values values;
+    Plan plan;
+    std::set<std::string> moving;  // parameters that stay uniforms
+};
+
+/// A look as it is drawn while values rest.
+struct SettledLook {
+    Look look;
+    Programs programs;
+    std::shared_ptr<const Rest> rest;
+};
+
 /// What became of one reading of a look.
 struct LoadedRequest {
     /// Whose programs they are: of a look that is read; of the open one with constants of its
-    /// texts turned, for the picture itself or for what it is compared with; or of the open one
-    /// with values in its texts.
-    enum class Whose { look, turned, variant, settled };
+    /// texts turned, for the picture itself or for what it is compared with; of the open one with
+    /// values in its texts; or those of a look that came without its first draws, which are made.
+    enum class Whose { look, turned, variant, settled, drawn };
 
     OpenRequest request;
     bool is_reload = false;  // of the look that is open already
     std::optional<Look> look;
     std::optional<Programs> programs;
+    std::optional<SettledLook> settled = {};  // none: nothing rests
+    bool owes_draws = false;  // first draws were made with `settled` alone; `drawn` comes later
     ImageTextures images;  // that the look names; of a file that did not change the same as before
     Diagnostics problems;  // errors when look or programs are missing, else warnings
     std::vector<std::filesystem::path> files;
@@ -49,12 +66,10 @@ struct LoadedRequest {
                                               // null: there was no memory
 };
 
-/// The open look as it is to be drawn while these values rest.
+/// The open look as it is to be drawn while values rest.
 struct SettledRequest {
     Look look;
-    Values values;
-    Plan plan;
-    std::set<std::string> moving;  // parameters that stay uniforms
+    std::shared_ptr<const Rest> rest;
     ImageTextures images;
 };
 
@@ -90,6 +105,13 @@ public:
     void stop_settling();
     /// What came of settle(), once.
     std::optional<LoadedRequest> take_settled();
+    /// What the open look's programs hold now: an edit of it is made ready for the same, so that
+    /// its picture goes on as fast. Null: no values rest.
+    void set_rest(std::shared_ptr<const Rest> rest) { m_rest = std::move(rest); }
+    /// The look that came last owes no first draws any more, once.
+    std::optional<LoadedRequest> take_drawn();
+    /// Whether that is to come.
+    bool owes_draws() const;
     /// Looks at the watched files and submits the look again when one has changed.
     /// Gives the watched extra files that changed (the open preset, a sound).
     std::vector<std::filesystem::path> update();
@@ -147,6 +169,7 @@ private:
         std::shared_future<std::shared_ptr<DrawingHome>> lending = {};  // then that one to come
         std::shared_ptr<DrawingHome> lent = {};  // when it has come; null: there is none
         std::shared_ptr<const SettledRequest> settled = {};  // null: it is read
+        std::shared_ptr<const Rest> rest = {};               // of what is read; null: nothing rests
     };
     /// What turn() asks for: one a picture.
     struct Turning {
@@ -179,13 +202,21 @@ private:
     LoadedLook read(const Job& job, const Values& values);
     static void wait_for_home(Job& job);
     LoadedRequest load_settled(const Job& job);
+    void draw_look_first(const Job& job, const std::optional<Programs>& known, Programs& programs,
+                         LoadedRequest& loaded);
+    std::optional<SettledLook> settle_first(const Job& job, const Programs& own,
+                                            const LoadedRequest& loaded,
+                                            const std::optional<Programs>& known);
+    std::optional<LoadedRequest> owed_by(const LoadedRequest& loaded) const;
+    void draw_owed(const Job& job, LoadedRequest owed);
+    std::optional<Programs> drawn_of(std::optional<Programs> known) const;
     std::optional<Programs> known_for(const Job& job, const Look& look) const;
     Result<Programs> link(const Job& job, LoadedRequest& loaded);
     void draw_first(const Job& job, const Programs* known, Programs& programs,
                     LoadedRequest& loaded);
     void draw_first_at_home(const Job& job, Programs& programs, LoadedRequest& loaded);
     void draw_first_here(const Job& job, const Programs* known, const Programs& programs,
-                         const LoadedRequest& loaded);
+                         const Look& look, const ImageTextures& images);
     Result<void> take_views(const Job& job, Programs& programs);
     void look_first(const Job& job, const LoadedRequest& loaded, const Values& values);
     Result<ImageTextures> load_images(const Look& look, Diagnostics& warnings);
@@ -198,6 +229,7 @@ private:
     DrawingContexts m_drawing_contexts;
     RecentPrograms m_recent;  // of the open look
     bool m_is_unopened = false;
+    std::shared_ptr<const Rest> m_rest;
     std::unique_ptr<FileWatcher> m_watcher;
     std::string m_watch_problem;
     std::vector<std::filesystem::path> m_look_files;
@@ -214,6 +246,8 @@ private:
     std::shared_ptr<PassProgress> m_progress;  // of the newest job
     std::optional<Job> m_job;
     std::optional<LoadedRequest> m_finished;
+    std::optional<LoadedRequest> m_drawn;
+    bool m_is_owing = false;
     Turning m_turned;
     Turning m_variant;
     Turning m_settled;
@@ -243,8 +277,10 @@ private:
     CheckCache m_checks{m_kept_shaders.get()};          // the thread's
     ShaderFiles m_shader_files;                         // the thread's
     FormerReadings m_readings;                          // the thread's
+    SettledTexts m_settled_texts;                       // the thread's
     std::map<std::filesystem::path, ReadImage> m_read;  // the thread's
     std::optional<Programs> m_linked;          // the thread's: what the next reading may reuse
+    std::vector<PassProgram> m_owed;           // the thread's: linked, and not drawn with yet
     std::shared_ptr<gpu::Context> m_borrowed;  // the thread's: it has made things there; null: it
                                                // has a context of its own
     std::optional<WarmUp> m_warm_up;           // the thread's; without it the first frame is slower

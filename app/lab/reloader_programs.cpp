@@ -3,7 +3,6 @@
 #include "gpu/draw.h"
 #include "gpu/driver_cache.h"
 #include "graph/first_views.h"
-#include "graph/settled_look.h"
 #include "io/picture_codec.h"
 #include "lab/kept_shaders.h"
 #include "lab/reloader.h"
@@ -25,7 +24,7 @@ void Reloader::draw_first(const Job& job, const Programs* known, Programs& progr
     if (loaded.is_warm)
         draw_first_at_home(job, programs, loaded);
     else
-        draw_first_here(job, known, programs, loaded);
+        draw_first_here(job, known, programs, *loaded.look, loaded.images);
 }
 
 // Nobody has drawn there yet, so that nothing is known. Who draws next goes on with the targets:
@@ -75,7 +74,7 @@ void Reloader::prepare() {
 
 // The home is current elsewhere, and what the driver keeps in files of its own will do.
 void Reloader::draw_first_here(const Job& job, const Programs* known, const Programs& programs,
-                               const LoadedRequest& loaded) {
+                               const Look& look, const ImageTextures& images) {
     if (!has_new(programs, known))
         return;
     job.progress->begin(PassProgress::Step::drawing, programs.passes.size());
@@ -86,9 +85,8 @@ void Reloader::draw_first_here(const Job& job, const Programs* known, const Prog
     drawn.home = nullptr;
     drawn.tripwire = nullptr;  // the uniforms of these are somebody else's now
     drawn.views = nullptr;
-    m_warm_up->draw(
-        {*loaded.look, drawn, known, loaded.images, m_picture, FirstDrawsOf::Size::whole},
-        *job.progress);
+    m_warm_up->draw({look, drawn, known, images, m_picture, FirstDrawsOf::Size::whole},
+                    *job.progress);
     // Or the drawing context finds nothing there.
     gpu::wait_for_driver_cache(cache_patience, *job.progress);
 }
@@ -157,10 +155,86 @@ Result<Programs> Reloader::link(const Job& job, LoadedRequest& loaded) {
             return fail(taken.error());
     }
     if (is_look)
-        draw_first(job, known, *programs, loaded);
+        draw_look_first(job, reusable, *programs, loaded);
     if (!job.progress->is_cancelled())
         m_linked = *programs;
     return programs;
+}
+
+// What was linked and not drawn with is as good as new.
+std::optional<Programs> Reloader::drawn_of(std::optional<Programs> known) const {
+    if (known)
+        std::erase_if(known->passes, [this](const PassProgram& program) {
+            return std::ranges::find(m_owed, program.program, &PassProgram::program) !=
+                   m_owed.end();
+        });
+    return known;
+}
+
+// Where values rest what is drawn with next holds them, and has less code to be made; the programs
+// that can be turned are drawn with afterwards.
+void Reloader::draw_look_first(const Job& job, const std::optional<Programs>& known,
+                               Programs& programs, LoadedRequest& loaded) {
+    const std::optional<Programs> drawn = drawn_of(known);
+    const Programs* const met = drawn ? &*drawn : nullptr;
+    m_owed.clear();
+    loaded.settled = settle_first(job, programs, loaded, known);
+    if (!loaded.settled) {
+        draw_first(job, met, programs, loaded);
+        return;
+    }
+    draw_first_here(job, met, loaded.settled->programs, loaded.settled->look, loaded.images);
+    m_owed = new_of(programs, met);
+    loaded.owes_draws = !m_owed.empty();
+}
+
+// Null where nothing rests, other passes have come, or the driver refuses such programs.
+std::optional<SettledLook> Reloader::settle_first(const Job& job, const Programs& own,
+                                                  const LoadedRequest& loaded,
+                                                  const std::optional<Programs>& known) {
+    if (!job.rest || job.rest->plan.targets.size() != loaded.look->passes.size())
+        return std::nullopt;
+    SettledLook settled{
+        settled_look(
+            *loaded.look, job.rest->values, job.rest->plan,
+            [&](const Parameter& parameter) { return job.rest->moving.contains(parameter.name); },
+            m_settled_texts),
+        {},
+        job.rest};
+    auto programs = build_programs(settled.look, known ? &*known : nullptr, nullptr,
+                                   job.progress.get(), own.home);
+    if (!programs)
+        return std::nullopt;
+    settled.programs = std::move(*programs);
+    settled.programs.tripwire = own.tripwire;
+    settled.programs.views = own.views;
+    settled.programs.first_views = own.first_views;
+    return settled;
+}
+
+// The programs of a look that came without their first draws.
+std::optional<LoadedRequest> Reloader::owed_by(const LoadedRequest& loaded) const {
+    if (!loaded.owes_draws)
+        return std::nullopt;
+    LoadedRequest owed;
+    owed.request = loaded.request;
+    owed.look = loaded.look;
+    owed.programs = loaded.programs;
+    owed.images = loaded.images;
+    owed.generation = loaded.generation;
+    owed.whose = LoadedRequest::Whose::drawn;
+    return owed;
+}
+
+void Reloader::draw_owed(const Job& job, LoadedRequest owed) {
+    const auto met = drawn_of(joined(*m_linked, job.shown->passes));
+    draw_first_here(job, &*met, *owed.programs, *owed.look, owed.images);
+    const std::lock_guard lock(m_mutex);
+    m_is_owing = false;
+    if (job.progress->is_cancelled())
+        return;
+    m_owed.clear();
+    keep(std::move(owed));
 }
 
 // Where the driver refuses such programs, what the author wrote goes on.
@@ -171,8 +245,11 @@ LoadedRequest Reloader::load_settled(const Job& job) {
     loaded.whose = job.whose;
     loaded.images = asked.images;
     loaded.look = settled_look(
-        asked.look, asked.values, asked.plan,
-        [&asked](const Parameter& parameter) { return asked.moving.contains(parameter.name); });
+        asked.look, asked.rest->values, asked.rest->plan,
+        [&asked](const Parameter& parameter) {
+            return asked.rest->moving.contains(parameter.name);
+        },
+        m_settled_texts);
     std::optional<gpu::ContextScope> borrowed;
     if (!take_context(job, borrowed))
         return loaded;

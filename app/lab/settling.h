@@ -4,6 +4,7 @@
 #include "model/modulation.h"
 
 #include <memory>
+#include <optional>
 
 /// How far the open look is on its way to programs that hold its values as constants.
 struct Settling {
@@ -12,4 +13,12 @@ struct Settling {
     double seconds = 0.0;  // for so long
     bool is_asked = false;
     std::unique_ptr<Arrival> arrival = {};  // of the programs; null: they are not there yet
+};
+
+/// The programs of an edit in which all can be turned, while they are drawn with for the first time
+/// behind its picture, which settled ones draw.
+struct OwnPrograms {
+    bool are_late = false;                   // what a hand turns waits for them
+    std::unique_ptr<Arrival> arrival = {};   // null: the reloader is still at them
+    std::optional<LoadedRequest> edit = {};  // no picture yet: values did not rest any more
 };

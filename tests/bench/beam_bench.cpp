@@ -72,8 +72,9 @@ private:
         const Look& look = prepared.document.look();
         const Values& values = prepared.document.values();
         const Plan plan = wanted(plan_targets(look, screen, {}, values));
-        const Look settled =
-            settled_look(look, values, plan, [](const Parameter&) { return false; });
+        SettledTexts texts;
+        const Look settled = settled_look(
+            look, values, plan, [](const Parameter&) { return false; }, texts);
         return Executor(look, wanted(build_programs(settled)));
     }
 

@@ -1,6 +1,7 @@
 // Hot reload of Phosphor's composite at 1280 x 720, twenty texts that no cache knows, saved in
-// place and by rename, then texts that were seen before. Beside it a plain program that does what
-// must be done: glslang's parse, GL's compile and link, the first draw.
+// place and by rename while values rest and by rename while they are turned, then texts that were
+// seen before. Beside it a plain program that does what must be done: glslang's parse, GL's compile
+// and link, the first draw.
 //
 // The driver draws on the calling thread (LP_NUM_THREADS=0), so that the drawing thread's CPU time
 // is a frame's cost. A wait is wall time; what one cannot see the machine's load in is CPU time.
@@ -96,6 +97,20 @@ public:
     const Lab& lab() const { return *m_lab; }
     const gpu::Facts& facts() const { return m_context->facts(); }
 
+    /// Values rest from now on, or one of them is turned.
+    void rest(bool rests) {
+        if (!rests)
+            m_lab->edit([this](Document& document) {
+                document.set_value("exposure", Value(m_exposure += 0.001));
+                document.finish();
+            });
+        frame();
+        while (!m_lab->follows_at_once())
+            frame();
+        while (rests && !m_lab->renderer()->executor().is_settled())
+            frame(0.1);
+    }
+
     /// Of the process.
     double steady_milliseconds() {
         const double start = busy_seconds();
@@ -118,17 +133,23 @@ public:
                bench::median({steady_milliseconds(), steady_milliseconds(), steady_milliseconds()});
     }
 
-    /// The longest frame on the drawing thread while the text becomes the picture's, over a steady
-    /// one with it.
-    double longest_gap(const std::string& text, bool by_rename) {
+    /// The longest frame on the drawing thread, over a steady one.
+    struct Gap {
+        double with_edit = 0.0;  // until the text is the picture's, and five frames more
+        double without = 0.0;    // as many frames in which nothing is edited
+    };
+    Gap longest_gap(const std::string& text, bool by_rename) {
+        std::vector<double> edited;
         m_folders.save(text, by_rename);
-        double longest = 0.0;
         while (!shows(text))
-            longest = std::max(longest, frame_on_thread());
-        std::vector<double> steady;
+            edited.push_back(frame_on_thread());
         for (int i = 0; i < 5; ++i)
-            steady.push_back(frame_on_thread());
-        return std::max(longest, std::ranges::max(steady)) - bench::median(steady);
+            edited.push_back(frame_on_thread());
+        std::vector<double> plain;
+        for (std::size_t i = 0; i < edited.size(); ++i)
+            plain.push_back(frame_on_thread());
+        const double steady = bench::median(plain);
+        return {std::ranges::max(edited) - steady, std::ranges::max(plain) - steady};
     }
 
 private:
@@ -138,8 +159,8 @@ private:
         return !m_lab->is_loading() &&
                drawn.find(text.substr(at, text.find('\n', at) - at)) != std::string::npos;
     }
-    void frame() {
-        m_lab->update(1.0 / 60.0);
+    void frame(double seconds = 1.0 / 60.0) {
+        m_lab->update(seconds);
         while (m_lab->is_amid_frame())
             m_lab->update(0.0);
         gpu::finish();
@@ -153,6 +174,7 @@ private:
     const Folders& m_folders;
     std::unique_ptr<gpu::Context> m_context;
     std::unique_ptr<Lab> m_lab;
+    double m_exposure = 1.5;
 };
 
 /// The reloader alone: when a save is linked, before anything is drawn with it.
@@ -219,6 +241,47 @@ void measure_links(const fs::path& folder, const Folders& folders, int first_tex
                linked.front() / bench::median(later));
 }
 
+/// How edits are saved, and what hands do meanwhile.
+struct Way {
+    const char* name;
+    bool by_rename;
+    bool rests;
+};
+
+void measure_way(const Way& way, ReloadBench& reloads, bench::PlainReload& plain,
+                 const Folders& folders, int& number) {
+    fmt::print("{}\n", way.name);
+    std::vector<double> ours;
+    std::vector<double> raw;
+    std::vector<double> ratios;
+    for (int i = 0; i < edits; ++i) {
+        reloads.rest(way.rests);
+        raw.push_back(plain.over_a_frame(number++));
+        ours.push_back(reloads.over_a_frame(folders.edited(number++), way.by_rename));
+        ratios.push_back(ours.back() / raw.back());
+    }
+    print("a plain program, CPU over a steady frame", raw);
+    print("saved to the first new frame, CPU over a steady frame", ours);
+    fmt::print("  {:<56} {:7.2f}      goal 1.10\n", "ours / plain", bench::median(ratios));
+    std::vector<double> gaps;
+    std::vector<double> without;
+    for (int i = 0; i < edits; ++i) {
+        reloads.rest(way.rests);
+        const auto gap = reloads.longest_gap(folders.edited(number++), way.by_rename);
+        gaps.push_back(gap.with_edit);
+        without.push_back(gap.without);
+    }
+    print("longest frame of an edit over a steady one, CPU", gaps, "goal 5");
+    print("the same of as many frames without an edit", without);
+    std::vector<double> seen;
+    for (int i = 0; i < edits; ++i) {
+        reloads.rest(way.rests);
+        seen.push_back(reloads.over_a_frame(folders.edited(number - 1 - i % 5), way.by_rename));
+    }
+    seen.erase(seen.begin());
+    print("a text seen before, CPU over a steady frame", seen, "goal 3");
+}
+
 void measure_frames(const fs::path& folder, const Folders& folders, int first_text) {
     ReloadBench reloads(folder, folders);
     bench::PlainReload plain(reloads.lab().renderer()->executor());
@@ -226,29 +289,10 @@ void measure_frames(const fs::path& folder, const Folders& folders, int first_te
     for (int i = 0; i < edits; ++i)
         linked.push_back(plain.until_linked(first_text++));
     print("a plain program, parsed and linked, wall", linked);
-    for (const bool by_rename : {false, true}) {
-        fmt::print("{}\n", by_rename ? "saved by rename" : "saved in place (close-write)");
-        std::vector<double> ours;
-        std::vector<double> raw;
-        std::vector<double> ratios;
-        for (int i = 0; i < edits; ++i) {
-            raw.push_back(plain.over_a_frame(first_text++));
-            ours.push_back(reloads.over_a_frame(folders.edited(first_text++), by_rename));
-            ratios.push_back(ours.back() / raw.back());
-        }
-        print("a plain program, CPU over a steady frame", raw);
-        print("saved to the first new frame, CPU over a steady frame", ours);
-        fmt::print("  {:<56} {:7.2f}      goal 1.10\n", "ours / plain", bench::median(ratios));
-        std::vector<double> gaps;
-        for (int i = 0; i < edits; ++i)
-            gaps.push_back(reloads.longest_gap(folders.edited(first_text++), by_rename));
-        print("longest frame of an edit over a steady one, CPU", gaps, "goal 5");
-        std::vector<double> seen;
-        for (int i = 0; i < edits; ++i)
-            seen.push_back(reloads.over_a_frame(folders.edited(first_text - 1 - i % 5), by_rename));
-        seen.erase(seen.begin());
-        print("a text seen before, CPU over a steady frame", seen, "goal 3");
-    }
+    for (const Way& way : {Way{"values resting, saved in place (close-write)", false, true},
+                           Way{"values resting, saved by rename", true, true},
+                           Way{"values turned, saved by rename", true, false}})
+        measure_way(way, reloads, plain, folders, first_text);
 }
 }  // namespace
 

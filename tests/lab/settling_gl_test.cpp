@@ -12,6 +12,12 @@ public:
     bool settles() {
         return turn_until([&] { return is_settled(); });
     }
+    /// The text with the picture times a number.
+    void save_times(int factor) {
+        write_by_rename("gain.glsl",
+                        "uniform float gain = 1.0;  // @range 0 8\n#define gain (gain * " +
+                            std::to_string(factor) + ".0)\n");
+    }
     void set(const char* name, double value) {
         lab().edit([&](Document& document) {
             document.set_value(name, Value(value));
@@ -55,16 +61,75 @@ TEST_CASE("what is modulated goes on moving while the rest is constant") {
     CHECK(std::abs(static_cast<double>(small.shown() / small.frames()) - gain) < 1e-4);
 }
 
-TEST_CASE("an edited text is drawn although the former one was settled, and settles as well") {
+TEST_CASE("an edit of a settled picture is drawn settled, and what is turned then is seen") {
     SettlingLab small;
     REQUIRE(small.settles());
-    small.write_by_rename("gain.glsl",
-                          "uniform float gain = 1.0;  // @range 0 8\n#define gain (gain * 5.0)\n");
-    REQUIRE(small.turn_until([&] { return small.shown() == 5.0f * small.frames(); }));
+    bool was_settled = true;
+    small.save_times(5);
+    REQUIRE(small.turn_until([&] {
+        was_settled = was_settled && small.is_settled();
+        return small.shown() == 5.0f * small.frames();
+    }));
+    CHECK(was_settled);
+    small.set("gain", 2.0);
+    REQUIRE(small.turn_until([&] { return small.shown() == 10.0f * small.frames(); }));
     CHECK_FALSE(small.is_settled());
     REQUIRE(small.settles());
     small.turn(1);
-    CHECK(small.shown() == 5.0f * small.frames());
+    CHECK(small.shown() == 10.0f * small.frames());
+}
+
+TEST_CASE("a text that comes back is drawn settled with the programs that it had") {
+    SettlingLab small;
+    REQUIRE(small.settles());
+    for (const int factor : {5, 3, 5, 3}) {
+        CAPTURE(factor);
+        small.save_times(factor);
+        const auto shown = static_cast<float>(factor);
+        REQUIRE(small.turn_until([&] { return small.shown() == shown * small.frames(); }));
+        CHECK(small.is_settled());
+    }
+}
+
+TEST_CASE("an edit and a turn at the same time are both seen") {
+    SettlingLab small;
+    REQUIRE(small.settles());
+    small.save_times(5);
+    small.set("gain", 2.0);
+    REQUIRE(small.turn_until([&] { return small.shown() == 10.0f * small.frames(); }));
+    small.save_times(7);
+    small.turn(1);
+    small.set("gain", 3.0);
+    REQUIRE(small.turn_until([&] { return small.shown() == 21.0f * small.frames(); }));
+}
+
+TEST_CASE("what is turned behind an edit that fails is seen") {
+    SettlingLab small;
+    REQUIRE(small.settles());
+    small.save_times(5);
+    REQUIRE(small.turn_until([&] { return small.shown() == 5.0f * small.frames(); }));
+    small.write_by_rename("gain.glsl", "uniform float gain = 1.0;  // @range 0 8\nnonsense\n");
+    REQUIRE(small.turn_until([&] { return !small.lab().problems().empty(); }));
+    small.set("gain", 2.0);
+    REQUIRE(small.turn_until([&] { return small.shown() == 10.0f * small.frames(); }));
+}
+
+TEST_CASE("an edit of other passes is drawn by the plan that it has") {
+    SettlingLab small;
+    REQUIRE(small.settles());
+    small.write("double.frag",
+                "#version 410 core\nuniform sampler2D image;\nin vec2 uv;\nout vec4 color;\n"
+                "void main() { color = 2.0 * texture(image, uv); }\n");
+    small.write_by_rename(
+        "look.json",
+        replaced(
+            small_look::manifest, "\n  ]",
+            ",\n{ \"name\": \"double\", \"fragment\": \"double.frag\", \"format\": \"rgba32f\", "
+            "\"inputs\": { \"image\": \"show\" } }\n  ]"));
+    REQUIRE(small.turn_until([&] { return small.document().look().passes.size() == 3; }));
+    small.turn(1);
+    const Executor& executor = small.lab().renderer()->executor();
+    CHECK(gpu::read_pixel(executor.target(2), 3, 3)[0] == 2.0f * small.shown());
 }
 
 TEST_CASE("beside a settled picture others are drawn with values of their own") {
