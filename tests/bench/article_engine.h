@@ -1,13 +1,10 @@
 #pragma once
 
-#include "bench/side_by_side.h"
+#include "bench/figure.h"
 #include "bench/wanted.h"
 #include "lab/offline.h"
 
-#include <fmt/format.h>
-
-#include <cstdio>
-#include <cstdlib>
+#include <array>
 
 namespace bench {
 
@@ -21,6 +18,7 @@ struct Engine {
     Engine(const std::string& preset, const ValueTexts& values, Extent extent,
            const std::vector<std::string>& seen = {})
         : offline(made(preset, values, extent)) {
+        tell_driver(offline.context().facts());
         if (auto set = player.set_signal(offline.document().state().signal); !set)
             give_up(set.error());
         if (auto off = offline.set_guard(Executor::Guard::off); !off)

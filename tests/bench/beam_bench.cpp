@@ -11,14 +11,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 
 namespace {
 constexpr Extent screen{1280, 720};
 constexpr double spot_px = 1.0;
-constexpr int rounds = 9;
+const bench::Topic topic{"beam", "Beams of many samples, a Lissajous figure 5:4 at 1280 x 720"};
+using bench::Bound;
+using bench::Figure;
 using bench::wanted;
 
 /// Vector beam's first pass alone, with its values as constants.
@@ -104,13 +104,14 @@ double root_mean_square(const Picture& plain, const Picture& ours) {
     return std::sqrt(difference / all);
 }
 
-const char* verdict(bool counts, bool holds) {
-    if (!counts)
-        return "the machine is too busy";
-    return holds ? "holds" : "DOES NOT HOLD";
-}
+/// Milliseconds of CPU time.
+struct Parts {
+    double making = 0.0;
+    double merging = 0.0;
+    std::size_t segments = 0;
+};
 
-void print_parts(OurBeam& beam) {
+Parts parts_of(OurBeam& beam) {
     const BeamSpot spot{2.0 * spot_px / screen.width, 2.0 * spot_px / screen.height};
     std::vector<double> making;
     std::vector<double> merging;
@@ -125,12 +126,11 @@ void print_parts(OurBeam& beam) {
         making.push_back(1e3 * (between - start));
         merging.push_back(1e3 * (bench::busy_seconds() - between));
     }
-    fmt::print("  {} segments; of ours {:.2f} ms make the samples, {:.2f} ms merge them\n",
-               segments.size(), bench::median(making), bench::median(merging));
+    return {bench::median(making), bench::median(merging), segments.size()};
 }
 
-void print_against_plain(int samples, double most) {
-    constexpr double most_apart = 0.01;
+void compare_with_plain(int samples, std::optional<Bound> bound) {
+    constexpr double seconds = 5.0;
     OurBeam ours(samples);
     auto plain = wanted(bench::PlainBeam::make(screen, spot_px));
     for (int i = 0; i < 2; ++i) {  // the first frame has no sample before it
@@ -138,44 +138,44 @@ void print_against_plain(int samples, double most) {
         ours.draw();
     }
     const double apart = root_mean_square(plain.picture(), ours.picture());
-    fmt::print("{} samples: pictures {:.3f} % RMS apart, at most {:.0f} %: {}\n", samples,
-               100.0 * apart, 100.0 * most_apart, verdict(true, apart <= most_apart));
-    print_parts(ours);
-    const int frames = std::clamp(65536 / samples, 1, 6);
-    const bench::Cost cost = bench::side_by_side(
-        rounds, frames, [&] { plain.draw(ours.closed()); }, [&] { ours.draw(); });
-    fmt::print("  each {:.2f} ms, merged {:.2f} ms, merged / each {:.4f} (itself {:.3f})",
-               cost.plain_milliseconds, cost.our_milliseconds, cost.ratio, cost.itself);
-    if (most < 1.0)
-        fmt::print(", at most {:.4f}: {}", most, verdict(cost.counts(), cost.ratio <= most));
-    fmt::print("\n");
-    std::fflush(stdout);
+    const Parts parts = parts_of(ours);
+    bench::tell(topic, {.key = fmt::format("apart-{}", samples),
+                        .what = fmt::format("{} samples merged, from all of them, RMS", samples),
+                        .value = 100.0 * apart,
+                        .unit = "%",
+                        .bound = bench::at_most(1.0),
+                        .detail = fmt::format("{} segments", parts.segments)});
+    Figure cost =
+        bench::ratio_figure(fmt::format("merged-{}", samples),
+                            fmt::format("{} samples merged, beside a rectangle for each", samples),
+                            bench::side_by_side_for(
+                                seconds, [&] { plain.draw(ours.closed()); }, [&] { ours.draw(); }),
+                            bound);
+    cost.detail +=
+        fmt::format("; {:.3g} ms make samples, {:.3g} merge", parts.making, parts.merging);
+    bench::tell(topic, cost);
 }
 
-void print_growth(int few, int many, double most) {
-    constexpr int frames = 8;
+void tell_growth(int few, int many, double most) {
+    constexpr double seconds = 5.0;
     OurBeam yardstick(few);
     OurBeam ours(many);
-    const bench::Cost cost = bench::side_by_side(
-        2 * rounds, frames, [&] { yardstick.draw(); }, [&] { ours.draw(); });
-    fmt::print(
-        "{} samples {:.2f} ms, {} samples {:.2f} ms: {:.2f} times (itself {:.3f}), at most "
-        "{}: {}\n",
-        few, cost.plain_milliseconds, many, cost.our_milliseconds, cost.ratio, cost.itself, most,
-        verdict(cost.counts(), cost.ratio <= most));
-    std::fflush(stdout);
+    bench::tell(topic,
+                bench::ratio_figure(fmt::format("growth-{}", many),
+                                    fmt::format("{} samples, beside {}", many, few),
+                                    bench::side_by_side_for(
+                                        seconds, [&] { yardstick.draw(); }, [&] { ours.draw(); }),
+                                    bench::at_most(most)));
 }
 }  // namespace
 
 int main() {
-    constexpr double no_bound = 1.0;
     const auto context = wanted(gpu::Context::headless());
-    fmt::print("A Lissajous figure 5:4 of {} x {} px, a spot of sigma {} px\n", screen.width,
-               screen.height, spot_px);
+    bench::tell_driver(context->facts());
     for (const int samples : {4096, 16384, 65536})
-        print_against_plain(samples, no_bound);
-    print_against_plain(262144, 1.0 / 15.0);
+        compare_with_plain(samples, {});
+    compare_with_plain(262144, bench::at_most(1.0 / 15.0));
     for (const int samples : {16384, 65536, 262144})
-        print_growth(4096, samples, 5.0);
+        tell_growth(4096, samples, 5.0);
     return EXIT_SUCCESS;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bench/figure.h"
 #include "bench/wanted.h"
 #include "lab/lab.h"
 
@@ -14,6 +15,7 @@ class BenchLab {
 public:
     BenchLab(const std::filesystem::path& folder, Extent picture) {
         m_context = wanted(gpu::Context::headless());
+        tell_driver(m_context->facts());
         auto worker = wanted(gpu::Context::shared_with(*m_context));
         Roots roots{AFTERGLOW_SOURCE_DIR, folder / "user", folder / "state", folder / "cache"};
         m_lab = std::make_unique<Lab>(Library(std::move(roots)), *m_context, std::move(worker));

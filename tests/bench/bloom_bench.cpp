@@ -1,18 +1,23 @@
 // What the bloom of Phosphor costs alone: its pyramid beside a plain blur of 49 taps each way, and
-// beside itself at twice the width. An argument is the number of frames in a turn.
+// beside itself at twice the width. What it makes of a single point of light is told first.
 #include "bench/article_engine.h"
 #include "bench/plain_blur.h"
+#include "bench/side_by_side.h"
 #include "gpu/readback.h"
 
+#include <fmt/format.h>
+
+#include <cstdlib>
+
 namespace {
-using bench::Cost;
 using bench::Engine;
 using bench::Spread;
 using bench::spread_of;
 using bench::wanted;
 
 constexpr Extent picture_extent{1280, 720};
-constexpr int rounds = 15;
+constexpr double seconds = 15.0;
+const bench::Topic topic{"bloom", "Bloom alone, Phosphor's at 1280 x 720"};
 
 /// The passes of the bloom as the settled article has them, without those before and behind.
 class Bloom {
@@ -36,10 +41,19 @@ public:
         m_executor.draw(m_frame);
     }
 
-    void draw() { m_executor.redraw(m_frame, m_passes); }
+    ~Bloom() { m_engine.offline.make_current(); }
+    Bloom(const Bloom&) = delete;
+    Bloom& operator=(const Bloom&) = delete;
+
+    /// Whichever context is current.
+    void draw() {
+        m_engine.offline.make_current();
+        m_executor.redraw(m_frame, m_passes);
+    }
     /// Of `reduced` and of the bloom.
-    std::pair<Spread, Spread> spreads() const { return {seen("reduced"), seen("bloom_y")}; }
-    Picture picture(const char* pass) const {
+    std::pair<Spread, Spread> spreads() { return {seen("reduced"), seen("bloom_y")}; }
+    Picture picture(const char* pass) {
+        m_engine.offline.make_current();
         return gpu::read_picture(m_executor.target(*find_pass(m_executor.look(), pass)));
     }
 
@@ -48,7 +62,7 @@ private:
         if (!done)
             bench::give_up(done.error());
     }
-    Spread seen(const char* pass) const { return spread_of(picture(pass), picture_extent); }
+    Spread seen(const char* pass) { return spread_of(picture(pass), picture_extent); }
 
     Engine m_engine;
     Executor m_executor;
@@ -78,16 +92,27 @@ double worst_rise(const Picture& picture) {
     return worst / light(column, row);
 }
 
-void print_shape(const char* whose, const Spread& before, const Spread& after, double rise) {
-    fmt::print("  {}: energy {:.4f}, sigma {:.2f} px, largest rise {:.2f} % of the peak\n", whose,
-               after.energy / before.energy, std::sqrt(after.variance - before.variance),
-               100.0 * rise);
-}
-
-const char* verdict(const Cost& cost, bool holds) {
-    if (!cost.counts())
-        return "the machine is too busy";
-    return holds ? "holds" : "DOES NOT HOLD";
+void tell_shape(const std::string& key, const std::string& whose, double wanted_sigma,
+                Bloom& bloom) {
+    const auto [before, after] = bloom.spreads();
+    const double energy = after.energy / before.energy;
+    const double variance = after.variance - before.variance;
+    bench::tell(topic, {.key = key + "-energy",
+                        .what = whose + ": energy lost or won",
+                        .value = 100.0 * std::abs(energy - 1.0),
+                        .unit = "%",
+                        .bound = bench::at_most(1.0)});
+    bench::tell(topic, {.key = key + "-moment",
+                        .what = whose + ": second moment off",
+                        .value = 100.0 * std::abs(variance / (wanted_sigma * wanted_sigma) - 1.0),
+                        .unit = "%",
+                        .bound = bench::at_most(5.0),
+                        .detail = fmt::format("sigma {:.2f} px", std::sqrt(variance))});
+    bench::tell(topic, {.key = key + "-comb",
+                        .what = whose + ": largest rise on the way out, of the peak",
+                        .value = 100.0 * worst_rise(bloom.picture("bloom_y")),
+                        .unit = "%",
+                        .bound = bench::at_most(2.0)});
 }
 
 // `sigma` in px of the whole picture; the article's radius of 3 is 9.82 of them.
@@ -95,53 +120,35 @@ std::string radius_of(double sigma) {
     return fmt::format("{:.4f}", sigma / (2.0 * std::sqrt(2.6795)));
 }
 
-void print_against_taps(int frames) {
-    constexpr double most = 1.0 / 6.0;
+void compare_with_taps() {
     constexpr double sigma = 17.0;
     Bloom pyramid(radius_of(sigma));
     // Cut at 24 texels a Gaussian of 8.685 has 8.5, which are 17 px.
     const auto plain = wanted(
         bench::PlainBlur::make({picture_extent.width / 2, picture_extent.height / 2}, 49, 8.685));
-    plain.draw();
-    fmt::print("pyramid against 49 taps each way:\n");
-    const auto [before, after] = pyramid.spreads();
-    print_shape("pyramid", before, after, worst_rise(pyramid.picture("bloom_y")));
-    print_shape("taps", spread_of(plain.lit(), picture_extent),
-                spread_of(plain.blurred(), picture_extent), worst_rise(plain.blurred()));
-    const Cost cost = bench::side_by_side(
-        rounds, frames, [&] { plain.draw(); }, [&] { pyramid.draw(); });
-    fmt::print(
-        "  taps {:6.2f} ms, pyramid {:6.2f} ms, pyramid / taps {:.3f} (itself {:.3f}), at most "
-        "{:.3f}: {}\n",
-        cost.plain_milliseconds, cost.our_milliseconds, cost.ratio, cost.itself, most,
-        verdict(cost, cost.ratio <= most));
+    tell_shape("sigma-17", "a pyramid of sigma 17 px", sigma, pyramid);
+    bench::tell(topic, bench::ratio_figure(
+                           "against-taps", "a pyramid of sigma 17 px, beside 49 taps each way",
+                           bench::side_by_side_for(
+                               seconds, [&] { plain.draw(); }, [&] { pyramid.draw(); }),
+                           bench::at_most(1.0 / 6.0)));
 }
 
-// Each against the same taps, as both have programs of their own.
-void print_width_cost(int frames) {
-    constexpr double most = 1.05;
-    const auto cost_of = [frames](double sigma) {
-        Bloom pyramid(radius_of(sigma));
-        const auto [before, after] = pyramid.spreads();
-        print_shape("pyramid", before, after, worst_rise(pyramid.picture("bloom_y")));
-        const auto plain = wanted(
-            bench::PlainBlur::make({picture_extent.width / 2, picture_extent.height / 2}, 13, 3.0));
-        return bench::side_by_side(
-            rounds, frames, [&] { plain.draw(); }, [&] { pyramid.draw(); });
-    };
-    fmt::print("pyramid at twice the width:\n");
-    const Cost narrow = cost_of(15.5);
-    const Cost wide = cost_of(31.0);
-    const double ratio = wide.ratio / narrow.ratio;
-    fmt::print("  {:.3f} of the cost (itself {:.3f}, {:.3f}), at most {:.2f}: {}\n", ratio,
-               narrow.itself, wide.itself, most,
-               verdict(narrow.counts() ? wide : narrow, ratio <= most));
+void tell_width_cost() {
+    Bloom narrow(radius_of(15.5));
+    Bloom wide(radius_of(31.0));
+    tell_shape("sigma-15", "a pyramid of sigma 15.5 px", 15.5, narrow);
+    tell_shape("sigma-31", "a pyramid of sigma 31 px", 31.0, wide);
+    bench::tell(topic,
+                bench::ratio_figure("width", "a pyramid of sigma 31 px, beside 15.5 px",
+                                    bench::side_by_side_for(
+                                        seconds, [&] { narrow.draw(); }, [&] { wide.draw(); }),
+                                    bench::at_most(1.05)));
 }
 }  // namespace
 
-int main(int count, char** arguments) {
-    const int frames = count > 1 ? std::atoi(arguments[1]) : 14;
-    print_against_taps(frames);
-    print_width_cost(frames);
+int main() {
+    compare_with_taps();
+    tell_width_cost();
     return EXIT_SUCCESS;
 }

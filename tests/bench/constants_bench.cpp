@@ -2,16 +2,13 @@
 // hand goes on turning how often a new one comes. The shader marches 48 steps, as many of
 // Shadertoy's do; nothing of it is kept, by us or by the driver.
 #include "bench/bench_lab.h"
-#include "gpu/draw.h"
+#include "bench/side_by_side.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <cstdlib>
 #include <fstream>
-#include <thread>
 
 namespace fs = std::filesystem;
 
@@ -36,6 +33,8 @@ void mainImage(out vec4 color, in vec2 at) {
     color = vec4(vec3(exp(-0.15 * t)) + glow, 1.0);
 }
 )";
+
+const bench::Topic topic{"constants", "Turning a constant of a text that marches 48 steps"};
 
 using Clock = std::chrono::steady_clock;
 
@@ -111,12 +110,17 @@ int main() {
         std::vector<double> times;
         for (int i = 0; i < 9; ++i)  // none of them twice: the driver remembers
             times.push_back(bench.until_seen("GLOW", 0.05 * i + 1e-5 * picture.width));
-        std::ranges::sort(times);
-        fmt::print(
-            "{} x {}: a frame {:.0f} ms; a turn is seen after {:.0f} ms ({:.0f} to {:.0f}); "
-            "while turning {} new pictures a second\n",
-            picture.width, picture.height, bench.frame_milliseconds(), times[times.size() / 2],
-            times.front(), times.back(), bench.pictures_in_a_second());
+        const std::string size = fmt::format("{} x {}", picture.width, picture.height);
+        bench::tell(topic,
+                    {.key = fmt::format("seen-{}", picture.height),
+                     .what = size + ": a turn is seen after",
+                     .value = bench::median(times),
+                     .unit = "ms",
+                     .detail = fmt::format("a frame {:.3g} ms", bench.frame_milliseconds())});
+        bench::tell(topic, {.key = fmt::format("turning-{}", picture.height),
+                            .what = size + ": new pictures while a hand turns",
+                            .value = static_cast<double>(bench.pictures_in_a_second()),
+                            .unit = "a second"});
     }
     fs::remove_all(folder);
     return EXIT_SUCCESS;

@@ -1,9 +1,10 @@
 // Writing a sequence: 60 frames of the Phosphor look, as the article has it, at 1280 x 720, its
 // picture in half floats for EXR and in bytes for PNG, into a file system in memory. Ideal is all
-// CPU time of the same run spread over all cores. One after the other and by the pipeline take
-// turns; a run counts where the machine was idle in the second before. export_bench [TURNS [SECONDS
-// TO WAIT FOR QUIET]]
-#include "gpu/readback.h"
+// CPU time of the same run spread over all cores. A run counts where the machine was idle in the
+// second before. export_bench [TURNS [SECONDS TO WAIT FOR QUIET]]
+#include "bench/plain_png.h"
+#include "bench/side_by_side.h"
+#include "bench/wanted.h"
 #include "io/png_encoder.h"
 #include "lab/export.h"
 #include "lab/library.h"
@@ -18,7 +19,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
-#include <sys/resource.h>
 #include <thread>
 
 namespace fs = std::filesystem;
@@ -27,20 +27,13 @@ namespace {
 constexpr Extent size{1280, 720};
 constexpr int frames = 60;
 constexpr double quiet = 0.92;
+const bench::Topic topic{"export", "Writing 60 frames at 1280 x 720"};
+using bench::wanted;
 
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-double cpu_seconds() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    const auto seconds = [](const timeval& time) {
-        return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-    };
-    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
 // Of the cores' time within a second, how much nobody wants.
@@ -82,13 +75,6 @@ double memory(const std::string& which) {
     return 0.0;
 }
 
-void or_end(const auto& result) {
-    if (result)
-        return;
-    fmt::print(stderr, "{}", to_string(result.error()));
-    std::exit(EXIT_FAILURE);
-}
-
 /// The Phosphor look whose picture has half floats, as EXR wants them, or bytes.
 fs::path look_with(const std::string& texel, const fs::path& folder) {
     fs::path look = folder / texel;
@@ -111,11 +97,9 @@ Offline open_look(const fs::path& look, const fs::path& folder) {
     request.look = look.string();
     request.values = {{"as_written", "1"}};
     request.size = size;
-    auto prepared = prepare(request, library);
-    or_end(prepared);
-    auto offline = Offline::create(std::move(*prepared), size, 60.0);
-    or_end(offline);
-    return std::move(*offline);
+    Offline offline = wanted(Offline::create(wanted(prepare(request, library)), size, 60.0));
+    bench::tell_driver(offline.context().facts());
+    return offline;
 }
 
 struct Run {
@@ -132,15 +116,13 @@ void write_one_by_one(Offline& offline, const ExportJob& job) {
     for (frame.number = 0; frame.number < job.part.end; ++frame.number) {
         offline.advance();
         offline.read(job.pass, frame.picture);
-        auto made = job.stages.make(frame);
-        or_end(made);
-        or_end(job.stages.deliver(frame.number, std::move(*made)));
+        wanted(job.stages.deliver(frame.number, wanted(job.stages.make(frame))));
     }
 }
 
 Run run(Offline& offline, const FrameNames& names, bool is_piped, int patience) {
     constexpr int warm_up = 5;
-    or_end(offline.start_again(offline.document()));
+    wanted(offline.start_again(offline.document()));
     for (int i = 0; i < warm_up; ++i)
         offline.advance();
     const ExportJob job{.part = {0, frames},
@@ -151,85 +133,110 @@ Run run(Offline& offline, const FrameNames& names, bool is_piped, int patience) 
     run.idle = idle_before(patience);
     std::ofstream("/proc/self/clear_refs") << 5;  // the most so far is what it has now
     const double memory_before = memory("VmRSS");
-    const double cpu = cpu_seconds();
+    const double cpu = bench::busy_seconds();
     const auto start = Clock::now();
     if (is_piped)
-        or_end(export_frames(offline, job));
+        wanted(export_frames(offline, job));
     else
         write_one_by_one(offline, job);
     run.wall = seconds_since(start);
-    run.cpu = cpu_seconds() - cpu;
+    run.cpu = bench::busy_seconds() - cpu;
     run.more_memory = memory("VmHWM") - memory_before;
     return run;
 }
 
-void print(const char* how, const Run& run, double frame_kibibytes) {
-    fmt::print(
-        "  {:<14} {:6.1f} ms a frame, {:6.1f} cpu-ms: {:.3f} of ideal; {:4.1f} frames of memory; "
-        "idle "
-        "before {:3.0f} %{}\n",
-        how, 1000.0 * run.wall / frames, 1000.0 * run.cpu / frames, run.ratio(),
-        run.more_memory / frame_kibibytes, 100.0 * run.idle,
-        run.idle < quiet ? ": not quiet, does not count" : "");
+/// The runs before which the machine was quiet; where it never was, all.
+std::vector<Run> counting(std::vector<Run> runs) {
+    const auto is_busy = [](const Run& run) { return run.idle < quiet; };
+    if (!std::ranges::all_of(runs, is_busy))
+        std::erase_if(runs, is_busy);
+    return runs;
+}
+
+void tell_runs(const std::string& key, const std::string& what, const std::vector<Run>& all,
+               std::optional<bench::Bound> bound) {
+    const std::vector<Run> runs = counting(all);
+    const auto middle = [&runs](auto of) {
+        std::vector<double> numbers;
+        for (const Run& run : runs)
+            numbers.push_back(of(run));
+        return bench::median(std::move(numbers));
+    };
+    bench::tell(topic,
+                {.key = key,
+                 .what = what + ", wall time to ideal",
+                 .value = middle([](const Run& run) { return run.ratio(); }),
+                 .bound = bound,
+                 .idle = std::ranges::min(runs, {}, &Run::idle).idle,
+                 .detail = fmt::format(
+                     "{:.4g} ms a frame, {:.4g} of CPU time; {} of {} runs count",
+                     middle([](const Run& run) { return 1e3 * run.wall / frames; }),
+                     middle([](const Run& run) { return 1e3 * run.cpu / frames; }),
+                     std::ranges::count_if(all, [](const Run& run) { return run.idle >= quiet; }),
+                     all.size())});
 }
 
 struct Measuring {
     int turns = 3;
-    int patience = 20;  // s
+    int patience = 10;  // s
     fs::path folder = {};
 };
 
-void compare_ways(const std::string& texel, const std::string& ending, double frame_bytes,
-                  const Measuring& measuring) {
+struct Kind {
+    std::string key;
+    std::string texel;
+    std::string ending;
+    double frame_bytes;
+    double most;  // of the wall time to ideal
+};
+
+void measure_kind(const Kind& kind, const Measuring& measuring) {
+    constexpr double most_frames = 6.0;
     const fs::path& folder = measuring.folder;
-    Offline offline = open_look(look_with(texel, folder), folder);
-    const auto names = parse_frame_names((folder / ("f_%04d" + ending)).string());
+    Offline offline = open_look(look_with(kind.texel, folder), folder);
+    const auto names = parse_frame_names((folder / ("f_%04d" + kind.ending)).string());
     run(offline, *names, true, 0);  // all code and tables are there
-    fmt::print("{} of {}:\n", ending, texel);
-    for (int turn = 0; turn < measuring.turns; ++turn) {
-        print("one by one", run(offline, *names, false, measuring.patience), frame_bytes / 1024.0);
-        print("by pipeline", run(offline, *names, true, measuring.patience), frame_bytes / 1024.0);
-    }
+    tell_runs(kind.key + "-one-by-one", kind.ending + " of " + kind.texel + ", one by one",
+              {run(offline, *names, false, measuring.patience)}, {});
+    std::vector<Run> runs;
+    for (int turn = 0; turn < measuring.turns; ++turn)
+        runs.push_back(run(offline, *names, true, measuring.patience));
+    tell_runs(kind.key, kind.ending + " of " + kind.texel + ", encoders beside", runs,
+              bench::at_most(kind.most));
+    bench::tell(topic, {.key = kind.key + "-memory",
+                        .what = kind.ending + ": memory beyond what drawing has",
+                        .value = std::ranges::max(runs, {}, &Run::more_memory).more_memory *
+                                 1024.0 / kind.frame_bytes,
+                        .unit = "frames",
+                        .bound = bench::at_most(most_frames)});
 }
 
-// The least of several, in milliseconds of this thread's work.
-double least_milliseconds(const auto& work) {
-    double least = 1e9;
-    for (int i = 0; i < 40; ++i) {
-        timespec before{};
-        timespec after{};
-        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &before);
-        work();
-        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &after);
-        least = std::min(least, 1e3 * static_cast<double>(after.tv_sec - before.tv_sec) +
-                                    1e-6 * static_cast<double>(after.tv_nsec - before.tv_nsec));
-    }
-    return least;
-}
-
-void time_steps(const fs::path& folder) {
+void measure_steps(const fs::path& folder) {
+    constexpr double seconds = 4.0;
+    constexpr int settling = 30;
     Offline offline = open_look(folder / "rgba16f", folder);
     const int pass = static_cast<int>(offline.document().look().passes.size()) - 1;
-    for (int i = 0; i < 30; ++i)
+    for (int i = 0; i < settling; ++i)
         offline.advance();
     RawPicture raw;
     offline.read(pass, raw);
     const auto& halves = std::get<RawPicture::Halves>(raw.pixels);
     std::vector<std::uint16_t> copy(halves.size());
-    const double copying =
-        least_milliseconds([&] { std::memcpy(copy.data(), halves.data(), 2 * halves.size()); });
-    const double reading = least_milliseconds([&] { offline.read(pass, raw); });
+    const bench::Cost reading = bench::side_by_side_for(
+        seconds, [&] { std::memcpy(copy.data(), halves.data(), 2 * halves.size()); },
+        [&] { offline.read(pass, raw); });
+    bench::tell(topic, bench::ratio_figure("readback", "reading half floats, beside a copy",
+                                           reading, bench::at_most(1.2)));
     const std::vector<std::uint8_t> rgb = display_bytes(raw);
-    fmt::print(
-        "Steps: reading half floats {:.2f} ms, {:.2f} of a copy; display bytes {:.1f} ms, PNG of "
-        "them {:.1f} ms\n",
-        reading, reading / copying, least_milliseconds([&] { (void)display_bytes(raw); }),
-        least_milliseconds([&] { (void)encode_png(size, rgb); }));
+    const bench::Cost encoding = bench::side_by_side_for(
+        seconds, [&] { bench::plain_png(size, rgb); },
+        [&] { wanted(encode_png(size, display_bytes(raw))); });
+    bench::tell(topic, bench::ratio_figure("png", "a PNG of a picture that is read, beside libpng",
+                                           encoding, bench::at_most(1.1)));
 }
 }  // namespace
 
 int main(int argc, char** argv) {
-    std::setvbuf(stdout, nullptr, _IOLBF, 0);
     std::string name = "/dev/shm/afterglow-bench-XXXXXX";
     const char* folder = mkdtemp(name.data());
     if (!folder) {
@@ -242,9 +249,9 @@ int main(int argc, char** argv) {
     if (argc > 2)
         measuring.patience = std::atoi(argv[2]);
     constexpr double texels = 1280.0 * 720.0;
-    compare_ways("rgba16f", ".exr", 8.0 * texels, measuring);
-    compare_ways("rgba8", ".png", 4.0 * texels, measuring);
-    time_steps(measuring.folder);
+    measure_kind({"exr-sequence", "rgba16f", ".exr", 8.0 * texels, 1.12}, measuring);
+    measure_kind({"png-sequence", "rgba8", ".png", 4.0 * texels, 1.15}, measuring);
+    measure_steps(measuring.folder);
     fs::remove_all(measuring.folder);
     return EXIT_SUCCESS;
 }

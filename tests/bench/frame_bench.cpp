@@ -1,9 +1,14 @@
 // What a frame of Phosphor costs beside plain GL programs (bench/plain_article.h): drawn as the
-// article says, and the best that is known. Pictures are compared before times are. An argument
-// is the number of frames in a turn, a second one a part of the names of what is measured alone.
+// article says, and the best that is known. Pictures are compared before times are. An argument is
+// a part of the keys of what is measured alone.
 #include "bench/article_engine.h"
 #include "bench/plain_article.h"
+#include "bench/side_by_side.h"
 #include "model/difference.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
 
 namespace {
 using bench::ArticleSettings;
@@ -17,18 +22,21 @@ using bench::wanted;
 using bench::Way;
 
 constexpr Extent picture_extent{1280, 720};
-constexpr int rounds = 21;
+const bench::Topic topic{"frame", "Phosphor's frame beside plain GL, the article's figure"};
 
 struct Candidate {
-    const char* name;
-    const char* preset;
+    std::string key;
+    std::string name;
+    std::string preset;
     ValueTexts values;
     Way way;
     GLenum format;
-    double bound;  // of ours to plain
+    double most;   // of ours to plain
+    double least;  // dB
 };
 
-void print_pictures(const Candidate& candidate) {
+// Without bloom: the kinds of bloom differ.
+void tell_pictures(const Candidate& candidate) {
     constexpr int frames = 16;
     ValueTexts values = candidate.values;
     values.emplace_back("bloom_intensity", "0");
@@ -44,13 +52,16 @@ void print_pictures(const Candidate& candidate) {
     const auto decibels = [&](const Picture& picture) {
         return wanted(difference_between(literal.picture(), picture, 0.0)).psnr_db;
     };
-    fmt::print(
-        "  without bloom, against the article drawn literally: plain {:.1f} dB, ours {:.1f} dB\n",
-        decibels(plain.picture()), decibels(engine.offline.picture()));
+    bench::tell(topic, {.key = candidate.key + "-picture",
+                        .what = candidate.name + ": picture without bloom, against the literal one",
+                        .value = decibels(engine.offline.picture()),
+                        .unit = "dB",
+                        .bound = bench::at_least(candidate.least),
+                        .detail = fmt::format("plain {:.1f}", decibels(plain.picture()))});
 }
 
-// Of one point in one frame: what the bloom makes of it.
-void print_bloom(const Candidate& candidate, const char* pass) {
+// Of one point in one frame: what the bloom makes of it, beside what the literal one does.
+void tell_bloom(const Candidate& candidate, const char* pass) {
     Beam point{{0.0f, 0.0f, 1.0f, 0.0f}};
     Engine engine(candidate.preset, candidate.values, picture_extent, {"persistence", pass});
     engine.offline.drive_by([&](const PlayedFrame&) -> Beam { return point; });
@@ -61,88 +72,81 @@ void print_bloom(const Candidate& candidate, const char* pass) {
     };
     auto literal = wanted(PlainArticle::make({Way::literal, picture_extent}));
     literal.draw(point);
-    auto plain = wanted(PlainArticle::make({candidate.way, picture_extent, candidate.format}));
-    plain.draw(point);
-    const auto print = [&](const char* whose, const Spread& before, const Spread& after) {
-        fmt::print("  bloom of a point, {}: energy {:.4f} of it, sigma {:.2f} px\n", whose,
-                   after.energy / before.energy, std::sqrt(after.variance - before.variance));
+    const auto bloomed = [](const Spread& before, const Spread& after) {
+        return Spread{after.energy / before.energy, after.variance - before.variance};
     };
-    const Spread lit = spread_of(literal.phosphor(), picture_extent);
-    print("literal", lit, spread_of(literal.bloom(), picture_extent));
-    print("plain", spread_of(plain.phosphor(), picture_extent),
-          spread_of(plain.bloom(), picture_extent));
-    print("ours", seen("persistence"), seen(pass));
+    const Spread should = bloomed(spread_of(literal.phosphor(), picture_extent),
+                                  spread_of(literal.bloom(), picture_extent));
+    const Spread ours = bloomed(seen("persistence"), seen(pass));
+    bench::tell(topic, {.key = candidate.key + "-energy",
+                        .what = candidate.name + ": light of the bloom, off the literal one",
+                        .value = 100.0 * std::abs(ours.energy / should.energy - 1.0),
+                        .unit = "%",
+                        .bound = bench::at_most(1.0)});
+    bench::tell(topic, {.key = candidate.key + "-moment",
+                        .what = candidate.name + ": second moment of the bloom, likewise",
+                        .value = 100.0 * std::abs(ours.variance / should.variance - 1.0),
+                        .unit = "%",
+                        .bound = bench::at_most(5.0),
+                        .detail = fmt::format("sigma {:.2f} px", std::sqrt(ours.variance))});
 }
 
-void print_bytes(const Candidate& candidate) {
-    const Engine engine(candidate.preset, candidate.values, picture_extent);
-    const Executor& executor = engine.offline.executor();
-    fmt::print("  ours: {:.1f} bytes a pixel, targets of {:.1f} MB\n", executor.bytes_per_pixel(),
-               1e-6 * static_cast<double>(memory_of(executor.plan())));
-}
-
-Cost cost_of(const Candidate& candidate, Extent extent, int frames) {
+Cost cost_of(const Candidate& candidate, Extent extent) {
+    constexpr double seconds = 2.5;
     Engine engine(candidate.preset, candidate.values, extent);
     auto plain = wanted(PlainArticle::make({candidate.way, extent, candidate.format}));
-    return bench::side_by_side(
-        rounds, frames, [&] { plain.draw(engine.points()); }, [&] { engine.draw(); });
+    return bench::side_by_side_for(
+        seconds, [&] { plain.draw(engine.points()); }, [&] { engine.draw(); });
 }
 
-const char* verdict(const Cost& cost, bool holds) {
-    if (!cost.counts())
-        return "the machine is too busy";
-    return holds ? "holds" : "DOES NOT HOLD";
+std::vector<Cost> costs_of_openings(const Candidate& candidate) {
+    constexpr int openings = 5;
+    std::vector<Cost> costs;
+    for (int i = 0; i < openings; ++i)
+        costs.push_back(cost_of(candidate, picture_extent));
+    return costs;
 }
 
-void print_cost(const Candidate& candidate, int frames) {
-    const Cost cost = cost_of(candidate, picture_extent, frames);
-    fmt::print(
-        "  plain {:6.2f} ms, ours {:6.2f} ms, ours / plain {:.3f} (itself {:.3f}), at most "
-        "{:.2f}: {}\n",
-        cost.plain_milliseconds, cost.our_milliseconds, cost.ratio, cost.itself, candidate.bound,
-        verdict(cost, cost.ratio <= candidate.bound));
-    std::fflush(stdout);
+void compare(const Candidate& candidate) {
+    tell_pictures(candidate);
+    tell_bloom(candidate, "bloom_y");
+    bench::tell(topic,
+                bench::ratio_figure(candidate.key, candidate.name + ", beside plain GL",
+                                    costs_of_openings(candidate), bench::at_most(candidate.most)));
 }
 
 // Where hardly a pixel is drawn the calls are what is left.
-void print_small_cost(const Candidate& candidate, int frames) {
-    constexpr double most_more = 1.5;  // ms
-    const Cost cost = cost_of(candidate, {64, 64}, 10 * frames);
-    const double more = cost.our_milliseconds - cost.plain_milliseconds;
-    fmt::print(
-        "  at 64 x 64: plain {:.3f} ms, ours {:.3f} ms, {:.3f} ms more (itself {:.3f}), at "
-        "most {}: {}\n",
-        cost.plain_milliseconds, cost.our_milliseconds, more, cost.itself, most_more,
-        verdict(cost, more <= most_more));
-    std::fflush(stdout);
+void tell_small_cost(const Candidate& candidate) {
+    bench::tell(topic, bench::more_figure(candidate.key + "-calls",
+                                          candidate.name + " at 64 x 64, over plain GL",
+                                          cost_of(candidate, {64, 64}), bench::at_most(1.5)));
 }
-
 }  // namespace
 
 int main(int count, char** arguments) {
-    const int frames = count > 1 ? std::atoi(arguments[1]) : 14;
     const ValueTexts halves{{"light_bits", "1"}};
-    const ValueTexts literal{{"bloom_kind", "Taps"}, {"light_bits", "1"}};
+    const ValueTexts taps{{"bloom_kind", "Taps"}, {"light_bits", "1"}};
     const std::vector<Candidate> candidates{
-        {"literal", "article", literal, Way::literal, GL_RGBA16F, 1.02},
-        {"best, RGBA16F", "article", halves, Way::best_colour, GL_RGBA16F, 1.03},
-        {"best, RGBA32F", "article", {}, Way::best_colour, GL_RGBA32F, 1.03},
-        {"best, one colour, R32F", "article-mono", {}, Way::best_one_colour, GL_R32F, 1.03},
-        {"best, one colour, R16F", "article-mono", halves, Way::best_one_colour, GL_R16F, 1.03},
+        {"literal", "literal", "article", taps, Way::literal, GL_RGBA16F, 1.02, 50.0},
+        {"colour-16", "best in RGBA16F", "article", halves, Way::best_colour, GL_RGBA16F, 1.03,
+         50.0},
+        {"colour-32", "best in RGBA32F", "article", {}, Way::best_colour, GL_RGBA32F, 1.03, 50.0},
+        {"mono-32",
+         "best in one colour, R32F",
+         "article-mono",
+         {},
+         Way::best_one_colour,
+         GL_R32F,
+         1.03,
+         45.0},
+        {"mono-16", "best in one colour, R16F", "article-mono", halves, Way::best_one_colour,
+         GL_R16F, 1.03, 45.0},
     };
-    const std::string_view only = count > 2 ? arguments[2] : "";
-    for (const Candidate& candidate : candidates) {
-        if (std::string_view(candidate.name).find(only) == std::string_view::npos)
-            continue;
-        fmt::print("{} against '{}':\n", candidate.name, candidate.preset);
-        print_pictures(candidate);
-        print_bloom(candidate, "bloom_y");
-        print_bytes(candidate);
-        print_cost(candidate, frames);
-    }
-    if (!only.empty())
-        return EXIT_SUCCESS;
-    fmt::print("literal, the calls alone:\n");
-    print_small_cost(candidates.front(), frames);
+    const std::string only = count > 1 ? arguments[1] : "";
+    for (const Candidate& candidate : candidates)
+        if (candidate.key.find(only) != std::string::npos)
+            compare(candidate);
+    if (candidates.front().key.find(only) != std::string::npos)
+        tell_small_cost(candidates.front());
     return EXIT_SUCCESS;
 }

@@ -8,6 +8,7 @@ import time
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "window"))
+from figure import tell  # noqa: E402
 from program import Program  # noqa: E402
 from screen import Screen  # noqa: E402
 
@@ -33,30 +34,28 @@ def fall_asleep(program):
     program.wait("the program sleeps", sleeps)
 
 
-def report(what, program):
+def report(key, what, program):
     fall_asleep(program)
     before, turn = cpu_seconds(program.process), program.state()["turn"]
     time.sleep(SECONDS)
     share = 100 * (cpu_seconds(program.process) - before) / SECONDS
-    print("  %-34s %.2f %% of a core, at most %.0f %%: %s; %d turns" % (
-        what, share, AT_MOST, "holds" if share <= AT_MOST else "DOES NOT HOLD",
-        program.state()["turn"] - turn), flush=True)
+    tell("idle", "The paused window, Phosphor at %d x %d, over %d s" % (*WINDOW, SECONDS), key, what, share,
+         "% of a core", at_most=AT_MOST, detail="%d turns" % (program.state()["turn"] - turn))
 
 
 def main():
     executable = Path(sys.argv[1]).resolve()
-    print("The paused window at %d x %d, over %d s:" % (*WINDOW, SECONDS))
     with Screen(*WINDOW) as screen, tempfile.TemporaryDirectory(prefix="afterglow-bench-") as folder:
         program = Program(executable, SOURCE, Path(folder), screen)
         program.arrange(*WINDOW, [640, 360])
         program.start()
         program.key("space")
-        report("all panes as at first", program)
+        report("all", "all panes as at first", program)
         program.key("ctrl+3")
         program.wait("the inspector is closed", lambda s: "channels:RGB" not in s["widgets"])
-        report("inspector closed", program)
+        report("no-inspector", "inspector closed", program)
         program.key("F11")
-        report("only the picture", program)
+        report("picture", "only the picture", program)
         program.stop()
 
 

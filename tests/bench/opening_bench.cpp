@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <thread>
@@ -16,6 +15,8 @@
 namespace fs = std::filesystem;
 
 namespace {
+const bench::Topic topic{"opening", "Opening libretro's looks at 640 x 480 while another is seen"};
+
 double busy_milliseconds() {
     timespec now{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -51,12 +52,20 @@ public:
             later.push_back(turn());
         const double longest = std::ranges::max(later, {}, &Turn::milliseconds).milliseconds;
         std::ranges::sort(turns, std::ranges::greater(), &Turn::milliseconds);
-        fmt::print("{:<24} {}: open after {:6.2f} s; longest turns", preset.stem().string(), how,
-                   seconds.count());
-        for (std::size_t i = 0; i < std::min<std::size_t>(turns.size(), 4); ++i)
-            fmt::print("  {:.0f} ms ({})", turns[i].milliseconds, turns[i].doing);
-        fmt::print("; then {} turns for 3 frames, the longest {:.0f} ms\n", later.size(), longest);
-        std::fflush(stdout);
+        const auto tell = [&](const std::string& key, const std::string& what, double value,
+                              const char* unit, const std::string& detail = {}) {
+            bench::tell(topic,
+                        {.key = preset.stem().string() + "-" + how + "-" + key,
+                         .what = fmt::format("{}, {}: {}", preset.stem().string(), how, what),
+                         .value = value,
+                         .unit = unit,
+                         .detail = detail});
+        };
+        tell("open", "open after", seconds.count(), "s");
+        tell("turn", "the longest turn until then, CPU", turns.front().milliseconds, "ms",
+             turns.front().doing);
+        tell("later", "the longest turn of the first three frames, CPU", longest, "ms",
+             fmt::format("of {}", later.size()));
         return true;
     }
 

@@ -8,6 +8,7 @@ import tempfile
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "window"))
+from figure import tell  # noqa: E402
 from program import Program  # noqa: E402
 from screen import Screen  # noqa: E402
 
@@ -27,9 +28,10 @@ def costs(program):
     return sorted(seen.values())
 
 
-def report(what, program):
+def report(key, what, program):
     times = costs(program)
-    print("  %-34s %.2f ms (p95 %.2f)" % (what, statistics.median(times), times[int(0.95 * len(times))]))
+    tell("panels", "The panels, CPU time a frame at %d x %d" % WINDOW, key, what, statistics.median(times), "ms",
+         detail="p95 %.3g" % times[int(0.95 * len(times))])
 
 
 def write_large_look(folder):
@@ -51,28 +53,27 @@ def measure_large(executable, folder, screen):
     program.arrange(*WINDOW, [64, 48])
     write_large_look(folder / "large")
     program.start(folder / "large")
-    report("50 passes, 1,000 parameters", program)
+    report("large", "50 passes, 1,000 parameters", program)
     program.click("parameter:knob_0_3")
-    report("the same, one turned", program)
+    report("large-turned", "50 passes, 1,000 parameters, one turned", program)
     program.key("ctrl+f")
     program.type("knob")
-    report("the same, a search that finds all", program)
+    report("large-search", "50 passes, 1,000 parameters, a search that finds all", program)
     program.stop()
 
 
 def main():
     executable = Path(sys.argv[1]).resolve()
-    print("The panels, CPU time a frame at %d x %d, median (p95):" % WINDOW)
     with Screen(*WINDOW) as screen, tempfile.TemporaryDirectory(prefix="afterglow-bench-") as folder:
         program = Program(executable, SOURCE, Path(folder), screen)
         program.arrange(*WINDOW, [64, 48])
         program.start()
-        report("all panes, as at first", program)
+        report("all", "all panes, as at first", program)
         program.key("ctrl+3")
         program.wait("the inspector is closed", lambda s: "channels:RGB" not in s["widgets"])
-        report("inspector closed", program)
+        report("no-inspector", "inspector closed", program)
         program.key("F11")
-        report("only the picture", program)
+        report("picture", "only the picture", program)
         program.stop()
         (Path(folder) / "large").mkdir()
         measure_large(executable, Path(folder) / "large", screen)

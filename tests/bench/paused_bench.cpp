@@ -2,14 +2,12 @@
 // the bloom is turned, beside an executor that draws these passes and nothing else. A picture that
 // takes long is drawn in slices; how many bands that makes is a matter of wall time, so of who else
 // works.
+#include "bench/bench_lab.h"
 #include "bench/side_by_side.h"
-#include "bench/wanted.h"
 #include "gpu/counted_draws.h"
-#include "lab/lab.h"
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 
@@ -17,16 +15,12 @@ namespace {
 namespace fs = std::filesystem;
 using bench::wanted;
 
-constexpr int rounds = 9;
+const bench::Topic topic{"paused", "Resting, Phosphor at 1280 x 720, paused"};
 
 /// Phosphor in a lab without a window, paused after some frames.
-class PausedLab {
+class PausedLab : public bench::BenchLab {
 public:
-    PausedLab(const fs::path& folder, Extent extent) : m_context(wanted(gpu::Context::headless())) {
-        Roots roots{AFTERGLOW_SOURCE_DIR, folder / "user", folder / "state", folder / "cache"};
-        m_lab = std::make_unique<Lab>(Library(std::move(roots)), *m_context,
-                                      wanted(gpu::Context::shared_with(*m_context)));
-        m_lab->set_picture_size({false, extent, 1.0});
+    PausedLab(const fs::path& folder, Extent extent) : BenchLab(folder, extent) {
         m_lab->open("phosphor");
         while (m_lab->player().frame_number() < 12)
             turn();
@@ -53,28 +47,24 @@ public:
     const Values& values() const { return m_lab->document()->values(); }
 
 private:
-    std::unique_ptr<gpu::Context> m_context;
-    std::unique_ptr<Lab> m_lab;
     bool m_is_sliced = false;
 };
 
-const char* verdict(bool counts, bool holds) {
-    if (!counts)
-        return "the machine is too busy";
-    return holds ? "holds" : "DOES NOT HOLD";
-}
-
-void print_nothing(PausedLab& lab) {
+void tell_nothing(PausedLab& lab) {
     constexpr int turns = 2000;
-    constexpr double most = 0.05;  // ms
     const CountedDraws draws;
     const double start = bench::busy_seconds();
     for (int i = 0; i < turns; ++i)
         lab.turn();
-    const double each = 1e3 * (bench::busy_seconds() - start) / turns;
-    const int count = CountedDraws::take();
-    fmt::print("nothing changed: {:.4f} ms a turn, at most {}, {} draw calls in {} turns: {}\n",
-               each, most, count, turns, verdict(true, each <= most && count == 0));
+    bench::tell(topic, {.key = "turn",
+                        .what = "a turn while nothing changes",
+                        .value = 1e3 * (bench::busy_seconds() - start) / turns,
+                        .unit = "ms",
+                        .bound = bench::at_most(0.05)});
+    bench::tell(topic, {.key = "draws",
+                        .what = fmt::format("draw calls in {} such turns", turns),
+                        .value = static_cast<double>(CountedDraws::take()),
+                        .bound = bench::at_most(0.0)});
 }
 
 /// The same passes of the same frame, by nobody's asking.
@@ -107,10 +97,9 @@ private:
     Frame m_frame;
 };
 
-void print_knob(PausedLab& lab, const std::string& name, double from,
-                const std::vector<std::string>& passes) {
-    constexpr int frames = 4;
-    constexpr double most = 1.05;
+void tell_knob(PausedLab& lab, const std::string& name, double from,
+               const std::vector<std::string>& passes) {
+    constexpr double seconds = 20.0;
     Alone alone(lab, passes);
     int turned = 0;
     const auto next = [&] { return from * (1.0 + 0.01 * (++turned % 7)); };
@@ -127,15 +116,12 @@ void print_knob(PausedLab& lab, const std::string& name, double from,
         ours();
         calls = CountedDraws::take();
     }
-    const bench::Cost cost = bench::side_by_side(rounds, frames, plain, ours);
-    fmt::print(
-        "{} turned: {:.2f} ms, its passes alone {:.2f} ms: {:.3f} (itself {:.3f}); {} draw "
-        "calls, its passes {}",
-        name, cost.our_milliseconds, cost.plain_milliseconds, cost.ratio, cost.itself, calls,
-        alone.draw_calls());
-    fmt::print("{}; at most {}: {}\n", lab.is_sliced() ? ", in slices" : "", most,
-               verdict(cost.counts(), cost.ratio <= most));
-    std::fflush(stdout);
+    bench::Figure figure =
+        bench::ratio_figure(name, name + " turned, beside its passes alone",
+                            bench::side_by_side_for(seconds, plain, ours), bench::at_most(1.05));
+    figure.detail += fmt::format("; {} draw calls beside {}{}", calls, alone.draw_calls(),
+                                 lab.is_sliced() ? ", in slices" : "");
+    bench::tell(topic, figure);
 }
 }  // namespace
 
@@ -143,14 +129,12 @@ int main() {
     std::string name = (fs::temp_directory_path() / "afterglow-bench-XXXXXX").string();
     const fs::path folder = mkdtemp(name.data());
     {
-        constexpr Extent extent{1280, 720};
-        PausedLab lab(folder, extent);
-        fmt::print("Phosphor at {} x {}, paused\n", extent.width, extent.height);
-        print_nothing(lab);
-        print_knob(lab, "exposure", 1.5, {"composite"});
-        print_knob(lab, "bloom_radius", 3.0,
-                   {"bloom_x", "bloom_down_1", "bloom_down_2", "bloom_down_3", "bloom_down_4",
-                    "bloom_up_3", "bloom_up_2", "bloom_up_1", "bloom_y", "composite"});
+        PausedLab lab(folder, {1280, 720});
+        tell_nothing(lab);
+        tell_knob(lab, "exposure", 1.5, {"composite"});
+        tell_knob(lab, "bloom_radius", 3.0,
+                  {"bloom_x", "bloom_down_1", "bloom_down_2", "bloom_down_3", "bloom_down_4",
+                   "bloom_up_3", "bloom_up_2", "bloom_up_1", "bloom_y", "composite"});
     }
     fs::remove_all(folder);
     return EXIT_SUCCESS;

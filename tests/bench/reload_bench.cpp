@@ -44,9 +44,16 @@ double quantile(std::vector<double> values, double share) {
         std::lround(share * static_cast<double>(values.size() - 1)))];
 }
 
-void print(const char* what, const std::vector<double>& milliseconds, const char* goal = "") {
-    fmt::print("  {:<56} {:7.2f} ms   p95 {:7.2f} ms   {}\n", what, quantile(milliseconds, 0.5),
-               quantile(milliseconds, 0.95), goal);
+const bench::Topic topic{"reload", "Hot reload, Phosphor's composite at 1280 x 720, twenty edits"};
+
+void tell(const std::string& key, const std::string& what, const std::vector<double>& milliseconds,
+          std::optional<bench::Bound> bound = {}) {
+    bench::tell(topic, {.key = key,
+                        .what = what,
+                        .value = quantile(milliseconds, 0.5),
+                        .unit = "ms",
+                        .bound = bound,
+                        .detail = fmt::format("p95 {:.3g}", quantile(milliseconds, 0.95))});
 }
 
 struct Folders {
@@ -80,6 +87,7 @@ public:
             std::exit(EXIT_FAILURE);
         }
         m_context = std::move(*context);
+        bench::tell_driver(m_context->facts());
         m_lab = std::make_unique<Lab>(
             Library({folder, folder / "user", folder / "state", folder / "cache"}), *m_context,
             std::move(*worker));
@@ -95,7 +103,6 @@ public:
     ReloadBench& operator=(const ReloadBench&) = delete;
 
     const Lab& lab() const { return *m_lab; }
-    const gpu::Facts& facts() const { return m_context->facts(); }
 
     /// Values rest from now on, or one of them is turned.
     void rest(bool rests) {
@@ -234,15 +241,18 @@ void measure_links(const fs::path& folder, const Folders& folders, int first_tex
     std::vector<double> linked;
     for (int i = 0; i < edits; ++i)
         linked.push_back(links.saved_to_linked(folders.edited(first_text + i), i % 2 == 1));
-    print("saved to linked, wall", linked, "goal 5");
+    tell("linked", "saved to linked, wall", linked, bench::at_most(5.0));
     folders.save(folders.text, false);
     const std::vector<double> later(linked.begin() + 1, linked.end());
-    fmt::print("  {:<56} {:7.2f}      goal 1.3\n", "the first edit / the others",
-               linked.front() / bench::median(later));
+    bench::tell(topic, {.key = "first",
+                        .what = "the first edit, beside the others",
+                        .value = linked.front() / bench::median(later),
+                        .bound = bench::at_most(1.3)});
 }
 
 /// How edits are saved, and what hands do meanwhile.
 struct Way {
+    const char* key;
     const char* name;
     bool by_rename;
     bool rests;
@@ -250,36 +260,42 @@ struct Way {
 
 void measure_way(const Way& way, ReloadBench& reloads, bench::PlainReload& plain,
                  const Folders& folders, int& number) {
-    fmt::print("{}\n", way.name);
+    const std::string key = std::string(way.key) + "-";
+    const std::string how = way.name;
     std::vector<double> ours;
     std::vector<double> raw;
     std::vector<double> ratios;
+    std::vector<double> longest;
+    std::vector<double> added;
+    std::vector<double> seen;
     for (int i = 0; i < edits; ++i) {
         reloads.rest(way.rests);
         raw.push_back(plain.over_a_frame(number++));
         ours.push_back(reloads.over_a_frame(folders.edited(number++), way.by_rename));
         ratios.push_back(ours.back() / raw.back());
     }
-    print("a plain program, CPU over a steady frame", raw);
-    print("saved to the first new frame, CPU over a steady frame", ours);
-    fmt::print("  {:<56} {:7.2f}      goal 1.10\n", "ours / plain", bench::median(ratios));
-    std::vector<double> gaps;
-    std::vector<double> without;
     for (int i = 0; i < edits; ++i) {
         reloads.rest(way.rests);
         const auto gap = reloads.longest_gap(folders.edited(number++), way.by_rename);
-        gaps.push_back(gap.with_edit);
-        without.push_back(gap.without);
+        longest.push_back(gap.with_edit);
+        added.push_back(gap.with_edit - gap.without);
     }
-    print("longest frame of an edit over a steady one, CPU", gaps, "goal 5");
-    print("the same of as many frames without an edit", without);
-    std::vector<double> seen;
     for (int i = 0; i < edits; ++i) {
         reloads.rest(way.rests);
         seen.push_back(reloads.over_a_frame(folders.edited(number - 1 - i % 5), way.by_rename));
     }
     seen.erase(seen.begin());
-    print("a text seen before, CPU over a steady frame", seen, "goal 3");
+    tell(key + "plain", how + "a plain program, CPU over a steady frame", raw);
+    tell(key + "frame", how + "to the first new frame, CPU over a steady one", ours);
+    bench::tell(topic, {.key = key + "ratio",
+                        .what = how + "that, beside the plain program",
+                        .value = bench::median(ratios),
+                        .bound = bench::at_most(1.10)});
+    tell(key + "longest", how + "the longest frame over a steady one, CPU", longest);
+    tell(key + "added", how + "that, over the longest of as many frames without an edit", added,
+         bench::at_most(5.0));
+    tell(key + "seen", how + "a text seen before, CPU over a steady frame", seen,
+         bench::at_most(3.0));
 }
 
 void measure_frames(const fs::path& folder, const Folders& folders, int first_text) {
@@ -288,10 +304,10 @@ void measure_frames(const fs::path& folder, const Folders& folders, int first_te
     std::vector<double> linked;
     for (int i = 0; i < edits; ++i)
         linked.push_back(plain.until_linked(first_text++));
-    print("a plain program, parsed and linked, wall", linked);
-    for (const Way& way : {Way{"values resting, saved in place (close-write)", false, true},
-                           Way{"values resting, saved by rename", true, true},
-                           Way{"values turned, saved by rename", true, false}})
+    tell("plain-linked", "a plain program, parsed and linked, wall", linked);
+    for (const Way& way : {Way{"place", "values rest, saved in place: ", false, true},
+                           Way{"rename", "values rest, saved by rename: ", true, true},
+                           Way{"turned", "values are turned, saved by rename: ", true, false}})
         measure_way(way, reloads, plain, folders, first_text);
 }
 }  // namespace
@@ -304,7 +320,6 @@ int main() {
     setenv("LP_NUM_THREADS", "0", 1);
     std::setvbuf(stdout, nullptr, _IOLBF, 0);
     const Folders folders(folder);
-    fmt::print("Hot reload, Phosphor at 1280 x 720, medians of {} edits\n", edits);
     measure_links(folder, folders, 1000);
     measure_frames(folder, folders, 2000);
     fs::remove_all(folder);

@@ -1,18 +1,16 @@
 // What a large look costs beside the same draws by plain calls to GL: 50 passes of few pixels with
 // two targets each and 1,000 parameters, drawn by the executor alone and by the lab as a window has
-// it, while nothing is turned and while a knob is. An argument is a part of the names of what is
+// it, while nothing is turned and while a knob is. An argument is a part of the keys of what is
 // measured alone.
 #include "bench/bench_lab.h"
 #include "bench/plain_scale.h"
 #include "bench/side_by_side.h"
-#include "bench/wanted.h"
 #include "gpu/readback.h"
 #include "io/temporary_folder.h"
 #include "lab/offline.h"
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <cstdlib>
 
 namespace {
@@ -20,8 +18,7 @@ using bench::PlainScale;
 using bench::ScaleSize;
 using bench::wanted;
 
-constexpr int rounds = 15;
-constexpr double most_more = 1.0;  // ms
+const bench::Topic topic{"scale", "Large looks: 50 passes of 8 x 8 px, 1,000 parameters"};
 
 /// The knob that a hand drags, in the middle of the look.
 struct Knob {
@@ -77,7 +74,6 @@ public:
         return gpu::read_picture(
             m_executor.target(static_cast<int>(m_executor.look().passes.size()) - 1));
     }
-    const Plan& plan() const { return m_executor.plan(); }
 
 private:
     Executor m_executor;
@@ -112,20 +108,7 @@ public:
     }
 };
 
-/// Where the yardstick differs from itself by a twentieth of the bound, the machine is too busy.
-void print_cost(const std::string& what, const bench::Cost& cost) {
-    const char* verdict = std::abs(cost.apart) > 0.05 * most_more ? "the machine is too busy"
-                          : cost.more <= most_more                ? "holds"
-                                                                  : "DOES NOT HOLD";
-    fmt::print(
-        "  {:<30} plain {:.3f} ms, ours {:.3f} ms, {:.3f} ms more (plain from itself {:.3f} ms), "
-        "at most {}: {}\n",
-        what, cost.plain_milliseconds, cost.our_milliseconds, cost.more, cost.apart, most_more,
-        verdict);
-    std::fflush(stdout);
-}
-
-/// What is drawn beside it, and which measures are taken: those whose names hold a text.
+/// What is drawn beside it, and which measures are taken: those whose keys hold a text.
 struct Yardstick {
     PlainScale& plain;
     ScaleSize size;
@@ -135,31 +118,35 @@ struct Yardstick {
 /// Both draw the same frames; where a hand is at work one knob is turned in each.
 template <class Ours>
 void compare_costs(const std::string& name, const Yardstick& by, Ours& ours) {
-    constexpr int frames = 20;
+    constexpr double seconds = 6.0;
     const Knob knob = dragged_knob(by.size);
     const std::string knob_name = bench::scale_parameter(knob.pass, knob.parameter);
-    double seconds = 1.0;
+    double time = 1.0;
     std::array<int, 2> turns{};
-    const auto measure = [&](const std::string& what, bool is_dragged) {
-        if (what.find(by.only) == std::string::npos)
+    const auto measure = [&](const char* doing, const char* words, bool is_dragged) {
+        const std::string key = fmt::format("{}-{}-{}", by.size.format, name, doing);
+        if (key.find(by.only) == std::string::npos)
             return;
         const auto plain = [&] {
             if (is_dragged)
                 by.plain.set(knob.pass, knob.parameter, place_of(++turns[0]));
-            by.plain.draw(seconds += 1.0 / 60.0);
+            by.plain.draw(time += 1.0 / 60.0);
         };
         const auto draw_ours = [&] {
             if (is_dragged)
                 ours.set(knob_name, place_of(++turns[1]));
-            ours.draw(seconds);
+            ours.draw(time);
         };
-        print_cost(what, bench::side_by_side(rounds, frames, plain, draw_ours));
+        bench::tell(topic,
+                    bench::more_figure(
+                        key, fmt::format("{}: the {}, {}", by.size.format, name, words),
+                        bench::side_by_side_for(seconds, plain, draw_ours), bench::at_most(1.0)));
     };
-    measure(name + ", nothing turned", false);
-    measure(name + ", a knob dragged", true);
+    measure("still", "nothing turned", false);
+    measure("dragged", "a knob dragged", true);
 }
 
-void print_picture(PlainScale& plain, OwnExecutor& ours) {
+void tell_picture(const ScaleSize& size, PlainScale& plain, OwnExecutor& ours) {
     constexpr int frames = 10;
     for (int i = 1; i <= frames; ++i) {
         plain.draw(i / 60.0);
@@ -174,7 +161,12 @@ void print_picture(PlainScale& plain, OwnExecutor& ours) {
         largest = std::max(largest, static_cast<double>(
                                         std::abs(picture.pixels[i] - expected.pixels[from_below])));
     }
-    fmt::print("  after {} frames the pictures are {:.4f} apart at most\n", frames, largest);
+    bench::tell(topic,
+                {.key = std::string(size.format) + "-picture",
+                 .what = fmt::format("{}: the picture after {} frames, from the plain one, at most",
+                                     size.format, frames),
+                 .value = largest,
+                 .bound = bench::at_most(1.0 / 255.0)});
 }
 
 void measure(const TemporaryFolder& folder, const ScaleSize& size, const std::string& only) {
@@ -191,15 +183,10 @@ void measure(const TemporaryFolder& folder, const ScaleSize& size, const std::st
         for (int i = 0; i < size.parameters_a_pass; ++i)
             plain.set(pass, i, bench::scale_initial(pass, i) + 0.01);
     OwnExecutor executor(look_at(place), values, extent);
-    std::size_t targets = 0;
-    for (const PlannedTarget& target : executor.plan().targets)
-        targets += static_cast<std::size_t>(target.slots);
-    fmt::print("{} passes of {} x {} px in {}, {} targets, {} parameters\n", size.passes, size.side,
-               size.side, size.format, targets, values.size());
-    print_picture(plain, executor);
+    tell_picture(size, plain, executor);
     const Yardstick yardstick{plain, size, only};
-    compare_costs("the executor", yardstick, executor);
-    compare_costs("the lab", yardstick, lab);
+    compare_costs("executor", yardstick, executor);
+    compare_costs("lab", yardstick, lab);
 }
 }  // namespace
 

@@ -13,6 +13,8 @@
 namespace fs = std::filesystem;
 
 namespace {
+const bench::Topic topic{"settling", "Values that rest, a frame at 1280 x 720"};
+
 class SettlingBench : public bench::BenchLab {
 public:
     explicit SettlingBench(const fs::path& folder) : BenchLab(folder, {1280, 720}) {}
@@ -71,37 +73,38 @@ private:
 
 void measure(SettlingBench& bench, const std::string& look) {
     constexpr int rounds = 5;
+    const std::string name = fs::path(look).stem().string();
     bench.open(look);
     std::vector<double> own;
-    std::vector<double> settled;
+    std::vector<double> ratios;
     std::vector<double> itself;
     std::vector<double> turns;
     for (int i = 0; i < rounds; ++i) {
         if (!bench.settle()) {
-            fmt::print("  {:<40} does not settle\n", look);
+            fmt::print("  {} does not settle\n", look);
             return;
         }
-        settled.push_back(bench.frame_milliseconds());
+        const double settled = bench.frame_milliseconds();
         turns.push_back(bench.first_turn_milliseconds());
         const double one = bench.frame_milliseconds();
         const double other = bench.frame_milliseconds();
         own.push_back((one + other) / 2.0);
+        ratios.push_back(settled / own.back());
         itself.push_back(one / other);
     }
-    const double unsettled = bench::median(own);
-    fmt::print(
-        "  {:<40} {:7.2f} ms   settled {:7.2f} ms   ratio {:.3f}   first turn {:7.2f} ms   itself "
-        "{:.3f}\n",
-        look, unsettled, bench::median(settled), bench::median(settled) / unsettled,
-        bench::median(turns), bench::median(itself));
-    std::fflush(stdout);
+    bench::tell(topic, {.key = name,
+                        .what = name + ": settled, beside as written",
+                        .value = bench::median(ratios),
+                        .itself = bench::median(itself),
+                        .detail = fmt::format("as written {:.4g} ms, the first frame of a turn "
+                                              "{:.4g}",
+                                              bench::median(own), bench::median(turns))});
 }
 }  // namespace
 
 int main(int argc, char** argv) {
     std::string name = (fs::temp_directory_path() / "afterglow-bench-XXXXXX").string();
     const fs::path folder = mkdtemp(name.data());
-    fmt::print("A frame at 1280 x 720, values resting, CPU time:\n");
     std::vector<std::string> looks(argv + 1, argv + argc);
     if (looks.empty())
         looks = {"phosphor", "presets/phosphor/crisp-lab-scope.json", "crt"};

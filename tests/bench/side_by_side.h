@@ -1,10 +1,14 @@
 #pragma once
 
+#include "bench/figure.h"
 #include "gpu/draw.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cmath>
 #include <ctime>
+#include <iterator>
+#include <utility>
 #include <vector>
 
 namespace bench {
@@ -38,41 +42,117 @@ struct Cost {
     double our_milliseconds = 0.0;
     double ratio = 0.0;   // ours to plain
     double more = 0.0;    // ms, ours over plain
-    double apart = 0.0;   // ms, the plain frames before ours from the same behind
     double itself = 0.0;  // the plain frames before ours to the same behind
-    /// A machine on which the yardstick does not equal itself measures nothing.
-    bool counts() const { return std::abs(itself - 1.0) <= 0.015; }
+    bool counts() const { return is_itself(itself); }
 };
 
-/// In each round the yardstick is drawn before and behind ours.
+/// Turns of the yardstick, each of so many seconds, and turns of ours between them.
+class CostOfTurns {
+public:
+    explicit CostOfTurns(int frames) : m_frames(frames) {}
+
+    void add(double before, double between, double behind) {
+        m_ratios.push_back(2.0 * between / (before + behind));
+        m_more.push_back(milliseconds(between - 0.5 * (before + behind)));
+        m_itself.push_back(before / behind);
+        m_plain.push_back(milliseconds(before));
+        m_ours.push_back(milliseconds(between));
+    }
+    Cost cost() const {
+        return {median(m_plain), median(m_ours), median(m_ratios), median(m_more),
+                median(m_itself)};
+    }
+
+private:
+    double milliseconds(double seconds) const { return 1e3 * seconds / m_frames; }
+
+    int m_frames;
+    std::vector<double> m_ratios;
+    std::vector<double> m_more;
+    std::vector<double> m_itself;
+    std::vector<double> m_plain;
+    std::vector<double> m_ours;
+};
+
+constexpr int warm_up_frames = 5;
+
+/// Yardstick, ours, yardstick, ours and so on to a last yardstick; a round is a turn of ours with
+/// those beside it, so that every turn but the first follows one of the other.
 template <class Plain, class Ours>
 Cost side_by_side(int rounds, int frames, Plain plain, Ours ours) {
-    constexpr int warm_up = 5;
-    seconds_of(warm_up, plain);
-    seconds_of(warm_up, ours);
-    std::vector<double> ratios;
-    std::vector<double> more;
-    std::vector<double> itself;
-    std::vector<double> apart;
-    std::vector<double> plain_milliseconds;
-    std::vector<double> our_milliseconds;
+    seconds_of(warm_up_frames, plain);
+    seconds_of(warm_up_frames, ours);
+    CostOfTurns turns(frames);
+    double before = seconds_of(frames, plain);
     for (int i = 0; i < rounds; ++i) {
-        const double before = seconds_of(frames, plain);
         const double between = seconds_of(frames, ours);
         const double behind = seconds_of(frames, plain);
-        ratios.push_back(2.0 * between / (before + behind));
-        more.push_back(1e3 * (between - 0.5 * (before + behind)) / frames);
-        apart.push_back(1e3 * (before - behind) / frames);
-        itself.push_back(before / behind);
-        plain_milliseconds.push_back(1e3 * before / frames);
-        our_milliseconds.push_back(1e3 * between / frames);
+        turns.add(before, between, behind);
+        before = behind;
     }
-    return {median(plain_milliseconds),
-            median(our_milliseconds),
-            median(ratios),
-            median(more),
-            median(apart),
-            median(itself)};
+    return turns.cost();
+}
+
+/// The same within some seconds of CPU time: turns are short, as a machine's clock may change
+/// within seconds, and as many as there is time for.
+template <class Plain, class Ours>
+Cost side_by_side_for(double seconds, Plain plain, Ours ours) {
+    constexpr double turn_seconds = 0.02;
+    constexpr int least_rounds = 9;
+    constexpr int most_rounds = 301;
+    seconds_of(warm_up_frames, plain);
+    seconds_of(warm_up_frames, ours);
+    const double plain_frame = seconds_of(warm_up_frames, plain) / warm_up_frames;
+    const double our_frame = seconds_of(warm_up_frames, ours) / warm_up_frames;
+    const int frames = std::max(1, static_cast<int>(turn_seconds / plain_frame));
+    const double round_seconds = frames * (plain_frame + our_frame);
+    return side_by_side(
+        std::clamp(static_cast<int>(seconds / round_seconds), least_rounds, most_rounds), frames,
+        plain, ours);
+}
+
+/// Ours to plain.
+inline Figure ratio_figure(std::string key, std::string what, const Cost& cost,
+                           std::optional<Bound> bound = {}) {
+    return {.key = std::move(key),
+            .what = std::move(what),
+            .value = cost.ratio,
+            .bound = bound,
+            .itself = cost.itself,
+            .detail = fmt::format("{:.4g} ms beside {:.4g}", cost.our_milliseconds,
+                                  cost.plain_milliseconds)};
+}
+
+/// The same of several openings, of which those tell that count: where code and textures come to
+/// lie in memory makes either side faster or slower for as long as it is open.
+inline Figure ratio_figure(std::string key, std::string what, const std::vector<Cost>& openings,
+                           std::optional<Bound> bound = {}) {
+    std::vector<Cost> told;
+    std::ranges::copy_if(openings, std::back_inserter(told), &Cost::counts);
+    const std::size_t counting = told.size();
+    if (told.empty())
+        told.push_back(openings.front());
+    const auto middle = [&told](double Cost::*number) {
+        std::vector<double> numbers;
+        for (const Cost& cost : told)
+            numbers.push_back(cost.*number);
+        return median(std::move(numbers));
+    };
+    const Cost cost{middle(&Cost::plain_milliseconds), middle(&Cost::our_milliseconds),
+                    middle(&Cost::ratio), middle(&Cost::more), middle(&Cost::itself)};
+    const auto [least, most] = std::ranges::minmax(told, {}, &Cost::ratio);
+    Figure figure = ratio_figure(std::move(key), std::move(what), cost, bound);
+    figure.detail += fmt::format("; {:.3f} to {:.3f}, {} of {} openings count", least.ratio,
+                                 most.ratio, counting, openings.size());
+    return figure;
+}
+
+/// What ours takes longer than plain.
+inline Figure more_figure(std::string key, std::string what, const Cost& cost, Bound bound) {
+    Figure figure = ratio_figure(std::move(key), std::move(what), cost, bound);
+    figure.value = cost.more;
+    figure.unit = "ms";
+    return figure;
 }
 
 }  // namespace bench

@@ -20,8 +20,8 @@ namespace fs = std::filesystem;
 namespace {
 constexpr Extent original{320, 240};
 
+const bench::Topic topic{"slang", "Chains of libretro's, 320 x 240 px, beside the plain calls"};
 using bench::Cost;
-using bench::median;
 
 Cost cost_of(plain::Pair& pair) {
     constexpr int rounds = 5;
@@ -41,39 +41,30 @@ Result<Cost> cost_once(const fs::path& preset, Extent viewport) {
     return cost_of(*pair);
 }
 
-// Opened anew several times: where code and textures come to lie in memory seems to make a
-// chain faster or slower for as long as it is open, whoever draws it.
-bool print_cost(const fs::path& preset, Extent viewport) {
+bool measure_cost(const fs::path& preset, Extent viewport) {
     constexpr int openings = 5;
-    std::vector<double> ratios;
-    std::vector<double> milliseconds;
+    std::vector<Cost> costs;
     for (int i = 0; i < openings; ++i) {
         const auto cost = cost_once(preset, viewport);
         if (!cost) {
             fmt::print(stderr, "{}", to_string(cost.error()));
             return false;
         }
-        if (cost->counts()) {
-            ratios.push_back(cost->ratio);
-            milliseconds.push_back(cost->plain_milliseconds);
-        }
+        costs.push_back(*cost);
     }
-    fmt::print("{:<28} {:>4} x {:<4} ", preset.stem().string(), viewport.width, viewport.height);
-    if (ratios.empty())
-        fmt::print("the machine is too busy\n");
-    else
-        fmt::print("plain {:7.2f} ms  ours / plain {:.3f} ({:.3f} to {:.3f}, {} of {} count)\n",
-                   median(milliseconds), median(ratios), *std::ranges::min_element(ratios),
-                   *std::ranges::max_element(ratios), ratios.size(), openings);
-    std::fflush(stdout);
+    const std::string name = preset.stem().string();
+    bench::tell(topic,
+                bench::ratio_figure(
+                    fmt::format("{}-{}", name, viewport.height),
+                    fmt::format("{} at {} x {}", name, viewport.width, viewport.height), costs));
     return true;
 }
 
-int print_costs(const std::vector<fs::path>& presets) {
+int measure_costs(const std::vector<fs::path>& presets) {
     bool is_good = true;
     for (const Extent viewport : {Extent{640, 480}, Extent{1280, 720}})
         for (const fs::path& preset : presets)
-            is_good = print_cost(preset, viewport) && is_good;
+            is_good = measure_cost(preset, viewport) && is_good;
     return is_good ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
@@ -125,9 +116,9 @@ void compare_alone(const fs::path& preset) {
 int main(int count, char** arguments) {
     const std::vector<std::string> words(arguments + 1, arguments + count);
     if (words.empty())
-        return print_costs(known_presets());
+        return measure_costs(known_presets());
     if (words[0] == "cost")
-        return print_costs({words.begin() + 1, words.end()});
+        return measure_costs({words.begin() + 1, words.end()});
     if (words.size() == 2 && words[0] == "pictures" && fs::is_regular_file(words[1]))
         return compare_pictures(words[1]);
     for (std::size_t i = 1; i < words.size(); ++i)

@@ -11,6 +11,7 @@ import time
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "window"))
+from figure import tell  # noqa: E402
 from program import Program  # noqa: E402
 from screen import Screen  # noqa: E402
 
@@ -89,11 +90,11 @@ def warm_up(program):
         program.quit()
 
 
-def report(what, plain, ours):
+def report(key, what, plain, ours, at_most=None):
     over = [b - a for a, b in zip(plain, ours)]
-    print("  %-10s a context %6.1f ms   our first picture %6.1f ms   over it %6.1f ms (%.1f to %.1f; goal %d)" % (
-        what, statistics.median(plain), statistics.median(ours), statistics.median(over), min(over), max(over),
-        GOAL_MS))
+    tell("start", "The window's start, Phosphor at %d x %d, medians of %d" % (*WINDOW, STARTS), key,
+         "first picture over a context, " + what, statistics.median(over), "ms", at_most=at_most,
+         detail="%.0f to %.0f; %.0f over %.0f" % (min(over), max(over), statistics.median(ours), statistics.median(plain)))
 
 
 def main():
@@ -105,9 +106,8 @@ def main():
         warm_up(program)
         environment = environment_of(program)
         starts = [(plain_start(plain, environment), our_start(program, environment)) for _ in range(STARTS)]
-        print("The window's start, medians of %d:" % STARTS)
-        for what, kind in (("CPU time", 1), ("wall time", 0)):
-            report(what, [a[kind] for a, _ in starts], [b[kind] for _, b in starts])
+        for key, what, kind, at_most in (("cpu", "CPU time", 1, None), ("wall", "wall time", 0, GOAL_MS)):
+            report(key, what, [a[kind] for a, _ in starts], [b[kind] for _, b in starts], at_most)
 
 
 if __name__ == "__main__":

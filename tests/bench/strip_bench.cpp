@@ -1,46 +1,57 @@
 // What the window's picture and its views cost with the strip of thumbnails and gains open, against
-// the same with the strip closed, values resting. CPU time of the process; the yardstick is
-// measured twice, and where the two differ a run says little. The strip shows five passes a second
-// by the clock on the wall: beside many other processes its share is too high.
+// the same with the strip closed, values resting: two labs take turns. CPU time of the process. The
+// strip shows five passes a second by the clock on the wall: beside many other processes its share
+// is too high.
 #include "bench/bench_lab.h"
 #include "bench/side_by_side.h"
 #include "lab/views.h"
 
+#include <cstdlib>
+
 namespace fs = std::filesystem;
 
 namespace {
-class StripBench : public bench::BenchLab {
+const bench::Topic topic{"strip",
+                         "The strip of passes, a turn of the lab and its views at 1280 x 720"};
+
+/// A lab whose values rest, with what the window shows of it.
+class StripLab : public bench::BenchLab {
 public:
-    explicit StripBench(const fs::path& folder, const std::string& look)
+    StripLab(const fs::path& folder, const std::string& look, bool shows_strip)
         : BenchLab(folder, {1280, 720}), m_views(Views::make().value()) {
         m_window.views.picture = {1280, 720};
         m_window.views.thumbnail_height = 64;
         m_window.shows_inspector = false;
+        m_window.shows_strip = shows_strip;
         m_lab->open(look);
         m_lab->update(0.0);
         while (m_lab->is_loading() || !m_lab->renderer() || m_lab->player().frame_number() < 5)
             turn();
-    }
-
-    /// CPU milliseconds of a turn once values have become constants.
-    double turn_milliseconds(bool shows_strip) {
-        constexpr int turns = 30;
-        m_window.shows_strip = shows_strip;
         settle();
+    }
+    ~StripLab() { m_context->make_current(); }
+    StripLab(const StripLab&) = delete;
+    StripLab& operator=(const StripLab&) = delete;
+
+    /// Of CPU time. What became due while the other lab had its turns is drawn before.
+    double seconds_of(int turns) {
+        constexpr int overdue = 2;
+        m_context->make_current();
+        for (int i = 0; i < overdue; ++i)
+            turn();
         const double start = bench::busy_seconds();
         for (int i = 0; i < turns; ++i)
             turn();
-        return 1e3 * (bench::busy_seconds() - start) / turns;
+        return bench::busy_seconds() - start;
     }
 
 private:
     void settle() {
         constexpr double longest = 0.1;  // of a turn, so that it need not be waited for
         constexpr int most_turns = 300;
-        turn();
         for (int i = 0; i < most_turns && !m_lab->renderer()->executor().is_settled(); ++i)
             turn(longest);
-        for (int i = 0; i < 5; ++i)
+        for (int i = 0; i < 20; ++i)
             turn();
     }
 
@@ -56,33 +67,34 @@ private:
     Views m_views;
     WindowState m_window;
 };
+
+void measure(const fs::path& folder, const std::string& look) {
+    constexpr int rounds = 19;
+    constexpr int turns = 8;
+    const std::string name = fs::path(look).stem().string();
+    StripLab closed(folder / "closed", look, false);
+    StripLab open(folder / "open", look, true);
+    bench::CostOfTurns cost(turns);
+    double before = closed.seconds_of(turns);
+    for (int i = 0; i < rounds; ++i) {
+        const double between = open.seconds_of(turns);
+        const double behind = closed.seconds_of(turns);
+        cost.add(before, between, behind);
+        before = behind;
+    }
+    bench::tell(topic, bench::ratio_figure(name, name + ": open, beside closed", cost.cost(),
+                                           bench::at_most(1.10)));
+}
 }  // namespace
 
 int main(int argc, char** argv) {
     std::string name = (fs::temp_directory_path() / "afterglow-bench-XXXXXX").string();
     const fs::path folder = mkdtemp(name.data());
-    fmt::print("A turn at 1280 x 720 with the strip open, against closed; CPU time:\n");
     std::vector<std::string> looks(argv + 1, argv + argc);
     if (looks.empty())
         looks = {"presets/phosphor/article.json", "presets/phosphor/crisp-lab-scope.json", "crt"};
-    for (const std::string& look : looks) {
-        constexpr int rounds = 7;
-        StripBench bench(folder, look);
-        std::vector<double> closed;
-        std::vector<double> ratios;
-        std::vector<double> itself;
-        for (int i = 0; i < rounds; ++i) {
-            const double before = bench.turn_milliseconds(false);
-            const double open = bench.turn_milliseconds(true);
-            const double behind = bench.turn_milliseconds(false);
-            closed.push_back((before + behind) / 2.0);
-            ratios.push_back(2.0 * open / (before + behind));
-            itself.push_back(before / behind);
-        }
-        fmt::print("  {:<40} closed {:7.2f} ms   open / closed {:.3f}   itself {:.3f}\n", look,
-                   bench::median(closed), bench::median(ratios), bench::median(itself));
-        std::fflush(stdout);
-    }
+    for (const std::string& look : looks)
+        measure(folder, look);
     fs::remove_all(folder);
     return EXIT_SUCCESS;
 }

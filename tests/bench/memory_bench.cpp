@@ -1,0 +1,97 @@
+// What Phosphor's targets take and what a frame moves, reckoned from the plan of its settled look;
+// nobody looks at the passes.
+#include "bench/figure.h"
+#include "bench/wanted.h"
+#include "lab/offline.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+
+namespace {
+constexpr Extent picture_extent{1920, 1080};
+const bench::Topic topic{"memory", "Phosphor's memory at 1920 x 1080, reckoned"};
+using bench::wanted;
+
+struct Setting {
+    std::string key;
+    std::string name;
+    std::string preset;  // "": the look as it is at first
+    std::vector<std::pair<std::string, std::string>> values;
+    std::optional<bench::Bound> megabytes;
+    std::optional<bench::Bound> bytes;  // a pixel of the picture
+};
+
+Offline settled(const Setting& setting) {
+    RenderRequest request;
+    request.look = "phosphor";
+    request.preset = setting.preset;
+    request.values = setting.values;
+    request.size = picture_extent;
+    const Library library(wanted(find_roots(AFTERGLOW_SOURCE_DIR)));
+    Offline offline =
+        wanted(Offline::create(wanted(prepare(request, library)), picture_extent, 60.0));
+    wanted(offline.set_guard(Executor::Guard::off));
+    wanted(offline.settle());
+    return offline;
+}
+
+void tell_memory(const Setting& setting) {
+    const Offline offline = settled(setting);
+    bench::tell_driver(offline.context().facts());
+    const Executor& executor = offline.executor();
+    bench::tell(topic, {.key = setting.key,
+                        .what = setting.name + ": targets",
+                        .value = 1e-6 * static_cast<double>(memory_of(executor.plan())),
+                        .unit = "MB",
+                        .bound = setting.megabytes});
+    bench::tell(topic, {.key = setting.key + "-bytes",
+                        .what = setting.name + ": written and read a pixel",
+                        .value = executor.bytes_per_pixel(),
+                        .unit = "bytes",
+                        .bound = setting.bytes});
+}
+}  // namespace
+
+int main() {
+    constexpr bench::Bound most_of_32_bits = bench::at_most(115.0);
+    constexpr bench::Bound most_of_16_bits = bench::at_most(80.0);
+    const std::vector<Setting> settings{
+        {"tube", "a measured tube, P31", "green-p31", {}, {}, {}},
+        {"default", "as it is at first", "", {}, most_of_32_bits, {}},
+        {"article", "the article's preset", "article", {}, most_of_32_bits, {}},
+        {"article-16",
+         "the article's preset, 16 bits",
+         "article",
+         {{"light_bits", "1"}},
+         most_of_16_bits,
+         {}},
+        {"colour-32",
+         "with a pyramid, 32 bits",
+         "article",
+         {{"bloom_kind", "Pyramid"}},
+         most_of_32_bits,
+         {}},
+        {"colour-16",
+         "with a pyramid, 16 bits",
+         "article",
+         {{"bloom_kind", "Pyramid"}, {"light_bits", "1"}},
+         most_of_16_bits,
+         bench::at_most(48.0)},
+        {"mono-32",
+         "in one colour, 32 bits",
+         "article-mono",
+         {},
+         most_of_32_bits,
+         bench::at_most(26.0)},
+        {"mono-16",
+         "in one colour, 16 bits",
+         "article-mono",
+         {{"light_bits", "1"}},
+         most_of_16_bits,
+         bench::at_most(16.0)},
+    };
+    for (const Setting& setting : settings)
+        tell_memory(setting);
+    return EXIT_SUCCESS;
+}

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "model/extent.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace bench {
+
+/// The bytes of an 8-bit RGB PNG as a plain program has libpng make them: deflate's first level,
+/// the difference to the pixel on the left. Ends the program where libpng fails.
+std::vector<std::uint8_t> plain_png(Extent extent, std::span<const std::uint8_t> rgb);
+
+}  // namespace bench
