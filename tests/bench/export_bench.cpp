@@ -27,6 +27,7 @@ namespace {
 constexpr Extent size{1280, 720};
 constexpr int frames = 60;
 constexpr double quiet = 0.92;
+constexpr double step_seconds = 4.0;
 const bench::Topic topic{"export", "Writing 60 frames at 1280 x 720"};
 using bench::wanted;
 
@@ -102,6 +103,10 @@ Offline open_look(const fs::path& look, const fs::path& folder) {
     return offline;
 }
 
+int last_pass(const Offline& offline) {
+    return static_cast<int>(offline.document().look().passes.size()) - 1;
+}
+
 struct Run {
     double idle = 0.0;
     double wall = 0.0;
@@ -126,7 +131,7 @@ Run run(Offline& offline, const FrameNames& names, bool is_piped, int patience) 
     for (int i = 0; i < warm_up; ++i)
         offline.advance();
     const ExportJob job{.part = {0, frames},
-                        .pass = static_cast<int>(offline.document().look().passes.size()) - 1,
+                        .pass = last_pass(offline),
                         .stages = sequence_stages(names, 0),
                         .go_on = [](std::int64_t) { return true; }};
     Run run;
@@ -211,28 +216,42 @@ void measure_kind(const Kind& kind, const Measuring& measuring) {
                         .bound = bench::at_most(most_frames)});
 }
 
-void measure_steps(const fs::path& folder) {
-    constexpr double seconds = 4.0;
+/// A picture of a look, as it is read, after some frames.
+RawPicture read_picture_of(Offline& offline) {
     constexpr int settling = 30;
-    Offline offline = open_look(folder / "rgba16f", folder);
-    const int pass = static_cast<int>(offline.document().look().passes.size()) - 1;
     for (int i = 0; i < settling; ++i)
         offline.advance();
     RawPicture raw;
-    offline.read(pass, raw);
+    offline.read(last_pass(offline), raw);
+    return raw;
+}
+
+void measure_reading(const fs::path& folder) {
+    Offline offline = open_look(folder / "rgba16f", folder);
+    RawPicture raw = read_picture_of(offline);
     const auto& halves = std::get<RawPicture::Halves>(raw.pixels);
     std::vector<std::uint16_t> copy(halves.size());
     const bench::Cost reading = bench::side_by_side_for(
-        seconds, [&] { std::memcpy(copy.data(), halves.data(), 2 * halves.size()); },
-        [&] { offline.read(pass, raw); });
+        step_seconds, [&] { std::memcpy(copy.data(), halves.data(), 2 * halves.size()); },
+        [&] { offline.read(last_pass(offline), raw); });
     bench::tell(topic, bench::ratio_figure("readback", "reading half floats, beside a copy",
                                            reading, bench::at_most(1.2)));
-    const std::vector<std::uint8_t> rgb = display_bytes(raw);
-    const bench::Cost encoding = bench::side_by_side_for(
-        seconds, [&] { bench::plain_png(size, rgb); },
-        [&] { wanted(encode_png(size, display_bytes(raw))); });
-    bench::tell(topic, bench::ratio_figure("png", "a PNG of a picture that is read, beside libpng",
-                                           encoding, bench::at_most(1.1)));
+}
+
+void measure_encoding(const fs::path& folder) {
+    Offline offline = open_look(folder / "rgba8", folder);
+    const RawPicture raw = read_picture_of(offline);
+    const auto& rgba = std::get<RawPicture::Bytes>(raw.pixels);
+    std::size_t plain_size = 0;
+    std::size_t our_size = 0;
+    bench::Figure figure = bench::ratio_figure(
+        "png", "a PNG of a picture that was read, beside libpng",
+        bench::side_by_side_for(
+            step_seconds, [&] { plain_size = bench::plain_png(size, rgba).size(); },
+            [&] { our_size = wanted(encode_png(size, display_bytes(raw))).size(); }),
+        bench::at_most(1.1));
+    figure.detail += fmt::format("; {} bytes beside {}", our_size, plain_size);
+    bench::tell(topic, figure);
 }
 }  // namespace
 
@@ -251,7 +270,8 @@ int main(int argc, char** argv) {
     constexpr double texels = 1280.0 * 720.0;
     measure_kind({"exr-sequence", "rgba16f", ".exr", 8.0 * texels, 1.12}, measuring);
     measure_kind({"png-sequence", "rgba8", ".png", 4.0 * texels, 1.15}, measuring);
-    measure_steps(measuring.folder);
+    measure_reading(measuring.folder);
+    measure_encoding(measuring.folder);
     fs::remove_all(measuring.folder);
     return EXIT_SUCCESS;
 }

@@ -64,6 +64,10 @@ Verdict verdict_of(const Figure& figure) {
 }
 
 void tell(const Topic& topic, const Figure& figure) {
+    if (!std::isfinite(figure.value)) {
+        fmt::print(stderr, "{}/{} is no number\n", topic.key, figure.key);
+        std::exit(EXIT_FAILURE);
+    }
     const char* verdict = words_of(verdict_of(figure));
     std::string line =
         fmt::format("  {:<72} {:>8} {:<8} {:<17} {:<14}", figure.what, digits_of(figure.value),

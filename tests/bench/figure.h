@@ -48,7 +48,8 @@ enum class Verdict { told, kept, missed, does_not_count };
 Verdict verdict_of(const Figure& figure);
 
 /// Prints a line for a person; adds one of JSON to the file that AFTERGLOW_BENCH_FIGURES names,
-/// from which write_table.py makes the table. Ends the program where that file cannot be written.
+/// from which write_table.py makes the table. Ends the program where that file cannot be written,
+/// or the value is no number.
 void tell(const Topic& topic, const Figure& figure);
 
 /// What draws, likewise.

@@ -12,7 +12,7 @@ void append_bytes(png_structp png, png_bytep data, std::size_t size) {
 }  // namespace
 
 // Without a handler of its own libpng prints an error and aborts.
-std::vector<std::uint8_t> plain_png(Extent extent, std::span<const std::uint8_t> rgb) {
+std::vector<std::uint8_t> plain_png(Extent extent, std::span<const std::uint8_t> rgba) {
     std::vector<std::uint8_t> bytes;
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
     png_infop info = png_create_info_struct(png);
@@ -23,9 +23,10 @@ std::vector<std::uint8_t> plain_png(Extent extent, std::span<const std::uint8_t>
     png_set_compression_level(png, 1);
     png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
     png_write_info(png, info);
-    const std::size_t row = static_cast<std::size_t>(extent.width) * 3;
-    for (std::size_t at = 0; at < rgb.size(); at += row)
-        png_write_row(png, &rgb[at]);
+    png_set_filler(png, 0, PNG_FILLER_AFTER);
+    const std::size_t row = static_cast<std::size_t>(extent.width) * 4;
+    for (std::size_t end = rgba.size(); end != 0; end -= row)
+        png_write_row(png, &rgba[end - row]);
     png_write_end(png, info);
     png_destroy_write_struct(&png, &info);
     return bytes;
