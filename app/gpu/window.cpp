@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 namespace gpu {
@@ -141,6 +142,14 @@ Result<std::unique_ptr<Window>> Window::create(const WindowOptions& options, GLF
     return std::unique_ptr<Window>(new Window(std::move(*library), made));
 }
 
+namespace {
+// With a display of another kind GLX cannot even be asked.
+bool has_glx(GLFWwindow* window) {
+    return std::string_view(glfwGetVersionString()).find("GLX") != std::string_view::npos &&
+           glfwGetWindowAttrib(window, GLFW_CONTEXT_CREATION_API) == GLFW_NATIVE_CONTEXT_API;
+}
+}  // namespace
+
 Result<std::unique_ptr<Window>> Window::open(const WindowOptions& options) {
     auto window = create(options, nullptr);
     if (!window)
@@ -154,10 +163,14 @@ Result<std::unique_ptr<Window>> Window::open(const WindowOptions& options) {
         glfwShowWindow(made);
     (*window)->make_current();
     (*window)->m_facts = read_facts();
+    if (has_glx(made))
+        (*window)->m_glx = current_glx_place();
     return window;
 }
 
 Result<std::unique_ptr<Context>> Window::make_sharing() const {
+    if (auto alone = share_through_glx(m_glx, m_facts))
+        return alone;
     auto window = create({"", {16, 16}, std::nullopt, false, false}, m_window);
     if (!window)
         return fail(window.error());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gpu/context.h"
+#include "gpu/glx_context.h"
 #include "gpu/input_event.h"
 #include "gpu/texture.h"
 #include "model/extent.h"
@@ -117,6 +118,7 @@ private:
 
     std::shared_ptr<Library> m_library;  // shared: the last window of several closes it
     GLFWwindow* m_window;
+    GlxPlace m_glx;
     mutable std::vector<Display> m_displays;
     mutable std::optional<std::chrono::steady_clock::time_point> m_displays_read;
     std::vector<std::filesystem::path> m_dropped;

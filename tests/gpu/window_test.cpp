@@ -1,5 +1,7 @@
 #include "gpu/window.h"
 
+#include "gpu/glx_context.h"
+
 #include <doctest/doctest.h>
 
 #include <cstdlib>
@@ -17,4 +19,9 @@ TEST_CASE("without a display opening a window fails in words, and again the same
         setenv("DISPLAY", former.c_str(), 1);
     else
         unsetenv("DISPLAY");
+}
+
+TEST_CASE("where no display has a context none shares with it") {
+    const gpu::GlxPlace nowhere;
+    CHECK(gpu::share_through_glx(nowhere, {}) == nullptr);
 }

@@ -1,0 +1,126 @@
+#include "gpu/glx_context.h"
+
+#include <epoxy/glx.h>
+
+#include <array>
+#include <cstring>
+
+namespace gpu {
+
+namespace {
+/// While it lives the display's refusals are counted, where they would end the program.
+class HeardRefusals {
+public:
+    explicit HeardRefusals(Display* display)
+        : m_display(display), m_before(XSetErrorHandler(&HeardRefusals::hear)) {
+        any = false;
+    }
+    ~HeardRefusals() { XSetErrorHandler(m_before); }
+    HeardRefusals(const HeardRefusals&) = delete;
+    HeardRefusals& operator=(const HeardRefusals&) = delete;
+
+    bool has_any() const {
+        XSync(m_display, False);
+        return any;
+    }
+
+private:
+    static int hear(Display* /*display*/, XErrorEvent* /*refusal*/) {
+        any = true;
+        return 0;
+    }
+    static inline bool any = false;  // Xlib hands its handler nothing of ours
+
+    Display* m_display;
+    XErrorHandler m_before;
+};
+
+class GlxContext : public Context {
+public:
+    GlxContext(Display* display, GLXContext context, const Facts& facts)
+        : m_display(display), m_context(context) {
+        m_facts = facts;
+    }
+    ~GlxContext() override {
+        if (glXGetCurrentContext() == m_context)
+            leave_thread();
+        glXDestroyContext(m_display, m_context);
+    }
+
+private:
+    Result<std::unique_ptr<Context>> make_sharing() const override {
+        if (auto made = share_through_glx({m_display, m_context}, m_facts))
+            return made;
+        return fail({{}, 0, "no further OpenGL 4.1 context can be had"});
+    }
+    void take_thread() override { glXMakeContextCurrent(m_display, None, None, m_context); }
+    void leave_thread() override { glXMakeContextCurrent(m_display, None, None, nullptr); }
+
+    Display* m_display;
+    GLXContext m_context;
+};
+
+bool can_choose_version(Display* display, int screen) {
+    const char* words = glXQueryExtensionsString(display, screen);
+    return words && std::strstr(words, "GLX_ARB_create_context_profile");
+}
+
+// Of the same kind of picture, so that they may share. Null: there is none.
+GLXContext made_beside(GLXContext context, Display* display) {
+    int kind = 0;
+    int screen = 0;
+    int count = 0;
+    glXQueryContext(display, context, GLX_FBCONFIG_ID, &kind);
+    glXQueryContext(display, context, GLX_SCREEN, &screen);
+    const std::array<int, 3> wanted{GLX_FBCONFIG_ID, kind, None};
+    GLXFBConfig* const found = glXChooseFBConfig(display, screen, wanted.data(), &count);
+    if (!found)
+        return nullptr;
+    constexpr std::array<int, 9> version{GLX_CONTEXT_MAJOR_VERSION_ARB,
+                                         4,
+                                         GLX_CONTEXT_MINOR_VERSION_ARB,
+                                         1,
+                                         GLX_CONTEXT_PROFILE_MASK_ARB,
+                                         GLX_CONTEXT_CORE_PROFILE_BIT_ARB,
+                                         GLX_CONTEXT_FLAGS_ARB,
+                                         GLX_CONTEXT_FORWARD_COMPATIBLE_BIT_ARB,
+                                         None};
+    const GLXContext made =
+        count > 0 && can_choose_version(display, screen)
+            ? glXCreateContextAttribsARB(display, found[0], context, True, version.data())
+            : nullptr;
+    XFree(found);
+    return made;
+}
+
+// Some drivers want a window for it.
+bool can_be_current_alone(Display* display, GLXContext context) {
+    const GLXContext before = glXGetCurrentContext();
+    const GLXDrawable draw = glXGetCurrentDrawable();
+    const GLXDrawable read = glXGetCurrentReadDrawable();
+    const bool can = glXMakeContextCurrent(display, None, None, context) == True;
+    glXMakeContextCurrent(display, draw, read, before);
+    return can;
+}
+}  // namespace
+
+GlxPlace current_glx_place() {
+    return {glXGetCurrentDisplay(), glXGetCurrentContext()};
+}
+
+std::unique_ptr<Context> share_through_glx(const GlxPlace& place, const Facts& facts) {
+    auto* const display = static_cast<Display*>(place.display);
+    if (!display)
+        return nullptr;
+    const HeardRefusals refusals(display);
+    const GLXContext made = made_beside(static_cast<GLXContext>(place.context), display);
+    if (!made)
+        return nullptr;
+    const bool is_good = can_be_current_alone(display, made) && !refusals.has_any();
+    if (is_good)
+        return std::make_unique<GlxContext>(display, made, facts);
+    glXDestroyContext(display, made);
+    return nullptr;
+}
+
+}  // namespace gpu
