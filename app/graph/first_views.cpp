@@ -20,13 +20,6 @@ FirstViews::FirstViews(std::shared_ptr<const ViewPrograms> programs)
       m_meter(part_of(m_programs, &ViewPrograms::meter)),
       m_cells(part_of(m_programs, &ViewPrograms::cells)) {}
 
-Result<FirstViews> FirstViews::make() {
-    auto programs = ViewPrograms::make();
-    if (!programs)
-        return fail(programs.error());
-    return FirstViews(std::make_shared<const ViewPrograms>(std::move(*programs)));
-}
-
 void FirstViews::expect(const Look& look, const Plan& plan) {
     for (std::size_t i = 0; i < plan.targets.size(); ++i) {
         const PlannedTarget& target = plan.targets[i];

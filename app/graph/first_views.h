@@ -20,7 +20,8 @@
 /// for a kind when a context first meets it. Belongs to the context that it is made in.
 class FirstViews {
 public:
-    static Result<FirstViews> make();
+    /// `programs` may come from another context that shares with it.
+    explicit FirstViews(std::shared_ptr<const ViewPrograms> programs);
 
     const std::shared_ptr<const ViewPrograms>& programs() const { return m_programs; }
     /// What these passes draw is to be met, but for what was met before.
@@ -60,7 +61,6 @@ private:
         Kind kind;
         gpu::Canvas canvas;
     };
-    explicit FirstViews(std::shared_ptr<const ViewPrograms> programs);
     void expect(const Kind& kind);
     const gpu::Texture* picture_of(const Kind& kind);
     void look_at(const gpu::Texture& texture, const Owed& owed);

@@ -1,20 +1,34 @@
 #include "lab/drawing_contexts.h"
 
+#include "gpu/draw.h"
+
 #include <algorithm>
 #include <utility>
 
 DrawingHome::~DrawingHome() {
     const gpu::ContextScope scope(m_context.get());
     m_views.reset();
+    m_making = {};
+    m_programs = {};
+}
+
+void DrawingHome::have_programs() {
+    if (std::exchange(m_has_programs, true))
+        return;
+    auto made = ViewPrograms::make();
+    gpu::finish();  // they are used in another context
+    if (made)
+        m_making.set_value(std::make_shared<const ViewPrograms>(std::move(*made)));
+    else
+        m_making.set_value(fail(std::move(made.error())));
 }
 
 Result<FirstViews*> DrawingHome::views() {
-    if (!m_views) {
-        auto made = FirstViews::make();
-        if (!made)
-            return fail(made.error());
-        m_views.emplace(std::move(*made));
-    }
+    const MadePrograms& programs = m_programs.get();
+    if (!programs)
+        return fail(programs.error());
+    if (!m_views)
+        m_views.emplace(*programs);
     return &*m_views;
 }
 
@@ -33,4 +47,9 @@ std::shared_ptr<DrawingHome> DrawingContexts::lend() {
     auto made = gpu::Context::shared_with(m_screen);
     m_has_failed = !made;
     return made ? m_all.emplace_back(std::make_shared<DrawingHome>(std::move(*made))) : nullptr;
+}
+
+void DrawingContexts::have_spare() {
+    if (const auto home = lend())
+        home->have_programs();
 }

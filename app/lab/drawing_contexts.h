@@ -3,6 +3,7 @@
 #include "gpu/context.h"
 #include "graph/first_views.h"
 
+#include <future>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -16,11 +17,19 @@ public:
     ~DrawingHome();
 
     gpu::Context& context() const { return *m_context; }
+    /// Makes the programs that views() waits for, unless they are there, in a context that shares
+    /// with its own: who reads a look meanwhile works in that one.
+    void have_programs();
     /// While its context is current.
     Result<FirstViews*> views();
 
 private:
+    using MadePrograms = Result<std::shared_ptr<const ViewPrograms>>;
+
     std::unique_ptr<gpu::Context> m_context;
+    bool m_has_programs = false;
+    std::promise<MadePrograms> m_making;
+    std::shared_future<MadePrograms> m_programs = m_making.get_future().share();
     std::optional<FirstViews> m_views;
 };
 
@@ -35,11 +44,11 @@ public:
     DrawingContexts(const DrawingContexts&) = delete;
     DrawingContexts& operator=(const DrawingContexts&) = delete;
 
-    /// On the thread of `screen`: one that is nobody's, until it is given back by its last owner,
-    /// on any thread. Null where the driver gives none.
+    /// On the thread of `screen`, whose turn it then is to have_programs(): one that is nobody's,
+    /// until it is given back by its last owner, on any thread. Null where the driver gives none.
     std::shared_ptr<DrawingHome> lend();
-    /// The next lend() finds one; making it may take a driver a while.
-    void have_spare() { static_cast<void>(lend()); }
+    /// The next lend() finds one with programs; making it may take a driver a while.
+    void have_spare();
 
 private:
     const gpu::Context& m_screen;

@@ -301,6 +301,8 @@ public:
     void answer_trip(TripAnswer answer);
     /// From the next frame on somebody looks at these passes.
     void look_at(SeenPasses seen) { m_seen = std::move(seen); }
+    /// Of the look that is opened first, next: a window that shows nothing yet can wait for one.
+    void expect_light_frames() { m_reloader.expect_light_frames(); }
     /// Where nobody can be asked such numbers are clamped, and the first is told.
     void set_unattended(bool is_unattended) { m_trip.is_unattended = is_unattended; }
     /// What is drawn with other values beside the picture.

@@ -12,8 +12,9 @@ void Lab::set_guard() {
             answer_trip(TripAnswer::go_on);
     }
     const bool clamps = m_trip.is_unattended || m_trip.answer == TripAnswer::clamp;
+    const bool is_first = !m_renderer->has_drawn();  // what it remembers is looked at with the next
     Guard guard = m_player.is_playing() ? Guard::watch : Guard::search;
-    if (m_trip.answer == TripAnswer::go_on)
+    if (m_trip.answer == TripAnswer::go_on || (is_first && guard == Guard::watch))
         guard = Guard::off;
     else if (clamps)
         guard = Guard::clamp;

@@ -275,6 +275,8 @@ void Lab::open_document(LoadedRequest& loaded) {
         m_document.emplace(std::move(look));
     remember_foreign_looks(*m_document, m_drive.recent());
     begin_renderer(std::move(loaded.executor));
+    if (loaded.is_spared_first_draws)
+        m_renderer->draw_next_whole();
     constexpr double patience_seconds = 0.05;
     m_renderer->set_patience(patience_seconds);
     m_variant.reset();

@@ -175,6 +175,7 @@ void Reloader::submit(OpenRequest request, bool is_reload) {
     m_request = request;
     Job job{.request = std::move(request), .is_reload = is_reload, .seen = m_seen};
     job.is_opening = !is_reload || m_is_unopened || !drawn_with();
+    job.has_light_frames = std::exchange(m_expects_light_frames, false);
     if (!job.is_opening) {
         job.shown = m_recent.all();
         job.rest = m_rest;
@@ -208,7 +209,9 @@ void Reloader::lend(std::promise<std::shared_ptr<DrawingHome>>& lent) {
     auto home = m_drawing_contexts.lend();
     if (!home)
         have_context();
-    lent.set_value(std::move(home));
+    lent.set_value(home);
+    if (home)
+        home->have_programs();
 }
 
 void Reloader::wait_for_home(Job& job) {
@@ -235,16 +238,6 @@ void Reloader::cancel(std::optional<OpenRequest> open) {
 PassProgress::State Reloader::progress() const {
     const std::lock_guard lock(m_mutex);
     return m_progress ? m_progress->state() : PassProgress::State{};
-}
-
-std::optional<LoadedRequest> Reloader::take_drawn() {
-    const std::lock_guard lock(m_mutex);
-    return std::exchange(m_drawn, std::nullopt);
-}
-
-bool Reloader::owes_draws() const {
-    const std::lock_guard lock(m_mutex);
-    return m_is_owing || m_drawn;
 }
 
 std::vector<fs::path> Reloader::update() {

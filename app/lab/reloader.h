@@ -62,6 +62,7 @@ struct LoadedRequest {
     std::uint64_t generation = 0;  // of what was asked for
     Whose whose = Whose::look;
     bool is_warm = false;  // where it will be drawn each of its programs has been drawn with
+    bool is_spared_first_draws = false;       // or will be by the first frame, at once
     std::unique_ptr<Executor> executor = {};  // of such a look, at the picture's size and values;
                                               // null: there was no memory
 };
@@ -117,6 +118,9 @@ public:
     std::vector<std::filesystem::path> update();
     /// How large the picture is, for which programs are made ready.
     void set_picture(Extent picture) { m_picture = picture; }
+    /// The next look to be opened is the first of all, and its frames take so little that one may
+    /// be waited for: where the driver has kept all its programs nothing is drawn before that.
+    void expect_light_frames() { m_expects_light_frames = true; }
     /// Which passes of the looks to come somebody looks at.
     void set_seen(const SeenPasses& seen) { m_seen = seen; }
     /// What the open look is drawn with: later readings of it take what they can from there, and
@@ -165,6 +169,7 @@ private:
                                                      // ones; null: another
         std::shared_ptr<gpu::Context> home = {};
         bool is_opening = false;  // then nobody draws in its home yet
+        bool has_light_frames = false;
         SeenPasses seen = {};
         std::shared_future<std::shared_ptr<DrawingHome>> lending = {};  // then that one to come
         std::shared_ptr<DrawingHome> lent = {};  // when it has come; null: there is none
@@ -230,6 +235,7 @@ private:
     RecentPrograms m_recent;  // of the open look
     bool m_is_unopened = false;
     std::shared_ptr<const Rest> m_rest;
+    bool m_expects_light_frames = false;
     std::unique_ptr<FileWatcher> m_watcher;
     std::string m_watch_problem;
     std::vector<std::filesystem::path> m_look_files;

@@ -7,6 +7,8 @@
 #include "lab/kept_shaders.h"
 #include "lab/reloader.h"
 
+#include <algorithm>
+
 namespace {
 constexpr auto cache_patience = std::chrono::milliseconds(500);
 
@@ -14,6 +16,12 @@ constexpr auto cache_patience = std::chrono::milliseconds(500);
 // loaded is told by who reads a picture.
 void load_picture_module() {
     static_cast<void>(picture_codec());
+}
+
+// The driver then has their code in its own files, but for little of it.
+bool are_restored(const Programs& programs) {
+    return std::ranges::all_of(programs.passes,
+                               [](const PassProgram& pass) { return pass.program->is_restored(); });
 }
 }  // namespace
 
@@ -41,7 +49,9 @@ void Reloader::draw_first_at_home(const Job& job, Programs& programs, LoadedRequ
                       .values = values_of(job.request),
                       .seen = job.seen.of(*loaded.look)},
                      PassProgram{});
-    draws.draw_all(*job.progress);
+    loaded.is_spared_first_draws = job.has_light_frames && are_restored(programs);
+    if (!loaded.is_spared_first_draws)
+        draws.draw_all(*job.progress);
     loaded.executor = draws.take_executor();
     gpu::finish();
 }
@@ -235,6 +245,16 @@ void Reloader::draw_owed(const Job& job, LoadedRequest owed) {
         return;
     m_owed.clear();
     keep(std::move(owed));
+}
+
+std::optional<LoadedRequest> Reloader::take_drawn() {
+    const std::lock_guard lock(m_mutex);
+    return std::exchange(m_drawn, std::nullopt);
+}
+
+bool Reloader::owes_draws() const {
+    const std::lock_guard lock(m_mutex);
+    return m_is_owing || m_drawn;
 }
 
 // Where the driver refuses such programs, what the author wrote goes on.

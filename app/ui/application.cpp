@@ -32,6 +32,9 @@ double seconds_between(Clock::time_point start, Clock::time_point end) {
 // A widget's answer to an event shows a frame or two later, a tooltip after a moment.
 constexpr auto awake = std::chrono::milliseconds(450);
 
+// So long the panels wait for a first picture.
+constexpr double picture_patience_seconds = 0.25;
+
 // What somebody waits to see or to read is yet to come; on a slow machine that takes long.
 bool is_owing(const Lab& lab, const Views& views) {
     const ComparedPictures& compared = views.compared();
@@ -60,6 +63,8 @@ void open_first(const WindowOptions& options, const Session& session, Lab& lab, 
     lab.set_knobs(session.knobs);
     lab.set_slots(session.slots);
     lab.set_preset_stars(session.preset_stars);
+    if (!look && start.state.has_light_frames)
+        lab.expect_light_frames();
     if (!look)
         restore(lab, session);
     if (look || session.look.empty())
@@ -205,8 +210,11 @@ void Application::list_looks(double wall_seconds) {
 
 // While this thread has nothing else to do.
 void Application::make_panels_ready(double wall_seconds) {
-    if (!m_toolkit.is_ready())
+    if (!m_toolkit.is_ready()) {
+        gpu::bind_screen(m_window.framebuffer_size());
         m_toolkit.make_ready(static_cast<float>(m_state.scale));
+        m_toolkit.draw_first();
+    }
     list_looks(wall_seconds);
 }
 
@@ -216,6 +224,8 @@ void Application::note_pace(double wall_seconds) {
     m_frame_seconds += wall_seconds;
     if (m_lab.is_amid_frame())
         return;
+    if (const Renderer* renderer = m_lab.renderer(); renderer && renderer->has_drawn())
+        m_state.has_light_frames = renderer->frame_seconds() < picture_patience_seconds;
     const double seconds = std::exchange(m_frame_seconds, 0.0);
     m_pace.add(seconds, was_amid);
     m_pace.expect(seconds,
@@ -232,9 +242,8 @@ bool Application::awaits_picture() {
 // A first picture that comes at once is seen with the first panels. How large it is to be nobody
 // knows where there were no panels yet.
 bool Application::is_before_panels(Clock::time_point now) {
-    constexpr double patience_seconds = 0.25;
     return m_turn == 0 && awaits_picture() && !m_state.views.picture.is_empty() &&
-           seconds_between(m_drawn, now) < patience_seconds;
+           seconds_between(m_drawn, now) < picture_patience_seconds;
 }
 
 // Whether a new frame of the panels would be missed: else they come a few times a second.

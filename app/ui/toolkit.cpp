@@ -137,6 +137,25 @@ void Toolkit::make_ready(float scale) {
     ImGui_ImplOpenGL3_NewFrame();
 }
 
+void Toolkit::draw_first() {
+    const Extent pixels = m_window.framebuffer_size();
+    ImDrawList list(ImGui::GetDrawListSharedData());
+    list._ResetForNewFrame();
+    list.PushTextureID(ImGui::GetIO().Fonts->TexID);
+    list.PushClipRect({0.0f, 0.0f}, {1.0f, 1.0f});
+    list.AddRectFilled({0.0f, 0.0f}, {1.0f, 1.0f}, IM_COL32_BLACK);
+    ImDrawList* lists = &list;
+    ImDrawData data;
+    data.Valid = true;
+    data.CmdLists = &lists;
+    data.CmdListsCount = 1;
+    data.TotalIdxCount = list.IdxBuffer.Size;
+    data.TotalVtxCount = list.VtxBuffer.Size;
+    data.DisplaySize = {static_cast<float>(pixels.width), static_cast<float>(pixels.height)};
+    data.FramebufferScale = {1.0f, 1.0f};
+    ImGui_ImplOpenGL3_RenderDrawData(&data);
+}
+
 void Toolkit::begin(float scale) {
     m_begin_seconds = cpu_seconds();
     make_ready(scale);

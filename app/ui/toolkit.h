@@ -27,6 +27,9 @@ public:
     /// Makes what a first frame at that scale would have to wait for; begin() does, too.
     void make_ready(float scale);
     bool is_ready() const { return m_scale > 0.0f; }
+    /// Draws a pixel as panels are drawn, when it is ready and into what they will be seen in: a
+    /// driver makes its code when it is first drawn with.
+    void draw_first();
     /// Begins a frame at a scale of text and controls; `scale` 1 is the display's own.
     void begin(float scale);
     /// Draws what was asked for since begin().

@@ -16,7 +16,7 @@ Plan plan_of(const PlannedTarget& target) {
 }  // namespace
 
 TEST_CASE_FIXTURE(Headless, "pictures of every format can be looked at before there are any") {
-    FirstViews views = FirstViews::make().value();
+    FirstViews views(std::make_shared<const ViewPrograms>(ViewPrograms::make().value()));
     gpu::ErrorLog errors;
     for (const FormatFacts& facts : all_formats())
         for (const bool is_mipmapped : {false, true})
@@ -33,7 +33,7 @@ TEST_CASE_FIXTURE(Headless, "pictures of every format can be looked at before th
 }
 
 TEST_CASE_FIXTURE(Headless, "each kind of picture is looked at once") {
-    FirstViews views = FirstViews::make().value();
+    FirstViews views(std::make_shared<const ViewPrograms>(ViewPrograms::make().value()));
     const auto is_new = [&views](const Look& look, const PlannedTarget& target) {
         const std::size_t before = views.owed();
         views.expect(look, plan_of(target));
