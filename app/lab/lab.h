@@ -358,6 +358,7 @@ private:
     void follow_seen();
     void forget_settling();
     bool rests_as(const Rest& rest) const;
+    Programs drawn_programs(const LoadedRequest& loaded) const;
     void apply_edit(LoadedRequest loaded);
     void draw_settled(SettledLook settled, bool owes_draws);
     void rest_with(Programs settled, std::set<std::string> moving);

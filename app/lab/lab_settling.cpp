@@ -123,6 +123,7 @@ void Lab::follow_own_programs() {
         m_own = {};
         return;
     }
+    m_reloader.draw_owed();
     if (auto drawn = m_reloader.take_drawn())
         m_own.arrival = std::make_unique<Arrival>(std::move(*drawn));
     const bool is_waiting =

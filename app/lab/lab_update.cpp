@@ -197,6 +197,17 @@ bool reads_images_alike(const Look& one, const Look& other) {
 }
 }  // namespace
 
+// What an edit that is drawn settled has been drawn with by now.
+Programs Lab::drawn_programs(const LoadedRequest& loaded) const {
+    std::vector<PassProgram> own = m_programs->passes;
+    if (loaded.owes_draws)
+        for (const PassProgram& owed : new_of(*m_programs, m_reloader.drawn_with()))
+            std::erase_if(own, [&owed](const PassProgram& program) {
+                return program.program == owed.program;
+            });
+    return joined(loaded.settled->programs, own);
+}
+
 void Lab::apply(LoadedRequest loaded) {
     if (loaded.whose != LoadedRequest::Whose::look)
         return apply_turned(std::move(loaded));
@@ -221,7 +232,7 @@ void Lab::apply(LoadedRequest loaded) {
     forget_trip();
     m_programs = std::move(*loaded.programs);
     m_own = {};
-    m_reloader.set_shown(loaded.settled ? loaded.settled->programs : *m_programs);
+    m_reloader.set_shown(loaded.settled ? drawn_programs(loaded) : *m_programs);
     forget_settling();
     m_tryouts->stop();  // they draw with the former ones
     if (is_reload && m_document) {

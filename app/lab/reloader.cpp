@@ -196,7 +196,7 @@ void Reloader::submit(OpenRequest request, bool is_reload) {
         job.generation = ++m_submitted;
         m_job = std::move(job);
         m_finished.reset();
-        m_drawn.reset();
+        drop_owed();
         drop_turning();
     }
     m_wake.notify_all();
@@ -230,7 +230,7 @@ void Reloader::cancel(std::optional<OpenRequest> open) {
         m_progress->cancel();
     m_job.reset();
     m_finished.reset();
-    m_drawn.reset();
+    drop_owed();
     drop_turning();
     m_completed = ++m_submitted;
 }
@@ -311,6 +311,11 @@ std::optional<Reloader::Job> Reloader::take_job() {
     for (std::optional<Job>* next : {&m_job, &m_turned.next, &m_variant.next, &m_settled.next})
         if (!job)
             job.swap(*next);
+    if (!job && std::exchange(m_may_draw_owed, false)) {
+        job.swap(m_owed_job);
+        m_is_drawing_owed = job.has_value();
+        return job;
+    }
     if (job && job->whose != LoadedRequest::Whose::look && !job->settled)
         m_turning = job->progress;
     return job;
@@ -349,19 +354,16 @@ void Reloader::prepare_for_more() {
 }
 
 void Reloader::work_on(Job job) {
-    LoadedRequest loaded = job.settled ? load_settled(job) : load(job);
-    auto owed = owed_by(loaded);
-    {
+    if (job.owed) {
+        draw_owed(job);
+    } else {
+        LoadedRequest loaded = job.settled ? load_settled(job) : load(job);
         const std::lock_guard lock(m_mutex);
-        m_is_owing = owed.has_value();
+        if (!job.progress->is_cancelled())
+            m_owed_job = owed_by(job, loaded);
         if (!job.settled || !job.progress->is_cancelled())
             keep(std::move(loaded));
     }
-    if (m_wake_owner)
-        m_wake_owner();
-    if (!owed)
-        return;
-    draw_owed(job, std::move(*owed));
     if (m_wake_owner)
         m_wake_owner();
 }
@@ -384,7 +386,7 @@ void Reloader::run() {
         lock.lock();
     }
     m_finished.reset();
-    m_drawn.reset();
+    drop_owed();
     drop_turning();
     lock.unlock();
     {

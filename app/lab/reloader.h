@@ -113,6 +113,8 @@ public:
     std::optional<LoadedRequest> take_drawn();
     /// Whether that is to come.
     bool owes_draws() const;
+    /// The picture is seen: what it owes is made.
+    void draw_owed();
     /// Looks at the watched files and submits the look again when one has changed.
     /// Gives the watched extra files that changed (the open preset, a sound).
     std::vector<std::filesystem::path> update();
@@ -175,6 +177,7 @@ private:
         std::shared_ptr<DrawingHome> lent = {};  // when it has come; null: there is none
         std::shared_ptr<const SettledRequest> settled = {};  // null: it is read
         std::shared_ptr<const Rest> rest = {};               // of what is read; null: nothing rests
+        std::shared_ptr<LoadedRequest> owed = {};            // null: no first draws alone
     };
     /// What turn() asks for: one a picture.
     struct Turning {
@@ -199,6 +202,7 @@ private:
     void keep(LoadedRequest loaded);
     void drop_turning();
     void drop_settling();
+    void drop_owed();
     Turning& turning(LoadedRequest::Whose whose) {
         return whose == LoadedRequest::Whose::turned ? m_turned : m_variant;
     }
@@ -212,8 +216,8 @@ private:
     std::optional<SettledLook> settle_first(const Job& job, const Programs& own,
                                             const LoadedRequest& loaded,
                                             const std::optional<Programs>& known);
-    std::optional<LoadedRequest> owed_by(const LoadedRequest& loaded) const;
-    void draw_owed(const Job& job, LoadedRequest owed);
+    static std::optional<Job> owed_by(const Job& job, const LoadedRequest& loaded);
+    void draw_owed(const Job& job);
     std::optional<Programs> drawn_of(std::optional<Programs> known) const;
     std::optional<Programs> known_for(const Job& job, const Look& look) const;
     Result<Programs> link(const Job& job, LoadedRequest& loaded);
@@ -253,7 +257,9 @@ private:
     std::optional<Job> m_job;
     std::optional<LoadedRequest> m_finished;
     std::optional<LoadedRequest> m_drawn;
-    bool m_is_owing = false;
+    std::optional<Job> m_owed_job;  // waits for draw_owed()
+    bool m_may_draw_owed = false;
+    bool m_is_drawing_owed = false;
     Turning m_turned;
     Turning m_variant;
     Turning m_settled;

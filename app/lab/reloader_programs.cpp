@@ -222,29 +222,48 @@ std::optional<SettledLook> Reloader::settle_first(const Job& job, const Programs
     return settled;
 }
 
-// The programs of a look that came without their first draws.
-std::optional<LoadedRequest> Reloader::owed_by(const LoadedRequest& loaded) const {
+// The first draws that a look came without.
+std::optional<Reloader::Job> Reloader::owed_by(const Job& job, const LoadedRequest& loaded) {
     if (!loaded.owes_draws)
         return std::nullopt;
-    LoadedRequest owed;
-    owed.request = loaded.request;
-    owed.look = loaded.look;
-    owed.programs = loaded.programs;
-    owed.images = loaded.images;
-    owed.generation = loaded.generation;
-    owed.whose = LoadedRequest::Whose::drawn;
-    return owed;
+    auto owed = std::make_shared<LoadedRequest>();
+    owed->request = loaded.request;
+    owed->look = loaded.look;
+    owed->programs = loaded.programs;
+    owed->images = loaded.images;
+    owed->generation = loaded.generation;
+    owed->whose = LoadedRequest::Whose::drawn;
+    Job made = job;
+    made.owed = std::move(owed);
+    return made;
 }
 
-void Reloader::draw_owed(const Job& job, LoadedRequest owed) {
+void Reloader::draw_owed(const Job& job) {
     const auto met = drawn_of(joined(*m_linked, job.shown->passes));
-    draw_first_here(job, &*met, *owed.programs, *owed.look, owed.images);
+    draw_first_here(job, &*met, *job.owed->programs, *job.owed->look, job.owed->images);
+    const bool is_done = !job.progress->is_cancelled();
+    if (is_done)
+        m_owed.clear();
     const std::lock_guard lock(m_mutex);
-    m_is_owing = false;
-    if (job.progress->is_cancelled())
-        return;
-    m_owed.clear();
-    keep(std::move(owed));
+    m_is_drawing_owed = false;
+    if (is_done)
+        keep(std::move(*job.owed));
+}
+
+void Reloader::draw_owed() {
+    {
+        const std::lock_guard lock(m_mutex);
+        if (!m_owed_job || std::exchange(m_may_draw_owed, true))
+            return;
+    }
+    m_wake.notify_all();
+}
+
+// To be called with the mutex held.
+void Reloader::drop_owed() {
+    m_drawn.reset();
+    m_owed_job.reset();
+    m_may_draw_owed = false;
 }
 
 std::optional<LoadedRequest> Reloader::take_drawn() {
@@ -254,7 +273,7 @@ std::optional<LoadedRequest> Reloader::take_drawn() {
 
 bool Reloader::owes_draws() const {
     const std::lock_guard lock(m_mutex);
-    return m_is_owing || m_drawn;
+    return m_owed_job || m_is_drawing_owed || m_drawn;
 }
 
 // Where the driver refuses such programs, what the author wrote goes on.
