@@ -6,7 +6,7 @@
 #include <algorithm>
 
 bool Lab::is_reading() const {
-    return m_reloader.is_reading() ||
+    return m_reloader.is_reading() || m_own.edit ||
            (m_arrival && m_arrival->loaded().whose == LoadedRequest::Whose::look);
 }
 

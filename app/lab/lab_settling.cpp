@@ -135,6 +135,6 @@ void Lab::follow_own_programs() {
     OwnPrograms own = std::exchange(m_own, {});
     if (own.edit)
         apply(std::move(*own.edit));
-    else
+    else if (own.arrival)  // else another edit came between, and they were not drawn with
         m_reloader.set_shown(joined(*m_programs, m_reloader.drawn_with()->passes));
 }

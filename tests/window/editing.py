@@ -62,18 +62,18 @@ class Editing(Person):
         program = self.program
         manifest = self.looks / "phosphor/look.json"
         before = json.loads(manifest.read_text())
-        program.click("pass:bloom_x")
-        program.wait("it is inspected", lambda s: s["inspected"] == "bloom_x")
+        program.click("pass:bloom_down_1")
+        program.wait("it is inspected", lambda s: s["inspected"] == "bloom_down_1")
         program.click("pass_format")
         program.place("format:rgba16f")
         other = next(name for name in program.state()["widgets"]
                      if name.startswith("format:") and name.endswith("f") and name != "format:rgba16f")
         program.click(other)
-        program.wait("the change can be taken back", lambda s: s["undo"] == "Pass bloom_x")
+        program.wait("the change can be taken back", lambda s: s["undo"] == "Pass bloom_down_1")
         program.click("write_overrides")
         program.wait("it is written", lambda s: "Written" in s["notice"])
         after = json.loads(manifest.read_text())
-        bloom = [one["name"] for one in before["passes"]].index("bloom_x")
+        bloom = [one["name"] for one in before["passes"]].index("bloom_down_1")
         self.assertEqual(after["passes"][bloom]["format"], other.removeprefix("format:"))
         after["passes"][bloom]["format"] = before["passes"][bloom]["format"]
         self.assertEqual(after, before)

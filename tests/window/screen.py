@@ -19,7 +19,7 @@ class Screen:
         self.folder = Path(tempfile.mkdtemp(prefix="afterglow-screen-"))
         reader, writer = os.pipe()
         self.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(writer), "-screen", "0", "%dx%dx24" % self.size,
+            ["Xvfb", "-noreset", "-displayfd", str(writer), "-screen", "0", "%dx%dx24" % self.size,
              "-fbdir", str(self.folder), "-nolisten", "tcp", "+extension", "GLX"],
             pass_fds=[writer], stderr=subprocess.DEVNULL)
         os.close(writer)

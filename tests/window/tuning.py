@@ -184,7 +184,7 @@ class Tuning(Person):
         self.snapshot("favourites")
         choose("Changed")
         program.wait("it is the one that is changed", lambda s: listed(s) == ["exposure"])
-        program.click("pass:bloom_x")
+        program.click("pass:bloom_down_1")
         choose("This pass")
         program.wait("what another pass uses is not there",
                      lambda s: "exposure" not in listed(s) and len(listed(s)) > 0)
