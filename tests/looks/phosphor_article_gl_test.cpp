@@ -94,7 +94,7 @@ TEST_CASE("the article's blur reads its table at whole taps") {
         double expected = 0.0;
         for (int i = -6; i <= 6; ++i)
             expected += table[static_cast<std::size_t>(std::abs(i))] * half(x + i * radius, 3);
-        const double shown = static_cast<double>(bloom.pixels[bloom.index(x, 3) + 1]);
+        const auto shown = static_cast<double>(bloom.pixels[bloom.index(x, 3) + 1]);
         CHECK(is_near(shown, expected / all, 1e-5));
     }
 }
