@@ -70,3 +70,16 @@ bool is_idle(const Look& look, std::size_t pass, Extent extent) {
                       follows(sized, parameter.name.substr(sized.scope.size()));
            });
 }
+
+std::size_t next_used_pass(const Look& look, const Plan& plan, std::size_t pass, int by) {
+    const auto count =
+        static_cast<std::ptrdiff_t>(std::min(look.passes.size(), plan.targets.size()));
+    auto next = static_cast<std::ptrdiff_t>(pass);
+    for (std::ptrdiff_t steps = 0; steps < count; ++steps) {
+        next = (next + by + count) % count;
+        const auto at = static_cast<std::size_t>(next);
+        if (!is_idle(look, at, plan.targets[at].extent))
+            return at;
+    }
+    return pass;
+}

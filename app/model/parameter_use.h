@@ -1,6 +1,7 @@
 #pragma once
 
 #include "model/look.h"
+#include "model/plan.h"
 
 /// Whether a pass uses a parameter: in its shaders, for its size, or for how often it draws.
 bool is_used_by(const Look& look, std::size_t pass, const Parameter& parameter);
@@ -15,3 +16,6 @@ bool decides_sharing(const Look& look, const Parameter& parameter);
 /// Whether parameters have made the pass, `extent` texels large, a single one: so looks do with
 /// passes that the picture is without at present.
 bool is_idle(const Look& look, std::size_t pass, Extent extent);
+
+/// The next pass (by 1) or the one before (by -1) that is not idle; past the last comes the first.
+std::size_t next_used_pass(const Look& look, const Plan& plan, std::size_t pass, int by);

@@ -2,6 +2,7 @@
 
 #include "gpu/input_event.h"
 #include "lab/looking_choices.h"
+#include "model/parameter_use.h"
 
 #include <algorithm>
 
@@ -18,14 +19,14 @@ bool is_large(const Scene& scene) {
     return scene.window.shows_pass_large;
 }
 
-// Past the last pass comes the first.
+// Passes that the picture is without at present are passed over.
 template <int by>
 void choose_next(const Scene& scene, Edits& edits) {
-    const std::vector<Pass>& passes = scene.lab.document()->look().passes;
-    const int count = static_cast<int>(passes.size());
-    const int present = inspected_pass(scene.lab.document()->look(), scene.window);
-    const auto next = static_cast<std::size_t>((present + by + count) % count);
-    edits.arrange([name = passes[next].name](WindowState& window) {
+    const Executor& executor = scene.lab.renderer()->executor();
+    const Look& look = executor.look();
+    const auto present = static_cast<std::size_t>(inspected_pass(look, scene.window));
+    const std::size_t next = next_used_pass(look, executor.plan(), present, by);
+    edits.arrange([name = look.passes[next].name](WindowState& window) {
         window.inspected.look_into(name);
         window.shows_inspector = true;
     });

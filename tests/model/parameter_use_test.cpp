@@ -39,3 +39,22 @@ TEST_CASE(
     CHECK_FALSE(is_idle(look, 0, {1, 2}));
     CHECK_FALSE(is_idle(look, 1, {1, 1}));
 }
+
+TEST_CASE("the next pass is one that the picture is not without, past the last the first") {
+    Look look;
+    look.passes.resize(4);
+    for (const std::size_t pass : {1, 2})
+        look.passes[pass].size[0] = {Side::By::expression, 1.0, "1 + $kind * $WIDTH"};
+    Parameter kind;
+    kind.name = "kind";
+    look.parameters = {kind};
+    Plan plan;
+    for (const int side : {64, 1, 1, 64})
+        plan.targets.push_back({.extent = {side, side}});
+    CHECK(next_used_pass(look, plan, 0, 1) == 3);
+    CHECK(next_used_pass(look, plan, 3, 1) == 0);
+    CHECK(next_used_pass(look, plan, 0, -1) == 3);
+    CHECK(next_used_pass(look, plan, 1, 1) == 3);  // from one that is shown though it is idle
+    plan.targets[2].extent = {65, 64};
+    CHECK(next_used_pass(look, plan, 3, -1) == 2);
+}
