@@ -305,6 +305,7 @@ struct WindowState {
     Revealed revealed;
     std::optional<Pointed> pointed;
     HistorySeen history_seen;
+    std::string strip_seen;                 // the pass that the strip was last scrolled to
     std::vector<std::string> used;          // ids of the palette's entries, the last used first
     std::vector<std::string> recent_files;  // that were opened, the last one first
     ParameterFilter filter = ParameterFilter::all;

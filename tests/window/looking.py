@@ -162,6 +162,40 @@ class Looking(Person):
         program.key("shift+h", "g")
         program.wait_for("the picture is as it was", lambda: self.brightness() > lit / 2)
 
+    def test_a_pyramid_leaves_room_for_all_passes_and_keys_step_through_those_that_draw(self):
+        program = self.program
+        program.wait("the first pass, all levels and the last one are in sight",
+                     lambda s: {"pass:beam", "pass:bloom_down_6", "pass:bloom_up_1",
+                                "pass:composite"} <= set(s["widgets"]))
+        program.click("pass:bloom_down_2")
+        program.wait("a click looks into a level", lambda s: s["inspected"] == "bloom_down_2")
+        self.snapshot("pyramid")
+        program.key("n")
+        program.wait("N goes on to the next", lambda s: s["inspected"] == "bloom_down_3")
+        program.click("pass:beam")
+        program.key("n")
+        program.wait("over passes that the picture is without",
+                     lambda s: s["inspected"] == "persistence")
+        program.key("shift+n", "shift+n")
+        program.wait("and from the first one to the last", lambda s: s["inspected"] == "composite")
+
+    def test_a_pass_that_keys_choose_comes_into_sight_in_the_strip(self):
+        program = self.program
+        self.open_by_name(self.presets / "phosphor+crt/night-ward.json")
+        program.wait("both looks draw", lambda s: "pass:phosphor/beam" in s["widgets"])
+        program.click("pass:phosphor/beam")
+
+        def is_whole(s, name):
+            left, _, right, _ = s["widgets"].get("pass:" + name, (0, 0, 0, 0))
+            ends = s["widgets"]["picture"]
+            return ends[0] <= left < right <= ends[2]
+        program.wait("it is the first", lambda s: s["inspected"] == "phosphor/beam" and
+                     is_whole(s, "phosphor/beam") and not is_whole(s, "crt/crt"))
+        program.key("shift+n")
+        program.wait("the last one is in sight", lambda s: s["inspected"] == "crt/crt" and
+                     is_whole(s, "crt/crt") and not is_whole(s, "phosphor/beam"))
+        self.snapshot("last_pass")
+
     def test_the_time_of_passes_is_held_against_a_budget(self):
         program = self.program
         program.key("ctrl+6")
