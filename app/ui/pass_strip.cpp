@@ -64,7 +64,7 @@ void draw_words(const StripWords& words, bool is_narrow, const Scene& scene, con
     list.AddText({at.x, at.y + line * 1.2f},
                  is_narrow ? color_of_time(words) : theme::packed(theme::dim), facts.c_str());
     if (words.change) {
-        const std::string change = cut_to_fit(strip_words::change(*words.change), width);
+        const std::string change = cut_to_fit(strip_words::change(*words.change, is_narrow), width);
         const theme::Color color = words.change->has_changed() ? theme::accent : theme::dim;
         list.AddText({at.x, at.y + line * 2.4f}, theme::packed(color), change.c_str());
         return;

@@ -61,9 +61,10 @@ std::string strip_words::gain_help(const Gain& gain) {
         headroom ? stops_text(*headroom) + " stops of headroom" : std::string("no light"));
 }
 
-std::string strip_words::change(const PassChange& change) {
+std::string strip_words::change(const PassChange& change, bool is_narrow) {
     if (!change.has_changed())
         return "the same";
     const double percent = 100.0 * change_share(change);
-    return percent < 0.01 ? "changed < 0.01 %" : fmt::format("changed {:.2g} %", percent);
+    const std::string share = percent < 0.01 ? "< 0.01 %" : fmt::format("{:.2g} %", percent);
+    return is_narrow ? share : "changed " + share;
 }

@@ -20,5 +20,5 @@ std::string gain(const Gain& gain, bool is_narrow);
 /// All of it, in lines of their own.
 std::string gain_help(const Gain& gain);
 /// By how much, and a word where not at all.
-std::string change(const PassChange& change);
+std::string change(const PassChange& change, bool is_narrow);
 }  // namespace strip_words
