@@ -12,7 +12,7 @@ constexpr std::size_t most_readings = 8;
 
 std::optional<LoadedLook> FormerReadings::find(const Question& question, ShaderFiles& disk) const {
     const auto is_same = [&disk](const SeenFile& seen) {
-        if (disk.place_of(seen.file) != seen.place)
+        if (disk.place_of(seen.file).native() != seen.place.native())
             return false;
         if (!seen.digest)
             return true;

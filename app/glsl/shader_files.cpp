@@ -3,7 +3,10 @@
 #include "base/file.h"
 #include "glsl/tokens.h"
 
+#include <sys/stat.h>
+
 #include <algorithm>
+#include <ctime>
 #include <functional>
 
 namespace fs = std::filesystem;
@@ -68,9 +71,28 @@ ShaderText text_from(std::string_view bytes) {
 }  // namespace
 
 void ShaderFiles::begin_reading() {
-    std::erase_if(m_known, [this](const auto& known) { return known.second.reading < m_reading; });
+    std::erase_if(m_known, [this](const auto& known) { return known.second.asked < m_reading; });
     m_places.clear();
     ++m_reading;
+    for (auto& [file, known] : m_known) {
+        if (!known.stamp || known.stamp != stamp_of(file))
+            continue;
+        known.reading = m_reading;
+        m_places.emplace(file, known.place);
+    }
+}
+
+// File systems count time in ticks, some of two seconds: a text that was written in the tick in
+// which another was read there has the stamp of that one.
+std::optional<ShaderFiles::Stamp> ShaderFiles::stamp_of(const fs::path& file) {
+    constexpr std::int64_t longest_tick = 3;  // seconds
+    struct stat is = {};
+    if (::stat(file.c_str(), &is) != 0)
+        return std::nullopt;
+    if (std::time(nullptr) - std::max(is.st_mtim.tv_sec, is.st_ctim.tv_sec) <= longest_tick)
+        return std::nullopt;
+    return Stamp{{is.st_dev, is.st_ino, static_cast<std::uint64_t>(is.st_size)},
+                 {is.st_mtim.tv_sec, is.st_mtim.tv_nsec, is.st_ctim.tv_sec, is.st_ctim.tv_nsec}};
 }
 
 const fs::path& ShaderFiles::place_of(const fs::path& path) {
@@ -84,9 +106,13 @@ const fs::path& ShaderFiles::place_of(const fs::path& path) {
 ShaderFiles::Known& ShaderFiles::known(const fs::path& file) {
     const auto [at, is_new] = m_known.try_emplace(file.native());
     Known& known = at->second;
+    known.asked = m_reading;
     if (!is_new && known.reading == m_reading)
         return known;
     known.reading = m_reading;
+    known.stamp = stamp_of(file);
+    known.place = place_of(file);
+    ++m_reads;
     Result<std::string> bytes = read_text(file);
     if (is_new || bytes != known.bytes) {
         known.digest = std::hash<std::string>()(bytes ? *bytes : to_string(bytes.error()));
@@ -113,7 +139,7 @@ const Result<std::string>& ShaderFiles::read_plain(const fs::path& file) {
 
 std::optional<std::size_t> ShaderFiles::digest_of_read(const fs::path& file) const {
     const auto at = m_known.find(file.native());
-    if (at == m_known.end() || at->second.reading != m_reading)
+    if (at == m_known.end() || at->second.asked != m_reading)
         return std::nullopt;
     return at->second.digest;
 }

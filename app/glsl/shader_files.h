@@ -2,6 +2,7 @@
 
 #include "base/diagnostic.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -29,9 +30,9 @@ struct ShaderText {
     std::filesystem::path place;  // as place_of()
 };
 
-/// Files of shader code as they lie on the disk. Within one reading of a look each is read once,
-/// and what was found in a text serves the next readings as long as the text is the same. Not
-/// thread-safe.
+/// Files of shader code as they lie on the disk. Within one reading of a look each is read once, or
+/// not at all where its stamp tells that nobody has written it since the last one. What was found
+/// in a text serves the next readings as long as the text is the same. Not thread-safe.
 class ShaderFiles {
 public:
     static constexpr std::size_t most_bytes = std::size_t{4} << 20;
@@ -50,19 +51,32 @@ public:
     const std::filesystem::path& place_of(const std::filesystem::path& path);
     /// As is_inside() of base/file.h.
     bool is_inside(const std::filesystem::path& file, const std::filesystem::path& folder);
+    /// How many files were read so far.
+    int reads() const { return m_reads; }
 
 private:
+    /// Of one state of one file.
+    struct Stamp {
+        std::array<std::uint64_t, 3> what{};  // device, inode, size in bytes
+        std::array<std::int64_t, 4> when{};   // text and inode were written: seconds, nanoseconds
+        bool operator==(const Stamp&) const = default;
+    };
     struct Known {
         Result<std::string> bytes;
         std::size_t digest = 0;                   // of them, or of why there are none
         std::optional<Result<ShaderText>> found;  // in them
-        std::uint64_t reading = 0;
+        std::optional<Stamp> stamp;               // before they were read; null: it tells too little
+        std::filesystem::path place;              // where they were read
+        std::uint64_t reading = 0;                // of which they are
+        std::uint64_t asked = 0;                  // by this reading at last
     };
     using Path = std::filesystem::path::string_type;
 
+    static std::optional<Stamp> stamp_of(const std::filesystem::path& file);
     Known& known(const std::filesystem::path& file);
 
     std::uint64_t m_reading = 0;
+    int m_reads = 0;
     std::unordered_map<Path, Known> m_known;
     std::unordered_map<Path, std::filesystem::path> m_places;  // of this reading; "": nowhere
 };

@@ -56,6 +56,36 @@ TEST_CASE("a link is followed where it leads at each reading") {
     CHECK_FALSE(files.is_inside(link, folder / "in"));
 }
 
+TEST_CASE("a file that nobody has written for a while is read once") {
+    const TemporaryFolder folder;
+    const fs::path shaders = fs::path(AFTERGLOW_SOURCE_DIR) / "shaders/include";
+    const fs::path link = folder / "link.glsl";
+    fs::create_symlink(shaders / "color.glsl", link);
+    ShaderFiles files;
+    files.begin_reading();
+    const std::string color = text_of(files, link);
+    CHECK(files.reads() == 1);
+
+    files.begin_reading();
+    CHECK(files.place_of(link) == fs::canonical(shaders / "color.glsl"));
+    CHECK_FALSE(files.digest_of_read(link).has_value());  // nobody has asked for it
+    CHECK(text_of(files, link) == color);
+    CHECK(files.digest_of_read(link).has_value());
+    CHECK(files.reads() == 1);
+
+    fs::remove(link);
+    fs::create_symlink(shaders / "mask.glsl", link);
+    files.begin_reading();
+    CHECK(files.place_of(link) == fs::canonical(shaders / "mask.glsl"));
+    CHECK(text_of(files, link) != color);
+    CHECK(files.reads() == 2);
+
+    files.begin_reading();  // nobody asks
+    files.begin_reading();
+    CHECK(text_of(files, link) != color);
+    CHECK(files.reads() == 3);
+}
+
 TEST_CASE("what directives ask for is known with the text") {
     const TemporaryFolder folder;
     ShaderFiles files;
