@@ -65,7 +65,6 @@ void Executor::prepare() {
     for (std::size_t i = 0; i < m_look.passes.size(); ++i) {
         const bool serves = i < former.size() && former[i].program == m_programs.passes[i].program;
         m_passes.push_back(serves ? std::move(former[i]) : make_state(i));
-        m_passes.back().pace = {};
         m_passes.back().samples = m_passes.back().whole_samples = 0;
     }
     m_parameters = ParameterUniforms(m_look, m_programs);
@@ -95,6 +94,8 @@ Result<void> Executor::replace(Look look, Programs programs) {
         auto targets = TargetSet::make(look, *plan, m_targets);
         if (!targets)
             return fail(targets.error());
+        if (*plan != m_plan)
+            forget_paces();
         m_plan = std::move(*plan);
         m_order = draw_order(m_plan);
         m_apart.clear();
@@ -161,14 +162,19 @@ Result<void> Executor::resize(Extent viewport, Extent source) {
             end_settled();  // those programs know who was drawn onto whom
         m_source.set_slots(m_plan.source_slots);
         ++m_picture_number;
-        for (PassState& state : m_passes)
-            state.pace = {};
+        forget_paces();
         restart_samples();
     }
     m_viewport = viewport;
     m_source_extent = source;
     m_spots.clear();
     return {};
+}
+
+// Their rows are others now.
+void Executor::forget_paces() {
+    for (PassState& state : m_passes)
+        state.pace = {};
 }
 
 void Executor::set_values(const Values& values) {

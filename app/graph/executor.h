@@ -208,6 +208,7 @@ private:
     void end_settled();
     void take_own_back();
     void hand_on_state(std::vector<PassState>& from);
+    void forget_paces();
     void end_settled_if_moved(const std::vector<std::string>& changed);
     const PassState& told_state(std::size_t pass) const {
         return m_unsettled ? m_unsettled->passes[pass] : m_passes[pass];

@@ -43,11 +43,13 @@ void Renderer::move_values(double seconds) {
         m_variant->set_values(now(m_variant_values));
 }
 
-Result<void> Renderer::replace(const Look& look, const Programs& programs) {
+Result<void> Renderer::replace(Look look, Programs programs) {
     if (m_is_variant_alone)
         cancel_replay();
     drop_frame();
     m_slicing.forget();
+    if (!m_variant)
+        return m_executor.replace(std::move(look), std::move(programs));
     return for_each([&](Executor& executor) { return executor.replace(look, programs); });
 }
 

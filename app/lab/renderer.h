@@ -26,7 +26,7 @@ public:
     explicit Renderer(Executor executor) : m_executor(std::move(executor)) {}
 
     /// An edited look; what drew a moment ago keeps its history.
-    Result<void> replace(const Look& look, const Programs& programs);
+    Result<void> replace(Look look, Programs programs);
     enum class Whose { picture, variant };
     /// Of one of the two alone: their texts may have other constants.
     Result<void> replace(Whose whose, const Look& look, const Programs& programs);
