@@ -362,7 +362,9 @@ private:
     void apply_edit(LoadedRequest loaded);
     void draw_settled(SettledLook settled, bool owes_draws);
     void rest_with(Programs settled, std::set<std::string> moving);
+    LoadedRequest owed_draws() const;
     void follow_own_programs();
+    bool opens_another() const;
     bool waits_for_own_programs() const;
     void forget_constants();
     bool is_following_constants() const;

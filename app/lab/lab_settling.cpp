@@ -36,8 +36,9 @@ bool Lab::may_settle() const {
 void Lab::follow_settling(double wall_seconds) {
     constexpr double longest_turn = 0.1;
     constexpr double rest_seconds = 2.0;
-    if (!m_renderer->executor().is_settled())
-        m_reloader.set_rest(nullptr);
+    // What is compared with is drawn with the look's own programs.
+    const bool rests = m_renderer->executor().is_settled() && !m_renderer->variant();
+    m_reloader.set_rest(rests ? m_settling.rest : nullptr);
     if (!may_settle()) {
         forget_settling();
         if (m_applied) {
@@ -68,15 +69,16 @@ void Lab::follow_settling(double wall_seconds) {
 
 void Lab::rest_with(Programs settled, std::set<std::string> moving) {
     const Executor& executor = m_renderer->executor();
-    m_reloader.set_rest(
-        std::make_shared<const Rest>(Rest{m_document->values(), executor.plan(), moving}));
+    m_settling.rest =
+        std::make_shared<const Rest>(Rest{m_document->values(), executor.plan(), moving});
+    m_reloader.set_rest(m_settling.rest);
     m_renderer->settle(std::move(settled), std::move(moving));
 }
 
 // Whether the picture is still drawn with the values that an edit was made ready for.
 bool Lab::rests_as(const Rest& rest) const {
-    return m_renderer && m_renderer->executor().is_settled() && m_applied &&
-           m_applied->values == m_document->values() &&
+    return m_renderer && m_renderer->executor().is_settled() && !m_renderer->variant() &&
+           m_applied && m_applied->values == m_document->values() &&
            moving_in(m_applied->modulations) == rest.moving &&
            changed_parameters(m_document->look(), rest.values, m_applied->values).empty();
 }
@@ -86,7 +88,7 @@ void Lab::apply_edit(LoadedRequest loaded) {
     if (loaded.settled && !rests_as(*loaded.settled->rest)) {
         loaded.settled.reset();
         if (std::exchange(loaded.owes_draws, false)) {
-            m_own = {.edit = std::move(loaded)};
+            m_own = {.are_late = m_own.are_late, .edit = std::move(loaded)};
             return;
         }
     }
@@ -108,33 +110,47 @@ void Lab::draw_settled(SettledLook settled, bool owes_draws) {
     rest_with(std::move(settled.programs), rest.moving);
 }
 
+bool Lab::opens_another() const {
+    const OpenRequest* const asked = m_reloader.request();
+    return is_reading() && asked && m_opened && *asked != *m_opened;
+}
+
+// Not beside what may take long to be opened: a first frame that does is the lesser evil.
 bool Lab::waits_for_own_programs() const {
     const DocumentState& state = m_document->state();
-    return m_own.are_late && m_applied &&
+    return m_own.are_late && m_applied && !opens_another() &&
            (state.values != m_applied->values || state.modulations != m_applied->modulations ||
             state.overrides != m_applied->overrides);
 }
 
-// Every turn, behind the picture.
+// Those of an edit that waits for them, or else of what is open.
+LoadedRequest Lab::owed_draws() const {
+    LoadedRequest owed;
+    owed.request = m_own.edit ? m_own.edit->request : *m_opened;
+    owed.look = m_own.edit ? m_own.edit->look : m_document->drawn_look();
+    owed.programs = m_own.edit ? m_own.edit->programs : m_programs;
+    owed.images = m_own.edit ? m_own.edit->images : m_images;
+    return owed;
+}
+
+// Every turn, behind the picture. What is read meanwhile may bring others, and goes first.
 void Lab::follow_own_programs() {
+    if (m_own.edit && !m_reloader.is_newest(*m_own.edit))
+        m_own = {.are_late = m_own.are_late};
     if ((!m_own.are_late && !m_own.edit) || is_amid_frame())
         return;
-    if (m_own.edit && !m_reloader.is_newest(*m_own.edit)) {
-        m_own = {};
-        return;
-    }
-    m_reloader.draw_owed();
     if (auto drawn = m_reloader.take_drawn())
         m_own.arrival = std::make_unique<Arrival>(std::move(*drawn));
-    const bool is_waiting =
-        m_own.arrival
-            ? !m_own.arrival->go_on({m_reloader.drawn_with(), picture_extent()}, seconds_a_turn)
-            : m_reloader.owes_draws();
-    if (is_waiting)
+    if (!m_own.arrival) {
+        if (!m_reloader.is_drawing_owed() && !m_reloader.is_busy() && !m_arrival)
+            m_reloader.draw_owed(owed_draws());
+        return;
+    }
+    if (!m_own.arrival->go_on({m_reloader.drawn_with(), picture_extent()}, seconds_a_turn))
         return;
     OwnPrograms own = std::exchange(m_own, {});
     if (own.edit)
         apply(std::move(*own.edit));
-    else if (own.arrival)  // else another edit came between, and they were not drawn with
+    else
         m_reloader.set_shown(joined(*m_programs, m_reloader.drawn_with()->passes));
 }

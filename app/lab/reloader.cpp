@@ -116,6 +116,7 @@ void Reloader::turn(const OpenRequest& request, LoadedRequest::Whose whose) {
     {
         const std::lock_guard lock(m_mutex);
         drop_settling();
+        drop_owed();
         turning(whose).next = Job{.request = request,
                                   .is_reload = true,
                                   .generation = m_submitted,
@@ -134,6 +135,7 @@ void Reloader::drop_turning() {
     m_turned = {};
     m_variant = {};
     drop_settling();
+    drop_owed();
 }
 
 // To be called with the mutex held.
@@ -196,7 +198,6 @@ void Reloader::submit(OpenRequest request, bool is_reload) {
         job.generation = ++m_submitted;
         m_job = std::move(job);
         m_finished.reset();
-        drop_owed();
         drop_turning();
     }
     m_wake.notify_all();
@@ -230,7 +231,6 @@ void Reloader::cancel(std::optional<OpenRequest> open) {
         m_progress->cancel();
     m_job.reset();
     m_finished.reset();
-    drop_owed();
     drop_turning();
     m_completed = ++m_submitted;
 }
@@ -308,14 +308,10 @@ bool Reloader::is_reading() const {
 // What is to be read goes first. To be called with the mutex held, as the next one is.
 std::optional<Reloader::Job> Reloader::take_job() {
     std::optional<Job> job;
-    for (std::optional<Job>* next : {&m_job, &m_turned.next, &m_variant.next, &m_settled.next})
+    for (std::optional<Job>* next :
+         {&m_job, &m_turned.next, &m_variant.next, &m_settled.next, &m_drawn.next})
         if (!job)
             job.swap(*next);
-    if (!job && std::exchange(m_may_draw_owed, false)) {
-        job.swap(m_owed_job);
-        m_is_drawing_owed = job.has_value();
-        return job;
-    }
     if (job && job->whose != LoadedRequest::Whose::look && !job->settled)
         m_turning = job->progress;
     return job;
@@ -328,9 +324,6 @@ void Reloader::keep(LoadedRequest loaded) {
         m_completed = std::max(m_completed, loaded.generation);
         if (is_newest)
             m_finished = std::move(loaded);
-    } else if (loaded.whose == LoadedRequest::Whose::drawn) {
-        if (is_newest)
-            m_drawn = std::move(loaded);
     } else if (loaded.whose == LoadedRequest::Whose::settled) {
         m_settled.made = std::move(loaded);
     } else if (is_newest) {
@@ -355,12 +348,10 @@ void Reloader::prepare_for_more() {
 
 void Reloader::work_on(Job job) {
     if (job.owed) {
-        draw_owed(job);
+        work_on_owed(job);
     } else {
         LoadedRequest loaded = job.settled ? load_settled(job) : load(job);
         const std::lock_guard lock(m_mutex);
-        if (!job.progress->is_cancelled())
-            m_owed_job = owed_by(job, loaded);
         if (!job.settled || !job.progress->is_cancelled())
             keep(std::move(loaded));
     }
@@ -386,7 +377,6 @@ void Reloader::run() {
         lock.lock();
     }
     m_finished.reset();
-    drop_owed();
     drop_turning();
     lock.unlock();
     {

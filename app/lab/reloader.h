@@ -47,15 +47,15 @@ struct SettledLook {
 struct LoadedRequest {
     /// Whose programs they are: of a look that is read; of the open one with constants of its
     /// texts turned, for the picture itself or for what it is compared with; of the open one with
-    /// values in its texts; or those of a look that came without its first draws, which are made.
-    enum class Whose { look, turned, variant, settled, drawn };
+    /// values in its texts.
+    enum class Whose { look, turned, variant, settled };
 
     OpenRequest request;
     bool is_reload = false;  // of the look that is open already
     std::optional<Look> look;
     std::optional<Programs> programs;
     std::optional<SettledLook> settled = {};  // none: nothing rests
-    bool owes_draws = false;  // first draws were made with `settled` alone; `drawn` comes later
+    bool owes_draws = false;                  // first draws were made with `settled` alone
     ImageTextures images;  // that the look names; of a file that did not change the same as before
     Diagnostics problems;  // errors when look or programs are missing, else warnings
     std::vector<std::filesystem::path> files;
@@ -109,12 +109,13 @@ public:
     /// What the open look's programs hold now: an edit of it is made ready for the same, so that
     /// its picture goes on as fast. Null: no values rest.
     void set_rest(std::shared_ptr<const Rest> rest) { m_rest = std::move(rest); }
-    /// The look that came last owes no first draws any more, once.
+    /// Makes the first draws that a look came without, while there is nothing else to do; what is
+    /// asked for meanwhile ends that.
+    void draw_owed(LoadedRequest owed);
+    /// What they were made of, once.
     std::optional<LoadedRequest> take_drawn();
     /// Whether that is to come.
-    bool owes_draws() const;
-    /// The picture is seen: what it owes is made.
-    void draw_owed();
+    bool is_drawing_owed() const;
     /// Looks at the watched files and submits the look again when one has changed.
     /// Gives the watched extra files that changed (the open preset, a sound).
     std::vector<std::filesystem::path> update();
@@ -177,7 +178,7 @@ private:
         std::shared_ptr<DrawingHome> lent = {};  // when it has come; null: there is none
         std::shared_ptr<const SettledRequest> settled = {};  // null: it is read
         std::shared_ptr<const Rest> rest = {};               // of what is read; null: nothing rests
-        std::shared_ptr<LoadedRequest> owed = {};            // null: no first draws alone
+        std::shared_ptr<LoadedRequest> owed = {};  // null: these are not first draws alone
     };
     /// What turn() asks for: one a picture.
     struct Turning {
@@ -211,13 +212,12 @@ private:
     LoadedLook read(const Job& job, const Values& values);
     static void wait_for_home(Job& job);
     LoadedRequest load_settled(const Job& job);
-    void draw_look_first(const Job& job, const std::optional<Programs>& known, Programs& programs,
-                         LoadedRequest& loaded);
+    std::vector<PassProgram> draw_look_first(const Job& job, const std::optional<Programs>& known,
+                                             Programs& programs, LoadedRequest& loaded);
     std::optional<SettledLook> settle_first(const Job& job, const Programs& own,
                                             const LoadedRequest& loaded,
                                             const std::optional<Programs>& known);
-    static std::optional<Job> owed_by(const Job& job, const LoadedRequest& loaded);
-    void draw_owed(const Job& job);
+    void work_on_owed(const Job& job);
     std::optional<Programs> drawn_of(std::optional<Programs> known) const;
     std::optional<Programs> known_for(const Job& job, const Look& look) const;
     Result<Programs> link(const Job& job, LoadedRequest& loaded);
@@ -256,14 +256,12 @@ private:
     std::shared_ptr<PassProgress> m_progress;  // of the newest job
     std::optional<Job> m_job;
     std::optional<LoadedRequest> m_finished;
-    std::optional<LoadedRequest> m_drawn;
-    std::optional<Job> m_owed_job;  // waits for draw_owed()
-    bool m_may_draw_owed = false;
-    bool m_is_drawing_owed = false;
     Turning m_turned;
     Turning m_variant;
     Turning m_settled;
+    Turning m_drawn;
     std::shared_ptr<PassProgress> m_settling;  // of the one that is being made or waits
+    std::shared_ptr<PassProgress> m_owing;     // likewise, of m_drawn
     bool m_is_preparing = false;               // prepare_for_more() was asked for
     std::atomic<bool> m_is_prepared = false;   // set by the thread
     bool m_is_ready_for_edits = false;         // the thread's: it has tried to be

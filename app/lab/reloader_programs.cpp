@@ -164,10 +164,13 @@ Result<Programs> Reloader::link(const Job& job, LoadedRequest& loaded) {
         if (auto taken = take_views(job, *programs); !taken)
             return fail(taken.error());
     }
+    std::vector<PassProgram> owed = m_owed;
     if (is_look)
-        draw_look_first(job, reusable, *programs, loaded);
-    if (!job.progress->is_cancelled())
+        owed = draw_look_first(job, reusable, *programs, loaded);
+    if (!job.progress->is_cancelled()) {
         m_linked = *programs;
+        m_owed = std::move(owed);
+    }
     return programs;
 }
 
@@ -182,20 +185,21 @@ std::optional<Programs> Reloader::drawn_of(std::optional<Programs> known) const 
 }
 
 // Where values rest what is drawn with next holds them, and has less code to be made; the programs
-// that can be turned are drawn with afterwards.
-void Reloader::draw_look_first(const Job& job, const std::optional<Programs>& known,
-                               Programs& programs, LoadedRequest& loaded) {
+// that can be turned are left, to be drawn with afterwards.
+std::vector<PassProgram> Reloader::draw_look_first(const Job& job,
+                                                   const std::optional<Programs>& known,
+                                                   Programs& programs, LoadedRequest& loaded) {
     const std::optional<Programs> drawn = drawn_of(known);
     const Programs* const met = drawn ? &*drawn : nullptr;
-    m_owed.clear();
     loaded.settled = settle_first(job, programs, loaded, known);
     if (!loaded.settled) {
         draw_first(job, met, programs, loaded);
-        return;
+        return {};
     }
     draw_first_here(job, met, loaded.settled->programs, loaded.settled->look, loaded.images);
-    m_owed = new_of(programs, met);
-    loaded.owes_draws = !m_owed.empty();
+    std::vector<PassProgram> owed = new_of(programs, met);
+    loaded.owes_draws = !owed.empty();
+    return owed;
 }
 
 // Null where nothing rests, other passes have come, or the driver refuses such programs.
@@ -222,58 +226,49 @@ std::optional<SettledLook> Reloader::settle_first(const Job& job, const Programs
     return settled;
 }
 
-// The first draws that a look came without.
-std::optional<Reloader::Job> Reloader::owed_by(const Job& job, const LoadedRequest& loaded) {
-    if (!loaded.owes_draws)
-        return std::nullopt;
-    auto owed = std::make_shared<LoadedRequest>();
-    owed->request = loaded.request;
-    owed->look = loaded.look;
-    owed->programs = loaded.programs;
-    owed->images = loaded.images;
-    owed->generation = loaded.generation;
-    owed->whose = LoadedRequest::Whose::drawn;
-    Job made = job;
-    made.owed = std::move(owed);
-    return made;
-}
-
-void Reloader::draw_owed(const Job& job) {
-    const auto met = drawn_of(joined(*m_linked, job.shown->passes));
-    draw_first_here(job, &*met, *job.owed->programs, *job.owed->look, job.owed->images);
-    const bool is_done = !job.progress->is_cancelled();
-    if (is_done)
-        m_owed.clear();
+void Reloader::work_on_owed(const Job& job) {
+    const auto met = drawn_of(known_for(job, *job.owed->look));
+    const Programs& owed = *job.owed->programs;
+    draw_first_here(job, met ? &*met : nullptr, owed, *job.owed->look, job.owed->images);
     const std::lock_guard lock(m_mutex);
-    m_is_drawing_owed = false;
-    if (is_done)
-        keep(std::move(*job.owed));
+    if (job.progress->is_cancelled())
+        return;
+    m_owed = new_of({.passes = m_owed}, &owed);
+    m_drawn.made = std::move(*job.owed);
 }
 
-void Reloader::draw_owed() {
+void Reloader::draw_owed(LoadedRequest owed) {
     {
         const std::lock_guard lock(m_mutex);
-        if (!m_owed_job || std::exchange(m_may_draw_owed, true))
-            return;
+        drop_owed();
+        m_owing = std::make_shared<PassProgress>();
+        m_drawn.next = Job{.request = {},
+                           .progress = m_owing,
+                           .shown = m_recent.all(),
+                           .home = home_of_shown(),
+                           .owed = std::make_shared<LoadedRequest>(std::move(owed))};
     }
     m_wake.notify_all();
 }
 
 // To be called with the mutex held.
 void Reloader::drop_owed() {
-    m_drawn.reset();
-    m_owed_job.reset();
-    m_may_draw_owed = false;
+    if (m_owing)
+        m_owing->cancel();
+    m_owing.reset();
+    m_drawn = {};
 }
 
 std::optional<LoadedRequest> Reloader::take_drawn() {
     const std::lock_guard lock(m_mutex);
-    return std::exchange(m_drawn, std::nullopt);
+    if (m_drawn.made)
+        m_owing.reset();
+    return std::exchange(m_drawn.made, std::nullopt);
 }
 
-bool Reloader::owes_draws() const {
+bool Reloader::is_drawing_owed() const {
     const std::lock_guard lock(m_mutex);
-    return m_owed_job || m_is_drawing_owed || m_drawn;
+    return m_owing != nullptr;
 }
 
 // Where the driver refuses such programs, what the author wrote goes on.

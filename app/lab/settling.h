@@ -13,6 +13,7 @@ struct Settling {
     double seconds = 0.0;  // for so long
     bool is_asked = false;
     std::unique_ptr<Arrival> arrival = {};  // of the programs; null: they are not there yet
+    std::shared_ptr<const Rest> rest = {};  // that the picture was last settled for
 };
 
 /// The programs of an edit in which all can be turned, while they are drawn with for the first time

@@ -2,6 +2,7 @@
 #include "lab/small_lab.h"
 #include "model/modulation.h"
 
+#include <atomic>
 #include <cmath>
 
 namespace {
@@ -24,6 +25,40 @@ public:
             document.finish();
         });
     }
+};
+
+/// One whose reloader can be kept from going on once it has done what it is at.
+class HeldLab : public SettlingLab {
+public:
+    HeldLab() {
+        start();
+        lab().set_wake([this] {
+            while (m_is_held)
+                std::this_thread::yield();
+        });
+        lab().open("small");
+        wait_for_frames();
+    }
+    ~HeldLab() { go_on(); }
+    HeldLab(const HeldLab&) = delete;
+    HeldLab& operator=(const HeldLab&) = delete;
+
+    void hold() { m_is_held = true; }
+    void go_on() { m_is_held = false; }
+    /// An edit that is seen, and whose own programs the reloader has not begun to draw with.
+    void show_times_five() {
+        REQUIRE(settles());
+        hold();
+        save_times(5);
+        REQUIRE(turn_until([&] { return shown() == 5.0f * frames(); }));
+        REQUIRE_FALSE(lab().follows_at_once());
+    }
+    void save_nonsense() {
+        write_by_rename("gain.glsl", "uniform float gain = 1.0;  // @range 0 8\nnonsense\n");
+    }
+
+private:
+    std::atomic<bool> m_is_held = false;
 };
 }  // namespace
 
@@ -112,6 +147,64 @@ TEST_CASE("what is turned behind an edit that fails is seen") {
     REQUIRE(small.turn_until([&] { return !small.lab().problems().empty(); }));
     small.set("gain", 2.0);
     REQUIRE(small.turn_until([&] { return small.shown() == 10.0f * small.frames(); }));
+}
+
+TEST_CASE(
+    "programs that are still to be drawn with for the first time are so behind a failed edit") {
+    HeldLab small;
+    small.show_times_five();
+    small.save_nonsense();
+    bool has_waited = true;
+    const auto waits = [&] { return has_waited = has_waited && !small.lab().follows_at_once(); };
+    REQUIRE(small.turn_until([&] { return !waits() || small.lab().is_reading(); }));
+    small.go_on();
+    REQUIRE(small.turn_until([&] { return !waits() || !small.lab().problems().empty(); }));
+    CHECK(has_waited);
+    small.set("gain", 2.0);
+    small.turn(1);
+    CHECK(small.shown() == 5.0f * small.frames());
+    REQUIRE(small.turn_until([&] { return small.lab().follows_at_once(); }));
+    small.turn(1);
+    CHECK(small.shown() == 10.0f * small.frames());
+}
+
+TEST_CASE("what is turned while another look is opened does not wait for it") {
+    HeldLab small;
+    small.show_times_five();
+    std::filesystem::copy(small.look_folder(), small.look_folder().parent_path() / "other");
+    small.lab().open("other");
+    small.set("gain", 2.0);
+    small.turn(1);
+    CHECK(small.lab().is_reading());
+    CHECK(small.shown() == 10.0f * small.frames());
+    small.go_on();
+}
+
+TEST_CASE("an edit is drawn with programs that can be turned where it is compared") {
+    SettlingLab small;
+    small.lab().keep_in_slot(0);
+    small.set("gain", 2.0);
+    REQUIRE(small.settles());
+    small.lab().compare({{Other::Kind::slot, 0, {}}, CompareMode::wipe});
+    REQUIRE(small.turn_until([&] { return small.lab().renderer()->variant() != nullptr; }));
+    small.save_times(5);
+    REQUIRE(small.turn_until([&] { return small.shown() == 10.0f * small.frames(); }));
+    CHECK(small.lab().follows_at_once());
+}
+
+TEST_CASE("an edit is drawn settled as before once nothing is compared any more") {
+    SettlingLab small;
+    small.lab().keep_in_slot(0);
+    small.set("gain", 2.0);
+    REQUIRE(small.settles());
+    small.lab().compare({{Other::Kind::slot, 0, {}}, CompareMode::wipe});
+    REQUIRE(small.turn_until([&] { return small.lab().renderer()->variant() != nullptr; }));
+    small.lab().compare({});
+    REQUIRE(small.turn_until([&] { return small.lab().renderer()->variant() == nullptr; }));
+    small.turn(1);
+    small.save_times(5);
+    REQUIRE(small.turn_until([&] { return small.shown() == 10.0f * small.frames(); }));
+    CHECK(small.is_settled());
 }
 
 TEST_CASE("an edit of other passes is drawn by the plan that it has") {
