@@ -136,26 +136,30 @@ TEST_CASE_FIXTURE(Headless, "a pass that keeps its program reads what the edited
     CHECK(red(executor, 2) == 2.0f);
 }
 
-TEST_CASE_FIXTURE(Headless, "an undone edit draws as before, beside passes that stayed") {
-    Look look = look_of(
-        {pass("base", "uniform float gain;\nvoid main() { color = vec4(gain); }\n"),
-         pass("show", "uniform sampler2D image;\nvoid main() { color = texture(image, uv); }\n",
-              {reads("image", "base")})},
-        {knob("gain", {}, 1.0, {{0, "gain"}})});
+TEST_CASE_FIXTURE(Headless, "an undone edit draws with what was turned meanwhile") {
+    Look look = look_of({pass("base", "uniform float gain;\nvoid main() { color = vec4(gain); }\n"),
+                         pass("show",
+                              "uniform float gain;\nuniform sampler2D image;\n"
+                              "void main() { color = gain * texture(image, uv); }\n",
+                              {reads("image", "base")})},
+                        {knob("gain", {}, 1.0, {{0, "gain"}, {1, "gain"}})});
     Executor executor = executor_of(look);
     executor.set_values({{"gain", 3.0}});
     executor.draw(frame(1));
+    CHECK(red(executor, 1) == 3.0f * 3.0f);
     const Programs first = executor.programs();
     Look edited = look;
-    edited.passes[1].fragment =
-        fragment("uniform sampler2D image;\nvoid main() { color = 2.0 * texture(image, uv); }\n");
+    edited.passes[1].fragment = fragment(
+        "uniform float gain;\nuniform sampler2D image;\n"
+        "void main() { color = 2.0 * gain * texture(image, uv); }\n");
     REQUIRE(executor.replace(edited, programs_of(edited, &first)).has_value());
+    executor.set_values({{"gain", 5.0}});
     executor.draw(frame(2));
-    CHECK(red(executor, 1) == 6.0f);
+    CHECK(red(executor, 1) == 2.0f * 5.0f * 5.0f);
     REQUIRE(executor.replace(look, programs_of(look, &first)).has_value());
     CHECK(executor.programs().passes[1].program == first.passes[1].program);
     executor.draw(frame(3));
-    CHECK(red(executor, 1) == 3.0f);
+    CHECK(red(executor, 1) == 5.0f * 5.0f);
 }
 
 TEST_CASE_FIXTURE(Headless, "a look that cannot be had leaves the one before at work") {
