@@ -157,8 +157,11 @@ Result<void> Executor::resize(Extent viewport, Extent source) {
         m_sound = std::move(*sound);
         m_cubes = {};
         m_apart.clear();
+        const bool share_alike = std::ranges::equal(plan->targets, m_plan.targets, {},
+                                                    &PlannedTarget::onto, &PlannedTarget::onto);
         m_plan = std::move(*plan);
-        if (std::exchange(m_order, draw_order(m_plan)) != m_order)
+        m_order = draw_order(m_plan);
+        if (!share_alike)
             end_settled();  // those programs know who was drawn onto whom
         m_source.set_slots(m_plan.source_slots);
         ++m_picture_number;

@@ -1,5 +1,6 @@
 // A pass that is drawn straight onto the target of who reads it, and the same picture without that.
 #include "graph/looks.h"
+#include "graph/settled_look.h"
 
 #include <limits>
 
@@ -163,4 +164,20 @@ TEST_CASE_FIXTURE(Headless, "an edit decides anew who shares a target, and the g
     executor.draw(frame(3));
     CHECK(executor.plan().targets[0].onto == 1);
     CHECK(red(executor, 2) == glow_after(3));
+}
+
+TEST_CASE_FIXTURE(Headless, "programs that hold who was drawn onto whom end when that changes") {
+    Look look = glowing_look();
+    std::swap(look.passes[0], look.passes[1]);  // drawn in one order, shared or not
+    Executor executor = sharing(look);
+    REQUIRE(executor.plan().targets[1].onto == 0);
+    SettledTexts texts;
+    const auto nothing_moves = [](const Parameter&) { return false; };
+    executor.settle(programs_of(settled_look(look, {}, executor.plan(), nothing_moves, texts)), {});
+    executor.draw(frame(1));
+    CHECK(executor.is_settled());
+    CHECK(pixel(executor, 2)[2] == 1.0f);
+    REQUIRE(executor.set_seen({}).has_value());
+    executor.draw(frame(2));
+    CHECK(pixel(executor, 2)[2] == 0.0f);
 }
