@@ -85,9 +85,11 @@ public:
     void write_by_rename(const char* file, const std::string& text) {
         REQUIRE(write_atomically(look_folder() / file, text).has_value());
     }
+    /// False: it has not come to that. The limit is for tests that fail; beside many others one may
+    /// take twenty times as long as alone.
     template <class Condition>
     bool turn_until(Condition condition) {
-        const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+        const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
         while (std::chrono::steady_clock::now() < end) {
             m_lab->update(1.0 / 60.0);
             if (condition())
