@@ -363,6 +363,7 @@ private:
     void draw_settled(SettledLook settled, bool owes_draws);
     void rest_with(Programs settled, std::set<std::string> moving);
     LoadedRequest owed_draws() const;
+    void end_late_programs();
     void follow_own_programs();
     bool opens_another() const;
     bool waits_for_own_programs() const;

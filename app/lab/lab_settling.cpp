@@ -112,7 +112,8 @@ void Lab::draw_settled(SettledLook settled, bool owes_draws) {
 
 bool Lab::opens_another() const {
     const OpenRequest* const asked = m_reloader.request();
-    return is_reading() && asked && m_opened && *asked != *m_opened;
+    return is_reading() && asked && m_opened && *asked != *m_opened &&
+           !m_reloader.is_drawing_owed();
 }
 
 // Not beside what may take long to be opened: a first frame that does is the lesser evil.
@@ -133,10 +134,24 @@ LoadedRequest Lab::owed_draws() const {
     return owed;
 }
 
+// Something else has ended the settled programs, and the picture is drawn with its own: they are
+// not to be drawn with elsewhere at the same time, as their uniforms are the same.
+void Lab::end_late_programs() {
+    if (!m_own.are_late || m_renderer->executor().is_settled())
+        return;
+    if (!m_own.edit)
+        m_reloader.stop_drawing_owed();
+    if (!m_own.edit && m_reloader.is_drawing_owed())
+        return;
+    m_own = {.edit = std::move(m_own.edit)};
+    m_renderer->claim_programs();
+}
+
 // Every turn, behind the picture. What is read meanwhile may bring others, and goes first.
 void Lab::follow_own_programs() {
     if (m_own.edit && !m_reloader.is_newest(*m_own.edit))
         m_own = {.are_late = m_own.are_late};
+    end_late_programs();
     if ((!m_own.are_late && !m_own.edit) || is_amid_frame())
         return;
     if (auto drawn = m_reloader.take_drawn())

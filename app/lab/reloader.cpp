@@ -312,6 +312,7 @@ std::optional<Reloader::Job> Reloader::take_job() {
          {&m_job, &m_turned.next, &m_variant.next, &m_settled.next, &m_drawn.next})
         if (!job)
             job.swap(*next);
+    m_is_amid_owed = job && job->owed;
     if (job && job->whose != LoadedRequest::Whose::look && !job->settled)
         m_turning = job->progress;
     return job;

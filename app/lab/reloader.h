@@ -114,8 +114,9 @@ public:
     void draw_owed(LoadedRequest owed);
     /// What they were made of, once.
     std::optional<LoadedRequest> take_drawn();
-    /// Whether that is to come.
+    /// Whether that is to come, or the thread still draws with programs that were dropped.
     bool is_drawing_owed() const;
+    void stop_drawing_owed();
     /// Looks at the watched files and submits the look again when one has changed.
     /// Gives the watched extra files that changed (the open preset, a sound).
     std::vector<std::filesystem::path> update();
@@ -262,6 +263,7 @@ private:
     Turning m_drawn;
     std::shared_ptr<PassProgress> m_settling;  // of the one that is being made or waits
     std::shared_ptr<PassProgress> m_owing;     // likewise, of m_drawn
+    bool m_is_amid_owed = false;               // the thread is
     bool m_is_preparing = false;               // prepare_for_more() was asked for
     std::atomic<bool> m_is_prepared = false;   // set by the thread
     bool m_is_ready_for_edits = false;         // the thread's: it has tried to be

@@ -231,6 +231,7 @@ void Reloader::work_on_owed(const Job& job) {
     const Programs& owed = *job.owed->programs;
     draw_first_here(job, met ? &*met : nullptr, owed, *job.owed->look, job.owed->images);
     const std::lock_guard lock(m_mutex);
+    m_is_amid_owed = false;
     if (job.progress->is_cancelled())
         return;
     m_owed = new_of({.passes = m_owed}, &owed);
@@ -268,7 +269,12 @@ std::optional<LoadedRequest> Reloader::take_drawn() {
 
 bool Reloader::is_drawing_owed() const {
     const std::lock_guard lock(m_mutex);
-    return m_owing != nullptr;
+    return m_owing || m_is_amid_owed;
+}
+
+void Reloader::stop_drawing_owed() {
+    const std::lock_guard lock(m_mutex);
+    drop_owed();
 }
 
 // Where the driver refuses such programs, what the author wrote goes on.

@@ -46,11 +46,13 @@ public:
     void hold() { m_is_held = true; }
     void go_on() { m_is_held = false; }
     /// An edit that is seen, and whose own programs the reloader has not begun to draw with.
-    void show_times_five() {
+    void show_times(int factor) {
         REQUIRE(settles());
+        const float before = shown() / frames();
         hold();
-        save_times(5);
-        REQUIRE(turn_until([&] { return shown() == 5.0f * frames(); }));
+        save_times(factor);
+        const float now = before * static_cast<float>(factor);
+        REQUIRE(turn_until([&] { return shown() == now * frames(); }));
         REQUIRE_FALSE(lab().follows_at_once());
     }
     void save_nonsense() {
@@ -152,7 +154,7 @@ TEST_CASE("what is turned behind an edit that fails is seen") {
 TEST_CASE(
     "programs that are still to be drawn with for the first time are so behind a failed edit") {
     HeldLab small;
-    small.show_times_five();
+    small.show_times(5);
     small.save_nonsense();
     bool has_waited = true;
     const auto waits = [&] { return has_waited = has_waited && !small.lab().follows_at_once(); };
@@ -170,7 +172,7 @@ TEST_CASE(
 
 TEST_CASE("what is turned while another look is opened does not wait for it") {
     HeldLab small;
-    small.show_times_five();
+    small.show_times(5);
     std::filesystem::copy(small.look_folder(), small.look_folder().parent_path() / "other");
     small.lab().open("other");
     small.set("gain", 2.0);
@@ -178,6 +180,23 @@ TEST_CASE("what is turned while another look is opened does not wait for it") {
     CHECK(small.lab().is_reading());
     CHECK(small.shown() == 10.0f * small.frames());
     small.go_on();
+}
+
+TEST_CASE("values are right whatever ended the settled programs of an edit") {
+    HeldLab small;
+    small.set("gain", 2.0);
+    small.show_times(5);
+    std::filesystem::copy(small.look_folder(), small.look_folder().parent_path() / "other");
+    small.write("../other/sum.frag", "nonsense");
+    small.lab().open("other");
+    small.set("gain", 3.0);
+    small.turn(1);
+    CHECK_FALSE(small.is_settled());
+    small.go_on();
+    REQUIRE(small.turn_until([&] { return !small.lab().problems().empty(); }));
+    REQUIRE(small.turn_until([&] { return small.lab().follows_at_once(); }));
+    small.turn(5);
+    CHECK(small.shown() == 15.0f * small.frames());
 }
 
 TEST_CASE("an edit is drawn with programs that can be turned where it is compared") {
