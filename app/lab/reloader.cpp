@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 Reloader::Reloader(std::unique_ptr<gpu::Context> context, const gpu::Context& screen,
                    const Roots& roots)
     : m_shared_includes(roots.shared_includes()),
-      m_kept_shaders(kept_shaders(roots)),
+      m_kept_shaders(kept_shaders_later(roots)),
       m_screen(screen),
       m_context(std::move(context)),
       m_drawing_contexts(screen) {
@@ -358,6 +358,8 @@ void Reloader::work_on(Job job) {
     }
     if (m_wake_owner)
         m_wake_owner();
+    if (m_kept_shaders)
+        m_kept_shaders->write_owed();
 }
 
 void Reloader::run() {

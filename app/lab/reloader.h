@@ -10,6 +10,7 @@
 #include "graph/settled_look.h"
 #include "graph/warm_up.h"
 #include "io/file_watcher.h"
+#include "io/kept_later.h"
 #include "lab/drawing_contexts.h"
 #include "lab/open.h"
 #include "lab/seen_passes.h"
@@ -232,7 +233,7 @@ private:
     Result<ImageTextures> load_images(const Look& look, Diagnostics& warnings);
 
     std::filesystem::path m_shared_includes;
-    std::shared_ptr<ByteStore> m_kept_shaders;
+    std::unique_ptr<KeptLater> m_kept_shaders;  // null: there is no folder for it
     const gpu::Context& m_screen;
     std::unique_ptr<gpu::Context> m_context;  // of the thread, from when it takes it
     bool m_has_asked_for_context = false;
