@@ -1,6 +1,5 @@
 #include "bench/plain_reload.h"
 
-#include "bench/reload_texts.h"
 #include "bench/side_by_side.h"
 
 #include <fmt/format.h>
@@ -45,8 +44,9 @@ GLuint new_texture(GLint format, Extent extent) {
 }
 }  // namespace
 
-PlainReload::PlainReload(const Executor& of)
-    : m_context(gpu::Context::headless().value()),
+PlainReload::PlainReload(const Executor& of, const ReloadLook& look)
+    : m_look(look),
+      m_context(gpu::Context::headless().value()),
       m_vertex(of.programs().passes.back().vertex),
       m_fragment(of.programs().passes.back().fragment),
       m_picture(of.plan().targets.back().extent) {
@@ -111,7 +111,7 @@ double PlainReload::over_a_frame(int number) {
     gpu::Context* const before = gpu::Context::current();
     m_context->make_current();
     const double start = busy_seconds();
-    const GLuint program = build(with_factor(m_fragment, number));
+    const GLuint program = build(with_factor(m_fragment, m_look, number));
     use(program);
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glFinish();
@@ -128,7 +128,7 @@ double PlainReload::until_linked(int number) {
     gpu::Context* const before = gpu::Context::current();
     m_context->make_current();
     const auto start = std::chrono::steady_clock::now();
-    glDeleteProgram(build(with_factor(m_fragment, number)));
+    glDeleteProgram(build(with_factor(m_fragment, m_look, number)));
     const std::chrono::duration<double, std::milli> taken =
         std::chrono::steady_clock::now() - start;
     before->make_current();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bench/reload_looks.h"
 #include "gpu/context.h"
 #include "graph/executor.h"
 
@@ -14,8 +15,8 @@ namespace bench {
 /// compile and link, and a first draw as large as the picture.
 class PlainReload {
 public:
-    /// Takes the texts that the executor's last pass is drawn with.
-    explicit PlainReload(const Executor& of);
+    /// Takes the texts that the executor's last pass is drawn with; `look` is what it draws.
+    PlainReload(const Executor& of, const ReloadLook& look);
     ~PlainReload();
     PlainReload(const PlainReload&) = delete;
     PlainReload& operator=(const PlainReload&) = delete;
@@ -31,6 +32,7 @@ private:
     GLuint build(const std::string& fragment) const;
     void use(GLuint program) const;
 
+    const ReloadLook& m_look;
     std::unique_ptr<gpu::Context> m_context;
     std::string m_vertex;
     std::string m_fragment;

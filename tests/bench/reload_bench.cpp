@@ -1,12 +1,12 @@
-// Hot reload of Phosphor's composite at 1280 x 720, twenty texts that no cache knows, saved in
-// place and by rename while values rest and by rename while they are turned, then texts that were
-// seen before. Beside it a plain program that does what must be done: glslang's parse, GL's compile
-// and link, the first draw.
+// Hot reload of a composite at 1280 x 720, that of the article's look and Phosphor's: twenty texts
+// that no cache knows, saved in place and by rename while values rest and by rename while they are
+// turned, then texts that were seen before. Beside it a plain program that does what must be done:
+// glslang's parse, GL's compile and link, the first draw.
 //
 // The driver draws on the calling thread (LP_NUM_THREADS=0), so that the drawing thread's CPU time
 // is a frame's cost. A wait is wall time; what one cannot see the machine's load in is CPU time.
 #include "bench/plain_reload.h"
-#include "bench/reload_texts.h"
+#include "bench/reload_looks.h"
 #include "bench/side_by_side.h"
 #include "io/atomic_file.h"
 #include "lab/lab.h"
@@ -44,10 +44,8 @@ double quantile(std::vector<double> values, double share) {
         std::lround(share * static_cast<double>(values.size() - 1)))];
 }
 
-const bench::Topic topic{"reload", "Hot reload, Phosphor's composite at 1280 x 720, twenty edits"};
-
-void tell(const std::string& key, const std::string& what, const std::vector<double>& milliseconds,
-          std::optional<bench::Bound> bound = {}) {
+void tell(const bench::Topic& topic, const std::string& key, const std::string& what,
+          const std::vector<double>& milliseconds, std::optional<bench::Bound> bound = {}) {
     bench::tell(topic, {.key = key,
                         .what = what,
                         .value = quantile(milliseconds, 0.5),
@@ -57,13 +55,11 @@ void tell(const std::string& key, const std::string& what, const std::vector<dou
 }
 
 struct Folders {
-    explicit Folders(const fs::path& all)
-        : looks(all / "shaders"), file(looks / "phosphor" / "composite.frag") {
-        fs::copy(fs::path(AFTERGLOW_SOURCE_DIR) / "shaders", looks, fs::copy_options::recursive);
-        std::ifstream stream(file);
-        text.assign(std::istreambuf_iterator<char>(stream), {});
-    }
-    std::string edited(int number) const { return bench::with_factor(text, number); }
+    Folders(const fs::path& all, const bench::ReloadLook& reloaded)
+        : look(reloaded),
+          file(all / "shaders" / reloaded.folder / "composite.frag"),
+          text(bench::text_of(file)) {}
+    std::string edited(int number) const { return bench::with_factor(text, look, number); }
     void save(const std::string& saved, bool by_rename) const {
         if (by_rename)
             static_cast<void>(write_atomically(file, saved));
@@ -71,12 +67,12 @@ struct Folders {
             std::ofstream(file) << saved;
     }
 
-    fs::path looks;
+    const bench::ReloadLook& look;
     fs::path file;
     std::string text;
 };
 
-/// A lab on that copy of Phosphor, without a window.
+/// A lab on that look, without a window.
 class ReloadBench {
 public:
     ReloadBench(const fs::path& folder, const Folders& folders) : m_folders(folders) {
@@ -92,7 +88,7 @@ public:
             Library({folder, folder / "user", folder / "state", folder / "cache"}), *m_context,
             std::move(*worker));
         m_lab->set_picture_size({false, {1280, 720}, 1.0});
-        m_lab->open("phosphor");
+        m_lab->open(m_folders.look.folder);
         while (m_lab->player().frame_number() < 10)
             frame();
         for (const auto start = Clock::now(); milliseconds_since(start) < 2500.0;)
@@ -108,7 +104,7 @@ public:
     void rest(bool rests) {
         if (!rests)
             m_lab->edit([this](Document& document) {
-                document.set_value("exposure", Value(m_exposure += 0.001));
+                document.set_value(m_folders.look.turned, Value(m_turned += 0.001));
                 document.finish();
             });
         frame();
@@ -128,8 +124,8 @@ public:
     /// CPU time of the process from the save to the first new frame, over one such frame. No time
     /// passes and no frame is drawn while the text is read.
     double over_a_frame(const std::string& text, bool by_rename) {
-        const double start = busy_seconds();
         m_folders.save(text, by_rename);
+        const double start = busy_seconds();
         while (!shows(text)) {
             m_lab->update(0.0);
             std::this_thread::sleep_for(std::chrono::milliseconds(8));
@@ -164,9 +160,8 @@ public:
 private:
     bool shows(const std::string& text) const {
         const std::string& drawn = m_lab->renderer()->executor().look().passes.back().fragment.text;
-        const auto at = text.find("    vec3 light = ");
         return !m_lab->is_loading() &&
-               drawn.find(text.substr(at, text.find('\n', at) - at)) != std::string::npos;
+               drawn.find(bench::edited_line(text, m_folders.look)) != std::string::npos;
     }
     void frame(double seconds = 1.0 / 60.0) {
         m_lab->update(seconds);
@@ -183,7 +178,7 @@ private:
     const Folders& m_folders;
     std::unique_ptr<gpu::Context> m_context;
     std::unique_ptr<Lab> m_lab;
-    double m_exposure = 1.5;
+    double m_turned = 1.5;
 };
 
 /// The reloader alone: when a save is linked, before anything is drawn with it.
@@ -194,7 +189,7 @@ public:
         const Roots roots{folder, folder / "user", folder / "state", folder / "cache"};
         m_reloader = std::make_unique<Reloader>(gpu::Context::shared_with(*m_context).value(),
                                                 *m_context, roots);
-        m_reloader->open({folders.looks / "phosphor", {}, {}});
+        m_reloader->open({folders.file.parent_path(), {}, {}});
         take();
         m_reloader->prepare_for_more();
         std::this_thread::sleep_for(std::chrono::milliseconds(2500));
@@ -207,8 +202,8 @@ public:
     LinkBench& operator=(const LinkBench&) = delete;
 
     double saved_to_linked(const std::string& text, bool by_rename) {
-        const auto start = Clock::now();
         m_folders.save(text, by_rename);
+        const auto start = Clock::now();
         double linked = 0.0;
         while (linked == 0.0) {
             m_reloader->update();
@@ -238,12 +233,13 @@ private:
     LoadedRequest m_loaded;
 };
 
-void measure_links(const fs::path& folder, const Folders& folders, int first_text) {
+void measure_links(const bench::Topic& topic, const fs::path& folder, const Folders& folders,
+                   int first_text) {
     LinkBench links(folder, folders);
     std::vector<double> linked;
     for (int i = 0; i < edits; ++i)
         linked.push_back(links.saved_to_linked(folders.edited(first_text + i), i % 2 == 1));
-    tell("linked", "saved to linked, wall", linked, bench::at_most(5.0));
+    tell(topic, "linked", "saved to linked, wall", linked, folders.look.linked);
     folders.save(folders.text, false);
     const std::vector<double> later(linked.begin() + 1, linked.end());
     bench::tell(topic, {.key = "first",
@@ -260,8 +256,8 @@ struct Way {
     bool rests;
 };
 
-void measure_way(const Way& way, ReloadBench& reloads, bench::PlainReload& plain,
-                 const Folders& folders, int& number) {
+void measure_way(const bench::Topic& topic, const Way& way, ReloadBench& reloads,
+                 bench::PlainReload& plain, const Folders& folders, int& number) {
     const std::string key = std::string(way.key) + "-";
     const std::string how = way.name;
     std::vector<double> ours;
@@ -287,30 +283,31 @@ void measure_way(const Way& way, ReloadBench& reloads, bench::PlainReload& plain
         seen.push_back(reloads.over_a_frame(folders.edited(number - 1 - i % 5), way.by_rename));
     }
     seen.erase(seen.begin());
-    tell(key + "plain", how + "a plain program, CPU over a steady frame", raw);
-    tell(key + "frame", how + "to the first new frame, CPU over a steady one", ours);
+    tell(topic, key + "plain", how + "a plain program, CPU over a steady frame", raw);
+    tell(topic, key + "frame", how + "to the first new frame, CPU over a steady one", ours);
     bench::tell(topic, {.key = key + "ratio",
                         .what = how + "that, beside the plain program",
                         .value = bench::median(ratios),
                         .bound = bench::at_most(1.10)});
-    tell(key + "longest", how + "the longest frame over a steady one, CPU", longest);
-    tell(key + "added", how + "that, over the longest of as many frames without an edit", added,
-         bench::at_most(5.0));
-    tell(key + "seen", how + "a text seen before, CPU over a steady frame", seen,
+    tell(topic, key + "longest", how + "the longest frame over a steady one, CPU", longest);
+    tell(topic, key + "added", how + "that, over the longest of as many frames without an edit",
+         added, bench::at_most(5.0));
+    tell(topic, key + "seen", how + "a text seen before, CPU over a steady frame", seen,
          bench::at_most(3.0));
 }
 
-void measure_frames(const fs::path& folder, const Folders& folders, int first_text) {
+void measure_frames(const bench::Topic& topic, const fs::path& folder, const Folders& folders,
+                    int first_text) {
     ReloadBench reloads(folder, folders);
-    bench::PlainReload plain(reloads.lab().renderer()->executor());
+    bench::PlainReload plain(reloads.lab().renderer()->executor(), folders.look);
     std::vector<double> linked;
     for (int i = 0; i < edits; ++i)
         linked.push_back(plain.until_linked(first_text++));
-    tell("plain-linked", "a plain program, parsed and linked, wall", linked);
+    tell(topic, "plain-linked", "a plain program, parsed and linked, wall", linked);
     for (const Way& way : {Way{"place", "values rest, saved in place: ", false, true},
                            Way{"rename", "values rest, saved by rename: ", true, true},
                            Way{"turned", "values are turned, saved by rename: ", true, false}})
-        measure_way(way, reloads, plain, folders, first_text);
+        measure_way(topic, way, reloads, plain, folders, first_text);
 }
 }  // namespace
 
@@ -321,9 +318,13 @@ int main() {
     setenv("MESA_SHADER_CACHE_DIR", (folder / "driver").c_str(), 1);
     setenv("LP_NUM_THREADS", "0", 1);
     std::setvbuf(stdout, nullptr, _IOLBF, 0);
-    const Folders folders(folder);
-    measure_links(folder, folders, 1000);
-    measure_frames(folder, folders, 2000);
+    bench::write_reload_looks(folder / "shaders");
+    for (const bench::ReloadLook& look : bench::reload_looks()) {
+        const bench::Topic topic{look.key, "Hot reload, " + look.name + ", twenty edits"};
+        const Folders folders(folder, look);
+        measure_links(topic, folder, folders, 1000);
+        measure_frames(topic, folder, folders, 2000);
+    }
     fs::remove_all(folder);
     return EXIT_SUCCESS;
 }
