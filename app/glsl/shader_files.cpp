@@ -3,11 +3,10 @@
 #include "base/file.h"
 #include "glsl/tokens.h"
 
-#include <sys/stat.h>
-
 #include <algorithm>
 #include <ctime>
 #include <functional>
+#include <sys/stat.h>
 
 namespace fs = std::filesystem;
 

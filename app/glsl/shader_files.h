@@ -65,10 +65,10 @@ private:
         Result<std::string> bytes;
         std::size_t digest = 0;                   // of them, or of why there are none
         std::optional<Result<ShaderText>> found;  // in them
-        std::optional<Stamp> stamp;               // before they were read; null: it tells too little
-        std::filesystem::path place;              // where they were read
-        std::uint64_t reading = 0;                // of which they are
-        std::uint64_t asked = 0;                  // by this reading at last
+        std::optional<Stamp> stamp;   // before they were read; null: it tells too little
+        std::filesystem::path place;  // where they were read
+        std::uint64_t reading = 0;    // of which they are
+        std::uint64_t asked = 0;      // by this reading at last
     };
     using Path = std::filesystem::path::string_type;
 
