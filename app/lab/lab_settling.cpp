@@ -1,4 +1,5 @@
 // The part of Lab that draws with programs in which values that rest are constants.
+#include "base/elapsed.h"
 #include "lab/lab.h"
 #include "lab/morphing.h"
 #include "lab/tryouts.h"
@@ -107,6 +108,7 @@ void Lab::draw_settled(SettledLook settled, bool owes_draws) {
     if (!is_alike)
         return;
     m_own.are_late = owes_draws;
+    m_own.since = std::chrono::steady_clock::now();
     rest_with(std::move(settled.programs), rest.moving);
 }
 
@@ -147,8 +149,11 @@ void Lab::end_late_programs() {
     m_renderer->claim_programs();
 }
 
-// Every turn, behind the picture. What is read meanwhile may bring others, and goes first.
+// Every turn, behind the picture, whose first frames have the machine to themselves; for a text
+// that is saved again by then nothing was made in vain. What is read meanwhile may bring others,
+// and goes first.
 void Lab::follow_own_programs() {
+    constexpr double pause_seconds = 0.3;
     if (m_own.edit && !m_reloader.is_newest(*m_own.edit))
         m_own = {.are_late = m_own.are_late};
     end_late_programs();
@@ -157,6 +162,9 @@ void Lab::follow_own_programs() {
     if (auto drawn = m_reloader.take_drawn())
         m_own.arrival = std::make_unique<Arrival>(std::move(*drawn));
     if (!m_own.arrival) {
+        const bool is_asked_for = m_own.edit || waits_for_own_programs();
+        if (!is_asked_for && seconds_since(m_own.since) < pause_seconds)
+            return;
         if (!m_reloader.is_drawing_owed() && !m_reloader.is_busy() && !m_arrival)
             m_reloader.draw_owed(owed_draws());
         return;

@@ -3,6 +3,7 @@
 #include "lab/arrival.h"
 #include "model/modulation.h"
 
+#include <chrono>
 #include <memory>
 #include <optional>
 
@@ -19,7 +20,8 @@ struct Settling {
 /// The programs of an edit in which all can be turned, while they are drawn with for the first time
 /// behind its picture, which settled ones draw.
 struct OwnPrograms {
-    bool are_late = false;                   // what a hand turns waits for them
-    std::unique_ptr<Arrival> arrival = {};   // null: the reloader is still at them
+    bool are_late = false;                             // what a hand turns waits for them
+    std::chrono::steady_clock::time_point since = {};  // since the edit's picture came
+    std::unique_ptr<Arrival> arrival = {};             // null: the reloader is still at them
     std::optional<LoadedRequest> edit = {};  // no picture yet: values did not rest any more
 };
