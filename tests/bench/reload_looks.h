@@ -1,9 +1,6 @@
 #pragma once
 
-#include "bench/figure.h"
-
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +14,6 @@ struct ReloadLook {
     std::string turned;  // a parameter of the composite
     std::string before;  // of the line that is edited, up to the factor
     std::string after;
-    std::optional<Bound> linked;  // milliseconds; a composite of hundreds of lines has none
 };
 
 /// The article's look as it is written there, and Phosphor.
