@@ -29,9 +29,16 @@ nlohmann::ordered_json json_of(const PassOverrides& overrides) {
 }
 
 nlohmann::ordered_json json_of(const SessionState& state) {
-    return {{"step", state.step},
-            {"preset", preset_json(state.preset)},
-            {"overrides", json_of(state.overrides)}};
+    nlohmann::ordered_json json{{"step", state.step},
+                                {"preset", preset_json(state.preset)},
+                                {"overrides", json_of(state.overrides)}};
+    if (state.locks.signal)
+        json["keeps_signal"] = true;
+    if (state.locks.source)
+        json["keeps_source"] = true;
+    if (state.chose_content)
+        json["chose_content"] = true;
+    return json;
 }
 
 nlohmann::ordered_json json_of(const std::vector<SessionState>& states, std::size_t first) {
@@ -223,6 +230,9 @@ private:
         if (const JsonValue* overrides = reader.find("overrides"))
             for (const JsonValue& pass : overrides->children)
                 state.overrides[pass.key] = read_override(pass, m_file, m_problems);
+        state.locks.signal = reader.boolean("keeps_signal", false);
+        state.locks.source = reader.boolean("keeps_source", false);
+        state.chose_content = reader.boolean("chose_content", false);
         reader.refuse_unknown();
         return state;
     }

@@ -2,6 +2,7 @@
 
 #include "base/diagnostic.h"
 #include "model/comparison.h"
+#include "model/content.h"
 #include "model/knob_settings.h"
 #include "model/plan.h"
 #include "model/preset.h"
@@ -17,6 +18,8 @@ struct SessionState {
     std::string step;
     Preset preset;  // values, signal and source
     PassOverrides overrides;
+    ContentLocks locks = {};
+    bool chose_content = false;  // the step: undo brings the content of this state back
 
     bool operator==(const SessionState&) const = default;
 };

@@ -26,6 +26,15 @@ public:
     /// Shows what has been read beside and is still chosen, black where that failed; gives the
     /// samplers' parameters.
     std::vector<std::string> take_read(const Look& look, Renderer& renderer, Diagnostics& problems);
+    /// A picture that the user picked for a sampler's parameter.
+    struct Choice {
+        std::string parameter;
+        std::filesystem::path file;
+    };
+    /// Reads what was picked on another thread. Until it has been read nothing changes.
+    void choose(const Look& look, const Choice& choice);
+    /// What was picked, once it can be shown. An error names the file. None: nothing is new.
+    std::optional<Result<Choice>> take_chosen();
     /// Something that is chosen is being read.
     bool is_reading() const;
     /// The renderer is another, or reads pictures in another way.
@@ -55,5 +64,6 @@ private:
 
     std::map<std::string, Shown> m_shown;  // by the sampler's parameter
     std::vector<Read> m_reading;
-    bool m_has_shown = false;  // since the renderer is this one
+    std::optional<Read> m_chosen;  // picked, and not the document's yet
+    bool m_has_shown = false;      // since the renderer is this one
 };

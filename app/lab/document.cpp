@@ -1,5 +1,6 @@
 #include "lab/document.h"
 
+#include "lab/users_content.h"
 #include "model/randomised.h"
 #include "model/renamed.h"
 
@@ -18,10 +19,10 @@ bool Document::is_changed(const Parameter& parameter) const {
     return value(parameter) != parameter.initial;
 }
 
-void Document::change(DocumentState next, std::string step_name, bool goes_on) {
+void Document::change(DocumentState next, std::string step_name, bool goes_on, StepKind kind) {
     if (stack_id(next.stack) == stack_id(m_look.stack))
         next.values = changed_values(m_look, next.values);
-    m_undo.change(std::move(next), std::move(step_name), goes_on);
+    m_undo.change(std::move(next), std::move(step_name), goes_on, kind == StepKind::content);
     follow_stack();
 }
 
@@ -44,21 +45,36 @@ void Document::set_stack(Stack stack, const std::string& step_name) {
     change(std::move(next), step_name);
 }
 
-void Document::undo() {
+// Only a step that chose content brings other content, and the lock of that time.
+void Document::undo_one() {
+    const bool is_of_content = m_undo.past().back().is_marked;
+    const Content before = content();
     m_undo.undo();
-    follow_stack();
+    if (!is_of_content)
+        keep_content(before);
+}
+
+void Document::redo_one() {
+    const bool is_of_content = m_undo.future().back().is_marked;
+    const Content before = content();
+    m_undo.redo();
+    if (!is_of_content)
+        keep_content(before);
+}
+
+void Document::undo() {
+    travel(-1);
 }
 
 void Document::redo() {
-    m_undo.redo();
-    follow_stack();
+    travel(1);
 }
 
 void Document::travel(int steps) {
     for (; steps < 0 && m_undo.can_undo(); ++steps)
-        m_undo.undo();
+        undo_one();
     for (; steps > 0 && m_undo.can_redo(); --steps)
-        m_undo.redo();
+        redo_one();
     follow_stack();
 }
 
@@ -139,7 +155,7 @@ void keep(const std::map<std::string, T>& present, const std::string& here,
 }
 }  // namespace
 
-// `next`, with what is locked as it is now.
+// `next`, with the values that are locked as they are now.
 DocumentState Document::with_locked(DocumentState next) const {
     for (const auto& [name, setting] : m_knobs) {
         const auto here = present_name(name);
@@ -184,14 +200,62 @@ void Document::set_knob(const std::string& name, const KnobSetting& setting) {
 
 void Document::set_signal(Spec signal, bool goes_on, std::string step_name) {
     DocumentState next = state();
+    if (is_users_content(signal) && !is_same_content(signal, next.signal))
+        next.locks.signal = true;
     next.signal = std::move(signal);
-    change(std::move(next), std::move(step_name), goes_on);
+    change(std::move(next), std::move(step_name), goes_on, StepKind::content);
 }
 
 void Document::set_source(std::string source, bool goes_on) {
     DocumentState next = state();
+    if (is_users_content(source) && !is_same_content(source, next.source))
+        next.locks.source = true;
     next.source = std::move(source);
-    change(std::move(next), "Source", goes_on);
+    change(std::move(next), "Source", goes_on, StepKind::content);
+}
+
+void Document::use_content(const Content& content) {
+    DocumentState next = state();
+    if (m_look.driven_by == Driver::signal) {
+        next.signal = content.signal;
+        next.locks.signal = false;
+    } else if (m_look.driven_by == Driver::picture) {
+        next.source = content.source;
+        next.locks.source = false;
+    }
+    change(std::move(next), "Use the preset's " + content_word(m_look), false, StepKind::content);
+}
+
+namespace {
+void take_locked(const Content& content, DocumentState& state) {
+    state.locks = content.locks;
+    if (content.locks.signal)
+        state.signal = content.signal;
+    if (content.locks.source)
+        state.source = content.source;
+}
+}  // namespace
+
+void Document::keep_content(const Content& content) {
+    m_undo.amend([&content](DocumentState& state) { take_locked(content, state); });
+}
+
+DocumentState Document::with_kept_content(DocumentState next) const {
+    take_locked(content(), next);
+    return next;
+}
+
+bool Document::is_content_locked() const {
+    return is_locked_in(m_look, state().locks);
+}
+
+void Document::lock_content(bool is_locked) {
+    m_undo.amend([&](DocumentState& state) {
+        if (m_look.driven_by == Driver::signal)
+            state.locks.signal = is_locked;
+        else if (m_look.driven_by == Driver::picture)
+            state.locks.source = is_locked;
+    });
 }
 
 void Document::set_override(const std::string& pass, PassOverride override) {
@@ -234,7 +298,7 @@ void Document::take(const Preset& preset, const std::string& step_name) {
     DocumentState next = state_of(preset);
     next.overrides = moved(state().overrides, state().stack, next.stack);
     next.origin = state().origin;
-    change(with_locked(std::move(next)), step_name);
+    change(with_kept_content(with_locked(std::move(next))), step_name);
 }
 
 void Document::replace_look(Look look) {
@@ -263,23 +327,26 @@ void Document::restore_history(Undo<DocumentState> history) {
     follow_stack();
 }
 
-void Document::open(DocumentState next, Origin from, std::string step_name) {
+void Document::open(DocumentState next, Origin from, std::string step_name, OpenedWith content) {
     next.overrides = moved(state().overrides, state().stack, next.stack);
     next.origin = state().origin;
-    if (from.file == origin().file && next == state() && !is_modified())
+    const bool keeps_content = content == OpenedWith::locked_content;
+    DocumentState opened = keeps_content ? with_kept_content(next) : next;
+    if (from.file == origin().file && opened == state() && !is_modified())
         return;  // it is open already, as it is
-    next.origin = m_origins.size();
-    from.saved = next;
+    next.origin = opened.origin = m_origins.size();
+    from.saved = std::move(next);
     m_origins.push_back(std::move(from));
-    change(with_locked(std::move(next)), std::move(step_name));
+    change(with_locked(std::move(opened)), std::move(step_name), false,
+           keeps_content ? StepKind::plain : StepKind::content);
 }
 
-void Document::open_preset(const Preset& preset, std::filesystem::path file) {
-    open(state_of(preset), {preset, std::move(file), {}}, "Open " + preset.name);
+void Document::open_preset(const Preset& preset, std::filesystem::path file, OpenedWith content) {
+    open(state_of(preset), {preset, std::move(file), {}}, "Open " + preset.name, content);
 }
 
-void Document::open_defaults() {
-    open(initial_state(m_look), {}, "Open " + m_look.name);
+void Document::open_defaults(OpenedWith content) {
+    open(initial_state(m_look), {}, "Open " + m_look.name, content);
 }
 
 void Document::arrive_at(const Preset& preset, std::filesystem::path file,
@@ -296,11 +363,35 @@ void Document::set_identity(Preset identity, std::filesystem::path file) {
     origin().file = std::move(file);
 }
 
+namespace {
+// Passes belong to the look and not to the preset, and locked content to the user.
+DocumentState comparable(DocumentState state, const DocumentState& saved, const Look& look) {
+    state.overrides = saved.overrides;
+    state.origin = saved.origin;
+    if (look.driven_by != Driver::signal || state.locks.signal)
+        state.signal = saved.signal;
+    if (look.driven_by != Driver::picture || state.locks.source)
+        state.source = saved.source;
+    state.locks = saved.locks;
+    return state;
+}
+}  // namespace
+
 bool Document::is_modified() const {
-    DocumentState now = state();
-    now.overrides = saved().overrides;  // passes belong to the look, not to the preset
-    now.origin = saved().origin;
-    return now != saved();
+    return comparable(state(), saved(), m_look) != saved();
+}
+
+bool Document::has_unlocked_changes() const {
+    DocumentState now = comparable(state(), saved(), m_look);
+    DocumentState before = saved();
+    for (const auto& [name, setting] : m_knobs)
+        if (setting.is_locked) {
+            now.values.erase(name);
+            before.values.erase(name);
+            now.modulations.erase(name);
+            before.modulations.erase(name);
+        }
+    return now != before;
 }
 
 Preset Document::preset() const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "model/content.h"
 #include "model/knob_settings.h"
 #include "model/orbit.h"
 #include "model/plan.h"
@@ -17,11 +18,12 @@
 struct DocumentState {
     Values values;  // only what differs from the defaults, and orphans
     Spec signal;
-    std::string source;
+    std::string source;  // of both only the one that drives the look is used; the other waits
     PassOverrides overrides;
     std::size_t origin = 0;  // of the document's origins: the preset that was open
     Stack stack = {};        // which looks, in which order; values and overrides have its names
     Modulations modulations = {};  // what moves by itself; in its names, too
+    ContentLocks locks = {};       // of signal and source; change without a step of their own
 
     bool operator==(const DocumentState&) const = default;
 };
@@ -64,8 +66,19 @@ public:
     const KnobSettings& knobs() const { return m_knobs; }
     void set_knobs(KnobSettings knobs) { m_knobs = renamed_knobs(m_look, std::move(knobs)); }
     void set_knob(const std::string& name, const KnobSetting& setting);
+    /// The lock of the signal closes where the user chose a file, device, drawing or text. Undo of
+    /// this step brings signal and lock back; undo of no other step does while the lock is closed.
     void set_signal(Spec signal, bool goes_on = false, std::string step_name = "Signal");
+    /// The same for the source of looks that process a picture.
     void set_source(std::string source, bool goes_on = false);
+    /// What a preset brings replaces locked content, as one step; the lock opens.
+    void use_content(const Content& content);
+    Content content() const { return {state().signal, state().source, state().locks}; }
+    /// Takes over what is locked, and the locks, without a step: another look was opened.
+    void keep_content(const Content& content);
+    bool is_content_locked() const;
+    /// Locks or unlocks what drives this look.
+    void lock_content(bool is_locked);
     /// Other looks, or another order; every value goes with its look.
     void set_stack(Stack stack, const std::string& step_name);
     /// Whether the person asked for another stack than look() is: it is to be read and given to
@@ -90,11 +103,14 @@ public:
     /// The look was edited: values stay, under their new names where `@was` says so.
     void replace_look(Look look);
 
+    /// Which signal or source a preset opens with while the user's is locked.
+    enum class OpenedWith { locked_content, own_content };
     /// Opens a preset of this look: the state becomes the preset's and counts as saved. One step:
     /// undo gives back the values, and the preset, that were open before.
-    void open_preset(const Preset& preset, std::filesystem::path file);
+    void open_preset(const Preset& preset, std::filesystem::path file,
+                     OpenedWith content = OpenedWith::locked_content);
     /// The same with every parameter at its default and no preset.
-    void open_defaults();
+    void open_defaults(OpenedWith content = OpenedWith::locked_content);
     /// The same as the end of the gesture of that name, with which it is one step. `file` "": the
     /// defaults.
     void arrive_at(const Preset& preset, std::filesystem::path file, const std::string& gesture);
@@ -106,8 +122,12 @@ public:
     void set_identity(Preset identity, std::filesystem::path file);
     void mark_saved() { mark_saved(state()); }
     void mark_saved(DocumentState saved) { origin().saved = std::move(saved); }
+    /// As the preset has it, with its own signal or source.
     const DocumentState& saved() const { return origin().saved; }
+    /// Locked content counts as no change.
     bool is_modified() const;
+    /// The same without values that are locked: those stay with the next preset.
+    bool has_unlocked_changes() const;
 
     /// The present state as a preset: only changed values, or all of them for sharing.
     Preset preset() const;
@@ -121,9 +141,15 @@ private:
         DocumentState saved;
     };
 
-    void change(DocumentState next, std::string step_name, bool goes_on = false);
+    enum class StepKind { plain, content };
+    void change(DocumentState next, std::string step_name, bool goes_on = false,
+                StepKind kind = StepKind::plain);
+    void undo_one();
+    void redo_one();
+    DocumentState with_kept_content(DocumentState next) const;
     DocumentState state_of(const Preset& preset) const;
-    void open(DocumentState next, Origin from, std::string step_name);
+    void open(DocumentState next, Origin from, std::string step_name,
+              OpenedWith content = OpenedWith::locked_content);
     Origin& origin() { return m_origins[state().origin]; }
     const Origin& origin() const { return m_origins[state().origin]; }
     std::optional<std::string> present_name(const std::string& name) const;

@@ -31,7 +31,6 @@ void Drive::forget() {
     m_loader.cancel();
     m_source.reset();
     m_shown.reset();
-    m_is_from_the_beginning = false;
     note({}, {});
 }
 
@@ -72,6 +71,54 @@ Result<void> Drive::follow_signal(const Document& document, Player& player) {
     if (auto set = player.set_signal(spec, file.empty() ? PlayedSound{} : player.sound()); !set)
         return fall_back(document, player, std::move(set.error()));
     return {};
+}
+
+void Drive::choose(ChosenContent chosen) {
+    const bool is_signal = chosen.driver == Driver::signal;
+    m_chosen_loader.load(is_signal ? MediaLoader::Kind::signal : MediaLoader::Kind::source,
+                         is_signal ? file_of(chosen.signal) : chosen.source);
+    m_chosen = std::move(chosen);
+}
+
+std::optional<Result<ChosenContent>> Drive::take_chosen(const Look& look, Player& player) {
+    auto loaded = m_chosen_loader.take_finished();
+    if (!loaded || !m_chosen)
+        return std::nullopt;
+    const ChosenContent chosen = *std::exchange(m_chosen, std::nullopt);
+    if (!loaded->problems.empty())
+        return fail(std::move(loaded->problems));
+    const bool is_shown =
+        look.driven_by == chosen.driver;  // else another look was opened meanwhile
+    if (is_shown && loaded->source)
+        m_source = std::move(loaded->source);
+    else if (is_shown)
+        if (auto set = player.set_signal(
+                chosen.signal, {loaded->name, loaded->sound, loaded->scene, loaded->drawing});
+            !set)
+            return fail(std::move(set.error()));
+    if (is_shown)
+        m_loader.cancel();
+    m_recent.remember(chosen.file, loaded->digest);
+    if (is_shown)
+        note(chosen.driver == Driver::signal ? file_of(chosen.signal)
+                                             : file_of_source(chosen.source),
+             std::move(loaded->notes));
+    return chosen;
+}
+
+std::string Drive::loading() const {
+    return m_chosen ? m_chosen_loader.name() : m_loader.name();
+}
+
+double Drive::loaded_share() const {
+    return m_chosen ? m_chosen_loader.share() : m_loader.share();
+}
+
+void Drive::cancel() {
+    if (!m_chosen)
+        return m_loader.cancel();
+    m_chosen_loader.cancel();
+    m_chosen.reset();
 }
 
 void Drive::read_again(const Document& document) {
@@ -194,7 +241,6 @@ std::optional<Result<void>> Drive::update(const Document& document, Player& play
 
 Result<void> Drive::take(LoadedMedia loaded, const Document& document, Player& player,
                          Renderer& renderer) {
-    const bool is_from_the_beginning = std::exchange(m_is_from_the_beginning, false);
     if (!loaded.problems.empty())
         return fall_back(document, player, told(std::move(loaded.problems)));
     const std::string file = loaded.source ? loaded.source->spec().picture : loaded.name;
@@ -212,8 +258,6 @@ Result<void> Drive::take(LoadedMedia loaded, const Document& document, Player& p
                                       std::move(loaded.drawing)});
         !set)
         return fall_back(document, player, std::move(set.error()));
-    if (is_from_the_beginning)
-        player.restart();
     const std::string& expected = document.identity().media_digest;
     if (document.state().signal == document.saved().signal && !expected.empty() &&
         expected != loaded.digest)

@@ -14,6 +14,14 @@
 /// no file's.
 std::string driving_file(const Document& document);
 
+/// A signal or source that the user chose, with the file that it is read from.
+struct ChosenContent {
+    Driver driver = Driver::signal;  // which of both
+    Spec signal = {};
+    std::string source = {};
+    std::filesystem::path file = {};
+};
+
 /// Brings what drives the open look to where it is used: the signal to the player, the source
 /// picture to the renderer. Files are read on another thread; until then the last one goes on.
 class Drive {
@@ -27,8 +35,12 @@ public:
     /// Follows the document's signal or source. An error says why it cannot; then the look's own
     /// goes on if nothing did before.
     Result<void> follow(const Document& document, Player& player, Renderer& renderer);
-    /// The file that is now being read is played from its beginning once it is there.
-    void start_from_the_beginning() { m_is_from_the_beginning = true; }
+    /// Reads the file of what the user chose. Until it has been read nothing changes.
+    void choose(ChosenContent chosen);
+    /// What was chosen, once its file has been read and can be shown: the player has the sound, or
+    /// source() is the picture. An error names the file, and nothing has changed. None: nothing is
+    /// new.
+    std::optional<Result<ChosenContent>> take_chosen(const Look& look, Player& player);
 
     /// Takes in what has been read; nothing when there is nothing new.
     std::optional<Result<void>> update(const Document& document, Player& player,
@@ -38,9 +50,9 @@ public:
     void read_again(const Document& document);
 
     /// The file that is being read; "" for none.
-    std::string loading() const { return m_loader.name(); }
-    double loaded_share() const { return m_loader.share(); }
-    void cancel() { m_loader.cancel(); }
+    std::string loading() const;
+    double loaded_share() const;
+    void cancel();
 
     /// What is wrong with the file that the document names, for as long as it names it: it is
     /// missing, cannot be read or breaks off. Warnings: the look itself runs.
@@ -84,10 +96,11 @@ private:
     RecentMedia m_recent;
     std::string m_problem_file;
     Diagnostics m_problems;
-    MediaLoader m_loader;
+    MediaLoader m_loader;  // of what the document names
+    std::optional<ChosenContent> m_chosen;
+    MediaLoader m_chosen_loader;
     std::optional<Source> m_source;
     Extent m_viewport;
     SharedPicture m_shown;  // what the renderer has, and how it lies there
     Extent m_shown_extent;
-    bool m_is_from_the_beginning = false;
 };

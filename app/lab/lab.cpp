@@ -13,32 +13,14 @@
 #include "lab/source.h"
 #include "lab/told_name.h"
 #include "lab/tryouts.h"
+#include "lab/users_content.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 
 namespace fs = std::filesystem;
-
-namespace {
-constexpr double least_picture_scale = 0.25;
-}  // namespace
-
-Extent PictureSize::extent(Extent shaped_view) const {
-    const Extent whole = follows_view ? shaped_view : fixed;
-    const auto side = [this](int length) {
-        return std::clamp(static_cast<int>(std::lround(length * scale)), 1, 16384);
-    };
-    return {side(whole.width), side(whole.height)};
-}
-
-std::optional<PictureSize> PictureSize::halved() const {
-    PictureSize half = *this;
-    half.scale *= 0.5;
-    return half.scale >= least_picture_scale ? std::optional(half) : std::nullopt;
-}
 
 Lab::Lab(Library library, const gpu::Context& screen, std::unique_ptr<gpu::Context> worker,
          std::unique_ptr<MidiInputs> midi)
@@ -90,7 +72,7 @@ void Lab::say(const Diagnostic& problem) {
 }
 
 void Lab::mended(const std::string& subject) {
-    if (m_notice && m_notice->is_problem && m_notice->subject == subject)
+    if (m_notice && m_notice->subject == subject)
         m_notice.reset();
 }
 
@@ -100,9 +82,18 @@ void Lab::open(const std::string& argument) {
         open(*request);
 }
 
+void Lab::open_with_content(const std::string& argument) {
+    auto request = resolve(argument, m_library);
+    if (!succeeded(request))
+        return;
+    request->brings_content = true;
+    open(*request);
+}
+
 void Lab::open(const OpenRequest& request) {
     m_when_opened = {};
     m_preset_step.reset();
+    m_opening_file.clear();
     m_reloader.set_picture(picture_extent());
     m_reloader.set_seen(m_seen);
     m_reloader.open(request);
@@ -183,7 +174,11 @@ std::string Lab::look_for(const fs::path& file) const {
 
 void Lab::open_file(const fs::path& file) {
     if (opens_document(file)) {
-        open(file.string());
+        const auto request = resolve(file.string(), m_library);
+        if (!succeeded(request))
+            return;
+        open(*request);
+        m_opening_file = file;
         return;
     }
     if (is_svg_file(file))
@@ -199,15 +194,56 @@ void Lab::open_file(const fs::path& file) {
             true);
         return;
     }
-    if (!is_sound) {
-        SourceSpec source = parse_source(m_document->state().source).value_or(SourceSpec{});
-        source.picture = fs::absolute(file).string();
-        m_document->set_source(to_string(source));
+    if (is_sound)
+        return m_drive.choose({.driver = Driver::signal,
+                               .signal = playing(file, m_document->state().signal),
+                               .file = file});
+    SourceSpec source = parse_source(m_document->state().source).value_or(SourceSpec{});
+    source.picture = fs::absolute(file).string();
+    m_drive.choose({.driver = Driver::picture, .source = to_string(source), .file = file});
+}
+
+// A file that cannot be read changes nothing.
+void Lab::take_chosen_content() {
+    const auto taken = m_drive.take_chosen(m_document->look(), m_player);
+    if (!taken || !succeeded(*taken))
         return;
+    const ChosenContent& chosen = **taken;
+    m_opened_files.push_back(chosen.file);
+    const bool is_signal = chosen.driver == Driver::signal;
+    if (m_document->look().driven_by != chosen.driver) {
+        Content content = m_document->content();  // for the next look that it drives
+        (is_signal ? content.locks.signal : content.locks.source) = true;
+        is_signal ? void(content.signal = chosen.signal) : void(content.source = chosen.source);
+        return m_document->keep_content(content);
     }
-    m_document->set_signal(playing(file, m_document->state().signal));
-    m_drive.start_from_the_beginning();
+    for (const Diagnostic& note : m_drive.problems())
+        say(note);
+    if (!is_signal)
+        return m_document->set_source(chosen.source);
+    m_document->set_signal(chosen.signal);
+    m_player.restart();
     m_player.play();
+}
+
+// What the preset names is one click away while the user's own is locked.
+void Lab::offer_own_content(const Preset& preset) {
+    const Look& look = m_document->look();
+    const bool is_signal = look.driven_by == Driver::signal;
+    const bool names_content = is_signal ? preset.signal.has_value() : !preset.source.empty();
+    if (!m_document->is_content_locked() || !names_content)
+        return;
+    const Content own{preset.signal.value_or(Spec{}), preset.source, {}};
+    const Content present = m_document->content();
+    if (is_signal ? is_same_content(own.signal, present.signal)
+                  : is_same_content(own.source, present.source))
+        return;
+    const std::string kept = "Kept " + content_name(present, look);
+    const std::string told = m_notice && !m_notice->is_problem ? m_notice->text + " · " : "";
+    say(told + kept);
+    m_notice->choices.push_back(
+        {.name = "Use the preset's " + content_word(look),
+         .deeds = {[own](Document& document) { document.use_content(own); }}});
 }
 
 void Lab::cancel_loading() {
@@ -216,9 +252,6 @@ void Lab::cancel_loading() {
         return;
     m_drive.cancel();
     say("'" + fs::path(name).filename().string() + "' was not read to its end");
-    const std::string& last = m_document->history().undo_name();
-    if (m_document->history().can_undo() && (last == "Signal" || last == "Source"))
-        m_document->undo();
 }
 
 Preset Lab::portable(const Preset& preset, const fs::path& folder) const {
@@ -246,8 +279,7 @@ void Lab::set_sound_settings(const SoundSettings& settings) {
 }
 
 void Lab::set_picture_size(const PictureSize& size) {
-    m_picture_size = size;
-    m_picture_size.scale = std::clamp(size.scale, least_picture_scale, 2.0);
+    m_picture_size = within_bounds(size);
 }
 
 void Lab::set_mouse(double x, double y) {
@@ -371,8 +403,9 @@ void Lab::paste(const std::string& line) {
     if (!succeeded(preset))
         return;
     if (m_document && preset->look == m_document->look().id) {
-        m_document->take(with_found_media(*preset, fs::current_path(), m_drive.recent()), "Paste");
-        return;
+        const Preset found = with_found_media(*preset, fs::current_path(), m_drive.recent());
+        m_document->take(found, "Paste");
+        return offer_own_content(found);
     }
     open(line);
 }

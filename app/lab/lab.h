@@ -14,6 +14,7 @@
 #include "lab/midi_control.h"
 #include "lab/open.h"
 #include "lab/osc_control.h"
+#include "lab/picture_size.h"
 #include "lab/player.h"
 #include "lab/preset_ring.h"
 #include "lab/rate_check.h"
@@ -33,6 +34,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 class Morphing;
@@ -46,28 +48,14 @@ struct Problem {
     std::string source_line;
 };
 
-/// The picture's size, chosen apart from the window.
-struct PictureSize {
-    bool follows_view = true;
-    Extent fixed{1280, 720};
-    double scale = 1.0;                             // 1/4 .. 2, of either
-    std::optional<ViewShape> shape = std::nullopt;  // that follows the view; none: as the look
-                                                    // has it
-
-    bool operator==(const PictureSize&) const = default;
-    /// `shaped_view`: what it is where it follows the view.
-    Extent extent(Extent shaped_view) const;
-    /// None: it is as small as it can be.
-    std::optional<PictureSize> halved() const;
-};
-
 /// Something that just happened and goes by ("Saved 'amber'").
 struct Notice {
     std::string text;
     bool is_problem = false;
     double seconds_left = 6.0;
     std::string subject;  // of a problem: the file or device, so that it goes when that is mended
-    std::vector<Choice> choices = {};  // what may be done about it; with some it does not go by
+    std::vector<Choice> choices = {};  // what may be done about it
+    bool goes_by = true;               // after its seconds; else it stays until it is put away
 };
 
 /// What a person wants done about a number that is not finite.
@@ -185,8 +173,12 @@ public:
     // Verbs. Each shows its failure as a notice.
     void open(const std::string& argument);
     void open(const OpenRequest& request);
+    /// A preset with its own signal or source, also where the user's is locked.
+    void open_with_content(const std::string& argument);
     /// A file that was dropped or chosen: a look, a preset, a sound or a picture.
     void open_file(const std::filesystem::path& file);
+    /// A picture for a sampler's parameter; one that cannot be read changes nothing.
+    void choose_picture(const std::string& parameter, const std::filesystem::path& file);
     /// Whether open_file() would open a look or preset.
     bool opens_document(const std::filesystem::path& file) const;
     /// The look to open before a sound, drawing, scene, picture or video can be shown: "" where
@@ -201,6 +193,12 @@ public:
     /// What the person keeps about the knobs of all looks, those of the open one included.
     LookKnobs knobs() const;
     void set_knobs(LookKnobs knobs);
+    /// Signal, source and locks for the first look that is opened.
+    void set_content(Content content) { m_content = std::move(content); }
+    /// Files that were opened since last asked; one that could not be read is none of them.
+    std::vector<std::filesystem::path> take_opened_files() {
+        return std::exchange(m_opened_files, {});
+    }
     /// Where the slider of a parameter begins and ends; none: as its look says.
     void set_slider_ends(const std::string& parameter, const std::optional<Limit>& ends);
     void restart();
@@ -393,6 +391,8 @@ private:
     void go_on_morphing(double wall_seconds);
     Result<void> follow_signal();
     void update_drive();
+    void take_chosen_content();
+    void offer_own_content(const Preset& preset);
     void tell_silence();
     void open_remote();
     bool listen_to_midi(bool listens);
@@ -459,6 +459,9 @@ private:
     ImageTextures m_images;  // that the renderer has
     ChosenImages m_chosen_images;
     Drive m_drive;
+    Content m_content;  // until a look is open
+    std::vector<std::filesystem::path> m_opened_files;
+    std::filesystem::path m_opening_file;  // that the look being opened came from; "": none
     std::unique_ptr<Tryouts> m_tryouts;
     std::unique_ptr<Morphing> m_morphing;  // null: none is under way
     RateCheck m_rate_check;

@@ -122,6 +122,7 @@ void Lab::compare_with_file(const fs::path& file) {
     const auto& picture = m_comparing.reference().picture();
     if (m_comparing.chosen().other.kind != Other::Kind::file || !picture)
         return;
+    m_opened_files.push_back(file);
     std::string words = "Compared with '" + file.filename().string() + "'";
     if (const Extent own = picture->extent; own != picture_extent())
         words += fmt::format(": {} × {}, shown fitted into {} × {}", own.width, own.height,

@@ -94,6 +94,7 @@ void Lab::load_drawing(const fs::path& file) {
     const auto loaded = load_svg_drawing(file);
     if (!succeeded(loaded))
         return;
+    m_opened_files.push_back(file);
     const Spec present = m_document->state().signal;
     const Drawing drawing = lightened(to_scale(*loaded, size_in(present)));
     if (point_count(drawing) <= most_drawing_points)

@@ -46,11 +46,24 @@ void Lab::preset_file_changed(const fs::path& file) {
         say("'" + m_document->preset_name() + "' has changed on disk; your own changes stay", true);
         return;
     }
-    m_document->take(with_found_media(*preset, folder, m_drive.recent()), "Preset changed on disk");
-    m_document->mark_saved();
+    const Preset found = with_found_media(*preset, folder, m_drive.recent());
+    m_document->take(found, "Preset changed on disk");
+    DocumentState saved = m_document->state();
+    saved.signal = found.signal.value_or(saved.signal);
+    saved.source = found.source.empty() ? saved.source : found.source;
+    m_document->mark_saved(std::move(saved));
+}
+
+void Lab::choose_picture(const std::string& parameter, const fs::path& file) {
+    if (m_document)
+        m_chosen_images.choose(m_document->look(), {parameter, file});
 }
 
 void Lab::take_chosen_images() {
+    if (const auto chosen = m_chosen_images.take_chosen(); chosen && succeeded(*chosen)) {
+        m_document->set_value((*chosen)->parameter, Value::of_path((*chosen)->file.string()));
+        m_opened_files.push_back((*chosen)->file);
+    }
     Diagnostics problems;
     const auto names = m_chosen_images.take_read(m_document->look(), *m_renderer, problems);
     if (names.empty())

@@ -31,6 +31,7 @@ void Lab::follow_heavy_pass() {
     say(fmt::format("pass '{}' takes {:.1f} s a frame here", m_heavy_pass, latest[*heavy] / 1000.0),
         true, heavy_subject);
     m_notice->choices = heavy_pass_choices().choices;
+    m_notice->goes_by = false;
 }
 
 void Lab::forget_heavy_pass() {

@@ -135,6 +135,7 @@ void Lab::go_on_morphing(double wall_seconds) {
     if (m_morphing->has_arrived()) {
         watch_extra_files();
         say("Arrived at '" + m_morphing->name() + "'");
+        offer_own_content(m_morphing->preset());
     } else {
         say("Something else was turned: the morph has ended there");
     }

@@ -20,7 +20,7 @@ void Lab::update(double wall_seconds) {
     constexpr double longest_turn = 0.1;  // a rest before it is no reading
     m_loading_seconds =
         is_reading() ? m_loading_seconds + std::min(wall_seconds, longest_turn) : 0.0;
-    if (m_notice && m_notice->choices.empty() && (m_notice->seconds_left -= wall_seconds) <= 0.0)
+    if (m_notice && m_notice->goes_by && (m_notice->seconds_left -= wall_seconds) <= 0.0)
         m_notice.reset();
     for (const fs::path& file : m_reloader.update())
         extra_file_changed(file);
@@ -93,8 +93,10 @@ void Lab::hand_on_missed_events() {
 void Lab::begin_drawing(double wall_seconds) {
     wall_seconds += std::exchange(m_amid_seconds, 0.0);
     take_chosen_images();
-    if (!m_document->is_restacking() && !waits_for_own_programs())
+    if (!m_document->is_restacking() && !waits_for_own_programs()) {
+        take_chosen_content();
         apply_document();
+    }
     hand_on_missed_events();
     if (m_renderer->owes_frame() && !m_player.is_playing())
         want({{}, true});
@@ -106,7 +108,7 @@ void Lab::begin_drawing(double wall_seconds) {
         try_out();
 }
 
-// A device that is gone, once; the signal's panel goes on saying so.
+// A device that is gone or muted, once; the signal's panel goes on saying so.
 void Lab::tell_silence() {
     std::string silence = m_player.silence();
     if (silence == m_told_silence)
@@ -116,12 +118,18 @@ void Lab::tell_silence() {
     if (m_told_silence.empty())
         mended(subject);
     else
-        say(m_told_silence, true, subject);
+        say(m_told_silence, !m_player.draws_muted_input(), subject);
+    if (m_player.draws_muted_input()) {
+        m_notice->choices.push_back(
+            {.name = "Unmute",
+             .deeds = {[](Lab& lab) { lab.succeeded(lab.m_player.mute_input(false)); }}});
+        m_notice->goes_by = false;
+    }
 }
 
 bool Lab::is_moving() const {
     return (m_player.is_playing() && !has_converged()) || is_loading() || m_wanted ||
-           m_own.are_late || (m_notice && m_notice->choices.empty()) || m_tryouts->is_busy() ||
+           m_own.are_late || (m_notice && m_notice->goes_by) || m_tryouts->is_busy() ||
            m_morphing || m_hand.is_turning() || m_chosen_images.is_reading() ||
            m_rate_check.is_running() || m_impulse.is_running() || m_export.is_running() ||
            !m_drive.loading().empty() || m_drive.is_source_late() ||
@@ -246,34 +254,19 @@ void Lab::apply(LoadedRequest loaded) {
     set_pass_switches(m_switches);
     show_images(loaded.images);
     m_applied.reset();
+    if (!m_opening_file.empty())
+        m_opened_files.push_back(std::exchange(m_opening_file, {}));
     if (m_when_opened)
         std::exchange(m_when_opened, {})(*this);
 }
-
-namespace {
-// What is locked stays beside another preset and is not lost.
-bool has_unlocked_changes(const Document& document) {
-    DocumentState now = document.state();
-    DocumentState saved = document.saved();
-    for (const auto& [name, setting] : document.knobs())
-        if (setting.is_locked) {
-            now.values.erase(name);
-            saved.values.erase(name);
-            now.modulations.erase(name);
-            saved.modulations.erase(name);
-        }
-    now.overrides = saved.overrides;
-    now.origin = saved.origin;
-    return now != saved;
-}
-}  // namespace
 
 void Lab::open_document(LoadedRequest& loaded) {
     Look& look = *loaded.look;
     const OpenRequest& request = loaded.request;
     const bool is_same = m_document && m_document->look().manifest == look.manifest;
     const bool had_changes = m_document && m_document->is_modified();
-    const bool loses_changes = had_changes && has_unlocked_changes(*m_document);
+    const bool loses_changes = had_changes && m_document->has_unlocked_changes();
+    const Content content = m_document ? m_document->content() : m_content;
     const std::optional<Session> left =
         !is_same && had_changes ? std::optional(session_of(*this, {})) : std::nullopt;
     if (!is_same) {
@@ -284,6 +277,7 @@ void Lab::open_document(LoadedRequest& loaded) {
         m_document->replace_look(std::move(look));
     else
         m_document.emplace(std::move(look));
+    m_document->keep_content(content);
     remember_foreign_looks(*m_document, m_drive.recent());
     begin_renderer(std::move(loaded.executor));
     if (loaded.is_spared_first_draws)
@@ -308,6 +302,9 @@ void Lab::open_document(LoadedRequest& loaded) {
     if (!is_same && (!request.preset || !request.preset_file.empty()))
         m_document->forget_past();
     tell_preset(is_same && loses_changes && !m_when_opened);
+    if (request.preset && !request.brings_content)
+        offer_own_content(
+            with_found_media(*request.preset, media_folder(request.preset_file), m_drive.recent()));
     if (left)
         keep_unsaved(*left);
 }
@@ -321,8 +318,10 @@ void Lab::begin_renderer(std::unique_ptr<Executor> drawn_first) {
 }
 
 void Lab::open_values(const OpenRequest& request) {
+    const auto content = request.brings_content ? Document::OpenedWith::own_content
+                                                : Document::OpenedWith::locked_content;
     if (!request.preset) {
-        m_document->open_defaults();
+        m_document->open_defaults(content);
         return;
     }
     const fs::path folder = media_folder(request.preset_file);
@@ -346,7 +345,7 @@ void Lab::open_values(const OpenRequest& request) {
         m_document->set_identity(preset, {});
         m_document->take(preset, "Opened values");
     } else {
-        m_document->open_preset(preset, request.preset_file);
+        m_document->open_preset(preset, request.preset_file, content);
     }
     for (const Diagnostic& note :
          compare_with_look(*request.preset, m_document->look(), request.preset_file))

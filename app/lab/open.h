@@ -14,6 +14,7 @@ struct OpenRequest {
     std::filesystem::path preset_file;
     Stack stack = {};       // instead of `look`: several looks, or one with its settings
     Values constants = {};  // what numbers in its texts are turned to, before those of the preset
+    bool brings_content = false;  // the preset's own signal or source, also where one is locked
 
     bool operator==(const OpenRequest&) const = default;
 };

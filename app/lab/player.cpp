@@ -1,5 +1,6 @@
 #include "lab/player.h"
 
+#include "model/live_sound.h"
 #include "signals/beam_stream.h"
 #include "signals/channel_map.h"
 #include "signals/kinds.h"
@@ -110,7 +111,10 @@ void Player::play_beam() {
 
 Result<std::unique_ptr<Signal>> Player::make(const Spec& complete, const PlayedSound& sound) {
     SignalMedia media{.sound = sound.sound, .scene = sound.scene, .drawing = sound.drawing};
-    if (m_devices && find_kind(complete.kind)->is_live) {
+    if (m_devices && find_kind(complete.kind)->is_live && m_is_input_muted) {
+        const int channels = std::max(channel_map(Settings(complete)).last(), 2);
+        media.live = std::make_shared<const LiveSound>(48000, channels);  // silence
+    } else if (m_devices && find_kind(complete.kind)->is_live) {
         if (const auto open = open_capture(complete); !open)
             return fail(open.error());
         media.live = m_capture->sound();
@@ -150,7 +154,22 @@ std::string Player::silence() const {
     if (m_feed)
         if (std::string complaint = m_feed->complaint(); !complaint.empty())
             return complaint;
-    return m_silence;
+    return draws_muted_input() ? "Live sound is muted." : m_silence;
+}
+
+bool Player::draws_muted_input() const {
+    return m_is_input_muted && m_signal && find_kind(m_spec.kind)->is_live;
+}
+
+Result<void> Player::mute_input(bool is_muted) {
+    if (m_is_input_muted == is_muted)
+        return {};
+    m_is_input_muted = is_muted;
+    if (is_muted)
+        m_capture.reset();
+    if (!m_signal || !find_kind(m_spec.kind)->is_live)
+        return {};
+    return set_signal(Spec(m_spec));
 }
 
 Result<void> Player::open_capture(const Spec& complete) {

@@ -52,6 +52,13 @@ public:
     /// The device that a live sound comes in from; "" when none does.
     std::string live_device() const { return m_capture ? m_capture->device_name() : ""; }
 
+    /// While muted no live sound comes in, and its device stays closed.
+    bool is_input_muted() const { return m_is_input_muted; }
+    /// Opens the device of a live sound that is drawn, or closes it.
+    Result<void> mute_input(bool is_muted);
+    /// Whether a live sound is drawn, and muted.
+    bool draws_muted_input() const;
+
     /// Whether the beam of another program is drawn or waited for; "" where there is none.
     std::string sent_state() const { return m_feed ? m_feed->state() : std::string(); }
     /// What could not be read of a beam that another program sends.
@@ -141,12 +148,13 @@ private:
     std::unique_ptr<SoundDevices> m_devices;
     SoundSettings m_settings;
     std::unique_ptr<SoundOutput> m_output;
-    std::unique_ptr<SoundCapture> m_capture;  // while a live sound is drawn
-    int m_channels = 0;                       // that were asked of it
-    std::int64_t m_live_first = 0;            // its frame at time 0
-    std::unique_ptr<BeamFeed> m_feed;         // while another program sends the beam
-    std::unique_ptr<BeamPlayout> m_playout;   // while the beam goes out to a real scope
-    Spec m_spec;                              // of the signal, complete
+    std::unique_ptr<SoundCapture> m_capture;  // while a live sound is drawn and not muted
+    bool m_is_input_muted = false;
+    int m_channels = 0;                      // that were asked of it
+    std::int64_t m_live_first = 0;           // its frame at time 0
+    std::unique_ptr<BeamFeed> m_feed;        // while another program sends the beam
+    std::unique_ptr<BeamPlayout> m_playout;  // while the beam goes out to a real scope
+    Spec m_spec;                             // of the signal, complete
     std::string m_silence;
     double m_speed = 1.0;
     double m_level = 1.0;

@@ -92,15 +92,18 @@ void forget_old(const fs::path& folder) {
 }
 }  // namespace
 
-PresetPainter::PresetPainter(Look look, Library library)
-    : m_plain(std::move(look)), m_library(std::move(library)) {
+PresetPainter::PresetPainter(Look look, Library library, std::optional<Content> content)
+    : m_plain(std::move(look)), m_library(std::move(library)), m_content(std::move(content)) {
     m_look_text = text_of_all(m_plain.look());
 }
 
 fs::path PresetPainter::kept_file(const fs::path& preset) const {
     const std::string drawn_from = preset.empty() ? "" : read_text(preset).value_or(std::string());
-    const std::string all = fmt::format("2 {}x{}\n{}\n{}\n{}\n{}", drawn_size.width, kept_lines,
-                                        m_plain.look().id, m_look_text, drawn_from, m_stamp);
+    const std::string content =
+        m_content ? to_string(m_content->signal) + '\n' + m_content->source : std::string();
+    const std::string all =
+        fmt::format("2 {}x{}\n{}\n{}\n{}\n{}{}", drawn_size.width, kept_lines, m_plain.look().id,
+                    m_look_text, drawn_from, m_stamp, content);
     return m_library.roots().state / "preset-pictures" / fmt::format("{:016x}.png", digest_of(all));
 }
 
@@ -171,6 +174,8 @@ Result<Picture> PresetPainter::paint(const fs::path& preset, const Work& work) {
     auto made = prepared(preset);
     if (!made)
         return fail(made.error());
+    if (m_content)
+        made->document.use_content(*m_content);
     m_named = files_named_in(made->document);
     m_stamp = stamp_of(m_named);
     const fs::path file = kept_file(preset);

@@ -15,7 +15,8 @@
 /// from. Has a GL context of its own, for the thread that paints.
 class PresetPainter {
 public:
-    PresetPainter(Look look, Library library);
+    /// `content`: the signal or source that every preset is drawn with; none: its own.
+    PresetPainter(Look look, Library library, std::optional<Content> content = {});
 
     /// The picture of a preset's file; "": of the look as it is. Rests as long as it works, so that
     /// the window has most of the machine. Fails where the preset cannot be opened or drawn, and
@@ -37,6 +38,7 @@ private:
 
     Document m_plain;
     Library m_library;
+    std::optional<Content> m_content;
     std::string m_look_text;           // all that the look was read from
     std::optional<Offline> m_offline;  // owns the context, so it goes last
     std::optional<Viewer> m_viewer;

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <deque>
 #include <mutex>
+#include <utility>
 
 namespace fs = std::filesystem;
 
@@ -45,7 +46,8 @@ PresetPictures::PresetPictures(std::function<void()> wake)
 
 PresetPictures::~PresetPictures() = default;
 
-void PresetPictures::update(const Lab& lab, bool is_seen, double wall_seconds) {
+void PresetPictures::update(const Lab& lab, bool is_seen, double wall_seconds,
+                            const std::optional<Content>& content) {
     m_work.update();
     if (!is_seen || !lab.document() || !lab.renderer()) {
         m_work.cancel();
@@ -57,7 +59,7 @@ void PresetPictures::update(const Lab& lab, bool is_seen, double wall_seconds) {
     if (m_seconds_left <= 0.0) {
         constexpr double pause_seconds = 0.5;
         m_seconds_left = pause_seconds;
-        list(lab);
+        list(lab, content);
     }
     const bool owes = std::ranges::any_of(m_entries, [](const auto& e) { return e.second.is_due; });
     if (owes && m_work.is_free() && m_basket->is_empty())  // else what is due may lie there
@@ -74,11 +76,12 @@ bool is_only_turned(const Look& before, const Look& now) {
 }  // namespace
 
 // What was edited is drawn anew, and its former picture stays until then.
-void PresetPictures::list(const Lab& lab) {
+void PresetPictures::list(const Lab& lab, const std::optional<Content>& content) {
     const Look& look = lab.document()->look();
     const bool is_other = !m_look || m_look->id != look.id;
     const bool is_turned = !is_other && is_only_turned(*m_look, look);
-    const bool is_edited = !is_other && !is_turned && *m_look != look;
+    const bool shows_other = std::exchange(m_content, content) != content;
+    const bool is_edited = !is_other && ((!is_turned && *m_look != look) || shows_other);
     if (is_turned)
         m_look = look;
     if (is_other)
@@ -142,9 +145,10 @@ void PresetPictures::start(const Lab& lab) {
     for (const auto& [file, entry] : m_entries)
         if (entry.is_due)
             wanted.emplace_back(file, entry.written);
-    m_work.start([look = *m_look, library = lab.library(), wanted = std::move(wanted),
-                  basket = m_basket, wake = m_wake](Work& work) -> Result<bool> {
-        PresetPainter painter(look, library);
+    m_work.start([look = *m_look, content = m_content, library = lab.library(),
+                  wanted = std::move(wanted), basket = m_basket,
+                  wake = m_wake](Work& work) -> Result<bool> {
+        PresetPainter painter(look, library, content);
         for (const auto& [file, written] : wanted) {
             const int before = painter.drawn();
             auto picture = painter.paint(file, work);

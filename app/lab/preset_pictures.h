@@ -32,8 +32,10 @@ public:
     PresetPictures(const PresetPictures&) = delete;
     PresetPictures& operator=(const PresetPictures&) = delete;
 
-    /// To be called every turn; `is_seen`: somebody looks. Takes at most one picture in.
-    void update(const Lab& lab, bool is_seen, double wall_seconds);
+    /// To be called every turn; `is_seen`: they are on screen. Takes at most one picture in.
+    /// `content`: the signal or source that all of them show; none: each preset's own.
+    void update(const Lab& lab, bool is_seen, double wall_seconds,
+                const std::optional<Content>& content = {});
     /// "": of the look as it is.
     Shown of(const std::filesystem::path& preset) const;
     bool is_drawing() const { return m_work.is_running(); }
@@ -51,12 +53,13 @@ private:
         bool is_due = true;
     };
 
-    void list(const Lab& lab);
+    void list(const Lab& lab, const std::optional<Content>& content);
     void take_one();
     void start(const Lab& lab);
 
     std::function<void()> m_wake;
-    std::optional<Look> m_look;  // that they are of
+    std::optional<Look> m_look;        // that they are of
+    std::optional<Content> m_content;  // that they show
     std::map<std::filesystem::path, Entry> m_entries;
     std::shared_ptr<Basket> m_basket;  // shared with the thread that paints
     double m_seconds_left = 0.0;       // until the folders are read again

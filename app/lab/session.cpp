@@ -23,6 +23,7 @@ SessionState session_state(const DocumentState& state, const Look& look, std::st
     if (!state.signal.kind.empty())
         saved.preset.signal = state.signal;
     saved.preset.source = state.source;
+    saved.locks = state.locks;
     return saved;
 }
 
@@ -64,6 +65,7 @@ DocumentState document_state(const SessionState& saved, const Ground& ground) {
         state.source = saved.preset.source;
     state.overrides = saved.overrides;
     state.modulations = saved.preset.modulations;
+    state.locks = saved.locks;
     return state;
 }
 
@@ -71,15 +73,17 @@ using HistorySteps = std::vector<Undo<DocumentState>::Step>;
 
 std::vector<SessionState> session_states(const HistorySteps& steps, const Look& look) {
     std::vector<SessionState> states;
-    for (const auto& step : steps)
+    for (const auto& step : steps) {
         states.push_back(session_state(step.state, look, step.name));
+        states.back().chose_content = step.is_marked;
+    }
     return states;
 }
 
 HistorySteps document_steps(const std::vector<SessionState>& states, const Ground& ground) {
     HistorySteps steps;
     for (const SessionState& state : states)
-        steps.push_back({document_state(state, ground), state.step});
+        steps.push_back({document_state(state, ground), state.step, state.chose_content});
     return steps;
 }
 
@@ -126,6 +130,11 @@ Session load_file(const fs::path& file, Diagnostics& warnings) {
     return {};
 }
 }  // namespace
+
+Content content_of(const Session& session) {
+    const SessionState& state = session.current;
+    return {state.preset.signal.value_or(Spec{}), state.preset.source, state.locks};
+}
 
 Session load_session(const Roots& roots, Diagnostics& warnings) {
     return load_file(session_file(roots), warnings);
@@ -180,6 +189,20 @@ void rest_at(double seconds, Lab& lab) {
 }
 }  // namespace
 
+namespace {
+// What is locked now stays where unsaved changes are restored.
+void keep_locked(const Content& present, Document& document) {
+    Content content = document.content();
+    if (present.locks.signal)
+        content.signal = present.signal;
+    if (present.locks.source)
+        content.source = present.source;
+    content.locks.signal |= present.locks.signal;
+    content.locks.source |= present.locks.source;
+    document.keep_content(content);
+}
+}  // namespace
+
 void restore(Lab& lab, const Session& session, const std::function<void(Lab&)>& then) {
     lab.set_picture_size({session.follows_view, session.fixed_size, session.picture_scale,
                           find_shape(session.picture_shape)});
@@ -192,8 +215,12 @@ void restore(Lab& lab, const Session& session, const std::function<void(Lab&)>& 
                          {},
                          stack_in(session.current.preset, session.looks),
                          session.current.preset.values});
-    lab.when_opened([session, then](Lab& opened) {
+    if (lab.player().live_device().empty())
+        (void)lab.transport().mute_input(true);  // nobody has asked for it yet
+    const Content present = lab.document() ? lab.document()->content() : Content{};
+    lab.when_opened([session, then, present](Lab& opened) {
         restore_document(*opened.mutable_document(), session);
+        keep_locked(present, *opened.mutable_document());
         if (session.is_playing)
             opened.transport().seek(session.time);
         else

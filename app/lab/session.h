@@ -9,6 +9,9 @@ Session load_session(const Roots& roots, Diagnostics& warnings);
 
 Result<void> save_session(const Roots& roots, const Session& session);
 
+/// The signal and source that a session left, and which of them is locked.
+Content content_of(const Session& session);
+
 /// What is open now; `window` is what the window remembers of itself.
 Session session_of(const Lab& lab, std::map<std::string, double> window);
 

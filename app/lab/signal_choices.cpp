@@ -3,6 +3,7 @@
 #include "base/text.h"
 #include "lab/lab.h"
 #include "lab/scope_graticule.h"
+#include "lab/users_content.h"
 #include "lab/window_state.h"
 #include "signals/kinds.h"
 
@@ -73,6 +74,7 @@ ChoiceList setting_choices(const Document& document) {
     ChoiceList list{"Signal"};
     const SignalKind* kind = find_kind(document.state().signal.kind);
     const auto spec = completed(document.state().signal);
+    list.choices.push_back(content_lock_choice(document));
     if (!kind || !spec)
         return list;
     for (const SettingFacts& setting : kind->settings) {
@@ -109,10 +111,22 @@ Deed deed_for(const SignalKind& kind) {
         return [](Lab& lab) { lab.take_pen(true); };
     if (!kind.file_setting.empty())
         return [](WindowState& window) { window.dialog = {.kind = Dialog::Kind::open_file}; };
+    if (kind.is_live)
+        return [name = kind.kind](Lab& lab) {
+            (void)lab.transport().mute_input(false);  // it is asked for
+            lab.edit([&](Document& document) { document.set_signal(Spec{name, {}}); });
+        };
     return [name = kind.kind](Document& document) {
         if (auto spec = completed(Spec{name, {}}))
             document.set_signal(std::move(*spec));
     };
+}
+
+Choice content_lock_choice(const Document& document) {
+    const bool is_locked = document.is_content_locked();
+    return {.name = "Keep my " + content_word(document.look()),
+            .deeds = {[is_locked](Document& changed) { changed.lock_content(!is_locked); }},
+            .is_present = is_locked};
 }
 
 std::vector<ChoiceList> signal_choices(const Document& document) {

@@ -12,5 +12,8 @@ Deed deed_for(const SignalKind& kind);
 /// "constant" as "Constant", "xy" as "XY".
 std::string label_of_word(std::string word);
 
+/// Locks or unlocks what drives the look.
+Choice content_lock_choice(const Document& document);
+
 /// The kinds of signal and the settings of the present one; nothing in a look that has no signal.
 std::vector<ChoiceList> signal_choices(const Document& document);

@@ -1,5 +1,6 @@
 #include "lab/source_choices.h"
 
+#include "lab/signal_choices.h"
 #include "lab/window_state.h"
 #include "model/source_spec.h"
 #include "signals/patterns.h"
@@ -87,6 +88,7 @@ std::vector<ChoiceList> source_choices(const Document& document, std::optional<d
                             .deeds = {[](WindowState& window) {
                                 window.dialog = {.kind = Dialog::Kind::open_file};
                             }}});
+    list.choices.push_back(content_lock_choice(document));
     for (const SourceSize& size : source_sizes(source))
         list.choices.push_back({.name = "Size: " + size.name,
                                 .deeds = {set_source_to(size.source)},

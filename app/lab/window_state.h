@@ -219,7 +219,8 @@ enum class ParameterFilter { all, changed, favourites, of_pass };
 /// Which presets are listed as pictures, and how long a morph to one takes.
 struct PresetBrowsing {
     std::string search;
-    bool only_starred = false;  // also what the keys for the next and previous one go through
+    bool only_starred = false;       // also what the keys for the next and previous one go through
+    bool shows_own_content = false;  // the pictures show the user's signal or source
     double morph_seconds = 3.0;
 
     bool operator==(const PresetBrowsing&) const = default;

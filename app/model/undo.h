@@ -20,13 +20,14 @@ public:
     std::string redo_name() const { return can_redo() ? m_future.back().name : std::string(); }
 
     /// Makes `next` the current state. Changes of one gesture (same non-empty name, not yet
-    /// finished) replace each other; a change that changes nothing is no step.
-    void change(State next, std::string name, bool goes_on = false) {
+    /// finished) replace each other; a change that changes nothing is no step. `is_marked`: kept
+    /// with the step, see Step.
+    void change(State next, std::string name, bool goes_on = false, bool is_marked = false) {
         if (next == m_current)
             return;
         const bool same_gesture = m_open && !m_past.empty() && m_past.back().name == name;
         if (!same_gesture)
-            remember(name);
+            remember(std::move(name), is_marked);
         m_current = std::move(next);
         m_future.clear();
         m_open = goes_on;
@@ -39,7 +40,9 @@ public:
     void undo() {
         if (!can_undo())
             return;
-        m_future.push_back({std::exchange(m_current, m_past.back().state), m_past.back().name});
+        Step& step = m_past.back();
+        std::swap(m_current, step.state);
+        m_future.push_back(std::move(step));
         m_past.pop_back();
         m_open = false;
     }
@@ -47,9 +50,17 @@ public:
     void redo() {
         if (!can_redo())
             return;
-        m_past.push_back({std::exchange(m_current, m_future.back().state), m_future.back().name});
+        Step& step = m_future.back();
+        std::swap(m_current, step.state);
+        m_past.push_back(std::move(step));
         m_future.pop_back();
         m_open = false;
+    }
+
+    /// Applies a function to the current state alone, without a step.
+    template <class Function>
+    void amend(const Function& function) {
+        function(m_current);
     }
 
     /// Applies a function to every state, past and to come (a parameter that was renamed by an
@@ -63,9 +74,11 @@ public:
             function(step.state);
     }
 
+    /// A state, and the step that led away from it.
     struct Step {
         State state;
         std::string name;
+        bool is_marked = false;  // the owner treats undo and redo of this step in its own way
     };
     /// For saving a session and bringing it back.
     const std::vector<Step>& past() const { return m_past; }
@@ -80,8 +93,8 @@ public:
 private:
     static constexpr std::size_t most_steps = 1000;
 
-    void remember(const std::string& name) {
-        m_past.push_back({m_current, name});
+    void remember(std::string name, bool is_marked) {
+        m_past.push_back({m_current, std::move(name), is_marked});
         if (m_past.size() > most_steps)
             m_past.erase(m_past.begin());
     }

@@ -54,13 +54,14 @@ struct Start {
 void open_first(const WindowOptions& options, const Session& session, Lab& lab, Start& start) {
     std::optional<std::string> look = options.look;
     if (look && FirstFile::is_one(*look, lab)) {
-        note_use(start.state.recent_files, std::filesystem::absolute(*look).string());
         start.first_file = FirstFile(*std::exchange(look, {}));
     }
     if (look)
         lab.keep_unsaved(session);
     start.state.first_steps.is_shown = session.look.empty();
     lab.set_knobs(session.knobs);
+    lab.set_content(content_of(session));
+    (void)lab.transport().mute_input(true);  // until the user asks for a live sound
     lab.set_slots(session.slots);
     lab.set_preset_stars(session.preset_stars);
     if (!look && start.state.has_light_frames)
@@ -199,7 +200,10 @@ void Application::turn() {
     list_looks(wall_seconds);
     m_views.update(m_lab, m_state);
     m_history_pictures.update(m_lab, m_views);
-    m_preset_pictures.update(m_lab, m_state.sees(BottomPart::presets), wall_seconds);
+    m_preset_pictures.update(m_lab, m_state.sees(BottomPart::presets), wall_seconds,
+                             m_state.presets.shows_own_content && m_lab.document()
+                                 ? std::optional(m_lab.document()->content())
+                                 : std::nullopt);
     draw();
 }
 
@@ -307,6 +311,8 @@ void Application::draw() {
 
 void Application::apply(const Edits& edits) {
     edits.apply(m_lab, m_state);
+    for (const std::filesystem::path& file : m_lab.take_opened_files())
+        note_use(m_state.recent_files, std::filesystem::absolute(file).lexically_normal().string());
     note_first_steps(m_lab, m_state);
     if (edits.has_verbs() || m_toolkit.has_input())  // a frame shows what the one before it changed
         m_attended_until = m_awake_until = Clock::now() + awake;

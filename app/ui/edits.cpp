@@ -1,7 +1,6 @@
 #include "ui/edits.h"
 
 #include "lab/lab.h"
-#include "lab/palette.h"
 
 #include <imgui/imgui.h>
 
@@ -33,16 +32,11 @@ void Edits::open(const std::string& argument) {
     add([argument](Lab& lab) { lab.open(argument); });
 }
 
-void Edits::note_file(const std::filesystem::path& file) {
-    std::error_code ignored;
-    const std::filesystem::path whole = std::filesystem::absolute(file, ignored);
-    arrange([name = whole.lexically_normal().string()](WindowState& window) {
-        note_use(window.recent_files, name);
-    });
+void Edits::open_with_content(const std::string& argument) {
+    add([argument](Lab& lab) { lab.open_with_content(argument); });
 }
 
 void Edits::open_file(const std::filesystem::path& file) {
-    note_file(file);
     add([file](Lab& lab) { lab.open_file(file); });
 }
 

@@ -37,10 +37,10 @@ public:
     void show(Dialog dialog);
     /// Opens a look or preset; unsaved changes to another one are kept.
     void open(const std::string& argument);
+    /// The same, with the preset's own signal or source where the user's is locked.
+    void open_with_content(const std::string& argument);
     /// As open(), for any file: a sound becomes the signal.
     void open_file(const std::filesystem::path& file);
-    /// Puts a file first among those opened lately.
-    void note_file(const std::filesystem::path& file);
     /// To the clipboard of the desktop.
     void copy(std::string text) { m_copied = std::move(text); }
     void quit() { m_is_quitting = true; }

@@ -106,8 +106,6 @@ void start(const Scene& scene, Edits& edits) {
 void finish(const fs::path& file, const Scene& scene, Edits& edits) {
     const Dialog& dialog = scene.window.dialog;
     close_dialog(edits);
-    if (!is_saving(dialog))
-        edits.note_file(file);
     if (dialog.kind == Dialog::Kind::open_file)
         edits.open_file(file);
     else if (dialog.kind == Dialog::Kind::save_picture)
@@ -128,9 +126,7 @@ void finish(const fs::path& file, const Scene& scene, Edits& edits) {
     else if (dialog.kind == Dialog::Kind::save_slangp)
         edits.add([file](Lab& lab) { lab.save_slang_preset(file); });
     else
-        edits.document([name = dialog.subject, file](Document& document) {
-            document.set_value(name, Value::of_path(file.string()));
-        });
+        edits.add([name = dialog.subject, file](Lab& lab) { lab.choose_picture(name, file); });
 }
 
 void draw_folder_line(const Dialog& dialog, Edits& edits) {

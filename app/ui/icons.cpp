@@ -84,6 +84,23 @@ void draw_plateau(IconPen& pen) {
     pen.line({0.06f, 0.1f}, {0.94f, 0.1f});
 }
 
+// Seen from the side; one that is not pinned leans and is hollow.
+void draw_pushpin(IconPen& pen, bool is_pinned) {
+    if (is_pinned) {
+        pen.box(0.26f, 0.06f, 0.74f, 0.18f);
+        pen.box(0.35f, 0.14f, 0.65f, 0.52f);
+        pen.triangle({0.35f, 0.4f}, {0.65f, 0.4f}, {0.84f, 0.62f});
+        pen.triangle({0.35f, 0.4f}, {0.84f, 0.62f}, {0.16f, 0.62f});
+        pen.line({0.5f, 0.6f}, {0.5f, 0.98f});
+        return;
+    }
+    const std::array<ImVec2, 8> head{ImVec2{0.56f, 0.06f}, {0.94f, 0.44f}, {0.84f, 0.5f},
+                                     {0.78f, 0.44f},       {0.6f, 0.62f},  {0.56f, 0.86f},
+                                     {0.14f, 0.44f},       {0.38f, 0.4f}};
+    pen.outline(head.data(), static_cast<int>(head.size()));
+    pen.line({0.34f, 0.66f}, {0.06f, 0.94f});
+}
+
 void draw_star(IconPen& pen, bool is_filled) {
     constexpr float pi = 3.14159265f;
     const ImVec2 middle(0.5f, 0.54f);
@@ -235,6 +252,10 @@ void draw_icon(Icon icon, const ImVec2& at, float size, ImU32 color) {
         case Icon::locked:
         case Icon::unlocked:
             draw_padlock(pen, icon == Icon::locked);
+            break;
+        case Icon::pinned:
+        case Icon::unpinned:
+            draw_pushpin(pen, icon == Icon::pinned);
             break;
         case Icon::dice:
             draw_die(pen);

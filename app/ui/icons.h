@@ -27,6 +27,8 @@ enum class Icon {
     star_outline,
     locked,
     unlocked,
+    pinned,  // a drawing pin: the user's signal or source stays
+    unpinned,
     dice,
 };
 

@@ -52,7 +52,7 @@ void draw_presets(const ShelfLook& look, const Scene& scene, Edits& edits) {
         edits.mark("preset:" + preset.entry.name);
         draw_preset_menu(listed, scene, edits);
         if (is_clicked)
-            open_listed(listed, scene, edits);
+            open_listed(listed, scene, edits, ImGui::GetIO().KeyAlt);
     }
     ImGui::Unindent(indent);
 }

@@ -37,7 +37,7 @@ void draw_offer(const Notice& notice, const Scene& scene, Edits& edits) {
     ImGui::BeginChild("##offer", size, true,
                       ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar);
     {
-        const ScopedColor color(ImGuiCol_Text, theme::problem);
+        const ScopedColor color(ImGuiCol_Text, notice.is_problem ? theme::problem : theme::text);
         ImGui::TextUnformatted(words.c_str());
     }
     for (const Choice& choice : notice.choices) {

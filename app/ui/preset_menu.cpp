@@ -1,5 +1,6 @@
 #include "ui/preset_menu.h"
 
+#include "lab/users_content.h"
 #include "ui/compare_dialog.h"
 
 #include <fmt/format.h>
@@ -35,9 +36,14 @@ void draw_open_items(const Scene& scene, Edits& edits) {
 }
 }  // namespace
 
-void open_listed(const ListedPreset& preset, const Scene& scene, Edits& edits) {
-    edits.open(preset.is_plain() ? argument_of(scene.lab.document()->look())
-                                 : preset.preset.entry.file.string());
+void open_listed(const ListedPreset& preset, const Scene& scene, Edits& edits,
+                 bool brings_content) {
+    const std::string argument = preset.is_plain() ? argument_of(scene.lab.document()->look())
+                                                   : preset.preset.entry.file.string();
+    if (brings_content)
+        edits.open_with_content(argument);
+    else
+        edits.open(argument);
 }
 
 void star_listed(const ListedPreset& preset, Edits& edits) {
@@ -51,6 +57,12 @@ void draw_preset_menu(const ListedPreset& preset, const Scene& scene, Edits& edi
         return;
     if (ImGui::MenuItem("Open"))
         open_listed(preset, scene, edits);
+    if (scene.lab.document()->is_content_locked()) {
+        const std::string with = "Open with its own " + content_word(scene.lab.document()->look());
+        if (ImGui::MenuItem(with.c_str(), "Alt+click"))
+            open_listed(preset, scene, edits, true);
+        edits.mark("open_own:" + preset.preset.entry.name);
+    }
     if (!preset.is_plain()) {
         if (ImGui::MenuItem("Compare with what is open"))
             compare_preset(preset.preset, scene, edits);

@@ -1,6 +1,7 @@
 #include "ui/presets_panel.h"
 
 #include "lab/preset_choices.h"
+#include "lab/users_content.h"
 #include "ui/icons.h"
 #include "ui/preset_menu.h"
 #include "ui/scoped.h"
@@ -74,6 +75,28 @@ void draw_morph_time(const PresetBrowsing& wanted, Edits& edits) {
     } else {
         tooltip("How long a morph takes: Shift and a click, or Ctrl+Shift+PageDown");
         edits.mark("morph_seconds");
+    }
+}
+
+void draw_content_choice(const Scene& scene, Edits& edits) {
+    const Look& look = scene.lab.document()->look();
+    if (look.driven_by == Driver::nothing)
+        return;
+    ImGui::SameLine();
+    const std::string word = content_word(look);
+    const std::array labels{"Preset's " + word, "My " + word};
+    const bool is_own = scene.window.presets.shows_own_content;
+    if (begin_combo("##content", labels[is_own ? 1 : 0], ImGui::GetFontSize() * 8.5f)) {
+        for (const bool choice : {false, true}) {
+            if (ImGui::Selectable(labels[choice ? 1 : 0].c_str(), choice == is_own))
+                edits.arrange(
+                    [choice](WindowState& window) { window.presets.shows_own_content = choice; });
+            edits.mark(choice ? "pictures_with:mine" : "pictures_with:preset");
+        }
+        ImGui::EndCombo();
+    } else {
+        tooltip("Draw the thumbnails with each preset's " + word + " or with mine.");
+        edits.mark("pictures_with");
     }
 }
 
@@ -181,7 +204,7 @@ void draw_preset(const ListedPreset& preset, const Scene& scene, const PresetCel
         edits.add([file = preset.preset.entry.file, seconds = scene.window.presets.morph_seconds](
                       Lab& lab) { lab.morph_to(file, seconds); });
     else if (is_clicked)
-        open_listed(preset, scene, edits);
+        open_listed(preset, scene, edits, ImGui::GetIO().KeyAlt);
 }
 
 std::string why_no_preset(const PresetBrowsing& wanted) {
@@ -203,6 +226,7 @@ void draw_presets_panel(const Scene& scene, Edits& edits) {
     draw_star_filter(wanted, edits);
     ImGui::SameLine();
     draw_morph_time(wanted, edits);
+    draw_content_choice(scene, edits);
     draw_count(scene, listed);
     if (listed.empty())
         return wrapped_dim_text(why_no_preset(wanted));

@@ -5,6 +5,7 @@
 #include "lab/signal_choices.h"
 #include "signals/kinds.h"
 #include "ui/choice_items.h"
+#include "ui/content_lock.h"
 #include "ui/drawing_panel.h"
 #include "ui/form.h"
 #include "ui/problem_list.h"
@@ -199,7 +200,7 @@ void draw_graticule_hint(const Document& document, Edits& edits) {
 }
 
 void draw_signal(const Document& document, const Scene& scene, Edits& edits) {
-    heading("Signal");
+    draw_content_heading("Signal", scene, edits);
     draw_kinds(document.state().signal.kind, edits);
     const SignalKind* kind = find_kind(document.state().signal.kind);
     auto spec = completed(document.state().signal);

@@ -3,6 +3,7 @@
 #include "lab/source_choices.h"
 #include "model/source_spec.h"
 #include "signals/patterns.h"
+#include "ui/content_lock.h"
 #include "ui/form.h"
 #include "ui/problem_list.h"
 #include "ui/scoped.h"
@@ -130,7 +131,7 @@ void draw_loop(SourceSpec source, Edits& edits) {
 }  // namespace
 
 void draw_source(const Scene& scene, Edits& edits) {
-    heading("Source");
+    draw_content_heading("Source", scene, edits);
     const SourceSpec source =
         parse_source(scene.lab.document()->state().source).value_or(SourceSpec{});
     draw_choice(source, scene, edits);

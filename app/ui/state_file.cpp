@@ -227,13 +227,14 @@ std::string presets_text(const Scene& scene) {
 std::string document_text(const Lab& lab) {
     const Document& document = *lab.document();
     return fmt::format(
-        R"("look":{},"bypass":{},"preset":{},"is_modified":{},"undo":{},"redo":{},"signal":{},"driving_source":{},"values":{},"favourites":{},"locked":{},"moving":{},)",
+        R"("look":{},"bypass":{},"preset":{},"is_modified":{},"undo":{},"redo":{},"signal":{},"driving_source":{},"is_content_locked":{},"values":{},"favourites":{},"locked":{},"moving":{},)",
         json_string(document.look().id),
         json_string(fmt::format("{}", fmt::join(bypassed_keys(document.look().stack), ","))),
         json_string(document.preset_name()), document.is_modified(),
         json_string(document.history().undo_name()), json_string(document.history().redo_name()),
         json_string(to_string(document.state().signal)), json_string(document.state().source),
-        values_text(document), marked_text(document.knobs(), &KnobSetting::is_favourite),
+        document.is_content_locked(), values_text(document),
+        marked_text(document.knobs(), &KnobSetting::is_favourite),
         marked_text(document.knobs(), &KnobSetting::is_locked), moving_text(lab));
 }
 }  // namespace

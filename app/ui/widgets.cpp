@@ -95,6 +95,14 @@ void heading(const std::string& text) {
     ImGui::Dummy({0.0f, 1.0f});
 }
 
+void heading_with_button(const std::string& text) {
+    const ScopedColor color(ImGuiCol_Text, theme::dim);
+    const float width = ImGui::GetContentRegionAvail().x;
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::SameLine(width - ImGui::GetFrameHeight());
+}
+
 bool section(const std::string& label, bool opens_first) {
     ImGuiStorage& storage = *ImGui::GetStateStorage();
     const ImGuiID id = ImGui::GetID(label.c_str());

@@ -48,6 +48,8 @@ void tooltip(const std::string& text);
 
 /// A quiet heading over a part of a pane.
 void heading(const std::string& text);
+/// The same with room for a small button at its end, which is drawn next.
+void heading_with_button(const std::string& text);
 
 /// A line that opens and closes what follows; leaves room for a small button at its end.
 bool section(const std::string& label, bool opens_first);

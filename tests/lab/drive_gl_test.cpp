@@ -118,7 +118,12 @@ TEST_CASE("a file that is missing keeps its mark for as long as it is named") {
         SmallLab small(manifest);
         const bool is_sound = manifest == on_a_signal;
         const fs::path file = small.folder() / (is_sound ? "gone.wav" : "gone.exr");
-        small.lab().open_file(file);
+        small.lab().edit([&](Document& document) {  // as a preset names it
+            if (is_sound)
+                document.set_signal({"audio", {{"file", file.string()}}});
+            else
+                document.set_source(file.string());
+        });
         REQUIRE(small.turn_until([&] { return !small.lab().problems().empty(); }));
         small.lab().update(60.0);  // the notice has gone by
         small.lab().edit([](Document& document) { document.set_value("gain", Value(2.0)); });
@@ -198,15 +203,52 @@ TEST_CASE(
     CHECK(seconds() == doctest::Approx(0.5));
 }
 
-TEST_CASE("a broken sound is told and the last signal goes on") {
-    SmallLab small(on_a_signal);
-    const fs::path song = small.folder() / "broken.wav";
-    REQUIRE(write_atomically(song, "RIFF and nothing more").has_value());
-    const Signal* before = small.lab().player().signal();
-    small.lab().open_file(song);
-    REQUIRE(small.turn_until([&] { return small.lab().notice().has_value(); }));
-    CHECK(small.lab().notice()->is_problem);
-    CHECK(small.lab().player().signal() == before);
+TEST_CASE("a chosen file that cannot be read changes nothing, and the message names it") {
+    struct Case {
+        std::string manifest;
+        const char* file;
+        const char* content;  // null: there is no such file
+    };
+    for (const Case& bad :
+         {Case{on_a_signal, "broken.wav", "RIFF and nothing more"},
+          Case{on_a_signal, "notes.wav", "a letter, and no sound"},
+          Case{on_a_signal, "gone.flac", nullptr}, Case{on_a_signal, "cut.svg", "<svg xmlns"},
+          Case{on_a_picture, "broken.png", "no picture"},
+          Case{on_a_picture, "noise.mp4", "no video at all"},
+          Case{on_a_picture, "gone.exr", nullptr}}) {
+        CAPTURE(bad.file);
+        SmallLab small(bad.manifest);
+        const fs::path file = small.folder() / bad.file;
+        if (bad.content)
+            REQUIRE(write_atomically(file, bad.content).has_value());
+        const DocumentState before = small.document().state();
+        const Signal* signal = small.lab().player().signal();
+        small.lab().open_file(file);
+        REQUIRE(small.turn_until([&] { return small.lab().notice().has_value(); }));
+        small.turn(3);
+        CHECK(small.lab().notice()->is_problem);
+        CHECK(small.lab().notice()->text.find(bad.file) != std::string::npos);
+        CHECK(small.document().state() == before);
+        CHECK_FALSE(small.document().history().can_undo());
+        CHECK(small.lab().problems().empty());
+        CHECK(small.lab().player().signal() == signal);
+        CHECK(small.lab().take_opened_files().empty());
+    }
+}
+
+TEST_CASE("a file that was opened is reported once, whatever it is") {
+    SmallLab small(on_a_picture);
+    const fs::path picture = small.folder() / "grey.exr";
+    REQUIRE(save_picture(grey(0.25f), picture).has_value());
+    small.lab().open_file(picture);
+    REQUIRE(small.turn_until([&] { return small.shown() == 1.25f; }));
+    CHECK(small.lab().take_opened_files() == std::vector{picture});
+    small.lab().save_preset_as("grey");
+    const fs::path preset = small.document().preset_file();
+    small.lab().open_file(preset);
+    REQUIRE(small.turn_until([&] { return !small.lab().is_loading(); }));
+    CHECK(small.lab().take_opened_files() == std::vector{preset});
+    CHECK(small.lab().take_opened_files().empty());
 }
 
 TEST_CASE("a video, a drawing or a model that cannot be read is told, and the lab goes on") {
@@ -226,7 +268,7 @@ TEST_CASE("a video, a drawing or a model that cannot be read is told, and the la
         const fs::path file = small.folder() / bad.file;
         REQUIRE(write_atomically(file, bad.content).has_value());
         if (bad.manifest == on_a_picture) {
-            small.lab().open_file(file);
+            small.lab().edit([&](Document& document) { document.set_source(file.string()); });
         } else {
             const fs::path scene = small.folder() / "scene.json";
             const std::string shape = file.extension() == ".svg" ? "svg" : "wireframe";

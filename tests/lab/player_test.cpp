@@ -273,6 +273,27 @@ TEST_CASE("an input that goes away is told, and time goes on") {
     CHECK(live.player.silence() == "nothing comes in from 'Line in' any more");
 }
 
+TEST_CASE("a muted live sound draws a resting beam, and its device stays closed") {
+    LivePlayer live;
+    REQUIRE(live.player.mute_input(true).has_value());
+    REQUIRE(live.player.set_signal(Spec{"microphone", {{"upsample", 1.0}}}).has_value());
+    CHECK(live.devices.captures == 0);
+    CHECK(live.player.draws_muted_input());
+    CHECK(live.player.silence() == "Live sound is muted.");
+    const auto frame = live.player.advance(0.1);  // the machine's clock goes on
+    REQUIRE(frame.has_value());
+    for (const BeamPoint& point : live.player.trace(frame->span)) {
+        CHECK(point.x == 0.0f);
+        CHECK(point.y == 0.0f);
+    }
+    REQUIRE(live.player.mute_input(false).has_value());
+    CHECK(live.devices.captures == 1);
+    CHECK(live.player.live_device() == "Line in");
+    CHECK(live.player.silence().empty());
+    REQUIRE(live.player.mute_input(true).has_value());
+    CHECK(live.player.live_device().empty());
+}
+
 TEST_CASE("the input is open only while it is drawn, and not anew when a knob is turned") {
     LivePlayer live;
     REQUIRE(live.player.set_signal(Spec{"microphone", {}}).has_value());

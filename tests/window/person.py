@@ -93,6 +93,9 @@ class Person(unittest.TestCase):
         if program.state()["look"] != "phosphor":
             program.click("look:phosphor")
             program.wait("the look is open", lambda s: s["look"] == "phosphor")
+        if program.state()["is_content_locked"]:
+            program.click("keep_content")
+            program.wait("the signal is unlocked", lambda s: not s["is_content_locked"])
         program.click("preset:")
         program.place("picture")  # the click has been seen
         return program.wait("all is as the look has it", self.is_tidy)

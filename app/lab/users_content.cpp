@@ -1,0 +1,89 @@
+#include "lab/users_content.h"
+
+#include "lab/source_choices.h"
+#include "model/source_spec.h"
+#include "signals/kinds.h"
+#include "signals/patterns.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace {
+bool is_text(const SettingFacts& setting) {
+    return setting.type == SettingType::text;
+}
+
+// The settings that say what is shown and not how: a file, a socket's path, strokes, a text.
+std::vector<std::string> texts_of(const Spec& complete) {
+    std::vector<std::string> texts;
+    if (const SignalKind* kind = find_kind(complete.kind))
+        for (const SettingFacts& setting : kind->settings)
+            if (is_text(setting))
+                texts.push_back(std::get<std::string>(complete.settings.at(setting.key)));
+    return texts;
+}
+
+std::string file_name(const std::string& path) {
+    return std::filesystem::path(path).filename().string();
+}
+
+std::string signal_name(const Spec& signal) {
+    const SignalKind* kind = find_kind(signal.kind);
+    const auto complete = completed(signal);
+    if (!kind || !complete)
+        return signal.kind;
+    if (const std::string file = file_of(*complete); !file.empty())
+        return file_name(file);
+    return kind->label;
+}
+
+std::string source_name(const std::string& text) {
+    const auto source = parse_source(text);
+    if (!source)
+        return text;
+    if (!source->is_pattern())
+        return file_name(source->picture);
+    const std::string name = name_of_pattern(*source);
+    const auto& patterns = all_patterns();
+    const auto found = std::ranges::find(patterns, name, &PatternFacts::name);
+    return found == patterns.end() ? name : found->label;
+}
+}  // namespace
+
+bool is_users_content(const Spec& signal) {
+    const SignalKind* kind = find_kind(signal.kind);
+    return kind && (kind->is_live || kind->is_sent || std::ranges::any_of(kind->settings, is_text));
+}
+
+bool is_users_content(const std::string& source) {
+    const auto spec = parse_source(source);
+    return spec && !spec->picture.empty() && !spec->is_pattern();
+}
+
+bool is_same_content(const Spec& one, const Spec& other) {
+    const auto first = completed(one);
+    const auto second = completed(other);
+    if (one.kind != other.kind || !first || !second)
+        return one == other;
+    return texts_of(*first) == texts_of(*second);
+}
+
+bool is_same_content(const std::string& one, const std::string& other) {
+    const auto first = parse_source(one);
+    const auto second = parse_source(other);
+    return first && second ? first->picture == second->picture : one == other;
+}
+
+std::string content_name(const Content& content, const Look& look) {
+    return look.driven_by == Driver::picture ? source_name(content.source)
+                                             : signal_name(content.signal);
+}
+
+std::string content_word(const Look& look) {
+    return look.driven_by == Driver::picture ? "source" : "signal";
+}
+
+bool is_locked_in(const Look& look, const ContentLocks& locks) {
+    return (look.driven_by == Driver::signal && locks.signal) ||
+           (look.driven_by == Driver::picture && locks.source);
+}

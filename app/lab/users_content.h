@@ -1,0 +1,25 @@
+#pragma once
+
+#include "model/content.h"
+#include "model/look.h"
+
+#include <string>
+
+/// Whether a signal is the user's own: from a file, device or socket, a drawing or a text. What a
+/// generator makes is not.
+bool is_users_content(const Spec& signal);
+/// The same of a source: any but a test pattern.
+bool is_users_content(const std::string& source);
+
+/// Whether both show the same file, device, drawing or text; how they show it may differ.
+bool is_same_content(const Spec& one, const Spec& other);
+bool is_same_content(const std::string& one, const std::string& other);
+
+/// As a message names what drives a look: "song.wav", "Live sound", "HELLO", "SMPTE bars".
+std::string content_name(const Content& content, const Look& look);
+
+/// "signal" or "source": what drives the look. It is driven by one of both.
+std::string content_word(const Look& look);
+
+/// Whether what drives the look is locked.
+bool is_locked_in(const Look& look, const ContentLocks& locks);
