@@ -65,8 +65,14 @@ std::optional<int> parse_integer(std::string_view text) {
 namespace {
 template <class Number>
 std::string shortest(Number number) {
+    constexpr auto least_decimal = static_cast<Number>(1e-4);
+    constexpr auto most_decimal = static_cast<Number>(1e15);
+    const Number size = number < 0 ? -number : number;
     char text[64];
-    const auto [end, error] = std::to_chars(text, text + sizeof text, number);
+    const bool is_decimal = number == 0 || (size >= least_decimal && size < most_decimal);
+    const auto [end, error] =
+        is_decimal ? std::to_chars(text, text + sizeof text, number, std::chars_format::fixed)
+                   : std::to_chars(text, text + sizeof text, number);
     return {text, end};
 }
 }  // namespace

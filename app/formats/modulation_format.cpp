@@ -1,5 +1,6 @@
 #include "formats/modulation_format.h"
 
+#include "formats/json_text.h"
 #include "model/renamed.h"
 
 #include <nlohmann/json.hpp>

@@ -4,6 +4,7 @@
 #include "formats/json_text.h"
 #include "formats/modulation_format.h"
 #include "formats/preset_png.h"
+#include "formats/preset_update.h"
 #include "formats/share_line.h"
 #include "formats/spec_json.h"
 #include "formats/value_json.h"
@@ -120,7 +121,7 @@ Result<Preset> load_preset(const std::filesystem::path& file) {
     return preset;
 }
 
-nlohmann::ordered_json preset_json(const Preset& preset, const Look* look) {
+nlohmann::ordered_json preset_json(const Preset& preset, const Look* look, Digits digits) {
     Json json{{"format", preset_file.name}, {"version", preset_file.newest_version},
               {"look", preset.look},        {"look_digest", preset.digest},
               {"name", preset.name},        {"about", preset.about},
@@ -138,7 +139,7 @@ nlohmann::ordered_json preset_json(const Preset& preset, const Look* look) {
         json["values"][name] = json_of(value, look ? find_parameter(*look, name) : nullptr);
     if (!preset.modulations.empty())
         json["modulation"] = json_of(preset.modulations);
-    return json;
+    return digits == Digits::all ? json : with_float_digits(std::move(json));
 }
 
 std::string preset_to_json(const Preset& preset, const Look* look) {
@@ -147,7 +148,21 @@ std::string preset_to_json(const Preset& preset, const Look* look) {
 
 Result<void> save_preset(const std::filesystem::path& file, const Preset& preset,
                          const Look* look) {
-    return write_atomically(file, preset_to_json(preset, look));
+    std::error_code error;
+    const auto present = std::filesystem::is_regular_file(file, error)
+                             ? read_text(file)
+                             : Result<std::string>(fail(Diagnostics()));
+    return write_atomically(
+        file, present ? updated_preset_text(*present, preset, look) : preset_to_json(preset, look));
+}
+
+bool is_written_alike(const Preset& one, const Preset& other, const Look& look) {
+    const auto written = [&look](Preset preset) {
+        if (auto fitted = fitted_values(look, preset, {}))
+            preset.values = std::move(*fitted);
+        return preset_json(preset, &look);
+    };
+    return written(one) == written(other);
 }
 
 Preset with_all_values(Preset preset, const Look& look) {

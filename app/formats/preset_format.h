@@ -24,12 +24,20 @@ Result<Preset> load_preset(const std::filesystem::path& file);
 /// written as true and false, else as 1 and 0; both read the same.
 std::string preset_to_json(const Preset& preset, const Look* look = nullptr);
 
-/// The document that preset_to_json writes.
-nlohmann::ordered_json preset_json(const Preset& preset, const Look* look = nullptr);
+/// How numbers are written: as 32-bit floats, or so that they read back as they are.
+enum class Digits { of_float, all };
 
-/// Writes the file in one step; a crash leaves the old or the new one.
+/// The document that preset_to_json writes.
+nlohmann::ordered_json preset_json(const Preset& preset, const Look* look = nullptr,
+                                   Digits digits = Digits::of_float);
+
+/// Writes the file in one step; a crash leaves the old or the new one. A preset that is there keeps
+/// all bytes that say the same.
 Result<void> save_preset(const std::filesystem::path& file, const Preset& preset,
                          const Look* look = nullptr);
+
+/// Whether the files of both would say the same of that look.
+bool is_written_alike(const Preset& one, const Preset& other, const Look& look);
 
 /// The preset with the look's defaults where it says nothing: what a shared preset holds.
 Preset with_all_values(Preset preset, const Look& look);

@@ -41,12 +41,12 @@ std::optional<std::string> text_of(const PngChunk& chunk) {
 }
 }  // namespace
 
-Result<std::string> with_preset(std::string_view png, const Preset& preset) {
+Result<std::string> with_preset(std::string_view png, const Preset& preset, const Look* look) {
     const auto chunks = parse_png_chunks(png);
     if (!chunks)
         return fail(chunks.error());
     const std::string data =
-        std::string(keyword).append(compressed_header) + deflated(preset_to_json(preset));
+        std::string(keyword).append(compressed_header) + deflated(preset_to_json(preset, look));
     std::string bytes(png_signature());
     for (const PngChunk& chunk : *chunks) {
         if (!is_preset(chunk))

@@ -30,7 +30,7 @@ nlohmann::ordered_json json_of(const PassOverrides& overrides) {
 
 nlohmann::ordered_json json_of(const SessionState& state) {
     nlohmann::ordered_json json{{"step", state.step},
-                                {"preset", preset_json(state.preset)},
+                                {"preset", preset_json(state.preset, nullptr, Digits::all)},
                                 {"overrides", json_of(state.overrides)}};
     if (state.locks.signal)
         json["keeps_signal"] = true;
@@ -70,11 +70,11 @@ const Choices<DifferenceMeasure> measures{{"absolute", DifferenceMeasure::absolu
                                           {"relative", DifferenceMeasure::relative},
                                           {"squared", DifferenceMeasure::squared}};
 
-const Choices<Other> others{{"article", {}},
-                            {"file", {Other::Kind::file}},
-                            {"A", {Other::Kind::slot, 0}},
-                            {"B", {Other::Kind::slot, 1}},
-                            {"C", {Other::Kind::slot, 2}}};
+const Choices<Other> other_words{{"article", {}},
+                                 {"file", {Other::Kind::file}},
+                                 {"A", {Other::Kind::slot, 0}},
+                                 {"B", {Other::Kind::slot, 1}},
+                                 {"C", {Other::Kind::slot, 2}}};
 
 template <class T>
 std::string_view word_or_first(const Choices<T>& choices, const T& chosen) {
@@ -87,7 +87,7 @@ nlohmann::ordered_json json_of(const Comparison& comparison) {
     Other other = comparison.other;
     other.file.clear();
     return {{"mode", word_or_first(modes, comparison.mode)},
-            {"with", word_or_first(others, other)},
+            {"with", word_or_first(other_words, other)},
             {"file", comparison.other.file.string()},
             {"measure", word_or_first(measures, comparison.measure)},
             {"gain", comparison.gain_stops},
@@ -104,7 +104,7 @@ nlohmann::ordered_json json_of(const LookSlots& looks) {
                 preset.look = look;
                 preset.name = slots[i]->preset;
                 preset.values = slots[i]->values;
-                document[look][slot_name(i)] = preset_json(preset);
+                document[look][slot_name(i)] = preset_json(preset, nullptr, Digits::all);
             }
     return document;
 }
@@ -137,7 +137,7 @@ Comparison read_comparison(const JsonValue& value, const std::filesystem::path& 
     ObjectReader reader(value, file, problems);
     Comparison comparison;
     comparison.mode = reader.choice("mode", modes, comparison.mode);
-    comparison.other = reader.choice("with", others, comparison.other);
+    comparison.other = reader.choice("with", other_words, comparison.other);
     comparison.other.file = reader.text("file");
     comparison.measure = reader.choice("measure", measures, comparison.measure);
     comparison.gain_stops = std::clamp(reader.number("gain", 0.0), -most_stops, most_stops);

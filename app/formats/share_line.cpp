@@ -23,8 +23,8 @@ std::string without_blanks(std::string_view text) {
 }
 }  // namespace
 
-std::string share_line(const Preset& preset) {
-    const std::string json = compact_json_text(preset_json(preset));
+std::string share_line(const Preset& preset, const Look* look) {
+    const std::string json = compact_json_text(preset_json(preset, look));
     return std::string(scheme).append(version).append(base64url_encode(deflated(json)));
 }
 

@@ -8,7 +8,7 @@
 
 /// The preset as one line of text for chats and links: "afterglow:1:" and the base64url of its
 /// compressed JSON. It holds the values that the preset holds; see with_all_values().
-std::string share_line(const Preset& preset);
+std::string share_line(const Preset& preset, const Look* look = nullptr);
 
 /// Whether a text is meant to be a share line.
 bool is_share_line(std::string_view text);

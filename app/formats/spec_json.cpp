@@ -1,5 +1,6 @@
 #include "formats/spec_json.h"
 
+#include "formats/json_text.h"
 #include "signals/kinds.h"
 
 #include <nlohmann/json.hpp>

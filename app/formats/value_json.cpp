@@ -43,9 +43,23 @@ std::optional<Value> read_value(const JsonValue& value, ObjectReader& reader) {
     return std::nullopt;
 }
 
+namespace {
+// The label of a list's item, where that reads as the same value.
+std::optional<std::string> label_of(const Value& value, const Parameter& parameter) {
+    for (const Item& item : parameter.items)
+        if (value.numbers.size() == 1 && item.value == value.number())
+            if (const auto read = parse_value(parameter, item.label); read && *read == value)
+                return item.label;
+    return std::nullopt;
+}
+}  // namespace
+
 Json json_of(const Value& value, const Parameter* parameter) {
     if (value.numbers.empty())
         return value.path;
+    if (parameter)
+        if (const auto label = label_of(value, *parameter))
+            return *label;
     const bool is_switch = parameter && parameter->type.scalar == Scalar::boolean;
     Json list = Json::array();
     for (const double number : value.numbers)

@@ -134,6 +134,27 @@ void apply_items(const Site& site) {
                                format_number(initial), count, count - 1));
 }
 
+// Former labels, "" where an item had none. One that another item has now would be read as that.
+void apply_items_was(const Site& site) {
+    std::vector<Item>& items = site.parameter.items;
+    if (items.empty())
+        return site.error("@items_was needs @items, in the same order");
+    if (site.hint.words.empty() || site.hint.words.size() > items.size())
+        return site.error(
+            fmt::format("@items_was takes up to {} names, one for each item; \"\" "
+                        "for an item that had no other",
+                        items.size()));
+    for (std::size_t i = 0; i < site.hint.words.size(); ++i) {
+        const std::string& was = site.hint.words[i];
+        if (const auto same = std::ranges::find(items, was, &Item::label); same != items.end())
+            return site.error(
+                fmt::format("@items_was: '{}' is the name of an item now", same->label));
+        if (!was.empty() && std::ranges::find(items, was, &Item::was) != items.end())
+            return site.error(fmt::format("@items_was has '{}' twice", was));
+        items[i].was = was;
+    }
+}
+
 void apply_parts(const Site& site) {
     const NumberType& type = site.parameter.type;
     if (type.columns > 1 || type.rows < 2)
@@ -210,6 +231,7 @@ constexpr Rule rules[] = {
     {"@point", apply_point},
     {"@angle", apply_angle},
     {"@items", apply_items},
+    {"@items_was", apply_items_was},
     {"@parts", apply_parts},
     {"@range", apply_range},
     {"@limit", apply_limit},

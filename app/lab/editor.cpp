@@ -67,21 +67,37 @@ Result<std::vector<std::string>> editor_command(const Location& asked) {
     return with_place("xdg-open", place);
 }
 
-Result<void> open_in_editor(const Location& place) {
-    const auto command = editor_command(place);
-    if (!command)
-        return fail(command.error());
+namespace {
+// The error of errno, or 0.
+int start(const std::vector<std::string>& command) {
     std::vector<char*> arguments;
-    for (const std::string& word : *command)
+    for (const std::string& word : command)
         arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
     pid_t process = 0;
     const int error =
         posix_spawnp(&process, arguments[0], nullptr, nullptr, arguments.data(), environ);
-    if (error != 0)
+    if (error == 0)
+        std::thread([process] { waitpid(process, nullptr, 0); }).detach();
+    return error;
+}
+}  // namespace
+
+Result<void> open_in_editor(const Location& place) {
+    const auto command = editor_command(place);
+    if (!command)
+        return fail(command.error());
+    if (const int error = start(*command); error != 0)
         return fail({place.file, place.line,
                      fmt::format("'{}' cannot be started ({}); set $VISUAL to your editor",
                                  command->front(), std::strerror(error))});
-    std::thread([process] { waitpid(process, nullptr, 0); }).detach();
+    return {};
+}
+
+Result<void> open_folder(const std::filesystem::path& folder) {
+    if (const int error = start({"xdg-open", folder.string()}); error != 0)
+        return fail(
+            {folder, 0,
+             fmt::format("cannot be shown: xdg-open does not start ({})", std::strerror(error))});
     return {};
 }

@@ -12,3 +12,6 @@ Result<std::vector<std::string>> editor_command(const Location& place);
 
 /// Starts it, and does not wait.
 Result<void> open_in_editor(const Location& place);
+
+/// Shows a folder in the desktop's file manager, and does not wait.
+Result<void> open_folder(const std::filesystem::path& folder);

@@ -5,20 +5,25 @@
 #include "formats/preset_format.h"
 #include "formats/scene_file.h"
 #include "formats/share_line.h"
+#include "gpu/readback.h"
 #include "lab/editor.h"
 #include "lab/morphing.h"
 #include "lab/session.h"
 #include "lab/sharing.h"
+#include "lab/small_picture.h"
 #include "lab/sound_store.h"
 #include "lab/source.h"
 #include "lab/told_name.h"
 #include "lab/tryouts.h"
 #include "lab/users_content.h"
+#include "lab/window_state.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
+#include <fcntl.h>
+#include <unistd.h>
 
 namespace fs = std::filesystem;
 
@@ -69,6 +74,12 @@ void Lab::say(const Diagnostic& problem) {
     const std::string line = problem.line > 0 ? fmt::format(":{}", problem.line) : std::string();
     say(name.empty() ? problem.message : fmt::format("{}{}: {}", name, line, problem.message), true,
         problem.file.string());
+}
+
+void Lab::offer(std::string text, Choice choice) {
+    say(std::move(text));
+    m_notice->choices.push_back(std::move(choice));
+    m_notice->seconds_left = 8.0;
 }
 
 void Lab::mended(const std::string& subject) {
@@ -148,8 +159,24 @@ bool Lab::opens_document(const fs::path& file) const {
     return !is_sound_file(file) && !is_svg_file(file) && !is_scene_file(file) && !is_source;
 }
 
-void Lab::keep_unsaved(const Session& session) {
-    const auto kept = m_kept_sessions.keep(session);
+std::optional<Picture> Lab::small_copy() const {
+    constexpr int lines = 135;
+    if (!m_renderer || !m_renderer->has_drawn())
+        return std::nullopt;
+    auto viewer = Viewer::make();
+    if (!viewer)
+        return std::nullopt;
+    const auto canvas = small_picture(*viewer, m_renderer->executor(), lines);
+    if (!canvas)
+        return std::nullopt;
+    Picture picture = gpu::read_picture(canvas->texture());
+    picture.encoding = Encoding::display;
+    return picture;
+}
+
+void Lab::keep_unsaved(const Session& session,
+                       const std::function<std::optional<Picture>()>& picture) {
+    const auto kept = m_kept_sessions.keep(session, picture);
     if (succeeded(kept) && *kept)
         say("Unsaved changes are kept: File, Unsaved changes");
 }
@@ -160,7 +187,7 @@ void Lab::take_up(const fs::path& kept) {
         return;
     // What another look takes the place of is kept when it opens.
     if (m_document && m_document->look().manifest == session->look)
-        keep_unsaved(session_of(*this, {}));
+        keep_unsaved(session_of(*this, {}), [this] { return small_copy(); });
     restore(*this, *session, [kept](Lab& opened) { opened.m_kept_sessions.forget(kept); });
 }
 
@@ -264,6 +291,11 @@ void Lab::edit(const std::function<void(Document&)>& change) {
         change(*m_document);
 }
 
+void Lab::undo() {
+    if (!m_presets.undo_removal())
+        edit([](Document& document) { document.undo(); });
+}
+
 void Lab::restart() {
     m_trip.trip.reset();
     m_player.restart();
@@ -303,95 +335,6 @@ void Lab::cancel_replay() {
     m_renderer->cancel_replay();
     if (!m_renderer->has_drawn())  // with what there is of its past, rather than nothing
         want({std::vector<bool>(m_renderer->executor().look().passes.size(), true), false});
-}
-
-void Lab::save_preset() {
-    if (!m_document)
-        return;
-    if (m_document->preset_file().empty()) {
-        say("Give the preset a name first", true);
-        return;
-    }
-    const fs::path file = m_document->preset_file();
-    const Preset preset = portable(m_document->preset(), media_folder(file));
-    if (!succeeded(::save_preset(file, preset)))
-        return;
-    m_document->set_identity(preset, file);
-    m_document->mark_saved();
-    say("Saved '" + m_document->preset_name() + "'");
-}
-
-void Lab::save_preset_as(const std::string& name) {
-    if (!m_document)
-        return;
-    const auto file = m_library.new_preset_path(m_document->look().id, name);
-    if (succeeded(file))
-        save_preset_to(*file, name);
-}
-
-void Lab::replace_preset(const std::string& name) {
-    if (!m_document)
-        return;
-    const auto file = m_library.preset_path(m_document->look().id, name);
-    if (succeeded(file))
-        save_preset_to(*file, name);
-}
-
-void Lab::save_preset_to(const fs::path& file, const std::string& name) {
-    Preset preset = portable(m_document->preset(), file.parent_path());
-    preset.name = name;
-    if (!succeeded(::save_preset(file, preset)))
-        return;
-    m_document->set_identity(preset, file);
-    m_document->mark_saved();
-    watch_extra_files();
-    say("Saved '" + name + "'");
-}
-
-void Lab::rename_preset(const std::string& name) {
-    if (!m_document || m_document->preset_file().empty())
-        return;
-    const fs::path before = m_document->preset_file();
-    const auto file = m_library.rename_preset(before, name);
-    if (!succeeded(file))
-        return;
-    const std::string former = star_of(m_document->look().id, before.stem().string());
-    if (m_preset_stars.contains(former)) {
-        m_preset_stars.erase(former);
-        m_preset_stars.insert(star_of(m_document->look().id, file->stem().string()));
-    }
-    Preset identity = m_document->identity();
-    identity.name = name;
-    m_document->set_identity(identity, *file);
-    watch_extra_files();
-    say("Renamed to '" + name + "'");
-}
-
-void Lab::duplicate_preset() {
-    if (!m_document || m_document->preset_file().empty())
-        return;
-    const auto file = m_library.duplicate_preset(m_document->preset_file());
-    if (!succeeded(file))
-        return;
-    // Unsaved changes go on, now as changes to the copy.
-    Preset identity = m_document->identity();
-    if (const auto copy = load_preset(*file))
-        identity.name = copy->name;
-    m_document->set_identity(identity, *file);
-    watch_extra_files();
-    say("Duplicated as '" + file->stem().string() + "'");
-}
-
-void Lab::delete_preset() {
-    if (!m_document || m_document->preset_file().empty())
-        return;
-    const fs::path file = m_document->preset_file();
-    if (!succeeded(m_library.delete_preset(file)))
-        return;
-    say("Deleted '" + m_document->preset_name() +
-        "'; its values stay here until another look opens");
-    m_document->set_identity({}, {});
-    m_document->mark_saved(initial_state(m_document->look()));
 }
 
 std::string Lab::share_line() const {
@@ -436,6 +379,10 @@ void Lab::write_overrides() {
     if (!m_document || m_document->state().overrides.empty())
         return;
     const Stack& stack = m_document->look().stack;
+    for (const StackPart& part : stack)
+        if (m_library.is_shipped(manifest_of(part.place)))
+            return offer_duplicate("'" + part.look +
+                                   "' is a shipped look, which is not overwritten");
     for (std::size_t i = 0; i < stack.size(); ++i) {
         PassOverrides own;
         const std::string scope = scope_of(stack, i);
@@ -453,6 +400,22 @@ void Lab::write_overrides() {
     say("Written to look.json");
 }
 
+// A shipped file that the user may not write to.
+bool Lab::must_duplicate(const fs::path& file) const {
+    return m_library.is_shipped(file) && faccessat(AT_FDCWD, file.c_str(), W_OK, AT_EACCESS) != 0;
+}
+
+void Lab::offer_duplicate(const std::string& words) {
+    const std::string id = m_document->look().id + "-copy";
+    offer(words, {.name = "Duplicate look",
+                  .deeds = {[id](WindowState& window) {
+                      window.dialog = {.kind = Dialog::Kind::duplicate_look, .text = id};
+                  }}});
+}
+
 void Lab::open_in_editor(const Location& place) {
+    if (m_document && must_duplicate(place.file))
+        return offer_duplicate("'" + m_document->look().name +
+                               "' is a shipped look, in a folder that cannot be written to");
     succeeded(::open_in_editor(place));
 }

@@ -16,6 +16,7 @@
 #include "lab/osc_control.h"
 #include "lab/picture_size.h"
 #include "lab/player.h"
+#include "lab/preset_commands.h"
 #include "lab/preset_ring.h"
 #include "lab/rate_check.h"
 #include "lab/rate_pictures.h"
@@ -26,7 +27,6 @@
 #include "model/moves.h"
 #include "model/pass_switches.h"
 #include "model/placing.h"
-#include "model/preset_stars.h"
 #include "model/remote_settings.h"
 
 #include <chrono>
@@ -185,10 +185,17 @@ public:
     /// the open one takes it.
     std::string look_for(const std::filesystem::path& file) const;
     /// Keeps its unsaved changes and says so, where it has some.
-    void keep_unsaved(const Session& session);
+    void keep_unsaved(const Session& session,
+                      const std::function<std::optional<Picture>()>& picture = {});
+    /// A small copy of the picture that is shown; none: nothing is drawn yet.
+    std::optional<Picture> small_copy() const;
     /// Opens what was kept; unsaved changes of what is open now are kept instead.
     void take_up(const std::filesystem::path& kept);
     void edit(const std::function<void(Document&)>& change);
+    /// Takes back the deleted preset or the document's step, whichever came last.
+    void undo();
+    PresetCommands& presets() { return m_presets; }
+    const PresetCommands& presets() const { return m_presets; }
     Player& transport() { return m_player; }
     /// What the person keeps about the knobs of all looks, those of the open one included.
     LookKnobs knobs() const;
@@ -235,23 +242,13 @@ public:
     /// The next controller that is turned will turn that; listens to devices from then on.
     void learn_midi(const MidiGoal& goal);
     void end_midi_learning() { m_midi.learn({}); }
-    void save_preset();                            // over the open one
-    void save_preset_as(const std::string& name);  // refused where there is one of that name
-    void replace_preset(const std::string& name);  // as save_preset_as, over the one there is
     /// Whether one look of libretro's is open, and no stack.
     bool can_save_slang_preset() const;
     /// As a .slangp that refers to the open file and holds the values that differ from its own.
     void save_slang_preset(const std::filesystem::path& file);
-    void rename_preset(const std::string& name);
-    void duplicate_preset();
-    void delete_preset();
     /// Opens the preset `by` places on in the list of the open look, perhaps of those with a star,
     /// and says which.
     void step_preset(int by, bool only_starred = false);
-    const PresetStars& preset_stars() const { return m_preset_stars; }
-    void set_preset_stars(PresetStars stars) { m_preset_stars = std::move(stars); }
-    /// Gives a preset of the open look a star, or takes it.
-    void star_preset(const std::string& name, bool has_star);
     std::string share_line() const;  // "" when nothing is open
     void paste(const std::string& line);
     void new_look(const std::string& id);
@@ -324,6 +321,17 @@ public:
     void say(std::string text, bool is_problem = false, std::string subject = {});
     /// As a notice has room for it: the file's name and what is wrong with it.
     void say(const Diagnostic& problem);
+    /// Says it with a button for what may be done about it, and goes by.
+    void offer(std::string text, Choice choice);
+    /// Says the first reason of a failure.
+    template <class T>
+    bool succeeded(const Result<T>& result) {
+        if (!result)
+            say(result.error().front());
+        return result.has_value();
+    }
+    /// Follows the files that the document names, besides the look's own.
+    void watch_extra_files();
 
     /// One turn: takes reloads in, lets time flow, draws what must be drawn.
     void update(double wall_seconds);
@@ -378,7 +386,6 @@ private:
     void show_problems(const Diagnostics& problems);
     void gather_problems();
     void open_values(const OpenRequest& request);
-    void save_preset_to(const std::filesystem::path& file, const std::string& name);
     void apply_document();
     bool find_other(Comparison& comparison);
     bool is_reference_wanted() const;
@@ -392,6 +399,8 @@ private:
     Result<void> follow_signal();
     void update_drive();
     void take_chosen_content();
+    bool must_duplicate(const std::filesystem::path& file) const;
+    void offer_duplicate(const std::string& words);
     void offer_own_content(const Preset& preset);
     void tell_silence();
     void open_remote();
@@ -416,20 +425,12 @@ private:
     void forget_trip();
     std::optional<PresetPlace> preset_on_ring(int by, bool only_starred);
     void tell_preset(bool had_changes);
-    void watch_extra_files();
     void extra_file_changed(const std::filesystem::path& file);
     void preset_file_changed(const std::filesystem::path& file);
     /// Takes back the notice of a problem that is no more.
     void mended(const std::string& subject);
-    /// Says the first reason of a failure.
-    template <class T>
-    bool succeeded(const Result<T>& result) {
-        if (!result)
-            say(result.error().front());
-        return result.has_value();
-    }
-
     Library m_library;
+    PresetCommands m_presets{*this};
     KeptSessions m_kept_sessions;
     std::optional<Document> m_document;
     LookKnobs m_knobs;                       // of looks that are not open
@@ -490,7 +491,6 @@ private:
     PictureSize m_picture_size;
     Extent m_view{1280, 720};
     Extent m_drawn_extent;
-    PresetStars m_preset_stars;
     std::optional<PresetPlace> m_preset_step;  // that is being opened
     std::optional<Redraw> m_wanted;            // what the paused picture still owes
     std::function<void(Lab&)> m_when_opened;

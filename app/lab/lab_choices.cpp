@@ -117,11 +117,13 @@ ChoiceList drawing_choices(const DrawingBoard& board) {
     return list;
 }
 
+// The menu shows them with pictures.
 ChoiceList unsaved_choices(const KeptSessions& kept) {
-    ChoiceList list{"Unsaved changes", ChoiceList::Place::file};
-    for (const std::filesystem::path& file : kept.files())
-        list.choices.push_back({.name = title_of_kept(file),
-                                .deeds = {[file](Lab& changed) { changed.take_up(file); }}});
+    ChoiceList list{"Unsaved changes"};
+    for (const KeptSession& session : kept.list())
+        list.choices.push_back(
+            {.name = session.look + (session.preset.empty() ? "" : " – " + session.preset),
+             .deeds = {[file = session.file](Lab& changed) { changed.take_up(file); }}});
     return list;
 }
 
@@ -168,8 +170,10 @@ void add_of_look(const Lab& lab, const WindowState& window, const std::vector<Sh
                                     window.inspected));
     all.push_back(comparing_choices(lab));
     all.push_back(unsaved_choices(lab.kept_sessions()));
-    add_lists(all, preset_choices(listed_presets(document, looks, lab.preset_stars(), {}),
+    add_lists(all, preset_choices(listed_presets(document, looks, lab.presets().stars(), {}),
                                   window.presets));
+    if (!document.preset_file().empty() && lab.presets().has_source_checkout())
+        all.push_back(shipped_preset_choices());
 }
 
 void add_further(const Lab& lab, const WindowState& window, Lists& all) {

@@ -40,7 +40,7 @@ void Lab::preset_file_changed(const fs::path& file) {
         return;
     mended(file.string());
     const fs::path folder = media_folder(file);
-    if (*preset == portable(m_document->preset(), folder))
+    if (is_written_alike(*preset, portable(m_document->preset(), folder), m_document->look()))
         return;
     if (m_document->is_modified()) {
         say("'" + m_document->preset_name() + "' has changed on disk; your own changes stay", true);

@@ -14,16 +14,6 @@
 
 namespace fs = std::filesystem;
 
-void Lab::star_preset(const std::string& name, bool has_star) {
-    if (!m_document)
-        return;
-    const std::string star = star_of(m_document->look().id, name);
-    if (has_star)
-        m_preset_stars.insert(star);
-    else
-        m_preset_stars.erase(star);
-}
-
 bool Lab::can_save_slang_preset() const {
     return m_document && m_document->look().stack.size() <= 1 &&
            is_slang_file(m_document->look().manifest);
@@ -53,10 +43,25 @@ void Lab::save_slang_preset(const fs::path& given) {
                         left_out.empty() ? "" : "; such a file cannot keep: ", left_out));
 }
 
+namespace {
+std::vector<PresetEntry> in_listed_order(std::vector<PresetEntry> presets) {
+    std::map<fs::path, std::string> names;
+    for (const PresetEntry& entry : presets) {
+        const auto preset = load_preset(entry.file);
+        names[entry.file] = preset && !preset->name.empty() ? preset->name : entry.name;
+    }
+    std::ranges::sort(presets, [&names](const PresetEntry& one, const PresetEntry& other) {
+        return is_listed_before(one, names[one.file], other, names[other.file]);
+    });
+    return presets;
+}
+}  // namespace
+
 // Pressed again before the last one is read, or while a morph is under way, a key goes on from
 // there.
 std::optional<PresetPlace> Lab::preset_on_ring(int by, bool only_starred) {
-    const std::vector<PresetEntry> presets = m_library.presets(m_document->look().id);
+    const std::vector<PresetEntry> presets =
+        in_listed_order(m_library.presets(m_document->look().id));
     const bool is_stepping = m_preset_step && is_reading();
     const fs::path present = is_stepping  ? m_preset_step->file
                              : m_morphing ? m_morphing->file()
@@ -67,7 +72,7 @@ std::optional<PresetPlace> Lab::preset_on_ring(int by, bool only_starred) {
     }
     if (!only_starred)
         return preset_beside(presets, present, by);
-    auto starred = starred_beside(presets, m_preset_stars, present, by);
+    auto starred = starred_beside(presets, m_presets.stars(), present, by);
     if (!starred)
         say("No preset of this look has a star");
     return starred;

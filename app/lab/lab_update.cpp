@@ -269,6 +269,7 @@ void Lab::open_document(LoadedRequest& loaded) {
     const Content content = m_document ? m_document->content() : m_content;
     const std::optional<Session> left =
         !is_same && had_changes ? std::optional(session_of(*this, {})) : std::nullopt;
+    const std::optional<Picture> left_picture = left ? small_copy() : std::nullopt;
     if (!is_same) {
         m_knobs = knobs();
         m_switches = {};
@@ -306,7 +307,7 @@ void Lab::open_document(LoadedRequest& loaded) {
         offer_own_content(
             with_found_media(*request.preset, media_folder(request.preset_file), m_drive.recent()));
     if (left)
-        keep_unsaved(*left);
+        keep_unsaved(*left, [&] { return left_picture; });
 }
 
 // The first draws' targets go on where nothing was overridden.

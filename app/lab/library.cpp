@@ -3,12 +3,16 @@
 #include "base/file.h"
 #include "base/text.h"
 #include "formats/preset_format.h"
+#include "formats/preset_update.h"
 #include "io/atomic_file.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
+#include <set>
+#include <tuple>
+#include <utility>
 
 namespace fs = std::filesystem;
 
@@ -48,15 +52,27 @@ void add_or_shadow(std::vector<Entry>& entries, Entry entry, std::string Entry::
 }
 }  // namespace
 
+bool is_listed_before(const PresetEntry& one, std::string_view one_name, const PresetEntry& other,
+                      std::string_view other_name) {
+    const auto key = [](const PresetEntry& preset, std::string_view name) {
+        return std::tuple(preset.is_shipped, to_lower(name), preset.name);
+    };
+    return key(one, one_name) < key(other, other_name);
+}
+
 std::vector<LookEntry> Library::looks() const {
     std::vector<LookEntry> looks;
     std::error_code error;
     for (const fs::path& root : m_roots.all())
         for (const fs::path& folder : sorted_entries(root / "shaders"))
             if (fs::is_regular_file(folder / "look.json", error))
-                add_or_shadow(looks, {folder.filename(), folder, root == m_roots.user},
+                add_or_shadow(looks, {folder.filename(), folder, is_shipped(folder / "look.json")},
                               &LookEntry::id);
     return looks;
+}
+
+bool Library::is_shipped(const fs::path& file) const {
+    return ::is_shipped(*m_shipped, m_roots.program, file);
 }
 
 std::vector<PresetEntry> Library::presets(std::string_view look) const {
@@ -64,9 +80,51 @@ std::vector<PresetEntry> Library::presets(std::string_view look) const {
     for (const fs::path& root : m_roots.all())
         for (const fs::path& file : sorted_entries(root / "presets" / look))
             if (file.extension() == ".json")
-                add_or_shadow(presets, {std::string(look), file.stem(), file, root == m_roots.user},
-                              &PresetEntry::name);
+                presets.push_back(
+                    {std::string(look), file.stem(), file, is_shipped(file), file.stem()});
+    std::ranges::stable_sort(presets, {}, [](const PresetEntry& preset) {
+        return std::pair(preset.is_shipped, preset.name);
+    });
+    std::set<std::string> taken;
+    for (PresetEntry& preset : presets)
+        if (preset.is_shipped)
+            taken.insert(preset.name);
+    for (PresetEntry& preset : presets)
+        if (!preset.is_shipped && !taken.insert(preset.name).second)
+            preset.id = "user:" + preset.name;
     return presets;
+}
+
+std::vector<PresetEntry> Library::presets_in_program_folder() const {
+    std::vector<PresetEntry> found;
+    std::error_code error;
+    if (fs::equivalent(m_roots.program, m_roots.user, error))
+        return found;
+    for (const fs::path& folder : sorted_entries(m_roots.program / "presets"))
+        for (const PresetEntry& preset : presets(folder.filename().string()))
+            if (!preset.is_shipped && preset.file.parent_path() == folder)
+                found.push_back(preset);
+    return found;
+}
+
+Result<fs::path> Library::move_to_user_folder(const PresetEntry& preset) const {
+    auto place = preset_path(preset.look, preset.name);
+    std::error_code error;
+    for (int n = 2; place && fs::exists(*place, error); ++n)
+        place = preset_path(preset.look, fmt::format("{} {}", preset.name, n));
+    if (!place)
+        return place;
+    const auto text = read_bytes(preset.file);
+    if (!text)
+        return fail(text.error());
+    // Not renamed: the folders may lie on different volumes.
+    if (auto written = write_atomically(*place, *text); !written)
+        return fail(written.error());
+    fs::remove(preset.file, error);
+    if (error)
+        return fail({preset.file, 0,
+                     "is now in your folder, too, as it cannot be removed: " + error.message()});
+    return place;
 }
 
 std::vector<std::string> Library::stacks() const {
@@ -91,10 +149,19 @@ std::optional<LookEntry> Library::find_look(std::string_view id) const {
 
 std::optional<PresetEntry> Library::find_preset(std::string_view look,
                                                 std::string_view name) const {
+    constexpr std::string_view user = "user:";
+    constexpr std::string_view shipped = "shipped:";
+    const bool is_users = name.starts_with(user);
+    const bool is_of_program = name.starts_with(shipped);
+    const std::string_view bare = name.substr(is_users        ? user.size()
+                                              : is_of_program ? shipped.size()
+                                                              : 0);
+    std::optional<PresetEntry> found;
     for (PresetEntry& preset : presets(look))
-        if (preset.name == name)
-            return preset;
-    return std::nullopt;
+        if (preset.name == bare && !(is_users && preset.is_shipped) &&
+            !(is_of_program && !preset.is_shipped) && (!found || preset.is_shipped))
+            found = std::move(preset);
+    return found;
 }
 
 Result<fs::path> Library::preset_path(std::string_view look, std::string_view name) const {
@@ -103,7 +170,7 @@ Result<fs::path> Library::preset_path(std::string_view look, std::string_view na
     // A preset's file says of which look it is; it does not say where to write.
     if (look == ".." || look.find('/') != look.npos)
         return fail({{}, 0, fmt::format("'{}' cannot be the name of a look", look)});
-    return m_roots.writable() / "presets" / look / (std::string(name) + ".json");
+    return m_roots.user / "presets" / look / (std::string(name) + ".json");
 }
 
 Result<fs::path> Library::new_preset_path(std::string_view look, std::string_view name) const {
@@ -111,7 +178,7 @@ Result<fs::path> Library::new_preset_path(std::string_view look, std::string_vie
     if (!file)
         return file;
     std::error_code error;
-    if (fs::exists(*file, error) || find_preset(look, name))
+    if (fs::exists(*file, error))
         return fail({{}, 0, fmt::format("there is a preset called '{}' already", name)});
     return file;
 }
@@ -130,6 +197,8 @@ Result<fs::path> Library::save_preset(Preset preset, const std::string& name) co
 Result<fs::path> Library::rename_preset(const fs::path& file, const std::string& name) const {
     if (auto fine = check_name(name, "preset"); !fine)
         return fail(fine.error());
+    if (is_shipped(file))
+        return fail({file, 0, "is a shipped preset. Save it under a new name instead"});
     const fs::path renamed = file.parent_path() / (name + ".json");
     std::error_code error;
     if (renamed == file)
@@ -140,7 +209,11 @@ Result<fs::path> Library::rename_preset(const fs::path& file, const std::string&
     if (!preset)
         return fail(preset.error());
     preset->name = name;
-    if (auto saved = ::save_preset(renamed, *preset); !saved)
+    const auto text = read_text(file);
+    if (!text)
+        return fail(text.error());
+    if (auto saved = write_atomically(renamed, updated_preset_text(*text, *preset, nullptr));
+        !saved)
         return fail(saved.error());
     fs::remove(file, error);
     if (error)
@@ -162,13 +235,6 @@ Result<fs::path> Library::duplicate_preset(const fs::path& file) const {
     }
 }
 
-Result<void> Library::delete_preset(const fs::path& file) const {
-    std::error_code error;
-    if (!fs::remove(file, error))
-        return fail({file, 0, error ? error.message() : "there is no such file"});
-    return {};
-}
-
 Result<fs::path> Library::new_look_folder(const std::string& id) const {
     if (auto fine = check_name(id, "look"); !fine)
         return fail(fine.error());
@@ -176,7 +242,7 @@ Result<fs::path> Library::new_look_folder(const std::string& id) const {
         return fail({{}, 0, "the name of a look holds no '+', which joins looks to a stack"});
     if (find_look(id))
         return fail({{}, 0, "there is a look called '" + id + "' already"});
-    const fs::path folder = m_roots.writable() / "shaders" / id;
+    const fs::path folder = m_roots.user / "shaders" / id;
     std::error_code error;
     fs::create_directories(folder, error);
     if (error)

@@ -12,8 +12,13 @@ using Kind = PaletteEntry::Kind;
 void add_presets(const ShelfLook& look, std::vector<PaletteEntry>& entries) {
     for (const ShelfPreset& preset : look.presets) {
         const std::string file = preset.entry.file.string();
-        entries.push_back(
-            {Kind::preset, "preset:" + file, "Preset: " + preset.name, look.name, file, {}, {}});
+        entries.push_back({Kind::preset,
+                           "preset:" + file,
+                           "Preset: " + preset.name,
+                           look.name + (preset.entry.is_shipped ? "" : " · yours"),
+                           file,
+                           {},
+                           {}});
     }
 }
 

@@ -26,8 +26,9 @@ ChoiceList star_choices(const std::vector<ListedPreset>& presets) {
         if (!preset.is_plain())
             list.choices.push_back(
                 {.name = preset.preset.name,
-                 .deeds = {[name = preset.preset.entry.name, has_star = !preset.has_star](
-                               Lab& lab) { lab.star_preset(name, has_star); }},
+                 .deeds = {[name = preset.preset.entry.id, has_star = !preset.has_star](Lab& lab) {
+                     lab.presets().star(name, has_star);
+                 }},
                  .is_present = preset.has_star});
     return list;
 }
@@ -61,4 +62,11 @@ std::vector<ChoiceList> preset_choices(const std::vector<ListedPreset>& presets,
                                        const PresetBrowsing& wanted) {
     return {morph_choices(presets, wanted.morph_seconds), star_choices(presets),
             browsing_choices(wanted)};
+}
+
+ChoiceList shipped_preset_choices() {
+    return {"Preset",
+            ChoiceList::Place::palette,
+            {{.name = "Save into shipped presets",
+              .deeds = {[](Lab& lab) { lab.presets().save_into_shipped(); }}}}};
 }

@@ -27,7 +27,7 @@ ListedPreset as_listed(const ShelfPreset& preset, const Document& document,
     return {.preset = preset,
             .is_open = is_open,
             .is_modified = is_open && document.is_modified(),
-            .has_star = stars.contains(star_of(document.look().id, preset.entry.name))};
+            .has_star = stars.contains(star_of(document.look().id, preset.entry.id))};
 }
 
 std::vector<ListedPreset> listed_presets(const Document& document,

@@ -34,7 +34,7 @@ std::optional<PresetPlace> starred_beside(const std::vector<PresetEntry>& preset
     bool is_present_starred = false;
     for (int i = 0; i < static_cast<int>(presets.size()); ++i) {
         const PresetEntry& preset = presets[static_cast<std::size_t>(i)];
-        if (!stars.contains(star_of(preset.look, preset.name)))
+        if (!stars.contains(star_of(preset.look, preset.id)))
             continue;
         starred.push_back(preset.file);
         before += i + 1 <= present ? 1 : 0;

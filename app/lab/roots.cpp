@@ -1,7 +1,6 @@
 #include "lab/roots.h"
 
 #include <cstdlib>
-#include <unistd.h>
 
 namespace fs = std::filesystem;
 
@@ -30,18 +29,7 @@ std::vector<fs::path> candidates() {
     folders.emplace_back(AFTERGLOW_SOURCE_DIR);
     return folders;
 }
-
-bool is_writable(fs::path folder) {
-    std::error_code error;
-    while (!fs::exists(folder, error) && folder.has_relative_path())
-        folder = folder.parent_path();
-    return fs::is_directory(folder, error) && access(folder.c_str(), W_OK | X_OK) == 0;
-}
 }  // namespace
-
-fs::path Roots::writable() const {
-    return is_writable(program) ? program : user;
-}
 
 Result<Roots> find_roots(const std::optional<fs::path>& data) {
     Roots roots;

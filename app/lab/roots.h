@@ -16,8 +16,6 @@ struct Roots {
 
     std::vector<std::filesystem::path> all() const { return {program, user}; }
     std::filesystem::path shared_includes() const { return program / "shaders" / "include"; }
-    /// The first of both that can be written to: where presets and new looks go.
-    std::filesystem::path writable() const;
 };
 
 /// `data` (from --data), $AFTERGLOW_DATA, a folder above the program that holds shaders/ (or its

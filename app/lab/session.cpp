@@ -159,7 +159,7 @@ Session session_of(const Lab& lab, std::map<std::string, double> window) {
     session.comparison = lab.comparing().chosen();
     session.slots = lab.comparing().all_slots();
     session.knobs = lab.knobs();
-    session.preset_stars = lab.preset_stars();
+    session.preset_stars = lab.presets().stars();
     const Document* document = lab.document();
     if (!document)
         return session;

@@ -27,7 +27,7 @@ Preset portable(Preset preset, const Document& document, const fs::path& folder,
 }  // namespace
 
 std::string share_line_of(const Document& document, const RecentMedia& recent) {
-    return share_line(portable(document.complete_preset(), document, {}, recent));
+    return share_line(portable(document.complete_preset(), document, {}, recent), &document.look());
 }
 
 Result<void> write_preset(const Document& document, const std::string& name, const fs::path& file,
@@ -39,7 +39,7 @@ Result<void> write_preset(const Document& document, const std::string& name, con
         preset.name = name;
     if (preset.name.empty())
         preset.name = file.stem().string();
-    return save_preset(file, preset);
+    return save_preset(file, preset, &document.look());
 }
 
 Result<void> save_picture_with_preset(const Picture& picture, const Document& document,
@@ -52,7 +52,8 @@ Result<void> save_picture_with_preset(const Picture& picture, const Document& do
     if (!png)
         return fail(png.error());
     const auto whole =
-        with_preset(std::move(*png), portable(document.complete_preset(), document, {}, recent));
+        with_preset(std::move(*png), portable(document.complete_preset(), document, {}, recent),
+                    &document.look());
     if (!whole)
         return fail(whole.error());
     return write_atomically(file, *whole);

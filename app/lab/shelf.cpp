@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <map>
+#include <span>
 
 namespace fs = std::filesystem;
 
@@ -33,7 +34,7 @@ const std::string& file_name(const ShelfPreset& preset) {
 
 // A copy may have the name of what it was copied from; its file has another.
 template <class Entry>
-void tell_apart(std::vector<Entry>& entries) {
+void tell_apart(std::span<Entry> entries) {
     std::map<std::string, int> count;
     for (const Entry& entry : entries)
         ++count[entry.name];
@@ -70,7 +71,13 @@ void Shelf::add_presets(ShelfLook& look, const Library& library) {
         const Words& told = words_of(preset.file, false);
         look.presets.push_back({preset, told.name.empty() ? preset.name : told.name, told.about});
     }
-    tell_apart(look.presets);
+    std::ranges::sort(look.presets, [](const ShelfPreset& one, const ShelfPreset& other) {
+        return is_listed_before(one.entry, one.name, other.entry, other.name);
+    });
+    const auto shipped = std::ranges::find_if(
+        look.presets, [](const auto& preset) { return preset.entry.is_shipped; });
+    tell_apart(std::span(look.presets.begin(), shipped));
+    tell_apart(std::span(shipped, look.presets.end()));
 }
 
 // Those of which every look is there; called after all looks are listed.
@@ -118,7 +125,7 @@ void Shelf::update(const Library& library, const Look* open, double wall_seconds
         add_presets(look, library);
         m_looks.push_back(std::move(look));
     }
-    tell_apart(m_looks);
+    tell_apart(std::span(m_looks));
     add_stacks(library);
     if (open)
         add_open(library, *open);

@@ -129,6 +129,7 @@ std::map<std::string, double> remembered(const WindowState& window) {
         {"comfort_rate", window.comfort.most_a_second},
         {"budget_ms", window.budget_milliseconds},
         {"starred_presets", window.presets.only_starred ? 1.0 : 0.0},
+        {"offered_move", window.has_offered_move ? 1.0 : 0.0},
         {"presets_own_content", window.presets.shows_own_content ? 1.0 : 0.0},
         {"morph_seconds", window.presets.morph_seconds},
         {"bottom_part", static_cast<int>(window.bottom_part)}};
@@ -180,6 +181,7 @@ WindowState restored_window(const std::map<std::string, double>& numbers) {
         window.budget_milliseconds = *budget;
     if (const auto is_on = number(numbers, "starred_presets", 0.0, 1.0))
         window.presets.only_starred = *is_on != 0.0;
+    window.has_offered_move = number(numbers, "offered_move", 0.0, 1.0).value_or(0.0) != 0.0;
     if (const auto is_on = number(numbers, "presets_own_content", 0.0, 1.0))
         window.presets.shows_own_content = *is_on != 0.0;
     if (const auto seconds = number(numbers, "morph_seconds", 0.1, 600.0))

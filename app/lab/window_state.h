@@ -160,7 +160,6 @@ struct Dialog {
         save_slangp,
         save_preset_as,
         rename_preset,
-        delete_preset,
         new_look,
         duplicate_look,
         palette,
@@ -274,6 +273,7 @@ struct WindowState {
     FrameRate frame_rate;
     OutputState output;
     FirstSteps first_steps;
+    bool has_offered_move = false;  // of the user's presets out of the program's folder
 
     PaneSizes panes;
     bool shows_library = true;

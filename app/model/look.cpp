@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <set>
 
 std::string Input::reference() const {
     const std::string base = from == From::source     ? "source"
@@ -120,14 +122,88 @@ Values renamed_values(const Look& look, Values values) {
     return renamed(look, std::move(values));
 }
 
-std::string look_digest(const Look& look) {
+namespace {
+// With numbers as older programs wrote them, so that their digests still fit.
+std::string digest_text(const Value& value) {
+    if (value.numbers.empty())
+        return value.path;
+    std::string all;
+    for (const double number : value.numbers) {
+        char text[32];
+        const auto [end, error] = std::to_chars(text, text + sizeof text, number);
+        all += (all.empty() ? "" : ",") + std::string(text, end);
+    }
+    return all;
+}
+
+std::vector<std::string> digest_lines(const Look& look) {
     std::vector<std::string> lines;
     for (const Parameter& parameter : look.parameters)
-        lines.push_back(parameter.name + '=' + to_string(parameter.initial) + '\n');
-    std::sort(lines.begin(), lines.end());
+        lines.push_back(parameter.name + '=' + digest_text(parameter.initial) + '\n');
+    std::ranges::sort(lines);
+    return lines;
+}
+
+constexpr std::size_t letters_a_parameter = 3;
+
+std::string letters_of(const std::string& line) {
+    constexpr std::string_view alphabet =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
+    std::uint64_t digest = digest_of(line);
+    digest ^= digest >> 32;
+    std::string letters;
+    for (std::size_t i = 0; i < letters_a_parameter; ++i, digest >>= 6)
+        letters += alphabet[digest & 63U];
+    return letters;
+}
+
+// Of older programs: over all lines at once, but for those left out.
+std::string digest_without(const std::vector<std::string>& lines, std::size_t one,
+                           std::size_t other) {
     std::string text;
-    for (const std::string& line : lines)
-        text += line;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        if (i != one && i != other)
+            text += lines[i];
     const std::uint64_t digest = digest_of(text);
     return fmt::format("{:08x}", static_cast<std::uint32_t>(digest ^ (digest >> 32)));
+}
+
+bool covers_old_digest(const std::vector<std::string>& lines, std::string_view digest) {
+    constexpr std::size_t most = 200;  // parameters, of which pairs are tried
+    const std::size_t none = lines.size();
+    if (digest_without(lines, none, none) == digest)
+        return true;
+    for (std::size_t one = 0; one < lines.size() && lines.size() <= most; ++one)
+        for (std::size_t other = one + 1; other <= lines.size(); ++other)
+            if (digest_without(lines, one, other) == digest)
+                return true;
+    return false;
+}
+}  // namespace
+
+std::string look_digest(const Look& look) {
+    std::vector<std::string> all;
+    for (const std::string& line : digest_lines(look))
+        all.push_back(letters_of(line));
+    std::ranges::sort(all);
+    std::string digest;
+    for (const std::string& letters : all)
+        digest += letters;
+    return digest;
+}
+
+bool covers_digest(const Look& look, std::string_view digest) {
+    constexpr std::size_t old_digits = 8;
+    if (digest.size() == old_digits)
+        return covers_old_digest(digest_lines(look), digest);
+    std::multiset<std::string> present;
+    for (const std::string& line : digest_lines(look))
+        present.insert(letters_of(line));
+    for (std::size_t at = 0; at < digest.size(); at += letters_a_parameter) {
+        const auto found = present.find(std::string(digest.substr(at, letters_a_parameter)));
+        if (found == present.end())
+            return false;
+        present.erase(found);
+    }
+    return true;
 }

@@ -184,5 +184,11 @@ std::vector<std::string> orphans(const Look& look, const Values& values);
 /// Values under their former names (`@was`) moved to the new ones.
 Values renamed_values(const Look& look, Values values);
 
-/// Eight hexadecimal digits over the parameters' names and defaults.
+/// Three letters for each parameter over its name and default, sorted: tells which of them are
+/// still there.
 std::string look_digest(const Look& look);
+
+/// Whether all parameters that a digest was made of are there with the same defaults. Others may
+/// have come. Of a digest of eight hexadecimal digits, as older programs wrote it, up to two are
+/// found to have come.
+bool covers_digest(const Look& look, std::string_view digest);

@@ -91,6 +91,9 @@ std::optional<double> number_from(const Parameter& parameter, std::string_view t
     for (const Item& item : parameter.items)
         if (to_lower(item.label) == to_lower(text))
             return item.value;
+    for (const Item& item : parameter.items)
+        if (!item.was.empty() && to_lower(item.was) == to_lower(text))
+            return item.value;
     if (parameter.type.scalar == Scalar::boolean) {
         if (text == "true" || text == "on" || text == "yes")
             return 1.0;

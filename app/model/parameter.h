@@ -49,6 +49,7 @@ struct Limit {
 struct Item {
     double value = 0.0;
     std::string label;
+    std::string was = {};  // a former label, which is still read; "" when there is none
 
     bool operator==(const Item&) const = default;
 };

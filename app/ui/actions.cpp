@@ -23,7 +23,8 @@
 
 namespace {
 bool can_undo(const Scene& scene) {
-    return scene.lab.document() && scene.lab.document()->history().can_undo();
+    return scene.lab.document() &&
+           (scene.lab.document()->history().can_undo() || !scene.lab.presets().undo_name().empty());
 }
 bool can_redo(const Scene& scene) {
     return scene.lab.document() && scene.lab.document()->history().can_redo();
@@ -33,7 +34,7 @@ bool has_values(const Scene& scene) {
 }
 
 void undo(const Scene&, Edits& edits) {
-    edits.document([](Document& document) { document.undo(); });
+    edits.add([](Lab& lab) { lab.undo(); });
 }
 void redo(const Scene&, Edits& edits) {
     edits.document([](Document& document) { document.redo(); });
@@ -309,7 +310,9 @@ std::string help_of(ActionId id) {
 std::string label_of(const Action& action, const Scene& scene) {
     const Document* document = scene.lab.document();
     if (document && action.id == ActionId::undo && can_undo(scene))
-        return "Undo: " + document->history().undo_name();
+        return "Undo: " + (scene.lab.presets().undo_name().empty()
+                               ? document->history().undo_name()
+                               : scene.lab.presets().undo_name());
     if (document && action.id == ActionId::redo && can_redo(scene))
         return "Redo: " + document->history().redo_name();
     return action.label;

@@ -18,6 +18,7 @@ enum class ActionId {
     rename_preset,
     duplicate_preset,
     delete_preset,
+    show_preset_in_folder,
     next_preset,
     previous_preset,
     morph_to_next,

@@ -63,7 +63,7 @@ void open_first(const WindowOptions& options, const Session& session, Lab& lab, 
     lab.set_content(content_of(session));
     (void)lab.transport().mute_input(true);  // until the user asks for a live sound
     lab.set_slots(session.slots);
-    lab.set_preset_stars(session.preset_stars);
+    lab.presets().set_stars(session.preset_stars);
     if (!look && start.state.has_light_frames)
         lab.expect_light_frames();
     if (!look)
@@ -112,6 +112,7 @@ private:
     void follow_remote();
     void draw();
     void apply(const Edits& edits);
+    void offer_move();
     void note_geometry();
     void update_title();
 
@@ -124,6 +125,7 @@ private:
     Views m_views;
     HistoryPictures m_history_pictures;
     PresetPictures m_preset_pictures{[] { gpu::Window::wake(); }};
+    KeptPictures m_kept_pictures;
     WindowState m_state;
     Shelf m_shelf;
     Pace m_pace;
@@ -279,6 +281,7 @@ void Application::draw() {
                       m_views,
                       m_history_pictures,
                       m_preset_pictures,
+                      m_kept_pictures,
                       m_shelf,
                       m_pace,
                       m_output.monitor(),
@@ -324,8 +327,17 @@ void Application::apply(const Edits& edits) {
     const bool waits = m_state.frame_rate.waits_for_display && !m_output.is_open();
     if (waits != m_waits_for_display)  // of two windows only the output waits, or each waits twice
         m_window.set_vsync(*(m_waits_for_display = waits));
+    offer_move();
     note_geometry();
     update_title();
+}
+
+void Application::offer_move() {
+    if (m_state.has_offered_move || !m_lab.renderer() || !m_lab.renderer()->has_drawn() ||
+        m_lab.notice())
+        return;
+    m_state.has_offered_move = true;
+    m_lab.presets().offer_move();
 }
 
 void Application::note_geometry() {

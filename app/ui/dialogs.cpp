@@ -23,9 +23,10 @@ struct Question {
     const char* title;
     const char* help;
     const char* label;
-    void (Lab::*answer)(const std::string&);
+    void (*answer)(Lab& lab, const std::string& name, const std::string& subject);
     bool (*is_taken)(const Scene& scene, const std::string& name);
-    void (Lab::*replace)(const std::string&) = nullptr;  // null: a taken name is refused
+    // Null: a taken name is refused.
+    void (*replace)(Lab& lab, const std::string& name, const std::string& subject) = nullptr;
 };
 
 bool is_look(const Scene& scene, const std::string& name) {
@@ -34,18 +35,18 @@ bool is_look(const Scene& scene, const std::string& name) {
                        [&](const ShelfLook& look) { return look.entry.id == name; });
 }
 
-// A preset of the open look has that name, in its file or in the list.
+// The user has a preset of that name for the open look. A shipped one may have the same.
 bool is_preset(const Scene& scene, const std::string& name) {
     for (const ShelfLook& look : scene.shelf.looks())
         for (const ShelfPreset& preset : look.presets)
             if (scene.lab.document() && look.entry.id == scene.lab.document()->look().id &&
-                preset.entry.name == name)
+                preset.entry.name == name && !preset.entry.is_shipped)
                 return true;
     return false;
 }
 
 bool is_other_preset(const Scene& scene, const std::string& name) {
-    return scene.lab.document() && scene.lab.document()->preset_file().stem() != name &&
+    return std::filesystem::path(scene.window.dialog.subject).stem() != name &&
            is_preset(scene, name);
 }
 
@@ -64,6 +65,8 @@ void draw_name_dialog(const Question& question, const Scene& scene, Edits& edits
     if (ImGui::InputText("##name", &text, ImGuiInputTextFlags_AutoSelectAll))
         edits.arrange([text](WindowState& window) { window.dialog.text = text; });
     edits.mark("dialog_name");
+    if (scene.window.dialog.kind == Dialog::Kind::save_preset_as)
+        wrapped_dim_text("Saved in " + scene.lab.presets().destination().string());
     const bool is_taken = question.is_taken(scene, text);
     const bool replaces = is_taken && question.replace;
     if (is_taken) {
@@ -77,37 +80,28 @@ void draw_name_dialog(const Question& question, const Scene& scene, Edits& edits
                              !text.empty() && (!is_taken || replaces), edits))
         return;
     close_dialog(edits);
-    edits.add([text, answer = replaces ? question.replace : question.answer](Lab& lab) {
-        (lab.*answer)(text);
+    edits.add([text, subject = scene.window.dialog.subject,
+               answer = replaces ? question.replace : question.answer](Lab& lab) {
+        answer(lab, text, subject);
     });
-}
-
-void draw_delete_dialog(const Scene& scene, Edits& edits) {
-    const DialogFrame frame("Delete the preset?", 26.0f, scene, edits);
-    if (!frame.is_open())
-        return;
-    ImGui::TextWrapped("'%s' will be deleted from the disk. Its values stay in the window.",
-                       scene.lab.document() ? scene.lab.document()->preset_name().c_str() : "");
-    if (!draw_dialog_buttons("Delete", true, edits))
-        return;
-    close_dialog(edits);
-    edits.add([](Lab& lab) { lab.delete_preset(); });
 }
 
 Question name_question(Dialog::Kind kind) {
     using Kind = Dialog::Kind;
+    using Text = const std::string&;
     if (kind == Kind::rename_preset)
-        return {"Rename the preset", "Its new name", "Rename", &Lab::rename_preset,
+        return {"Rename the preset", "Its new name", "Rename",
+                [](Lab& lab, Text name, Text file) { lab.presets().rename(file, name); },
                 is_other_preset};
     if (kind == Kind::new_look)
         return {"New look", "The name of its folder: small letters, digits, - and _", "Create",
-                &Lab::new_look, is_look};
+                [](Lab& lab, Text name, Text) { lab.new_look(name); }, is_look};
     if (kind == Kind::duplicate_look)
         return {"Duplicate this look", "The name of the copy's folder", "Duplicate",
-                &Lab::duplicate_look, is_look};
-    return {
-        "Save the preset as", "A name for these values", "Save", &Lab::save_preset_as, is_preset,
-        &Lab::replace_preset};
+                [](Lab& lab, Text name, Text) { lab.duplicate_look(name); }, is_look};
+    return {"Save preset as", "Preset name",
+            "Save",           [](Lab& lab, Text name, Text) { lab.presets().save_as(name); },
+            is_preset,        [](Lab& lab, Text name, Text) { lab.presets().replace(name); }};
 }
 }  // namespace
 
@@ -133,9 +127,6 @@ void draw_dialogs(const Scene& scene, Edits& edits) {
         case Kind::new_look:
         case Kind::duplicate_look:
             draw_name_dialog(name_question(scene.window.dialog.kind), scene, edits);
-            return;
-        case Kind::delete_preset:
-            draw_delete_dialog(scene, edits);
             return;
         case Kind::palette:
             draw_palette_dialog(scene, edits);

@@ -7,23 +7,34 @@
 #include <imgui/imgui.h>
 
 namespace {
-void save(const Scene& scene, Edits& edits) {
-    if (file_actions::has_preset(scene))
-        edits.add([](Lab& lab) { lab.save_preset(); });
-    else
-        edits.show({.kind = Dialog::Kind::save_preset_as});
+void save_as(const Scene& scene, Edits& edits) {
+    edits.show({.kind = Dialog::Kind::save_preset_as, .text = scene.lab.presets().proposed_name()});
 }
 
-void save_as(const Scene& scene, Edits& edits) {
-    edits.show({.kind = Dialog::Kind::save_preset_as, .text = scene.lab.document()->preset_name()});
+void save(const Scene& scene, Edits& edits) {
+    if (scene.lab.presets().can_save_over())
+        edits.add([](Lab& lab) { lab.presets().save(); });
+    else
+        save_as(scene, edits);
 }
 
 void rename(const Scene& scene, Edits& edits) {
-    edits.show({.kind = Dialog::Kind::rename_preset, .text = scene.lab.document()->preset_name()});
+    const Document& document = *scene.lab.document();
+    edits.show({.kind = Dialog::Kind::rename_preset,
+                .text = document.preset_name(),
+                .subject = document.preset_file().string()});
 }
 
 void duplicate(const Scene&, Edits& edits) {
-    edits.add([](Lab& lab) { lab.duplicate_preset(); });
+    edits.add([](Lab& lab) { lab.presets().duplicate(lab.document()->preset_file()); });
+}
+
+void remove(const Scene&, Edits& edits) {
+    edits.add([](Lab& lab) { lab.presets().remove(lab.document()->preset_file()); });
+}
+
+void show_in_folder(const Scene&, Edits& edits) {
+    edits.add([](Lab& lab) { lab.presets().show_in_folder(lab.document()->preset_file()); });
 }
 
 template <int by>
@@ -87,6 +98,10 @@ bool is_slang(const Scene& scene) {
     return scene.lab.can_save_slang_preset();
 }
 
+bool can_save_over(const Scene& scene) {
+    return scene.lab.presets().can_save_over();
+}
+
 std::vector<Action> preset_actions() {
     using file_actions::has_document;
     using file_actions::has_preset;
@@ -112,7 +127,7 @@ std::vector<Action> preset_actions() {
          {gpu::key::first_function + 1},
          false,
          rename,
-         has_preset},
+         can_save_over},
         {ActionId::duplicate_preset,
          Menu::file,
          "Duplicate preset",
@@ -122,10 +137,17 @@ std::vector<Action> preset_actions() {
          has_preset},
         {ActionId::delete_preset,
          Menu::file,
-         "Delete preset…",
+         "Delete preset",
          {gpu::key::del, false, true},
          false,
-         show<Dialog::Kind::delete_preset>,
+         remove,
+         can_save_over},
+        {ActionId::show_preset_in_folder,
+         Menu::file,
+         "Show preset in folder",
+         {},
+         false,
+         show_in_folder,
          has_preset},
     };
 }

@@ -40,8 +40,15 @@ void draw_presets(const ShelfLook& look, const Scene& scene, Edits& edits) {
                    .is_modified = has_none && document.is_modified()}))
         edits.open(look.argument());
     edits.mark("preset:");
+    const bool has_both = !look.presets.empty() && !look.presets.front().entry.is_shipped &&
+                          look.presets.back().entry.is_shipped;
     for (const ShelfPreset& preset : look.presets) {
-        const ListedPreset listed = as_listed(preset, document, scene.lab.preset_stars());
+        const bool is_first = &preset == &look.presets.front() ||
+                              (&preset - 1)->entry.is_shipped != preset.entry.is_shipped;
+        if (is_first && (has_both || !preset.entry.is_shipped)) {
+            dim_text(preset.entry.is_shipped ? "Shipped" : "Yours");
+        }
+        const ListedPreset listed = as_listed(preset, document, scene.lab.presets().stars());
         const ScopedId id(preset.entry.file.string());
         ImGui::BeginGroup();
         const bool is_clicked = draw_line({.label = preset.name,
@@ -49,7 +56,7 @@ void draw_presets(const ShelfLook& look, const Scene& scene, Edits& edits) {
                                            .is_open = listed.is_open,
                                            .is_modified = listed.is_modified});
         ImGui::EndGroup();
-        edits.mark("preset:" + preset.entry.name);
+        edits.mark("preset:" + preset.entry.id);
         draw_preset_menu(listed, scene, edits);
         if (is_clicked)
             open_listed(listed, scene, edits, ImGui::GetIO().KeyAlt);

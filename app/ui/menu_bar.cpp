@@ -6,6 +6,7 @@
 #include "ui/picture_menus.h"
 #include "ui/scoped.h"
 #include "ui/theme.h"
+#include "ui/unsaved_menu.h"
 #include "ui/widgets.h"
 
 #include <array>
@@ -55,6 +56,8 @@ void draw_menu(Menu menu, const char* label, const Scene& scene, Edits& edits) {
     }
     if (menu == Menu::edit)
         draw_menu(Menu::knob, "Parameter", scene, edits);
+    if (menu == Menu::file)
+        draw_unsaved_menu(scene, edits);
     draw_lists(menu, scene, edits);
     for (const Action& action : all_actions())
         if (action.menu == menu)

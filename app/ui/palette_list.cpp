@@ -47,8 +47,11 @@ const char* why_not(const Action& action, const Scene& scene) {
         case ActionId::save_slangp:
             return "no look of libretro's is open";
         case ActionId::rename_preset:
-        case ActionId::duplicate_preset:
         case ActionId::delete_preset:
+            return scene.lab.document()->preset_file().empty() ? "no preset is open"
+                                                               : "shipped presets stay as they are";
+        case ActionId::duplicate_preset:
+        case ActionId::show_preset_in_folder:
             return "no preset is open";
         case ActionId::undo:
             return "nothing to undo";

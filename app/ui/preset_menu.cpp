@@ -22,17 +22,30 @@ void draw_morph_items(const ListedPreset& preset, const Scene& scene, Edits& edi
         }
         ImGui::EndMenu();
     }
-    edits.mark("morph_to:" + preset.preset.entry.name);
+    edits.mark("morph_to:" + preset.preset.entry.id);
 }
 
-void draw_open_items(const Scene& scene, Edits& edits) {
-    if (ImGui::MenuItem("Rename…"))
-        edits.show(
-            {.kind = Dialog::Kind::rename_preset, .text = scene.lab.document()->preset_name()});
+void draw_file_items(const ShelfPreset& preset, Edits& edits) {
+    const std::filesystem::path& file = preset.entry.file;
+    ImGui::Separator();
+    if (!preset.entry.is_shipped) {
+        if (ImGui::MenuItem("Rename…"))
+            edits.show({.kind = Dialog::Kind::rename_preset,
+                        .text = preset.name,
+                        .subject = file.string()});
+        edits.mark("rename:" + preset.entry.id);
+    }
     if (ImGui::MenuItem("Duplicate"))
-        edits.add([](Lab& lab) { lab.duplicate_preset(); });
-    if (ImGui::MenuItem("Delete…"))
-        edits.show({.kind = Dialog::Kind::delete_preset});
+        edits.add([file](Lab& lab) { lab.presets().duplicate(file); });
+    edits.mark("duplicate:" + preset.entry.id);
+    if (!preset.entry.is_shipped) {
+        if (ImGui::MenuItem("Delete"))
+            edits.add([file](Lab& lab) { lab.presets().remove(file); });
+        edits.mark("delete:" + preset.entry.id);
+    }
+    if (ImGui::MenuItem("Show in folder"))
+        edits.add([file](Lab& lab) { lab.presets().show_in_folder(file); });
+    edits.mark("show_in_folder:" + preset.entry.id);
 }
 }  // namespace
 
@@ -47,8 +60,8 @@ void open_listed(const ListedPreset& preset, const Scene& scene, Edits& edits,
 }
 
 void star_listed(const ListedPreset& preset, Edits& edits) {
-    edits.add([name = preset.preset.entry.name, has_star = !preset.has_star](Lab& lab) {
-        lab.star_preset(name, has_star);
+    edits.add([name = preset.preset.entry.id, has_star = !preset.has_star](Lab& lab) {
+        lab.presets().star(name, has_star);
     });
 }
 
@@ -61,20 +74,19 @@ void draw_preset_menu(const ListedPreset& preset, const Scene& scene, Edits& edi
         const std::string with = "Open with its own " + content_word(scene.lab.document()->look());
         if (ImGui::MenuItem(with.c_str(), "Alt+click"))
             open_listed(preset, scene, edits, true);
-        edits.mark("open_own:" + preset.preset.entry.name);
+        edits.mark("open_own:" + preset.preset.entry.id);
     }
     if (!preset.is_plain()) {
         if (ImGui::MenuItem("Compare with what is open"))
             compare_preset(preset.preset, scene, edits);
-        edits.mark("compare:" + preset.preset.entry.name);
+        edits.mark("compare:" + preset.preset.entry.id);
     }
     draw_morph_items(preset, scene, edits);
     if (!preset.is_plain()) {
         if (ImGui::MenuItem("Favourite", nullptr, preset.has_star))
             star_listed(preset, edits);
-        edits.mark("star_preset:" + preset.preset.entry.name);
-        if (preset.is_open)
-            draw_open_items(scene, edits);
+        edits.mark("star_preset:" + preset.preset.entry.id);
+        draw_file_items(preset.preset, edits);
     }
     ImGui::EndPopup();
 }

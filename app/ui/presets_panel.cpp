@@ -185,7 +185,7 @@ void draw_preset(const ListedPreset& preset, const Scene& scene, const PresetCel
     const ImVec2 size(cell.width, cell.height + cell.words);
     const bool is_clicked = ImGui::InvisibleButton("##preset", size);
     ImGui::SetItemAllowOverlap();
-    edits.mark("picture:" + preset.preset.entry.name);
+    edits.mark("picture:" + preset.preset.entry.id);
     const bool is_hovered = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) ||
                             ImGui::IsMouseHoveringRect(low, {low.x + size.x, low.y + size.y});
     tooltip(help_for(preset, scene));
@@ -194,7 +194,7 @@ void draw_preset(const ListedPreset& preset, const Scene& scene, const PresetCel
     bool is_starred = false;
     if (!preset.is_plain() && (preset.has_star || is_hovered)) {
         is_starred = draw_star(preset, low, cell);
-        edits.mark("preset_star:" + preset.preset.entry.name);
+        edits.mark("preset_star:" + preset.preset.entry.id);
         ImGui::SetCursorScreenPos({low.x, low.y});
         ImGui::Dummy(size);  // the next one stands beside the whole of it
     }
@@ -220,7 +220,7 @@ void draw_presets_panel(const Scene& scene, Edits& edits) {
         return;
     const PresetBrowsing& wanted = scene.window.presets;
     const std::vector<ListedPreset> listed = listed_presets(
-        *scene.lab.document(), scene.shelf.looks(), scene.lab.preset_stars(), wanted);
+        *scene.lab.document(), scene.shelf.looks(), scene.lab.presets().stars(), wanted);
     draw_search(wanted, edits);
     ImGui::SameLine();
     draw_star_filter(wanted, edits);

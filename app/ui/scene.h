@@ -2,6 +2,7 @@
 
 #include "gpu/input_event.h"
 #include "lab/history_pictures.h"
+#include "lab/kept_pictures.h"
 #include "lab/lab.h"
 #include "lab/pace.h"
 #include "lab/preset_pictures.h"
@@ -17,6 +18,7 @@ struct Scene {
     const Views& views;
     const HistoryPictures& history_pictures;
     const PresetPictures& preset_pictures;
+    const KeptPictures& kept_pictures;
     const Shelf& shelf;
     const Pace& pace;
     std::size_t output_monitor;     // that the output window is on, or would open on

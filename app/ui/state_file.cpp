@@ -211,9 +211,9 @@ std::string presets_text(const Scene& scene) {
     std::vector<std::string> problems;
     int pictures = 0;
     for (const ListedPreset& preset : listed_presets(*lab.document(), scene.shelf.looks(),
-                                                     lab.preset_stars(), scene.window.presets)) {
+                                                     lab.presets().stars(), scene.window.presets)) {
         const auto shown = scene.preset_pictures.of(preset.preset.entry.file);
-        names.push_back(json_string(preset.preset.entry.name));
+        names.push_back(json_string(preset.preset.entry.id));
         pictures += shown.image.handle != 0 ? 1 : 0;
         if (!shown.problem.empty())
             problems.push_back(json_string(shown.problem));
@@ -224,14 +224,19 @@ std::string presets_text(const Scene& scene) {
         scene.window.presets.only_starred);
 }
 
+std::string undo_name(const Lab& lab) {
+    const std::string removal = lab.presets().undo_name();
+    return removal.empty() ? lab.document()->history().undo_name() : removal;
+}
+
 std::string document_text(const Lab& lab) {
     const Document& document = *lab.document();
     return fmt::format(
         R"("look":{},"bypass":{},"preset":{},"is_modified":{},"undo":{},"redo":{},"signal":{},"driving_source":{},"is_content_locked":{},"values":{},"favourites":{},"locked":{},"moving":{},)",
         json_string(document.look().id),
         json_string(fmt::format("{}", fmt::join(bypassed_keys(document.look().stack), ","))),
-        json_string(document.preset_name()), document.is_modified(),
-        json_string(document.history().undo_name()), json_string(document.history().redo_name()),
+        json_string(document.preset_name()), document.is_modified(), json_string(undo_name(lab)),
+        json_string(document.history().redo_name()),
         json_string(to_string(document.state().signal)), json_string(document.state().source),
         document.is_content_locked(), values_text(document),
         marked_text(document.knobs(), &KnobSetting::is_favourite),

@@ -51,7 +51,7 @@ TEST_CASE(
     preset.source = "media/fr\xc3\xa4me \"1\".png";
     preset.media_digest = "0123";
     preset.values = {{"beam_color", Value({0.1, 1e-9, 3.0})},
-                     {"crt#2/exposure", 1.0 / 3},
+                     {"crt#2/exposure", 0.33333334},
                      {"matrix", Value(std::vector<double>(16, -0.5))},
                      {"noise", Value::of_path("n\n.png")},
                      {"as_written", 1.0}};

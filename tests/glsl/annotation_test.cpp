@@ -56,6 +56,13 @@ TEST_CASE("a comment behind a uniform says all about its control") {
     CHECK(decay.declared == Location{"a.frag", 2});
 }
 
+TEST_CASE("former labels of items stand in the order of the items") {
+    const Parameter parameter = parameter_of(
+        "uniform int a = 1;  // @items_was \"\" \"Soft\" @items \"Clamp\" \"Reinhard\" \"ACES\"");
+    CHECK(parameter.items ==
+          std::vector<Item>{{0, "Clamp", ""}, {1, "Reinhard", "Soft"}, {2, "ACES", ""}});
+}
+
 TEST_CASE("hints choose the control") {
     CHECK(parameter_of("uniform vec3 a = vec3(0.2, 1, 0.3);  // @color").control == Control::color);
     CHECK(parameter_of("uniform vec2 a;  // @point").control == Control::point);
@@ -161,6 +168,11 @@ TEST_CASE("every mistake in an annotation is told on its own line") {
     error("int a = 2; // @items \"one\" \"two\"",
           "@items: the default 2 is none of the 2 items, which are 0 to 1");
     error("bool a; // @items A B C", "@items of a bool takes two names, for false and for true");
+    error("int a; // @items A B @items_was X Y Z",
+          "@items_was takes up to 2 names, one for each item; \"\" for an item that had no other");
+    error("int a; // @items A B @items_was B", "@items_was: 'B' is the name of an item now");
+    error("int a; // @items A B @items_was X X", "@items_was has 'X' twice");
+    error("int a; // @items_was X", "@items_was needs @items, in the same order");
     error("vec2 a; // @items A B", "@items is for a single value; 'a' is a vec2");
     error("float a; // @color", "@color is for vec3 and vec4; 'a' is a float");
     error("vec3 a; // @color red", "@color takes no words");

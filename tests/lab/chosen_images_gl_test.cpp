@@ -155,7 +155,7 @@ TEST_CASE("what is said meanwhile stays when a problem is mended") {
 TEST_CASE("a preset that is broken and mended on disk leaves no notice") {
     SmallLab small;
     small.lab().edit([](Document& document) { document.set_value("gain", Value(2.0)); });
-    small.lab().save_preset_as("bright");
+    small.lab().presets().save_as("bright");
     const fs::path file = small.document().preset_file();
     const std::string good = content_of(file);
     REQUIRE(write_atomically(file, "{ broken").has_value());

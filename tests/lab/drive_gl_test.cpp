@@ -85,7 +85,7 @@ TEST_CASE("a preset finds its sound again where it was opened, and says when it 
     REQUIRE(write_atomically(song, wav(8000)).has_value());
     small.lab().open_file(song);
     REQUIRE(has_sound(small));
-    small.lab().save_preset_as("with song");
+    small.lab().presets().save_as("with song");
     CHECK_FALSE(small.document().is_modified());
     const fs::path file = small.document().preset_file();
     CHECK(content_of(file).find("\"song.wav\"") != std::string::npos);
@@ -109,7 +109,7 @@ TEST_CASE("a preset finds its sound again where it was opened, and says when it 
     CHECK(small.lab().notice()->text.find("song.wav") != std::string::npos);
     CHECK(small.lab().player().signal() != nullptr);  // the look's own
     CHECK(small.document().state().signal.kind == "audio");
-    small.lab().save_preset();
+    small.lab().presets().save();
     CHECK(content_of(file).find("\"song.wav\"") != std::string::npos);  // nothing is lost
 }
 
@@ -243,7 +243,7 @@ TEST_CASE("a file that was opened is reported once, whatever it is") {
     small.lab().open_file(picture);
     REQUIRE(small.turn_until([&] { return small.shown() == 1.25f; }));
     CHECK(small.lab().take_opened_files() == std::vector{picture});
-    small.lab().save_preset_as("grey");
+    small.lab().presets().save_as("grey");
     const fs::path preset = small.document().preset_file();
     small.lab().open_file(preset);
     REQUIRE(small.turn_until([&] { return !small.lab().is_loading(); }));

@@ -41,7 +41,7 @@ std::vector<std::string> presets_of(const ShelfLook& look) {
 TEST_CASE("an open look that the library does not have is listed behind all others") {
     LabElsewhere elsewhere;
     elsewhere.set_level(0.75);
-    elsewhere.lab().save_preset_as("Lighter");
+    elsewhere.lab().presets().save_as("Lighter");
     Shelf shelf;
     shelf.update(elsewhere.lab().library(), nullptr, 0.0);
     REQUIRE(shelf.looks().size() == 1);
@@ -58,7 +58,7 @@ TEST_CASE("an open look that the library does not have is listed behind all othe
 TEST_CASE("a preset of another program's look opens, and so does the look as it is") {
     LabElsewhere elsewhere;
     elsewhere.set_level(0.75);
-    elsewhere.lab().save_preset_as("Lighter");
+    elsewhere.lab().presets().save_as("Lighter");
     REQUIRE(elsewhere.is_open("Lighter"));
     elsewhere.lab().step_preset(1);  // from the last to the look as it is
     CHECK(elsewhere.turn_until([&] { return elsewhere.is_open(""); }));

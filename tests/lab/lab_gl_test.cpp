@@ -139,7 +139,7 @@ TEST_CASE("restart begins at the first frame with no history") {
 TEST_CASE("a preset that is saved, changed and opened again is back as it was") {
     SmallLab small;
     small.lab().edit([](Document& document) { document.set_value("gain", Value(4.0)); });
-    small.lab().save_preset_as("four");
+    small.lab().presets().save_as("four");
     CHECK_FALSE(small.lab().document()->is_modified());
     small.lab().edit([](Document& document) { document.set_value("gain", Value(1.5)); });
     CHECK(small.lab().document()->is_modified());

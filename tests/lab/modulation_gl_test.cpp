@@ -91,7 +91,7 @@ TEST_CASE("a past that is drawn again has the values of its own times") {
 TEST_CASE("a preset moves alike in the window and offline, at any frame rate") {
     SmallLab small;
     move_gain(small);
-    small.lab().save_preset_as("moving");
+    small.lab().presets().save_as("moving");
     CHECK_FALSE(small.document().is_modified());
     for (const double fps : {30.0, 60.0}) {
         Offline offline = drawn_offline(small, fps);

@@ -124,10 +124,10 @@ TEST_CASE("a morph goes to the next preset, and pressed again to the one behind 
         small.lab().edit([&](Document& document) {
             document.set_value("gain", Value(static_cast<double>(std::string(name).size())));
         });
-        small.lab().save_preset_as(name);
+        small.lab().presets().save_as(name);
     }
-    small.lab().star_preset("one", true);
-    small.lab().star_preset("two", true);
+    small.lab().presets().star("one", true);
+    small.lab().presets().star("two", true);
     small.lab().morph_by(1, 1.0);  // by name: one, three, two
     CHECK(small.lab().morphing()->name() == "two");
     small.lab().morph_by(1, 1.0);
@@ -140,10 +140,10 @@ TEST_CASE("a morph goes to the next preset, and pressed again to the one behind 
     CHECK(small.lab().morphing()->name() == "two");
     small.lab().morph_to("", 0.5);
     small.lab().update(0.5);
-    small.lab().rename_preset("four");  // nothing is open: nothing happens
-    CHECK(small.lab().preset_stars() == PresetStars{"small/one", "small/two"});
+    small.lab().presets().rename({}, "four");  // nothing is open: nothing happens
+    CHECK(small.lab().presets().stars() == PresetStars{"small/one", "small/two"});
     small.lab().morph_by(1, 0.5, true);
     small.lab().update(0.5);
-    small.lab().rename_preset("four");
-    CHECK(small.lab().preset_stars() == PresetStars{"small/four", "small/two"});
+    small.lab().presets().rename(small.document().preset_file(), "four");
+    CHECK(small.lab().presets().stars() == PresetStars{"small/four", "small/two"});
 }

@@ -31,8 +31,7 @@ ShelfLook shelf_look(const char* id, const char* name, const char* preset) {
     ShelfLook look;
     look.entry = {id, std::string("/looks/") + id, false};
     look.name = name;
-    look.presets = {
-        {{id, preset, std::string("/presets/") + id + '/' + preset, false}, preset, {}}};
+    look.presets = {{{id, preset, std::string("/presets/") + id + '/' + preset, true}, preset, {}}};
     return look;
 }
 

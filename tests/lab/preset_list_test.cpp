@@ -7,12 +7,16 @@ const std::vector<ShelfLook> two_looks{
     {{"crt", "/s/crt", false},
      "CRT",
      "",
-     {{{"crt", "arcade", "/p/crt/arcade.json"}, "Arcade", ""}}},
+     {{{"crt", "arcade", "/p/crt/arcade.json", false, "arcade"}, "Arcade", ""}}},
     {{"phosphor", "/s/phosphor", false},
      "Phosphor",
      "",
-     {{{"phosphor", "amber", "/p/phosphor/amber.json"}, "Amber P3", "Warm and slow"},
-      {{"phosphor", "blue", "/p/phosphor/blue.json"}, "Blue P11", "Photographed, fast"}}}};
+     {{{"phosphor", "amber", "/p/phosphor/amber.json", false, "amber"},
+       "Amber P3",
+       "Warm and slow"},
+      {{"phosphor", "blue", "/p/phosphor/blue.json", false, "blue"},
+       "Blue P11",
+       "Photographed, fast"}}}};
 
 Document phosphor_document() {
     Look look;

@@ -3,13 +3,13 @@
 #include <doctest/doctest.h>
 
 namespace {
-const std::vector<PresetEntry> presets{{"crt", "amber", "/p/amber.json", false},
-                                       {"crt", "blue", "/p/blue.json", false}};
-const std::vector<PresetEntry> five{{"crt", "a", "/p/a.json", false},
-                                    {"crt", "b", "/p/b.json", false},
-                                    {"crt", "c", "/p/c.json", false},
-                                    {"crt", "d", "/p/d.json", false},
-                                    {"crt", "e", "/p/e.json", false}};
+const std::vector<PresetEntry> presets{{"crt", "amber", "/p/amber.json", false, "amber"},
+                                       {"crt", "blue", "/p/blue.json", false, "blue"}};
+const std::vector<PresetEntry> five{{"crt", "a", "/p/a.json", false, "a"},
+                                    {"crt", "b", "/p/b.json", false, "b"},
+                                    {"crt", "c", "/p/c.json", false, "c"},
+                                    {"crt", "d", "/p/d.json", false, "d"},
+                                    {"crt", "e", "/p/e.json", false, "e"}};
 }  // namespace
 
 TEST_CASE("presets go round and round, and the look without one is among them") {

@@ -1,3 +1,4 @@
+#include "io/picture_file.h"
 #include "lab/session.h"
 #include "lab/session_keeper.h"
 #include "lab/small_lab.h"
@@ -24,7 +25,7 @@ void set_gain(SmallLab& small, double gain) {
 TEST_CASE("unsaved values, undo, redo, preset, time and picture size come back") {
     SmallLab small;
     set_gain(small, 2.0);
-    small.lab().save_preset_as("two");
+    small.lab().presets().save_as("two");
     set_gain(small, 3.0);
     set_gain(small, 4.0);
     small.lab().edit([](Document& document) { document.undo(); });
@@ -110,7 +111,8 @@ TEST_CASE("unsaved changes whose place another look takes are kept, and come bac
     small.lab().keep_unsaved(kept(small));
     REQUIRE(small.lab().kept_sessions().files().size() == 1);  // the same but once
     const fs::path three = small.lab().kept_sessions().files().front();
-    CHECK(title_of_kept(three) == "small");
+    CHECK(small.lab().kept_sessions().list().front().look == "small");
+    CHECK(small.lab().kept_sessions().list().front().changes == 1);
 
     small.start();
     small.lab().open("small");
@@ -124,9 +126,27 @@ TEST_CASE("unsaved changes whose place another look takes are kept, and come bac
     REQUIRE(small.turn_until([&] { return has_gain(3.0); }));
     REQUIRE(small.lab().kept_sessions().files().size() == 1);
     const fs::path five = small.lab().kept_sessions().files().front();
+    const fs::path picture = small.lab().kept_sessions().list().front().picture;
+    CHECK(load_picture(picture).has_value());
     CHECK_FALSE(fs::exists(three));
     small.lab().take_up(five);
     CHECK(small.turn_until([&] { return has_gain(5.0); }));
+    CHECK_FALSE(fs::exists(picture));
+}
+
+TEST_CASE("changes are counted without locked content, and ages are told in round numbers") {
+    Session session;
+    session.saved.preset.values = {{"a", Value(1.0)}, {"b", Value(1.0)}};
+    session.current.preset.values = {{"a", Value(2.0)}, {"c", Value(1.0)}};
+    session.current.preset.signal = Spec{"waveform", {}};
+    session.current.overrides["sum"].scale = 0.5;
+    CHECK(count_changes(session) == 5);  // a, b, c, the signal and a pass
+    session.current.locks.signal = true;
+    CHECK(count_changes(session) == 4);
+    CHECK(age_text(5.0) == "just now");
+    CHECK(age_text(640.0) == "10 min ago");
+    CHECK(age_text(2.0 * 3600.0) == "2 h ago");
+    CHECK(age_text(25.0 * 3600.0) == "1 day ago");
 }
 
 TEST_CASE("the latest dozen of unsaved changes are kept") {
@@ -162,7 +182,7 @@ TEST_CASE("what a person called a preset names no folder of the unsaved changes"
     const fs::path file = sessions.files().front();
     CHECK(file.parent_path() == small.roots().state / "unsaved");
     CHECK(fs::exists(file));
-    CHECK(title_of_kept(file).starts_with("small \u2013 ..-up-xxx"));
+    CHECK(file.stem().string().substr(7).starts_with("small \u2013 ..-up-xxx"));
 }
 
 TEST_CASE("a damaged session is set aside and said; the program starts without it") {
@@ -203,7 +223,7 @@ TEST_CASE("stars, locks and a slider's own ends come back, also when the look wa
 
 TEST_CASE("beside a locked value one goes through the presets without being warned") {
     SmallLab small;
-    small.lab().save_preset_as("one");
+    small.lab().presets().save_as("one");
     const auto set = [&](const char* name, double value) {
         small.lab().edit([&](Document& document) { document.set_value(name, Value(value)); });
     };

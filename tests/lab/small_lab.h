@@ -61,10 +61,12 @@ public:
     ~SmallLab() { m_lab.reset(); }
 
     /// As when the program is started again: nothing is open.
-    void start(std::unique_ptr<MidiInputs> midi = machine_midi_inputs()) {
+    void start(std::unique_ptr<MidiInputs> midi = machine_midi_inputs(),
+               ShippedFiles shipped = {}) {
         m_lab.reset();
         m_context->make_current();
-        m_lab = std::make_unique<Lab>(Library(m_roots), *m_context, nullptr, std::move(midi));
+        m_lab = std::make_unique<Lab>(Library(m_roots, std::move(shipped)), *m_context, nullptr,
+                                      std::move(midi));
         m_lab->set_picture_size({false, {8, 8}, 1.0});
     }
     void wait_for_frames() {

@@ -46,8 +46,7 @@ TEST_CASE("a renamed parameter takes its value along, unless the old name is sti
 
 TEST_CASE("the digest tells defaults and names apart, not their order") {
     const std::string digest = look_digest(look_with({{"a", 1.0}, {"b", 2.0}}));
-    CHECK(digest.size() == 8);
-    CHECK(digest.find_first_not_of("0123456789abcdef") == std::string::npos);
+    CHECK(digest.size() == 6);  // three letters each
     CHECK(look_digest(look_with({{"b", 2.0}, {"a", 1.0}})) == digest);
     CHECK(look_digest(look_with({{"a", 1.0}, {"b", 2.5}})) != digest);
     CHECK(look_digest(look_with({{"a", 1.0}, {"c", 2.0}})) != digest);

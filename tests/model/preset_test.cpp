@@ -37,3 +37,56 @@ TEST_CASE("changed defaults are noted even when every name still fits") {
     preset.digest = "00000000";
     CHECK(compare_with_look(preset, phosphor(), "p.json").size() == 1);
 }
+
+namespace {
+// Decay and gain; then parameters that came later.
+Look with(std::vector<std::pair<std::string, double>> parameters) {
+    Look look;
+    look.name = "Phosphor";
+    for (const auto& [name, initial] : parameters) {
+        Parameter parameter;
+        parameter.name = name;
+        parameter.initial = initial;
+        look.parameters.push_back(parameter);
+    }
+    return look;
+}
+}  // namespace
+
+TEST_CASE("parameters that were added since a preset was saved give no note") {
+    const Look before = with({{"decay", 0.9}, {"gain", 1.0}});
+    Look now = before;
+    Preset preset;
+    preset.digest = look_digest(before);
+    for (int i = 0; i < 40; ++i) {
+        Parameter added;
+        added.name = "added_" + std::to_string(i);
+        added.initial = 0.5;
+        now.parameters.insert(now.parameters.begin(), added);
+    }
+    CHECK(compare_with_look(preset, now, "p.json").empty());
+}
+
+TEST_CASE("removing or renaming a parameter, or changing a default, gives one note") {
+    Preset preset;
+    preset.digest = look_digest(with({{"decay", 0.9}, {"gain", 1.0}}));
+    for (const Look& now : {with({{"decay", 0.9}}), with({{"decay", 0.9}, {"level", 1.0}}),
+                            with({{"decay", 0.8}, {"gain", 1.0}}),
+                            with({{"decay", 0.8}, {"gain", 1.0}, {"added", 0.0}})})
+        CHECK(compare_with_look(preset, now, "p.json").size() == 1);
+}
+
+TEST_CASE("digests of older programs are understood, also where parameters were added") {
+    // As the program wrote it before digests had a part for each parameter: FNV-1a, 64 bits, of
+    // "decay=0.9\ngain=1\n", folded to 32.
+    Preset preset;
+    preset.digest = "d70b80e1";
+    CHECK(compare_with_look(preset, with({{"gain", 1.0}, {"decay", 0.9}}), "p.json").empty());
+    CHECK(compare_with_look(preset, with({{"a", 1.0}, {"decay", 0.9}, {"gain", 1.0}}), "p.json")
+              .empty());
+    CHECK(compare_with_look(preset, with({{"a", 1.0}, {"decay", 0.9}, {"gain", 1.0}, {"z", 2.0}}),
+                            "p.json")
+              .empty());
+    CHECK(compare_with_look(preset, with({{"decay", 0.8}, {"gain", 1.0}}), "p.json").size() == 1);
+    CHECK(compare_with_look(preset, with({{"decay", 0.9}}), "p.json").size() == 1);
+}

@@ -88,10 +88,10 @@ class Choosing(Person):
             program.wait("the menu is open", lambda s: "menu:" + item in s["widgets"])
             program.key("Escape")
             program.wait("the menu is closed", lambda s: "menu:" + item not in s["widgets"])
-        for key in ("ctrl+o", "ctrl+n", "ctrl+shift+s", "F2", "ctrl+p", "F1", "shift+F1", "i"):
+        for key in ("ctrl+o", "ctrl+n", "ctrl+shift+s", "ctrl+p", "F1", "shift+F1", "i"):
             program.key(key)
             self.leave_dialog()
-        for menu, action in (("File", "Duplicate this look…"), ("File", "Delete preset…"), ("File", "Save the picture…"),
+        for menu, action in (("File", "Duplicate this look…"), ("File", "Save the picture…"),
                              ("Edit", "Remote control…"), ("Playback", "Compare at 24, 30, 60 and 144 Hz…")):
             program.choose(menu, action)
             self.leave_dialog()

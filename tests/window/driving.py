@@ -101,7 +101,7 @@ class Driving(Person):
         program.wait("it is saved", lambda s: not s["is_modified"])
         program.click("preset:overdriven")
         program.wait("another preset opens", lambda s: s["preset"] not in ("", "Mine"))
-        self.drop(self.presets / "phosphor/Mine.json")
+        self.drop(self.own / "presets/phosphor/Mine.json")
         program.wait("the preset opens", lambda s: s["preset"] == "Mine" and
                      s["values"]["decay"] == [0.62] and s["signal"].startswith("audio:"))
 

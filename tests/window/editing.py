@@ -98,7 +98,7 @@ class Editing(Person):
         program.answer("my-phosphor")
         state = program.wait("the copy is open", lambda s: s["look"] == "my-phosphor")
         self.assertEqual(state["values"]["decay"], [0.61])
-        self.assertTrue((self.looks / "my-phosphor/composite.frag").exists())
+        self.assertTrue((self.own / "shaders/my-phosphor/composite.frag").exists())
         program.key("ctrl+n")
         program.answer("fresh")
         state = program.wait("the new look is open and drawn",

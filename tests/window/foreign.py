@@ -179,7 +179,7 @@ class Foreign(Person):
         program.key("ctrl+s")
         program.answer("Lighter")
         program.wait("it is saved", lambda s: s["preset"] == "Lighter" and not s["is_modified"])
-        kept = json.loads(next(self.looks.parent.rglob("Lighter.json")).read_text())
+        kept = json.loads(next(self.own.rglob("Lighter.json")).read_text())
         self.assertEqual(kept["values"], {"BARS": 12, "LEVEL": 0.6})
         program.click("preset:")
         program.wait_for("the look's own value is back", is_level(0.2))

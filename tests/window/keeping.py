@@ -15,7 +15,7 @@ class Keeping(Person):
         self.snapshot("saving")
         program.key("Return")
         program.wait("it is saved", lambda s: s["preset"] == "Mine" and not s["is_modified"])
-        saved = self.presets / "phosphor/Mine.json"
+        saved = self.own / "presets/phosphor/Mine.json"
         self.assertIn('"decay": 0.61', saved.read_text())
 
         program.click("preset:overdriven")
@@ -36,7 +36,7 @@ class Keeping(Person):
 
     def test_presets_are_renamed_duplicated_and_deleted(self):
         program = self.program
-        folder = self.presets / "phosphor"
+        folder = self.own / "presets/phosphor"
         program.set("decay", "0.61")
         program.choose("File", "Save preset as…")
         program.answer("First")
@@ -45,10 +45,12 @@ class Keeping(Person):
         program.answer("Second")
         program.wait("it is renamed", lambda s: s["preset"] == "Second")
         self.assertFalse((folder / "First.json").exists())
+        (folder / "Taken.json").write_text((folder / "Second.json").read_text())
+        program.wait("another one is listed", lambda s: "preset:Taken" in s["widgets"])
         program.key("F2")
         program.place("dialog_name")
         program.key("ctrl+a")
-        program.type("overdriven")
+        program.type("Taken")
         program.place("dialog_taken")
         program.key("Return", "Escape")
         program.wait("a name that is taken is refused",
@@ -61,11 +63,39 @@ class Keeping(Person):
         program.wait("it is saved", lambda s: not s["is_modified"])
         self.assertIn('"decay": 0.61', (folder / "Second.json").read_text())
         self.assertIn('"decay": 0.62', (folder / "Second 2.json").read_text())
-        program.choose("File", "Delete preset…")
-        program.click("dialog_ok")
-        program.wait("it is gone, its values stay",
-                     lambda s: s["preset"] == "" and s["values"]["decay"][0] == 0.62)
+        program.choose("File", "Delete preset")
+        state = program.wait("it is gone, its values stay",
+                             lambda s: s["preset"] == "" and s["values"]["decay"][0] == 0.62)
+        self.assertIn("Deleted 'Second 2'", state["notice"])
         self.assertEqual([file.name for file in folder.glob("Second*")], ["Second.json"])
+        self.snapshot("deleted")
+        program.click("offer:Undo")
+        program.wait("the notice brings it back", lambda s: s["preset"] == "Second 2")
+        self.assertTrue((folder / "Second 2.json").exists())
+        program.key("shift+Delete")
+        program.wait("the key deletes it, too", lambda s: s["preset"] == "")
+        program.key("ctrl+z")
+        program.wait("undo brings it back", lambda s: s["preset"] == "Second 2")
+
+    def test_a_shipped_preset_is_saved_under_a_name_of_its_own(self):
+        program = self.program
+        shipped = self.presets / "phosphor/amber-p3.json"
+        before = shipped.read_bytes()
+        program.click("preset:amber-p3")
+        program.wait("it is open", lambda s: s["preset"] == "Amber P3" and not s["is_loading"])
+        program.set("beam_width", "1.626")
+        program.key("ctrl+s")
+        program.place("dialog_name")
+        self.snapshot("saving_shipped")
+        program.key("Return")
+        program.wait("a new preset is saved", lambda s:
+                     s["preset"] == "Amber P3 (mine)" and not s["is_modified"])
+        self.assertEqual(shipped.read_bytes(), before)
+        text = (self.own / "presets/phosphor/Amber P3 (mine).json").read_text()
+        self.assertIn('"beam_width": 1.626', text)
+        self.assertIn('"tube": "P3"', text)
+        self.assertIn("0.0005]", text)
+        self.snapshot("yours_and_shipped")
 
     def test_a_preset_travels_as_a_line_of_text(self):
         program = self.program

@@ -74,6 +74,7 @@ class Person(unittest.TestCase):
         cls.fresh = cls.program.start()
         cls.looks = folder / "data/shaders"
         cls.presets = folder / "data/presets"
+        cls.own = folder / "own/afterglow"
 
     def setUp(self):
         if not self.program:

@@ -78,7 +78,7 @@ class Trying(Person):
         program.click("play")
         program.key("ctrl+l")
         program.wait("it has a picture, and the look as it is; one says why not", lambda s:
-                     s["presets"]["listed"] == ["", "amber-p3", "broken"] and
+                     s["presets"]["listed"] == ["", "broken", "amber-p3"] and
                      s["presets"]["pictures"] == 2 and len(s["presets"]["problems"]) == 1)
         self.hover("picture:amber-p3")
         program.click("preset_star:amber-p3")

@@ -1,0 +1,267 @@
+#include "lab/preset_commands.h"
+
+#include "base/text.h"
+#include "formats/preset_format.h"
+#include "lab/editor.h"
+#include "lab/lab.h"
+#include "lab/preset_list.h"
+#include "lab/sharing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <unistd.h>
+
+namespace fs = std::filesystem;
+
+namespace {
+// The letters that a preset's name may have.
+std::string without_other_letters(std::string name) {
+    for (char& letter : name)
+        if (std::string_view("/\\:*?\"<>|',").find(letter) != std::string_view::npos)
+            letter = ' ';
+    return std::string(trim(name));
+}
+
+bool is_json(const fs::path& file) {
+    return to_lower(file.extension().string()) == ".json";
+}
+}  // namespace
+
+bool PresetCommands::can_save_over() const {
+    const Document* document = m_lab.document();
+    return document && is_json(document->preset_file()) &&
+           !m_lab.library().is_shipped(document->preset_file());
+}
+
+std::string PresetCommands::proposed_name() const {
+    const Document* document = m_lab.document();
+    if (!document)
+        return {};
+    const std::string name = without_other_letters(document->preset_name());
+    if (name.empty() || !m_lab.library().is_shipped(document->preset_file()))
+        return name;
+    for (int n = 1;; ++n) {
+        const std::string mine = n == 1 ? name + " (mine)" : fmt::format("{} (mine {})", name, n);
+        const auto place = m_lab.library().preset_path(document->look().id, mine);
+        std::error_code error;
+        if (!place || !fs::exists(*place, error))
+            return mine;
+    }
+}
+
+fs::path PresetCommands::destination() const {
+    const std::string look = m_lab.document() ? m_lab.document()->look().id : std::string();
+    return m_lab.library().roots().user / "presets" / look;
+}
+
+void PresetCommands::save() {
+    Document* document = m_lab.mutable_document();
+    if (!document)
+        return;
+    if (!can_save_over())
+        return m_lab.say("Give the preset a name first", true);
+    save_to(document->preset_file(), document->preset_name());
+}
+
+void PresetCommands::save_as(const std::string& name) {
+    if (!m_lab.document())
+        return;
+    const auto file = m_lab.library().new_preset_path(m_lab.document()->look().id, name);
+    if (m_lab.succeeded(file))
+        save_to(*file, name);
+}
+
+void PresetCommands::replace(const std::string& name) {
+    if (!m_lab.document())
+        return;
+    const auto file = m_lab.library().preset_path(m_lab.document()->look().id, name);
+    if (m_lab.succeeded(file))
+        save_to(*file, name);
+}
+
+void PresetCommands::save_to(const fs::path& file, const std::string& name) {
+    Document& document = *m_lab.mutable_document();
+    const RecentMedia& recent = m_lab.drive().recent();
+    remember_foreign_looks(document, recent);
+    Preset preset = with_portable_media(document.preset(), media_folder(file), recent);
+    preset.name = name;
+    if (!m_lab.succeeded(::save_preset(file, preset, &document.look())))
+        return;
+    document.set_identity(preset, file);
+    document.mark_saved();
+    m_lab.watch_extra_files();
+    m_lab.say("Saved '" + name + "'");
+}
+
+bool PresetCommands::has_source_checkout() const {
+    const fs::path& root = m_lab.library().roots().program;
+    std::error_code error;
+    return fs::exists(root / "app" / "CMakeLists.txt", error) &&
+           access((root / "presets").c_str(), W_OK) == 0;
+}
+
+void PresetCommands::save_into_shipped() {
+    const Document* document = m_lab.document();
+    if (!document || document->preset_file().empty())
+        return m_lab.say("Open or save a preset first", true);
+    const fs::path folder = m_lab.library().roots().program / "presets" / document->look().id;
+    save_to(folder / document->preset_file().filename().replace_extension(".json"),
+            document->preset_name());
+}
+
+bool PresetCommands::is_open(const fs::path& file) const {
+    return m_lab.document() && !file.empty() && is_open_preset(*m_lab.document(), file);
+}
+
+// As the list of presets calls it.
+std::string PresetCommands::star_name(const fs::path& file) const {
+    const std::string look = m_lab.document() ? m_lab.document()->look().id : std::string();
+    for (const PresetEntry& preset : m_lab.library().presets(look))
+        if (preset.file == file)
+            return star_of(look, preset.id);
+    return star_of(look, file.stem().string());
+}
+
+void PresetCommands::rename(const fs::path& before, const std::string& name) {
+    if (!m_lab.document() || before.empty())
+        return;
+    const std::string star = star_name(before);
+    const bool was_open = is_open(before);
+    const auto file = m_lab.library().rename_preset(before, name);
+    if (!m_lab.succeeded(file))
+        return;
+    if (m_stars.erase(star) > 0)
+        m_stars.insert(star_name(*file));
+    if (was_open) {
+        Document& document = *m_lab.mutable_document();
+        Preset identity = document.identity();
+        identity.name = name;
+        document.set_identity(identity, *file);
+        m_lab.watch_extra_files();
+    }
+    m_lab.say("Renamed to '" + name + "'");
+}
+
+void PresetCommands::duplicate(const fs::path& before) {
+    if (!m_lab.document() || before.empty())
+        return;
+    const auto file = m_lab.library().duplicate_preset(before);
+    if (!m_lab.succeeded(file))
+        return;
+    const auto copy = load_preset(*file);
+    if (is_open(before) && copy) {
+        Document& document = *m_lab.mutable_document();
+        Preset identity = document.identity();
+        identity.name = copy->name;
+        document.set_identity(identity, *file);
+        m_lab.watch_extra_files();
+    }
+    m_lab.say("Duplicated as '" + (copy ? copy->name : file->stem().string()) + "'");
+}
+
+void PresetCommands::remove(const fs::path& file) {
+    Document* document = m_lab.mutable_document();
+    if (!document || file.empty())
+        return;
+    if (m_lab.library().is_shipped(file))
+        return m_lab.say("Shipped presets cannot be deleted", true);
+    const auto preset = load_preset(file);
+    const std::string star = star_name(file);
+    const bool was_open = is_open(file);
+    const auto trashed = move_to_trash(file);
+    if (!m_lab.succeeded(trashed))
+        return;
+    Removal removal{.trashed = *trashed,
+                    .look = document->look().id,
+                    .name = preset ? preset->name : file.stem().string(),
+                    .has_star = m_stars.erase(star) > 0,
+                    .identity = was_open ? std::optional(document->identity()) : std::nullopt,
+                    .saved = document->saved(),
+                    .steps = document->history().past().size()};
+    if (was_open) {
+        document->set_identity({}, {});
+        document->mark_saved(initial_state(document->look()));
+        m_lab.watch_extra_files();
+    }
+    m_lab.offer(fmt::format("Deleted '{}'{}", removal.name,
+                            was_open ? ". Its settings are still loaded" : ""),
+                {.name = "Undo", .deeds = {[](Lab& lab) { lab.undo(); }}});
+    m_removals.push_back(std::move(removal));
+}
+
+// The document's newer steps are undone first.
+const PresetCommands::Removal* PresetCommands::last_removal() const {
+    const Document* document = m_lab.document();
+    const bool is_next = document && !m_removals.empty() &&
+                         m_removals.back().look == document->look().id &&
+                         m_removals.back().steps == document->history().past().size();
+    return is_next ? &m_removals.back() : nullptr;
+}
+
+std::string PresetCommands::undo_name() const {
+    const Removal* removal = last_removal();
+    return removal ? "Delete '" + removal->name + "'" : std::string();
+}
+
+bool PresetCommands::undo_removal() {
+    if (!last_removal())
+        return false;
+    const Removal removal = std::move(m_removals.back());
+    m_removals.pop_back();
+    if (!m_lab.succeeded(restore_from_trash(removal.trashed)))
+        return true;
+    Document& document = *m_lab.mutable_document();
+    if (removal.has_star)
+        m_stars.insert(star_name(removal.trashed.original));
+    if (removal.identity && document.preset_file().empty()) {
+        document.set_identity(*removal.identity, removal.trashed.original);
+        document.mark_saved(removal.saved);
+        m_lab.watch_extra_files();
+    }
+    m_lab.say("Restored '" + removal.name + "'");
+    return true;
+}
+
+void PresetCommands::show_in_folder(const fs::path& file) {
+    m_lab.succeeded(open_folder(file.parent_path()));
+}
+
+void PresetCommands::offer_move() {
+    const std::size_t count = m_lab.library().presets_in_program_folder().size();
+    if (count == 0)
+        return;
+    m_lab.offer(count == 1 ? "1 preset of yours is in the program's folder"
+                           : fmt::format("{} presets of yours are in the program's folder", count),
+                {.name = "Move to my presets",
+                 .deeds = {[](Lab& lab) { lab.presets().move_to_user_folder(); }}});
+}
+
+void PresetCommands::move_to_user_folder() {
+    std::size_t count = 0;
+    for (const PresetEntry& preset : m_lab.library().presets_in_program_folder()) {
+        const bool was_open = is_open(preset.file);
+        const auto moved = m_lab.library().move_to_user_folder(preset);
+        if (!m_lab.succeeded(moved))
+            return;
+        ++count;
+        if (was_open) {
+            Document& document = *m_lab.mutable_document();
+            document.set_identity(document.identity(), *moved);
+        }
+    }
+    if (m_lab.document())
+        m_lab.watch_extra_files();
+    m_lab.say(fmt::format("Moved {} preset{} to {}", count, count == 1 ? "" : "s",
+                          (m_lab.library().roots().user / "presets").string()));
+}
+
+void PresetCommands::star(const std::string& preset, bool has_star) {
+    if (!m_lab.document())
+        return;
+    const std::string star = star_of(m_lab.document()->look().id, preset);
+    if (has_star)
+        m_stars.insert(star);
+    else
+        m_stars.erase(star);
+}
