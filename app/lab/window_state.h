@@ -262,6 +262,15 @@ struct FirstSteps {
     bool are_done() const { return has_turned && has_driven && has_looked; }
 };
 
+/// What the user asked to be fitted, and waits for a measurement.
+struct PendingFits {
+    bool levels = false;  // black and white of the inspected texture
+    bool gain = false;    // of the difference that is shown
+
+    bool operator==(const PendingFits&) const = default;
+    bool is_any() const { return levels || gain; }
+};
+
 /// How a person has arranged the window, and what they look at. A value; the session keeps the
 /// arrangement.
 struct WindowState {
@@ -291,6 +300,7 @@ struct WindowState {
 
     PictureView picture;
     PassView inspected;
+    PendingFits pending;
     bool shows_pass_large = false;  // the inspected pass, in the picture's place
     double wipe_share = 0.5;        // how far over the picture the line of a wipe stands
     std::optional<Probe> probe;

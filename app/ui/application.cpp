@@ -4,6 +4,7 @@
 #include "gpu/window.h"
 #include "lab/first_file.h"
 #include "lab/palette.h"
+#include "lab/pending_fits.h"
 #include "lab/seen_passes.h"
 #include "lab/session.h"
 #include "lab/session_keeper.h"
@@ -153,7 +154,7 @@ bool Application::wait() {
     const Clock::time_point start = Clock::now();
     if (m_lab.is_moving())
         m_awake_until = start + awake;  // what is measured of the last frame comes a little later
-    const bool owes = is_owing(m_lab, m_views) || m_views.is_settling();
+    const bool owes = is_owing(m_lab, m_views) || m_views.is_settling() || m_state.pending.is_any();
     const auto longer = std::chrono::seconds(owes ? 10 : 0);
     if (!m_lab.is_moving() && !m_toolkit.is_behind() && start > m_awake_until + longer) {
         m_window.wait_events(rest_seconds);
@@ -201,6 +202,7 @@ void Application::turn() {
     m_drawn = now;
     list_looks(wall_seconds);
     m_views.update(m_lab, m_state);
+    answer_pending_fits(m_views, m_lab, m_state);
     m_history_pictures.update(m_lab, m_views);
     m_preset_pictures.update(m_lab, m_state.sees(BottomPart::presets), wall_seconds,
                              m_state.presets.shows_own_content && m_lab.document()

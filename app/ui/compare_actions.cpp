@@ -88,12 +88,12 @@ bool is_other(const Scene& scene) {
 }
 
 bool can_fit_gain(const Scene& scene) {
-    return compare_actions::fitting_gain(scene).has_value();
+    return scene.lab.compare_mode() == CompareMode::difference &&
+           chosen(scene).measure != DifferenceMeasure::relative;
 }
 
-void fit_gain(const Scene& scene, Edits& edits) {
-    compare_actions::choose(edits, [gain = *compare_actions::fitting_gain(scene)](
-                                       Comparison& comparison) { comparison.gain_stops = gain; });
+void fit_gain(const Scene&, Edits& edits) {
+    edits.arrange([](WindowState& window) { window.pending.gain = true; });
 }
 
 void compare_with_article(const Scene&, Edits& edits) {
@@ -180,14 +180,4 @@ void compare_actions::choose(Edits& edits, const std::function<void(Comparison&)
         change(next);
         lab.compare(next);
     });
-}
-
-std::optional<double> compare_actions::fitting_gain(const Scene& scene) {
-    const auto& distances = scene.views.compared().distances();
-    if (!distances || !(distances->largest > 0.0) || !std::isfinite(distances->largest) ||
-        chosen(scene).measure == DifferenceMeasure::relative)
-        return std::nullopt;
-    const double stops = -std::log2(distances->largest);
-    const bool is_squared = chosen(scene).measure == DifferenceMeasure::squared;
-    return std::clamp(is_squared ? 2.0 * stops : stops, -4.0, 16.0);
 }

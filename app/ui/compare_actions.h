@@ -9,6 +9,4 @@ std::vector<Action> list();
 void set_mode(CompareMode mode, Edits& edits);
 /// Keeps the choice, with this much of it another.
 void choose(Edits& edits, const std::function<void(Comparison&)>& change);
-/// That makes the largest difference white; none until it is known, or where there is none.
-std::optional<double> fitting_gain(const Scene& scene);
 }  // namespace compare_actions

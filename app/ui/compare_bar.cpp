@@ -128,13 +128,11 @@ void draw_gain(const Scene& scene, float room, Edits& edits) {
         edits.mark("number:difference_gain");
     }
     ImGui::SameLine(0.0f, 0.0f);
-    const auto fitting = compare_actions::fitting_gain(scene);
+    const bool can_fit = scene.lab.comparing().chosen().measure != DifferenceMeasure::relative;
     if (icon_button("##fit", Icon::fit, "So that the largest difference is white",
-                    fitting ? theme::text : theme::faint) &&
-        fitting) {
-        gain = *fitting;
-        turned.is_changed = true;
-    }
+                    can_fit ? theme::text : theme::faint) &&
+        can_fit)
+        edits.arrange([](WindowState& window) { window.pending.gain = true; });
     edits.mark("fit_gain");
     if (turned.is_changed)
         compare_actions::choose(edits,

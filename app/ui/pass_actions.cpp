@@ -51,14 +51,12 @@ void expose(const Scene&, Edits& edits) {
     });
 }
 
-void fit_levels(const Scene& scene, Edits& edits) {
-    edits.arrange([statistics = *scene.views.statistics()](WindowState& window) {
-        window.inspected.fit(statistics);
+// Where the channels were just changed, the numbers are yet to come.
+void fit_levels(const Scene&, Edits& edits) {
+    edits.arrange([](WindowState& window) {
+        window.shows_inspector = true;
+        window.pending.levels = true;
     });
-}
-
-bool can_fit_levels(const Scene& scene) {
-    return has_passes(scene) && scene.views.statistics();
 }
 
 void reset_levels(const Scene&, Edits& edits) {
@@ -118,7 +116,7 @@ std::vector<Action> looking_actions() {
              {'A'},
              true,
              fit_levels,
-             can_fit_levels},
+             has_passes},
             {ActionId::reset_levels,
              Menu::pass,
              "Black 0, white 1",

@@ -44,6 +44,7 @@ class Looking(Person):
         state = program.wait("black and white are the ends of what there is",
                              lambda s: s["measured"] and s["levels"] ==
                              [s["measured"]["minimum"], s["measured"]["maximum"]])
+        self.fit_right_after_a_change_of_channels()
         left, top, right, bottom = program.place("histogram")
         middle = (top + bottom) // 2
         program.drag((right - 20, middle), (right - 20 - (right - left) // 2, middle))
@@ -69,6 +70,21 @@ class Looking(Person):
         program.wait("it says that the pass is saved", lambda s: "seen.png" in s["notice"])
         self.assertEqual((program.folder / "seen.png").read_bytes()[:4], b"\x89PNG")
         program.key("space")
+
+    def fit_right_after_a_change_of_channels(self):
+        """Nothing pressed is lost: the fit waits for the numbers of the new channel."""
+        program = self.program
+        before = program.state()
+        program.click("reset_levels")
+        program.wait("levels are reset", lambda s: s["levels"] == [0, 1])
+        places = [program.middle(name) for name in ("channels:R", "fit_levels")]
+        self.screen.do("mousemove", *places[0], "click", 1, "mousemove", *places[1], "click", 1)
+        program.wait("the ends of red are fitted", lambda s:
+                     s["measured"] and s["channels"] != before["channels"] and s["levels"] ==
+                     [s["measured"]["minimum"], s["measured"]["maximum"]])
+        program.click("channels:RGB")
+        program.click("fit_levels")
+        program.wait("and those of all channels again", lambda s: s["levels"] == before["levels"])
 
     def test_a_pinned_pixel_is_followed_through_every_pass(self):
         program = self.program
