@@ -18,9 +18,10 @@ WindowOptions window_options(const std::string& look, Roots roots) {
 }
 
 // A window; where none can be had one with software OpenGL; where there is no display a picture.
-int open_window(const std::string& look, const std::string& data) {
-    const auto roots =
-        find_roots(data.empty() ? std::nullopt : std::optional<std::filesystem::path>(data));
+int open_window(const std::string& look, const DataFolders& data) {
+    const auto roots = find_roots(
+        data.data.empty() ? std::nullopt : std::optional<std::filesystem::path>(data.data),
+        data.includes);
     if (!roots) {
         std::cerr << to_string(roots.error()) << '\n';
         return EXIT_FAILURE;

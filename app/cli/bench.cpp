@@ -38,7 +38,7 @@ void print_table(const Measurement& measured) {
                              1e-6 * static_cast<double>(measured.target_bytes));
 }
 
-int bench(const BenchArguments& arguments, const std::string& data) {
+int bench(const BenchArguments& arguments, const DataFolders& data) {
     const RenderRequest request = arguments.look.request();
     const auto seen = [](const Prepared&) { return std::vector<std::string>(); };
     const auto work = [&](Offline& offline, const Library&) -> Result<void> {
@@ -61,5 +61,5 @@ Command add_bench(CommandLine& program) {
         .show_default()
         .between(1, 100000);
     options.add_flag("--json", arguments->as_json, "One JSON document");
-    return [arguments](const std::string& data) { return bench(*arguments, data); };
+    return [arguments](const DataFolders& data) { return bench(*arguments, data); };
 }

@@ -28,7 +28,7 @@ Command add_check(CommandLine& program) {
     Options options = program.add_verb("check", "Validate manifests, annotations and shaders");
     auto looks = std::make_shared<std::vector<std::string>>();
     options.add("LOOK", *looks, "Looks, stacks or presets").required();
-    return [looks](const std::string& data) {
+    return [looks](const DataFolders& data) {
         const auto library = open_library(data);
         if (!library)
             return report(library.error());

@@ -32,7 +32,7 @@ constexpr const char* about =
     "preset: a file, a PNG that holds one, or its line of text.";
 
 // A misspelt command reads like the name of a look, and would open a window.
-void check_is_no_command(const std::string& look, const std::string& data) {
+void check_is_no_command(const std::string& look, const DataFolders& data) {
     std::vector<std::string> names;
     for (const Verb& verb : verbs)
         names.emplace_back(verb.name);
@@ -56,7 +56,7 @@ int with_output_written(int code) {
 
 /// Runs the command that was parsed, or opens the window when there was none.
 int run_parsed(const std::string& verb, const std::map<std::string, Command>& commands,
-               const std::string& look, const std::string& data, const OpenWindow& open_window) {
+               const std::string& look, const DataFolders& data, const OpenWindow& open_window) {
     if (!verb.empty() && !look.empty())
         throw UsageError("The following argument was not expected: " + look);
     if (!verb.empty())
@@ -69,10 +69,14 @@ int run_parsed(const std::string& verb, const std::map<std::string, Command>& co
 int run_program(int argc, const char* const* argv, const OpenWindow& open_window) {
     CommandLine program("afterglow", AFTERGLOW_VERSION, about);
     std::string look;
-    std::string data;
+    DataFolders data;
     Options options = program.options();
     options.add("LOOK", look, "What the window opens; the last one when it is left out");
-    options.add("--data", data, "The folder that holds shaders/ and presets/");
+    options.add("--data", data.data, "The folder that holds shaders/ and presets/");
+    options
+        .add("--include", data.includes,
+             "A folder that shaders may include files from; may be given again and again")
+        .repeated();
     std::map<std::string, Command> commands;
     for (const Verb& verb : verbs)
         commands[verb.name] = verb.add(program);

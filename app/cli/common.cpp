@@ -73,15 +73,16 @@ RenderRequest LookOptions::request() const {
     return request;
 }
 
-Result<Library> open_library(const std::string& data) {
-    auto roots =
-        find_roots(data.empty() ? std::nullopt : std::optional<std::filesystem::path>(data));
+Result<Library> open_library(const DataFolders& data) {
+    auto roots = find_roots(
+        data.data.empty() ? std::nullopt : std::optional<std::filesystem::path>(data.data),
+        data.includes);
     if (!roots)
         return fail(roots.error());
     return Library(std::move(*roots));
 }
 
-int run_drawing(RenderRequest request, const std::string& data, const Drawing& drawing) {
+int run_drawing(RenderRequest request, const DataFolders& data, const Drawing& drawing) {
     const auto library = open_library(data);
     if (!library)
         return report(library.error());

@@ -41,8 +41,8 @@ private:
     std::string m_size;
 };
 
-/// What every command gets: where looks are. `data` is --data, "" when it was not given.
-Result<Library> open_library(const std::string& data);
+/// What every command gets: where looks are.
+Result<Library> open_library(const DataFolders& data);
 
 /// What a command does with a look that is drawn without a display.
 struct Drawing {
@@ -53,10 +53,10 @@ struct Drawing {
     std::function<std::optional<std::vector<std::string>>(const Prepared& prepared)> seen = {};
 };
 /// Prepares the look, checks, draws, and reports what went wrong; the command's exit code.
-int run_drawing(RenderRequest request, const std::string& data, const Drawing& drawing);
+int run_drawing(RenderRequest request, const DataFolders& data, const Drawing& drawing);
 
 /// Each adds its verb to the program; the returned function runs it after parsing.
-using Command = std::function<int(const std::string& data)>;
+using Command = std::function<int(const DataFolders& data)>;
 Command add_list(CommandLine& program);
 Command add_render(CommandLine& program);
 Command add_check(CommandLine& program);

@@ -91,5 +91,5 @@ Command add_compare(CommandLine& program) {
     options.add("--fail-above", arguments->fail_above,
                 "mean=V, rms=V, max=V or share=V: exit code 1 beyond it");
     options.add_flag("--json", arguments->as_json, "One JSON document");
-    return [arguments](const std::string&) { return compare(*arguments); };
+    return [arguments](const DataFolders&) { return compare(*arguments); };
 }

@@ -55,13 +55,15 @@ Json json_of_lost(const fs::path& file, const std::string& why) {
 }
 
 // A process a file: what a driver does with some shaders ends in no time, or ends the process.
-Json tried_alone(const fs::path& file, const CorpusArguments& arguments, const std::string& data) {
+Json tried_alone(const fs::path& file, const CorpusArguments& arguments, const DataFolders& data) {
     constexpr std::size_t most_bytes = 1 << 22;
     std::vector<std::string> command{
         "/proc/self/exe", "corpus",       file.string(), "--json",
         "--size",         arguments.size, "--frames",    std::to_string(arguments.frames)};
-    if (!data.empty())
-        command.insert(command.end(), {"--data", data});
+    if (!data.data.empty())
+        command.insert(command.end(), {"--data", data.data});
+    for (const std::string& folder : data.includes)
+        command.insert(command.end(), {"--include", folder});
     auto child = ChildProcess::start(command);
     if (!child)
         return json_of_lost(file, to_string(child.error()));
@@ -75,7 +77,7 @@ Json tried_alone(const fs::path& file, const CorpusArguments& arguments, const s
 }
 
 std::vector<Json> tried_all(const std::vector<fs::path>& files, const CorpusArguments& arguments,
-                            const std::string& data) {
+                            const DataFolders& data) {
     std::vector<Json> trials(files.size());
     Progress progress("trying", static_cast<int>(files.size()), "files");
     std::atomic<std::size_t> next = 0;
@@ -118,7 +120,7 @@ void print_trials(const std::vector<Json>& trials, bool as_json) {
                              sums["drew"].get<int>());
 }
 
-int run_corpus(const CorpusArguments& arguments, const std::string& data) {
+int run_corpus(const CorpusArguments& arguments, const DataFolders& data) {
     const CorpusTask task{parse_size(arguments.size), arguments.frames};
     const auto library = open_library(data);
     if (!library)
@@ -165,5 +167,5 @@ Command add_corpus(CommandLine& program) {
         .show_default()
         .between(1, 256);
     options.add_flag("--json", arguments->as_json, "One JSON document");
-    return [arguments](const std::string& data) { return run_corpus(*arguments, data); };
+    return [arguments](const DataFolders& data) { return run_corpus(*arguments, data); };
 }

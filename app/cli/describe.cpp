@@ -9,7 +9,7 @@ Command add_describe(CommandLine& program) {
     auto look = std::make_shared<LookOptions>();
     look->add_to(options, LookOptions::Take::values);
     options.add_flag("--json", "JSON on stdout, the only form there is");
-    return [look](const std::string& data) {
+    return [look](const DataFolders& data) {
         const RenderRequest request = look->request();
         const auto library = open_library(data);
         if (!library)

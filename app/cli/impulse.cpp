@@ -72,7 +72,7 @@ void print_table(const ImpulseResponse& response) {
             milliseconds(pass.fall.half_life));
 }
 
-int impulse(const ImpulseArguments& arguments, const std::string& data) {
+int impulse(const ImpulseArguments& arguments, const DataFolders& data) {
     const RenderRequest request = arguments.look.request();
     const ImpulseQuestion question{parse_place(arguments.place), request.fps, arguments.seconds};
     const auto work = [&](Offline& offline, const Library&) -> Result<void> {
@@ -102,5 +102,5 @@ Command add_impulse(CommandLine& program) {
         .between(0.05, 60.0);
     options.add_flag("--json", arguments->as_json,
                      "One JSON document, with the light of each frame");
-    return [arguments](const std::string& data) { return impulse(*arguments, data); };
+    return [arguments](const DataFolders& data) { return impulse(*arguments, data); };
 }

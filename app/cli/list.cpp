@@ -32,7 +32,7 @@ void print_table(const std::vector<CatalogEntry>& entries) {
                   << (entry.about.empty() ? "" : ". ") << entry.about << '\n';
 }
 
-int list(const std::string& what, bool as_json, const std::string& data) {
+int list(const std::string& what, bool as_json, const DataFolders& data) {
     std::vector<CatalogEntry> entries;
     if (what == "signals") {
         entries = list_signals();
@@ -61,7 +61,7 @@ Command add_list(CommandLine& program) {
         .required()
         .one_of({"looks", "presets", "signals", "patterns"});
     options.add_flag("--json", arguments->as_json, "One JSON document");
-    return [arguments](const std::string& data) {
+    return [arguments](const DataFolders& data) {
         return list(arguments->what, arguments->as_json, data);
     };
 }

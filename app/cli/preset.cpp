@@ -18,7 +18,7 @@ Command add_preset(CommandLine& program) {
     options.add("--name", arguments->name, "What the preset is called");
     Option line = options.add_flag("--line", arguments->as_line, "Print it as one line of text");
     line.excludes(output);
-    return [arguments](const std::string& data) {
+    return [arguments](const DataFolders& data) {
         if (!arguments->as_line && arguments->output.empty())
             throw UsageError("-o F.json or --line is required");
         if (!arguments->as_line)

@@ -172,7 +172,7 @@ Result<void> draw(const RenderArguments& arguments, const FrameNames& names, Off
     return save_all_passes(offline, arguments.all_passes);
 }
 
-int render(const RenderArguments& arguments, const std::string& data) {
+int render(const RenderArguments& arguments, const DataFolders& data) {
     RenderRequest request = arguments.look.request();
     request.moves = arguments.moves;
     const FrameNames names = output_names(arguments);
@@ -221,5 +221,5 @@ Command add_render(CommandLine& program) {
     options.add("--pass", arguments->pass, "This pass's target instead of the picture");
     options.add("--all-passes", arguments->all_passes,
                 "A folder for every pass's target as EXR, after the last frame");
-    return [arguments](const std::string& data) { return render(*arguments, data); };
+    return [arguments](const DataFolders& data) { return render(*arguments, data); };
 }

@@ -94,7 +94,7 @@ Command add_sheet(CommandLine& program) {
     options.add("--fps", arguments->fps, "Frames a second of the fixed clock")
         .show_default()
         .between(1.0, 1000.0);
-    return [arguments](const std::string& data) {
+    return [arguments](const DataFolders& data) {
         const auto library = open_library(data);
         if (!library)
             return report(library.error());

@@ -32,5 +32,5 @@ Command add_signal(CommandLine& program) {
     options.add("--rate", arguments->format.rate, "Samples a second (48000)").between(8000, 768000);
     options.add("--channels", arguments->format.channels, "2, or 3 with the beam's current (2)")
         .between(2, 3);
-    return [arguments](const std::string&) { return write_signal(*arguments); };
+    return [arguments](const DataFolders&) { return write_signal(*arguments); };
 }

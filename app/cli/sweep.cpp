@@ -66,7 +66,7 @@ Result<void> draw_sheet(const SweepArguments& arguments, const std::vector<Sweep
     return save_picture(*sheet, arguments.output);
 }
 
-int sweep(const SweepArguments& arguments, const std::string& data) {
+int sweep(const SweepArguments& arguments, const DataFolders& data) {
     const RenderRequest request = arguments.look.request();
     check_ending("--output", arguments.output, {".png", ".exr"});
     if (arguments.axes.size() > 2)
@@ -107,5 +107,5 @@ Command add_sweep(CommandLine& program) {
              "Frames to draw of each; the last is the picture (default: what the look needs to "
              "settle)")
         .between(1, 10000000);
-    return [arguments](const std::string& data) { return sweep(*arguments, data); };
+    return [arguments](const DataFolders& data) { return sweep(*arguments, data); };
 }

@@ -5,7 +5,7 @@
 
 #include <iostream>
 
-int render_instead_of_window(const std::string& look, const std::string& data) {
+int render_instead_of_window(const std::string& look, const DataFolders& data) {
     const auto library = open_library(data);
     if (!library)
         return report(library.error());

@@ -7,7 +7,8 @@
 #include <string_view>
 #include <vector>
 
-/// The folder of a look: everything that its manifest names lies in it.
+/// The folder of a look: everything that its manifest names lies in it. A link counts where it
+/// stands.
 class LookFolder {
 public:
     /// `files` gets every path that is asked for, also those that are missing.
@@ -15,7 +16,7 @@ public:
         : m_folder(std::move(folder)), m_files(files) {}
 
     /// The file that `name`, written in `value`, stands for. Nothing, and noted at the value's
-    /// line, where it is missing, no file, or leads out of the folder (absolute, "..", a link).
+    /// line, where it is missing, no file, or leads out of the folder (absolute, "..").
     std::optional<std::filesystem::path> find(std::string_view name, const JsonValue& value,
                                               ObjectReader& reader);
 

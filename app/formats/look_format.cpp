@@ -45,9 +45,10 @@ private:
     std::map<fs::path, Stage> m_stages;
 };
 
-Diagnostics load_stages(Look& look, const fs::path& shared, ShaderFiles* disk,
+Diagnostics load_stages(Look& look, const IncludeFolders& includes, ShaderFiles* disk,
                         std::vector<fs::path>& files) {
-    StageLoader loader({look.manifest.parent_path(), shared}, files, disk);
+    const fs::path folder = look.manifest.has_parent_path() ? look.manifest.parent_path() : ".";
+    StageLoader loader({folder, includes, {}, folder}, files, disk);
     for (Pass& pass : look.passes) {
         pass.fragment = loader.load(pass.fragment.file);
         pass.vertex =
@@ -84,12 +85,12 @@ void order_by_groups(Look& look, Diagnostics& warnings) {
     std::ranges::stable_sort(look.parameters, {}, place);
 }
 
-Result<Look> read_look(const fs::path& manifest, const fs::path& shared, const ReadingHelp& help,
-                       LoadedLook& loaded) {
+Result<Look> read_look(const fs::path& manifest, const IncludeFolders& includes,
+                       const ReadingHelp& help, LoadedLook& loaded) {
     auto look = load_manifest(manifest, loaded.files, help.disk);
     if (!look)
         return look;
-    Diagnostics problems = load_stages(*look, shared, help.disk, loaded.files);
+    Diagnostics problems = load_stages(*look, includes, help.disk, loaded.files);
     if (!problems.empty())
         return fail(std::move(problems));
     loaded.is_parsed = true;
@@ -111,19 +112,20 @@ bool is_fs_file(const fs::path& file) {
     return to_lower(file.extension().string()) == ".fs";
 }
 
-LoadedLook load_any(const fs::path& manifest, const fs::path& shared, const ReadingHelp& help) {
+LoadedLook load_any(const fs::path& manifest, const IncludeFolders& includes,
+                    const ReadingHelp& help) {
     if (is_slang_file(manifest))
         return load_slang_look(manifest, help);
     if (is_isf_file(manifest))
         return load_isf_look(manifest, help);
     if (is_toy_file(manifest))
-        return load_toy_look(manifest, shared, help);
+        return load_toy_look(manifest, includes, help);
     if (is_bare_file(manifest))
-        return load_bare_look(manifest, shared, help);
+        return load_bare_look(manifest, includes, help);
     if (is_fs_file(manifest))  // it tells what is wrong with it
         return load_isf_look(manifest, help);
     LoadedLook loaded;
-    loaded.look = read_look(manifest, shared, help, loaded);
+    loaded.look = read_look(manifest, includes, help, loaded);
     return loaded;
 }
 }  // namespace
@@ -134,10 +136,10 @@ fs::path manifest_of(const fs::path& folder_or_manifest) {
                                                        : folder_or_manifest;
 }
 
-LoadedLook load_look(const fs::path& folder_or_manifest, const fs::path& shared_includes,
+LoadedLook load_look(const fs::path& folder_or_manifest, const IncludeFolders& includes,
                      const ReadingHelp& help) {
     const fs::path manifest = manifest_of(folder_or_manifest);
-    LoadedLook loaded = load_any(manifest, shared_includes, help);
+    LoadedLook loaded = load_any(manifest, includes, help);
     if (std::ranges::find(loaded.files, manifest) == loaded.files.end())
         loaded.files.push_back(manifest);
     if (loaded.look)

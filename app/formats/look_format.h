@@ -32,9 +32,9 @@ std::filesystem::path manifest_of(const std::filesystem::path& folder_or_manifes
 
 /// Reads a look: its manifest, its shaders with their includes, and its parameters, all checked.
 /// `folder_or_manifest` is the look's folder, its look.json or a foreign file (of libretro, ISF,
-/// Shadertoy, or a fragment shader alone); `shared_includes` the program's shaders/include.
+/// Shadertoy, or a fragment shader alone); `includes` where its includes may lie besides.
 LoadedLook load_look(const std::filesystem::path& folder_or_manifest,
-                     const std::filesystem::path& shared_includes, const ReadingHelp& help = {});
+                     const IncludeFolders& includes, const ReadingHelp& help = {});
 
 /// Whether a file is a look of another program, by its name or, where many kinds of file have it,
 /// by what it holds.

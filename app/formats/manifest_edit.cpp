@@ -142,6 +142,10 @@ Result<std::string> with_overrides_written(std::string_view text, const PassOver
 
 Result<void> write_overrides(const std::filesystem::path& manifest,
                              const PassOverrides& overrides) {
+    if (!is_inside(manifest, manifest.has_parent_path() ? manifest.parent_path() : "."))
+        return fail({manifest, 0,
+                     "is a link that leads out of the look's folder, where nothing is written. "
+                     "Replace the link by a copy of the file, or edit the file itself"});
     const auto bytes = read_bytes(manifest);
     const auto text = read_text(manifest);
     if (!bytes || !text)

@@ -33,8 +33,8 @@ Values values_of_part(const Values& values, const Stack& stack, std::size_t part
 /// Reads the looks of a stack, each once where their values are the same.
 class PartReader {
 public:
-    PartReader(Stack stack, const fs::path& shared, const ReadingHelp& help)
-        : m_stack(std::move(stack)), m_shared(shared), m_help(help) {
+    PartReader(Stack stack, const IncludeFolders& includes, const ReadingHelp& help)
+        : m_stack(std::move(stack)), m_includes(includes), m_help(help) {
         for (StackPart& part : m_stack)  // so that values find them
             if (part.look.empty())
                 part.look = look_id_at(part.place);
@@ -52,7 +52,7 @@ public:
                 looks.push_back(*known->look);
             return;
         }
-        LoadedLook loaded = load_look(m_stack[part].place, m_shared,
+        LoadedLook loaded = load_look(m_stack[part].place, m_includes,
                                       {m_help.cache, m_help.progress, &values, m_help.disk});
         add_new(whole.warnings, loaded.warnings);
         whole.is_parsed = whole.is_parsed && loaded.is_parsed;
@@ -77,16 +77,16 @@ private:
     };
 
     Stack m_stack;
-    const fs::path& m_shared;
+    const IncludeFolders& m_includes;
     const ReadingHelp& m_help;
     std::vector<Read> m_read;
 };
 }  // namespace
 
-LoadedLook load_stack(Stack stack, const fs::path& shared_includes, const ReadingHelp& help) {
+LoadedLook load_stack(Stack stack, const IncludeFolders& includes, const ReadingHelp& help) {
     LoadedLook whole;
     whole.is_parsed = true;
-    PartReader reader(stack, shared_includes, help);
+    PartReader reader(stack, includes, help);
     for (std::size_t i = 0; i < stack.size(); ++i)
         reader.read(i, whole);
     std::vector<Look>& looks = reader.looks;
@@ -98,10 +98,10 @@ LoadedLook load_stack(Stack stack, const fs::path& shared_includes, const Readin
     const bool is_alone = stack.size() == 1 && !stack.front().is_bypassed;
     whole.look = is_alone ? std::move(looks.front()) : stacked_look(looks, stack, whole.warnings);
     whole.look->stack = std::move(stack);
-    whole.look->shared_includes = shared_includes;
+    whole.look->includes = includes;
     return whole;
 }
 
 LoadedLook load_again(const Look& look, const ReadingHelp& help) {
-    return load_stack(look.stack, look.shared_includes, help);
+    return load_stack(look.stack, look.includes, help);
 }

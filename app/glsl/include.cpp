@@ -53,11 +53,6 @@ private:
     }
 
     void add_file(const fs::path& file, const Location& from) {
-        if (!m_paths.is_allowed(file))
-            return error(from.line > 0 ? from : Location{file, 0},
-                         fmt::format("'{}' leads out of the look's folder and of the shared "
-                                     "includes",
-                                     file.string()));
         const Result<ShaderText>& text = m_disk.read(file);
         if (!text)
             return refuse(file, from, text.error());
@@ -140,16 +135,29 @@ private:
         const std::string& name = *directive.file;
         if (std::string fault = fault_of_include_name(name); !fault.empty())
             return error(at, fault);
-        std::vector<fs::path> tried;
-        const auto found = m_paths.find(name, at.file.parent_path(), tried);
-        for (const fs::path& path : tried)
+        const IncludePaths::Found found = m_paths.find(name, at.file.parent_path());
+        for (const fs::path& path : found.tried)
             remember(path);
-        if (!found)
-            return error(at,
-                         fmt::format("there is no file '{}' beside this file, in the look's folder "
-                                     "or among the shared includes",
-                                     name));
-        enter(*found, at);
+        if (!found.file)
+            return error(at, why_not_found(name, found));
+        const fs::path& real = m_disk.place_of(*found.file);
+        if (!is_include_text(real))
+            return error(at, fmt::format("'{}' is a link to '{}', which is not a shader text", name,
+                                         real.string()));
+        enter(*found.file, at);
+    }
+
+    std::string why_not_found(const std::string& name, const IncludePaths::Found& found) const {
+        if (found.leads_out)
+            return fmt::format(
+                "'{}' leads out of '{}', the folder that is open. Move the file into "
+                "it, or allow its folder with --include DIR (in the window: Edit > "
+                "Includes)",
+                name, m_paths.tree().string());
+        return fmt::format(
+            "there is no file '{}' beside this file, in the look's folder or in an "
+            "include folder{}",
+            name, IncludePaths::nearest_name(found.tried));
     }
 
     void enter(const fs::path& file, const Location& at) {

@@ -146,12 +146,3 @@ std::optional<std::size_t> ShaderFiles::digest_of_read(const fs::path& file) con
 bool ShaderFiles::exists(const fs::path& file) {
     return !place_of(file).empty();
 }
-
-bool ShaderFiles::is_inside(const fs::path& file, const fs::path& folder) {
-    const fs::path& place = place_of(file);
-    const fs::path& root = place_of(folder);
-    if (place.empty() || root.empty())
-        return false;
-    const auto [end, _] = std::mismatch(root.begin(), root.end(), place.begin(), place.end());
-    return end == root.end();
-}

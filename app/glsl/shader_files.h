@@ -49,8 +49,6 @@ public:
     bool exists(const std::filesystem::path& file);
     /// Where links lead to; "" for what is missing.
     const std::filesystem::path& place_of(const std::filesystem::path& path);
-    /// As is_inside() of base/file.h.
-    bool is_inside(const std::filesystem::path& file, const std::filesystem::path& folder);
     /// How many files were read so far.
     int reads() const { return m_reads; }
 

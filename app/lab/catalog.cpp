@@ -11,7 +11,7 @@
 std::vector<CatalogEntry> list_looks(const Library& library) {
     std::vector<CatalogEntry> entries;
     for (const LookEntry& look : library.looks()) {
-        const LoadedLook loaded = load_look(look.folder, library.roots().shared_includes());
+        const LoadedLook loaded = load_look(look.folder, library.roots().include_folders());
         if (loaded.look)
             entries.push_back({look.id, loaded.look->name, loaded.look->about, {}, look.folder});
         else

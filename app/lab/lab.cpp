@@ -7,6 +7,7 @@
 #include "formats/share_line.h"
 #include "gpu/readback.h"
 #include "lab/editor.h"
+#include "lab/include_store.h"
 #include "lab/morphing.h"
 #include "lab/session.h"
 #include "lab/sharing.h"
@@ -30,6 +31,7 @@ namespace fs = std::filesystem;
 Lab::Lab(Library library, const gpu::Context& screen, std::unique_ptr<gpu::Context> worker,
          std::unique_ptr<MidiInputs> midi)
     : m_library(std::move(library)),
+      m_includes(load_include_folders(m_library.roots())),
       m_kept_sessions(m_library.roots()),
       m_midi(std::move(midi)),
       m_drive(RecentMedia(m_library.roots())),
@@ -38,6 +40,7 @@ Lab::Lab(Library library, const gpu::Context& screen, std::unique_ptr<gpu::Conte
     if (const auto settings = load_sound_settings(m_library.roots()); succeeded(settings))
         succeeded(m_player.set_sound_settings(*settings));
     open_remote();
+    search_includes();
 }
 
 Lab::~Lab() {

@@ -233,6 +233,9 @@ public:
     /// An SVG becomes the drawing; one with too many points for a hand plays from its file.
     void load_drawing(const std::filesystem::path& file);
     void save_drawing(const std::filesystem::path& file);  // as an SVG
+    const std::vector<std::filesystem::path>& include_folders() const { return m_includes; }
+    /// Folders that shaders may include files from, besides those of --include; they are kept.
+    void set_include_folders(const std::vector<std::filesystem::path>& folders);
     void record_moves(bool is_recording);
     void save_moves(const std::filesystem::path& file);  // as text
     /// Listens, or listens no more, and keeps the settings.
@@ -404,6 +407,7 @@ private:
     void offer_own_content(const Preset& preset);
     void tell_silence();
     void open_remote();
+    void search_includes();
     bool listen_to_midi(bool listens);
     void bind_midi(const MidiBinding& binding);
     void listen(double wall_seconds);
@@ -431,6 +435,7 @@ private:
     void mended(const std::string& subject);
     Library m_library;
     PresetCommands m_presets{*this};
+    std::vector<std::filesystem::path> m_includes;  // the user's, of the window
     KeptSessions m_kept_sessions;
     std::optional<Document> m_document;
     LookKnobs m_knobs;                       // of looks that are not open

@@ -1,6 +1,7 @@
 #include "lab/lab_choices.h"
 
 #include "lab/device_choices.h"
+#include "lab/include_store.h"
 #include "lab/looking_choices.h"
 #include "lab/preset_choices.h"
 #include "lab/signal_choices.h"
@@ -127,6 +128,19 @@ ChoiceList unsaved_choices(const KeptSessions& kept) {
     return list;
 }
 
+ChoiceList include_choices(const Lab& lab) {
+    ChoiceList list{"Includes", ChoiceList::Place::edit};
+    list.choices.push_back(
+        {.name = "Folders, with ':' between…",
+         .text = AskedText{include_folders_text(lab.include_folders()),
+                           [](const std::string& typed) -> Deeds {
+                               return {[folders = parse_include_folders(typed)](Lab& changed) {
+                                   changed.set_include_folders(folders);
+                               }};
+                           }}});
+    return list;
+}
+
 // What stopped the clock, and what is wrong with files.
 ChoiceList trouble_choices(const Lab& lab) {
     ChoiceList list{"Problem"};
@@ -209,6 +223,7 @@ std::vector<ChoiceList> all_choices(const Lab& lab, const WindowState& window,
                        .sound_seconds = player.sound().sound ? player.sound_seconds() : 0.0}));
     all.push_back(
         remote_choices(lab.remote_settings(), lab.osc().is_listening(), lab.midi().is_listening()));
+    all.push_back(include_choices(lab));
     all.push_back(trouble_choices(lab));
     all.push_back(lab.heavy_pass_choices());
     return all;
@@ -219,6 +234,7 @@ std::vector<ChoiceList> menu_choices(const Lab& lab, const WindowState& window,
     Lists all;
     if (lab.document())
         add_of_look(lab, window, looks, all);
+    all.push_back(include_choices(lab));
     std::erase_if(all, [place](const ChoiceList& list) {
         return list.place != place || list.choices.empty();
     });

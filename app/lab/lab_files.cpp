@@ -1,11 +1,29 @@
 // The part of Lab that follows the files of a person besides the look's own.
 #include "formats/preset_format.h"
+#include "lab/include_store.h"
 #include "lab/lab.h"
 #include "lab/media.h"
 
 #include <utility>
 
 namespace fs = std::filesystem;
+
+void Lab::search_includes() {
+    IncludeFolders folders = m_library.roots().include_folders();
+    folders.named.insert(folders.named.end(), m_includes.begin(), m_includes.end());
+    m_reloader.set_include_folders(std::move(folders));
+}
+
+void Lab::set_include_folders(const std::vector<fs::path>& folders) {
+    for (const fs::path& folder : folders) {
+        std::error_code error;
+        if (!fs::is_directory(folder, error))
+            return say({folder, 0, "is not a folder; includes are looked for in folders"});
+    }
+    m_includes = folders;
+    succeeded(save_include_folders(m_library.roots(), m_includes));
+    search_includes();
+}
 
 void Lab::watch_extra_files() {
     std::vector<fs::path> files = m_chosen_images.files();

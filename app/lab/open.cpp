@@ -200,6 +200,6 @@ Result<OpenRequest> resolve_preset(const std::string& argument, const std::strin
 LoadedLook load_requested(const OpenRequest& request, const Library& library,
                           const ReadingHelp& help) {
     const Values values = values_of(request);
-    return load_stack(stack_of(request), library.roots().shared_includes(),
+    return load_stack(stack_of(request), library.roots().include_folders(),
                       {help.cache, help.progress, &values});
 }

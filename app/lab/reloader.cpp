@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 Reloader::Reloader(std::unique_ptr<gpu::Context> context, const gpu::Context& screen,
                    const Roots& roots)
-    : m_shared_includes(roots.shared_includes()),
+    : m_includes(roots.include_folders()),
       m_kept_shaders(kept_shaders_later(roots)),
       m_screen(screen),
       m_context(std::move(context)),
@@ -94,6 +94,13 @@ void Reloader::set_shown(const Programs& programs) {
 void Reloader::reload() {
     if (m_request)
         submit(*m_request, true);
+}
+
+void Reloader::set_include_folders(IncludeFolders folders) {
+    std::unique_lock lock(m_mutex);
+    m_includes = std::move(folders);
+    lock.unlock();
+    reload();
 }
 
 void Reloader::restack(const Stack& stack, const Values& values) {
@@ -446,7 +453,10 @@ LoadedLook Reloader::read(const Job& job, const Values& values) {
     const FormerReadings::Question question{stack_of(job.request), values};
     if (auto former = m_readings.find(question, m_shader_files))
         return std::move(*former);
-    LoadedLook read = load_stack(question.stack, m_shared_includes,
+    std::unique_lock lock(m_mutex);
+    const IncludeFolders includes = m_includes;
+    lock.unlock();
+    LoadedLook read = load_stack(question.stack, includes,
                                  {&m_checks, job.progress.get(), &values, &m_shader_files});
     m_readings.keep(question, read, m_shader_files);
     return read;

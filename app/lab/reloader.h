@@ -90,6 +90,8 @@ public:
     void open(const OpenRequest& request);
     /// Reads the open look again although no file changed.
     void reload();
+    /// Looks for includes in these folders from the next reading on; reads the open look again.
+    void set_include_folders(IncludeFolders folders);
     /// Reads a look that is open once more, after another could not be opened.
     void go_back_to(const OpenRequest& request);
     /// Nothing comes of what was asked for last; `open` is what is open as before.
@@ -232,7 +234,7 @@ private:
     void look_first(const Job& job, const LoadedRequest& loaded, const Values& values);
     Result<ImageTextures> load_images(const Look& look, Diagnostics& warnings);
 
-    std::filesystem::path m_shared_includes;
+    IncludeFolders m_includes;
     std::unique_ptr<KeptLater> m_kept_shaders;  // null: there is no folder for it
     const gpu::Context& m_screen;
     std::unique_ptr<gpu::Context> m_context;  // of the thread, from when it takes it

@@ -31,8 +31,15 @@ std::vector<fs::path> candidates() {
 }
 }  // namespace
 
-Result<Roots> find_roots(const std::optional<fs::path>& data) {
+Result<Roots> find_roots(const std::optional<fs::path>& data,
+                          const std::vector<std::string>& includes) {
     Roots roots;
+    for (const std::string& include : includes) {
+        std::error_code error;
+        if (!fs::is_directory(include, error))
+            return fail({include, 0, "is not a folder; --include takes a folder of shader texts"});
+        roots.includes.push_back(fs::absolute(include).lexically_normal());
+    }
     roots.user = folder_from_environment("XDG_DATA_HOME", ".local/share");
     roots.state = folder_from_environment("XDG_STATE_HOME", ".local/state");
     roots.cache = folder_from_environment("XDG_CACHE_HOME", ".cache");

@@ -5,6 +5,7 @@
 #include "model/built_in.h"
 #include "model/extent.h"
 #include "model/format.h"
+#include "model/include_folders.h"
 #include "model/input.h"
 #include "model/parameter.h"
 #include "model/picture.h"
@@ -144,7 +145,7 @@ struct Look {
     std::vector<Parameter> parameters;         // by `groups`, else in the order of declaration
     Values constants;                          // of parameters that are such: what it was made with
     std::filesystem::path manifest;            // look.json, or the foreign file
-    std::filesystem::path shared_includes;     // the folder of includes that all looks may have
+    IncludeFolders includes;                   // that all looks may have
     std::vector<std::filesystem::path> files;  // everything that it was read from, for the watcher
     Stack stack;                               // the looks that it is made of
 

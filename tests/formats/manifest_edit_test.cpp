@@ -109,3 +109,16 @@ TEST_CASE("a file is edited in place, its byte order mark and line ends kept") {
           "\xef\xbb\xbf{\"passes\": [\r\n{\"name\": \"a\", \"format\": \"r8\"}]}\r\n");
     CHECK_FALSE(write_overrides(folder / "none.json", {}).has_value());
 }
+
+TEST_CASE("a manifest that is a link out of the look's folder is not written") {
+    const TemporaryFolder folder;
+    const std::string text = R"({"passes": [{"name": "a"}]})";
+    const auto outside = folder.write("store/look.json", text);
+    std::filesystem::create_directory(folder / "look");
+    std::filesystem::create_symlink(outside, folder / "look/look.json");
+    const auto written = write_overrides(folder / "look/look.json", {{"a", {Format::r8, {}, {}}}});
+    REQUIRE_FALSE(written.has_value());
+    CHECK(written.error().front().message.find("leads out of the look's folder") !=
+          std::string::npos);
+    CHECK(content_of(outside) == text);
+}

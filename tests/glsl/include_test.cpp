@@ -24,8 +24,13 @@ public:
 
     Result<Stage> load(const std::string& name) {
         m_files.clear();
-        return load_stage(root() / name, {root() / "look", root() / "shared"}, m_files);
+        const fs::path opened = tree.empty() ? fs::path() : root() / tree;
+        return load_stage(root() / name, {root() / "look", {root() / "shared", named}, {}, opened},
+                          m_files);
     }
+
+    std::string tree = "look";    // the folder that was opened; "": the file alone
+    std::vector<fs::path> named;  // folders of --include
 
     const fs::path& root() const { return m_folder.path(); }
     bool watches(const std::string& name) const {
@@ -111,30 +116,21 @@ TEST_CASE("includes that go round in a circle show the circle") {
     Tree tree;
     tree.write("look/a.frag", "#include \"b.glsl\"\n");
     tree.write("look/b.glsl", "int b;\n#include \"c.glsl\"\n");
-    const fs::path last =
-        tree.write("look/c.glsl", "#include \"deep/../b.glsl\"\n#include \"b.glsl\"\n");
+    const fs::path last = tree.write("look/c.glsl", "int c;\n#include \"deep/../b.glsl\"\n");
     const auto stage = tree.load("look/a.frag");
     REQUIRE_FALSE(stage.has_value());
-    REQUIRE(stage.error().size() == 2);
-    CHECK(stage.error()[0].message == "'..' cannot be used in an include");
-    CHECK(stage.error()[1] == Diagnostic{last, 2,
+    REQUIRE(stage.error().size() == 1);
+    CHECK(stage.error()[0] == Diagnostic{last, 2,
                                          "includes go round in a circle: b.glsl -> c.glsl -> "
                                          "b.glsl"});
 }
 
-TEST_CASE("nothing outside of the roots is readable") {
+TEST_CASE("nothing outside of the opened folder and of the include folders is readable") {
     Tree tree;
     const fs::path secret = tree.write("outside/secret.glsl", "secret\n");
-    fs::create_symlink(secret, tree.root() / "look/link.glsl");
-    fs::create_directory_symlink(tree.root() / "outside", tree.root() / "look/folder");
-    const std::vector<std::string> names{"../outside/secret.glsl",
-                                         "link.glsl",
-                                         "folder/secret.glsl",
-                                         secret.string(),
-                                         "deep/../../outside/secret.glsl",
-                                         "..\\outside\\secret.glsl",
-                                         "C:/secret.glsl",
-                                         ""};
+    const std::vector<std::string> names{
+        "../outside/secret.glsl",   secret.string(),  "deep/../../outside/secret.glsl",
+        "..\\outside\\secret.glsl", "C:/secret.glsl", ""};
     for (const std::string& name : names) {
         CAPTURE(name);
         tree.write("look/a.frag", "#version 410 core\n#include \"" + name + "\"\n");
@@ -142,16 +138,89 @@ TEST_CASE("nothing outside of the roots is readable") {
         REQUIRE_FALSE(stage.has_value());
         CHECK(stage.error().front().line == 2);
     }
-    fs::create_symlink(secret, tree.root() / "look/top.frag");
-    CHECK(first_message(tree.load("look/top.frag")).find("leads out of") != std::string::npos);
 }
 
-TEST_CASE("a link within the roots is followed") {
+TEST_CASE("an include goes up within the opened tree and no further") {
     Tree tree;
-    tree.write("shared/real.glsl", "real\n");
-    fs::create_symlink(tree.root() / "shared/real.glsl", tree.root() / "look/link.glsl");
+    tree.write("outside/tint.glsl", "float tint;\n");
+    tree.write("look/deep/a.frag", "#include \"../../outside/tint.glsl\"\n");
+    tree.write("look/deep/b.frag", "#include \"../b.glsl\"\n");
+    tree.write("look/b.glsl", "#include \"./deep/c.glsl\"\n");
+    tree.write("look/deep/c.glsl", "float c;\n");
+    CHECK(tree.load("look/deep/b.frag")->text == "float c;\n");
+
+    const std::string refusal = first_message(tree.load("look/deep/a.frag"));
+    CHECK(refusal.find("'" + (tree.root() / "look").string() + "'") != std::string::npos);
+    CHECK(refusal.find("--include DIR") != std::string::npos);
+    tree.named = {tree.root() / "outside"};
+    CHECK(tree.load("look/deep/a.frag")->text == "float tint;\n");
+    tree.write("look/d.frag", "#include \"tint.glsl\"\n");
+    CHECK(tree.load("look/d.frag")->text == "float tint;\n");
+}
+
+TEST_CASE("of a single file the tree is the nearest folder with .git or look.json, else one up") {
+    Tree tree;
+    const auto opens = [&](const std::string& name) {
+        return tree.load("look/deep/" + name).has_value();
+    };
+    tree.tree = "";
+    tree.write("outside/tint.glsl", "float tint;\n");
+    tree.write("look/near.glsl", "float near_by;\n");
+    tree.write("look/deep/far.frag", "#include \"../../outside/tint.glsl\"\n");
+    tree.write("look/deep/near.frag", "#include \"../near.glsl\"\n");
+    CHECK(opened_tree(tree.root() / "look/deep/far.frag") == tree.root() / "look");
+    CHECK(opens("near.frag"));
+    CHECK_FALSE(opens("far.frag"));
+
+    fs::create_directory(tree.root() / ".git");
+    CHECK(opened_tree(tree.root() / "look/deep/far.frag") == tree.root());
+    CHECK(opens("far.frag"));
+    tree.write("look/look.json", "{}");
+    CHECK(opened_tree(tree.root() / "look/deep/far.frag") == tree.root() / "look");
+    CHECK_FALSE(opens("far.frag"));
+}
+
+TEST_CASE("a link counts where it stands: main file, include and include folder") {
+    Tree tree;
+    tree.write("outside/lib/color.glsl", "#include \"../space.glsl\"\n");
+    tree.write("outside/space.glsl", "float space;\n");
+    tree.write("outside/main.frag", "#include \"lygia/lib/color.glsl\"\n");
+    fs::create_directory_symlink(tree.root() / "outside", tree.root() / "look/lygia");
+    fs::create_symlink(tree.root() / "outside/main.frag", tree.root() / "look/top.frag");
+    CHECK(tree.load("look/top.frag")->text == "float space;\n");
+
+    fs::create_symlink(tree.root() / "outside/space.glsl", tree.root() / "look/link.glsl");
     tree.write("look/a.frag", "#include \"link.glsl\"\n");
-    CHECK(tree.load("look/a.frag")->text == "real\n");
+    CHECK(tree.load("look/a.frag")->text == "float space;\n");
+}
+
+TEST_CASE("only files with an extension of shader text are included, also by links") {
+    Tree tree;
+    for (const char* name :
+         {"a.glsl", "a.frag", "a.vert", "a.fs", "a.vs", "a.h", "a.inc", "a.slang", "A.GLSL"}) {
+        CAPTURE(name);
+        tree.write(std::string("look/") + name, "int a;\n");
+        tree.write("look/top.frag", std::string("#include \"") + name + "\"\n");
+        CHECK(tree.load("look/top.frag").has_value());
+    }
+    for (const char* name : {"a.txt", "id_rsa", "a.glsl.bak"}) {
+        CAPTURE(name);
+        tree.write(std::string("look/") + name, "int a;\n");
+        tree.write("look/top.frag", std::string("#include \"") + name + "\"\n");
+        CHECK(first_message(tree.load("look/top.frag")).find("included files end in .glsl") !=
+              std::string::npos);
+    }
+    fs::create_symlink(tree.root() / "look/id_rsa", tree.root() / "look/key.glsl");
+    tree.write("look/top.frag", "#include \"key.glsl\"\n");
+    CHECK(first_message(tree.load("look/top.frag")).find("is not a shader text") !=
+          std::string::npos);
+}
+
+TEST_CASE("a missing include whose name differs only in case is told") {
+    Tree tree;
+    tree.write("look/deep/Noise.glsl", "int a;\n");
+    tree.write("look/a.frag", "#include \"deep/noise.glsl\"\n");
+    CHECK(first_message(tree.load("look/a.frag")).ends_with("; 'Noise.glsl' is there"));
 }
 
 TEST_CASE("a file comes twice unless it says #pragma once") {

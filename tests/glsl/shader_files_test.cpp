@@ -47,13 +47,11 @@ TEST_CASE("a link is followed where it leads at each reading") {
     ShaderFiles files;
     files.begin_reading();
     CHECK(files.read(link)->place == fs::canonical(folder / "in/a.glsl"));
-    CHECK(files.is_inside(link, folder / "in"));
 
     fs::remove(link);
     fs::create_symlink(folder / "b.glsl", link);
     files.begin_reading();
     CHECK(files.read(link)->place == fs::canonical(folder / "b.glsl"));  // the text is the same
-    CHECK_FALSE(files.is_inside(link, folder / "in"));
 }
 
 TEST_CASE("a file that nobody has written for a while is read once") {

@@ -39,6 +39,26 @@ class Editing(Person):
         shader.write_text(text)
         program.wait("mending it clears the message", lambda s: not s["problems"])
 
+    def test_a_folder_for_includes_is_named_in_the_menu(self):
+        program = self.program
+        shader = self.looks / "phosphor/composite.frag"
+        text = shader.read_text()
+        library = program.folder / "library"
+        library.mkdir()
+        (library / "outside.glsl").write_text("// nothing\n")
+        head, rest = text.split("\n", 1)
+        shader.write_text(f'{head}\n#include "outside.glsl"\n{rest}')
+        state = program.wait("the include is not found", lambda s: s["problems"])
+        self.assertIn("outside.glsl", state["problems"][0]["message"])
+        program.choose("Edit", "Includes")
+        program.click("menu:Includes: Folders, with ':' between…")
+        program.place("asked")
+        program.type(str(library))
+        program.key("Return")
+        program.wait("it is found in the named folder", lambda s: not s["problems"])
+        shader.write_text(text)
+        program.wait("the look is as it was", lambda s: not s["problems"] and not s["is_loading"])
+
     def test_a_number_that_is_not_finite_stops_the_clock(self):
         program = self.program
         shader = self.looks / "phosphor/persistence.frag"

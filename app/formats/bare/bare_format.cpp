@@ -170,10 +170,10 @@ private:
     Look m_look;
 };
 
-Result<Look> read_bare_look(const fs::path& file, const fs::path& shared, const ReadingHelp& help,
-                            LoadedLook& loaded) {
+Result<Look> read_bare_look(const fs::path& file, const IncludeFolders& includes,
+                            const ReadingHelp& help, LoadedLook& loaded) {
     const auto written =
-        load_stage(file, {file.parent_path(), shared, host_chunks()}, loaded.files, help.disk);
+        load_stage(file, {file.parent_path(), includes, host_chunks()}, loaded.files, help.disk);
     if (!written)
         return fail(written.error());
     loaded.is_parsed = true;
@@ -196,9 +196,9 @@ bool is_bare_file(const fs::path& file) {
     return text ? defines_main(*text) : !fs::exists(file, error);
 }
 
-LoadedLook load_bare_look(const fs::path& file, const fs::path& shared_includes,
+LoadedLook load_bare_look(const fs::path& file, const IncludeFolders& includes,
                           const ReadingHelp& help) {
     LoadedLook loaded;
-    loaded.look = read_bare_look(file, shared_includes, help, loaded);
+    loaded.look = read_bare_look(file, includes, help, loaded);
     return loaded;
 }

@@ -10,5 +10,5 @@ bool is_bare_file(const std::filesystem::path& file);
 /// GameMaker, glslViewer, three.js, raylib and Shadertoy. What else it declares becomes parameters,
 /// as in a look of our own. Errors are the includes' and glslang's, at their
 /// lines.
-LoadedLook load_bare_look(const std::filesystem::path& file,
-                          const std::filesystem::path& shared_includes, const ReadingHelp& help);
+LoadedLook load_bare_look(const std::filesystem::path& file, const IncludeFolders& includes,
+                          const ReadingHelp& help);

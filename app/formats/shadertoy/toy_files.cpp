@@ -84,8 +84,8 @@ bool defines(const std::vector<Token>& tokens, std::string_view function) {
 /// Reads the passes of one shader.
 class ToyFolder {
 public:
-    ToyFolder(const fs::path& file, const fs::path& shared, std::vector<fs::path>& files)
-        : m_roots{file.parent_path(), shared}, m_files(files) {}
+    ToyFolder(const fs::path& file, const IncludeFolders& includes, std::vector<fs::path>& files)
+        : m_roots{file.parent_path(), includes}, m_files(files) {}
 
     Result<Toy> load(const fs::path& file) {
         const auto named = pass_named(file);
@@ -176,7 +176,7 @@ bool is_shown_by_another(const fs::path& file) {
     });
 }
 
-Result<Toy> load_toy_files(const fs::path& file, const fs::path& shared_includes,
+Result<Toy> load_toy_files(const fs::path& file, const IncludeFolders& includes,
                            std::vector<fs::path>& files) {
-    return ToyFolder(file, shared_includes, files).load(file);
+    return ToyFolder(file, includes, files).load(file);
 }

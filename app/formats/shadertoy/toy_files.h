@@ -17,6 +17,5 @@ bool is_shown_by_another(const std::filesystem::path& file);
 
 /// Reads `file` with the other passes beside it whose names begin as its own does. Includes are
 /// found as in a look of our own. `files` gets all that was read or looked for.
-Result<Toy> load_toy_files(const std::filesystem::path& file,
-                           const std::filesystem::path& shared_includes,
+Result<Toy> load_toy_files(const std::filesystem::path& file, const IncludeFolders& includes,
                            std::vector<std::filesystem::path>& files);

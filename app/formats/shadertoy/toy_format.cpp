@@ -17,18 +17,18 @@ bool is_json(const fs::path& file) {
     return to_lower(file.extension().string()) == ".json";
 }
 
-Result<Toy> read_toy(const fs::path& file, const fs::path& shared, LoadedLook& loaded) {
+Result<Toy> read_toy(const fs::path& file, const IncludeFolders& includes, LoadedLook& loaded) {
     if (!is_json(file))
-        return load_toy_files(file, shared, loaded.files);
+        return load_toy_files(file, includes, loaded.files);
     const auto text = read_text(file);
     if (!text)
         return fail(text.error());
     return parse_toy_json(*text, file, loaded.warnings);
 }
 
-Result<Look> read_toy_look(const fs::path& file, const fs::path& shared, const ReadingHelp& help,
-                           LoadedLook& loaded) {
-    const auto toy = read_toy(file, shared, loaded);
+Result<Look> read_toy_look(const fs::path& file, const IncludeFolders& includes,
+                           const ReadingHelp& help, LoadedLook& loaded) {
+    const auto toy = read_toy(file, includes, loaded);
     if (!toy)
         return fail(toy.error());
     auto look = look_of_toy(*toy, file.parent_path(), loaded.warnings);
@@ -67,9 +67,9 @@ bool is_toy_file(const fs::path& file) {
     return text && is_toy_text(*text);
 }
 
-LoadedLook load_toy_look(const fs::path& file, const fs::path& shared_includes,
+LoadedLook load_toy_look(const fs::path& file, const IncludeFolders& includes,
                          const ReadingHelp& help) {
     LoadedLook loaded;
-    loaded.look = read_toy_look(file, shared_includes, help, loaded);
+    loaded.look = read_toy_look(file, includes, help, loaded);
     return loaded;
 }

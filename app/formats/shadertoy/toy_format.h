@@ -8,5 +8,5 @@ bool is_toy_file(const std::filesystem::path& file);
 
 /// Reads one as a look. Errors are JSON's, the include's and glslang's, each at its line; in JSON
 /// the file is "FILE/PASS" and the line the author's.
-LoadedLook load_toy_look(const std::filesystem::path& file,
-                         const std::filesystem::path& shared_includes, const ReadingHelp& help);
+LoadedLook load_toy_look(const std::filesystem::path& file, const IncludeFolders& includes,
+                         const ReadingHelp& help);

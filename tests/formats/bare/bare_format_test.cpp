@@ -321,3 +321,20 @@ TEST_CASE("a constant with a range is a parameter, and an error keeps its line")
     REQUIRE_FALSE(empty.look.has_value());
     CHECK(empty.look.error().front().line == 4);
 }
+
+TEST_CASE("a fragment shader includes what lies above its folder, as lygia is included") {
+    const std::filesystem::path inputs =
+        std::filesystem::path(AFTERGLOW_SOURCE_DIR) / "tests/inputs";
+    const LoadedLook loaded = load_bare_look(inputs / "bare/sub/up.frag", {}, {});
+    REQUIRE_MESSAGE(loaded.look.has_value(), problems_of(loaded.look));
+    const std::string& text = loaded.look->passes[0].fragment.text;
+    CHECK(text.find("float tint(){return 0.5;}") != std::string::npos);
+
+    const TemporaryFolder folder;
+    folder.write("lib/tint.glsl", "float tint(){return 0.5;}\n");
+    const auto toy = folder.write("toys/a.glsl",
+                                  "#include \"../lib/tint.glsl\"\n"
+                                  "void mainImage(out vec4 o, in vec2 f){ o = vec4(tint()); }\n");
+    const LoadedLook opened = load_look(toy, {}, {});
+    CHECK_MESSAGE(opened.look.has_value(), problems_of(opened.look));
+}

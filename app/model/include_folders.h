@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+/// Folders outside of a look that its shaders may include files from.
+struct IncludeFolders {
+    std::filesystem::path shared;              // the program's shaders/include; "": none
+    std::vector<std::filesystem::path> named;  // by --include or the settings, searched last
+
+    // Implicit: most callers have the program's folder alone.
+    IncludeFolders(std::filesystem::path shared_folder = {},
+                   std::vector<std::filesystem::path> named_folders = {})
+        : shared(std::move(shared_folder)), named(std::move(named_folders)) {}
+
+    bool operator==(const IncludeFolders&) const = default;
+};
