@@ -29,17 +29,40 @@ std::vector<std::string_view> words_of(std::string_view line) {
     return words;
 }
 
+// Files of old programs end their lines with CR alone.
+std::string with_line_feeds(std::string_view text) {
+    std::string plain(text);
+    for (std::size_t i = 0; i < plain.size(); ++i)
+        if (plain[i] == '\r')
+            plain[i] = i + 1 < plain.size() && plain[i + 1] == '\n' ? ' ' : '\n';
+    return plain;
+}
+
+std::string_view trim_end(std::string_view line) {
+    return line.substr(0, line.find_last_not_of(" \t") + 1);
+}
+
 class ObjReader {
 public:
     explicit ObjReader(const std::filesystem::path& file) : m_file(file) {}
 
     Result<std::vector<ScenePath>> read(std::string_view text) {
-        for (const std::string_view line : split_lines(text)) {
+        const std::string plain = with_line_feeds(text);
+        std::string joined;  // a line that '\' goes on with
+        for (const std::string_view whole : split_lines(plain)) {
             ++m_line;
-            read_line(words_of(line.substr(0, line.find('#'))));
+            const std::string_view line = trim_end(whole.substr(0, whole.find('#')));
+            if (line.ends_with('\\')) {
+                joined.append(line.substr(0, line.size() - 1)).append(" ");
+                continue;
+            }
+            joined.append(line);
+            read_line(words_of(joined));
+            joined.clear();
             if (m_problems.size() >= most_obj_problems || m_is_too_large)
                 break;
         }
+        read_line(words_of(joined));
         if (m_is_too_large)
             problem(fmt::format("has more than {} edges; a beam cannot draw so many", most_edges));
         if (m_problems.empty() && m_edges.empty())
@@ -102,8 +125,10 @@ private:
                 return;
             corners.push_back(*corner);
         }
-        if (corners.size() < 2)
-            return problem(fmt::format("'{}' joins at least two corners", words[0]));
+        // A face of one corner, or of the same one again and again, has no edges: exporters write
+        // such.
+        if (corners.empty())
+            return problem(fmt::format("'{}' has no corners", words[0]));
         for (std::size_t i = 0; i + 1 < corners.size(); ++i)
             add_edge(corners[i], corners[i + 1]);
         if (is_closed)

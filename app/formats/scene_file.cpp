@@ -2,9 +2,11 @@
 
 #include "base/file.h"
 #include "base/text.h"
+#include "formats/obj_file.h"
 #include "formats/object_reader.h"
 #include "formats/scene_items.h"
 #include "formats/svg_file.h"
+#include "signals/shapes.h"
 
 #include <fmt/format.h>
 
@@ -63,7 +65,26 @@ Result<BeamScene> parse_scene(std::string_view text, const std::filesystem::path
     return scene;
 }
 
+namespace {
+bool is_obj_file(const std::filesystem::path& file) {
+    return to_lower(file.extension().string()) == ".obj";
+}
+
+// A model alone, in the middle of the screen.
+Result<BeamScene> scene_of_model(const std::filesystem::path& file) {
+    constexpr double size = 1.5;  // half screens, of its longest side
+    auto paths = load_obj(file);
+    if (!paths)
+        return fail(paths.error());
+    BeamScene scene;
+    scene.items.push_back({.paths = fitted_paths(std::move(*paths), size)});
+    return scene;
+}
+}  // namespace
+
 Result<BeamScene> load_scene(const std::filesystem::path& file) {
+    if (is_obj_file(file))
+        return scene_of_model(file);
     const auto text = read_text(file);
     if (!text)
         return fail(text.error());
@@ -71,6 +92,8 @@ Result<BeamScene> load_scene(const std::filesystem::path& file) {
 }
 
 bool is_scene_file(const std::filesystem::path& file) {
+    if (is_obj_file(file))
+        return true;
     if (to_lower(file.extension().string()) != ".json")
         return false;
     const auto text = read_text(file);
@@ -80,9 +103,10 @@ bool is_scene_file(const std::filesystem::path& file) {
 }
 
 bool is_svg_file(const std::filesystem::path& file) {
-    return to_lower(file.extension().string()) == ".svg";
+    const std::string ending = to_lower(file.extension().string());
+    return ending == ".svg" || ending == ".svgz";
 }
 
 bool is_drawn_file(const std::filesystem::path& file) {
-    return is_svg_file(file) || to_lower(file.extension().string()) == ".json";
+    return is_svg_file(file) || is_obj_file(file) || to_lower(file.extension().string()) == ".json";
 }

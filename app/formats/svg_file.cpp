@@ -2,6 +2,7 @@
 
 #include "base/file.h"
 #include "base/text.h"
+#include "formats/painted_svg.h"
 #include "formats/svg_path.h"
 #include "formats/svg_transform.h"
 #include "formats/xml_tags.h"
@@ -14,7 +15,9 @@
 #include <cmath>
 
 namespace {
-/// A path of an SVG, and what a drawing wants to know of it.
+constexpr std::size_t most_svg_bytes = std::size_t{16} << 20;
+
+/// A path of a drawing of ours.
 struct SvgOutline {
     ScenePath path;
     std::size_t keyframe = 0;  // that it stands in
@@ -24,22 +27,17 @@ struct SvgOutline {
 struct SvgOutlines {
     std::vector<SvgOutline> outlines;
     std::size_t keyframes = 0;  // groups that say to be one
-    bool is_own = false;        // the file is one of ours
 };
 
-/// What an SVG is read as: every keyframe of a drawing, or what a picture viewer shows.
-enum class SvgAs { drawing, picture };
-
-class SvgReader {
+/// Reads a drawing of ours, which may have been edited by another program since.
+class DrawingReader {
 public:
-    SvgReader(const std::filesystem::path& file, SvgAs as) : m_file(file), m_as(as) {}
+    explicit DrawingReader(const std::filesystem::path& file) : m_file(file) {}
 
     Result<SvgOutlines> read(const std::vector<XmlTag>& tags) {
         for (const XmlTag& tag : tags)
             tag.is_closing ? leave(tag) : enter(tag);
-        if (!m_is_svg)
-            m_problems.insert(m_problems.begin(), {m_file, 1, "is no SVG: it has no <svg> tag"});
-        else if (m_problems.empty() && m_found.outlines.empty())
+        if (m_problems.empty() && m_found.outlines.empty())
             m_problems.push_back({m_file, 1, "has no paths, lines or shapes to draw"});
         if (m_count > most_scene_points)
             m_problems.push_back({m_file, 0, "has too many points for a beam to draw"});
@@ -81,12 +79,12 @@ private:
                style.find("display:none") == std::string::npos;
     }
 
-    // A keyframe of a drawing is hidden only where the file is looked at as a picture.
+    // A keyframe that other programs are not to display is one all the same.
     void enter_keyframe(const XmlTag& tag, Level& level) {
-        const bool is_keyframe = m_found.is_own && tag.attributes.count("data-keyframe") != 0;
+        const bool is_keyframe = tag.attributes.count("data-keyframe") != 0;
         if (is_keyframe)
             level.keyframe = m_found.keyframes++;
-        if (!is_displayed(tag) && !(is_keyframe && m_as == SvgAs::drawing))
+        else if (!is_displayed(tag))
             level.is_hidden = true;
         if (is_keyframe && m_found.keyframes == most_keyframes + 1)
             problem(tag, fmt::format("has more than {} keyframes", most_keyframes));
@@ -97,8 +95,6 @@ private:
                                                "marker", "pattern",  "style", "script"};
         Level level = m_levels.empty() ? Level{} : m_levels.back();
         level.name = tag.name;
-        m_is_svg = m_is_svg || tag.name == "svg";
-        m_found.is_own = m_found.is_own || tag.attributes.count("data-afterglow-drawing") != 0;
         level.is_hidden = level.is_hidden || std::find(std::begin(hidden), std::end(hidden),
                                                        tag.name) != std::end(hidden);
         if (const auto found = tag.attributes.find("transform"); found != tag.attributes.end()) {
@@ -116,9 +112,7 @@ private:
             m_levels.push_back(std::move(level));
     }
 
-    bool is_smooth(const XmlTag& tag) const {
-        return m_as == SvgAs::drawing && attribute(tag, "data-line") == "smooth";
-    }
+    static bool is_smooth(const XmlTag& tag) { return attribute(tag, "data-line") == "smooth"; }
 
     void add(SvgOutline outline, const SvgTransform& transform) {
         for (ScenePoint& point : outline.path.points) {
@@ -203,30 +197,20 @@ private:
     }
 
     const std::filesystem::path& m_file;
-    SvgAs m_as;
-    bool m_is_svg = false;
     std::vector<Level> m_levels;
     SvgOutlines m_found;
     std::size_t m_count = 0;
     Diagnostics m_problems;
 };
 
-Result<SvgOutlines> outlines_of(std::string_view text, const std::filesystem::path& file,
-                                SvgAs as) {
-    const auto tags = parse_xml_tags(text, file);
-    if (!tags)
-        return fail(tags.error());
-    return SvgReader(file, as).read(*tags);
-}
-
 bool are_same(const BeamPlace& a, const BeamPlace& b) {
     return distance(a, b) <= 1e-9 * (1.0 + std::abs(a[0]) + std::abs(a[1]));
 }
 
 // A path that ends where it began is closed.
-Stroke stroke_of(const SvgOutline& outline) {
-    Stroke stroke{.points = {}, .is_smooth = outline.is_smooth};
-    for (const ScenePoint& point : outline.path.points)
+Stroke stroke_of(const ScenePath& path, bool is_smooth) {
+    Stroke stroke{.points = {}, .is_smooth = is_smooth};
+    for (const ScenePoint& point : path.points)
         if (stroke.points.empty() || !are_same(stroke.points.back(), {point.x, point.y}))
             stroke.points.push_back({point.x, point.y});
     stroke.is_closed =
@@ -235,39 +219,48 @@ Stroke stroke_of(const SvgOutline& outline) {
         stroke.points.pop_back();
     return stroke;
 }
-}  // namespace
 
-Result<std::vector<ScenePath>> parse_svg(std::string_view text, const std::filesystem::path& file) {
-    auto found = outlines_of(text, file, SvgAs::picture);
-    if (!found)
-        return fail(found.error());
-    std::vector<ScenePath> paths;
-    for (SvgOutline& outline : found->outlines)
-        paths.push_back(std::move(outline.path));
-    return paths;
+bool is_own_drawing(std::string_view text) {
+    return text.find("data-afterglow-drawing") != std::string_view::npos;
 }
 
-Result<std::vector<ScenePath>> load_svg(const std::filesystem::path& file) {
-    const auto text = read_text(file);
-    if (!text)
-        return fail(text.error());
-    return parse_svg(*text, file);
-}
-
-Result<Drawing> parse_svg_drawing(std::string_view text, const std::filesystem::path& file) {
-    const auto found = outlines_of(text, file, SvgAs::drawing);
+Result<Drawing> own_drawing(std::string_view text, const std::filesystem::path& file) {
+    const auto tags = parse_xml_tags(text, file);
+    if (!tags)
+        return fail(tags.error());
+    const auto found = DrawingReader(file).read(*tags);
     if (!found)
         return fail(found.error());
-    Drawing drawing{.keyframes = {}, .is_to_scale = found->is_own};
+    Drawing drawing{.keyframes = {}, .is_to_scale = true};
     drawing.keyframes.resize(std::max<std::size_t>(found->keyframes, 1));
     for (const SvgOutline& outline : found->outlines)
-        drawing.keyframes[outline.keyframe].push_back(stroke_of(outline));
+        drawing.keyframes[outline.keyframe].push_back(stroke_of(outline.path, outline.is_smooth));
+    return drawing;
+}
+}  // namespace
+
+Result<std::vector<ScenePath>> load_svg(const std::filesystem::path& file) {
+    const auto bytes = read_bytes(file, most_svg_bytes);
+    if (!bytes)
+        return fail(bytes.error());
+    return painted_outlines(*bytes, file);
+}
+
+Result<Drawing> parse_svg_drawing(std::string_view bytes, const std::filesystem::path& file) {
+    if (is_own_drawing(bytes))
+        return own_drawing(bytes, file);
+    const auto painted = painted_outlines(bytes, file);
+    if (!painted)
+        return fail(painted.error());
+    Drawing drawing{.keyframes = {{}}, .is_to_scale = false};
+    for (const ScenePath& path : *painted)
+        drawing.keyframes.front().push_back(stroke_of(path, false));
     return drawing;
 }
 
 Result<Drawing> load_svg_drawing(const std::filesystem::path& file) {
-    const auto text = read_text(file);
-    if (!text)
-        return fail(text.error());
-    return parse_svg_drawing(*text, file);
+    const auto bytes = read_bytes(file, most_svg_bytes);
+    if (!bytes)
+        return fail(bytes.error());
+    return parse_svg_drawing(*bytes, file);
 }

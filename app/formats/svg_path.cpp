@@ -33,6 +33,7 @@ public:
                (std::isspace(static_cast<unsigned char>(m_text[m_at])) != 0 || m_text[m_at] == ','))
             ++m_at;
     }
+    std::size_t place() const { return m_at; }
     bool is_at_end() const { return m_at >= m_text.size(); }
     char peek() const { return is_at_end() ? '\0' : m_text[m_at]; }
     char take() { return m_text[m_at++]; }
@@ -274,6 +275,17 @@ std::optional<std::vector<double>> parse_svg_numbers(std::string_view text) {
         numbers.push_back(*number);
     }
     return numbers;
+}
+
+std::string_view whole_svg_pairs(std::string_view text) {
+    NumberReader reader(text);
+    std::size_t end = 0;
+    for (reader.skip_separators(); !reader.is_at_end(); reader.skip_separators()) {
+        if (!reader.number() || !reader.number())
+            break;
+        end = reader.place();
+    }
+    return text.substr(0, end);
 }
 
 Result<std::vector<ScenePath>> parse_svg_path(std::string_view text, int steps_a_curve) {

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 /// What the module of the picture formats does (app/pictures/). It is no part of the program: the
 /// library behind it brings more than 200 others, and to load them takes longer than all else that
@@ -19,6 +20,12 @@ struct PictureCodec {
     Result<std::string> (*encode_exr)(const Picture& picture, bool half);
     /// The same with the floats that the picture has, half or whole ones; not for bytes.
     Result<std::string> (*encode_raw_exr)(const RawPicture& picture);
+
+    /// The bytes of an SVG, which may be compressed, as librsvg and Cairo draw them: an SVG of
+    /// paths in absolute M, L, C and Z alone, what is not painted left out. Before it stands a line
+    /// with the transform of its coordinates to those of the file's page. Only files in the folder
+    /// of `file` or below are read. Bounds: 5 s, 1 GB, 256 MB of paths.
+    Result<std::string> (*svg_paths)(std::string_view bytes, const std::filesystem::path& file);
 };
 
 /// Loads the module at the first call, 0.3 s; from any thread. The error says why it cannot be.

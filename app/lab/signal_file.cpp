@@ -22,8 +22,15 @@ Result<SignalMedia> load_signal_media(const std::filesystem::path& file, Work* w
         return media;
     }
     auto sound = load_sound(file, work, notes);
-    if (!sound)
+    if (!sound && is_sound_file(file))
         return fail(sound.error());
+    if (!sound) {  // which is only one of the things that it might have been
+        Diagnostics reasons = sound.error();
+        for (Diagnostic& reason : reasons)
+            reason.message +=
+                "; a signal's file is a sound, an SVG, a scene (.json) or a model (.obj)";
+        return fail(std::move(reasons));
+    }
     media.sound = std::make_shared<const Sound>(std::move(*sound));
     return media;
 }

@@ -1,5 +1,6 @@
 #include "base/text.h"
 #include "io/picture_codec.h"
+#include "pictures/svg_paths.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imagebuf.h>
@@ -196,6 +197,10 @@ const PictureCodec codec{
     .encode_raw_exr =
         [](const RawPicture& picture) {
             return guarded<std::string>({}, [&] { return write_raw_exr(picture); });
+        },
+    .svg_paths =
+        [](std::string_view bytes, const fs::path& file) {
+            return guarded<std::string>(file, [&] { return svg_paths(bytes, file); });
         },
 };
 }  // namespace

@@ -90,6 +90,11 @@ Result<std::unique_ptr<Signal>> make_shown(const Settings& settings, const Open&
 
 Result<std::unique_ptr<Signal>> make_audio(const Settings& settings, const SignalMedia& media) {
     const auto& sound = media.sound;
+    if (media.drawing || media.scene)
+        return fail({{},
+                     0,
+                     media.drawing ? "audio: takes a sound; an SVG is drawn by drawing:FILE"
+                                   : "audio: takes a sound; a scene is drawn by scene:FILE"});
     if (!sound || sound->rate <= 0 || sound->frame_count() == 0)
         return fail({{}, 0, "audio: there is no sound to show"});
     const double start = std::round(settings.number("start") * sound->rate);

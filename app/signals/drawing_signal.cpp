@@ -99,6 +99,11 @@ Result<Drawing> drawing_in(const Settings& settings, const SignalMedia& media) {
             return fail({{}, 0, "drawing: strokes: " + drawing.error().front().message});
         return drawing;
     }
+    if (media.sound)
+        return fail({{}, 0, "drawing: takes an SVG; a sound is played by audio:FILE"});
+    if (media.scene)
+        return fail(
+            {{}, 0, "drawing: takes an SVG; a scene or an OBJ model is drawn by scene:FILE"});
     if (!media.drawing)
         return fail({{},
                      0,

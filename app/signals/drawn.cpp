@@ -46,7 +46,11 @@ Result<std::unique_ptr<Signal>> make_scene(const Settings& settings, const Signa
     if (!media.scene)
         return fail({{},
                      0,
-                     media.drawing ? "scene: takes a JSON scene; an SVG is a drawing"
+                     media.drawing
+                         ? "scene: takes a JSON scene or an OBJ model; an SVG is drawn by "
+                           "drawing:FILE"
+                     : media.sound ? "scene: takes a JSON scene or an OBJ model; a sound is played "
+                                     "by audio:FILE"
                                    : "scene: there is no scene to draw"});
     BeamScene scene = *media.scene;
     scene.beam_speed *= settings.number("speed");

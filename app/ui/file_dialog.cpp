@@ -23,7 +23,9 @@ std::vector<std::string> endings_for(Dialog::Kind kind) {
         return {".exr", ".png"};
     if (kind == Dialog::Kind::export_frames)
         return {".mp4", ".webm", ".gif", ".png", ".exr"};
-    if (kind == Dialog::Kind::load_drawing || kind == Dialog::Kind::save_drawing)
+    if (kind == Dialog::Kind::load_drawing)
+        return {".svg", ".svgz"};
+    if (kind == Dialog::Kind::save_drawing)
         return {".svg"};
     if (kind == Dialog::Kind::save_moves)
         return {".txt"};
@@ -31,10 +33,10 @@ std::vector<std::string> endings_for(Dialog::Kind kind) {
         return {};
     if (kind == Dialog::Kind::choose_reference)
         return {".png", ".exr", ".jpg", ".jpeg", ".hdr", ".tif", ".tiff", ".bmp", ".webp"};
-    return {".json", ".slangp", ".slang", ".glsl", ".frag", ".fsh", ".fs",   ".svg",
-            ".png",  ".exr",    ".jpg",   ".jpeg", ".txt",  ".wav", ".flac", ".ogg",
-            ".oga",  ".mp3",    ".aif",   ".aiff", ".mp4",  ".m4v", ".mkv",  ".webm",
-            ".mov",  ".avi",    ".mpg",   ".mpeg", ".ogv",  ".gif"};
+    return {".json", ".slangp", ".slang", ".glsl", ".frag", ".fsh",  ".fs",  ".svg",
+            ".svgz", ".obj",    ".png",   ".exr",  ".jpg",  ".jpeg", ".txt", ".wav",
+            ".flac", ".ogg",    ".oga",   ".mp3",  ".aif",  ".aiff", ".mp4", ".m4v",
+            ".mkv",  ".webm",   ".mov",   ".avi",  ".mpg",  ".mpeg", ".ogv", ".gif"};
 }
 
 const char* title_for(Dialog::Kind kind) {

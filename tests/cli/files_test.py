@@ -47,5 +47,26 @@ class Includes(Files):
         self.assertEqual(self.color(self.folder / "in/sub/main.frag"), [128, 128, 128])
 
 
+class Drawings(Files):
+    def test_drawings_and_models_are_opened_by_their_signal(self):
+        for signal in ("drawing:svg/z.svgz", "drawing:svg/use.svg", "scene:obj/cont.obj",
+                       "scene:obj/scene_cont.json", "scene:obj/scene_cr_only.json",
+                       "scene:obj/scene_degenerate.json"):
+            kind, name = signal.split(":")
+            rows, errors = self.picture("phosphor", "--signal", f"{kind}:{INPUTS / name}", size="64x64")
+            self.assertEqual(errors, "", signal)
+            self.assertGreater(max(map(max, rows)), 100, signal)
+
+    def test_a_file_of_another_kind_says_what_it_is(self):
+        for signal, words in (("drawing:wav/zerosize.wav", "audio:FILE"),
+                              ("drawing:obj/cont.obj", "scene:FILE"),
+                              ("scene:svg/use.svg", "drawing:FILE"),
+                              ("audio:svg/use.svg", "drawing:FILE"),
+                              ("drawing:toy/vscode.glsl", "an SVG, a scene (.json) or a model (.obj)")):
+            kind, name = signal.split(":")
+            self.assert_refused(run("render", "phosphor", "--signal", f"{kind}:{INPUTS / name}",
+                                    "-o", self.folder / "x.png"), words)
+
+
 if __name__ == "__main__":
     main()

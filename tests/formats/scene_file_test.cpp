@@ -1,7 +1,6 @@
 #include "formats/scene_file.h"
 
 #include "formats/obj_file.h"
-#include "formats/svg_file.h"
 
 #include <doctest/doctest.h>
 
@@ -18,27 +17,10 @@ std::string scene_refusal(const std::string& text) {
     return to_string(scene.error());
 }
 
-std::string svg_refusal(const std::string& text) {
-    const auto paths = parse_svg(text, "d.svg");
-    REQUIRE_FALSE(paths.has_value());
-    return to_string(paths.error());
-}
-
 std::string obj_refusal(const std::string& text) {
     const auto paths = parse_obj(text, "m.obj");
     REQUIRE_FALSE(paths.has_value());
     return to_string(paths.error());
-}
-
-std::vector<ScenePoint> only_path(const std::string& shape) {
-    const auto paths = parse_svg("<svg xmlns=\"x\">" + shape + "</svg>", "d.svg");
-    REQUIRE(paths.has_value());
-    REQUIRE(paths->size() == 1);
-    return paths->front().points;
-}
-
-bool is_at(const ScenePoint& point, double x, double y) {
-    return std::hypot(point.x - x, point.y - y) < 1e-9;
 }
 }  // namespace
 
@@ -98,40 +80,6 @@ TEST_CASE("mistakes in a scene are told with their lines, all at once") {
               .find("'spin' takes degrees: a number, or a list of 3") != std::string::npos);
 }
 
-TEST_CASE("an SVG's commands lead where the standard says") {
-    CHECK(is_at(only_path("<path d='M1 2L3,4'/>").back(), 3, -4));
-    CHECK(is_at(only_path("<path d='m1 2 3 4-1.5.5'/>").back(), 2.5, -6.5));
-    CHECK(is_at(only_path("<path d='M1 2h3v4H0z'/>").back(), 1, -2));
-    CHECK(is_at(only_path("<path d='M0 0C0 1 1 1 1 0S2-1 2 0'/>").back(), 2, 0));
-    // Halfway along a cubic: (p0 + 3 p1 + 3 p2 + p3) / 8.
-    CHECK(is_at(only_path("<path d='M0 0C0 1 1 1 1 0'/>")[8], 0.5, -0.75));
-    CHECK(is_at(only_path("<path d='M0 0Q1 2 2 0'/>")[8], 1, -1));
-    // Half a circle from (0, 0) to (2, 0): its middle point is (1, -1) or (1, 1), y down.
-    const auto over = only_path("<path d='M0 0A1 1 0 012 0'/>");
-    CHECK(is_at(over[over.size() / 2], 1, 1));
-    const auto under = only_path("<path d='M0 0A1 1 0 0 0 2 0'/>");
-    CHECK(is_at(under[under.size() / 2], 1, -1));
-    CHECK(is_at(only_path("<g transform='translate(10 0) scale(2)'><line x1='1' y1='1' x2='2' "
-                          "y2='1'/></g>")[0],
-                12, -2));
-    CHECK(is_at(only_path("<rect x='1' y='1' width='2' height='3' transform='rotate(90)'/>")[0], -1,
-                -1));
-    CHECK(is_at(only_path("<polygon points='0,0 1,0 1,1'/>").back(), 0, 0));
-    CHECK(is_at(only_path("<defs><circle r='9'/></defs><circle cx='1' cy='1' r='2'/>")[0], 3, -1));
-}
-
-TEST_CASE("an SVG without paths, or a broken one, is told") {
-    CHECK(svg_refusal("<svg><text>hello</text></svg>").find("no paths") != std::string::npos);
-    CHECK(svg_refusal("<html></html>").find("no <svg> tag") != std::string::npos);
-    CHECK(svg_refusal("").find("no tags") != std::string::npos);
-    CHECK(svg_refusal("<svg>\n\n<path d='M0 0 L nan 1'/></svg>").find("d.svg:3: error: ") !=
-          std::string::npos);
-    CHECK(svg_refusal("<svg>\n<path d='L").find("d.svg:2: error: ") != std::string::npos);
-    CHECK(svg_refusal("<svg><path d='M0 0 1'/></svg>").find("lacks numbers") != std::string::npos);
-    CHECK(svg_refusal("<svg><g transform='spin(3)'><path d='M0 0L1 1'/></g></svg>").find("spin") !=
-          std::string::npos);
-}
-
 TEST_CASE("an OBJ's edges are drawn once, by faces and lines, counted from either end") {
     const auto paths = parse_obj(
         "# two triangles with a side in common\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0.5\n"
@@ -145,14 +93,54 @@ TEST_CASE("an OBJ's edges are drawn once, by faces and lines, counted from eithe
 }
 
 TEST_CASE("an OBJ with bad corners is told, with its lines") {
-    const std::string told = obj_refusal("v 0 0 0\nv 1 0 0\nv 1 nan 0\nf 1 2 9\nf 1 0 2\nf 1\n");
+    const std::string told = obj_refusal("v 0 0 0\nv 1 0 0\nv 1 nan 0\nf 1 2 9\nf 1 0 2\n");
     CHECK(told.find("m.obj:3: error: a corner is") != std::string::npos);
     CHECK(told.find("m.obj:4: error: there is no corner 9") != std::string::npos);
     CHECK(told.find("m.obj:5: error: there is no corner 0") != std::string::npos);
-    CHECK(told.find("m.obj:6: error: 'f' joins") != std::string::npos);
     CHECK(obj_refusal("v 0 0 0\n").find("no edges") != std::string::npos);
     std::string huge = "v 0 0 0\n";
     for (int i = 2; i < 100010; ++i)
         huge += "v " + std::to_string(i) + " 0 0\nl -1 -2\n";
     CHECK(obj_refusal(huge).find("more than 100000 edges") != std::string::npos);
+}
+
+namespace {
+std::size_t edges_of(const std::vector<ScenePath>& paths) {
+    std::size_t edges = 0;
+    for (const ScenePath& path : paths)
+        edges += path.points.size() - 1;
+    return edges;
+}
+
+// Of the scene of that name under tests/inputs/obj.
+std::size_t edges_in(const std::string& name) {
+    const auto scene =
+        load_scene(std::filesystem::path(AFTERGLOW_SOURCE_DIR) / "tests/inputs/obj" / name);
+    REQUIRE_MESSAGE(scene.has_value(), to_string(scene.error()));
+    REQUIRE(scene->items.size() == 1);
+    return edges_of(scene->items[0].paths);
+}
+}  // namespace
+
+TEST_CASE("an OBJ's lines go on behind a backslash, and end with CR, LF or both") {
+    CHECK(edges_in("scene_cont.json") == 4);
+    CHECK(edges_in("scene_cr_only.json") == 3);
+    const auto dos = parse_obj("v 0 0 0\r\nv 1 0 0\r\nv 1 1 0\r\nf 1 \\\r\n 2 3\r\n", "m.obj");
+    REQUIRE(dos.has_value());
+    CHECK(edges_of(*dos) == 3);
+    CHECK(obj_refusal("v 0 0 0\nv 1 0 0\nl 1 \\\n\\\n7\n")
+              .find("m.obj:5: error: there is no "
+                    "corner 7") != std::string::npos);
+}
+
+TEST_CASE("an OBJ's faces without an area are passed over") {
+    CHECK(edges_in("scene_degenerate.json") == 3);
+}
+
+TEST_CASE("an OBJ alone is a scene of its wireframe, as long as three quarters of the screen") {
+    CHECK(edges_in("cont.obj") == 4);
+    const auto scene =
+        load_scene(std::filesystem::path(AFTERGLOW_SOURCE_DIR) / "tests/inputs/obj/cont.obj");
+    for (const ScenePoint& point : scene->items[0].paths[0].points)
+        CHECK(std::abs(std::abs(point.x) - 0.75) < 1e-9);
 }

@@ -1,3 +1,4 @@
+#include "formats/painted_svg.h"
 #include "formats/svg_file.h"
 #include "signals/stroke_line.h"
 
@@ -37,7 +38,7 @@ TEST_CASE("a drawing that was saved as an SVG comes back as it was") {
 }
 
 TEST_CASE("what another program shows of a saved drawing is what the beam draws") {
-    const auto shown = parse_svg(svg_text(two_keyframes()), "d.svg");
+    const auto shown = painted_outlines(svg_text(two_keyframes()), "d.svg");
     REQUIRE(shown.has_value());
     REQUIRE(shown->size() == 2);  // the first keyframe
     CHECK(shown->front().points.size() == 3);
@@ -77,14 +78,14 @@ TEST_CASE("an SVG that holds nothing to draw, too much or a mistake is told") {
     CHECK(drawing_refusal("<svg data-afterglow-drawing='1'><g data-keyframe='1'></g></svg>")
               .find("d.svg:1: error: has no paths") != std::string::npos);
     CHECK(drawing_refusal("<svg></svg>").find("has no paths") != std::string::npos);
-    CHECK(drawing_refusal("\x89PNG\r\n\x1a\n").find("no tags") != std::string::npos);
-    CHECK(drawing_refusal("<svg>\n<path d='M0 0 L1'/></svg>").find("d.svg:2: error: ") !=
-          std::string::npos);
+    CHECK(drawing_refusal("\x89PNG\r\n\x1a\n").find("is not") != std::string::npos);
+    CHECK(drawing_refusal("<svg data-afterglow-drawing='1'>\n<path d='M0 0 L1'/></svg>")
+              .find("d.svg:2: error: ") != std::string::npos);
     std::string many = "<svg data-afterglow-drawing='1'>\n";
     for (std::size_t i = 0; i <= most_keyframes; ++i)
         many += "<g data-keyframe='1'><path d='M0 0L1 1'/></g>";
     CHECK(drawing_refusal(many + "</svg>").find("more than 100 keyframes") != std::string::npos);
-    std::string huge = "<svg><path d='M0 0";
+    std::string huge = "<svg data-afterglow-drawing='1'><path d='M0 0";
     for (std::size_t i = 0; i <= most_scene_points; ++i)
         huge += i % 2 == 0 ? "H1" : "H0";
     CHECK(drawing_refusal(huge + "'/></svg>").find("too many points") != std::string::npos);

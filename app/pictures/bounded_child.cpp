@@ -1,0 +1,120 @@
+#include "pictures/bounded_child.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstring>
+#include <fcntl.h>
+#include <fstream>
+#include <poll.h>
+#include <string_view>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace {
+using Clock = std::chrono::steady_clock;
+
+// Of /proc/self/statm, in pages: the sixth number is data and stack.
+std::size_t data_bytes() {
+    std::ifstream statm("/proc/self/statm");
+    std::size_t pages = 0;
+    for (int i = 0; i < 6; ++i)
+        statm >> pages;
+    return pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+}
+
+void limit(int resource, std::size_t most) {
+    const rlimit bound{most, most};
+    ::setrlimit(static_cast<__rlimit_resource>(resource), &bound);
+}
+
+void write_all(int descriptor, std::string_view text) {
+    while (!text.empty()) {
+        const ssize_t written = ::write(descriptor, text.data(), text.size());
+        if (written < 0 && errno != EINTR)
+            return;
+        text.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
+    }
+}
+
+// Leaves without the program's own end: its objects belong to the parent.
+[[noreturn]] void work_in_child(const std::function<std::string()>& work, const ChildBounds& bounds,
+                                int output) {
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGABRT, SIGSEGV, SIGBUS, SIGXCPU})
+        ::signal(signal, SIG_DFL);
+    if (const int nothing = ::open("/dev/null", O_WRONLY); nothing >= 0)
+        ::dup2(nothing, STDERR_FILENO);  // what libraries have to say there
+    limit(RLIMIT_CORE, 0);
+    limit(RLIMIT_DATA, data_bytes() + bounds.memory_bytes);
+    limit(RLIMIT_CPU, static_cast<std::size_t>(std::ceil(bounds.seconds)) + 1);
+    try {
+        write_all(output, work());
+    } catch (...) {
+        ::_exit(1);
+    }
+    ::_exit(0);
+}
+
+// Reads to the end of the output; "" or which bound was met.
+std::string read_bounded(int input, const ChildBounds& bounds, std::string& text) {
+    const auto end = Clock::now() + std::chrono::duration<double>(bounds.seconds);
+    std::array<char, 65536> block{};
+    while (true) {
+        const auto left =
+            std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
+        pollfd waited{input, POLLIN, 0};
+        const int ready = left > 0 ? ::poll(&waited, 1, static_cast<int>(left)) : 0;
+        if (ready < 0 && errno == EINTR)
+            continue;
+        if (ready <= 0)
+            return fmt::format("it takes more than {:g} s", bounds.seconds);
+        const ssize_t count = ::read(input, block.data(), block.size());
+        if (count < 0 && errno == EINTR)
+            continue;
+        if (count <= 0)
+            return {};
+        text.append(block.data(), static_cast<std::size_t>(count));
+        if (text.size() > bounds.output_bytes)
+            return fmt::format("it gives more than {} MB of paths", bounds.output_bytes >> 20);
+    }
+}
+
+std::string how_it_ended(int status, const ChildBounds& bounds) {
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 0)
+        return {};
+    return fmt::format("it needs more than {} MB of memory, or breaks the library that draws it",
+                       bounds.memory_bytes >> 20);
+}
+}  // namespace
+
+ChildOutput run_bounded(const std::function<std::string()>& work, const ChildBounds& bounds) {
+    ChildOutput made;
+    std::array<int, 2> ends{};
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0)
+        return {{}, std::strerror(errno)};
+    const pid_t child = ::fork();
+    if (child == 0)
+        work_in_child(work, bounds, ends[1]);
+    ::close(ends[1]);
+    if (child > 0) {
+        made.problem = read_bounded(ends[0], bounds, made.text);
+        if (!made.problem.empty())
+            ::kill(child, SIGKILL);
+        int status = 0;
+        while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+        }
+        if (made.problem.empty())
+            made.problem = how_it_ended(status, bounds);
+    } else {
+        made.problem = std::strerror(errno);
+    }
+    ::close(ends[0]);
+    return made;
+}

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "base/diagnostic.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+/// As PictureCodec::svg_paths.
+Result<std::string> svg_paths(std::string_view bytes, const std::filesystem::path& file);
