@@ -1,5 +1,6 @@
 #include "formats/slang/chain.h"
 
+#include "formats/slang/near_file.h"
 #include "formats/slang/wildcards.h"
 #include "formats/slang/words.h"
 
@@ -61,9 +62,17 @@ private:
             return refuse(std::move(fault));
         const fs::path file = find_slang_file(reference.value, at.file, m_opened, m_files);
         const auto text = m_files.read(file);
-        if (!text)
-            return refuse(fmt::format("'{}' cannot be read: {} ({})", reference.value,
-                                      text.error().front().message, file.string()));
+        if (!text) {
+            std::string message =
+                fmt::format("'{}' cannot be read: {} ({}){}", reference.value,
+                            text.error().front().message, file.string(), near_file(file, at.file));
+            if (are_passes_wanted)
+                return refuse(std::move(message));
+            // RetroArch goes on without a file of values.
+            m_warnings.push_back(
+                {at.file, at.line, message + "; its values are left out", Severity::warning});
+            return std::vector<SlangSettings>();
+        }
         if (std::string fault = m_files.count_settings(**text); !fault.empty())
             return refuse(std::move(fault));
         if (const auto open = std::ranges::find(m_open, real_path(file)); open != m_open.end()) {

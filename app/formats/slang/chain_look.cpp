@@ -2,6 +2,7 @@
 
 #include "formats/slang/controls.h"
 #include "formats/slang/names.h"
+#include "formats/slang/near_file.h"
 #include "formats/slang/sampling.h"
 #include "glsl/check.h"
 #include "glsl/include.h"
@@ -275,9 +276,10 @@ std::optional<Input> ChainLook::input_of(const SlangPicture& picture, std::size_
 void ChainLook::check_image(const Pass& pass, const NamedSampler& sampler, int texture) {
     const SlangTexture& read = m_chain.preset.textures[static_cast<std::size_t>(texture)];
     if (is_missing(read))
-        problem(pass, Severity::warning,
-                fmt::format("reads '{}', whose picture '{}' is missing: it is black", sampler.name,
-                            read.file.string()));
+        problem(
+            pass, Severity::warning,
+            fmt::format("reads '{}', whose picture '{}' is missing: it is black{}", sampler.name,
+                        read.file.string(), near_file(read.file, read.declared.file)));
 }
 
 void ChainLook::read_samplers(Pass& pass, std::size_t index) {

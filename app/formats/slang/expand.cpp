@@ -1,5 +1,6 @@
 #include "formats/slang/expand.h"
 
+#include "formats/slang/near_file.h"
 #include "formats/slang/words.h"
 
 #include <fmt/format.h>
@@ -115,8 +116,8 @@ private:
             return;
         }
         error(text, directive.line,
-              fmt::format("'{}' cannot be included: {} ({})", directive.argument, reason.message,
-                          reason.file.string()));
+              fmt::format("'{}' cannot be included: {} ({}){}", directive.argument, reason.message,
+                          reason.file.string(), near_file(reason.file, text.file)));
     }
 
     // "a.inc -> b.inc -> a.inc", or nothing.

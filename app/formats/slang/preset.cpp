@@ -232,9 +232,11 @@ private:
         for (const SlangSetting& setting : settings.settings) {
             if (is_key_of_preset(setting.key) || is_of_texture(setting.key, names))
                 continue;
-            if (const auto number = leading_number(setting.value))
+            if (const auto number = leading_number(setting.value)) {
                 m_preset.values[setting.key] = {*number, setting.declared};
-            else if (setting.value.find_first_of("/\\") == std::string::npos)
+                if (const std::string note = decimal_comma_note(setting.value); !note.empty())
+                    warn(setting.declared, fmt::format("'{}': {}", setting.key, note));
+            } else if (setting.value.find_first_of("/\\") == std::string::npos)
                 warn(setting.declared, fmt::format("'{}' is not set: '{}' is not a number",
                                                    setting.key, setting.value));
         }

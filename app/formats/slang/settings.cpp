@@ -198,5 +198,8 @@ double read_slang_number(const SlangSetting& setting, Diagnostics& warnings) {
                 {setting.declared.file, setting.declared.line,
                  fmt::format("'{}' is a number, not '{}'; read as 0", setting.key, setting.value),
                  Severity::warning});
+    if (const std::string note = decimal_comma_note(setting.value); number && !note.empty())
+        add_new(warnings, {setting.declared.file, setting.declared.line,
+                           fmt::format("'{}': {}", setting.key, note), Severity::warning});
     return number.value_or(0.0);
 }

@@ -3,6 +3,7 @@
 #include "base/pass_progress.h"
 #include "base/text.h"
 #include "formats/slang/chain_look.h"
+#include "formats/slang/near_file.h"
 #include "glsl/check_cache.h"
 #include "glsl/turned_constants.h"
 
@@ -48,14 +49,21 @@ private:
         const std::string name = pass.alias.empty() ? pass.shader.stem().string() : pass.alias;
         for (Diagnostic problem : why) {
             if (problem.file == pass.shader && problem.line == 0) {
-                problem.message =
-                    fmt::format("'{}': {}", pass.shader.filename().string(), problem.message);
+                problem.message = told_of_file(pass, problem.message);
                 problem.file = pass.declared.file;
                 problem.line = pass.declared.line;
             }
             problem.message = fmt::format("pass '{}': {}", name, problem.message);
             add_new(problems, std::move(problem));
         }
+    }
+
+    static std::string told_of_file(const SlangPass& pass, const std::string& message) {
+        std::error_code error;
+        if (fs::exists(pass.shader, error))
+            return fmt::format("'{}': {}", pass.shader.filename().string(), message);
+        return fmt::format("'{}': {}; looked for '{}'{}", pass.shader.filename().string(), message,
+                           pass.shader.string(), near_file(pass.shader, pass.declared.file));
     }
 
     std::optional<Read> read_anew(const SlangPass& pass) {

@@ -48,6 +48,23 @@ std::optional<double> leading_number(std::string_view text) {
     return number;
 }
 
+std::string decimal_comma_note(std::string_view text) {
+    text = trim(text);
+    const auto is_digit = [&](std::size_t at) {
+        return at < text.size() && text[at] >= '0' && text[at] <= '9';
+    };
+    std::size_t comma = text.starts_with('-') || text.starts_with('+') ? 1 : 0;
+    while (is_digit(comma))
+        ++comma;
+    if (comma == 0 || comma >= text.size() || text[comma] != ',' || !is_digit(comma - 1) ||
+        !is_digit(comma + 1))
+        return {};
+    std::string with_point(text);
+    with_point[comma] = '.';
+    return fmt::format("'{}' is read as {}, up to its comma; write '{}'", text,
+                       text.substr(0, comma), with_point);
+}
+
 std::string fault_of_slang_path(std::string_view written) {
     constexpr std::size_t longest_path = 4096;  // of Linux
     return written.size() > longest_path ? fmt::format("a path has at most {} bytes", longest_path)

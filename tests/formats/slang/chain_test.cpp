@@ -91,6 +91,27 @@ TEST_CASE("a missing reference is told where it is referred to, and looked out f
     CHECK(folder.has_seen("deep/gone.slangp"));
 }
 
+TEST_CASE("a missing file of values is a warning, wherever it is referred to") {
+    SlangFolder folder;
+    folder.write("base.slangp", owner_text);
+    folder.write("a.params", "a = 2\n");
+    folder.write("second.params", "#reference \"a.params\"\n#reference \"gone.params\"\n");
+    folder.write("first.params", "#reference \"gone.params\"\nb = 3\n");
+    const auto preset = folder.preset_of(
+        "#reference \"base.slangp\"\n#reference \"second.params\"\n#reference "
+        "\"first.params\"\n#reference \"Gone.params\"\n");
+    REQUIRE(preset.has_value());
+    CHECK(preset->values.at("a").number == 2.0);
+    CHECK(preset->values.at("b").number == 3.0);
+    CHECK(folder.told(preset->warnings) ==
+          "second.params:2: warning: 'gone.params' cannot be read: there is no such file "
+          "(gone.params); its values are left out\n"
+          "first.params:1: warning: 'gone.params' cannot be read: there is no such file "
+          "(gone.params); its values are left out\n"
+          "a.slangp:4: warning: 'Gone.params' cannot be read: there is no such file "
+          "(Gone.params); its values are left out");
+}
+
 TEST_CASE("references in a circle are told, also by way of a link") {
     SlangFolder folder;
     folder.write("b.slangp", "x = 1\n#reference \"a.slangp\"\n");
