@@ -69,8 +69,20 @@ Result<OpenRequest> request_of_preset(Preset preset, fs::path file, const Librar
     return OpenRequest{first, std::move(preset), std::move(file), std::move(stack)};
 }
 
+// What a browser saves where a site shows a file.
+bool is_web_page(const fs::path& file) {
+    constexpr std::size_t enough = 512;
+    const auto start = read_start(file, enough);
+    const std::string text = start ? to_lower(trim(*start)) : std::string();
+    return text.starts_with("<!doctype html") || text.starts_with("<html");
+}
+
 Result<OpenRequest> request_of_file(const fs::path& file, const Library& library) {
     const std::string extension = to_lower(file.extension().string());
+    if (extension != ".json" && is_web_page(file))
+        return fail(
+            {file, 1,
+             "is a web page, not a shader: save the file itself, which sites call \"raw\""});
     const bool is_foreign = is_foreign_look(file);
     if (extension == ".png" || (extension == ".json" && !is_foreign && !is_look_manifest(file))) {
         auto preset = load_preset(file);

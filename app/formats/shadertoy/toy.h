@@ -34,6 +34,7 @@ struct ToyInput {
     std::string asset;  // path of what is read, as it is written
     Sampler sampler;
     bool is_flipped = true;  // its bottom row is read at v = 0
+    bool is_file = false;    // `asset` leads on from the shader's own folder
     Location declared;
 };
 

@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 #include "formats/modern_glsl.h"
+#include "formats/shadertoy/toy_directives.h"
 #include "glsl/include.h"
 #include "glsl/tokens.h"
 
@@ -84,8 +85,9 @@ bool defines(const std::vector<Token>& tokens, std::string_view function) {
 /// Reads the passes of one shader.
 class ToyFolder {
 public:
-    ToyFolder(const fs::path& file, const IncludeFolders& includes, std::vector<fs::path>& files)
-        : m_roots{file.parent_path(), includes}, m_files(files) {}
+    ToyFolder(const fs::path& file, const IncludeFolders& includes, std::vector<fs::path>& files,
+              Diagnostics& warnings)
+        : m_roots{file.parent_path(), includes}, m_files(files), m_warnings(warnings) {}
 
     Result<Toy> load(const fs::path& file) {
         const auto named = pass_named(file);
@@ -97,6 +99,7 @@ public:
                 add(other, *pass_named(other));
         else
             add(file, {});
+        add_named_buffers();
         m_toy.name = named && !named->shader.empty() ? named->shader
                      : named                         ? folder_name(file)
                                                      : file.stem().string();
@@ -139,11 +142,60 @@ private:
         pass.name = toy_pass_name(named.kind, named.place);
         pass.code = std::move(*code);
         pass.is_wired = false;
+        const fs::path own = file.lexically_normal();
+        read_toy_directives(
+            pass, [&](const fs::path& named_file) { return place_of(named_file, own, pass); },
+            m_warnings);
         m_toy.passes.push_back(std::move(pass));
+    }
+
+    // A pass that reads itself is a buffer; so is another file that one reads.
+    int place_of(const fs::path& file, const fs::path& own, const ToyPass& pass) {
+        const fs::path named = file.lexically_normal();
+        if (named == own && pass.kind != Kind::image)
+            return pass.place;
+        if (std::ranges::find(m_buffers, named) == m_buffers.end())
+            m_buffers.push_back(named);
+        const auto at = std::ranges::find(m_buffers, named) - m_buffers.begin();
+        return at < toy_cube_place ? static_cast<int>(at) : -1;
+    }
+
+    // Files that directives named, and what these name in their turn.
+    void add_named_buffers() {
+        for (std::size_t i = 0; i < m_buffers.size() && i < toy_cube_place; ++i) {
+            const fs::path file = m_buffers[i];
+            const auto image = std::ranges::find(m_toy.passes, Kind::image, &ToyPass::kind);
+            if (image != m_toy.passes.end() && image->code.file.lexically_normal() == file)
+                show_as_buffer(*image, static_cast<int>(i));
+            else
+                add(file, {Kind::buffer, static_cast<int>(i), {}});
+        }
+    }
+
+    // The picture of a pass that reads itself is that buffer as it is.
+    void show_as_buffer(ToyPass& image, int place) {
+        image.kind = Kind::buffer;
+        image.place = place;
+        image.name = toy_pass_name(Kind::buffer, place);
+        ToyPass shown;
+        shown.name = toy_pass_name(Kind::image, 0);
+        shown.code = builtin_stage(
+            "void mainImage(out vec4 color, in vec2 at) {\n"
+            "    color = texelFetch(iChannel0, ivec2(at), 0);\n"
+            "}\n");
+        shown.code.file = image.code.file;
+        ToyInput input;
+        input.kind = ToyKind::buffer;
+        input.buffer = place;
+        input.declared = {image.code.file, 1};
+        shown.inputs.push_back(std::move(input));
+        m_toy.passes.push_back(std::move(shown));
     }
 
     IncludeRoots m_roots;
     std::vector<fs::path>& m_files;
+    Diagnostics& m_warnings;
+    std::vector<fs::path> m_buffers;  // that directives name, by their places
     Diagnostics m_problems;
     Toy m_toy;
 };
@@ -177,6 +229,6 @@ bool is_shown_by_another(const fs::path& file) {
 }
 
 Result<Toy> load_toy_files(const fs::path& file, const IncludeFolders& includes,
-                           std::vector<fs::path>& files) {
-    return ToyFolder(file, includes, files).load(file);
+                           std::vector<fs::path>& files, Diagnostics& warnings) {
+    return ToyFolder(file, includes, files, warnings).load(file);
 }

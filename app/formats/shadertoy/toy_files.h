@@ -16,6 +16,7 @@ std::optional<std::filesystem::path> find_toy_image(const std::filesystem::path&
 bool is_shown_by_another(const std::filesystem::path& file);
 
 /// Reads `file` with the other passes beside it whose names begin as its own does. Includes are
-/// found as in a look of our own. `files` gets all that was read or looked for.
+/// found as in a look of our own. `files` gets all that was read or looked for, `warnings` what
+/// toy_directives.h cannot have.
 Result<Toy> load_toy_files(const std::filesystem::path& file, const IncludeFolders& includes,
-                           std::vector<std::filesystem::path>& files);
+                           std::vector<std::filesystem::path>& files, Diagnostics& warnings);

@@ -19,7 +19,7 @@ bool is_json(const fs::path& file) {
 
 Result<Toy> read_toy(const fs::path& file, const IncludeFolders& includes, LoadedLook& loaded) {
     if (!is_json(file))
-        return load_toy_files(file, includes, loaded.files);
+        return load_toy_files(file, includes, loaded.files, loaded.warnings);
     const auto text = read_text(file);
     if (!text)
         return fail(text.error());

@@ -91,6 +91,10 @@ public:
             return fail(
                 {m_file, refusal->line,
                  fmt::format("Shadertoy answered with no shader but '{}'", text_of(refusal))});
+        if (const std::string names = names_of_several(document); !names.empty())
+            return fail(
+                {m_file, document.line,
+                 "holds several shaders; save the one to open as a file of its own: " + names});
         const JsonValue* shader = shader_of(document);
         const JsonValue* passes = shader ? find_member(*shader, "renderpass") : nullptr;
         if (!passes || !passes->is(JsonValue::Kind::array))
@@ -110,8 +114,31 @@ public:
     }
 
 private:
+    // A list, or what the site downloads as all shaders of a person.
+    static const JsonValue& list_in(const JsonValue& document) {
+        const JsonValue* shaders = find_member(document, "shaders");
+        return shaders && shaders->is(JsonValue::Kind::array) ? *shaders : document;
+    }
+
+    static std::string names_of_several(const JsonValue& document) {
+        const JsonValue& list = list_in(document);
+        if (!list.is(JsonValue::Kind::array) || list.children.size() < 2)
+            return {};
+        constexpr std::size_t most_names = 20;
+        std::string names;
+        for (std::size_t i = 0; i < list.children.size() && i < most_names; ++i) {
+            const JsonValue* shader = shader_of(list.children[i]);
+            const JsonValue* info = shader ? find_member(*shader, "info") : nullptr;
+            const std::string name = info ? text_of(find_member(*info, "name")) : std::string();
+            names += fmt::format("{}'{}'", names.empty() ? "" : ", ", name);
+        }
+        if (list.children.size() > most_names)
+            names += fmt::format(" and {} more", list.children.size() - most_names);
+        return names;
+    }
+
     static const JsonValue* shader_of(const JsonValue& document) {
-        const JsonValue* shader = &document;
+        const JsonValue* shader = &list_in(document);
         if (shader->is(JsonValue::Kind::array))
             shader = shader->children.size() == 1 ? &shader->children.front() : nullptr;
         if (!shader || !shader->is(JsonValue::Kind::object))
@@ -257,10 +284,14 @@ bool is_toy_json(std::string_view text) {
     const auto has = [&](const char* key) {
         return text.find(fmt::format("\"{}\"", key)) != std::string_view::npos;
     };
-    return has("renderpass") || (has(error_key) && !has("format"));
+    return trim(text).starts_with('<') || has("renderpass") || (has(error_key) && !has("format"));
 }
 
 Result<Toy> parse_toy_json(std::string_view text, const fs::path& file, Diagnostics& warnings) {
+    if (trim(text).starts_with('<'))
+        return fail({file, 1,
+                     "is a web page, not Shadertoy's JSON: the site gave it in the place of the "
+                     "shader. Download the shader again in a browser"});
     const auto document = parse_json(text, file);
     if (!document)
         return fail(document.error());

@@ -124,9 +124,14 @@ std::string ToyLook::add_picture(const ToyInput& wired) {
     parameter.group = group_of_pictures;
     parameter.control = Control::image;
     parameter.declared = wired.declared;
-    const fs::path beside = m_folder / fs::path(wired.asset).filename();
+    const fs::path asset_file(wired.asset);
+    const fs::path beside =
+        (m_folder / (wired.is_file ? asset_file : asset_file.filename())).lexically_normal();
     std::error_code error;
     const bool is_there = !wired.asset.empty() && fs::is_regular_file(beside, error);
+    if (wired.is_file && !is_there)
+        warn(wired.declared,
+             fmt::format("the picture '{}' is missing: another stands in for it", wired.asset));
     parameter.initial = Value::of_path(is_there ? beside.string() : asset.made);
     if (!is_turned) {
         Image rows;
@@ -213,13 +218,10 @@ ToyChannel ToyLook::feed(const ToyPass& toy_pass, const GlslWords& words, int ch
         return fed;
     if (wired == toy_pass.inputs.end()) {
         const bool is_buffer = find_drawn(channel).has_value();
-        guessed = {channel,
-                   is_buffer ? ToyKind::buffer : ToyKind::texture,
-                   channel,
-                   {},
-                   {},
-                   true,
-                   {toy_pass.code.file, 1}};
+        guessed = {channel, is_buffer ? ToyKind::buffer : ToyKind::texture,
+                   channel, {},
+                   {},      true,
+                   false,   {toy_pass.code.file, 1}};
         guessed.sampler.wrap = is_buffer ? Wrap::edge : Wrap::repeat;
         guessed.sampler.mipmap = !is_buffer;
     }
