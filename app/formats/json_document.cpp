@@ -119,7 +119,9 @@ public:
         while (at > 0 && is_blank(m_text[at - 1]))
             --at;
         m_next.line = line_at(at);
-        return stop(m_consumed == 0 || trim(m_text).empty() ? "is empty" : reason_of(error.what()));
+        if (m_consumed == 0 || trim(m_text).empty())
+            return stop("is empty");
+        return stop(reason_of(error.what()) + column_note(m_text, at > 0 ? at - 1 : 0));
     }
 
 private:
@@ -253,6 +255,13 @@ Result<JsonValue> parse_json(std::string_view text, const std::filesystem::path&
     const CountingIterator last(text.data() + text.size(), builder.consumed());
     nlohmann::json::sax_parse(first, last, &builder);
     return builder.finished();
+}
+
+std::string column_note(std::string_view text, std::size_t at) {
+    if (trim(text).find('\n') != std::string_view::npos || at >= text.size())
+        return {};
+    const std::size_t line = text.substr(0, at).rfind('\n') + 1;
+    return fmt::format(" (column {})", at - line + 1);
 }
 
 const JsonValue* find_member(const JsonValue& object, std::string_view key) {

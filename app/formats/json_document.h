@@ -35,6 +35,10 @@ enum class DoubleKeys { refused, last_counts };
 Result<JsonValue> parse_json(std::string_view text, const std::filesystem::path& file,
                              DoubleKeys double_keys = DoubleKeys::refused);
 
+/// " (column 12)" of a place in a text whose values stand in one line, which a line alone does not
+/// tell; else "".
+std::string column_note(std::string_view text, std::size_t at);
+
 /// The member of an object, or null.
 const JsonValue* find_member(const JsonValue& object, std::string_view key);
 

@@ -106,6 +106,8 @@ struct Image {
     // Instead of `file` a picture of the program's own, "pattern:noise" or "solid:sky". Where both
     // are empty a parameter of the same name chooses the picture.
     std::string made = {};
+    // Of a cube that six files make, in GL's order of faces; `file` is the first one.
+    std::vector<std::filesystem::path> faces = {};
 
     bool operator==(const Image&) const = default;
 };

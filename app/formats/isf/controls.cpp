@@ -44,22 +44,31 @@ void set_number(const IsfInput& input, Parameter& made) {
     made.initial = Value(std::clamp(initial, made.range.low, made.range.high));
 }
 
+// Labels without values are those of 0, 1, 2 and so on.
+std::vector<double> list_values(const IsfInput& input) {
+    std::vector<double> values = input.values;
+    if (values.empty())
+        for (std::size_t i = 0; i < input.labels.size(); ++i)
+            values.push_back(static_cast<double>(i));
+    return values;
+}
+
 void set_integer(const IsfInput& input, Parameter& made) {
     made.type.scalar = Scalar::integer;
     set_number(input, made);
     made.range.step = 1.0;
     made.initial = Value(std::trunc(made.initial.number()));
-    if (input.values.empty())
+    const std::vector<double> values = list_values(input);
+    if (values.empty())
         return;
     made.control = Control::list;
-    for (std::size_t i = 0; i < input.values.size(); ++i)
-        made.items.push_back({input.values[i], i < input.labels.size()
-                                                   ? input.labels[i]
-                                                   : format_number(input.values[i])});
-    const double initial = number_at(input.initial, 0, input.values.front());
-    const bool is_there = std::ranges::find(input.values, initial) != input.values.end();
-    made.initial = Value(is_there ? initial : input.values.front());
-    made.range = {std::ranges::min(input.values), std::ranges::max(input.values), 1.0};
+    for (std::size_t i = 0; i < values.size(); ++i)
+        made.items.push_back(
+            {values[i], i < input.labels.size() ? input.labels[i] : format_number(values[i])});
+    const double initial = number_at(input.initial, 0, values.front());
+    const bool is_there = std::ranges::find(values, initial) != values.end();
+    made.initial = Value(is_there ? initial : values.front());
+    made.range = {std::ranges::min(values), std::ranges::max(values), 1.0};
 }
 
 void set_switch(const IsfInput& input, Parameter& made) {

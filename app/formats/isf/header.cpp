@@ -26,30 +26,53 @@ struct HeaderComment {
     std::size_t end = 0;
 };
 
-// What may stand before the header takes a whole line.
-bool is_line_before(std::string_view text) {
-    if (text.starts_with("//"))
-        return true;
-    if (!text.starts_with('#'))
-        return false;
-    const std::string_view name = trim(text.substr(1));
-    return name.starts_with("version") || name.starts_with("extension");
+std::optional<HeaderComment> find_comment(std::string_view text) {
+    for (const Token& token : scan(text).all) {
+        const bool is_block = token.kind == Token::Kind::comment && token.text.starts_with("/*");
+        if (!is_block)
+            continue;
+        if (token.text.size() < 4 || !token.text.ends_with("*/"))
+            return std::nullopt;
+        const auto begin = static_cast<std::size_t>(token.text.data() - text.data());
+        return HeaderComment{begin + 2, begin + token.text.size() - 2};
+    }
+    return std::nullopt;
 }
 
-std::optional<HeaderComment> find_comment(std::string_view text) {
-    std::size_t at = 0;
-    while (at < text.size()) {
-        at = text.find_first_not_of(" \t\r\n\f\v", at);
-        if (at == std::string_view::npos)
-            return std::nullopt;
-        if (text.substr(at).starts_with("/*"))
-            break;
-        if (!is_line_before(text.substr(at, text.find('\n', at) - at)))
-            return std::nullopt;
-        at = std::min(text.find('\n', at), text.size());
+// Whether nothing but comments, #version and #extension stands there, which the program writes.
+bool says_nothing(std::string_view text) {
+    const Tokens tokens = scan(text);
+    std::string code(text);
+    for (const Directive& directive : find_directives(text, tokens))
+        if (directive.name == "version" || directive.name == "extension")
+            blank_out(code, directive.begin, directive.end);
+    for (const Token& token : scan(code).all)
+        if (token.kind != Token::Kind::comment)
+            return false;
+    return true;
+}
+
+// Other readers take "[1, 2, ]", too.
+void blank_commas_before_brackets(std::string& json) {
+    bool is_text = false;
+    std::size_t comma = std::string::npos;  // behind which only blanks have come
+    for (std::size_t i = 0; i < json.size(); ++i) {
+        const char letter = json[i];
+        if (is_text) {
+            if (letter == '\\')
+                ++i;
+            else if (letter == '"')
+                is_text = false;
+            continue;
+        }
+        if ((letter == ']' || letter == '}') && comma != std::string::npos)
+            json[comma] = ' ';
+        if (letter == ',')
+            comma = i;
+        else if (std::string_view(" \t\r\n").find(letter) == std::string_view::npos)
+            comma = std::string::npos;
+        is_text = letter == '"';
     }
-    const std::size_t end = at < text.size() ? text.find("*/", at + 2) : std::string_view::npos;
-    return end == std::string_view::npos ? std::nullopt : std::optional(HeaderComment{at + 2, end});
 }
 
 // The comment alone, at its place, so that lines are those of the file.
@@ -58,6 +81,7 @@ std::string json_of(std::string_view text, const HeaderComment& comment) {
     blank_out(json, 0, comment.begin);
     std::ranges::replace(json.begin(), json.begin() + static_cast<std::ptrdiff_t>(comment.begin),
                          '\\', ' ');
+    blank_commas_before_brackets(json);
     return json;
 }
 
@@ -88,9 +112,29 @@ bool is_truthy(const JsonValue* value) {
     return value && written_number(*value).value_or(0.0) != 0.0;
 }
 
+// "#ff8000", "#ff8000cc" and "#f80": the components of a colour, 0 to 1.
+std::vector<double> color_numbers(std::string_view text) {
+    text = trim(text);
+    if (!text.starts_with('#') || text.find_first_not_of("0123456789abcdefABCDEF", 1) != text.npos)
+        return {};
+    const std::string_view digits = text.substr(1);
+    const bool is_short = digits.size() == 3 || digits.size() == 4;
+    if (!is_short && digits.size() != 6 && digits.size() != 8)
+        return {};
+    std::vector<double> numbers;
+    for (std::size_t i = 0; i < digits.size(); i += is_short ? 1 : 2) {
+        const std::string pair =
+            is_short ? std::string(2, digits[i]) : std::string(digits.substr(i, 2));
+        numbers.push_back(static_cast<double>(std::stoi(pair, nullptr, 16)) / 255.0);
+    }
+    return numbers;
+}
+
 std::vector<double> numbers_of(const JsonValue* value) {
     if (!value)
         return {};
+    if (value->is(JsonKind::text) && value->text.find('#') != std::string::npos)
+        return color_numbers(value->text);
     if (const auto number = written_number(*value))
         return {*number};
     std::vector<double> numbers;
@@ -112,7 +156,8 @@ const std::map<std::string_view, IsfInput::Type>& input_types() {
 
 class HeaderReader {
 public:
-    explicit HeaderReader(const std::filesystem::path& file) : m_file(file) {}
+    HeaderReader(const std::filesystem::path& file, std::string_view json)
+        : m_file(file), m_json(json) {}
 
     Result<IsfHeader> read(const JsonValue& json) {
         m_header.about = text_of(find_member(json, "DESCRIPTION"));
@@ -132,8 +177,8 @@ public:
     }
 
 private:
-    void problem(const JsonValue& at, std::string message) {
-        add_new(m_problems, {m_file, at.line, std::move(message)});
+    void problem(const JsonValue& at, const std::string& message) {
+        add_new(m_problems, {m_file, at.line, message + column_note(m_json, at.begin)});
     }
 
     // All of them where there are no more than may be; else none, which is told.
@@ -259,9 +304,24 @@ private:
     }
 
     void read_import(const std::string& name, const JsonValue& json) {
-        if (accept_name(name, json))
-            m_header.imports.push_back(
-                {name, text_of(find_member(json, "PATH")), {m_file, json.line}});
+        if (!accept_name(name, json))
+            return;
+        const JsonValue* path = find_member(json, "PATH");
+        IsfImport import{name, text_of(path), {m_file, json.line}};
+        import.is_cube = to_lower(text_of(find_member(json, "TYPE"))) == "cube";
+        if (path && path->is(JsonKind::array)) {
+            for (const JsonValue& face : path->children)
+                import.faces.push_back(text_of(&face));
+            import.is_cube = import.is_cube || import.faces.size() == 6;
+            if (import.faces.size() != (import.is_cube ? 6 : 1))
+                return problem(*path,
+                               fmt::format("\"PATH\" of '{}' names {} pictures: a cube has 6", name,
+                                           import.faces.size()));
+            import.path = import.faces.front();
+        }
+        if (!import.is_cube)
+            import.faces.clear();
+        m_header.imports.push_back(std::move(import));
     }
 
     void read_imports(const JsonValue& json) {
@@ -315,6 +375,7 @@ private:
     }
 
     const std::filesystem::path& m_file;
+    std::string_view m_json;
     IsfHeader m_header;
     std::set<std::string> m_names;
     Diagnostics m_problems;
@@ -351,11 +412,12 @@ Result<IsfHeader> read_isf_header(std::string_view text, const std::filesystem::
         return fail({file, 1,
                      "does not begin with the comment that makes it an ISF shader: /*{ ... }*/ "
                      "with its inputs"});
-    const auto json = parse_json(json_of(text, *comment), file, DoubleKeys::last_counts);
+    const std::string json_text = json_of(text, *comment);
+    const auto json = parse_json(json_text, file, DoubleKeys::last_counts);
     if (!json)
         return fail(json.error());
-    auto header = HeaderReader(file).read(*json);
-    if (!header)
+    auto header = HeaderReader(file, json_text).read(*json);
+    if (!header || !says_nothing(text.substr(0, comment->begin - 2)))
         return header;
     header->code_begin = comment->end + 2;
     header->code_line =

@@ -179,6 +179,10 @@ private:
     void add_images() {
         const fs::path folder = m_source.file.parent_path();
         for (const IsfImport& import : m_header.imports) {
+            if (import.is_cube) {
+                add_cube(import, folder);
+                continue;
+            }
             const fs::path file = folder / import.path;
             m_files.push_back(file);
             std::error_code error;
@@ -194,6 +198,20 @@ private:
             image.is_needed = false;
             m_look.images.push_back(std::move(image));
         }
+    }
+
+    // One that cannot be read is told when the pictures are, and reads black.
+    void add_cube(const IsfImport& import, const fs::path& folder) {
+        Image image{import.name, folder / import.path, {}};
+        for (const std::string& face : import.faces)
+            image.faces.push_back(folder / face);
+        m_files.push_back(image.file);
+        m_files.insert(m_files.end(), image.faces.begin(), image.faces.end());
+        image.is_linear = true;
+        image.is_needed = false;
+        image.rows = RowOrder::top_first;
+        image.shape = PictureShape::cube;
+        m_look.images.push_back(std::move(image));
     }
 
     void make_pass(std::size_t index) {

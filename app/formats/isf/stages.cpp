@@ -80,7 +80,7 @@ public:
         for (const IsfInput& input : header.inputs)
             declare(uniform_type(input.type), input.name);
         for (const IsfImport& import : header.imports)
-            declare("sampler2D", import.name);
+            declare(import.is_cube ? "samplerCube" : "sampler2D", import.name);
         for (const IsfPass& pass : header.passes)
             if (!pass.target.empty() && !is_declared(pass.target))
                 declare("sampler2D", pass.target);

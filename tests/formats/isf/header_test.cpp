@@ -20,13 +20,14 @@ std::string refusal_of(const std::string& text) {
 }
 }  // namespace
 
-TEST_CASE("an ISF shader begins with a comment that holds an object") {
+TEST_CASE("the first block comment of an ISF shader holds an object") {
     CHECK(has_isf_header("/*{}*/ void main() {}"));
     CHECK(has_isf_header("\n// by me\n/*\n  { \"A\": 1 }\n*/"));
     CHECK(has_isf_header("#version 150\n# extension GL_ARB_x : enable\n/*{}*/ void main() {}"));
-    CHECK_FALSE(has_isf_header("#define A\n/*{}*/ void main() {}"));
+    CHECK(has_isf_header("#define A\n/*{}*/ void main() {}"));
+    CHECK(has_isf_header("// /*{ a line\nvoid main() {} /*{}*/"));
     CHECK_FALSE(has_isf_header("/* a comment */ void main() {}"));
-    CHECK_FALSE(has_isf_header("void main() {} /*{}*/"));
+    CHECK_FALSE(has_isf_header("/* a comment */ /*{}*/ void main() {}"));
     CHECK_FALSE(has_isf_header("// only a line"));
     CHECK_FALSE(has_isf_header("/*{ that never ends"));
     CHECK_FALSE(has_isf_header(""));
@@ -131,7 +132,21 @@ TEST_CASE("imports are an object of names, or a list") {
         REQUIRE(header.imports.size() == 1);
         CHECK(header.imports[0].name == "mask");
         CHECK(header.imports[0].path == "a/mask.png");
+        CHECK_FALSE(header.imports[0].is_cube);
     }
+}
+
+TEST_CASE("an import of six pictures is a cube, of another number a mistake") {
+    const IsfHeader six = header_of(
+        R"({"IMPORTED": [{"NAME": "a", "TYPE": "cube", "PATH": ["0", "1", "2", "3", "4", "5"]}]})");
+    CHECK(six.imports[0].is_cube);
+    CHECK(six.imports[0].faces == std::vector<std::string>{"0", "1", "2", "3", "4", "5"});
+    const IsfHeader one = header_of(R"({"IMPORTED": {"a": {"TYPE": "cube", "PATH": "sky.png"}}})");
+    CHECK(one.imports[0].is_cube);
+    CHECK(one.imports[0].faces.empty());
+    CHECK(refusal_of(
+              "/*{\n\"IMPORTED\": [{\"NAME\": \"a\", \"TYPE\": \"cube\", \"PATH\": [\"0\"]}]}*/") ==
+          "a.fs:2: error: \"PATH\" of 'a' names 1 pictures: a cube has 6\n");
 }
 
 TEST_CASE("what an ISF shader does follows from its inputs") {
