@@ -1,9 +1,13 @@
 #include "gpu/driver_cache.h"
 
-#include <filesystem>
+#include <cerrno>
+#include <cstdlib>
+#include <fcntl.h>
 #include <fstream>
+#include <mutex>
 #include <string>
 #include <thread>
+#include <unistd.h>
 #include <vector>
 
 namespace fs = std::filesystem;
@@ -36,6 +40,46 @@ bool rests(const fs::path& thread) {
     return name_end == std::string::npos || line.substr(name_end).starts_with(") S");
 }
 }  // namespace
+
+namespace {
+// As Mesa looks for it: docs/envvars.rst.
+fs::path driver_cache_folder() {
+    for (const char* name : {"MESA_SHADER_CACHE_DIR", "MESA_GLSL_CACHE_DIR"})
+        if (const char* folder = std::getenv(name); folder && *folder)
+            return folder;
+    if (const char* folder = std::getenv("XDG_CACHE_HOME"); folder && *folder)
+        return folder;
+    const char* const home = std::getenv("HOME");
+    return home && *home ? fs::path(home) / ".cache" : fs::path();
+}
+}  // namespace
+
+bool has_room(const fs::path& folder, std::size_t bytes) {
+    std::error_code error;
+    fs::path there = folder;
+    while (!fs::is_directory(there, error) && there.has_relative_path())
+        there = there.parent_path();
+    // A file without a name, which goes with its descriptor.
+    const int file = ::open(there.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
+    if (file < 0)
+        return errno != ENOSPC && errno != EDQUOT;
+    const int refusal = ::posix_fallocate(file, 0, static_cast<off_t>(bytes));
+    ::close(file);
+    return refusal != ENOSPC && refusal != EDQUOT && refusal != EFBIG;
+}
+
+void check_driver_cache() {
+    // Its index alone takes 1.3 MB.
+    constexpr std::size_t enough_bytes = std::size_t{8} << 20;
+    static std::once_flag once;
+    std::call_once(once, [] {
+        const fs::path folder = driver_cache_folder();
+        if (folder.empty() || has_room(folder, enough_bytes))
+            return;
+        ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+        ::setenv("MESA_GLSL_CACHE_DISABLE", "true", 1);  // its name before Mesa 22
+    });
+}
 
 void wait_for_driver_cache(std::chrono::milliseconds most, const PassProgress& progress) {
     const auto end = std::chrono::steady_clock::now() + most;

@@ -1,6 +1,7 @@
 // Context::headless: OpenGL without a display server, through EGL's device and surfaceless
 // platforms.
 #include "gpu/context.h"
+#include "gpu/driver_cache.h"
 
 #include <epoxy/egl.h>
 #include <fmt/format.h>
@@ -165,6 +166,7 @@ std::unique_ptr<HeadlessContext> open_on(EGLDisplay display) {
 }  // namespace
 
 Result<std::unique_ptr<Context>> Context::headless() {
+    check_driver_cache();
     const std::vector<EGLDisplay> tried = displays();
     for (const EGLDisplay display : tried)
         if (auto context = open_on(display))

@@ -1,5 +1,7 @@
 #include "gpu/window.h"
 
+#include "gpu/driver_cache.h"
+
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
@@ -41,6 +43,7 @@ Result<std::shared_ptr<Window::Library>> Window::open_library() {
     static std::weak_ptr<Library> open;
     if (auto library = open.lock())
         return library;
+    check_driver_cache();
     if (!glfwInit())
         return fail({{}, 0, fmt::format("no window can be opened: {}", last_problem())});
     auto library = std::make_shared<Library>();

@@ -1,0 +1,13 @@
+#include "gpu/driver_cache.h"
+
+#include "io/temporary_folder.h"
+
+#include <doctest/doctest.h>
+
+TEST_CASE("whether a folder has room is known without leaving a file there") {
+    const TemporaryFolder folder;
+    CHECK(gpu::has_room(folder.path(), 4096));
+    CHECK(gpu::has_room(folder / "not/there/yet", 4096));
+    CHECK_FALSE(gpu::has_room(folder.path(), std::size_t{1} << 60));
+    CHECK(std::filesystem::is_empty(folder.path()));
+}
