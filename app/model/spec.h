@@ -17,9 +17,14 @@ struct Spec {
     bool operator==(const Spec&) const = default;
 };
 
-/// Reads "kind" or "kind:key=value,key=value"; the first setting may be a bare word, kept under the
-/// key "" (`text:HELLO`, `audio:song.wav,mode=xy`). Only the grammar is checked.
-Result<Spec> parse_spec(std::string_view text);
+/// Whether a kind has a setting of that name.
+using HasSetting = bool (*)(std::string_view kind, std::string_view key);
+
+/// Reads "kind" or "kind:key=value,key=value"; the first setting may be a bare text, kept under the
+/// key "" (`text:HELLO`, `audio:song.wav,mode=xy`). Its commas belong to it up to the first
+/// `,key=value`. A value may stand in quotes: "..." with \" and \\ for these signs. `has_setting`
+/// tells `a=b.wav`, a file, from a setting; null: both are settings. Only the grammar is checked.
+Result<Spec> parse_spec(std::string_view text, HasSetting has_setting = nullptr);
 
 /// The text that parse_spec reads as the same spec.
 std::string to_string(const Spec& spec);

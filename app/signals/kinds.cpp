@@ -7,6 +7,7 @@
 #include "signals/modulation.h"
 #include "signals/sent.h"
 #include "signals/settings.h"
+#include "signals/stroke_font.h"
 #include "signals/waveform.h"
 
 #include <algorithm>
@@ -59,6 +60,23 @@ std::vector<SettingFacts> in_group(const std::string& group, const UsedWhile& us
             setting.used_while = used_while;
     }
     return settings;
+}
+
+Result<Spec> parse_signal(std::string_view text) {
+    return parse_spec(text, [](std::string_view kind_name, std::string_view key) {
+        const SignalKind* kind = find_kind(kind_name);
+        return !kind || kind->bare_setting.empty() || find_setting(*kind, key) != nullptr;
+    });
+}
+
+Diagnostics notes_about(const Spec& spec) {
+    const auto complete = spec.kind == "text" ? completed(spec) : fail({{}, 0, ""});
+    const std::string missing =
+        complete ? missing_letters(Settings(*complete).word("text")) : std::string();
+    if (missing.empty())
+        return {};
+    return {
+        {{}, 0, "text: the font has no " + missing + "; a box stands for it", Severity::warning}};
 }
 
 std::string file_of(const Spec& spec) {

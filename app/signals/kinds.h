@@ -72,10 +72,16 @@ const SettingFacts* find_setting(const SignalKind& kind, std::string_view key);
 /// Whether the setting has a say in a completed spec.
 bool is_used(const SettingFacts& setting, const Spec& completed_spec);
 
+/// As parse_spec(), for a signal that a person types: a file may be called "a=b.wav".
+Result<Spec> parse_signal(std::string_view text);
+
 /// Fills defaults in and turns the bare first setting (key "") into the kind's own key. Refuses
 /// unknown kinds, keys and words with a suggestion, and numbers that are not finite, not whole
 /// where they count or beyond their limit. What it gives it takes again unchanged.
 Result<Spec> completed(const Spec& spec);
+
+/// What is odd about a signal that is drawn all the same: characters that the font of a text lacks.
+Diagnostics notes_about(const Spec& spec);
 
 /// The file that a spec names, as it is written there; "" when its kind reads none.
 std::string file_of(const Spec& spec);

@@ -1,10 +1,10 @@
 #include "signals/stroke_font.h"
 
 #include "base/text.h"
+#include "signals/marked_letters.h"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 namespace {
 // Each glyph is strokes between spaces, each stroke corners of two digits: 0..4 across, 0..6 up.
@@ -88,40 +88,101 @@ constexpr double advance = 6.0;  // from letter to letter
 constexpr double line_advance = 10.0;
 constexpr double small_capital = 0.75;
 
-std::string_view strokes_of(char character) {
+const Glyph* find_glyph(char32_t character) {
     const auto found =
-        std::find_if(stroke_glyphs.begin(), stroke_glyphs.end(),
-                     [character](const Glyph& glyph) { return glyph.character == character; });
-    return found == stroke_glyphs.end() ? missing_glyph : found->strokes;
+        std::find_if(stroke_glyphs.begin(), stroke_glyphs.end(), [character](const Glyph& glyph) {
+            return static_cast<char32_t>(static_cast<unsigned char>(glyph.character)) == character;
+        });
+    return found == stroke_glyphs.end() ? nullptr : &*found;
 }
 
-// One stand-in for each character of a UTF-8 text: itself, or 0 for one beyond ASCII.
-std::vector<char> characters_of(std::string_view text) {
-    std::vector<char> characters;
-    for (const char byte : text) {
-        const auto bits = static_cast<unsigned char>(byte);
-        const bool goes_on = (bits & 0xC0) == 0x80;
-        if (!goes_on)
-            characters.push_back(bits < 0x80 ? byte : '\0');
+std::string utf8_of(char32_t character) {
+    const auto tail = [character](unsigned shift) {
+        return static_cast<char>(0x80u | ((character >> shift) & 0x3fu));
+    };
+    if (character < 0x80)
+        return {static_cast<char>(character)};
+    if (character < 0x800)
+        return {static_cast<char>(0xc0u | character >> 6), tail(0)};
+    if (character < 0x10000)
+        return {static_cast<char>(0xe0u | character >> 12), tail(6), tail(0)};
+    return {static_cast<char>(0xf0u | character >> 18), tail(12), tail(6), tail(0)};
+}
+
+// The characters of a UTF-8 text; 0xFFFD for what is none. Letters with marks of their own behind
+// them (NFD, as file systems write them) become one.
+std::vector<char32_t> characters_of(std::string_view text) {
+    std::vector<char32_t> characters;
+    for (std::size_t i = 0; i < text.size();) {
+        const auto first = static_cast<unsigned char>(text[i++]);
+        const int more = first < 0x80 ? 0 : first < 0xe0 ? 1 : first < 0xf0 ? 2 : 3;
+        char32_t character = first < 0x80 ? first : first & (0x3fu >> more);
+        for (int k = 0; k < more; ++k) {
+            const bool goes_on =
+                i < text.size() && (static_cast<unsigned char>(text[i]) & 0xc0u) == 0x80u;
+            character = goes_on ? character << 6 | (static_cast<unsigned char>(text[i]) & 0x3fu)
+                                : U'\uFFFD';
+            i += goes_on ? 1 : 0;
+        }
+        const auto composed = !characters.empty() && character >= 0x300 && character < 0x370
+                                  ? composed_letter(characters.back(), character)
+                                  : std::nullopt;
+        if (composed)
+            characters.back() = *composed;
+        else
+            characters.push_back(character);
     }
     return characters;
 }
 
-void add_letter(char character, double x, double y, double unit, std::vector<ScenePath>& paths) {
-    if (character == ' ')
-        return;
-    const bool is_small = character >= 'a' && character <= 'z';
-    const char capital =
-        is_small ? static_cast<char>(std::toupper(static_cast<unsigned char>(character)))
-                 : character;
-    const double height = is_small ? small_capital : 1.0;
-    for (const std::string_view stroke : split(strokes_of(capital), ' ')) {
+bool is_small(char32_t character) {
+    return character >= 'a' && character <= 'z';
+}
+
+/// Where the strokes of a glyph come to lie.
+struct Place {
+    double x;
+    double y;
+    double unit;
+    double height;  // against a capital's
+};
+
+void add_strokes(std::string_view strokes, const Place& at, std::vector<ScenePath>& paths) {
+    for (const std::string_view stroke : split(strokes, ' ')) {
         ScenePath path;
         for (std::size_t i = 0; i + 1 < stroke.size(); i += 2)
-            path.points.push_back(
-                {x + unit * (stroke[i] - '0'), y + unit * height * (stroke[i + 1] - '0')});
-        paths.push_back(std::move(path));
+            path.points.push_back({at.x + at.unit * (stroke[i] - '0'),
+                                   at.y + at.unit * at.height * (stroke[i + 1] - '0')});
+        if (!path.points.empty())
+            paths.push_back(std::move(path));
     }
+}
+
+void add_letter(char32_t character, double x, double y, double unit,
+                std::vector<ScenePath>& paths) {
+    constexpr double mark_gap = 0.8;
+    constexpr double mark_height = 0.6;
+    constexpr double mark_room_below = 2.0;
+    if (character == ' ')
+        return;
+    const auto marked = find_marked_letter(character);
+    const char32_t plain = marked && marked->base != 0
+                               ? static_cast<char32_t>(static_cast<unsigned char>(marked->base))
+                               : character;
+    const bool is_low = is_small(plain) || (marked && marked->is_small);
+    const Place place{x, y, unit, is_low ? small_capital : 1.0};
+    const Glyph* const glyph = find_glyph(is_small(plain) ? plain - 'a' + 'A' : plain);
+    if (marked && !marked->strokes.empty())
+        return add_strokes(marked->strokes, place, paths);
+    add_strokes(glyph ? glyph->strokes : missing_glyph, place, paths);
+    if (!marked)
+        return;
+    const double above = unit * (units_high * place.height + mark_gap);
+    add_strokes(
+        marked->mark,
+        {x, y + (marked->is_mark_above ? above : -unit * mark_room_below * mark_height * 1.2), unit,
+         mark_height},
+        paths);
 }
 
 double width_of(std::size_t letters) {
@@ -130,7 +191,7 @@ double width_of(std::size_t letters) {
 }  // namespace
 
 std::vector<ScenePath> text_paths(std::string_view text, double height, TextAlign align) {
-    std::vector<std::vector<char>> lines;
+    std::vector<std::vector<char32_t>> lines;
     std::size_t longest = 0;
     for (const std::string_view line : split(text, '\n')) {
         lines.push_back(characters_of(line));
@@ -146,10 +207,25 @@ std::vector<ScenePath> text_paths(std::string_view text, double height, TextAlig
                                                           : 0.5 * room;
         double x = indent - 0.5 * width_of(longest);
         const double y = 0.5 * block - units_high - line_advance * static_cast<double>(i);
-        for (const char character : lines[i]) {
+        for (const char32_t character : lines[i]) {
             add_letter(character, unit * x, unit * y, unit, paths);
             x += advance;
         }
     }
     return paths;
+}
+
+std::string missing_letters(std::string_view text) {
+    std::vector<char32_t> told;
+    std::string missing;
+    for (const char32_t character : characters_of(text)) {
+        const char32_t capital = is_small(character) ? character - 'a' + 'A' : character;
+        const bool is_known = character == ' ' || character == '\n' || find_glyph(capital) ||
+                              find_marked_letter(character);
+        if (is_known || std::find(told.begin(), told.end(), character) != told.end())
+            continue;
+        told.push_back(character);
+        missing += (missing.empty() ? "" : " ") + utf8_of(character);
+    }
+    return missing;
 }

@@ -28,3 +28,43 @@ TEST_CASE("what is no spec is said in words") {
     REQUIRE_FALSE(bare.has_value());
     CHECK(bare.error().front().message == "'fast' is not of the form key=value");
 }
+
+TEST_CASE("a bare text keeps its commas up to the first setting") {
+    const Spec spec = parse_spec("audio:Song, Pt. 2.wav,mode=xy").value();
+    CHECK(std::get<std::string>(spec.settings.at("")) == "Song, Pt. 2.wav");
+    CHECK(std::get<std::string>(spec.settings.at("mode")) == "xy");
+    CHECK(std::get<std::string>(parse_spec("text:A,,B").value().settings.at("")) == "A,,B");
+}
+
+TEST_CASE("a value in quotes may hold any sign") {
+    const Spec spec = parse_spec(R"(audio:"a, mode=1 \"b\" c\\d=.wav",mode="x,y")").value();
+    CHECK(std::get<std::string>(spec.settings.at("")) == R"(a, mode=1 "b" c\d=.wav)");
+    CHECK(std::get<std::string>(spec.settings.at("mode")) == "x,y");
+    CHECK(std::get<std::string>(parse_spec("audio:7\" mix.wav").value().settings.at("")) ==
+          "7\" mix.wav");
+    CHECK(parse_spec("audio:\"open").error().front().message.find("do not end") !=
+          std::string::npos);
+}
+
+TEST_CASE("an equals sign belongs to a file's name where the kind has no such setting") {
+    const HasSetting has_mode = [](std::string_view, std::string_view key) {
+        return key == "mode";
+    };
+    const auto bare = [&](const char* text) {
+        const Spec spec = parse_spec(text, has_mode).value();
+        const auto found = spec.settings.find("");
+        return found == spec.settings.end() ? std::string() : std::get<std::string>(found->second);
+    };
+    CHECK(bare("audio:a=b.wav") == "a=b.wav");
+    CHECK(bare("audio:x = y.mp3,mode=xy") == "x = y.mp3");
+    CHECK(bare("audio:mode=b.wav") == "");
+    CHECK(bare("audio:mod=xy") == "");  // a slip of the pen in a setting
+}
+
+TEST_CASE("a text with signs of the grammar is written in quotes") {
+    for (const char* file :
+         {"Song, Pt. 2.wav", "a=b.wav", "\"q\".wav", " blank.wav", "c\\d,e.wav"}) {
+        const Spec spec{"audio", {{"", std::string(file)}, {"mode", std::string("a,b")}}};
+        CHECK_MESSAGE(parse_spec(to_string(spec)).value() == spec, to_string(spec));
+    }
+}
