@@ -13,7 +13,7 @@ bool is_good(const std::string& argument, const Library& library) {
     }
     warn(prepared->warnings);
     const Look& look = prepared->document.look();
-    const Diagnostics media = check_media(look);
+    const Diagnostics media = check_media(prepared->document);
     report(media);
     if (has_errors(media))
         return false;

@@ -1,5 +1,6 @@
 #include "cli/common.h"
 
+#include "base/machine_memory.h"
 #include "base/text.h"
 #include "cli/progress.h"
 
@@ -93,6 +94,8 @@ int run_drawing(RenderRequest request, const DataFolders& data, const Drawing& d
     if (!prepared)
         return report(prepared.error());
     warn(prepared->warnings);
+    if (const auto fits = check_memory(*prepared, request.size, machine_memory()); !fits)
+        return report(fits.error());
     const auto good = drawing.check ? drawing.check(*prepared) : Result<void>();
     if (!good)
         return report(good.error());

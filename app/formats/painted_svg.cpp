@@ -256,7 +256,7 @@ std::string without_broken_points(std::string text) {
 std::string with_namespaces(std::string text) {
     const std::size_t tag = text.find("<svg");
     const std::size_t end = text.find('>', tag);
-    if (tag == std::string::npos || end == std::string::npos)
+    if (tag == std::string::npos || end == std::string::npos || text[tag + 4] == ':')
         return text;
     const std::string_view head = std::string_view(text).substr(tag, end - tag);
     std::string missing;

@@ -2,6 +2,8 @@
 
 #include "io/descriptor.h"
 
+#include <fmt/format.h>
+
 #include <RtMidi.h>
 #include <deque>
 #include <mutex>
@@ -110,8 +112,8 @@ Result<void> MachineMidi::open() {
     if (::access(sequencer, R_OK | W_OK) != 0)
         return fail({{},
                      0,
-                     std::string("no device was found: this machine has no ALSA sequencer (") +
-                         sequencer + ")"});
+                     fmt::format("no device was found: this machine has no ALSA sequencer ({})",
+                                 sequencer)});
     try {
         open_all();
     } catch (const RtMidiError& error) {

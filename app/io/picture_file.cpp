@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 // What can be told before a library sees the file. libpng would print a damaged PNG's mistakes on
-// stderr, so its check sums are looked at first.
+// stderr, so its header and check sums are looked at first.
 Result<void> check_file(const fs::path& file) {
     const auto start = read_start(file, png_signature().size());
     if (!start)
@@ -28,6 +28,8 @@ Result<void> check_file(const fs::path& file) {
     const auto chunks = parse_png_chunks(*bytes);
     if (!chunks)
         return fail({file, 0, chunks.error().front().message});
+    if (const std::string fault = fault_of_png(*chunks); !fault.empty())
+        return fail({file, 0, fault});
     return {};
 }
 

@@ -10,7 +10,8 @@
 
 /// A picture as stored: 1, 3 or 4 channels (grey with alpha becomes RGBA), alpha unassociated,
 /// turned upright as its file says. Whole-number files (PNG, JPEG) are display-encoded, float files
-/// (EXR, HDR) linear. At most 16384 px a side and 64 Mi pixels.
+/// (EXR, HDR) linear. Of an EXR it is the display window. A JPEG that breaks off is read to its
+/// end, with a note. At most 16384 px a side and 64 Mi pixels.
 Result<Picture> load_picture(const std::filesystem::path& file);
 
 struct SaveOptions {

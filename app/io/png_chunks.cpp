@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
 #include <zlib.h>
 
 namespace {
@@ -66,6 +67,36 @@ Result<std::vector<PngChunk>> parse_png_chunks(std::string_view bytes) {
         if (chunk.type == "IEND")
             return chunks;
     }
+}
+
+std::string fault_of_png(const std::vector<PngChunk>& chunks) {
+    const std::string_view header = chunks.empty() ? std::string_view() : chunks.front().data;
+    if (chunks.empty() || chunks.front().type != "IHDR" || header.size() != 13)
+        return "is damaged: the PNG has no header";
+    const std::uint32_t width = number_at(header, 0);
+    const std::uint32_t height = number_at(header, 4);
+    constexpr std::uint32_t most = 0x7fffffff;
+    if (width < 1 || height < 1 || width > most || height > most)
+        return fmt::format("is damaged: the PNG has a size of {} x {} px", width, height);
+    // The bit depths that a colour type has.
+    const std::map<int, std::string_view> depths{{0, "\x01\x02\x04\x08\x10"},
+                                                 {2, "\x08\x10"},
+                                                 {3, "\x01\x02\x04\x08"},
+                                                 {4, "\x08\x10"},
+                                                 {6, "\x08\x10"}};
+    const int color = header[9];
+    const auto known = depths.find(color);
+    if (known == depths.end() || known->second.find(header[8]) == std::string_view::npos)
+        return fmt::format("is damaged: no PNG has a depth of {} with colour type {}",
+                           int{header[8]}, color);
+    if (header[10] != 0 || header[11] != 0 || header[12] < 0 || header[12] > 1)
+        return "is damaged: the PNG is packed in an unknown way";
+    const auto has = [&](std::string_view type) {
+        return std::ranges::find(chunks, type, &PngChunk::type) != chunks.end();
+    };
+    if (color == 3 && !has("PLTE"))
+        return "is damaged: the PNG has no palette";
+    return has("IDAT") ? "" : "is damaged: the PNG has no pixels";
 }
 
 std::string png_chunk(std::string_view type, std::string_view data) {

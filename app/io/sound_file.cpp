@@ -3,6 +3,7 @@
 #include "base/file.h"
 #include "base/text.h"
 #include "io/descriptor.h"
+#include "io/memory_file.h"
 
 #include <fmt/format.h>
 #include <sndfile.h>
@@ -113,6 +114,58 @@ std::optional<Diagnostic> find_break(const std::filesystem::path& file, SNDFILE*
                                 sound.seconds(), whole));
     return std::nullopt;
 }
+// Where the data of a WAV begins whose header tells no length, as programs leave it that die while
+// they record: 0 in the header and sound, no further chunks, behind it. Nothing: no such file.
+std::optional<std::size_t> unfinished_data(std::string_view wav) {
+    constexpr std::size_t head = 8;  // of a chunk: its name and its length
+    if (!wav.starts_with("RIFF") || wav.substr(head, 4) != "WAVE")
+        return std::nullopt;
+    const auto length_at = [&](std::size_t at) {
+        std::size_t length = 0;
+        for (std::size_t i = 0; i < 4; ++i)
+            length |= std::size_t{static_cast<unsigned char>(wav[at + 4 + i])} << (8 * i);
+        return length;
+    };
+    std::optional<std::size_t> data;
+    std::size_t at = 12;
+    while (at + head <= wav.size()) {
+        const std::size_t length = length_at(at);
+        if (!data && wav.substr(at, 4) == "data" && length == 0)
+            data = at + head;
+        at += head + length + length % 2;
+    }
+    const bool has_chunks_behind = at == wav.size() && data != wav.size();
+    return data && *data < wav.size() && !has_chunks_behind ? data : std::nullopt;
+}
+
+std::string with_length(std::string wav, std::size_t data) {
+    const auto write = [&](std::size_t at, std::size_t length) {
+        for (std::size_t i = 0; i < 4; ++i)
+            wav[at + i] = static_cast<char>(length >> (8 * i) & 0xffu);
+    };
+    write(4, wav.size() - 8);
+    write(data - 4, wav.size() - data);
+    return wav;
+}
+
+// What such a WAV holds; nothing where the file is no such WAV or cannot be read.
+std::optional<Sound> load_unfinished_wav(const std::filesystem::path& file, Work* work) {
+    const auto bytes = read_bytes(file);
+    const auto data = bytes ? unfinished_data(*bytes) : std::nullopt;
+    if (!data)
+        return std::nullopt;
+    MemoryFile memory{with_length(*bytes, *data)};
+    SF_VIRTUAL_IO reader = memory_file_calls();
+    SF_INFO info{};
+    const SoundFile source(sf_open_virtual(&reader, SFM_READ, &info, &memory));
+    if (!source || !check(file, info))
+        return std::nullopt;
+    Sound sound{.rate = info.samplerate, .channels = info.channels, .samples = {}};
+    if (!read_samples(file, source.get(), static_cast<double>(info.frames), sound, work) ||
+        sound.samples.empty())
+        return std::nullopt;
+    return sound;
+}
 }  // namespace
 
 Result<Sound> load_sound(const std::filesystem::path& file, Work* work, Diagnostics* notes) {
@@ -141,8 +194,18 @@ Result<Sound> load_sound(const std::filesystem::path& file, Work* work, Diagnost
     } catch (const std::bad_alloc&) {
         return fail({file, 0, "does not fit into memory"});
     }
-    if (sound.samples.empty())
-        return fail({file, 0, "holds no sound: there is a header and nothing behind it"});
+    if (sound.samples.empty()) {
+        auto unfinished = load_unfinished_wav(file, work);
+        if (!unfinished)
+            return fail({file, 0, "holds no sound: there is a header and nothing behind it"});
+        if (notes)
+            notes->push_back({file, 0,
+                              fmt::format("breaks off: its header tells no length; {:.2f} s are "
+                                          "there and read",
+                                          unfinished->seconds()),
+                              Severity::warning});
+        return std::move(*unfinished);
+    }
     if (const auto broken = find_break(file, source.get(), info.frames, sound); broken && notes)
         notes->push_back(*broken);
     return sound;

@@ -2,6 +2,7 @@
 
 #include "io/picture_file.h"
 #include "lab/look_media.h"
+#include "lab/mend.h"
 #include "model/solid_picture.h"
 
 #include <algorithm>
@@ -29,8 +30,10 @@ Result<Picture> read_chosen(const fs::path& file, PictureShape shape) {
     if (!picture || picture->shape == shape)
         return picture;
     auto solid = solid_of(*picture, shape);
-    if (solid)
+    if (solid) {
+        solid->note = picture->note;
         return solid;
+    }
     Diagnostics problems = std::move(solid.error());
     for (Diagnostic& problem : problems)
         problem.file = file;
@@ -64,6 +67,14 @@ Diagnostics warnings(Diagnostics problems, const Parameter& parameter) {
     }
     return problems;
 }
+// What is told of a picture that was to be shown.
+Diagnostics amiss_with(const Result<Picture>& picture, const Result<void>& shown,
+                       const fs::path& file, const Parameter& parameter) {
+    if (!shown)
+        return warnings(shown.error(), parameter);
+    const auto note = picture ? note_about(*picture, file) : std::nullopt;
+    return note ? Diagnostics{*note} : Diagnostics{};
+}
 }  // namespace
 
 Result<void> ChosenImages::show(const Look& look, const Values& values, Renderer& renderer,
@@ -93,12 +104,17 @@ Result<void> ChosenImages::show(const Look& look, const Values& values, Renderer
         const auto set_image = [&](const Picture& picture) {
             return renderer.set_image(whose, parameter.name, picture);
         };
-        const auto done =
-            file.empty() ? show_black(set_image)
-                         : show_read(read_chosen(file, shape_of(look, parameter)), file, set_image);
-        const Diagnostics reasons = done ? Diagnostics() : done.error();
-        problems.insert(problems.end(), reasons.begin(), reasons.end());
-        shown[parameter.name] = {file, written, warnings(reasons, parameter)};
+        if (file.empty()) {
+            if (const auto done = show_black(set_image); !done)
+                return done;
+            shown[parameter.name] = {file, written, {}};
+            continue;
+        }
+        const Result<Picture> picture = read_chosen(file, shape_of(look, parameter));
+        const auto done = show_read(picture, file, set_image);
+        if (!done)
+            problems.insert(problems.end(), done.error().begin(), done.error().end());
+        shown[parameter.name] = {file, written, amiss_with(picture, done, file, parameter)};
     }
     m_shown = std::move(shown);
     if (!problems.empty())
@@ -129,14 +145,14 @@ std::vector<std::string> ChosenImages::take_read(const Look& look, Renderer& ren
         const auto shown = m_shown.find(read.parameter);
         if (!parameter || shown == m_shown.end())
             return true;
-        const auto done = show_read(read.picture.get(), read.file, [&](const Picture& picture) {
-            return renderer.set_image(Renderer::Whose::picture, parameter->name, picture);
+        const Result<Picture> picture = read.picture.get();
+        const auto done = show_read(picture, read.file, [&](const Picture& whole) {
+            return renderer.set_image(Renderer::Whose::picture, parameter->name, whole);
         });
         names.push_back(parameter->name);
-        if (!done) {
+        if (!done)
             problems.insert(problems.end(), done.error().begin(), done.error().end());
-            shown->second.problems = warnings(done.error(), *parameter);
-        }
+        shown->second.problems = amiss_with(picture, done, read.file, *parameter);
         return true;
     });
     return names;

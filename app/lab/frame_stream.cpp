@@ -113,13 +113,17 @@ void FrameStream::run() {
         lock.unlock();
         auto read = m_reader->read(number);
         std::optional<Diagnostic> mended;
+        std::optional<Diagnostic> note;
+        if (read && *read)
+            note = note_about(**read, m_name);
         if (read && *read && (*read)->encoding == Encoding::linear)
             mended = mend(**read, m_name);
         if (const auto encoding = m_encoding.load(); read && *read && encoding)
             recode(**read, *encoding);
         lock.lock();
-        if (mended)
-            tell(std::move(*mended));
+        for (std::optional<Diagnostic>* amiss : {&mended, &note})
+            if (*amiss)
+                tell(std::move(**amiss));
         keep(number, std::move(read));
         m_ready.notify_all();
     }

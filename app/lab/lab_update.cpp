@@ -187,6 +187,9 @@ void Lab::gather_problems() {
         m_problems.push_back({problem, {}});
     for (const Diagnostic& problem : m_chosen_images.problems())
         m_problems.push_back({problem, {}});
+    if (m_document && m_document->look().driven_by == Driver::signal)
+        for (const Diagnostic& problem : notes_about(m_document->state().signal))
+            m_problems.push_back({problem, {}});
     const auto is_new = [&before](const Problem& problem) {
         return std::ranges::find(before, problem.diagnostic, &Problem::diagnostic) == before.end();
     };

@@ -1,20 +1,25 @@
 #pragma once
 
 #include "base/diagnostic.h"
+#include "lab/document.h"
 #include "model/look.h"
 
 #include <optional>
 #include <string_view>
+#include <system_error>
 
-/// What is wrong with the pictures and sounds that a look brings along, and with the test pattern
-/// that it starts with. Reads them all.
-Diagnostics check_media(const Look& look);
+/// What is wrong with the pictures and sounds that a document's look brings along, and with those
+/// that drive it or are chosen for its samplers: what a window would tell of them. Reads them all.
+Diagnostics check_media(const Document& document);
 
 /// Whether an Image::made or a parameter that chooses a picture names one of the program's own; its
 /// name alone.
 std::optional<std::string_view> made_name(std::string_view choice);
 /// What they name then.
 Result<Picture> made_picture(const std::string& name);
+
+/// When a file that an image is made of was written last.
+std::filesystem::file_time_type last_write_time_of(const Image& image, std::error_code& error);
 
 /// The picture of an image of a look; nothing where a parameter chooses it. One that is not needed
 /// may be unreadable: then there is nothing, and `warnings` says why.

@@ -20,3 +20,9 @@ std::optional<Diagnostic> mend(Picture& picture, const std::filesystem::path& fi
                                   mended),
                       Severity::warning};
 }
+
+std::optional<Diagnostic> note_about(const Picture& picture, const std::filesystem::path& file) {
+    if (picture.note.empty())
+        return std::nullopt;
+    return Diagnostic{file, 0, picture.note, Severity::warning};
+}

@@ -17,6 +17,7 @@
 #include "lab/trip_words.h"
 #include "model/parameter_use.h"
 #include "model/placing.h"
+#include "model/plan_memory.h"
 #include "signals/kinds.h"
 
 #include <fmt/format.h>
@@ -46,7 +47,7 @@ Result<void> apply_drive(const RenderRequest& request, Document& document) {
     if (!request.signal.empty()) {
         if (document.look().driven_by != Driver::signal)
             return fail({{}, 0, "'" + document.look().id + "' is not driven by a signal"});
-        auto signal = parse_spec(request.signal);
+        auto signal = parse_signal(request.signal);
         if (!signal)
             return fail(signal.error());
         document.set_signal(std::move(*signal));
@@ -151,6 +152,24 @@ Result<Plan> plan_of(const Prepared& prepared, Extent size) {
     return plan_targets(prepared.document.drawn_look(), size, size, prepared.document.values());
 }
 
+Result<void> check_memory(const Prepared& prepared, Extent size, std::uint64_t memory) {
+    const auto plan = plan_of(prepared, size);
+    if (!plan)
+        return fail(plan.error());
+    constexpr double gigabyte = 1e9;
+    const std::uint64_t bytes = estimated_bytes(*plan, size);
+    if (bytes <= memory / 4)
+        return {};
+    return fail(
+        {{},
+         0,
+         fmt::format("'{}' at {}x{} needs about {:.1f} GB of memory, more than a quarter of the "
+                     "{:.1f} GB of this machine. Choose a smaller --size",
+                     prepared.document.look().id, size.width, size.height,
+                     static_cast<double>(bytes) / gigabyte,
+                     static_cast<double>(memory) / gigabyte)});
+}
+
 Result<std::string> describe(const Prepared& prepared, Extent size) {
     const auto plan = plan_of(prepared, size);
     if (!plan)
@@ -208,13 +227,14 @@ Result<void> Offline::load_signal() {
         return {};
     PlayedSound sound{.file = file_of(signal), .sound = {}};
     if (!sound.file.empty()) {
-        auto loaded = load_signal_media(sound.file);
+        auto loaded = load_signal_media(sound.file, nullptr, &m_problems);
         if (!loaded)
             return fail(loaded.error());
         sound.sound = std::move(loaded->sound);
         sound.scene = std::move(loaded->scene);
         sound.drawing = std::move(loaded->drawing);
     }
+    add_new(m_problems, notes_about(signal));
     auto set = m_player->set_signal(signal, std::move(sound));
     m_renderer->set_loudness(m_player->loudness());
     m_renderer->set_sound(m_player->sound_texels());
@@ -252,6 +272,7 @@ Diagnostics Offline::take_problems() {
         problems.push_back(diagnostic_of(*trip, executor().look()));
         problems.back().message += "; such numbers were clamped";
     }
+    add_new(problems, m_chosen_images.problems());
     const Diagnostics sent = m_player->sent_problems();
     problems.insert(problems.end(), sent.begin(), sent.end());
     return problems;

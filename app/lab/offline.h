@@ -12,6 +12,7 @@
 #include "model/moves.h"
 #include "model/raw_picture.h"
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -52,6 +53,10 @@ Result<void> turn_texts(Document& document, const ReadingHelp& help = {});
 /// Opens a preset, `request.preset`, in the document of its look; what is odd about it becomes a
 /// warning. Fails where it is another look's or its values do not fit.
 Result<void> open_preset(OpenRequest request, const Library& library, Prepared& prepared);
+
+/// Refuses a picture whose drawing would take more than a quarter of the machine's memory, by a
+/// message that says how much. `memory` is the machine's in bytes.
+Result<void> check_memory(const Prepared& prepared, Extent size, std::uint64_t memory);
 
 /// The targets for a prepared look; needs no GL.
 Result<Plan> plan_of(const Prepared& prepared, Extent size);

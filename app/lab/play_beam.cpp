@@ -6,12 +6,12 @@
 
 Result<Sound> play_beam(const std::string& text, const BeamSoundFormat& format,
                         Diagnostics& problems) {
-    const auto spec = parse_spec(text);
+    const auto spec = parse_signal(text);
     if (!spec)
         return fail(spec.error());
     SignalMedia media;
     if (const std::string file = file_of(*spec); !file.empty()) {
-        auto loaded = load_signal_media(file);
+        auto loaded = load_signal_media(file, nullptr, &problems);
         if (!loaded)
             return fail(loaded.error());
         media = std::move(*loaded);
@@ -29,6 +29,6 @@ Result<Sound> play_beam(const std::string& text, const BeamSoundFormat& format,
         return fail(signal.error());
     Sound sound = beam_sound(**signal, format);
     if (feed)
-        problems = feed->problems();
+        add_new(problems, feed->problems());
     return sound;
 }

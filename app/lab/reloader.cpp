@@ -413,7 +413,7 @@ Result<ImageTextures> Reloader::load_images(const Look& look, Diagnostics& warni
     };
     for (const Image& image : look.images) {
         std::error_code error;
-        ReadImage now{fs::last_write_time(image.file, error), image, look.source_encoding,
+        ReadImage now{last_write_time_of(image, error), image, look.source_encoding,
                       reads_mipmaps(look, Input::From::image, image.name), nullptr};
         const auto before = m_read.find(image.file);
         if (!error && before != m_read.end() && before->second.serves(now)) {

@@ -54,6 +54,8 @@ Result<Source> Source::open(const std::string& text) {
     auto picture = read_still(source.m_spec);
     if (!picture)
         return fail(picture.error());
+    if (auto note = note_about(*picture, file))
+        source.m_problems.push_back(std::move(*note));
     if (auto mended = mend(*picture, file))
         source.m_problems.push_back(std::move(*mended));
     source.m_picture = std::make_shared<const Picture>(std::move(*picture));

@@ -3,6 +3,7 @@
 #include "model/extent.h"
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 /// Whether numbers are amounts of light or what a display is sent (sRGB).
@@ -23,6 +24,7 @@ struct Picture {
     Encoding encoding = Encoding::linear;
     std::vector<float> pixels;  // extent.height rows of extent.width * channels
     PictureShape shape = PictureShape::flat;
+    std::string note = {};  // what is amiss with the file that it was read from; "": nothing
 
     bool operator==(const Picture&) const = default;
     std::size_t index(int x, int y) const {

@@ -8,6 +8,7 @@
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cstdint>
 
@@ -35,15 +36,24 @@ std::string cleaned(std::string_view message) {
     return text.empty() ? "its content is not understood" : text;
 }
 
-Result<void> check_spec(const OIIO::ImageSpec& spec, const fs::path& file) {
-    if (spec.width < 1 || spec.height < 1 || spec.depth > 1)
+Result<void> check_extent(int width, int height, const fs::path& file) {
+    if (width < 1 || height < 1)
         return fail({file, 0, "holds no flat picture"});
-    if (spec.width > largest_side || spec.height > largest_side ||
-        std::int64_t{spec.width} * spec.height > most_pixels)
+    if (width > largest_side || height > largest_side || std::int64_t{width} * height > most_pixels)
         return fail(
             {file, 0,
              fmt::format("is too large: {} x {} px; at most {} px a side and {} pixels are read",
-                         spec.width, spec.height, largest_side, most_pixels)});
+                         width, height, largest_side, most_pixels)});
+    return {};
+}
+
+Result<void> check_spec(const OIIO::ImageSpec& spec, const fs::path& file) {
+    if (spec.depth > 1)
+        return fail({file, 0, "holds no flat picture"});
+    if (auto good = check_extent(spec.width, spec.height, file); !good)
+        return good;
+    if (auto good = check_extent(spec.full_width, spec.full_height, file); !good)
+        return good;
     const bool has_grey_alpha = spec.nchannels == 2 && spec.alpha_channel == 1;
     if (spec.nchannels != 1 && spec.nchannels != 3 && spec.nchannels != 4 && !has_grey_alpha)
         return fail(
@@ -90,6 +100,39 @@ void turn_upright(Picture& picture, const OIIO::ImageSpec& spec) {
     picture.pixels = std::move(pixels);
 }
 
+// An EXR's pixels may be a part of the picture, or go beyond it: what it is shown in is its display
+// window (OpenEXR, "Technical Introduction"), black where it has no pixels.
+void show_window(Picture& picture, const OIIO::ImageSpec& spec) {
+    Picture whole{{spec.full_width, spec.full_height}, picture.channels, picture.encoding, {}};
+    const auto channels = static_cast<std::size_t>(whole.channels);
+    whole.pixels.resize(static_cast<std::size_t>(whole.extent.width) *
+                        static_cast<std::size_t>(whole.extent.height) * channels);
+    const int left = std::max(spec.x, spec.full_x);
+    const int right = std::min(spec.x + spec.width, spec.full_x + spec.full_width);
+    const int bottom = std::min(spec.y + spec.height, spec.full_y + spec.full_height);
+    for (int y = std::max(spec.y, spec.full_y); y < bottom && left < right; ++y)
+        std::copy_n(picture.pixels.begin() +
+                        static_cast<std::ptrdiff_t>(picture.index(left - spec.x, y - spec.y)),
+                    static_cast<std::size_t>(right - left) * channels,
+                    whole.pixels.begin() + static_cast<std::ptrdiff_t>(
+                                               whole.index(left - spec.full_x, y - spec.full_y)));
+    picture = std::move(whole);
+}
+
+bool has_other_window(const OIIO::ImageSpec& spec) {
+    return spec.x != spec.full_x || spec.y != spec.full_y || spec.width != spec.full_width ||
+           spec.height != spec.full_height;
+}
+
+// What a library goes on after.
+std::string note_of(const std::string& error) {
+    if (error.empty())
+        return {};
+    const std::string reason = cleaned(error);
+    const bool is_cut = reason.find("remature end") != std::string::npos;
+    return (is_cut ? "breaks off, and the rest of it is made up: " : "is damaged: ") + reason;
+}
+
 Result<Picture> read_picture(const fs::path& file, const std::string& kind) {
     OIIO::ImageSpec wishes;
     wishes.attribute("oiio:UnassociatedAlpha", 1);
@@ -108,10 +151,13 @@ Result<Picture> read_picture(const fs::path& file, const std::string& kind) {
     picture.pixels.resize(spec.image_pixels() * static_cast<std::size_t>(spec.nchannels));
     if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, picture.pixels.data()))
         return fail({file, 0, "is damaged: " + cleaned(input->geterror())});
+    picture.note = note_of(input->geterror());
     if (spec.nchannels == 2) {
         picture.pixels = rgba_from_grey_alpha(picture.pixels);
         picture.channels = 4;
     }
+    if (kind == "openexr" && has_other_window(spec))
+        show_window(picture, spec);
     const bool is_associated = spec.get_int_attribute("oiio:UnassociatedAlpha") == 0 &&
                                spec.get_int_attribute(as_stored) == 0;
     if (picture.channels == 4 && spec.alpha_channel >= 0 && is_associated)

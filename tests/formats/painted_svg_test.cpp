@@ -227,6 +227,9 @@ TEST_CASE("the dashes of a line are lines of their own") {
 TEST_CASE("an SVG without namespaces is read, as by readers of SVG alone") {
     CHECK(painted("<svg><defs><path id='a' d='M0 0L9 9'/></defs><use xlink:href='#a'/></svg>")
               .size() == 1);
+    CHECK(painted(
+              "<svg:svg xmlns:svg='http://www.w3.org/2000/svg'><svg:path d='M0 0L9 9'/></svg:svg>")
+              .size() == 1);
 }
 
 TEST_CASE("no file outside of the SVG's folder is read") {

@@ -1,6 +1,8 @@
 #include "io/picture_file.h"
 
 #include "about.h"
+#include "io/captured_errors.h"
+#include "io/png_chunks.h"
 #include "io/png_encoder.h"
 #include "io/temporary_folder.h"
 #include "model/color.h"
@@ -257,6 +259,86 @@ TEST_CASE("a truncated or damaged picture never crashes, and is refused with its
             CHECK((loaded.has_value() || !loaded.error().front().message.empty()));
         }
     }
+}
+
+TEST_CASE("a JPEG that breaks off is read, with a note") {
+    const fs::path inputs = fs::path(AFTERGLOW_SOURCE_DIR) / "tests/inputs/pic";
+    const CapturedErrors errors;
+    const auto cut = load_picture(inputs / "cut.jpg");
+    REQUIRE_MESSAGE(cut.has_value(), problems_of(cut));
+    CHECK(cut->note.starts_with("breaks off, and the rest of it is made up"));
+
+    const TemporaryFolder folder;
+    store(folder / "whole.jpg", OIIO::ImageSpec(16, 16, 3, OIIO::TypeDesc::UINT8),
+          std::vector<float>(16 * 16 * 3, 0.5f));
+    CHECK(load_picture(folder / "whole.jpg")->note.empty());
+}
+
+TEST_CASE("an EXR is its display window, black where it has no pixels") {
+    const auto file = load_picture(fs::path(AFTERGLOW_SOURCE_DIR) / "tests/inputs/pic/window.exr");
+    REQUIRE_MESSAGE(file.has_value(), problems_of(file));
+    CHECK(file->extent == Extent{64, 48});
+    CHECK(file->pixels[file->index(0, 0)] == 0.0f);
+    CHECK(file->pixels[file->index(63, 47)] == 0.0f);
+
+    const TemporaryFolder folder;
+    OIIO::ImageSpec spec(2, 1, 1, OIIO::TypeDesc::FLOAT);
+    spec.x = 1;
+    spec.y = 2;
+    spec.full_width = 4;
+    spec.full_height = 3;
+    store(folder / "crop.exr", spec, {0.25f, 0.5f});
+    const auto crop = load_picture(folder / "crop.exr");
+    REQUIRE_MESSAGE(crop.has_value(), problems_of(crop));
+    CHECK(crop->extent == Extent{4, 3});
+    CHECK(crop->pixels == std::vector<float>{0, 0, 0, 0, 0, 0, 0, 0, 0, 0.25f, 0.5f, 0});
+
+    // Rendered beyond the picture's edges; the window does not begin at 0.
+    OIIO::ImageSpec beyond(3, 2, 1, OIIO::TypeDesc::FLOAT);
+    beyond.x = 4;
+    beyond.y = -1;
+    beyond.full_x = 5;
+    beyond.full_y = 0;
+    beyond.full_width = 1;
+    beyond.full_height = 1;
+    store(folder / "over.exr", beyond, {1, 2, 3, 4, 5, 6});
+    const auto over = load_picture(folder / "over.exr");
+    REQUIRE_MESSAGE(over.has_value(), problems_of(over));
+    CHECK(over->extent == Extent{1, 1});
+    CHECK(over->pixels == std::vector<float>{5});
+}
+
+TEST_CASE("a PNG with a bad header is one message, and libpng prints none") {
+    const TemporaryFolder folder;
+    const auto png = [&](std::string header, const std::string& rest) {
+        const std::string bytes =
+            std::string(png_signature()) + png_chunk("IHDR", header) + rest + png_chunk("IEND", "");
+        CapturedErrors errors;
+        const std::string message = error_of(folder.write("a.png", bytes));
+        CHECK(errors.text().empty());
+        return message;
+    };
+    const std::string pixels = png_chunk("IDAT", "x");
+    const auto header = [](std::uint32_t width, std::uint32_t height, std::string rest) {
+        std::string bytes;
+        append_number(bytes, width);
+        append_number(bytes, height);
+        return bytes + rest;
+    };
+    const std::string rgb("\x08\x02\0\0\0", 5);
+    CHECK(png(header(0, 4, rgb), pixels) == "is damaged: the PNG has a size of 0 x 4 px");
+    CHECK(png(header(4, 0, rgb), pixels) == "is damaged: the PNG has a size of 4 x 0 px");
+    CHECK(png(header(0x80000000u, 4, rgb), pixels).find("a size of") != std::string::npos);
+    CHECK(png(header(4, 4, std::string("\x03\x02\0\0\0", 5)), pixels) ==
+          "is damaged: no PNG has a depth of 3 with colour type 2");
+    CHECK(png(header(4, 4, std::string("\x08\x05\0\0\0", 5)), pixels).find("colour type 5") !=
+          std::string::npos);
+    CHECK(png(header(4, 4, std::string("\x08\x02\x01\0\0", 5)), pixels).find("packed") !=
+          std::string::npos);
+    CHECK(png(header(4, 4, std::string("\x08\x03\0\0\0", 5)), pixels).find("no palette") !=
+          std::string::npos);
+    CHECK(png(header(4, 4, rgb), "").find("no pixels") != std::string::npos);
+    CHECK(png("short", pixels).find("no header") != std::string::npos);
 }
 
 TEST_CASE("saving refuses what it cannot encode or place") {

@@ -218,3 +218,29 @@ TEST_CASE("a sound of more than an hour is refused and the limit is said") {
                  SF_FORMAT_WAV | SF_FORMAT_PCM_U8));
     CHECK(sound_refusal(folder / "a.wav") == "is longer than an hour, which is the limit");
 }
+
+TEST_CASE("a WAV whose header tells no length is read to its end, with a note") {
+    const TemporaryFolder folder;
+    Diagnostics notes;
+    const auto input = load_sound(fs::path(AFTERGLOW_SOURCE_DIR) / "tests/inputs/wav/zerosize.wav",
+                                  nullptr, &notes);
+    REQUIRE(input.has_value());
+    // 9644 bytes less 44 of header, two channels of 16 bits.
+    CHECK(input->frame_count() == 2400);
+    REQUIRE(notes.size() == 1);
+    CHECK(notes[0].severity == Severity::warning);
+    CHECK(notes[0].message.starts_with("breaks off: its header tells no length"));
+
+    std::string text = wav({});
+    const auto zero = text.find("data") + 4;
+    text.replace(zero, 4, std::string(4, '\0'));
+    const auto sound = load_sound(folder.write("a.wav", text));
+    REQUIRE(sound.has_value());
+    CHECK(sound->samples == std::vector<float>{0.5f, 0.5f, 0.5f, 0.5f});
+
+    // Data of no length, and a list of the author's words behind it: there is no sound.
+    text.resize(zero + 4);
+    const std::string list = "LIST" + little_endian(4, 4) + "INFO";
+    CHECK(sound_refusal(folder.write("b.wav", text + list)).starts_with("holds no sound"));
+    CHECK(sound_refusal(folder.write("c.wav", text)).starts_with("holds no sound"));
+}
