@@ -125,10 +125,10 @@ private:
                 return;
             corners.push_back(*corner);
         }
-        // A face of one corner, or of the same one again and again, has no edges: exporters write
+        // Of one corner, or of the same one again and again, there are no edges: exporters write
         // such.
-        if (corners.empty())
-            return problem(fmt::format("'{}' has no corners", words[0]));
+        if (corners.size() < 2)
+            return;
         for (std::size_t i = 0; i + 1 < corners.size(); ++i)
             add_edge(corners[i], corners[i + 1]);
         if (is_closed)

@@ -84,7 +84,7 @@ std::string fault_of_png(const std::vector<PngChunk>& chunks) {
                                                  {3, "\x01\x02\x04\x08"},
                                                  {4, "\x08\x10"},
                                                  {6, "\x08\x10"}};
-    const int color = header[9];
+    const int color = static_cast<unsigned char>(header[9]);
     const auto known = depths.find(color);
     if (known == depths.end() || known->second.find(header[8]) == std::string_view::npos)
         return fmt::format("is damaged: no PNG has a depth of {} with colour type {}",

@@ -105,7 +105,7 @@ Result<void> ChosenImages::show(const Look& look, const Values& values, Renderer
             return renderer.set_image(whose, parameter.name, picture);
         };
         if (file.empty()) {
-            if (const auto done = show_black(set_image); !done)
+            if (auto done = show_black(set_image); !done)
                 return done;
             shown[parameter.name] = {file, written, {}};
             continue;

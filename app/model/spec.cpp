@@ -127,7 +127,7 @@ Result<Spec> parse_spec(std::string_view text, HasSetting has_setting) {
 namespace {
 // As parse_spec() reads it again. Without a key '=' would tell of one.
 std::string written(const std::string& key, const Spec::Setting& setting) {
-    const std::string text = to_string(setting);
+    std::string text = to_string(setting);
     const bool is_text = std::holds_alternative<std::string>(setting);
     const bool is_plain = text.find_first_of(key.empty() ? ",=" : ",") == std::string::npos &&
                           !text.starts_with('"') && trim(text) == text;

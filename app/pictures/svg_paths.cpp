@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cairo-svg.h>
 #include <charconv>
 #include <cmath>
@@ -15,8 +16,9 @@
 namespace fs = std::filesystem;
 
 namespace {
-// Cairo keeps 1/256 of a unit, and numbers up to 2^23.
-constexpr double page_units = 32768.0;
+// Of the page's longer side. Cairo keeps 1/256 of a unit, and numbers up to 2^23; letters have at
+// most 65535 units, which some are larger than at first.
+constexpr std::array page_units{32768.0, 1024.0};
 // Cairo drops fills without area only where they are level or upright. A beam draws them.
 constexpr double page_turn = 0.5;  // radians
 
@@ -105,9 +107,13 @@ std::optional<Page> drawn_page(RsvgHandle* handle, GError** error) {
     RsvgRectangle drawn{};
     if (!rsvg_handle_get_geometry_for_layer(handle, nullptr, &usual, &ink, &drawn, error))
         return std::nullopt;
-    const double side = std::max({drawn.width, drawn.height, 1e-6});
-    return Page{drawn.x - side, drawn.y - side, drawn.width + 2.0 * side,
-                drawn.height + 2.0 * side};
+    // Texts are not in it.
+    const double left = std::min(drawn.x, usual.x);
+    const double top = std::min(drawn.y, usual.y);
+    const double width = std::max(drawn.x + drawn.width, usual.width) - left;
+    const double height = std::max(drawn.y + drawn.height, usual.height) - top;
+    const double margin = std::max(width, height);
+    return Page{left - margin, top - margin, width + 2.0 * margin, height + 2.0 * margin};
 }
 
 cairo_status_t append(void* text, const unsigned char* bytes, unsigned count) {
@@ -116,9 +122,9 @@ cairo_status_t append(void* text, const unsigned char* bytes, unsigned count) {
 }
 
 // The turned page lies in the middle of a square surface.
-std::string draw(RsvgHandle* handle, const Page& page, bool has_page) {
-    const double scale = page_units / std::max(page.width, page.height);
-    const double side = 1.5 * page_units;
+std::string draw(RsvgHandle* handle, const Page& page, bool has_page, double units) {
+    const double scale = units / std::max(page.width, page.height);
+    const double side = 1.5 * units;
     std::string svg;
     const Surface surface(cairo_svg_surface_create_for_stream(append, &svg, side, side));
     const Context context(cairo_create(surface.get()));
@@ -162,7 +168,13 @@ std::string convert(std::string_view bytes, const fs::path& file) {
         return failure(error);
     const auto page = page_of(handle.get());
     const auto drawn = page ? page : drawn_page(handle.get(), &error);
-    return drawn ? draw(handle.get(), *drawn, page.has_value()) : failure(error);
+    if (!drawn)
+        return failure(error);
+    std::string made;
+    for (const double units : page_units)
+        if (made = draw(handle.get(), *drawn, page.has_value(), units); made.starts_with('S'))
+            break;
+    return made;
 }
 }  // namespace
 

@@ -83,8 +83,8 @@ class BadLooks(ProgramTest):
         self.refuse("part.glsl:2: error:", only__frag=FRAGMENT.replace("in vec2", '#include "part.glsl"\nin vec2'),
                     part__glsl="float half_of(float x) {\n    return x * ; }\n")
         look = self.refuse("only.frag:3: error:", "is a folder",
-                           only__frag=FRAGMENT.replace("in vec2", '#include "sub"\nin vec2'))
-        (look / "sub").mkdir()
+                           only__frag=FRAGMENT.replace("in vec2", '#include "sub.glsl"\nin vec2'))
+        (look / "sub.glsl").mkdir()
         self.check_refused()
 
     def test_a_cycle_of_includes_is_named(self):
@@ -94,10 +94,11 @@ class BadLooks(ProgramTest):
 
     def test_includes_stay_inside_their_folders(self):
         (self.folder / "secret.glsl").write_text("float secret = 1.0;\n")
+        (self.folder / "secret").write_text("float secret = 1.0;\n")
         for name in ("../secret.glsl", str(self.folder / "secret.glsl")):
             self.refuse("only.frag:3: error:", only__frag=FRAGMENT.replace("in vec2", f'#include "{name}"\nin vec2'))
         look = self.refuse("only.frag:3: error:", only__frag=FRAGMENT.replace("in vec2", '#include "link.glsl"\nin vec2'))
-        os.symlink(self.folder / "secret.glsl", look / "link.glsl")
+        os.symlink(self.folder / "secret", look / "link.glsl")  # no shader text, by its name
         self.check_refused()
 
     def test_paths_of_a_look_stay_inside_its_folder(self):
@@ -199,8 +200,8 @@ class BadDrawings(ProgramTest):
                                 f"drawing:{signal}", "-o", self.folder / "x.png"), *words)
 
     def test_a_drawing_that_cannot_be_drawn_is_told(self):
-        for text, line, words in (("<svg><text>hi</text></svg>", 1, "no paths"),
-                                  ("<svg>\n<path d='M0 0L'/></svg>", 2, "lacks numbers")):
+        for text, line, words in (("<svg><desc>hi</desc></svg>", 1, "no paths"),
+                                  ("<svg>\n<path d='M0 0L", 2, "not well-formed")):
             file = self.write(self.folder / "bad.svg", text)
             self.refused(file, f"{file}:{line}: error: ", words)
         self.refused("strokes=[L0 0 1]", "stroke 1 of keyframe 1 takes pairs")

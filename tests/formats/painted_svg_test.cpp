@@ -153,6 +153,12 @@ TEST_CASE("letters are their outlines") {
     check_corners(paths.back(), {{1, 1}, {99, 1}, {99, 29}, {1, 29}, {1, 1}});
 }
 
+TEST_CASE("letters are drawn without a page, and however large they are") {
+    CHECK(painted(svg_with("<text y='20'>Hi</text>")).size() >= 3);
+    CHECK(painted(svg_with("<text y='10' font-size='30'>H</text>", "viewBox='0 0 10 10'")).size() >=
+          1);
+}
+
 TEST_CASE("a compressed SVG is read") {
     const auto paths = painted_file("z.svgz");
     REQUIRE(paths.size() == 1);

@@ -69,7 +69,7 @@ TEST_CASE("an SVG that is opened becomes the drawing; what is wrong with one is 
     CHECK(lab.notice()->text == "Saved 'mine.svg'");
     const std::string drawn = strokes_of(lab);
     lab.draw([](DrawingBoard& board, Document& document) { board.clear_keyframe(document); });
-    write(small.folder() / "broken.svg", "<svg>\n<path d='M0 0 L'/></svg>");
+    write(small.folder() / "broken.svg", "<svg>\n<path d='M0 0 L'");
     lab.open_file(small.folder() / "broken.svg");
     CHECK(lab.notice()->text.find("broken.svg:2: ") == 0);
     CHECK(strokes_of(lab) == "[]");

@@ -75,7 +75,7 @@ class Drawing(Person):
         self.assertEqual(file.read_text().count("data-keyframe"), 2)
         program.click("keyframe_clear")
         program.wait("the keyframe is empty", lambda s: s["signal"].endswith("[]"))
-        (program.folder / "none.svg").write_text("<svg><text>nothing</text></svg>")
+        (program.folder / "none.svg").write_text("<svg><desc>nothing</desc></svg>")
         self.ask_file("load_drawing", program.folder / "none.svg")
         program.wait("one without lines is told", lambda s: "has no paths" in s["notice"])
         self.ask_file("load_drawing", file)

@@ -278,6 +278,9 @@ private:
         const auto read = [&](std::string_view key, std::vector<double>& numbers) {
             const JsonValue* value = find_member(json, key);
             numbers = numbers_of(value);
+            if (value && numbers.empty() && trim(value->text).starts_with('#'))
+                problem(*value, fmt::format("'{}' is not a colour: write #rrggbb or four numbers",
+                                            value->text));
             if (numbers.size() > most_values)
                 problem(*value, fmt::format("more than {} numbers in \"{}\"", most_values, key));
             for (const double number : numbers)

@@ -149,6 +149,20 @@ TEST_CASE("an import of six pictures is a cube, of another number a mistake") {
           "a.fs:2: error: \"PATH\" of 'a' names 1 pictures: a cube has 6\n");
 }
 
+TEST_CASE("a colour may be written as text") {
+    const auto color = [](const std::string& text) {
+        return header_of(R"({"INPUTS": [{"NAME": "c", "TYPE": "color", "DEFAULT": ")" + text +
+                         "\"}]}")
+            .inputs[0]
+            .initial;
+    };
+    CHECK(color("#ff8000") == std::vector<double>{1.0, 128 / 255.0, 0.0});
+    CHECK(color("#0f08") == std::vector<double>{0.0, 1.0, 0.0, 136 / 255.0});
+    CHECK(refusal_of("/*{\n\"INPUTS\": [{\"NAME\": \"c\", \"TYPE\": \"color\", \"DEFAULT\": "
+                     "\"#ggg\"}]}*/")
+              .starts_with("a.fs:2: error: '#ggg' is not a colour"));
+}
+
 TEST_CASE("what an ISF shader does follows from its inputs") {
     using Kind = IsfHeader::Kind;
     CHECK(header_of("{}").kind() == Kind::generator);
