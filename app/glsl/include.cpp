@@ -155,7 +155,7 @@ private:
                 "Includes)",
                 name, m_paths.tree().string());
         return fmt::format(
-            "there is no file '{}' beside this file, in the look's folder or in an "
+            "there is no file '{}' next to this file, in the look's folder or in an "
             "include folder{}",
             name, IncludePaths::nearest_name(found.tried));
     }

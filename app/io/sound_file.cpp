@@ -200,8 +200,8 @@ Result<Sound> load_sound(const std::filesystem::path& file, Work* work, Diagnost
             return fail({file, 0, "holds no sound: there is a header and nothing behind it"});
         if (notes)
             notes->push_back({file, 0,
-                              fmt::format("breaks off: its header tells no length; {:.2f} s are "
-                                          "there and read",
+                              fmt::format("breaks off: its header holds no length; {:.2f} s "
+                                          "were read",
                                           unfinished->seconds()),
                               Severity::warning});
         return std::move(*unfinished);

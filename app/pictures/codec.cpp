@@ -130,7 +130,7 @@ std::string note_of(const std::string& error) {
         return {};
     const std::string reason = cleaned(error);
     const bool is_cut = reason.find("remature end") != std::string::npos;
-    return (is_cut ? "breaks off, and the rest of it is made up: " : "is damaged: ") + reason;
+    return (is_cut ? "breaks off, the rest is filled in: " : "is damaged: ") + reason;
 }
 
 Result<Picture> read_picture(const fs::path& file, const std::string& kind) {

@@ -75,8 +75,10 @@ Diagnostics notes_about(const Spec& spec) {
         complete ? missing_letters(Settings(*complete).word("text")) : std::string();
     if (missing.empty())
         return {};
-    return {
-        {{}, 0, "text: the font has no " + missing + "; a box stands for it", Severity::warning}};
+    return {{{},
+             0,
+             "text: the font has no " + missing + "; a box is drawn instead",
+             Severity::warning}};
 }
 
 std::string file_of(const Spec& spec) {

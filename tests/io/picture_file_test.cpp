@@ -266,7 +266,7 @@ TEST_CASE("a JPEG that breaks off is read, with a note") {
     const CapturedErrors errors;
     const auto cut = load_picture(inputs / "cut.jpg");
     REQUIRE_MESSAGE(cut.has_value(), problems_of(cut));
-    CHECK(cut->note.starts_with("breaks off, and the rest of it is made up"));
+    CHECK(cut->note.starts_with("breaks off, the rest is filled in"));
 
     const TemporaryFolder folder;
     store(folder / "whole.jpg", OIIO::ImageSpec(16, 16, 3, OIIO::TypeDesc::UINT8),

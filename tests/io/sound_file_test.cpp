@@ -229,7 +229,7 @@ TEST_CASE("a WAV whose header tells no length is read to its end, with a note") 
     CHECK(input->frame_count() == 2400);
     REQUIRE(notes.size() == 1);
     CHECK(notes[0].severity == Severity::warning);
-    CHECK(notes[0].message.starts_with("breaks off: its header tells no length"));
+    CHECK(notes[0].message.starts_with("breaks off: its header holds no length"));
 
     std::string text = wav({});
     const auto zero = text.find("data") + 4;

@@ -118,8 +118,8 @@ private:
         } else if (value.starts_with("http://") || value.starts_with("https://")) {
             input.kind = ToyKind::texture;
             warn(
-                fmt::format("'{}' is not loaded, as nothing is from the network: save it beside "
-                            "the shader. Another picture stands in for it",
+                fmt::format("'{}' is not loaded: nothing is read from the network. Save it next to "
+                            "the shader; another picture is used until then",
                             value));
         } else if (const std::string path = path_of(value); is_shader_code(path)) {
             input.kind = ToyKind::buffer;

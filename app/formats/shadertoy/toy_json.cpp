@@ -290,7 +290,7 @@ bool is_toy_json(std::string_view text) {
 Result<Toy> parse_toy_json(std::string_view text, const fs::path& file, Diagnostics& warnings) {
     if (trim(text).starts_with('<'))
         return fail({file, 1,
-                     "is a web page, not Shadertoy's JSON: the site gave it in the place of the "
+                     "is a web page, not Shadertoy's JSON: the site sent it instead of the "
                      "shader. Download the shader again in a browser"});
     const auto document = parse_json(text, file);
     if (!document)

@@ -131,7 +131,7 @@ std::string ToyLook::add_picture(const ToyInput& wired) {
     const bool is_there = !wired.asset.empty() && fs::is_regular_file(beside, error);
     if (wired.is_file && !is_there)
         warn(wired.declared,
-             fmt::format("the picture '{}' is missing: another stands in for it", wired.asset));
+             fmt::format("the picture '{}' is missing: another picture is used", wired.asset));
     parameter.initial = Value::of_path(is_there ? beside.string() : asset.made);
     if (!is_turned) {
         Image rows;

@@ -141,7 +141,8 @@ TEST_CASE("yes and no are read forgivingly, anything else is told") {
 
 TEST_CASE("a decimal comma is told, with what is read and what to write") {
     CHECK(decimal_comma_note("0,5") == "'0,5' is read as 0, up to its comma; write '0.5'");
-    CHECK(decimal_comma_note("-12,25") == "'-12,25' is read as -12, up to its comma; write '-12.25'");
+    CHECK(decimal_comma_note("-12,25") ==
+          "'-12,25' is read as -12, up to its comma; write '-12.25'");
     for (const char* plain : {"0.5", "1", "", ",5", "1,", "a,5", "1.0,2.0", "x"})
         CHECK(decimal_comma_note(plain).empty());
 }
