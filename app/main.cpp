@@ -19,13 +19,14 @@ WindowOptions window_options(const std::string& look, Roots roots) {
 
 // A window; where none can be had one with software OpenGL; where there is no display a picture.
 int open_window(const std::string& look, const DataFolders& data) {
-    const auto roots = find_roots(
+    auto roots = find_roots(
         data.data.empty() ? std::nullopt : std::optional<std::filesystem::path>(data.data),
         data.includes);
     if (!roots) {
         std::cerr << to_string(roots.error()) << '\n';
         return EXIT_FAILURE;
     }
+    roots->shader_limits = data.limits;
     const WindowOptions options = window_options(look, *roots);
     auto shown = run_window(options);
     if (!shown && !std::getenv("LIBGL_ALWAYS_SOFTWARE")) {

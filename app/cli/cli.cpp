@@ -3,6 +3,8 @@
 #include "base/text.h"
 #include "cli/common.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -54,6 +56,20 @@ int with_output_written(int code) {
     return report({{{}, 0, "the output cannot be written: " + reason}});
 }
 
+std::string help_of_limits() {
+    const ShaderLimits defaults;
+    std::string help = "NAME=VALUE, a larger limit for shaders; may be given again and again.";
+    for (const ShaderLimit& limit : shader_limits)
+        help += fmt::format("\n{} ({:.0f}): {}", limit.name, defaults.*limit.value, limit.about);
+    return help;
+}
+
+void set_limits(DataFolders& data) {
+    for (const std::string& text : data.limit_texts)
+        if (const auto set = set_limit(data.limits, text); !set)
+            throw UsageError("--limit: " + set.error().front().message);
+}
+
 /// Runs the command that was parsed, or opens the window when there was none.
 int run_parsed(const std::string& verb, const std::map<std::string, Command>& commands,
                const std::string& look, const DataFolders& data, const OpenWindow& open_window) {
@@ -77,11 +93,13 @@ int run_program(int argc, const char* const* argv, const OpenWindow& open_window
         .add("--include", data.includes,
              "A folder that shaders may include files from; may be given again and again")
         .repeated();
+    options.add("--limit", data.limit_texts, help_of_limits()).repeated();
     std::map<std::string, Command> commands;
     for (const Verb& verb : verbs)
         commands[verb.name] = verb.add(program);
     try {
         return program.run(argc, argv, [&](const std::string& verb) {
+            set_limits(data);
             return run_parsed(verb, commands, look, data, open_window);
         });
     } catch (const std::exception& error) {

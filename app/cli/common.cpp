@@ -80,6 +80,7 @@ Result<Library> open_library(const DataFolders& data) {
         data.includes);
     if (!roots)
         return fail(roots.error());
+    roots->shader_limits = data.limits;
     return Library(std::move(*roots));
 }
 

@@ -64,6 +64,8 @@ Json tried_alone(const fs::path& file, const CorpusArguments& arguments, const D
         command.insert(command.end(), {"--data", data.data});
     for (const std::string& folder : data.includes)
         command.insert(command.end(), {"--include", folder});
+    for (const std::string& limit : data.limit_texts)
+        command.insert(command.end(), {"--limit", limit});
     auto child = ChildProcess::start(command);
     if (!child)
         return json_of_lost(file, to_string(child.error()));

@@ -5,7 +5,9 @@
 #include "glsl/include.h"
 #include "glsl/interface.h"
 #include "glsl/live.h"
+#include "glsl/stage_cost.h"
 #include "glsl/start.h"
+#include "glsl/struct_sizes.h"
 #include "glsl/tokens.h"
 #include "glsl/tree.h"
 #include "glsl/uniform_lines.h"
@@ -100,15 +102,9 @@ std::vector<std::string> live_in(Compiled& vertex, Compiled& fragment) {
     return live;
 }
 
-// More than drivers take, and than is looked through in a moment.
-void check_counts(const StageInterface& declared, const Stage& stage, Diagnostics& problems) {
-    constexpr std::size_t most_uniforms = 4096;
+void check_varying_counts(const StageInterface& declared, const Stage& stage,
+                          Diagnostics& problems) {
     constexpr std::size_t most_varyings = 256;
-    if (declared.uniforms.size() > most_uniforms) {
-        const Location& at = declared.uniforms[most_uniforms].declared.front();
-        problems.push_back({at.file.empty() ? stage.file : at.file, at.line,
-                            fmt::format("more than {} uniforms in one shader", most_uniforms)});
-    }
     if (std::max(declared.inputs.size(), declared.outputs.size()) > most_varyings)
         problems.push_back(
             {stage.file, 0,
@@ -116,19 +112,30 @@ void check_counts(const StageInterface& declared, const Stage& stage, Diagnostic
 }
 
 // What keeps a text from being given to glslang.
-void check_text(const Stage& stage, Diagnostics& problems) {
+void check_text(const Stage& stage, const ShaderLimits& limits, Diagnostics& problems) {
     const Diagnostics version = check_version(stage);
     problems.insert(problems.end(), version.begin(), version.end());
-    check_bounds(stage, problems);
+    check_bounds(stage, limits, problems);
 }
 }  // namespace
 
-void check_bounds(const Stage& stage, Diagnostics& problems) {
-    const auto fault = find_out_of_bounds(stage.text);
+void check_bounds(const Stage& stage, const ShaderLimits& limits, Diagnostics& problems) {
+    auto fault = find_out_of_bounds(stage.text);
+    if (!fault)
+        fault = find_large_struct(stage.text, limits);
     if (!fault)
         return;
     const Location at = author_place(stage, fault->line);
     problems.push_back({at.file, at.line, fault->message});
+}
+
+void check_cost(glslang::TShader& shader, const Stage& stage, const ShaderLimits& limits,
+                Diagnostics& problems) {
+    const auto exceeded = find_exceeded(estimate_cost(shader), limits);
+    if (!exceeded)
+        return;
+    const Location at = author_place(stage, exceeded->figure.line);
+    problems.push_back({at.file, at.line, refusal(*exceeded, limits)});
 }
 
 std::string with_article(const std::string& type_name) {
@@ -140,10 +147,11 @@ Location place_in(const Stage& stage, int line) {
     return stage.lines.empty() ? Location{stage.file, line} : origin_of(stage.lines, line);
 }
 
-Result<Reflection> check_program(const Stage& vertex, const Stage& fragment) {
+Result<Reflection> check_program(const Stage& vertex, const Stage& fragment,
+                                 const ShaderLimits& limits) {
     Diagnostics problems;
-    check_text(vertex, problems);
-    check_text(fragment, problems);
+    check_text(vertex, limits, problems);
+    check_text(fragment, limits, problems);
     if (!problems.empty())
         return fail(std::move(problems));
 
@@ -154,12 +162,16 @@ Result<Reflection> check_program(const Stage& vertex, const Stage& fragment) {
     compiled_fragment.parse(problems);
     if (has_errors(problems))
         return fail(std::move(problems));
+    check_cost(compiled_vertex.shader(), vertex, limits, problems);
+    check_cost(compiled_fragment.shader(), fragment, limits, problems);
+    if (has_errors(problems))
+        return fail(std::move(problems));
 
     Reflection reflection;
     const StageInterface from = compiled_vertex.interface(problems);
     const StageInterface to = compiled_fragment.interface(problems);
-    check_counts(from, vertex, problems);
-    check_counts(to, fragment, problems);
+    check_varying_counts(from, vertex, problems);
+    check_varying_counts(to, fragment, problems);
     if (has_errors(problems))
         return fail(std::move(problems));
     reflection.uniforms = merged_uniforms(from, to, problems);

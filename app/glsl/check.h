@@ -1,10 +1,15 @@
 #pragma once
 
+#include "glsl/shader_limits.h"
 #include "model/look.h"
 
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace glslang {
+class TShader;
+}
 
 /// A uniform as the shaders of a pass declare it.
 struct Uniform {
@@ -32,12 +37,18 @@ struct Reflection {
 
 /// Checks both stages and their fitting together with glslang, as for a driver of OpenGL 4.1 core.
 /// Errors are glslang's messages at the author's file and line; also a missing #version, a default
-/// that no 32-bit float holds, more than 4096 uniforms or 256 varyings, and shaders that would take
-/// glslang out of its depth.
-Result<Reflection> check_program(const Stage& vertex, const Stage& fragment);
+/// that no 32-bit float holds, more than 256 varyings, and shaders that exceed a limit.
+Result<Reflection> check_program(const Stage& vertex, const Stage& fragment,
+                                 const ShaderLimits& limits = {});
 
-/// Whether a stage would take glslang out of its depth, as find_out_of_bounds says.
-void check_bounds(const Stage& stage, Diagnostics& problems);
+/// Refuses a text that glslang would take too much time or memory for, as find_out_of_bounds and
+/// find_large_struct say.
+void check_bounds(const Stage& stage, const ShaderLimits& limits, Diagnostics& problems);
+
+/// Refuses a shader that was parsed without errors and that exceeds a limit. The error lies at the
+/// author's line where one is to blame.
+void check_cost(glslang::TShader& shader, const Stage& stage, const ShaderLimits& limits,
+                Diagnostics& problems);
 
 /// Builds glslang's built-in tables, which the first check would otherwise wait for (20 ms).
 void warm_up();

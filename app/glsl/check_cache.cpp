@@ -40,7 +40,7 @@ std::string digest_of_stage(const Stage& stage) {
 template <class Answer>
 struct QuestionKind {
     std::string_view name;
-    Result<Answer> (*ask)(const Stage& vertex, const Stage& fragment);
+    Result<Answer> (*ask)(const Stage& vertex, const Stage& fragment, const ShaderLimits& limits);
     std::optional<Answer> (*unpack)(std::string_view bytes);
 };
 }  // namespace
@@ -64,11 +64,11 @@ Answer CheckCache::remembered(std::map<ProgramKey, Answer>& known, const Stage& 
         if (const auto found = known.find(key); found != known.end())
             return found->second;
     }
-    const std::string question =
-        fmt::format("{} {} {}", kind.name, digest_of_stage(vertex), digest_of_stage(fragment));
+    const std::string question = fmt::format("{} {}{} {}", kind.name, to_string(m_limits),
+                                             digest_of_stage(vertex), digest_of_stage(fragment));
     const auto kept = m_kept ? m_kept->find(question) : std::nullopt;
     auto unpacked = kept ? kind.unpack(*kept) : std::nullopt;
-    Answer answer = unpacked ? Answer(std::move(*unpacked)) : kind.ask(vertex, fragment);
+    Answer answer = unpacked ? Answer(std::move(*unpacked)) : kind.ask(vertex, fragment, m_limits);
     if (!unpacked)
         ++m_compilations;
     if (!unpacked && answer && m_kept && m_keeps)

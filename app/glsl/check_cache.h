@@ -18,7 +18,8 @@ class CheckCache {
 public:
     /// What is good is also kept in `kept`, where a former run of the program may have kept it
     /// already; null: nowhere.
-    explicit CheckCache(ByteStore* kept = nullptr) : m_kept(kept) {}
+    explicit CheckCache(ByteStore* kept = nullptr, const ShaderLimits& limits = {})
+        : m_kept(kept), m_limits(limits) {}
 
     /// Whether what is found out from now on is kept for other runs; at first it is.
     void set_keeping(bool keeps) { m_keeps = keeps; }
@@ -42,6 +43,7 @@ private:
                       const Stage& fragment, const Kind& kind);
 
     ByteStore* m_kept;
+    ShaderLimits m_limits;
     std::atomic<bool> m_keeps = true;
     std::atomic<int> m_compilations = 0;
     std::mutex m_mutex;

@@ -72,10 +72,11 @@ std::vector<std::uint32_t> code_of(VulkanStage& stage, Diagnostics& problems) {
 }
 }  // namespace
 
-Result<SpirvPair> compile_for_vulkan(const Stage& vertex, const Stage& fragment) {
+Result<SpirvPair> compile_for_vulkan(const Stage& vertex, const Stage& fragment,
+                                     const ShaderLimits& limits) {
     Diagnostics problems;
-    check_bounds(vertex, problems);
-    check_bounds(fragment, problems);
+    check_bounds(vertex, limits, problems);
+    check_bounds(fragment, limits, problems);
     if (!problems.empty())
         return fail(std::move(problems));
 
@@ -84,6 +85,10 @@ Result<SpirvPair> compile_for_vulkan(const Stage& vertex, const Stage& fragment)
     VulkanStage fragment_stage(fragment, EShLangFragment);
     vertex_stage.parse(problems);
     fragment_stage.parse(problems);
+    if (has_errors(problems))
+        return fail(std::move(problems));
+    check_cost(vertex_stage.shader(), vertex, limits, problems);
+    check_cost(fragment_stage.shader(), fragment, limits, problems);
     if (has_errors(problems))
         return fail(std::move(problems));
     SpirvPair pair{code_of(vertex_stage, problems), code_of(fragment_stage, problems), {}};

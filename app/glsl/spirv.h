@@ -1,5 +1,6 @@
 #pragma once
 
+#include "glsl/shader_limits.h"
 #include "model/look.h"
 
 #include <cstdint>
@@ -13,6 +14,7 @@ struct SpirvPair {
 };
 
 /// Compiles GLSL that is written for Vulkan 1.0 (uniform blocks, push constants, locations), as
-/// libretro's shaders are. Errors are glslang's messages at the author's file and line. The code
-/// holds the lines of the texts that it comes from.
-Result<SpirvPair> compile_for_vulkan(const Stage& vertex, const Stage& fragment);
+/// libretro's shaders are. Errors are glslang's messages at the author's file and line, and limits
+/// that are exceeded. The code holds the lines of the texts that it comes from.
+Result<SpirvPair> compile_for_vulkan(const Stage& vertex, const Stage& fragment,
+                                     const ShaderLimits& limits = {});

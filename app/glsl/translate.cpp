@@ -185,8 +185,9 @@ Stage Translator::translate(Translation& into) {
 }
 }  // namespace
 
-Result<Translation> translate_from_vulkan(const Stage& vertex, const Stage& fragment) {
-    auto code = compile_for_vulkan(vertex, fragment);
+Result<Translation> translate_from_vulkan(const Stage& vertex, const Stage& fragment,
+                                          const ShaderLimits& limits) {
+    auto code = compile_for_vulkan(vertex, fragment, limits);
     if (!code)
         return fail(code.error());
     try {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "glsl/shader_limits.h"
 #include "model/look.h"
 
 #include <optional>
@@ -32,5 +33,6 @@ struct Translation {
 /// the vertex stage gives takes its interpolation from the fragment stage. A driver's words about
 /// the translated text find the author's lines. Errors: glslang's, at the author's file and line;
 /// what no picture pass of libretro may have (storage, separate samplers, several blocks of a
-/// kind).
-Result<Translation> translate_from_vulkan(const Stage& vertex, const Stage& fragment);
+/// kind); limits that are exceeded.
+Result<Translation> translate_from_vulkan(const Stage& vertex, const Stage& fragment,
+                                          const ShaderLimits& limits = {});

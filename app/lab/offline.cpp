@@ -122,7 +122,7 @@ Result<Prepared> prepare(const RenderRequest& request, const Library& library) {
     if (!preset)
         return fail(preset.error());
     auto kept = kept_shaders(library.roots());
-    CheckCache checks(kept.get());
+    CheckCache checks(kept.get(), library.roots().shader_limits);
     LoadedLook loaded = load_requested(*preset, library, {&checks, request.progress});
     if (!loaded.look)
         return fail(std::move(loaded.look.error()));

@@ -7,6 +7,7 @@
 #include "formats/shadertoy/toy_files.h"
 #include "formats/share_line.h"
 #include "formats/stack_format.h"
+#include "glsl/check_cache.h"
 #include "lab/media.h"
 
 #include <fmt/format.h>
@@ -212,6 +213,7 @@ Result<OpenRequest> resolve_preset(const std::string& argument, const std::strin
 LoadedLook load_requested(const OpenRequest& request, const Library& library,
                           const ReadingHelp& help) {
     const Values values = values_of(request);
+    CheckCache checks(nullptr, library.roots().shader_limits);
     return load_stack(stack_of(request), library.roots().include_folders(),
-                      {help.cache, help.progress, &values});
+                      {help.cache ? help.cache : &checks, help.progress, &values});
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/diagnostic.h"
+#include "glsl/shader_limits.h"
 #include "model/include_folders.h"
 
 #include <filesystem>
@@ -15,15 +16,18 @@ struct Roots {
     std::filesystem::path state;                       // $XDG_STATE_HOME/afterglow; need not exist
     std::filesystem::path cache = {};                  // $XDG_CACHE_HOME/afterglow; need not exist
     std::vector<std::filesystem::path> includes = {};  // named for includes, besides the program's
+    ShaderLimits shader_limits = {};                   // of the looks that are opened
 
     std::vector<std::filesystem::path> all() const { return {program, user}; }
     IncludeFolders include_folders() const { return {program / "shaders" / "include", includes}; }
 };
 
-/// What the command line says about folders.
+/// What the command line says about folders, and about the looks in them.
 struct DataFolders {
-    std::string data = {};                   // of --data; "": not given
-    std::vector<std::string> includes = {};  // of --include, in order
+    std::string data = {};                      // of --data; "": not given
+    std::vector<std::string> includes = {};     // of --include, in order
+    ShaderLimits limits = {};                   // of --limit
+    std::vector<std::string> limit_texts = {};  // of --limit, as given
 };
 
 /// `data` (from --data), $AFTERGLOW_DATA, a folder above the program that holds shaders/ (or its

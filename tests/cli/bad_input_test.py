@@ -153,6 +153,36 @@ class BadLooks(ProgramTest):
         self.refuse("only.frag", only__frag=FRAGMENT.replace("uv * gain", "(" * 20000 + "uv" + ")" * 20000))
         self.check_refused()
 
+    def test_shaders_that_would_take_the_driver_too_long_are_refused_with_the_limit(self):
+        main = "in vec2 uv;\nout vec4 color;\nvoid main() { %s color = vec4(uv, 0.0, 1.0); }\n"
+        calls = "float f0(float x) { return x * 2.0; }\n" + "".join(
+            f"float f{i}(float x) {{ return f{i - 1}(x) + f{i - 1}(x); }}\n" for i in range(1, 30))
+        structs = "struct S0 { float x; };\n" + "".join(
+            f"struct S{i} {{ S{i - 1} a, b; }};\n" for i in range(1, 30))
+        cases = "".join(f"case {i}: color.x = {i}.0; break;" for i in range(30000))
+        for before, body, limit in (
+                ("", "float a[1100000000]; a[int(uv.x * 10.0)] = 1.0;", "variable-bytes"),
+                ("", "float a[65536]; a[int(uv.x * 10.0)] = 1.0;", "indexed-bytes"),
+                (calls, "color.x = f29(uv.x);", "instructions"),
+                (structs, "S29 s;", "struct-members"),
+                ("".join(f"uniform float u{i};\n" for i in range(4000)), "", "uniforms"),
+                ("", "switch (int(uv.x)) { %s }" % cases, "switch-cases")):
+            start = time.monotonic()
+            self.refuse(f"--limit {limit}=", only__frag="#version 410 core\n" + before + main % body)
+            self.assertLess(time.monotonic() - start, 5)
+        self.check_refused()
+
+    def test_a_limit_is_raised_on_the_command_line(self):
+        cases = "".join(f"case {i}: color.x = {i}.0; break;" for i in range(300))
+        look = self.look(only__frag="#version 410 core\nin vec2 uv;\nout vec4 color;\n"
+                         "void main() { color = vec4(1.0); switch (int(uv.x)) { %s } }\n" % cases)
+        self.assert_refused(run("check", look), "--limit switch-cases=300")
+        self.assert_done(run("check", look, "--limit", "switch-cases=300"))
+        self.assert_done(run("--limit", "switch-cases=300", "render", look, "--size", "16x16", "-o", self.folder / "x.png"))
+        self.assert_refused(run("check", look, "--limit", "uniforms=5"), "--limit switch-cases=300")
+        self.assert_refused(run("check", look, "--limit", "cases=5"), "unknown limit 'cases'", code=2)
+        self.assert_refused(run("check", look, "--limit", "uniforms=none"), "takes a whole number", code=2)
+
     def test_a_target_too_large_is_refused(self):
         text = manifest(passes=[{"name": "only", "fragment": "only.frag", "scale": 60}])
         self.assert_refused(run("render", self.look(text), "-o", self.folder / "x.png"), "px")

@@ -89,15 +89,10 @@ TEST_CASE("of the compiler's messages the first are told") {
     CHECK(messages.back().text == "there is more: the first 256 messages are told");
 }
 
-TEST_CASE("more uniforms or varyings than a driver takes are refused") {
-    std::string uniforms = "#version 410 core\nout vec4 color;\n";
+TEST_CASE("more varyings than a driver takes are refused") {
     std::string varyings = "#version 410 core\nout vec4 color;\n";
-    for (int i = 0; i < 4097; ++i)
-        uniforms += fmt::format("uniform float u{};\n", i);
     for (int i = 0; i < 257; ++i)
         varyings += fmt::format("in float v{};\n", i);
-    CHECK(errors_of(uniforms + "void main() { color = vec4(1); }\n") ==
-          "a.frag:4099: error: more than 4096 uniforms in one shader\n");
     CHECK(errors_of(varyings + "void main() { color = vec4(1); }\n")
               .find("more than 256 values go from shader to shader") != std::string::npos);
 }

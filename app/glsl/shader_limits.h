@@ -1,0 +1,46 @@
+#pragma once
+
+#include "base/diagnostic.h"
+
+#include <array>
+#include <string>
+#include <string_view>
+
+/// What a stage may have before it is given to a compiler. Compilers and drivers take memory and
+/// time without a bound of their own.
+struct ShaderLimits {
+    double variable_bytes = 1 << 20;  // of all variables, arrays of functions once a call
+    double indexed_bytes = 32 << 10;  // of variables that are arrays with a computed index
+    double uniforms = 1024;           // members of structs and blocks count one each
+    double struct_members = 4096;     // of one struct, members of its members included
+    double depth = 64;                // of structs in structs, and of calls in calls
+    double instructions = 100'000;    // with every call inlined
+    double switch_cases = 256;        // of one switch
+
+    bool operator==(const ShaderLimits&) const = default;
+};
+
+/// A limit by the name that --limit takes.
+struct ShaderLimit {
+    std::string_view name;
+    double ShaderLimits::*value;
+    std::string_view about;  // what it counts, for the help
+};
+
+inline constexpr std::array shader_limits{
+    ShaderLimit{"variable-bytes", &ShaderLimits::variable_bytes, "bytes of variables"},
+    ShaderLimit{"indexed-bytes", &ShaderLimits::indexed_bytes,
+                "bytes of arrays with a computed index"},
+    ShaderLimit{"uniforms", &ShaderLimits::uniforms, "uniforms, and members of uniform structs"},
+    ShaderLimit{"struct-members", &ShaderLimits::struct_members, "members of one struct"},
+    ShaderLimit{"depth", &ShaderLimits::depth, "levels of nested structs or calls"},
+    ShaderLimit{"instructions", &ShaderLimits::instructions, "instructions with inlined calls"},
+    ShaderLimit{"switch-cases", &ShaderLimits::switch_cases, "cases of one switch"},
+};
+
+/// Sets the limit that "NAME=VALUE" names; VALUE is a whole number from 1 to 1e12. An error names
+/// the limits that exist.
+Result<void> set_limit(ShaderLimits& limits, std::string_view text);
+
+/// All values in one line, in the order of `shader_limits`.
+std::string to_string(const ShaderLimits& limits);

@@ -1,0 +1,132 @@
+#include "glsl/struct_sizes.h"
+
+#include "glsl/start.h"
+#include "glsl/tokens.h"
+
+#include <fmt/format.h>
+#include <glslang/Public/ResourceLimits.h>
+#include <glslang/Public/ShaderLang.h>
+
+#include <algorithm>
+#include <map>
+#include <span>
+
+namespace {
+struct StructSize {
+    double members = 0.0;
+    double depth = 0.0;
+};
+
+/// Reads struct declarations, in their order, and what each comes to.
+class StructReader {
+public:
+    explicit StructReader(std::span<const Token> code) : m_code(code) {}
+
+    /// The first struct that exceeds a limit.
+    std::optional<OutOfBounds> read(const ShaderLimits& limits) {
+        while (m_at < m_code.size()) {
+            const Token& token = m_code[m_at++];
+            if (!token.is("struct"))
+                continue;
+            const StructSize size = read_struct();
+            if (size.members > limits.struct_members)
+                return refused(token.line, size.members, "members", limits.struct_members,
+                               "struct-members");
+            if (size.depth > limits.depth)
+                return refused(token.line, size.depth, "levels of nested structs", limits.depth,
+                               "depth");
+        }
+        return std::nullopt;
+    }
+
+private:
+    static OutOfBounds refused(int line, double value, std::string_view what, double limit,
+                               std::string_view name) {
+        return {line, fmt::format("this struct has {:.0f} {}; the limit is {:.0f}. Simplify it, or "
+                                  "raise the limit with --limit {}={:.0f}",
+                                  value, what, limit, name, value)};
+    }
+
+    // From behind "struct" to behind its '}'.
+    StructSize read_struct() {
+        std::string name;
+        while (m_at < m_code.size() && !m_code[m_at].is("{")) {
+            if (m_code[m_at].is(";") || m_code[m_at].is(")"))
+                return {};
+            name = m_code[m_at++].text;
+        }
+        ++m_at;
+        StructSize size;
+        while (m_at < m_code.size() && !m_code[m_at].is("}"))
+            add_member(size);
+        ++m_at;
+        size.depth += 1.0;
+        return m_known[name] = size;
+    }
+
+    // A declaration up to its ';': its type, and a name for each comma.
+    void add_member(StructSize& size) {
+        StructSize type{1.0, 0.0};
+        double names = 1.0;
+        int depth = 0;
+        while (m_at < m_code.size() && !m_code[m_at].is(";") && !m_code[m_at].is("}")) {
+            const Token& token = m_code[m_at++];
+            depth += token.is("(") || token.is("[") ? 1 : token.is(")") || token.is("]") ? -1 : 0;
+            if (token.is("struct") && m_nested < deepest)
+                type = read_nested();
+            else if (const auto known = m_known.find(std::string(token.text));
+                     known != m_known.end())
+                type = known->second;
+            else if (token.is(",") && depth == 0)
+                names += 1.0;
+        }
+        if (m_at < m_code.size() && m_code[m_at].is(";"))
+            ++m_at;
+        size.members += type.members * names;
+        size.depth = std::max(size.depth, type.depth);
+    }
+
+    StructSize read_nested() {
+        ++m_nested;
+        const StructSize size = read_struct();
+        --m_nested;
+        return size;
+    }
+
+    static constexpr int deepest = 256;  // declared within each other, for this thread's stack
+    std::span<const Token> m_code;
+    std::size_t m_at = 0;
+    int m_nested = 0;
+    std::map<std::string, StructSize> m_known;
+};
+
+std::optional<OutOfBounds> find_in(const std::string& text, const ShaderLimits& limits) {
+    const Tokens tokens = scan(text);
+    std::vector<Token> code;
+    std::ranges::copy_if(tokens.all, std::back_inserter(code), [](const Token& token) {
+        return token.kind != Token::Kind::comment && !token.in_directive;
+    });
+    return StructReader(code).read(limits);
+}
+
+// What is wrong with a text that cannot be preprocessed glslang says when it parses it.
+std::string preprocessed(const std::string& text) {
+    start_glslang();
+    glslang::TShader shader(EShLangFragment);
+    const char* const piece = text.c_str();
+    shader.setStrings(&piece, 1);
+    glslang::TShader::ForbidIncluder no_includes;
+    std::string expanded;
+    shader.preprocess(GetDefaultResources(), 410, ECoreProfile, false, false, EShMsgDefault,
+                      &expanded, no_includes);
+    return expanded;
+}
+}  // namespace
+
+std::optional<OutOfBounds> find_large_struct(const std::string& text, const ShaderLimits& limits) {
+    if (text.find("struct") == std::string::npos)
+        return std::nullopt;
+    if (auto found = find_in(text, limits))
+        return found;
+    return find_in(preprocessed(text), limits);
+}
