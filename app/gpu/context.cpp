@@ -27,6 +27,12 @@ Facts read_facts() {
     return facts;
 }
 
+bool was_reset() {
+    if (!epoxy_has_gl_extension("GL_ARB_robustness"))
+        return false;
+    return glGetGraphicsResetStatusARB() != GL_NO_ERROR;
+}
+
 Context::Context() = default;
 
 Context::~Context() {

@@ -23,6 +23,10 @@ struct Facts {
 /// Of the current context.
 Facts read_facts();
 
+/// Whether the driver has lost the current context, with all that it holds. Contexts that are not
+/// robust are never told.
+bool was_reset();
+
 /// What an OpenGL 4.1 core context makes its own: where GL's objects live. Current on one thread at
 /// a time, and on it when it or its objects end.
 class Context {

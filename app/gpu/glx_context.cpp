@@ -1,5 +1,6 @@
 #include "gpu/glx_context.h"
 
+#include <epoxy/gl.h>
 #include <epoxy/glx.h>
 
 #include <array>
@@ -65,6 +66,14 @@ bool can_choose_version(Display* display, int screen) {
     return words && std::strstr(words, "GLX_ARB_create_context_profile");
 }
 
+// Contexts share only where both are told of a reset of the driver, or neither.
+bool loses_context_on_reset() {
+    GLint strategy = 0;
+    if (epoxy_has_gl_extension("GL_ARB_robustness"))
+        glGetIntegerv(GL_RESET_NOTIFICATION_STRATEGY_ARB, &strategy);
+    return strategy == GL_LOSE_CONTEXT_ON_RESET_ARB;
+}
+
 // Of the same kind of picture, so that they may share. Null: there is none.
 GLXContext made_beside(GLXContext context, Display* display) {
     int kind = 0;
@@ -76,15 +85,20 @@ GLXContext made_beside(GLXContext context, Display* display) {
     GLXFBConfig* const found = glXChooseFBConfig(display, screen, wanted.data(), &count);
     if (!found)
         return nullptr;
-    constexpr std::array<int, 9> version{GLX_CONTEXT_MAJOR_VERSION_ARB,
-                                         4,
-                                         GLX_CONTEXT_MINOR_VERSION_ARB,
-                                         1,
-                                         GLX_CONTEXT_PROFILE_MASK_ARB,
-                                         GLX_CONTEXT_CORE_PROFILE_BIT_ARB,
-                                         GLX_CONTEXT_FLAGS_ARB,
-                                         GLX_CONTEXT_FORWARD_COMPATIBLE_BIT_ARB,
-                                         None};
+    const bool is_robust = loses_context_on_reset();
+    const int flags = GLX_CONTEXT_FORWARD_COMPATIBLE_BIT_ARB |
+                      (is_robust ? GLX_CONTEXT_ROBUST_ACCESS_BIT_ARB : 0);
+    const std::array<int, 11> version{GLX_CONTEXT_MAJOR_VERSION_ARB,
+                                      4,
+                                      GLX_CONTEXT_MINOR_VERSION_ARB,
+                                      1,
+                                      GLX_CONTEXT_PROFILE_MASK_ARB,
+                                      GLX_CONTEXT_CORE_PROFILE_BIT_ARB,
+                                      GLX_CONTEXT_FLAGS_ARB,
+                                      flags,
+                                      is_robust ? GLX_CONTEXT_RESET_NOTIFICATION_STRATEGY_ARB : 0,
+                                      is_robust ? GLX_LOSE_CONTEXT_ON_RESET_ARB : 0,
+                                      None};
     const GLXContext made =
         count > 0 && can_choose_version(display, screen)
             ? glXCreateContextAttribsARB(display, found[0], context, True, version.data())

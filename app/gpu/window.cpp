@@ -35,6 +35,8 @@ void set_hints(const WindowOptions& options) {
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);  // shown once it is where it belongs
+    // So that a reset of the driver is told, where it can be; the shared contexts do the same.
+    glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);
     glfwWindowHint(GLFW_MAXIMIZED, options.is_maximised && options.is_visible);
 }
 }  // namespace

@@ -335,6 +335,10 @@ public:
     }
     /// Follows the files that the document names, besides the look's own.
     void watch_extra_files();
+    /// A problem that stays until something is done about it.
+    void ask(std::string text, std::vector<Choice> choices);
+    /// The driver lost the context: the open look is not opened by itself at the next start.
+    void note_driver_reset() { m_reloader.note_reset(); }
 
     /// One turn: takes reloads in, lets time flow, draws what must be drawn.
     void update(double wall_seconds);

@@ -34,8 +34,11 @@ void Lab::update(double wall_seconds) {
         show_rate_pair((*compared)->worst_place());
     m_impulse.update();
     m_export.update();
-    if (!is_loading() && !is_amid_frame() && (!m_renderer || m_renderer->has_drawn()))
+    const bool is_quiet =
+        !is_loading() && !is_amid_frame() && (!m_renderer || m_renderer->has_drawn());
+    if (is_quiet)
         m_reloader.prepare_for_more();
+    m_reloader.note_turn(is_quiet);
     if (!m_document || !m_renderer)
         return;
     go_on_morphing(wall_seconds);

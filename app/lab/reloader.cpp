@@ -15,7 +15,9 @@ Reloader::Reloader(std::unique_ptr<gpu::Context> context, const gpu::Context& sc
       m_kept_shaders(kept_shaders_later(roots)),
       m_screen(screen),
       m_context(std::move(context)),
-      m_drawing_contexts(screen) {
+      m_drawing_contexts(screen),
+      m_mark(roots),
+      m_checks(m_kept_shaders.get(), roots.shader_limits) {
     if (auto watcher = FileWatcher::start())
         m_watcher = std::make_unique<FileWatcher>(std::move(*watcher));
     else
@@ -120,6 +122,7 @@ void Reloader::turn(const OpenRequest& request, LoadedRequest::Whose whose) {
             m_request->constants = request.constants;  // where it is read again
     }
     have_context();
+    begin_mark(request);
     {
         const std::lock_guard lock(m_mutex);
         drop_settling();
@@ -182,6 +185,7 @@ std::optional<LoadedRequest> Reloader::take_settled() {
 
 void Reloader::submit(OpenRequest request, bool is_reload) {
     m_request = request;
+    begin_mark(request);
     Job job{.request = std::move(request), .is_reload = is_reload, .seen = m_seen};
     job.is_opening = !is_reload || m_is_unopened || !drawn_with();
     job.has_light_frames = std::exchange(m_expects_light_frames, false);
@@ -253,8 +257,10 @@ std::vector<fs::path> Reloader::update() {
         return extra;
     bool is_look_changed = false;
     for (const fs::path& file : m_watcher->take_changed()) {
-        if (std::find(m_look_files.begin(), m_look_files.end(), file) != m_look_files.end())
+        if (std::find(m_look_files.begin(), m_look_files.end(), file) != m_look_files.end()) {
             is_look_changed = true;
+            m_edited = file;
+        }
         if (std::find(m_extra_files.begin(), m_extra_files.end(), file) != m_extra_files.end())
             extra.push_back(file);
     }

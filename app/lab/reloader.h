@@ -13,6 +13,7 @@
 #include "io/kept_later.h"
 #include "lab/drawing_contexts.h"
 #include "lab/open.h"
+#include "lab/opening_mark.h"
 #include "lab/seen_passes.h"
 #include "model/picture.h"
 
@@ -153,6 +154,19 @@ public:
     void set_wake(std::function<void()> wake) { m_wake_owner = std::move(wake); }
     /// A picture is seen or there will be none: what only later work needs is made ready.
     void prepare_for_more();
+    /// Once a turn: whether nothing is read and the picture is whole. After some such turns in a
+    /// row the look counts as opened.
+    void note_turn(bool is_quiet) {
+        constexpr int enough = 3;
+        m_quiet_turns = is_quiet ? m_quiet_turns + 1 : 0;
+        if (m_quiet_turns > enough && m_mark.is_set())
+            m_mark.end();
+    }
+    /// The driver lost the context while it drew the open look: the next start is to know.
+    void note_reset() {
+        if (m_request)
+            m_mark.leave(*m_request);
+    }
     /// Whether nothing was asked for since.
     bool is_newest(const LoadedRequest& loaded) const { return loaded.generation == m_submitted; }
     /// How far what was asked for last has come.
@@ -196,6 +210,10 @@ private:
     void have_context();
     bool take_own_context();
     bool take_context(const Job& job, std::optional<gpu::ContextScope>& borrowed);
+    void begin_mark(const OpenRequest& request) {
+        m_quiet_turns = 0;
+        m_mark.begin(request, std::exchange(m_edited, {}));
+    }
     void submit(OpenRequest request, bool is_reload);
     void run();
     void work_on(Job job);
@@ -289,10 +307,13 @@ private:
         }
     };
 
-    CheckCache m_checks{m_kept_shaders.get()};          // the thread's
-    ShaderFiles m_shader_files;                         // the thread's
-    FormerReadings m_readings;                          // the thread's
-    SettledTexts m_settled_texts;                       // the thread's
+    OpeningMark m_mark;
+    int m_quiet_turns = 0;
+    std::filesystem::path m_edited;  // the last change of the look's files; "": none
+    CheckCache m_checks;             // the thread's
+    ShaderFiles m_shader_files;      // the thread's
+    FormerReadings m_readings;       // the thread's
+    SettledTexts m_settled_texts;    // the thread's
     std::map<std::filesystem::path, ReadImage> m_read;  // the thread's
     std::optional<Programs> m_linked;          // the thread's: what the next reading may reuse
     std::vector<PassProgram> m_owed;           // the thread's: linked, and not drawn with yet

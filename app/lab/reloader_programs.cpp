@@ -4,6 +4,7 @@
 #include "gpu/driver_cache.h"
 #include "graph/first_views.h"
 #include "io/picture_codec.h"
+#include "lab/injected_fault.h"
 #include "lab/kept_shaders.h"
 #include "lab/reloader.h"
 
@@ -149,6 +150,7 @@ std::optional<Programs> Reloader::known_for(const Job& job, const Look& look) co
 // What a hand goes past is kept for no other run, and does not wait for first draws: where the GPU
 // is busy with the picture they come late.
 Result<Programs> Reloader::link(const Job& job, LoadedRequest& loaded) {
+    fail_as_injected();
     const bool is_look = job.whose == LoadedRequest::Whose::look;
     const std::optional<Programs> reusable = known_for(job, *loaded.look);
     const Programs* const known = reusable ? &*reusable : nullptr;

@@ -3,8 +3,10 @@
 #include "gpu/draw.h"
 #include "gpu/window.h"
 #include "lab/first_file.h"
+#include "lab/injected_fault.h"
 #include "lab/palette.h"
 #include "lab/pending_fits.h"
+#include "lab/safe_start.h"
 #include "lab/seen_passes.h"
 #include "lab/session.h"
 #include "lab/session_keeper.h"
@@ -67,10 +69,10 @@ void open_first(const WindowOptions& options, const Session& session, Lab& lab, 
     lab.presets().set_stars(session.preset_stars);
     if (!look && start.state.has_light_frames)
         lab.expect_light_frames();
-    if (!look)
-        restore(lab, session);
-    if (look || session.look.empty())
-        lab.open(look.value_or("phosphor"));
+    if (look)
+        lab.open(*look);
+    else
+        restore_safely(lab, session, find_unfinished_opening(options.roots));
 }
 
 /// The window with all that runs in it, turn by turn.
@@ -88,9 +90,14 @@ public:
           m_state(std::move(start.state)),
           m_waker(m_lab.watch_descriptor(), [] { gpu::Window::wake(); }) {}
 
-    void run() {
+    /// False where the driver has lost the window's context.
+    bool run() {
         SessionKeeper keeper(m_options.roots);
         while (!m_is_quitting && !m_window.is_close_requested()) {
+            if (has_lost_context()) {
+                m_lab.note_driver_reset();
+                return false;
+            }
             if (wait())
                 turn();
             keeper.update(m_lab, m_state);
@@ -98,10 +105,12 @@ public:
         keeper.save(m_lab, m_state);
         if (!m_lab.end_opening())
             std::_Exit(EXIT_SUCCESS);  // all is saved; nothing else would end that thread
+        return true;
     }
 
 private:
     bool wait();  // whether a turn is due
+    bool has_lost_context() const;
     Extent view() const;
     void turn();
     bool awaits_picture();
@@ -171,6 +180,11 @@ bool Application::wait() {
     else
         m_window.poll_events();
     return true;
+}
+
+bool Application::has_lost_context() const {
+    constexpr int injected_turn = 30;
+    return gpu::was_reset() || (m_turn >= injected_turn && take_injected_reset());
 }
 
 // The pixels that a picture which follows the view has: the output window's, where it is open.
@@ -365,7 +379,9 @@ gpu::WindowOptions geometry_of(const WindowState& state) {
 }
 }  // namespace
 
-Result<void> run_window(const WindowOptions& options) {
+namespace {
+// One window until it is closed, or until the driver loses its context: then false.
+Result<bool> run_once(const WindowOptions& options) {
     Diagnostics warnings;
     const Session session = load_session(options.roots, warnings);
     Start start{restored_window(session.window)};
@@ -386,6 +402,21 @@ Result<void> run_window(const WindowOptions& options) {
         return fail(views.error());
     Application application(options, **window, lab, fonts.get(), std::move(*views),
                             std::move(start));
-    application.run();
-    return {};
+    return application.run();
+}
+}  // namespace
+
+Result<void> run_window(const WindowOptions& options) {
+    constexpr int most_resets = 3;
+    WindowOptions again = options;
+    for (int resets = 0; resets <= most_resets; ++resets) {
+        const auto is_closed = run_once(again);
+        if (!is_closed)
+            return fail(is_closed.error());
+        if (*is_closed)
+            return {};
+        again.look.reset();  // the session has it
+    }
+    return fail(
+        {{}, 0, "the graphics driver is reset again and again; close other programs that draw"});
 }

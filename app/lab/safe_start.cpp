@@ -1,0 +1,93 @@
+#include "lab/safe_start.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace fs = std::filesystem;
+
+namespace {
+constexpr const char* first_look = "phosphor";
+
+// The files or folders of the looks that the session would open.
+std::vector<fs::path> looks_in(const Session& session) {
+    std::vector<fs::path> places{session.look};
+    for (const std::string& id : look_ids(session.current.preset.look))
+        if (const auto place = session.looks.find(id); place != session.looks.end())
+            places.emplace_back(place->second);
+    return places;
+}
+
+bool is_of_session(const UnfinishedOpening& left, const Session& session) {
+    return std::ranges::any_of(looks_in(session), [&left](const fs::path& place) {
+        return left.has(manifest_of(place));
+    });
+}
+
+// A look that was moved or deleted since; "": none was.
+fs::path missing_look(const Session& session) {
+    std::error_code error;
+    for (const fs::path& place : looks_in(session))
+        if (!place.empty() && !fs::exists(place, error))
+            return place;
+    return {};
+}
+
+// The arrangement alone.
+Session without_look(Session session) {
+    session.look.clear();
+    return session;
+}
+
+std::string message_about(const UnfinishedOpening& left) {
+    const char* const what = left.is_reset ? "The graphics driver was reset while it drew '{}'."
+                                           : "Afterglow ended while it compiled '{}'.";
+    return fmt::format(fmt::runtime(what), left.look) + " The look was not opened again.";
+}
+
+OpenRequest request_of(const UnfinishedOpening& left) {
+    OpenRequest request{left.places.front(), {}, {}};
+    if (left.places.size() > 1)
+        for (const fs::path& place : left.places)
+            request.stack.push_back({{}, place, {}});
+    return request;
+}
+}  // namespace
+
+void offer_unopened(Lab& lab, const Session& session, const UnfinishedOpening& left) {
+    const bool is_session = !session.look.empty() && is_of_session(left, session);
+    const auto open_again = [session, left, is_session](Lab& opening) {
+        opening.put_notice_away();
+        if (is_session)
+            restore(opening, session);
+        else
+            opening.open(request_of(left));
+    };
+    const fs::path file = left.file();
+    lab.ask(message_about(left),
+              {Choice{.name = "Try again", .deeds = {open_again}},
+               Choice{.name = "Open in editor", .deeds = {[file](Lab& opening) {
+                                                    opening.open_in_editor({file, 1});
+                                                }}}});
+}
+
+void restore_safely(Lab& lab, const Session& session,
+                    const std::optional<UnfinishedOpening>& left) {
+    const fs::path missing = missing_look(session);
+    const bool is_first = session.look.empty() || !missing.empty();
+    const fs::path first = lab.library().roots().program / "shaders" / first_look;
+    const bool is_safe =
+        !left || !(is_first ? left->has(manifest_of(first)) : is_of_session(*left, session));
+    if (!is_safe || !missing.empty())
+        lab.keep_unsaved(session);
+    restore(lab, is_safe && !is_first ? session : without_look(session));
+    if (is_safe && is_first)
+        lab.open(first_look);
+    if (!missing.empty())
+        lab.say(fmt::format("The look of the last session is missing: {}. Open it from its new "
+                            "place. Its unsaved changes are kept under File, Unsaved changes.",
+                            missing.string()),
+                true);
+    if (left)
+        offer_unopened(lab, session, *left);
+}
