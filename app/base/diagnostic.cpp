@@ -1,5 +1,7 @@
 #include "base/diagnostic.h"
 
+#include "base/printable.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,7 +31,7 @@ std::string to_string(const Diagnostic& diagnostic) {
     else if (!diagnostic.file.empty())
         place = diagnostic.file.string() + ": ";
     const char* kind = diagnostic.severity == Severity::error ? "error" : "warning";
-    return fmt::format("{}{}: {}", place, kind, diagnostic.message);
+    return printable(fmt::format("{}{}: {}", place, kind, diagnostic.message));
 }
 
 std::string to_string(const Diagnostics& diagnostics) {
