@@ -1,6 +1,7 @@
 #include "lab/lab.h"
 
 #include "base/file.h"
+#include "base/printable.h"
 #include "formats/manifest_edit.h"
 #include "formats/preset_format.h"
 #include "formats/scene_file.h"
@@ -14,6 +15,7 @@
 #include "lab/small_picture.h"
 #include "lab/sound_store.h"
 #include "lab/source.h"
+#include "lab/source_lines.h"
 #include "lab/told_name.h"
 #include "lab/tryouts.h"
 #include "lab/users_content.h"
@@ -69,7 +71,8 @@ Extent Lab::picture_extent() const {
 void Lab::say(std::string text, bool is_problem, std::string subject) {
     if (is_problem && !text.empty() && text.find(": ") == std::string::npos)
         text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
-    m_notice = Notice{std::move(text), is_problem, is_problem ? 12.0 : 5.0, std::move(subject)};
+    m_notice = Notice{shortened(std::move(text), most_message_bytes), is_problem,
+                      is_problem ? 12.0 : 5.0, std::move(subject)};
 }
 
 void Lab::say(const Diagnostic& problem) {

@@ -1,12 +1,13 @@
 // The part of Lab that runs every turn: reloads in, time on, picture drawn.
 #include "base/elapsed.h"
-#include "base/file.h"
+#include "base/printable.h"
 #include "formats/modulation_format.h"
 #include "formats/preset_format.h"
 #include "lab/lab.h"
 #include "lab/morphing.h"
 #include "lab/session.h"
 #include "lab/sharing.h"
+#include "lab/source_lines.h"
 #include "lab/tryouts.h"
 #include "model/value_changes.h"
 
@@ -163,15 +164,11 @@ void Lab::take_reload() {
 
 void Lab::show_problems(const Diagnostics& problems) {
     m_look_problems.clear();
+    SourceLines lines;
     for (const Diagnostic& diagnostic : problems) {
-        Problem problem{diagnostic, {}};
-        if (diagnostic.line > 0)
-            if (const auto text = read_text(diagnostic.file)) {
-                const auto lines = split_lines(*text);
-                if (static_cast<std::size_t>(diagnostic.line) <= lines.size())
-                    problem.source_line = lines[static_cast<std::size_t>(diagnostic.line) - 1];
-            }
-        m_look_problems.push_back(std::move(problem));
+        m_look_problems.push_back({diagnostic, lines.line_of(diagnostic)});
+        m_look_problems.back().diagnostic.message =
+            shortened(diagnostic.message, most_message_bytes);
     }
     gather_problems();
 }

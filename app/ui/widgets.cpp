@@ -1,5 +1,7 @@
 #include "ui/widgets.h"
 
+#include "base/printable.h"
+#include "ui/cut_text.h"
 #include "ui/line_breaks.h"
 #include "ui/scoped.h"
 #include "ui/theme.h"
@@ -52,15 +54,11 @@ std::string cut_to_fit(const std::string& text, float width) {
     const auto width_of = [](const std::string& part) {
         return ImGui::CalcTextSize(part.c_str()).x;
     };
-    if (width_of(text) <= width)
-        return text;
-    std::string cut = text;
-    while (!cut.empty() && width_of(cut + "…") > width) {
-        while (cut.size() > 1 && (static_cast<unsigned char>(cut.back()) & 0xC0) == 0x80)
-            cut.pop_back();  // the tail of one character
-        cut.pop_back();
-    }
-    return cut + "…";
+    return cut_at_width(text, width, width_of);
+}
+
+namespace {
+constexpr std::size_t most_tooltip_bytes = 4096;  // fills a screen
 }
 
 void fitted_text(const std::string& text, float width, const ImVec4& color) {
@@ -70,7 +68,7 @@ void fitted_text(const std::string& text, float width, const ImVec4& color) {
         ImGui::TextUnformatted(cut.c_str());
     }
     if (cut != text)
-        tooltip(text);
+        tooltip(shortened(text, most_tooltip_bytes));
 }
 
 bool is_lingered_on() {
