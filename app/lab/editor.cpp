@@ -1,6 +1,7 @@
 #include "lab/editor.h"
 
 #include "base/text.h"
+#include "lab/command_words.h"
 
 #include <fmt/format.h>
 
@@ -25,13 +26,25 @@ bool is_one_of(std::string_view name, std::initializer_list<std::string_view> na
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-std::vector<std::string> with_place(const std::string& editor, const Location& place) {
-    std::vector<std::string> command;
-    for (const std::string_view word : split(editor, ' '))
-        if (!word.empty())
-            command.emplace_back(word);
+// A path with blanks that is a program stands for itself.
+Result<std::vector<std::string>> editor_words(const char* variable_name, const std::string& editor) {
+    std::error_code error;
+    if (std::filesystem::is_regular_file(editor, error))
+        return std::vector{editor};
+    auto words = split_command(editor);
+    if (!words || words->empty() || words->front().empty())
+        return fail({{},
+                     0,
+                     fmt::format("${} is not a command: {}. Close its quotes, as in "
+                                 "'\"/opt/My Editor/ed\" -w'",
+                                 variable_name, editor)});
+    return std::move(*words);
+}
+
+// A path that begins with '/' is never taken for an option or a command, as "+!ls" would be.
+std::vector<std::string> with_place(std::vector<std::string> command, const Location& place) {
     const std::string name = std::filesystem::path(command.front()).filename();
-    const std::string file = place.file.string();
+    const std::string file = std::filesystem::absolute(place.file).string();
     const int line = std::max(1, place.line);
     if (is_one_of(name, {"code", "codium", "code-insiders", "cursor"})) {
         command.emplace_back("--goto");
@@ -62,9 +75,13 @@ Result<std::vector<std::string>> editor_command(const Location& asked) {
         return fail({{}, 0, "there is no file behind this"});
     const Location place = place_on_disk(asked);
     for (const char* name : {"VISUAL", "EDITOR"})
-        if (const std::string editor = variable(name); !editor.empty())
-            return with_place(editor, place);
-    return with_place("xdg-open", place);
+        if (const std::string editor = variable(name); !editor.empty()) {
+            auto words = editor_words(name, editor);
+            if (!words)
+                return fail(words.error());
+            return with_place(std::move(*words), place);
+        }
+    return with_place({"xdg-open"}, place);
 }
 
 namespace {

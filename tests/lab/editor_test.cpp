@@ -50,6 +50,35 @@ TEST_CASE("$VISUAL goes before $EDITOR, and the desktop's own choice is last") {
     CHECK(command_with(nullptr, nullptr, place) == Words{"xdg-open", "/looks/a b.frag"});
 }
 
+TEST_CASE("a file name never becomes an editor's command or option") {
+    const std::string here = std::filesystem::current_path().string();
+    for (const char* name : {"+!touch X .glsl", "-c !touch X.glsl", "--cmd=x.glsl", ":q.glsl"}) {
+        CHECK(command_with("vim", nullptr, {name, 3}).back() == here + "/" + name);
+        CHECK(command_with("code", nullptr, {name, 3}).back() == here + "/" + name + ":3");
+        CHECK(command_with(nullptr, nullptr, {name, 3}).back() == here + "/" + name);
+    }
+}
+
+TEST_CASE("an editor's command is quoted as in a shell") {
+    CHECK(command_with("\"/opt/My Editor/ed\" -w", nullptr, place) ==
+          Words{"/opt/My Editor/ed", "-w", "+12", "/looks/a b.frag"});
+    CHECK(command_with("'/opt/My Editor/code' --wait", nullptr, place) ==
+          Words{"/opt/My Editor/code", "--wait", "--goto", "/looks/a b.frag:12"});
+    CHECK(command_with("/opt/My\\ Editor/ed", nullptr, place).front() == "/opt/My Editor/ed");
+    const TemporaryFolder folder;
+    const auto editor = folder.write("My Editor", "");
+    CHECK(command_with(editor.c_str(), nullptr, place).front() == editor.string());
+}
+
+TEST_CASE("an editor whose quote never ends is told") {
+    for (const char* wrong : {"\"ed -w", "'ed", "ed \\", "\"\""}) {
+        setenv("VISUAL", wrong, 1);
+        const auto command = editor_command(place);
+        REQUIRE_FALSE(command.has_value());
+        CHECK(command.error().front().message.find("$VISUAL is not a command") == 0);
+    }
+}
+
 TEST_CASE("what has no file or no line") {
     CHECK_FALSE(editor_command({{}, 3}).has_value());
     CHECK(command_with("gvim", nullptr, {"/looks/look.json", 0}) ==
