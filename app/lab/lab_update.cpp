@@ -134,7 +134,7 @@ void Lab::tell_silence() {
 bool Lab::is_moving() const {
     return (m_player.is_playing() && !has_converged()) || is_loading() || m_wanted ||
            m_own.are_late || (m_notice && m_notice->goes_by) || m_tryouts->is_busy() ||
-           m_morphing || m_hand.is_turning() || m_chosen_images.is_reading() ||
+           m_morphing || m_hand.is_turning() || m_osc.has_more() || m_chosen_images.is_reading() ||
            m_rate_check.is_running() || m_impulse.is_running() || m_export.is_running() ||
            !m_drive.loading().empty() || m_drive.is_source_late() ||
            (m_renderer && (m_renderer->is_amid_frame() || m_renderer->replay().is_running() ||

@@ -44,6 +44,8 @@ Result<void> OscControl::listen(int port) {
     m_port.reset();
     m_problem.clear();
     m_turned = m_refused = 0;
+    m_messages.clear();
+    m_next = 0;
     if (port == 0)
         return {};
     auto opened = UdpPort::open(port);
@@ -61,27 +63,38 @@ void OscControl::refuse(const Diagnostics& reasons) {
 void OscControl::update(Document* document, RemoteHand& hand, double now_seconds) {
     if (!m_port)
         return;
-    constexpr int most = 1000;  // a turn: who sends without end shall not stop the picture
-    for (int i = 0; i < most; ++i) {
-        const auto packet = m_port->take();
-        if (!packet)
-            break;
-        take(*packet, document, hand, now_seconds);
+    // A turn: a sender without end must not stop the picture. A bundle has thousands of messages.
+    constexpr std::size_t most_packets = 100;
+    constexpr std::size_t most_messages = 1000;
+    std::size_t packets = 0;
+    for (std::size_t messages = 0; messages < most_messages; ++messages) {
+        while (m_next == m_messages.size()) {
+            const auto packet = packets++ < most_packets ? m_port->take() : std::nullopt;
+            if (!packet)
+                return;
+            read(*packet);
+        }
+        take(m_messages[m_next++], document, hand, now_seconds);
     }
 }
 
-void OscControl::take(const std::vector<std::uint8_t>& packet, Document* document, RemoteHand& hand,
+void OscControl::read(const std::vector<std::uint8_t>& packet) {
+    m_messages.clear();
+    m_next = 0;
+    auto messages = parse_osc(packet);
+    if (messages)
+        m_messages = std::move(*messages);
+    else
+        refuse(messages.error());
+}
+
+void OscControl::take(const OscMessage& message, Document* document, RemoteHand& hand,
                       double now_seconds) {
-    const auto messages = parse_osc(packet);
-    if (!messages)
-        return refuse(messages.error());
-    for (const OscMessage& message : *messages) {
-        const auto turn = document ? turn_of(message, document->look())
-                                   : fail(Diagnostic{{}, 0, "no look is open"});
-        const auto turned = turn ? hand.turn(*document, *turn, now_seconds) : fail(turn.error());
-        if (turned)
-            ++m_turned;
-        else
-            refuse(turned.error());
-    }
+    const auto turn =
+        document ? turn_of(message, document->look()) : fail(Diagnostic{{}, 0, "no look is open"});
+    const auto turned = turn ? hand.turn(*document, *turn, now_seconds) : fail(turn.error());
+    if (turned)
+        ++m_turned;
+    else
+        refuse(turned.error());
 }

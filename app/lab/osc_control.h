@@ -22,8 +22,12 @@ public:
     int descriptor() const { return m_port ? m_port->descriptor() : -1; }
     int port() const { return m_port ? m_port->number() : 0; }
 
-    /// Takes in what has come; null: nothing is open to be turned.
+    /// Takes in what has come, at most 1000 messages a call; the others wait for the next one.
+    /// Null: nothing is open to be turned.
     void update(Document* document, RemoteHand& hand, double now_seconds);
+
+    /// Whether messages wait for the next call.
+    bool has_more() const { return m_next < m_messages.size(); }
 
     std::size_t turned() const { return m_turned; }
     std::size_t refused() const { return m_refused; }
@@ -31,12 +35,14 @@ public:
     const std::string& problem() const { return m_problem; }
 
 private:
-    void take(const std::vector<std::uint8_t>& packet, Document* document, RemoteHand& hand,
-              double now_seconds);
+    void read(const std::vector<std::uint8_t>& packet);
+    void take(const OscMessage& message, Document* document, RemoteHand& hand, double now_seconds);
     void refuse(const Diagnostics& reasons);
 
     std::optional<UdpPort> m_port;
     std::size_t m_turned = 0;   // messages
     std::size_t m_refused = 0;  // packets and messages
     std::string m_problem;
+    std::vector<OscMessage> m_messages;  // of the latest packet
+    std::size_t m_next = 0;              // of them that is to be taken
 };

@@ -27,13 +27,31 @@ std::string refusal_of(const OscMessage& message) {
     return turn.error().front().message;
 }
 
-/// Sends `/afterglow/NAME f` to a port of this machine.
-void send(int port, const std::string& name, float number) {
+std::string big_endian(std::uint32_t number) {
+    const std::uint32_t bits = htonl(number);
+    return {reinterpret_cast<const char*>(&bits), sizeof(bits)};
+}
+
+/// `/afterglow/NAME f` as bytes.
+std::string packet_of(const std::string& name, float number) {
     std::string packet = "/afterglow/" + name;
     packet.resize((packet.size() / 4 + 1) * 4);
-    packet += std::string(",f\0\0", 4);
-    const std::uint32_t bits = htonl(std::bit_cast<std::uint32_t>(number));
-    packet.append(reinterpret_cast<const char*>(&bits), sizeof(bits));
+    return packet + std::string(",f\0\0", 4) + big_endian(std::bit_cast<std::uint32_t>(number));
+}
+
+/// A bundle of that message so many times, the number rising to 1.
+std::string bundle_of(const std::string& name, int count) {
+    std::string bundle = std::string("#bundle\0", 8) + big_endian(0) + big_endian(1);
+    for (int i = 1; i <= count; ++i) {
+        const std::string packet =
+            packet_of(name, static_cast<float>(i) / static_cast<float>(count));
+        bundle += big_endian(static_cast<std::uint32_t>(packet.size())) + packet;
+    }
+    return bundle;
+}
+
+/// Sends bytes to a port of this machine.
+void send_packet(int port, const std::string& packet) {
     const int sender = ::socket(AF_INET, SOCK_DGRAM, 0);
     sockaddr_in to{};
     to.sin_family = AF_INET;
@@ -41,6 +59,16 @@ void send(int port, const std::string& name, float number) {
     to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     ::sendto(sender, packet.data(), packet.size(), 0, reinterpret_cast<sockaddr*>(&to), sizeof(to));
     ::close(sender);
+}
+
+void send(int port, const std::string& name, float number) {
+    send_packet(port, packet_of(name, number));
+}
+
+int free_port() {
+    const auto port = UdpPort::open(0);
+    REQUIRE(port.has_value());
+    return port->number();
 }
 }  // namespace
 
@@ -83,12 +111,7 @@ TEST_CASE("a drag from another program is one step of undo; what is malformed is
     };
     REQUIRE(osc.listen(0).has_value());
     CHECK_FALSE(osc.is_listening());
-    int port = 0;
-    {
-        const auto free_port = UdpPort::open(0);
-        REQUIRE(free_port.has_value());
-        port = free_port->number();
-    }
+    const int port = free_port();
     REQUIRE(osc.listen(port).has_value());
     for (int i = 1; i <= 5; ++i) {
         send(port, "decay", static_cast<float>(i) * 0.125f);
@@ -118,6 +141,31 @@ TEST_CASE("a drag from another program is one step of undo; what is malformed is
     CHECK(osc.problem() == "'decay' is locked");
     OscControl other;
     CHECK_FALSE(other.listen(port).has_value());
+}
+
+TEST_CASE("of a flood of bundles a thousand messages are taken at a time, in their order") {
+    OscControl osc;
+    RemoteHand hand;
+    Document document(sample_look());
+    const int port = free_port();
+    REQUIRE(osc.listen(port).has_value());
+    send_packet(port, bundle_of("decay", 1600));
+    send_packet(port, bundle_of("gone", 800));
+    osc.update(&document, hand, 0.1);
+    CHECK(osc.turned() == 1000);
+    CHECK(document.values().at("decay") == Value(0.625));  // 1000 of 1600
+    CHECK(osc.has_more());
+    osc.update(&document, hand, 0.2);
+    CHECK(osc.turned() == 1600);
+    CHECK(osc.refused() == 400);
+    CHECK(document.values().at("decay") == Value(1.0));
+    osc.update(&document, hand, 0.3);
+    CHECK(osc.refused() == 800);
+    CHECK_FALSE(osc.has_more());
+    send_packet(port, bundle_of("decay", 1600));
+    osc.update(&document, hand, 0.4);
+    REQUIRE(osc.listen(port).has_value());  // anew: what is left of a packet is dropped
+    CHECK_FALSE(osc.has_more());
 }
 
 TEST_CASE("remote settings come back; a port that is none is told at its line") {
