@@ -16,6 +16,11 @@ namespace fs = std::filesystem;
 namespace {
 constexpr int largest_frame_side = 8192;
 
+// FFmpeg's names of what is_video_file() lists. A playlist under such a name would open other files
+// (hls, concat, dash, imf), and so would an image sequence.
+constexpr const char* read_formats =
+    "mov,matroska,avi,mpeg,mpegvideo,mpegts,m4v,ogg,gif,yuv4mpegpipe";
+
 struct Facts {
     Extent extent;     // upright
     std::string rate;  // pictures a second, "30000/1001"
@@ -98,8 +103,8 @@ Result<Facts> facts_in(const std::string& text, const fs::path& file) {
 
 Result<Facts> probe(const fs::path& file) {
     auto process = ChildProcess::start(
-        {"ffprobe", "-v", "error", "-protocol_whitelist", "file", "-select_streams", "v:0",
-         "-show_entries",
+        {"ffprobe", "-v", "error", "-protocol_whitelist", "file", "-format_whitelist", read_formats,
+         "-select_streams", "v:0", "-show_entries",
          "stream=width,height,r_frame_rate,avg_frame_rate,pix_fmt:stream_side_data=rotation", "-of",
          "default=noprint_wrappers=1", as_input(file)});
     if (!process)
@@ -143,6 +148,8 @@ private:
                                             "-v",
                                             "error",
                                             "-nostdin",
+                                            "-format_whitelist",
+                                            read_formats,
                                             "-protocol_whitelist",
                                             "file,pipe",
                                             "-i",

@@ -3,6 +3,7 @@
 import json
 import math
 import os
+import shutil
 import struct
 import subprocess
 import zlib
@@ -140,6 +141,20 @@ class Pictures(MediaTest):
         self.assertIn("bad.exr: warning: 6 values are no numbers or infinite", done.stderr)
         row = read_png(self.folder / "x.png")[2][0]
         self.assertEqual(list(row[::3]), [0, 255, 255, 137])  # sRGB of 1/4 is 0.5371
+
+    def test_a_playlist_that_is_named_as_a_video_opens_no_other_file(self):
+        other = self.folder / "private.mkv"
+        subprocess.run(["ffmpeg", "-v", "error", "-f", "lavfi", "-i", "color=red:size=16x16:duration=1", other],
+                       check=True)
+        stream = self.folder / "private.ts"
+        subprocess.run(["ffmpeg", "-v", "error", "-i", other, "-c:v", "mpeg2video", stream], check=True)
+        hls = "#EXTM3U\n#EXT-X-TARGETDURATION:1\n#EXTINF:1,\n%s\n#EXT-X-ENDLIST\n"
+        for name, text in (("absolute.mp4", hls % stream), ("url.mp4", hls % stream.as_uri()),
+                           ("beside.mp4", hls % stream.name), ("list.mkv", "ffconcat version 1.0\nfile %s\n" % other),
+                           ("list.webm", "ffconcat version 1.0\nfile private.mkv\n")):
+            self.assert_refused(self.plain(self.write(name, text)), name + ": error: ")
+        self.assert_done(self.plain(other))
+        self.assert_done(self.plain(shutil.copy(stream, self.folder / "stream.mpg")))  # whatever is in it
 
     def test_videos_that_cannot_be_read_are_named(self):
         self.assert_refused(self.plain(self.write("noise.mp4", os.urandom(3000))), "noise.mp4: error: ")
