@@ -32,10 +32,12 @@ Result<fs::path> target_of(fs::path file) {
     return fail({asked, 0, "cannot be written: its links go round in a circle"});
 }
 
-// The rename itself must reach the disk; file systems that cannot say so (EINVAL) are no error.
-bool flush_folder(const fs::path& folder) {
+// So that the rename itself reaches the disk. Where that fails the new file is in its place all the
+// same, flushed, and only a loss of power could bring the old one back: that is no failure.
+void flush_folder(const fs::path& folder) {
     const Descriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    return !descriptor.is_open() || ::fsync(descriptor.get()) == 0 || errno == EINVAL;
+    if (descriptor.is_open())
+        static_cast<void>(::fsync(descriptor.get()));
 }
 
 // The permissions to keep, nothing for a new file, or why `target` must not be replaced.
@@ -117,8 +119,9 @@ Result<void> AtomicFile::write(std::string_view bytes) {
 }
 
 Result<void> AtomicFile::finish() {
-    if (!m_temporary->flush() || !m_temporary->take_place_of(m_target) || !flush_folder(m_folder))
+    if (!m_temporary->flush() || !m_temporary->take_place_of(m_target))
         return refused();
+    flush_folder(m_folder);
     return {};
 }
 

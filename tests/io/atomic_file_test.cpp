@@ -7,16 +7,29 @@
 #include <csignal>
 #include <random>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 namespace fs = std::filesystem;
 
 namespace {
+bool fails_to_flush_folders = false;
 std::size_t count_of(const fs::path& folder) {
     return static_cast<std::size_t>(
         std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
 }
 }  // namespace
+
+// In the place of the C library's, which cannot be made to fail.
+extern "C" int fsync(int file) {
+    struct stat status = {};
+    if (fails_to_flush_folders && ::fstat(file, &status) == 0 && S_ISDIR(status.st_mode)) {
+        errno = EIO;
+        return -1;
+    }
+    return static_cast<int>(::syscall(SYS_fsync, file));
+}
 
 TEST_CASE("a new file is written with its folders, and nothing is left beside it") {
     const TemporaryFolder folder;
@@ -81,6 +94,16 @@ TEST_CASE("what cannot be a file is refused by name and reason, and nothing is l
     CHECK(message("") == "cannot be written: it has no file name");
     CHECK(content_of(folder / "file") == "kept");
     CHECK(count_of(folder.path()) == 4);
+}
+
+TEST_CASE("a file whose folder cannot be flushed has been written all the same") {
+    const TemporaryFolder folder;
+    const auto file = folder.write("a.json", "old");
+    fails_to_flush_folders = true;
+    const auto written = write_atomically(file, "new");
+    fails_to_flush_folders = false;
+    CHECK(written.has_value());
+    CHECK(content_of(folder / "a.json") == "new");
 }
 
 TEST_CASE("killed at any moment of saving, the file is wholly the old or wholly the new one") {
