@@ -106,6 +106,8 @@ int run_drawing(RenderRequest request, const DataFolders& data, const Drawing& d
     line.clear();
     if (!offline)
         return report(offline.error());
+    if (offline->document().state().signal.kind == "socket")
+        std::cerr << offline->sender_state() << ". Ctrl+C ends it.\n";
     const auto done = drawing.draw(*offline, *library);
     const Diagnostics problems = offline->take_problems();
     warn(problems);

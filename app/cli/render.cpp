@@ -23,6 +23,7 @@ struct RenderArguments {
     std::string pass;
     std::string all_passes;
     std::string moves;
+    double timeout = 0.0;  // s; 0: not said
 };
 
 Result<int> chosen_pass(const RenderArguments& arguments, const Look& look) {
@@ -175,6 +176,8 @@ Result<void> draw(const RenderArguments& arguments, const FrameNames& names, Off
 int render(const RenderArguments& arguments, const DataFolders& data) {
     RenderRequest request = arguments.look.request();
     request.moves = arguments.moves;
+    if (arguments.timeout > 0.0)
+        request.sender_seconds = arguments.timeout;
     const FrameNames names = output_names(arguments);
     const auto check = [&](const Prepared&) { return check_outputs(arguments, names); };
     const auto work = [&](Offline& offline, const Library& library) {
@@ -218,6 +221,10 @@ Command add_render(CommandLine& program) {
     options.add("--moves", arguments->moves,
                 "A file of lines 'seconds name value', as the window records them: what is turned "
                 "when");
+    options
+        .add("--timeout", arguments->timeout,
+             "Seconds without a point from stdin or a socket until it is an error (default: none)")
+        .between(0.001, 86400.0);
     options.add("--pass", arguments->pass, "This pass's target instead of the picture");
     options.add("--all-passes", arguments->all_passes,
                 "A folder for every pass's target as EXR, after the last frame");

@@ -1,9 +1,21 @@
 #include "lab/beam_feed.h"
 
+#include "lab/preset_content.h"
 #include "signals/sent.h"
 #include "signals/settings.h"
 
 #include <fmt/format.h>
+
+namespace {
+// The user's own folder; other users may not even look into it.
+void make_runtime_folder(const std::filesystem::path& socket) {
+    std::error_code error;
+    if (const std::filesystem::path folder = runtime_folder();
+        !folder.empty() && socket.parent_path() == folder &&
+        std::filesystem::create_directory(folder, error))
+        std::filesystem::permissions(folder, std::filesystem::perms::owner_all, error);
+}
+}  // namespace
 
 BeamFeed::BeamFeed(const Spec& complete, SentBeam::Pace pace, double start)
     : m_spec(complete),
@@ -15,6 +27,7 @@ BeamFeed::BeamFeed(const Spec& complete, SentBeam::Pace pace, double start)
 Result<std::unique_ptr<BeamFeed>> BeamFeed::open(const Spec& complete, SentBeam::Pace pace,
                                                  double start) {
     std::unique_ptr<BeamFeed> feed(new BeamFeed(complete, pace, start));
+    make_runtime_folder(feed->m_name);
     // In the window the next sender may come; a picture that is rendered is the work of one.
     const auto senders = pace == SentBeam::Pace::waiting ? ByteReader::Senders::one
                                                          : ByteReader::Senders::one_after_the_other;
@@ -87,6 +100,10 @@ Diagnostics BeamFeed::problems() const {
     Diagnostics problems;
     if (m_problem)
         problems.push_back(*m_problem);
+    if (m_beam->has_timed_out())
+        problems.push_back({m_name, 0,
+                            "sent no point within the timeout. Start the sender first, or raise "
+                            "--timeout"});
     if (m_bad_count > 1)
         problems.push_back({m_name, 0,
                             fmt::format("{} {} in all could not be read", m_bad_count,

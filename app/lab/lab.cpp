@@ -352,9 +352,10 @@ void Lab::paste(const std::string& line) {
     if (!succeeded(preset))
         return;
     if (m_document && preset->look == m_document->look().id) {
-        const Preset found = with_found_media(*preset, fs::current_path(), m_drive.recent());
-        m_document->take(found, "Paste");
-        return offer_own_content(found);
+        const CheckedPreset checked =
+            with_checked_media(*preset, fs::current_path(), m_drive.recent());
+        m_document->take(checked.preset, "Paste");
+        return offer_content(checked);
     }
     open(line);
 }

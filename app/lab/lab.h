@@ -17,6 +17,7 @@
 #include "lab/picture_size.h"
 #include "lab/player.h"
 #include "lab/preset_commands.h"
+#include "lab/preset_content.h"
 #include "lab/preset_ring.h"
 #include "lab/rate_check.h"
 #include "lab/rate_pictures.h"
@@ -393,6 +394,7 @@ private:
     void show_problems(const Diagnostics& problems);
     void gather_problems();
     void open_values(const OpenRequest& request);
+    void offer_outside(const OutsideContent& content);
     void apply_document();
     bool find_other(Comparison& comparison);
     bool is_reference_wanted() const;
@@ -409,6 +411,7 @@ private:
     bool must_duplicate(const std::filesystem::path& file) const;
     void offer_duplicate(const std::string& words);
     void offer_own_content(const Preset& preset);
+    void offer_content(const CheckedPreset& checked);
     void tell_silence();
     void open_remote();
     void search_includes();

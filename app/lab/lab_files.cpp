@@ -64,12 +64,14 @@ void Lab::preset_file_changed(const fs::path& file) {
         say("'" + m_document->preset_name() + "' has changed on disk; your own changes stay", true);
         return;
     }
-    const Preset found = with_found_media(*preset, folder, m_drive.recent());
-    m_document->take(found, "Preset changed on disk");
+    const CheckedPreset checked = with_checked_media(*preset, folder, m_drive.recent());
+    m_document->take(checked.preset, "Preset changed on disk");
     DocumentState saved = m_document->state();
-    saved.signal = found.signal.value_or(saved.signal);
-    saved.source = found.source.empty() ? saved.source : found.source;
+    saved.signal = checked.preset.signal.value_or(saved.signal);
+    saved.source = checked.preset.source.empty() ? saved.source : checked.preset.source;
     m_document->mark_saved(std::move(saved));
+    if (checked.outside)
+        offer_content(checked);
 }
 
 void Lab::choose_picture(const std::string& parameter, const fs::path& file) {

@@ -115,7 +115,7 @@ void Lab::morph_to(const fs::path& file, double seconds) {
         const auto modulations = fitted_modulations(look, *preset, file);
         if (!succeeded(values) || !succeeded(modulations))
             return;
-        to = with_found_media(*preset, media_folder(file), m_drive.recent());
+        to = with_checked_media(*preset, media_folder(file), m_drive.recent()).preset;
         to.values = *values;
         to.modulations = *modulations;
     }
@@ -140,7 +140,9 @@ void Lab::go_on_morphing(double wall_seconds) {
     if (m_morphing->has_arrived()) {
         watch_extra_files();
         say("Arrived at '" + m_morphing->name() + "'");
-        offer_own_content(m_morphing->preset());
+        const fs::path& file = m_morphing->file();
+        if (const auto preset = load_preset(file))
+            offer_content(with_checked_media(*preset, media_folder(file), m_drive.recent()));
     } else {
         say("Something else was turned: the morph has ended there");
     }

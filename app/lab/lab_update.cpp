@@ -306,11 +306,11 @@ void Lab::open_document(LoadedRequest& loaded) {
     if (!is_same && (!request.preset || !request.preset_file.empty()))
         m_document->forget_past();
     tell_preset(is_same && loses_changes && !m_when_opened);
-    if (request.preset && !request.brings_content)
-        offer_own_content(
-            with_found_media(*request.preset, media_folder(request.preset_file), m_drive.recent()));
     if (left)
         keep_unsaved(*left, [&] { return left_picture; });
+    if (request.preset)
+        offer_content(with_checked_media(*request.preset, media_folder(request.preset_file),
+                                         m_drive.recent()));
 }
 
 // The first draws' targets go on where nothing was overridden.
@@ -329,7 +329,8 @@ void Lab::open_values(const OpenRequest& request) {
         return;
     }
     const fs::path folder = media_folder(request.preset_file);
-    Preset preset = with_found_media(*request.preset, folder, m_drive.recent());
+    CheckedPreset checked = with_checked_media(*request.preset, folder, m_drive.recent());
+    Preset preset = std::move(checked.preset);
     const auto warn = [this](Diagnostics& problems) {
         for (Diagnostic& problem : problems) {
             problem.severity = Severity::warning;

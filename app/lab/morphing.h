@@ -16,7 +16,6 @@ public:
     /// Goes on; false when it has ended.
     bool go_on(Document& document, double seconds);
     double share() const { return m_elapsed / m_seconds; }
-    const Preset& preset() const { return m_to; }
     const std::string& name() const { return m_to.name; }
     const std::filesystem::path& file() const { return m_file; }
     /// Of its step of undo.

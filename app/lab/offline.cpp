@@ -89,7 +89,10 @@ Result<void> open_preset(OpenRequest request, const Library& library, Prepared& 
     if (!modulations)
         return fail(modulations.error());
     preset.modulations = std::move(*modulations);
-    preset = with_found_media(std::move(preset), media_folder(file), RecentMedia(library.roots()));
+    CheckedPreset checked =
+        with_checked_media(preset, media_folder(file), RecentMedia(library.roots()));
+    preset = std::move(checked.preset);
+    prepared.outside = std::move(checked.outside);
     const auto notes = compare_with_media(preset);
     prepared.warnings.insert(prepared.warnings.end(), notes.begin(), notes.end());
     prepared.document.open_preset(preset, file);
@@ -129,10 +132,17 @@ Result<Prepared> prepare(const RenderRequest& request, const Library& library) {
     Prepared prepared{.document = Document(std::move(*loaded.look)),
                       .warnings = std::move(loaded.warnings),
                       .kept_shaders = std::move(kept),
-                      .progress = request.progress};
+                      .progress = request.progress,
+                      .sender_seconds = request.sender_seconds};
+    const fs::path preset_file = preset->preset_file;
     if (preset->preset)
         if (auto done = open_preset(std::move(*preset), library, prepared); !done)
             return fail(done.error());
+    if (prepared.outside && request.signal.empty() && request.source.empty())
+        return fail({preset_file, 0,
+                     fmt::format("this preset names {}, which lies outside its folder. Name it "
+                                 "yourself with --signal or --source, if you trust the preset",
+                                 prepared.outside->words())});
     if (auto done = apply_values(request, prepared.document); !done)
         return fail(done.error());
     if (auto done = turn_texts(prepared.document, {&checks, request.progress}); !done)
@@ -187,7 +197,9 @@ Offline::Offline(std::unique_ptr<gpu::Context> context, Prepared prepared, Progr
       m_player(std::make_unique<Player>()),
       m_size(size),
       m_fps(fps),
-      m_moves(std::move(prepared.moves)) {}
+      m_moves(std::move(prepared.moves)) {
+    m_player->set_sender_patience(prepared.sender_seconds);
+}
 
 Result<Offline> Offline::create(Prepared prepared, Extent size, double fps) {
     auto context = gpu::Context::headless();

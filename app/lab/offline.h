@@ -7,6 +7,7 @@
 #include "lab/document.h"
 #include "lab/open.h"
 #include "lab/player.h"
+#include "lab/preset_content.h"
 #include "lab/renderer.h"
 #include "lab/source.h"
 #include "model/moves.h"
@@ -14,6 +15,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -31,6 +33,7 @@ struct RenderRequest {
     Extent size{1280, 720};
     double fps = 60.0;
     PassProgress* progress = nullptr;  // of reading and linking the look; null: nobody looks
+    double sender_seconds = std::numeric_limits<double>::infinity();  // as Prepared has it
 };
 
 /// A look with its values and what drives it, ready to be drawn or described; needs no GL.
@@ -40,6 +43,10 @@ struct Prepared {
     Moves moves = {};
     std::shared_ptr<ByteStore> kept_shaders = {};  // null: all is compiled anew
     PassProgress* progress = nullptr;
+    // Without a point of another program's beam until it is an error.
+    double sender_seconds = std::numeric_limits<double>::infinity();
+    // Content that the preset brings and that was not used.
+    std::optional<OutsideContent> outside = {};
     // For who settles before the first frame: the passes that are looked at besides the picture, so
     // that no others take memory meanwhile. None: all may be looked at.
     std::optional<std::vector<std::string>> seen = {};
@@ -104,6 +111,8 @@ public:
     /// What of the source, or of a beam that another program sends, could not be read. Asked once,
     /// at the end.
     Diagnostics take_problems();
+    /// What drawing waits for, "Waits for a program at /run/…"; "" for nothing.
+    std::string sender_state() const { return m_player->sender_state(); }
     /// The picture of a pass, row 0 on top; with the encoding that its values have.
     Picture picture(int pass) const;
     /// The same as the target holds it, for another thread.

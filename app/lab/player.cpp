@@ -147,6 +147,7 @@ Result<void> Player::open_feed(const Spec& complete) {
     if (!feed)
         return fail(feed.error());
     m_feed = std::move(*feed);
+    m_feed->beam()->set_patience(m_sender_patience);
     return {};
 }
 

@@ -63,6 +63,10 @@ public:
     std::string sent_state() const { return m_feed ? m_feed->state() : std::string(); }
     /// What could not be read of a beam that another program sends.
     Diagnostics sent_problems() const { return m_feed ? m_feed->problems() : Diagnostics(); }
+    /// As BeamFeed::state(); "" without one.
+    std::string sender_state() const { return m_feed ? m_feed->state() : std::string(); }
+    /// As SentBeam::set_patience(), for senders from now on.
+    void set_sender_patience(double seconds) { m_sender_patience = seconds; }
 
     /// The device that the beam is played on; "" when it is none.
     std::string beam_device() const { return m_playout ? m_playout->device_name() : ""; }
@@ -152,6 +156,7 @@ private:
     bool m_is_input_muted = false;
     int m_channels = 0;                      // that were asked of it
     std::int64_t m_live_first = 0;           // its frame at time 0
+    double m_sender_patience = std::numeric_limits<double>::infinity();
     std::unique_ptr<BeamFeed> m_feed;        // while another program sends the beam
     std::unique_ptr<BeamPlayout> m_playout;  // while the beam goes out to a real scope
     Spec m_spec;                             // of the signal, complete

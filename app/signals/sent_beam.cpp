@@ -3,6 +3,7 @@
 #include "signals/points.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace {
@@ -69,13 +70,28 @@ void SentBeam::start_at(double seconds) {
     m_changed.notify_all();
 }
 
+// As long as points come the patience begins again with each.
+void SentBeam::wait_for_points(std::unique_lock<std::mutex>& lock, double until) {
+    const auto is_done = [&] { return m_is_closed || m_has_ended || m_end > until + end_slack; };
+    if (std::isinf(m_patience_seconds)) {
+        m_changed.wait(lock, is_done);
+        return;
+    }
+    const std::chrono::duration<double> patience(m_patience_seconds);
+    while (!is_done()) {
+        const double before = m_end;
+        if (m_changed.wait_for(lock, patience, [&] { return is_done() || m_end > before; }))
+            continue;
+        m_has_timed_out = m_has_ended = true;
+    }
+}
+
 void SentBeam::trace(const TimeSpan& span, Beam& beam) {
     std::unique_lock lock(m_mutex);
     m_now = std::max(m_now, span.end);
     m_changed.notify_all();
     if (m_pace == Pace::waiting)
-        m_changed.wait(lock,
-                       [&] { return m_is_closed || m_has_ended || m_end > span.end + end_slack; });
+        wait_for_points(lock, span.end);
     if (m_has_tints)
         beam.tints.resize(beam.size());
     auto leg = std::upper_bound(

@@ -4,9 +4,11 @@
 #include "signals/clock.h"
 #include "signals/sent_points.h"
 
+#include <atomic>
 #include <condition_variable>
 #include <cstddef>
 #include <deque>
+#include <limits>
 #include <mutex>
 #include <span>
 
@@ -19,6 +21,12 @@ public:
         waiting,  // drawing waits for the sender: the same points give the same beam
     };
     explicit SentBeam(Pace pace, double start = 0.0) : m_pace(pace), m_now(start), m_end(start) {}
+
+    /// Drawing waits no longer than so many seconds without a point; then it goes on without the
+    /// sender. At first it waits for ever.
+    void set_patience(double seconds) { m_patience_seconds = seconds; }
+    /// Whether that happened.
+    bool has_timed_out() const { return m_has_timed_out; }
 
     // The sender's side.
     void append(std::span<const SentPoint> points);
@@ -51,6 +59,7 @@ private:
 
     void append_one(const SentPoint& point);
     void forget_old();
+    void wait_for_points(std::unique_lock<std::mutex>& lock, double until);
     void trace_leg(const Leg& leg, const TimeSpan& span, Beam& beam) const;
 
     const Pace m_pace;
@@ -63,5 +72,7 @@ private:
     bool m_has_last = false;
     bool m_has_tints = false;  // some point had a colour
     bool m_has_ended = false;
+    std::atomic<bool> m_has_timed_out = false;
+    double m_patience_seconds = std::numeric_limits<double>::infinity();
     bool m_is_closed = false;
 };

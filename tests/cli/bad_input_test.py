@@ -206,6 +206,54 @@ class BadPresets(ProgramTest):
         for command in (("describe", files[-1], "--json"), ("render", "phosphor", "--preset", files[-1], "-o", "x.png")):
             self.assert_refused(run(*command, cwd=self.folder), "p7.json:", "decay")
 
+    def test_content_outside_of_a_presets_folder_is_named_by_the_user(self):
+        here, secret = self.folder / "presets", self.folder / "secret.png"
+        self.assert_done(run("render", "crt", "--source", "pattern:smpte", "--size", "32x32", "-o", secret))
+        def preset(name, source):
+            return self.write(here / name, json.dumps({"format": "afterglow-preset", "version": 1, "look": "crt",
+                                                       "name": name, "source": source, "values": {}}))
+        home = {"XDG_STATE_HOME": str(self.folder / "state")}
+        for source in (str(secret), "../secret.png", "./../secret.png,fit=whole", "deep/../../secret.png"):
+            words = ("presets/a.json: error: this preset names the file '", "outside its folder")
+            for command in ("render", "describe"):
+                more = ("-o", self.folder / "x.png", "--size", "32x32") if command == "render" else ("--json",)
+                self.assert_refused(run(command, preset("a.json", source), *more, **home), *words)
+        self.assert_done(run("render", preset("a.json", "../secret.png"), "--source", secret, "--size", "32x32",
+                             "-o", self.folder / "x.png", **home))
+        shutil.copy(secret, here / "inside.png")
+        (here / "folder").mkdir()
+        shutil.copy(secret, here / "folder/inside.png")
+        for source in ("inside.png", "folder/inside.png", str(here / "inside.png"), "pattern:smpte"):
+            self.assert_done(run("render", preset("b.json", source), "--size", "32x32", "-o", self.folder / "x.png", **home))
+
+    def test_a_socket_of_a_preset_is_made_in_the_runtime_folder_alone(self):
+        runtime = self.folder / "run"
+        runtime.mkdir()
+        place = self.folder / "any.sock"
+        def preset(path):
+            return self.write("s.json", json.dumps({
+                "format": "afterglow-preset", "version": 1, "look": "vector-beam", "name": "s", "values": {},
+                "signal": {"kind": "socket", "path": str(path)}}))
+        for path in (place, runtime / "other.sock", runtime / "afterglow/../x.sock"):
+            self.assert_refused(run("render", preset(path), "--size", "32x32", "-o", self.folder / "x.png",
+                                    XDG_RUNTIME_DIR=str(runtime)), "this preset names the socket '")
+            self.assertFalse(path.exists())
+        done = run("render", preset(runtime / "afterglow/a.sock"), "--size", "32x32", "--timeout", "0.2",
+                   "-o", self.folder / "x.png", XDG_RUNTIME_DIR=str(runtime))
+        self.assert_refused(done, "Waits for a program at %s" % (runtime / "afterglow/a.sock"),
+                            "sent no point within the timeout")
+        self.assertEqual((runtime / "afterglow").stat().st_mode & 0o777, 0o700)
+
+    def test_control_characters_of_a_file_do_not_reach_the_terminal(self):
+        bad = self.write("esc.json", '{"format": "afterglow-preset", "version": 1, "look": "crt", '
+                         '"a\\u001b[2Jb\\u0000c\\u009b": 1}')
+        done = run("render", bad, "-o", self.folder / "x.png")
+        self.assert_refused(done, "a\\x1b[2Jb\\x00c\\xc2\\x9b")
+        self.assertFalse(set(done.stderr) & set("\x1b\0\x9b"))
+
+    def test_a_stack_has_at_most_64_looks(self):
+        self.assert_refused(run("check", "+".join(["crt"] * 20000)), "a stack has at most 64 looks")
+
     def test_broken_lines(self):
         lines = ("afterglow:", "afterglow:1:", "afterglow:1:!!!!", "afterglow:9:AAAA", "afterglow:1:" + "A" * 5000)
         done = run("check", *lines)

@@ -86,7 +86,7 @@ class Pipe(ProgramTest):
         place = self.folder / "beam.sock"
         started = self.start(place)
         self.connect(place).sendall(DOT + b"0 0 0 10\n")  # enough: it need not be closed
-        self.assertEqual(self.finish(started), "")
+        self.assertRegex(self.finish(started), "^(Waits for a program at|Draws what comes from) %s. Ctrl.C ends it.\n$" % place)
         self.assert_dot(self.folder / "out.png")
         self.assertFalse(place.exists())
 
@@ -109,6 +109,21 @@ class Pipe(ProgramTest):
         started = self.start(place)
         started.send_signal(signal.SIGINT)
         self.finish(started, -signal.SIGINT)
+        self.assertFalse(place.exists())
+
+    def test_a_sender_that_stays_silent_ends_the_picture_at_the_timeout(self):
+        place = self.folder / "beam.sock"
+        nobody = self.start(place, "--timeout", "0.5")
+        self.assertIn("beam.sock: error: sent no point within the timeout", self.finish(nobody, 1))
+        silent = self.start(place, "--timeout", "0.5")
+        self.connect(place).sendall(b"0.5 0.5 1 0.001\n")
+        self.assertIn("beam.sock: error: sent no point within the timeout", self.finish(silent, 1))
+        slow = self.start(place, "--timeout", "2")  # each point begins it again
+        sender = self.connect(place)
+        for _ in range(4):
+            time.sleep(0.8)
+            sender.sendall(b"0.5 0.5 1 0.01\n")
+        self.finish(slow)
         self.assertFalse(place.exists())
 
     def test_what_a_killed_program_left_is_replaced_and_what_another_uses_is_not(self):
