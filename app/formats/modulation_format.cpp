@@ -78,15 +78,17 @@ Json json_of(const Modulations& modulations) {
 Result<Modulations> fitted_modulations(const Look& look, const Preset& preset,
                                        const std::filesystem::path& file) {
     Diagnostics problems;
+    std::optional<std::map<std::string, int>> lines;  // read once, where something does not fit
     Modulations modulations = renamed(look, preset.modulations);
     for (const auto& [name, modulation] : modulations) {
         const Parameter* parameter = find_parameter(look, name);
         const std::string reason = parameter ? why_unmodulated(look, *parameter) : std::string();
         if (reason.empty())
             continue;
-        const auto lines = lines_below(file, "modulation");
-        const auto line = lines.find(preset.modulations.contains(name) ? name : parameter->was);
-        problems.push_back({file, line == lines.end() ? 0 : line->second,
+        if (!lines)
+            lines = lines_below(file, "modulation");
+        const auto line = lines->find(preset.modulations.contains(name) ? name : parameter->was);
+        problems.push_back({file, line == lines->end() ? 0 : line->second,
                             fmt::format("'{}' cannot move by itself: it {}", name, reason)});
     }
     if (!problems.empty())

@@ -10,6 +10,7 @@
 #include "formats/value_json.h"
 #include "io/atomic_file.h"
 #include "io/png_chunks.h"
+#include "model/stack_size.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -20,12 +21,18 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 constexpr FileFormat preset_file{"afterglow-preset", 1};
+constexpr std::size_t most_values = 65'536;  // four times the parameters of the largest look
 
 Values read_values(ObjectReader& reader) {
     Values values;
     const JsonValue* member = reader.find("values");
     if (!member || !reader.expect(*member, JsonValue::Kind::object))
         return values;
+    if (member->children.size() > most_values) {
+        reader.problem(*member, fmt::format("has {} values; a preset holds at most {}",
+                                            member->children.size(), most_values));
+        return values;
+    }
     for (const JsonValue& child : member->children)
         if (auto value = read_value(child, reader))
             values[child.key] = std::move(*value);
@@ -39,6 +46,11 @@ std::vector<std::string> read_bypass(ObjectReader& reader, const std::string& lo
     if (!list || !reader.expect(*list, JsonValue::Kind::array))
         return bypass;
     const std::vector<std::string> keys = stack_keys(look_ids(look));
+    if (list->children.size() > keys.size()) {
+        reader.problem(*list,
+                       fmt::format("bypasses {} looks of {}", list->children.size(), keys.size()));
+        return bypass;
+    }
     for (const JsonValue& item : list->children) {
         if (!reader.expect(item, JsonValue::Kind::text))
             continue;
@@ -84,6 +96,10 @@ Result<Preset> parse_preset(std::string_view text, const std::filesystem::path& 
     preset.look = reader.text("look");
     if (look && look->is(JsonValue::Kind::text) && look->text.empty())
         reader.problem(*look, "\"look\" must name a look");
+    if (const std::string fault = fault_of_stack_size(preset.look); look && !fault.empty()) {
+        reader.problem(*look, fault);
+        return fail(std::move(problems));
+    }
     preset.digest = reader.text("look_digest");
     preset.name = reader.text("name");
     preset.about = reader.text("about");
@@ -175,6 +191,7 @@ Preset with_all_values(Preset preset, const Look& look) {
 Result<Values> fitted_values(const Look& look, const Preset& preset,
                              const std::filesystem::path& file) {
     Diagnostics problems;
+    std::optional<std::map<std::string, int>> lines;  // read once, where something does not fit
     Values values = renamed_values(look, preset.values);
     for (auto& [name, value] : values) {
         const Parameter* parameter = find_parameter(look, name);
@@ -185,10 +202,11 @@ Result<Values> fitted_values(const Look& look, const Preset& preset,
             value = std::move(*fitted);
             continue;
         }
-        const auto lines = lines_below(file, "values");
-        const auto line = lines.find(preset.values.contains(name) ? name : parameter->was);
+        if (!lines)
+            lines = lines_below(file, "values");
+        const auto line = lines->find(preset.values.contains(name) ? name : parameter->was);
         problems.push_back(
-            {file, line == lines.end() ? 0 : line->second, fitted.error().front().message});
+            {file, line == lines->end() ? 0 : line->second, fitted.error().front().message});
     }
     if (!problems.empty())
         return fail(std::move(problems));

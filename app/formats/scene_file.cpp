@@ -22,6 +22,27 @@ double positive(ObjectReader& reader, std::string_view key, double fallback, boo
     return fallback;
 }
 
+// Ends at the first item that is too much: many small ones together take gigabytes.
+void read_items(const JsonValue& items, ObjectReader& reader, BeamScene& scene) {
+    if (!reader.expect(items, JsonValue::Kind::array))
+        return;
+    if (items.children.empty())
+        reader.problem(items, "there is nothing to draw");
+    std::size_t points = 0;
+    for (const JsonValue& value : items.children) {
+        ObjectReader item(value, reader.file(), reader.problems());
+        scene.items.push_back(read_scene_item(item));
+        for (const ScenePath& path : scene.items.back().paths)
+            points += path.points.size();
+        if (points > most_scene_points) {
+            reader.problem(value, fmt::format("the scene has more than {} points up to here; "
+                                              "remove items or simplify them",
+                                              most_scene_points));
+            return;
+        }
+    }
+}
+
 BeamScene read_scene(ObjectReader& reader) {
     const BeamScene defaults;
     BeamScene scene;
@@ -34,18 +55,8 @@ BeamScene read_scene(ObjectReader& reader) {
         reader.choice<bool>("moves", {{"blanked", false}, {"visible", true}}, false);
     const double intensity = positive(reader, "move_intensity", 0.15, true);
     scene.move_current = is_visible ? intensity : 0.0;
-    const JsonValue* items = reader.require("items");
-    if (items && reader.expect(*items, JsonValue::Kind::array))
-        for (const JsonValue& value : items->children) {
-            ObjectReader item(value, reader.file(), reader.problems());
-            scene.items.push_back(read_scene_item(item));
-        }
-    if (point_count(scene) > most_scene_points)
-        reader.problem(reader.object(),
-                       fmt::format("the scene has {} points; at most {} can be drawn",
-                                   point_count(scene), most_scene_points));
-    else if (items && items->children.empty())
-        reader.problem(*items, "there is nothing to draw");
+    if (const JsonValue* items = reader.require("items"))
+        read_items(*items, reader, scene);
     reader.refuse_unknown();
     return scene;
 }

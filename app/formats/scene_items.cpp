@@ -125,7 +125,13 @@ std::vector<ScenePath> read_dot(ObjectReader&) {
 
 std::vector<ScenePath> read_text(ObjectReader& reader) {
     reader.require("text");
-    const std::string text = reader.text("text");
+    std::string text = reader.text("text");
+    constexpr std::size_t most_letters = 16'384;
+    if (text.size() > most_letters) {
+        reader.problem(*reader.find("text"),
+                       fmt::format("'text' takes at most {} letters; split it", most_letters));
+        text.clear();
+    }
     const double height = bounded(reader, "height", 0.2, 1e-6, 1000);
     const auto align = reader.choice<TextAlign>(
         "align",

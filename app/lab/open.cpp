@@ -9,6 +9,7 @@
 #include "formats/stack_format.h"
 #include "glsl/check_cache.h"
 #include "lab/media.h"
+#include "model/stack_size.h"
 
 #include <fmt/format.h>
 
@@ -125,6 +126,8 @@ Result<StackPart> resolve_part(const std::string& argument, const Library& libra
 }
 
 Result<OpenRequest> resolve_stack(const std::string& argument, const Library& library) {
+    if (std::string fault = fault_of_stack_size(argument); !fault.empty())
+        return fail({{}, 0, std::move(fault)});
     Stack stack;
     Diagnostics problems;
     for (const std::string& piece : look_ids(argument)) {

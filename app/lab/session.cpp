@@ -2,6 +2,7 @@
 
 #include "base/file.h"
 #include "io/atomic_file.h"
+#include "model/stack_size.h"
 
 #include <fmt/format.h>
 
@@ -32,6 +33,8 @@ using Places = std::map<std::string, std::string>;
 // The looks of a state; none where the session does not say where one of them lies.
 Stack stack_in(const Preset& preset, const Places& places) {
     Stack stack;
+    if (!fault_of_stack_size(preset.look).empty())
+        return stack;
     for (const std::string& id : look_ids(preset.look)) {
         const auto place = places.find(id);
         if (place == places.end())
