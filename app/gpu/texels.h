@@ -13,6 +13,11 @@ namespace gpu {
 void fill_texels(const Picture& picture, Encoding wanted, std::vector<float>& texels,
                  RowOrder rows = RowOrder::bottom_first);
 
+/// Fills a flat texture of the picture's size, band by band, so that a large picture is not held
+/// twice. `band` is used again.
+void upload_picture(Texture& texture, const Picture& picture, Encoding wanted,
+                    std::vector<float>& band, RowOrder rows = RowOrder::bottom_first);
+
 /// A texture that holds a picture in the `wanted` encoding.
 Result<Texture> texture_of(const Picture& picture, Format format, Encoding wanted);
 

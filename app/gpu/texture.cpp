@@ -2,6 +2,7 @@
 
 #include "gpu/gl_format.h"
 #include "gpu/mip_levels.h"
+#include "gpu/upload_rows.h"
 
 #include <fmt/format.h>
 
@@ -155,35 +156,6 @@ Result<Texture> Texture::allocated(Texture texture) {
     return texture;
 }
 
-namespace {
-// The nearest code of 8 bits; 0 for what is no number.
-std::uint8_t code_of(float number) {
-    return static_cast<std::uint8_t>(number > 0 ? std::min(number, 1.0f) * 255.0f + 0.5f : 0.0f);
-}
-
-// Some rows at a time: other contexts that share textures wait for each call. What is kept in bytes
-// goes as bytes, which Mesa copies many times as fast as it rounds.
-void upload_rows(GLenum face, Extent extent, bool are_bytes, std::span<const float> texels) {
-    constexpr int texels_at_once = 1 << 16;
-    const int most_rows = std::max(1, texels_at_once / extent.width);
-    std::vector<std::uint8_t> codes;
-    for (int row = 0; row < extent.height; row += most_rows) {
-        const int rows = std::min(most_rows, extent.height - row);
-        const auto width = static_cast<std::size_t>(extent.width) * 4;
-        const std::span<const float> band = texels.subspan(width * static_cast<std::size_t>(row),
-                                                           width * static_cast<std::size_t>(rows));
-        if (are_bytes) {
-            codes.resize(band.size());
-            std::ranges::transform(band, codes.begin(), code_of);
-            glTexSubImage2D(face, 0, 0, row, extent.width, rows, GL_RGBA, GL_UNSIGNED_BYTE,
-                            codes.data());
-        } else {
-            glTexSubImage2D(face, 0, 0, row, extent.width, rows, GL_RGBA, GL_FLOAT, band.data());
-        }
-    }
-}
-}  // namespace
-
 void Texture::upload(std::span<const float> texels) {
     assert(!facts_of(m_format).is_integer);
     const std::size_t layer =
@@ -197,7 +169,7 @@ void Texture::upload(std::span<const float> texels) {
     const GLenum first =
         m_shape == PictureShape::cube ? GL_TEXTURE_CUBE_MAP_POSITIVE_X : GL_TEXTURE_2D;
     for (std::size_t face = 0; m_shape != PictureShape::volume && face < layers(); ++face)
-        upload_rows(first + static_cast<GLenum>(face), m_extent, are_bytes,
+        upload_rows(first + static_cast<GLenum>(face), 0, m_extent, are_bytes,
                     texels.subspan(face * layer));
     glBindTexture(target(), 0);
 }

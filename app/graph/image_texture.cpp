@@ -39,10 +39,15 @@ Result<std::shared_ptr<const gpu::Texture>> image_texture(const Look& look, cons
         return fail(texture.error());
     const bool is_data = image && image->is_linear;
     const Encoding wanted = image && image->encoding ? *image->encoding : look.source_encoding;
+    const Encoding encoding = is_data ? picture.encoding : wanted;
+    const RowOrder rows = image ? image->rows : RowOrder::bottom_first;
     std::vector<float> texels;
-    gpu::fill_texels(picture, is_data ? picture.encoding : wanted, texels,
-                     image ? image->rows : RowOrder::bottom_first);
-    texture->upload(texels);
+    if (picture.shape == PictureShape::flat) {
+        gpu::upload_picture(*texture, picture, encoding, texels, rows);
+    } else {
+        gpu::fill_texels(picture, encoding, texels, rows);
+        texture->upload(texels);
+    }
     texture->generate_mipmaps();
     return std::make_shared<const gpu::Texture>(std::move(*texture));
 }

@@ -30,8 +30,7 @@ Result<void> SourceHistory::set(const Picture& picture, const SourceForm& form) 
             return fail(made.error());
         texture = std::move(*made);
     }
-    gpu::fill_texels(picture, form.encoding, m_texels, form.rows);
-    texture->upload(m_texels);
+    gpu::upload_picture(*texture, picture, form.encoding, m_texels, form.rows);
     texture->generate_mipmaps();
     m_newest = place;
     return {};

@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 
 namespace {
 constexpr int largest_side = 16384;
-constexpr std::int64_t most_pixels = std::int64_t{64} << 20;
+// As floats in memory, and as RGBA floats on the GPU: 34 million pixels of RGB, 30 of RGBA.
+constexpr std::int64_t most_bytes = std::int64_t{920} << 20;
 
 // Marks a file of ours whose alpha is data that the colours were never multiplied by.
 constexpr const char* as_stored = "afterglowAsStored";
@@ -36,23 +37,29 @@ std::string cleaned(std::string_view message) {
     return text.empty() ? "its content is not understood" : text;
 }
 
-Result<void> check_extent(int width, int height, const fs::path& file) {
+std::int64_t most_pixels(int channels) {
+    constexpr int gpu_channels = 4;
+    return most_bytes / (4 * (std::max(channels, 1) + gpu_channels));
+}
+
+Result<void> check_extent(int width, int height, int channels, const fs::path& file) {
     if (width < 1 || height < 1)
         return fail({file, 0, "holds no flat picture"});
-    if (width > largest_side || height > largest_side || std::int64_t{width} * height > most_pixels)
+    if (width > largest_side || height > largest_side ||
+        std::int64_t{width} * height > most_pixels(channels))
         return fail(
             {file, 0,
              fmt::format("is too large: {} x {} px; at most {} px a side and {} pixels are read",
-                         width, height, largest_side, most_pixels)});
+                         width, height, largest_side, most_pixels(channels))});
     return {};
 }
 
 Result<void> check_spec(const OIIO::ImageSpec& spec, const fs::path& file) {
     if (spec.depth > 1)
         return fail({file, 0, "holds no flat picture"});
-    if (auto good = check_extent(spec.width, spec.height, file); !good)
+    if (auto good = check_extent(spec.width, spec.height, spec.nchannels, file); !good)
         return good;
-    if (auto good = check_extent(spec.full_width, spec.full_height, file); !good)
+    if (auto good = check_extent(spec.full_width, spec.full_height, spec.nchannels, file); !good)
         return good;
     const bool has_grey_alpha = spec.nchannels == 2 && spec.alpha_channel == 1;
     if (spec.nchannels != 1 && spec.nchannels != 3 && spec.nchannels != 4 && !has_grey_alpha)

@@ -19,6 +19,14 @@ void main() { color = texture(image, uv); }
 """
 
 
+def without_pixels(width, height, color_type):
+    """A 16-bit PNG that ends behind its header."""
+    body = struct.pack(">IIBBBBB", width, height, 16, color_type, 0, 0, 0)
+    def chunk(kind, body):
+        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", body) + chunk(b"IDAT", b"") + chunk(b"IEND", b"")
+
+
 def png(width, height, rgb):
     """An 8-bit RGB PNG of one colour."""
     def chunk(kind, body):
@@ -133,6 +141,17 @@ class Pictures(MediaTest):
         self.assert_refused(self.plain(wider), "wider.png: error: is too large", "16385 x 1 px")
         self.assert_refused(self.plain(one, size="16385x1"), "16385x1", code=2)
         self.assert_done(run("render", "shadow-mask", "--source", one, "--size", "1x1", "-o", self.folder / "x.png"))
+
+    def test_a_picture_takes_at_most_a_gigabyte_and_is_refused_before_it_is_read(self):
+        # 4 bytes a channel, and 16 bytes on the GPU, are at most 920 MiB.
+        for color_type, channels, side in ((0, 1, 6946), (2, 3, 5870), (6, 4, 5491)):
+            self.assertLess((side - 1) ** 2 * 4 * (channels + 4), 920 << 20)
+            self.assertGreater(side ** 2 * 4 * (channels + 4), 920 << 20)
+            large = self.write("large.png", without_pixels(side, side, color_type))
+            self.assert_refused(self.plain(large), "large.png: error: is too large: %d x %d px" % (side, side))
+            fits = self.write("fits.png", without_pixels(side - 1, side - 1, color_type))
+            self.assert_refused(self.plain(fits), "fits.png: error: is damaged")
+        self.assert_refused(self.plain(self.write("page.png", without_pixels(8192, 8192, 6))), "is too large")
 
     def test_what_is_no_number_in_a_picture_is_told_and_harms_nothing(self):
         bad = self.write("bad.exr", exr([math.nan, math.inf, 5.0, 0.25]))

@@ -24,6 +24,24 @@ TEST_CASE_FIXTURE(Headless, "a picture comes back as it went, row 0 on top") {
     CHECK(gpu::read_picture(texture_of(corners(), Format::rgba32f)) == corners());
 }
 
+TEST_CASE_FIXTURE(Headless, "a large picture that goes up in bands is the one that goes up whole") {
+    Picture picture{{1200, 1801}, 3, Encoding::display, {}};
+    for (std::size_t i = 0; i < picture.index(0, 1801); ++i)
+        picture.pixels.push_back(static_cast<float>(i * 37 % 61) / 60.0f);
+    for (const Format format : {Format::rgba32f, Format::rgba8})
+        for (const RowOrder rows : {RowOrder::bottom_first, RowOrder::top_first}) {
+            auto whole = gpu::Texture::make(picture.extent, format, false);
+            auto banded = gpu::Texture::make(picture.extent, format, false);
+            REQUIRE((whole && banded));
+            std::vector<float> texels;
+            gpu::fill_texels(picture, Encoding::linear, texels, rows);
+            whole->upload(texels);
+            gpu::upload_picture(*banded, picture, Encoding::linear, texels, rows);
+            CHECK(texels.size() < picture.pixels.size());
+            CHECK((gpu::read_picture(*banded) == gpu::read_picture(*whole)));
+        }
+}
+
 TEST_CASE_FIXTURE(
     Headless, "what is read for another thread is the same picture, in memory that is used again") {
     Picture picture{{5, 3}, 4, Encoding::linear, {}};
