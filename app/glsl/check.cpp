@@ -4,10 +4,10 @@
 #include "glsl/compiler_log.h"
 #include "glsl/include.h"
 #include "glsl/interface.h"
+#include "glsl/large_declarations.h"
 #include "glsl/live.h"
 #include "glsl/stage_cost.h"
 #include "glsl/start.h"
-#include "glsl/struct_sizes.h"
 #include "glsl/tokens.h"
 #include "glsl/tree.h"
 #include "glsl/uniform_lines.h"
@@ -122,7 +122,7 @@ void check_text(const Stage& stage, const ShaderLimits& limits, Diagnostics& pro
 void check_bounds(const Stage& stage, const ShaderLimits& limits, Diagnostics& problems) {
     auto fault = find_out_of_bounds(stage.text);
     if (!fault)
-        fault = find_large_struct(stage.text, limits);
+        fault = find_large_declaration(stage.text, limits);
     if (!fault)
         return;
     const Location at = author_place(stage, fault->line);

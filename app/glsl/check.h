@@ -42,7 +42,7 @@ Result<Reflection> check_program(const Stage& vertex, const Stage& fragment,
                                  const ShaderLimits& limits = {});
 
 /// Refuses a text that glslang would take too much time or memory for, as find_out_of_bounds and
-/// find_large_struct say.
+/// find_large_declaration say.
 void check_bounds(const Stage& stage, const ShaderLimits& limits, Diagnostics& problems);
 
 /// Refuses a shader that was parsed without errors and that exceeds a limit. The error lies at the

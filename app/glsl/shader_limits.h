@@ -10,12 +10,13 @@
 /// time without a bound of their own.
 struct ShaderLimits {
     double variable_bytes = 1 << 20;  // of all variables, arrays of functions once a call
-    double indexed_bytes = 32 << 10;  // of variables that are arrays with a computed index
+    double indexed_bytes = 64 << 10;  // of variables that are arrays with a computed index
     double uniforms = 1024;           // members of structs and blocks count one each
     double struct_members = 4096;     // of one struct, members of its members included
     double depth = 64;                // of structs in structs, and of calls in calls
-    double instructions = 100'000;    // with every call inlined
-    double switch_cases = 256;        // of one switch
+    double instructions = 500'000;    // with every call inlined
+    double inlined_calls = 24'000;    // calls, those of called functions included
+    double switch_cases = 1024;       // of one switch
 
     bool operator==(const ShaderLimits&) const = default;
 };
@@ -35,6 +36,7 @@ inline constexpr std::array shader_limits{
     ShaderLimit{"struct-members", &ShaderLimits::struct_members, "members of one struct"},
     ShaderLimit{"depth", &ShaderLimits::depth, "levels of nested structs or calls"},
     ShaderLimit{"instructions", &ShaderLimits::instructions, "instructions with inlined calls"},
+    ShaderLimit{"inlined-calls", &ShaderLimits::inlined_calls, "calls with inlined calls"},
     ShaderLimit{"switch-cases", &ShaderLimits::switch_cases, "cases of one switch"},
 };
 

@@ -69,6 +69,7 @@ constexpr std::array figures{
     std::pair{&ShaderLimits::indexed_bytes, &StageCost::indexed_bytes},
     std::pair{&ShaderLimits::uniforms, &StageCost::uniforms},
     std::pair{&ShaderLimits::switch_cases, &StageCost::switch_cases},
+    std::pair{&ShaderLimits::inlined_calls, &StageCost::inlined_calls},
     std::pair{&ShaderLimits::instructions, &StageCost::instructions},
 };
 
@@ -105,6 +106,7 @@ struct Inlined {
     double instructions = 0.0;
     double composite_bytes = 0.0;
     double indexed_bytes = 0.0;
+    double calls = 0.0;
     double depth = 0.0;  // of calls
 };
 
@@ -143,6 +145,8 @@ public:
     bool visitBinary(glslang::TVisit, glslang::TIntermBinary* node) override {
         if (node->getOp() == glslang::EOpIndexIndirect)
             note_index(*node);
+        if (node->getOp() == glslang::EOpEqual || node->getOp() == glslang::EOpNotEqual)
+            count_copy(*node->getLeft());  // compared element by element
         count(*node);
         return true;
     }
@@ -187,20 +191,21 @@ public:
             declare_variable(*symbol);
     }
 
-    StageCost cost(const std::string& main_name) {
-        const Inlined main = inlined(main_name);
-        const std::set<std::string> reached = m_reached;
-        double instructions = main.instructions;
+    // Drivers inline within every function, whether main reaches it or not.
+    StageCost cost() {
+        Inlined largest;
         for (const auto& [name, part] : m_parts) {
-            m_cost.depth.raise(inlined(name).depth, part.line);
+            const Inlined& inlined = this->inlined(name);
+            m_cost.depth.raise(inlined.depth, part.line);
+            m_cost.instructions.raise(inlined.instructions, part.line);
+            m_cost.inlined_calls.raise(inlined.calls, part.line);
             m_cost.variable_bytes.value += part.number_bytes;
-            if (!reached.contains(name))
-                instructions += part.instructions;
+            largest.composite_bytes = std::max(largest.composite_bytes, inlined.composite_bytes);
+            largest.indexed_bytes = std::max(largest.indexed_bytes, inlined.indexed_bytes);
         }
         const Part& outside = m_parts[{}];
-        m_cost.variable_bytes.value += outside.composite_bytes + main.composite_bytes;
-        m_cost.indexed_bytes.value += outside.indexed_bytes + main.indexed_bytes;
-        m_cost.instructions.value = instructions;
+        m_cost.variable_bytes.value += outside.composite_bytes + largest.composite_bytes;
+        m_cost.indexed_bytes.value += outside.indexed_bytes + largest.indexed_bytes;
         return m_cost;
     }
 
@@ -287,7 +292,6 @@ private:
     // too deep for a driver as well.
     const Inlined& inlined(const std::string& name) {
         constexpr double deepest = 4096.0;
-        m_reached.insert(name);
         const auto [known, is_new] = m_inlined.try_emplace(name);
         Inlined& sum = known->second;
         const auto part = m_parts.find(name);
@@ -299,7 +303,7 @@ private:
         }
         m_nested += 1.0;
         Inlined all{part->second.instructions, part->second.composite_bytes,
-                    part->second.indexed_bytes, 0.0};
+                    part->second.indexed_bytes};
         for (const std::string& call : part->second.calls)
             add_call(inlined(call), all);
         m_nested -= 1.0;
@@ -311,6 +315,7 @@ private:
         all.instructions += called.instructions;
         all.composite_bytes += called.composite_bytes;
         all.indexed_bytes += called.indexed_bytes;
+        all.calls += called.calls + 1.0;
         all.depth = std::max(all.depth, called.depth);
     }
 
@@ -320,7 +325,6 @@ private:
     std::map<std::string, Part> m_parts;  // by mangled name; "": outside of functions
     Part* m_part = &m_parts[{}];
     std::map<std::string, Inlined> m_inlined;
-    std::set<std::string> m_reached;
     double m_nested = 0.0;          // calls that inlined() is within
     std::set<long long> m_known;    // symbols by number
     std::set<long long> m_indexed;  // likewise
@@ -333,7 +337,7 @@ StageCost estimate_cost(glslang::TShader& shader) {
     const glslang::TIntermediate& tree = *shader.getIntermediate();
     if (TIntermNode* root = tree.getTreeRoot())
         root->traverse(&reader);
-    return reader.cost(tree.getEntryPointMangledName().c_str());
+    return reader.cost();
 }
 
 std::optional<ExceededLimit> find_exceeded(const StageCost& cost, const ShaderLimits& limits) {

@@ -29,11 +29,12 @@ struct StageCost {
     Figure uniforms;        // names that a driver lists: struct members one each
     Figure depth;           // the deepest struct or chain of calls
     Figure instructions;    // operations with every call inlined; copies of arrays by element
+    Figure inlined_calls;   // of a function, those of called functions included
     Figure switch_cases;    // of the largest switch
 };
 
-/// Estimates a shader that was parsed without errors, while it and its memory live. Code that main
-/// does not reach counts as well, but once.
+/// Estimates a shader that was parsed without errors, while it and its memory live. Functions that
+/// main does not reach count as well: the largest of all is meant.
 StageCost estimate_cost(glslang::TShader& shader);
 
 /// A limit that a stage exceeds, and by which figure.

@@ -163,7 +163,7 @@ class BadLooks(ProgramTest):
         for before, body, limit in (
                 ("", "float a[1100000000]; a[int(uv.x * 10.0)] = 1.0;", "variable-bytes"),
                 ("", "float a[65536]; a[int(uv.x * 10.0)] = 1.0;", "indexed-bytes"),
-                (calls, "color.x = f29(uv.x);", "instructions"),
+                (calls, "color.x = f29(uv.x);", "inlined-calls"),
                 (structs, "S29 s;", "struct-members"),
                 ("".join(f"uniform float u{i};\n" for i in range(4000)), "", "uniforms"),
                 ("", "switch (int(uv.x)) { %s }" % cases, "switch-cases")):
@@ -173,13 +173,13 @@ class BadLooks(ProgramTest):
         self.check_refused()
 
     def test_a_limit_is_raised_on_the_command_line(self):
-        cases = "".join(f"case {i}: color.x = {i}.0; break;" for i in range(300))
+        cases = "".join(f"case {i}: color.x = {i}.0; break;" for i in range(1100))
         look = self.look(only__frag="#version 410 core\nin vec2 uv;\nout vec4 color;\n"
                          "void main() { color = vec4(1.0); switch (int(uv.x)) { %s } }\n" % cases)
-        self.assert_refused(run("check", look), "--limit switch-cases=300")
-        self.assert_done(run("check", look, "--limit", "switch-cases=300"))
-        self.assert_done(run("--limit", "switch-cases=300", "render", look, "--size", "16x16", "-o", self.folder / "x.png"))
-        self.assert_refused(run("check", look, "--limit", "uniforms=5"), "--limit switch-cases=300")
+        self.assert_refused(run("check", look), "--limit switch-cases=2048")
+        self.assert_done(run("check", look, "--limit", "switch-cases=1100"))
+        self.assert_done(run("--limit", "switch-cases=1100", "render", look, "--size", "16x16", "-o", self.folder / "x.png"))
+        self.assert_refused(run("check", look, "--limit", "uniforms=5"), "--limit switch-cases=2048")
         self.assert_refused(run("check", look, "--limit", "cases=5"), "unknown limit 'cases'", code=2)
         self.assert_refused(run("check", look, "--limit", "uniforms=none"), "takes a whole number", code=2)
 

@@ -93,14 +93,14 @@ TEST_CASE("arrays with a computed index are limited by themselves") {
     const auto with = [](const std::string& type, int count, const std::string& value) {
         return fragment("", fmt::format("{} a[{}]; a[int(uv.x)] = {};\n", type, count, value));
     };
-    CHECK(refused(with("float", 8192, "1.0")) == "");
-    CHECK(names(refused(with("float", 8193, "1.0")), "indexed-bytes"));
-    CHECK(refused(with("vec4", 2048, "vec4(1.0)")) == "");
-    CHECK(names(refused(with("vec4", 2049, "vec4(1.0)")), "indexed-bytes"));
+    CHECK(refused(with("float", 16384, "1.0")) == "");
+    CHECK(names(refused(with("float", 16385, "1.0")), "indexed-bytes"));
+    CHECK(refused(with("vec4", 4096, "vec4(1.0)")) == "");
+    CHECK(names(refused(with("vec4", 4097, "vec4(1.0)")), "indexed-bytes"));
     // So is what each call of a function needs.
     const std::string text = "float f(float x) { float a[100]; a[int(x)] = x; return a[3]; }\n";
     std::string calls;
-    for (int i = 0; i < 81; ++i)
+    for (int i = 0; i < 163; ++i)
         calls += "color.x += f(uv.x);\n";
     CHECK(refused(fragment(text, calls)) == "");
     CHECK(names(refused(fragment(text, calls + "color.x += f(uv.y);\n")), "indexed-bytes"));
@@ -120,27 +120,46 @@ TEST_CASE("members of uniform structs count as uniforms") {
 }
 
 TEST_CASE("calls are counted as if they were inlined") {
-    // A function of level n is two times the one of level n - 1 and an addition: over 2^n.
-    CHECK(names(refused(fragment(call_tree(18, 2), "color.x = f17(uv.x);\n")), "instructions"));
-    CHECK(names(refused(fragment(call_tree(30, 2), "color.x = f29(uv.x);\n")), "instructions"));
-    CHECK(names(refused(fragment(call_tree(12, 3), "color.x = f11(uv.x);\n")), "instructions"));
-    // Five operations a level and call at most: 5 * 2^13 is below 100,000.
-    CHECK(refused(fragment(call_tree(13, 2), "color.x = f12(uv.x);\n")) == "");
-    // What is not called is not inlined.
-    CHECK(refused(fragment(call_tree(30, 2), "")) == "");
+    // A function of level n has 2 + 4 + ... + 2^n = 2^(n + 1) - 2 calls within it, main one more.
+    CHECK(refused(fragment(call_tree(14, 2), "color.x = f13(uv.x);\n")) == "");  // 16,383
+    CHECK(names(refused(fragment(call_tree(15, 2), "color.x = f14(uv.x);\n")), "inlined-calls"));
+    CHECK(names(refused(fragment(call_tree(18, 2), "color.x = f17(uv.x);\n")), "inlined-calls"));
+    CHECK(names(refused(fragment(call_tree(30, 2), "color.x = f29(uv.x);\n")), "inlined-calls"));
+    CHECK(names(refused(fragment(call_tree(12, 3), "color.x = f11(uv.x);\n")), "inlined-calls"));
+    // Drivers inline within functions that main does not reach, too.
+    CHECK(names(refused(fragment(call_tree(30, 2), "")), "inlined-calls"));
+}
+
+TEST_CASE("operations of called functions count once a call") {
+    std::string text = "float f(float x) {\n";
+    for (int i = 0; i < 300; ++i)
+        text += "x = x * 2.0;\n";  // a product and an assignment
+    text += "return x;\n}\n";
+    std::string calls;
+    for (int i = 0; i < 840; ++i)
+        calls += "color.x += f(uv.x);\n";
+    CHECK(names(refused(fragment(text, calls)), "instructions"));  // 840 * 600 at least
+    CHECK(refused(fragment(text, calls.substr(0, calls.size() / 2))) == "");
 }
 
 TEST_CASE("a copy of an array counts for each element") {
     std::string copies = "float a[1000]; float b[1000]; a[0] = uv.x;\n";
-    for (int i = 0; i < 101; ++i)
+    for (int i = 0; i < 505; ++i)
         copies += "b = a;\n";
     CHECK(names(refused(fragment("", copies)), "instructions"));
     std::string calls;
-    for (int i = 0; i < 101; ++i)
+    for (int i = 0; i < 505; ++i)
         calls += "color.x += f(a);\n";
     CHECK(names(refused(fragment("float f(float a[1000]) { return a[3]; }\n",
                                  "float a[1000]; a[0] = uv.x;\n" + calls)),
-                "instructions"));
+                "variable-bytes"));
+}
+
+TEST_CASE("arrays are compared element by element") {
+    std::string body = "float a[1000]; float b[1000]; a[0] = b[0] = uv.x;\n";
+    for (int i = 0; i < 505; ++i)
+        body += i % 2 == 0 ? "if (a == b) color.x += 1.0;\n" : "if (a != b) color.x += 1.0;\n";
+    CHECK(names(refused(fragment("", body)), "instructions"));
 }
 
 TEST_CASE("structs and calls are at most 64 levels deep") {
@@ -173,9 +192,20 @@ TEST_CASE("a struct has at most 4096 members, those of its members included") {
     CHECK(is_refused);
 }
 
-TEST_CASE("a switch has at most 256 cases") {
-    CHECK(refused(fragment("", cases(256))) == "");
-    CHECK(names(refused(fragment("", cases(257))), "switch-cases"));
+TEST_CASE("a switch has at most 1024 cases") {
+    CHECK(refused(fragment("", cases(1024))) == "");
+    CHECK(names(refused(fragment("", cases(1025))), "switch-cases"));
+    bool is_refused = false;
+    CHECK(is_done_in_a_moment(
+        [&] { is_refused = names(refused(fragment("", cases(30'000))), "switch-cases"); }));
+    CHECK(is_refused);
+    const std::string macro =
+        "#define TEN(n) case n: case n + 1: case n + 2: case n + 3: case n + 4: "
+        "case n + 5: case n + 6: case n + 7: case n + 8: case n + 9:\n";
+    std::string body = "switch (int(uv.x)) {\n";
+    for (int i = 0; i < 103; ++i)
+        body += fmt::format("TEN({})\n", 10 * i);
+    CHECK(names(refused(fragment(macro, body + "color.x = 1.0; break;\n}\n")), "switch-cases"));
 }
 
 TEST_CASE("a refusal names the author's line and the value that would do") {
@@ -185,9 +215,9 @@ TEST_CASE("a refusal names the author's line and the value that would do") {
 }
 
 TEST_CASE("a raised limit lets the same text pass, also beside a cache") {
-    const Stage stage = fragment("", cases(257));
+    const Stage stage = fragment("", cases(1025));
     ShaderLimits raised;
-    REQUIRE(set_limit(raised, "switch-cases=300").has_value());
+    REQUIRE(set_limit(raised, "switch-cases=1100").has_value());
     CHECK(refused(stage, raised) == "");
     CheckCache usual;
     CheckCache other(nullptr, raised);

@@ -1,4 +1,4 @@
-#include "glsl/struct_sizes.h"
+#include "glsl/large_declarations.h"
 
 #include "glsl/start.h"
 #include "glsl/tokens.h"
@@ -17,15 +17,24 @@ struct StructSize {
     double depth = 0.0;
 };
 
-/// Reads struct declarations, in their order, and what each comes to.
-class StructReader {
+/// Reads structs and switches, in their order, and what each comes to.
+class DeclarationReader {
 public:
-    explicit StructReader(std::span<const Token> code) : m_code(code) {}
+    explicit DeclarationReader(std::span<const Token> code) : m_code(code) {}
 
-    /// The first struct that exceeds a limit.
+    /// The first struct or switch that exceeds a limit.
     std::optional<OutOfBounds> read(const ShaderLimits& limits) {
+        double cases = 0.0;  // since a switch began, of those within it as well
         while (m_at < m_code.size()) {
             const Token& token = m_code[m_at++];
+            if (token.is("switch"))
+                cases = 0.0;
+            if (token.is("case") && ++cases > limits.switch_cases)
+                return OutOfBounds{
+                    token.line,
+                    fmt::format("this switch has more than {0:.0f} cases, the limit. Split it, or "
+                                "raise the limit with --limit switch-cases={1:.0f}",
+                                limits.switch_cases, 2.0 * limits.switch_cases)};
             if (!token.is("struct"))
                 continue;
             const StructSize size = read_struct();
@@ -106,7 +115,7 @@ std::optional<OutOfBounds> find_in(const std::string& text, const ShaderLimits& 
     std::ranges::copy_if(tokens.all, std::back_inserter(code), [](const Token& token) {
         return token.kind != Token::Kind::comment && !token.in_directive;
     });
-    return StructReader(code).read(limits);
+    return DeclarationReader(code).read(limits);
 }
 
 // What is wrong with a text that cannot be preprocessed glslang says when it parses it.
@@ -123,8 +132,9 @@ std::string preprocessed(const std::string& text) {
 }
 }  // namespace
 
-std::optional<OutOfBounds> find_large_struct(const std::string& text, const ShaderLimits& limits) {
-    if (text.find("struct") == std::string::npos)
+std::optional<OutOfBounds> find_large_declaration(const std::string& text,
+                                                  const ShaderLimits& limits) {
+    if (text.find("struct") == std::string::npos && text.find("case") == std::string::npos)
         return std::nullopt;
     if (auto found = find_in(text, limits))
         return found;
