@@ -8,6 +8,7 @@
 #include "glsl/check_cache.h"
 #include "gpu/readback.h"
 #include "graph/settled_look.h"
+#include "lab/image_budget.h"
 #include "lab/kept_shaders.h"
 #include "lab/look_media.h"
 #include "lab/media.h"
@@ -304,12 +305,15 @@ Result<void> Offline::load_pictures() {
         if (auto done = show_source(0.0); !done)
             return done;
     }
+    ImageBudget budget;
     for (const Image& image : look.images) {
         const auto picture = load_image(image, m_problems);
         if (!picture)
             return fail(picture.error());
         if (!*picture)
             continue;
+        if (auto fits = budget.take(image, **picture); !fits)
+            return fits;
         if (auto done = m_renderer->set_image(image.name, **picture); !done)
             return done;
     }

@@ -1,9 +1,7 @@
 #include "lab/reloader.h"
 
 #include "formats/stack_format.h"
-#include "graph/image_texture.h"
 #include "lab/kept_shaders.h"
-#include "lab/look_media.h"
 
 #include <algorithm>
 
@@ -408,43 +406,6 @@ void Reloader::run() {
     lock.lock();
     m_has_ended = true;
     m_end.notify_all();
-}
-
-Result<ImageTextures> Reloader::load_images(const Look& look, Diagnostics& warnings) {
-    ImageTextures images;
-    std::map<fs::path, ReadImage> read;
-    Diagnostics problems;
-    const auto note = [&problems](const Diagnostics& some) {
-        problems.insert(problems.end(), some.begin(), some.end());
-    };
-    for (const Image& image : look.images) {
-        std::error_code error;
-        ReadImage now{last_write_time_of(image, error), image, look.source_encoding,
-                      reads_mipmaps(look, Input::From::image, image.name), nullptr};
-        const auto before = m_read.find(image.file);
-        if (!error && before != m_read.end() && before->second.serves(now)) {
-            now.texture = before->second.texture;
-        } else {
-            const auto picture = load_image(image, warnings);
-            if (!picture)
-                note(picture.error());
-            if (!picture || !*picture)
-                continue;
-            auto texture = image_texture(look, image.name, **picture);
-            if (!texture) {
-                note(texture.error());
-                continue;
-            }
-            now.texture = std::move(*texture);
-        }
-        images[image.name] = now.texture;
-        if (!image.file.empty())  // else it is made, and read from no file
-            read.insert_or_assign(image.file, std::move(now));
-    }
-    m_read = std::move(read);
-    if (!problems.empty())
-        return fail(std::move(problems));
-    return images;
 }
 
 namespace {

@@ -136,7 +136,7 @@ TEST_CASE("pictures come while somebody looks; a broken preset says why it has n
 
 TEST_CASE("a preset's picture follows the file that the preset names") {
     SmallLab small(showing_a_source);
-    const auto grey = small.folder() / "grey.exr";
+    const auto grey = small.folder() / "presets" / "small" / "grey.exr";
     save_grey(grey, 0.08f);
     Preset preset;
     preset.look = "small";
