@@ -16,7 +16,7 @@ struct ShaderLimits {
     double depth = 64;                // of structs in structs, and of calls in calls
     double instructions = 500'000;    // with every call inlined
     double inlined_calls = 24'000;    // calls, those of called functions included
-    double switch_cases = 1024;       // of one switch
+    double switch_cases = 1280;       // of one switch
 
     bool operator==(const ShaderLimits&) const = default;
 };

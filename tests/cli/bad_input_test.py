@@ -173,13 +173,13 @@ class BadLooks(ProgramTest):
         self.check_refused()
 
     def test_a_limit_is_raised_on_the_command_line(self):
-        cases = "".join(f"case {i}: color.x = {i}.0; break;" for i in range(1100))
+        cases = "".join(f"case {i}: color.x = {i}.0; break;" for i in range(1300))
         look = self.look(only__frag="#version 410 core\nin vec2 uv;\nout vec4 color;\n"
                          "void main() { color = vec4(1.0); switch (int(uv.x)) { %s } }\n" % cases)
-        self.assert_refused(run("check", look), "--limit switch-cases=2048")
-        self.assert_done(run("check", look, "--limit", "switch-cases=1100"))
-        self.assert_done(run("--limit", "switch-cases=1100", "render", look, "--size", "16x16", "-o", self.folder / "x.png"))
-        self.assert_refused(run("check", look, "--limit", "uniforms=5"), "--limit switch-cases=2048")
+        self.assert_refused(run("check", look), "--limit switch-cases=2560")
+        self.assert_done(run("check", look, "--limit", "switch-cases=1300"))
+        self.assert_done(run("--limit", "switch-cases=1300", "describe", look, "--json"))
+        self.assert_refused(run("check", look, "--limit", "uniforms=5"), "--limit switch-cases=2560")
         self.assert_refused(run("check", look, "--limit", "cases=5"), "unknown limit 'cases'", code=2)
         self.assert_refused(run("check", look, "--limit", "uniforms=none"), "takes a whole number", code=2)
 

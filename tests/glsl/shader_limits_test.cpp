@@ -192,9 +192,9 @@ TEST_CASE("a struct has at most 4096 members, those of its members included") {
     CHECK(is_refused);
 }
 
-TEST_CASE("a switch has at most 1024 cases") {
-    CHECK(refused(fragment("", cases(1024))) == "");
-    CHECK(names(refused(fragment("", cases(1025))), "switch-cases"));
+TEST_CASE("a switch has at most 1280 cases") {
+    CHECK(refused(fragment("", cases(1280))) == "");
+    CHECK(names(refused(fragment("", cases(1281))), "switch-cases"));
     bool is_refused = false;
     CHECK(is_done_in_a_moment(
         [&] { is_refused = names(refused(fragment("", cases(30'000))), "switch-cases"); }));
@@ -203,7 +203,7 @@ TEST_CASE("a switch has at most 1024 cases") {
         "#define TEN(n) case n: case n + 1: case n + 2: case n + 3: case n + 4: "
         "case n + 5: case n + 6: case n + 7: case n + 8: case n + 9:\n";
     std::string body = "switch (int(uv.x)) {\n";
-    for (int i = 0; i < 103; ++i)
+    for (int i = 0; i < 129; ++i)
         body += fmt::format("TEN({})\n", 10 * i);
     CHECK(names(refused(fragment(macro, body + "color.x = 1.0; break;\n}\n")), "switch-cases"));
 }
@@ -215,9 +215,9 @@ TEST_CASE("a refusal names the author's line and the value that would do") {
 }
 
 TEST_CASE("a raised limit lets the same text pass, also beside a cache") {
-    const Stage stage = fragment("", cases(1025));
+    const Stage stage = fragment("", cases(1281));
     ShaderLimits raised;
-    REQUIRE(set_limit(raised, "switch-cases=1100").has_value());
+    REQUIRE(set_limit(raised, "switch-cases=1300").has_value());
     CHECK(refused(stage, raised) == "");
     CheckCache usual;
     CheckCache other(nullptr, raised);
