@@ -1,7 +1,6 @@
 #pragma once
 
 #include "lab/beam_place.h"
-#include "lab/choice.h"
 #include "lab/chosen_images.h"
 #include "lab/comparing.h"
 #include "lab/document.h"
@@ -12,6 +11,7 @@
 #include "lab/kept_sessions.h"
 #include "lab/library.h"
 #include "lab/midi_control.h"
+#include "lab/notice.h"
 #include "lab/open.h"
 #include "lab/osc_control.h"
 #include "lab/picture_size.h"
@@ -25,6 +25,7 @@
 #include "lab/renderer.h"
 #include "lab/seen_passes.h"
 #include "lab/settling.h"
+#include "lab/trip_state.h"
 #include "model/moves.h"
 #include "model/pass_switches.h"
 #include "model/placing.h"
@@ -42,38 +43,6 @@ class Morphing;
 class Tryouts;
 struct SheetRequest;
 struct StepQuestion;
-
-/// A diagnostic with the line of text that it speaks of.
-struct Problem {
-    Diagnostic diagnostic;
-    std::string source_line;
-};
-
-/// Something that just happened and goes by ("Saved 'amber'").
-struct Notice {
-    std::string text;
-    bool is_problem = false;
-    double seconds_left = 6.0;
-    std::string subject;  // of a problem: the file or device, so that it goes when that is mended
-    std::vector<Choice> choices = {};  // what may be done about it
-    bool goes_by = true;               // after its seconds; else it stays until it is put away
-};
-
-/// What a person wants done about a number that is not finite.
-enum class TripAnswer {
-    clear,  // history begins anew
-    clamp,  // such numbers become finite ones
-    go_on,  // they are left as they are
-};
-
-/// What is known and wanted about numbers that are not finite.
-struct TripState {
-    std::optional<Trip> trip;          // that has stopped the clock
-    std::optional<TripAnswer> answer;  // that holds until the look changes
-    bool is_unattended = false;
-    bool has_told = false;
-    bool plays_after = false;  // time flowed, and will when another value or text is the cure
-};
 
 /// The open look with other constants in its texts, and its programs.
 struct TurnedPrograms {

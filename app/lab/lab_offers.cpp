@@ -20,8 +20,8 @@ void Lab::offer_outside(const OutsideContent& content) {
         });
     };
     ask(fmt::format("The preset names {}, which lies outside its folder. It is not used.",
-                      content.words()),
-          {Choice{.name = "Use it", .deeds = {use}}});
+                    content.words()),
+        {Choice{.name = "Use it", .deeds = {use}}});
 }
 
 // Content that the preset brings: one click away while the user's own is locked, else asked for

@@ -1,9 +1,9 @@
 #include "lab/signal_file.h"
 
-#include "base/text.h"
 #include "formats/scene_file.h"
 #include "formats/svg_file.h"
 #include "io/sound_file.h"
+#include "lab/media.h"
 
 Result<SignalMedia> load_signal_media(const std::filesystem::path& file, Work* work,
                                       Diagnostics* notes) {
@@ -15,10 +15,6 @@ Result<SignalMedia> load_signal_media(const std::filesystem::path& file, Work* w
         media.drawing = std::make_shared<const Drawing>(std::move(*drawing));
         return media;
     }
-    if (to_lower(file.extension().string()) == ".obj")
-        return fail(
-            {file, 0,
-             "is a model; name it in a scene: {\"shape\": \"wireframe\", \"file\": \"NAME.obj\"}"});
     if (is_drawn_file(file)) {
         auto scene = load_scene(file);
         if (!scene)

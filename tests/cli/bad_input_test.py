@@ -273,11 +273,6 @@ class BadSounds(ProgramTest):
 
 
 class BadDrawings(ProgramTest):
-    def test_a_model_alone_is_no_scene(self):
-        model = self.write("x.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n")
-        self.assert_refused(run("render", "vector-beam", "--signal", f"scene:{model}", "-o", self.folder / "x.png"),
-                            "x.obj: error: is a model; name it in a scene")
-
     def refused(self, signal, *words):
         self.assert_refused(run("render", "phosphor", "--size", "32x32", "--frames", "1", "--signal",
                                 f"drawing:{signal}", "-o", self.folder / "x.png"), *words)
