@@ -27,7 +27,8 @@ bool is_one_of(std::string_view name, std::initializer_list<std::string_view> na
 }
 
 // A path with blanks that is a program stands for itself.
-Result<std::vector<std::string>> editor_words(const char* variable_name, const std::string& editor) {
+Result<std::vector<std::string>> editor_words(const char* variable_name,
+                                              const std::string& editor) {
     std::error_code error;
     if (std::filesystem::is_regular_file(editor, error))
         return std::vector{editor};

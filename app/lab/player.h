@@ -154,8 +154,8 @@ private:
     std::unique_ptr<SoundOutput> m_output;
     std::unique_ptr<SoundCapture> m_capture;  // while a live sound is drawn and not muted
     bool m_is_input_muted = false;
-    int m_channels = 0;                      // that were asked of it
-    std::int64_t m_live_first = 0;           // its frame at time 0
+    int m_channels = 0;             // that were asked of it
+    std::int64_t m_live_first = 0;  // its frame at time 0
     double m_sender_patience = std::numeric_limits<double>::infinity();
     std::unique_ptr<BeamFeed> m_feed;        // while another program sends the beam
     std::unique_ptr<BeamPlayout> m_playout;  // while the beam goes out to a real scope

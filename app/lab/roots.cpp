@@ -32,7 +32,7 @@ std::vector<fs::path> candidates() {
 }  // namespace
 
 Result<Roots> find_roots(const std::optional<fs::path>& data,
-                          const std::vector<std::string>& includes) {
+                         const std::vector<std::string>& includes) {
     Roots roots;
     for (const std::string& include : includes) {
         std::error_code error;

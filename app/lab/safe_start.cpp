@@ -19,9 +19,8 @@ std::vector<fs::path> looks_in(const Session& session) {
 }
 
 bool is_of_session(const UnfinishedOpening& left, const Session& session) {
-    return std::ranges::any_of(looks_in(session), [&left](const fs::path& place) {
-        return left.has(manifest_of(place));
-    });
+    return std::ranges::any_of(
+        looks_in(session), [&left](const fs::path& place) { return left.has(manifest_of(place)); });
 }
 
 // A look that was moved or deleted since; "": none was.
@@ -65,10 +64,10 @@ void offer_unopened(Lab& lab, const Session& session, const UnfinishedOpening& l
     };
     const fs::path file = left.file();
     lab.ask(message_about(left),
-              {Choice{.name = "Try again", .deeds = {open_again}},
-               Choice{.name = "Open in editor", .deeds = {[file](Lab& opening) {
-                                                    opening.open_in_editor({file, 1});
-                                                }}}});
+            {Choice{.name = "Try again", .deeds = {open_again}},
+             Choice{.name = "Open in editor", .deeds = {[file](Lab& opening) {
+                                                  opening.open_in_editor({file, 1});
+                                              }}}});
 }
 
 void restore_safely(Lab& lab, const Session& session,

@@ -17,8 +17,9 @@ Diagnostics compare_with_look(const Preset& preset, const Look& look,
             note(fmt::format("'{}' has no parameter '{}' any more; its modulation is kept{}",
                              look.name, name, did_you_mean(name, parameter_names(look))));
     if (notes.empty() && !preset.digest.empty() && !covers_digest(look, preset.digest))
-        note(fmt::format("'{}' has other defaults, or fewer parameters, than when this preset was "
-                         "saved",
-                         look.name));
+        note(
+            fmt::format("'{}' has other defaults, or fewer parameters, than when this preset was "
+                        "saved",
+                        look.name));
     return notes;
 }
