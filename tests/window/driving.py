@@ -1,5 +1,6 @@
 """A person chooses what drives a look, and runs it."""
 
+import json
 import os
 import time
 
@@ -70,11 +71,23 @@ class Driving(Person):
     def test_a_file_that_is_missing_or_cut_off_keeps_a_mark(self):
         program = self.program
         gone = program.folder / "gone.wav"
+        before = program.state()["signal"]
         self.open_by_name(gone)
-        program.wait("it is said, listed and marked at the signal", lambda s:
+        state = program.wait("the message names it", lambda s: "gone.wav" in s["notice"])
+        self.assertEqual((state["signal"], state["problems"], state["is_content_locked"]), (before, [], False))
+        program.key("ctrl+o")
+        program.place("dialog_file")
+        self.assertNotIn("recent:gone.wav", program.state()["widgets"])
+        program.key("Escape")
+        lost = self.presets / "phosphor/lost.json"
+        lost.write_text(json.dumps({"format": "afterglow-preset", "version": 1, "look": "phosphor", "name": "Lost",
+                                    "signal": {"kind": "audio", "file": "gone.wav"}}))
+        self.open_by_name(lost)
+        program.wait("a file that a preset names is listed and marked at the signal", lambda s:
                      "gone.wav" in s["notice"] and "media_problem" in s["widgets"] and
-                     [problem["file"] for problem in s["problems"]] == [str(gone)])
+                     [problem["file"] for problem in s["problems"]] == ["gone.wav"])
         self.snapshot("missing")
+        lost.unlink()
         cut = program.folder / "cut.wav"
         write_tones(cut, seconds=4)
         os.truncate(cut, 8044)

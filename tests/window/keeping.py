@@ -77,26 +77,6 @@ class Keeping(Person):
         program.key("ctrl+z")
         program.wait("undo brings it back", lambda s: s["preset"] == "Second 2")
 
-    def test_a_shipped_preset_is_saved_under_a_name_of_its_own(self):
-        program = self.program
-        shipped = self.presets / "phosphor/amber-p3.json"
-        before = shipped.read_bytes()
-        program.click("preset:amber-p3")
-        program.wait("it is open", lambda s: s["preset"] == "Amber P3" and not s["is_loading"])
-        program.set("beam_width", "1.626")
-        program.key("ctrl+s")
-        program.place("dialog_name")
-        self.snapshot("saving_shipped")
-        program.key("Return")
-        program.wait("a new preset is saved", lambda s:
-                     s["preset"] == "Amber P3 (mine)" and not s["is_modified"])
-        self.assertEqual(shipped.read_bytes(), before)
-        text = (self.own / "presets/phosphor/Amber P3 (mine).json").read_text()
-        self.assertIn('"beam_width": 1.626', text)
-        self.assertIn('"tube": "P3"', text)
-        self.assertIn("0.0005]", text)
-        self.snapshot("yours_and_shipped")
-
     def test_a_preset_travels_as_a_line_of_text(self):
         program = self.program
         program.set("decay", "0.61")

@@ -14,6 +14,7 @@ from foreign import Foreign
 from keeping import Keeping
 from looking import Looking
 from moving import Moving
+from owning import Owning
 from person import Person
 from trying import Trying
 from tuning import Tuning
@@ -29,9 +30,13 @@ class Looker(Driving, Drawing, Editing, Looking, Moving, Comparing, Choosing):
     """Another one."""
 
 
-class WindowTest(Tuner, Looker):
+class Owner(Owning):
+    """A third one, whose own things stay."""
+
+
+class WindowTest(Tuner, Looker, Owner):
     """Somebody who does it all."""
 
 
 if __name__ == "__main__":
-    unittest.main(argv=[sys.argv[0], *(sys.argv[2:] or ["Tuner", "Looker"])], verbosity=2)
+    unittest.main(argv=[sys.argv[0], *(sys.argv[2:] or ["Tuner", "Looker", "Owner"])], verbosity=2)

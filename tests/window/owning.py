@@ -1,0 +1,143 @@
+"""What is the user's own stays: signal, source, presets and unsaved changes."""
+
+import struct
+import zlib
+
+from person import Person, write_tones
+
+
+def write_png(file):
+    """4 x 3 red pixels of 8 bits."""
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+    rows = (b"\0" + b"\xff\0\0" * 4) * 3
+    file.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", 4, 3, 8, 2, 0, 0, 0)) +
+                     chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
+
+
+class Owning(Person):
+    def open_song(self):
+        song = self.program.folder / "song.wav"
+        write_tones(song, seconds=2)
+        self.open_by_name(song)
+        self.program.wait("the sound draws and is locked", lambda s:
+                          s["signal"].startswith("audio:") and s["is_content_locked"] and not s["reading"])
+
+    def open_preset(self, widget, name):
+        self.program.click(widget)
+        return self.program.wait("the preset opens", lambda s: s["preset"] == name and not s["is_loading"])
+
+    def test_a_preset_keeps_the_users_sound_and_offers_its_own(self):
+        program = self.program
+        self.open_song()
+        state = self.open_preset("preset:overdriven", "Overdriven")
+        self.assertTrue(state["signal"].startswith("audio:"))
+        self.assertEqual(state["notice"], "Kept song.wav")
+        self.assertFalse(state["is_modified"])
+        self.snapshot("kept_signal")
+        program.click("offer:Use the preset's signal")
+        program.wait("the preset's signal draws", lambda s:
+                     not s["signal"].startswith("audio:") and not s["is_content_locked"])
+        program.key("ctrl+z")
+        program.wait("one step of undo brings sound and lock back", lambda s:
+                     s["signal"].startswith("audio:") and s["is_content_locked"] and s["preset"] == "Overdriven")
+        program.key("ctrl+z")
+        program.wait("undo of the preset leaves the sound", lambda s:
+                     s["signal"].startswith("audio:") and not s["preset"])
+        program.key("ctrl+z")
+        program.wait("undo of the choice brings the first signal back", lambda s:
+                     s["signal"] == self.fresh["signal"] and not s["is_content_locked"])
+
+    def test_alt_and_a_click_open_a_preset_with_its_own_signal(self):
+        program = self.program
+        self.open_song()
+        self.screen.do("keydown", "alt")
+        program.click("preset:overdriven")
+        self.screen.do("keyup", "alt")
+        program.wait("it opens with its own", lambda s: s["preset"] == "Overdriven" and
+                     not s["signal"].startswith("audio:") and not s["is_content_locked"])
+        program.key("Escape")
+
+    def test_a_generator_is_kept_once_it_is_locked_by_hand(self):
+        program = self.program
+        program.click("keep_content")
+        program.wait("it is locked", lambda s: s["is_content_locked"])
+        state = self.open_preset("preset:overdriven", "Overdriven")
+        self.assertEqual(state["signal"], self.fresh["signal"])
+        program.click("keep_content")
+        program.wait("it is unlocked", lambda s: not s["is_content_locked"])
+        state = self.open_preset("preset:amber-p3", "Amber P3")
+        self.assertTrue(state["signal"].startswith("fm:"))
+
+    def test_looks_of_the_other_kind_get_what_they_had(self):
+        program = self.program
+        self.open_song()
+        program.click("look:crt")
+        program.wait("a picture look opens", lambda s: s["look"] == "crt" and not s["is_loading"])
+        game = program.folder / "game.png"
+        write_png(game)
+        self.open_by_name(game)
+        program.wait("it is the source, and locked", lambda s:
+                     s["driving_source"].startswith(str(game)) and s["is_content_locked"])
+        program.click("look:phosphor")
+        program.wait("the sound draws again", lambda s: s["look"] == "phosphor" and
+                     s["signal"].startswith("audio:") and not s["is_loading"])
+        program.click("look:crt")
+        program.wait("the picture is there again", lambda s: s["look"] == "crt" and
+                     s["driving_source"].startswith(str(game)) and not s["is_loading"])
+        program.click("keep_content")
+
+    def test_signal_and_lock_come_back_at_the_next_start(self):
+        program = self.program
+        self.open_song()
+        program.stop()
+        program.start()
+        program.wait("all is as it was left", lambda s:
+                     s["signal"].startswith("audio:") and s["is_content_locked"] and not s["reading"])
+
+    def test_thumbnails_show_the_presets_signal_or_mine(self):
+        program = self.program
+        for preset in self.presets.glob("phosphor/*.json"):
+            if preset.stem != "amber-p3":
+                preset.unlink()
+        program.key("ctrl+l")
+        state = program.wait("the presets are drawn", lambda s: s["presets"]["pictures"] == 2)
+        drawn = state["presets"]["drawn"]
+        program.click("pictures_with")
+        program.click("pictures_with:mine")
+        program.wait("and again with my signal", lambda s: s["presets"]["drawn"] == drawn + 2)
+        self.snapshot("presets_with_mine")
+        program.key("ctrl+l")
+
+    def test_a_shipped_preset_is_saved_under_a_name_of_its_own(self):
+        program = self.program
+        shipped = self.presets / "phosphor/amber-p3.json"
+        before = shipped.read_bytes()
+        self.open_preset("preset:amber-p3", "Amber P3")
+        program.set("beam_width", "1.626")
+        program.key("ctrl+s")
+        program.place("dialog_name")
+        self.snapshot("saving_shipped")
+        program.key("Return")
+        program.wait("a new preset is saved", lambda s:
+                     s["preset"] == "Amber P3 (mine)" and not s["is_modified"])
+        self.assertEqual(shipped.read_bytes(), before)
+        text = (self.own / "presets/phosphor/Amber P3 (mine).json").read_text()
+        self.assertIn('"beam_width": 1.626', text)
+        self.assertIn('"tube": "P3"', text)
+        self.assertIn("0.0005]", text)
+        self.snapshot("yours_and_shipped")
+
+    def test_unsaved_changes_are_listed_with_look_changes_and_age(self):
+        program = self.program
+        program.set("decay", "0.61")
+        program.click("look:crt")
+        program.wait("another look opens", lambda s: s["look"] == "crt" and not s["is_loading"] and
+                     s["notice"].startswith("Unsaved changes are kept"))
+        program.click("menu:File")
+        program.click("menu:Unsaved changes")
+        kept = program.wait("they are listed", lambda s: any(w.startswith("kept:") for w in s["widgets"]))
+        self.snapshot("unsaved")
+        program.click(next(w for w in kept["widgets"] if w.startswith("kept:")))
+        program.wait("a click brings them back", lambda s: s["look"] == "phosphor" and
+                     s["values"]["decay"] == [0.61])
