@@ -6,6 +6,7 @@
 #include "lab/lab.h"
 #include "lab/preset_list.h"
 #include "lab/sharing.h"
+#include "lab/told_name.h"
 
 #include <fmt/format.h>
 
@@ -253,7 +254,7 @@ void PresetCommands::move_to_user_folder() {
     if (m_lab.document())
         m_lab.watch_extra_files();
     m_lab.say(fmt::format("Moved {} preset{} to {}", count, count == 1 ? "" : "s",
-                          (m_lab.library().roots().user / "presets").string()));
+                          told_folder(m_lab.library().roots().user / "presets")));
 }
 
 void PresetCommands::star(const std::string& preset, bool has_star) {

@@ -9,7 +9,7 @@
 /// Of one message in the window; more would only be drawn slowly.
 constexpr std::size_t most_message_bytes = 2048;
 /// Of one line of a file in the window.
-constexpr std::size_t most_line_bytes = 64 * 1024;
+constexpr std::size_t most_line_bytes = std::size_t{64} * 1024;
 
 /// The lines that diagnostics speak of, each file read once.
 class SourceLines {

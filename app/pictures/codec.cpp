@@ -39,7 +39,7 @@ std::string cleaned(std::string_view message) {
 
 std::int64_t most_pixels(int channels) {
     constexpr int gpu_channels = 4;
-    return most_bytes / (4 * (std::max(channels, 1) + gpu_channels));
+    return most_bytes / (std::int64_t{4} * (std::max(channels, 1) + gpu_channels));
 }
 
 Result<void> check_extent(int width, int height, int channels, const fs::path& file) {

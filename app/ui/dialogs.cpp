@@ -1,5 +1,6 @@
 #include "ui/dialogs.h"
 
+#include "lab/told_name.h"
 #include "ui/asked_dialog.h"
 #include "ui/compare_dialog.h"
 #include "ui/dialog_frame.h"
@@ -66,7 +67,7 @@ void draw_name_dialog(const Question& question, const Scene& scene, Edits& edits
         edits.arrange([text](WindowState& window) { window.dialog.text = text; });
     edits.mark("dialog_name");
     if (scene.window.dialog.kind == Dialog::Kind::save_preset_as)
-        wrapped_dim_text("Saved in " + scene.lab.presets().destination().string());
+        wrapped_dim_text("Saved in " + told_folder(scene.lab.presets().destination()));
     const bool is_taken = question.is_taken(scene, text);
     const bool replaces = is_taken && question.replace;
     if (is_taken) {

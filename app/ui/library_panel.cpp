@@ -46,6 +46,7 @@ void draw_presets(const ShelfLook& look, const Scene& scene, Edits& edits) {
         const bool is_first = &preset == &look.presets.front() ||
                               (&preset - 1)->entry.is_shipped != preset.entry.is_shipped;
         if (is_first && (has_both || !preset.entry.is_shipped)) {
+            ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 4.0f);
             dim_text(preset.entry.is_shipped ? "Shipped" : "Yours");
         }
         const ListedPreset listed = as_listed(preset, document, scene.lab.presets().stars());

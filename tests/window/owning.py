@@ -137,7 +137,9 @@ class Owning(Person):
         program.click("menu:File")
         program.click("menu:Unsaved changes")
         kept = program.wait("they are listed", lambda s: any(w.startswith("kept:") for w in s["widgets"]))
+        entry = next(w for w in kept["widgets"] if w.startswith("kept:"))
+        program.place(entry)
         self.snapshot("unsaved")
-        program.click(next(w for w in kept["widgets"] if w.startswith("kept:")))
+        program.click(entry)
         program.wait("a click brings them back", lambda s: s["look"] == "phosphor" and
                      s["values"]["decay"] == [0.61])
