@@ -16,19 +16,36 @@ void BeamBuffer::clear() {
     m_last.reset();
 }
 
-void BeamBuffer::write(const Frame& frame, bool has_points,
-                       const std::optional<BeamSpot>& segments) {
+namespace {
+BeamPoint scaled(BeamPoint point, const std::array<double, 2>& scale) {
+    point.x = static_cast<float>(point.x * scale[0]);
+    point.y = static_cast<float>(point.y * scale[1]);
+    return point;
+}
+}  // namespace
+
+void BeamBuffer::write(const Frame& frame, bool has_points, const std::optional<BeamSpot>& segments,
+                       const std::array<double, 2>& scale) {
+    std::span<const BeamPoint> beam = frame.beam;
+    std::optional<BeamPoint> before = m_before;
+    if (scale != std::array{1.0, 1.0}) {
+        m_scaled.clear();
+        for (const BeamPoint& point : frame.beam)
+            m_scaled.push_back(scaled(point, scale));
+        beam = m_scaled;
+        before = m_before ? std::optional(scaled(*m_before, scale)) : std::nullopt;
+    }
     m_point_count = static_cast<int>(frame.beam.size());
     m_has_tints = !frame.tints.empty() && frame.tints.size() == frame.beam.size();
     m_tints.of_points = m_has_tints ? frame.tints : std::span<const BeamTint>();
     if (has_points) {
-        m_point_buffer.write(std::as_bytes(frame.beam));
+        m_point_buffer.write(std::as_bytes(beam));
         if (m_has_tints)
             m_point_tint_buffer.write(std::as_bytes(frame.tints));
     }
     if (!segments)
         return;
-    make_segments(frame.beam, m_before, m_segments, m_tints);
+    make_segments(beam, before, m_segments, m_tints);
     merge_segments(m_segments, m_tints, *segments);
     m_segment_buffer.write(std::as_bytes(std::span(m_segments)));
     if (m_has_tints)

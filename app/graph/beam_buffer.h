@@ -5,6 +5,8 @@
 #include "graph/frame.h"
 #include "graph/segment.h"
 
+#include <array>
+
 /// A frame's beam as vertices: points, and the segments that join them across frames.
 class BeamBuffer {
 public:
@@ -13,8 +15,9 @@ public:
     /// Forgets the frames before.
     void clear();
     /// Makes the vertices that the draw modes in use need: points, and segments for the smallest
-    /// spot that these are drawn with.
-    void write(const Frame& frame, bool has_points, const std::optional<BeamSpot>& segments);
+    /// spot that these are drawn with. Places are multiplied by `scale`.
+    void write(const Frame& frame, bool has_points, const std::optional<BeamSpot>& segments,
+               const std::array<double, 2>& scale = {1.0, 1.0});
 
     /// The attributes of a program of a `draw` pass.
     gpu::VertexArray vertices_for(const gpu::Program& program, Draw draw) const;
@@ -30,6 +33,7 @@ private:
     gpu::StreamBuffer m_segment_tint_buffer;
     std::vector<Segment> m_segments;
     SegmentTints m_tints;
+    std::vector<BeamPoint> m_scaled;  // the frame's points where they are scaled
     bool m_has_tints = false;
     std::optional<BeamPoint>
         m_before;                     // the last point of the frames before, aged to this one's end

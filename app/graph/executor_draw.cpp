@@ -1,6 +1,7 @@
 // Executor::draw and redraw: the passes of one frame.
 #include "gpu/draw.h"
 #include "graph/executor.h"
+#include "model/beam_fit.h"
 
 #include <algorithm>
 #include <cassert>
@@ -51,7 +52,8 @@ void Executor::note_frame(const Frame& frame, const std::vector<bool>* only, boo
 void Executor::write_beam(const Frame& frame) {
     const std::optional<BeamSpot> spot = smallest_spot();
     if (draws_points() || spot)
-        m_beam.write(frame, draws_points(), spot);
+        m_beam.write(frame, draws_points(), spot,
+                     beam_scale(m_look, m_values, m_viewport, frame.beam_fit));
 }
 
 // What is drawn onto a target begins and ends with it.

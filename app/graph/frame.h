@@ -4,9 +4,11 @@
 #include "model/date.h"
 #include "model/hand.h"
 #include "model/sound_texture.h"
+#include "model/source_spec.h"
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 /// What a frame of a look is drawn for: its time, its beam, the mouse.
@@ -19,6 +21,7 @@ struct Frame {
     Press press;                    // of its left button
     Keys keys;
     std::span<const BeamPoint> beam;
+    std::optional<Fit> beam_fit = {};    // how -1..1 lies in the picture; none: as the look has it
     std::span<const BeamTint> tints;     // of the points; none where all are white
     const SoundTexels* sound = nullptr;  // null: silence
     Date date;

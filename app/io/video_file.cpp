@@ -33,7 +33,7 @@ std::string as_input(const fs::path& file) {
     return "file:" + file.string();
 }
 
-std::string without_name(std::string complaint, const fs::path& file) {
+std::string without_name(const std::string& complaint, const fs::path& file) {
     const std::string name = as_input(file) + ": ";
     return complaint.starts_with(name) ? complaint.substr(name.size()) : complaint;
 }
@@ -109,7 +109,7 @@ Result<Facts> probe(const fs::path& file) {
          "default=noprint_wrappers=1", as_input(file)});
     if (!process)
         return not_installed(file, process.error());
-    constexpr std::size_t most = 64 * 1024;
+    constexpr std::size_t most = std::size_t{64} * 1024;
     const std::string text = process->read_all(most);
     if (!process->finish()) {
         const std::string reason = without_name(process->complaint(), file);

@@ -1,5 +1,7 @@
 #include "lab/beam_place.h"
 
+#include "model/beam_fit.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,16 +9,6 @@ namespace {
 double number_of(const Look& look, const Values& values, const std::string& name, double fallback) {
     const Parameter* parameter = find_parameter(look, name);
     return parameter ? value_of(*parameter, values).numbers[0] : fallback;
-}
-
-bool keeps_circles_round(const Look& look, const Values& values, const std::string& scope) {
-    const Parameter* fit = find_parameter(look, scope + "fit");
-    if (!fit)
-        return false;
-    const double chosen = value_of(*fit, values).numbers[0];
-    return std::any_of(fit->items.begin(), fit->items.end(), [chosen](const Item& item) {
-        return item.value == chosen && item.label == "Keep circles round";
-    });
 }
 
 // What stands before the names of each look that is drawn, in their order: "crt/".
@@ -78,7 +70,8 @@ BeamPlace GlassCurve::shown(const BeamPlace& place) const {
     return kind == Kind::crossed ? shown_crossed(place, amount) : shown_radial(place, amount);
 }
 
-BeamPlacing::BeamPlacing(const Look& look, const Values& values, Extent picture)
+BeamPlacing::BeamPlacing(const Look& look, const Values& values, Extent picture,
+                         std::optional<Fit> fit)
     : m_picture(picture) {
     const std::vector<std::string> scopes = drawn_scopes(look);
     for (const std::string& scope : scopes)
@@ -88,8 +81,9 @@ BeamPlacing::BeamPlacing(const Look& look, const Values& values, Extent picture)
     const double size = number_of(look, values, beam + "screen_size", 1.0);
     const double shorter = std::min(picture.width, picture.height);
     const bool is_round = keeps_circles_round(look, values, beam);
-    m_size = {size * (is_round ? shorter / picture.width : 1.0),
-              size * (is_round ? shorter / picture.height : 1.0)};
+    const std::array<double, 2> scale = beam_scale(look, values, picture, fit);
+    m_size = {scale[0] * size * (is_round ? shorter / picture.width : 1.0),
+              scale[1] * size * (is_round ? shorter / picture.height : 1.0)};
 }
 
 BeamPlace BeamPlacing::place_of(const PicturePixel& pixel) const {

@@ -2,9 +2,11 @@
 
 #include "model/look.h"
 #include "model/parameter.h"
+#include "model/source_spec.h"
 #include "signals/drawing.h"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 /// A pixel of the picture, from its top left corner.
@@ -31,7 +33,9 @@ struct GlassCurve {
 /// the beam is, and every look after it that has a `curvature` bends its picture.
 class BeamPlacing {
 public:
-    BeamPlacing(const Look& look, const Values& values, Extent picture);
+    /// `fit`: as the signal asks; none: as the look has it.
+    BeamPlacing(const Look& look, const Values& values, Extent picture,
+                std::optional<Fit> fit = {});
 
     /// The place at which a beam shows in this pixel.
     BeamPlace place_of(const PicturePixel& pixel) const;

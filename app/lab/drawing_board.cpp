@@ -1,5 +1,6 @@
 #include "lab/drawing_board.h"
 
+#include "lab/users_content.h"
 #include "signals/stroke_line.h"
 
 #include <algorithm>
@@ -98,11 +99,14 @@ void DrawingBoard::set(const Drawing& drawing, const std::string& step, Document
 void DrawingBoard::replace(const Drawing& drawing, const std::string& step, Document& document) {
     end_line(document);
     Spec signal = document.state().signal;
-    if (signal.kind != "drawing")
+    const bool is_new = signal.kind != "drawing";
+    if (is_new)
         signal = Spec{"drawing", {}};
     signal.settings.erase("");
     signal.settings.erase("file");
     signal.settings["strokes"] = to_text(drawing);
+    if (is_new)
+        signal = with_round_circles(std::move(signal));
     document.set_signal(std::move(signal), false, step);
     m_keyframe = 0;
     follow(document);

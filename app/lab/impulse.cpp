@@ -4,6 +4,7 @@
 #include "lab/beam_place.h"
 #include "lab/offline.h"
 #include "lab/rate_comparison.h"
+#include "lab/users_content.h"
 #include "model/color.h"
 
 #include <algorithm>
@@ -47,7 +48,8 @@ Result<void> drive(Offline& offline, Extent size, const ImpulseQuestion& questio
                          "': there is nothing to fire a flash with"});
     if (look.driven_by == Driver::picture)
         return offline.hold_source(even(size, 0.0f));
-    const BeamPlacing placing(look, offline.document().values(), size);
+    const BeamPlacing placing(look, offline.document().values(), size,
+                              beam_fit_of(offline.document().state().signal));
     const PicturePixel pixel{question.place.x * size.width, question.place.y * size.height};
     const Beam flash = flash_at(placing, pixel, 1.0 / question.fps);
     offline.drive_by([flash](const PlayedFrame& frame) {

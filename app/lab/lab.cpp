@@ -156,7 +156,7 @@ Spec playing(const fs::path& file, const Spec& present) {
     Spec spec = present.kind == fresh.kind ? present : fresh;
     spec.settings.erase("");
     spec.settings["file"] = fs::absolute(file).string();
-    return spec;
+    return with_round_circles(std::move(spec));
 }
 }  // namespace
 
@@ -232,8 +232,13 @@ void Lab::open_file(const fs::path& file) {
                                .signal = playing(file, m_document->state().signal),
                                .file = file});
     SourceSpec source = parse_source(m_document->state().source).value_or(SourceSpec{});
+    const bool is_first =
+        !is_users_content(m_document->state().source) && source.fit == Fit::stretch;
     source.picture = fs::absolute(file).string();
-    m_drive.choose({.driver = Driver::picture, .source = to_string(source), .file = file});
+    const std::string text = to_string(source);
+    m_drive.choose({.driver = Driver::picture,
+                    .source = is_first ? with_kept_shape(text, m_document->look()) : text,
+                    .file = file});
 }
 
 // A file that cannot be read changes nothing.

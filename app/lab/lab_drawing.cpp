@@ -2,6 +2,7 @@
 #include "formats/svg_file.h"
 #include "io/atomic_file.h"
 #include "lab/lab.h"
+#include "lab/users_content.h"
 #include "signals/kinds.h"
 #include "signals/stroke_line.h"
 
@@ -29,7 +30,8 @@ double size_in(const Spec& signal) {
 }  // namespace
 
 BeamPlacing Lab::beam_placing() const {
-    return {m_document->look(), m_document->values(), picture_extent()};
+    return {m_document->look(), m_document->values(), picture_extent(),
+            beam_fit_of(m_document->state().signal)};
 }
 
 void Lab::draw(const std::function<void(DrawingBoard&, Document&)>& change) {
@@ -103,7 +105,7 @@ void Lab::load_drawing(const fs::path& file) {
     played.settings.erase("");
     played.settings.erase("strokes");
     played.settings["file"] = fs::absolute(file).string();
-    m_document->set_signal(std::move(played), false, "Load drawing");
+    m_document->set_signal(with_round_circles(std::move(played)), false, "Load drawing");
     say(fmt::format("'{}' plays from its file: {} points are too many to draw on",
                     file.filename().string(), point_count(drawing)));
 }

@@ -9,6 +9,7 @@
 #include "lab/sharing.h"
 #include "lab/source_lines.h"
 #include "lab/tryouts.h"
+#include "lab/users_content.h"
 #include "model/value_changes.h"
 
 #include <algorithm>
@@ -272,7 +273,7 @@ void Lab::open_document(LoadedRequest& loaded) {
     const Content content = m_document ? m_document->content() : m_content;
     const std::optional<Session> left =
         !is_same && had_changes ? std::optional(session_of(*this, {})) : std::nullopt;
-    const std::optional<Picture> left_picture = left ? small_copy() : std::nullopt;
+    std::optional<Picture> left_picture = left ? small_copy() : std::nullopt;
     if (!is_same) {
         m_knobs = knobs();
         m_switches = {};
@@ -433,6 +434,7 @@ void Lab::apply_document() {
 }
 
 Result<void> Lab::follow_signal() {
+    m_renderer->set_beam_fit(beam_fit_of(m_document->state().signal));
     auto followed = m_drive.follow(*m_document, m_player, *m_renderer);
     if (!followed || !m_board.has_pen())
         return followed;

@@ -16,6 +16,7 @@
 #include "lab/naming.h"
 #include "lab/signal_file.h"
 #include "lab/trip_words.h"
+#include "lab/users_content.h"
 #include "model/parameter_use.h"
 #include "model/placing.h"
 #include "model/plan_memory.h"
@@ -51,12 +52,12 @@ Result<void> apply_drive(const RenderRequest& request, Document& document) {
         auto signal = parse_signal(request.signal);
         if (!signal)
             return fail(signal.error());
-        document.set_signal(std::move(*signal));
+        document.set_signal(with_round_circles(std::move(*signal)));
     }
     if (!request.source.empty()) {
         if (document.look().driven_by != Driver::picture)
             return fail({{}, 0, "'" + document.look().id + "' does not work on a picture"});
-        document.set_source(request.source);
+        document.set_source(with_kept_shape(request.source, document.look()));
     }
     return {};
 }
@@ -249,6 +250,7 @@ Result<void> Offline::load_signal() {
     }
     add_new(m_problems, notes_about(signal));
     auto set = m_player->set_signal(signal, std::move(sound));
+    m_renderer->set_beam_fit(beam_fit_of(signal));
     m_renderer->set_loudness(m_player->loudness());
     m_renderer->set_sound(m_player->sound_texels());
     return set;

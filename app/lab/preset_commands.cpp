@@ -39,11 +39,11 @@ std::string PresetCommands::proposed_name() const {
     const Document* document = m_lab.document();
     if (!document)
         return {};
-    const std::string name = without_other_letters(document->preset_name());
+    std::string name = without_other_letters(document->preset_name());
     if (name.empty() || !m_lab.library().is_shipped(document->preset_file()))
         return name;
     for (int n = 1;; ++n) {
-        const std::string mine = n == 1 ? name + " (mine)" : fmt::format("{} (mine {})", name, n);
+        std::string mine = n == 1 ? name + " (mine)" : fmt::format("{} (mine {})", name, n);
         const auto place = m_lab.library().preset_path(document->look().id, mine);
         std::error_code error;
         if (!place || !fs::exists(*place, error))

@@ -208,6 +208,7 @@ Frame Renderer::frame_of(const PlayedFrame& played, const Beam& beam) const {
     frame.pixel_aspect = m_pixel_aspect;
     frame.patience_seconds = m_variant ? m_patience_seconds / 2.0 : m_patience_seconds;
     frame.beam = beam;
+    frame.beam_fit = m_beam_fit;
     frame.tints = beam.tints;
     frame.sound = m_sound.get();
     frame.date = m_date.value_or(date_after(date_of_renders, frame.time));

@@ -43,6 +43,8 @@ public:
     void set_sound(std::shared_ptr<const SoundTexels> sound) { m_sound = std::move(sound); }
     /// The date of the frames to come; without it they have that of renders.
     void set_date(const Date& date) { m_date = date; }
+    /// How the beam lies in the picture; none: as the look has it.
+    void set_beam_fit(std::optional<Fit> fit) { m_beam_fit = fit; }
     /// As in the frame that was drawn last.
     const Values& drawn_values() const { return m_drawn_values; }
     /// As Executor::set_runs, of the variant too.
@@ -172,6 +174,7 @@ private:
     std::shared_ptr<const Loudness> m_loudness;
     std::shared_ptr<const SoundTexels> m_sound;
     std::optional<Date> m_date;
+    std::optional<Fit> m_beam_fit;
     bool m_is_variant_alone = false;  // what is brought and replayed is for the variant
     Extent m_picture;
     Extent m_source;

@@ -99,6 +99,8 @@ ChoiceList setting_choices(const Document& document) {
 }  // namespace
 
 std::string label_of_word(std::string word) {
+    if (word == "look")
+        return "Look's own";
     if (word.size() != 2)
         return label_from_name(word);
     for (char& letter : word)
@@ -114,10 +116,12 @@ Deed deed_for(const SignalKind& kind) {
     if (kind.is_live)
         return [name = kind.kind](Lab& lab) {
             (void)lab.transport().mute_input(false);  // it is asked for
-            lab.edit([&](Document& document) { document.set_signal(Spec{name, {}}); });
+            lab.edit([&](Document& document) {
+                document.set_signal(with_round_circles(Spec{name, {}}));
+            });
         };
     return [name = kind.kind](Document& document) {
-        if (auto spec = completed(Spec{name, {}}))
+        if (auto spec = completed(with_round_circles(Spec{name, {}})))
             document.set_signal(std::move(*spec));
     };
 }

@@ -11,7 +11,7 @@ std::string told_name(const std::filesystem::path& file) {
 
 std::string told_folder(const std::filesystem::path& folder) {
     const char* home = std::getenv("HOME");
-    const std::string name = folder.string();
+    std::string name = folder.string();
     if (!home || *home == '\0' || !name.starts_with(std::string(home) + '/'))
         return name;
     return '~' + name.substr(std::string_view(home).size());

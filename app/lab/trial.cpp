@@ -2,6 +2,7 @@
 
 #include "base/elapsed.h"
 #include "lab/local_date.h"
+#include "lab/users_content.h"
 
 #include <algorithm>
 #include <chrono>
@@ -22,6 +23,7 @@ Result<Trial> Trial::make(const TrialSubject& subject, const Values& values, con
                                                subject.shown.executor().programs());
     renderer->set_values(values);
     renderer->set_modulations(subject.document.state().modulations);
+    renderer->set_beam_fit(beam_fit_of(subject.document.state().signal));
     renderer->set_loudness(subject.player.loudness());
     renderer->set_sound(subject.player.sound_texels());
     renderer->set_date(local_date());

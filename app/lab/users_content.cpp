@@ -1,5 +1,6 @@
 #include "lab/users_content.h"
 
+#include "formats/look_format.h"
 #include "lab/source_choices.h"
 #include "model/source_spec.h"
 #include "signals/kinds.h"
@@ -72,6 +73,36 @@ bool is_same_content(const std::string& one, const std::string& other) {
     const auto first = parse_source(one);
     const auto second = parse_source(other);
     return first && second ? first->picture == second->picture : one == other;
+}
+
+namespace {
+constexpr const char* fit_key = "fit";
+}  // namespace
+
+Spec with_round_circles(Spec signal) {
+    const SignalKind* kind = find_kind(signal.kind);
+    const SettingFacts* fit = kind ? find_setting(*kind, fit_key) : nullptr;
+    const auto complete = completed(signal);
+    if (fit && complete && is_users_content(signal) && is_used(*fit, *complete) &&
+        !signal.settings.contains(fit_key))
+        signal.settings[fit_key] = std::string("whole");
+    return signal;
+}
+
+std::string with_kept_shape(const std::string& source, const Look& look) {
+    if (is_foreign_look(look.stack.empty() ? look.manifest : look.stack.front().place))
+        return source;
+    const auto spec = parse_source(source, Fit::whole);
+    return spec && is_users_content(source) ? to_string(*spec) : source;
+}
+
+std::optional<Fit> beam_fit_of(const Spec& signal) {
+    const SignalKind* kind = find_kind(signal.kind);
+    const SettingFacts* fit = kind ? find_setting(*kind, fit_key) : nullptr;
+    const auto complete = completed(signal);
+    if (!fit || !complete || !is_used(*fit, *complete))
+        return std::nullopt;
+    return find_fit(std::get<std::string>(complete->settings.at(fit_key)));
 }
 
 std::string content_name(const Content& content, const Look& look) {

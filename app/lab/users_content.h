@@ -2,7 +2,9 @@
 
 #include "model/content.h"
 #include "model/look.h"
+#include "model/source_spec.h"
 
+#include <optional>
 #include <string>
 
 /// Whether a signal is the user's own: from a file, device or socket, a drawing or a text. What a
@@ -14,6 +16,16 @@ bool is_users_content(const std::string& source);
 /// Whether both show the same file, device, drawing or text; how they show it may differ.
 bool is_same_content(const Spec& one, const Spec& other);
 bool is_same_content(const std::string& one, const std::string& other);
+
+/// The signal with circles kept round, where it is the user's own, draws in x and y and says
+/// nothing else; any other signal as it is.
+Spec with_round_circles(Spec signal);
+/// The source with its shape kept, where it is the user's own and its text says nothing else. Looks
+/// of other programs get it as it is: there the picture has the source's shape.
+std::string with_kept_shape(const std::string& source, const Look& look);
+
+/// How a signal asks to lie in the picture; none: as the look has it.
+std::optional<Fit> beam_fit_of(const Spec& signal);
 
 /// As a message names what drives a look: "song.wav", "Live sound", "HELLO", "SMPTE bars".
 std::string content_name(const Content& content, const Look& look);

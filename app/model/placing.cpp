@@ -13,6 +13,7 @@ struct Placing {
     Extent made;
     int repeat_x = 1;
     int repeat_y = 1;
+    int shrink = 1;  // so many pixels along each side become one, before all else
 };
 
 int side_of(double length) {
@@ -28,6 +29,23 @@ Placing fitted(Extent picture, double shape, bool is_whole) {
     return {{picture.width, side_of(picture.width / shape)}};
 }
 
+Extent shrunk(Extent extent, int times) {
+    return {std::max(extent.width / times, 1), std::max(extent.height / times, 1)};
+}
+
+// A strip of 16384 x 1 pixels in a square would take a gigabyte of black.
+Placing fitted_in_memory(Extent picture, double shape, bool is_whole) {
+    constexpr double most_pixels = 1 << 25;
+    Placing placing = fitted(picture, shape, is_whole);
+    const double pixels = static_cast<double>(placing.made.width) * placing.made.height;
+    const int shrink = static_cast<int>(std::ceil(std::sqrt(pixels / most_pixels)));
+    if (shrink <= 1)
+        return placing;
+    placing = fitted(shrunk(picture, shrink), shape, is_whole);
+    placing.shrink = shrink;
+    return placing;
+}
+
 Placing placing_of(Extent picture, const SourceSpec& source, Extent viewport) {
     if (source.fit == Fit::stretch || viewport.is_empty())
         return {picture};
@@ -39,7 +57,26 @@ Placing placing_of(Extent picture, const SourceSpec& source, Extent viewport) {
     }
     const double shape =
         static_cast<double>(viewport.width) / viewport.height / source.aspect;  // in pixels
-    return fitted(picture, shape, source.fit == Fit::whole);
+    return fitted_in_memory(picture, shape, source.fit == Fit::whole);
+}
+
+// Each pixel is the mean of `times` x `times` pixels, as they are stored; fewer at the last edges.
+Picture averaged(const Picture& picture, int times) {
+    Picture made{shrunk(picture.extent, times), picture.channels, picture.encoding, {}};
+    const auto channels = static_cast<std::size_t>(picture.channels);
+    made.pixels.assign(made.index(0, made.extent.height), 0.0f);
+    for (int y = 0; y < made.extent.height; ++y)
+        for (int x = 0; x < made.extent.width; ++x) {
+            const int end_x = std::min((x + 1) * times, picture.extent.width);
+            const int end_y = std::min((y + 1) * times, picture.extent.height);
+            const auto count = static_cast<float>((end_x - x * times) * (end_y - y * times));
+            float* const mean = made.pixels.data() + made.index(x, y);
+            for (int from_y = y * times; from_y < end_y; ++from_y)
+                for (int from_x = x * times; from_x < end_x; ++from_x)
+                    for (std::size_t i = 0; i < channels; ++i)
+                        mean[i] += picture.pixels[picture.index(from_x, from_y) + i] / count;
+        }
+    return made;
 }
 }  // namespace
 
@@ -47,8 +84,12 @@ Extent placed_extent(Extent picture, const SourceSpec& source, Extent viewport) 
     return placing_of(picture, source, viewport).made;
 }
 
-Picture placed(const Picture& picture, const SourceSpec& source, Extent viewport) {
-    const Placing placing = placing_of(picture.extent, source, viewport);
+Picture placed(const Picture& given, const SourceSpec& source, Extent viewport) {
+    const Placing placing = placing_of(given.extent, source, viewport);
+    Picture smaller;
+    if (placing.shrink > 1)
+        smaller = averaged(given, placing.shrink);
+    const Picture& picture = placing.shrink > 1 ? smaller : given;
     Picture made{placing.made, picture.channels, picture.encoding, {}};
     made.pixels.resize(made.index(0, made.extent.height));
     const auto channels = static_cast<std::size_t>(picture.channels);

@@ -11,7 +11,8 @@ Extent placed_extent(Extent picture, const SourceSpec& source, Extent viewport);
 
 /// The picture as a look reads it that draws `viewport` pixels and takes its source from side to
 /// side: cut, or with black around it, by the fit and pixel aspect of `source`. Its own pixels stay
-/// as they are, but for Fit::integer, which repeats each until a pixel is one of the viewport.
+/// as they are, but for Fit::integer, which repeats each until a pixel is one of the viewport, and
+/// where more than 33 million pixels would be made, of which means are taken first.
 Picture placed(const Picture& picture, const SourceSpec& source, Extent viewport);
 
 /// Width to height of a pixel of what placed() makes.

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <vector>
@@ -48,11 +49,10 @@ std::optional<Result<void>> take_setting(std::string_view setting, SourceSpec& s
         return fail({{}, 0, fmt::format("'{}': 'on' or 'off' belongs there", setting)});
     if (key != "fit")
         return std::nullopt;
-    for (std::size_t i = 0; i < fit_names.size(); ++i)
-        if (fit_names[i] == word) {
-            source.fit = static_cast<Fit>(i);
-            return Result<void>();
-        }
+    if (const auto fit = find_fit(word)) {
+        source.fit = *fit;
+        return Result<void>();
+    }
     return fail({{},
                  0,
                  fmt::format("'{}': there is no such fit; there are: {}", setting,
@@ -64,8 +64,15 @@ std::string_view fit_name(Fit fit) {
     return fit_names[static_cast<std::size_t>(fit)];
 }
 
-Result<SourceSpec> parse_source(std::string_view text) {
+std::optional<Fit> find_fit(std::string_view name) {
+    const auto found = std::ranges::find(fit_names, name);
+    return found == fit_names.end() ? std::nullopt
+                                    : std::optional(static_cast<Fit>(found - fit_names.begin()));
+}
+
+Result<SourceSpec> parse_source(std::string_view text, Fit usual) {
     SourceSpec source;
+    source.fit = usual;
     // From the end on, so that the first of two equal settings would win; none is there twice.
     std::vector<std::string_view> pieces = split(text, ',');
     std::vector<std::string_view> own;

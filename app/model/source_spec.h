@@ -2,6 +2,7 @@
 
 #include "base/diagnostic.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -26,11 +27,13 @@ struct SourceSpec {
 };
 
 /// Reads a source with its settings fit, aspect, rate and loop, which stand at the end; commas and
-/// all else before them belong to the file's name or the pattern. Errors carry no file.
-Result<SourceSpec> parse_source(std::string_view text);
+/// all else before them belong to the file's name or the pattern. `usual`: its fit where it says
+/// none. Errors carry no file.
+Result<SourceSpec> parse_source(std::string_view text, Fit usual = Fit::stretch);
 
 /// The text that parse_source reads as the same source; what is as usual is left out.
 std::string to_string(const SourceSpec& source);
 
 /// "stretch", "whole", "crop", "integer".
 std::string_view fit_name(Fit fit);
+std::optional<Fit> find_fit(std::string_view name);

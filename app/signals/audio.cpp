@@ -259,6 +259,7 @@ std::vector<SettingFacts> ring_settings() {
 
 std::vector<SettingFacts> shown_settings() {
     std::vector<SettingFacts> settings = settings_of_all_modes();
+    settings.push_back(fit_setting({"mode", {"xy"}}));
     for (auto part : {scope_settings({.yt_words = {"waveform"},
                      .scope_words = {"xy", "waveform"},
                      .seconds_per_division = 0.002,

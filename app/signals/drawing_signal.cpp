@@ -198,6 +198,7 @@ std::vector<SettingFacts> drawing_settings() {
          .used_while = has_file,
          .may_be_empty = true},
         std::move(size),
+        fit_setting(),
         {.key = "strokes",
          .label = "Strokes",
          .help = "What was drawn by hand, instead of a file; see docs/signals.md.",

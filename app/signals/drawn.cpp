@@ -71,6 +71,7 @@ SignalKind text_kind() {
                          size_setting(0.2, "How high a capital letter is."),
                          spin_setting(),
                          speed_setting(),
+                         fit_setting(),
                          points_setting()},
             .bare_setting = "text",
             .make = make_text};
@@ -93,6 +94,7 @@ SignalKind scene_kind() {
                           .initial = 1,
                           .logarithmic = true,
                           .limit = {0.001, 1000}},
+                         fit_setting(),
                          points_setting()},
             .file_setting = "file",
             .bare_setting = "file",

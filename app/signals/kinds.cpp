@@ -52,6 +52,16 @@ SettingFacts choice_setting(std::string key, std::string label, std::string help
             .initial_word = first};
 }
 
+SettingFacts fit_setting(UsedWhile used_while) {
+    SettingFacts fit = choice_setting(
+        "fit", "Fit",
+        "whole: circles stay round, and all is seen. stretch: over the whole picture. crop: "
+        "circles stay round, and no edge stays empty. look: as the look's own fit has it.",
+        {"look", "whole", "stretch", "crop"});
+    fit.used_while = std::move(used_while);
+    return fit;
+}
+
 std::vector<SettingFacts> in_group(const std::string& group, const UsedWhile& used_while,
                                    std::vector<SettingFacts> settings) {
     for (SettingFacts& setting : settings) {

@@ -44,6 +44,8 @@ struct SettingFacts {
 /// A setting with a few words to choose from, the first of them at the start.
 SettingFacts choice_setting(std::string key, std::string label, std::string help,
                             std::vector<std::string> words);
+/// How a signal that draws in x and y lies in the picture: "look", "whole", "stretch" or "crop".
+SettingFacts fit_setting(UsedWhile used_while = {});
 /// The settings under a heading, and only of use while `used_while` holds.
 std::vector<SettingFacts> in_group(const std::string& group, const UsedWhile& used_while,
                                    std::vector<SettingFacts> settings);

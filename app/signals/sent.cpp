@@ -54,6 +54,7 @@ std::vector<SettingFacts> format_settings() {
         setting.help += " One that a point does not have is none.";
         settings.push_back(std::move(setting));
     }
+    settings.push_back(fit_setting());
     return settings;
 }
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/edits.h"
 #include "ui/scene.h"
 
 /// The heading of the signal or source with the button that locks it.

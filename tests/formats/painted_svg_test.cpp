@@ -277,7 +277,8 @@ TEST_CASE("an SVG that grows without end is refused within its bounds") {
     std::string bomb = "<path id='a0' d='M0 0L1 9'/>";
     for (int i = 1; i < 30; ++i) {
         const std::string use = "<use href='#a" + std::to_string(i - 1) + "'/>";
-        bomb += "<g id='a" + std::to_string(i) + "'>" + use + use + use + "</g>";
+        bomb.append("<g id='a").append(std::to_string(i)).append("'>");
+        bomb.append(use).append(use).append(use).append("</g>");
     }
     CHECK_FALSE(painted_outlines(svg_with(bomb), "d.svg").has_value());
     // A line that crosses itself some 100 million times, as a scope's figure may.

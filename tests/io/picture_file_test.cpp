@@ -310,16 +310,16 @@ TEST_CASE("an EXR is its display window, black where it has no pixels") {
 
 TEST_CASE("a PNG with a bad header is one message, and libpng prints none") {
     const TemporaryFolder folder;
-    const auto png = [&](std::string header, const std::string& rest) {
+    const auto png = [&](const std::string& header, const std::string& rest) {
         const std::string bytes =
             std::string(png_signature()) + png_chunk("IHDR", header) + rest + png_chunk("IEND", "");
         CapturedErrors errors;
-        const std::string message = error_of(folder.write("a.png", bytes));
+        std::string message = error_of(folder.write("a.png", bytes));
         CHECK(errors.text().empty());
         return message;
     };
     const std::string pixels = png_chunk("IDAT", "x");
-    const auto header = [](std::uint32_t width, std::uint32_t height, std::string rest) {
+    const auto header = [](std::uint32_t width, std::uint32_t height, const std::string& rest) {
         std::string bytes;
         append_number(bytes, width);
         append_number(bytes, height);

@@ -195,3 +195,31 @@ TEST_CASE("content is named by its file, else by its kind") {
     CHECK(content_word(beam) == "signal");
     CHECK(content_word(tube) == "source");
 }
+
+TEST_CASE("the user's own signal in x and y keeps circles round unless it says otherwise") {
+    const auto fit = [](const char* text) {
+        return beam_fit_of(with_round_circles(parse_spec(text).value()));
+    };
+    for (const char* own : {"audio:song.wav", "audio:song.wav,mode=xy", "microphone", "text:HI",
+                            "drawing:a.svg", "scene:a.json", "stdin", "socket:/tmp/a.sock"}) {
+        CAPTURE(own);
+        CHECK(fit(own) == Fit::whole);
+        CHECK_FALSE(beam_fit_of(parse_spec(own).value()).has_value());  // of older presets
+    }
+    CHECK(fit("audio:song.wav,fit=stretch") == Fit::stretch);
+    CHECK(fit("audio:song.wav,fit=crop") == Fit::crop);
+    CHECK_FALSE(fit("audio:song.wav,fit=look").has_value());
+    CHECK_FALSE(fit("audio:song.wav,mode=waveform").has_value());
+    CHECK_FALSE(fit("lissajous:x=3,y=2").has_value());
+}
+
+TEST_CASE("the user's own picture keeps its shape unless its text says otherwise") {
+    Look look = driven_by(Driver::picture);
+    look.manifest = "/looks/crt/look.json";
+    CHECK(with_kept_shape("game.png", look) == "game.png,fit=whole");
+    CHECK(with_kept_shape("game.png,fit=stretch", look) == "game.png");
+    CHECK(with_kept_shape("game.png,fit=crop,rate=25", look) == "game.png,fit=crop,rate=25");
+    CHECK(with_kept_shape("pattern:smpte", look) == "pattern:smpte");
+    look.manifest = "/looks/crt.slangp";  // its picture has the source's shape
+    CHECK(with_kept_shape("game.png", look) == "game.png");
+}

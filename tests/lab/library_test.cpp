@@ -25,7 +25,7 @@ public:
     ~TemporaryRoots() { fs::remove_all(m_folder); }
     /// Writes a file below the program's root.
     fs::path write_program(const std::string& name, const std::string& text) const {
-        const fs::path file = m_folder / "program" / name;
+        fs::path file = m_folder / "program" / name;
         fs::create_directories(file.parent_path());
         std::ofstream(file, std::ios::binary) << text;
         return file;

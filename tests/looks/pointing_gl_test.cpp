@@ -2,6 +2,7 @@
 #include "base/text.h"
 #include "lab/beam_place.h"
 #include "lab/offline.h"
+#include "lab/users_content.h"
 #include "problems_of.h"
 
 #include <doctest/doctest.h>
@@ -49,7 +50,8 @@ void check_pointing(const std::string& look, Extent size, const Texts& values) {
     const BeamPlace place{-0.55, 0.7};
     const Offline offline = pointed(look, place, size, values);
     const Document& document = offline.document();
-    const BeamPlacing placing(document.look(), document.values(), size);
+    const BeamPlacing placing(document.look(), document.values(), size,
+                              beam_fit_of(document.state().signal));
     const PicturePixel lit = lit_pixel(offline.picture());
     const PicturePixel expected = placing.pixel_of(place);
     CAPTURE(look);

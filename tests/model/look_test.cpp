@@ -3,9 +3,9 @@
 #include <doctest/doctest.h>
 
 namespace {
-Look look_with(std::vector<std::pair<std::string, Value>> defaults) {
+Look look_with(const std::vector<std::pair<std::string, Value>>& defaults) {
     Look look;
-    for (auto& [name, initial] : defaults) {
+    for (const auto& [name, initial] : defaults) {
         Parameter parameter;
         parameter.name = name;
         parameter.initial = initial;

@@ -76,3 +76,17 @@ TEST_CASE("a picture in a view takes the source's shape, or whole multiples of i
         CHECK(find_shape(shape_name(shape)) == shape);
     CHECK_FALSE(find_shape("").has_value());
 }
+
+TEST_CASE("a picture that would need gigabytes of black is averaged before it is placed") {
+    Picture strip{{16384, 1}, 1, Encoding::linear, std::vector<float>(16384, 0.25f)};
+    const SourceSpec whole{.picture = "strip.png", .fit = Fit::whole};
+    const Extent square{64, 64};
+    const Picture made = placed(strip, whole, square);
+    CHECK(made.extent == placed_extent(strip.extent, whole, square));
+    CHECK(made.extent.width == made.extent.height);
+    CHECK(static_cast<double>(made.extent.width) * made.extent.height <= 1 << 25);
+    const int middle = (made.extent.height - 1) / 2;
+    for (const int x : {0, made.extent.width - 1})
+        CHECK(made.pixels[made.index(x, middle)] == 0.25f);
+    CHECK(made.pixels[made.index(0, 0)] == 0.0f);
+}

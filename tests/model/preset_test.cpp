@@ -40,7 +40,7 @@ TEST_CASE("changed defaults are noted even when every name still fits") {
 
 namespace {
 // Decay and gain; then parameters that came later.
-Look with(std::vector<std::pair<std::string, double>> parameters) {
+Look with(const std::vector<std::pair<std::string, double>>& parameters) {
     Look look;
     look.name = "Phosphor";
     for (const auto& [name, initial] : parameters) {

@@ -26,13 +26,17 @@ double highest(const std::vector<ScenePath>& paths) {
 }  // namespace
 
 TEST_CASE("a letter with a mark is the letter and the mark above or below it") {
-    for (const auto& [marked, plain, strokes] :
-         {std::tuple{"É", "E", 1u}, std::tuple{"Ü", "U", 2u}, std::tuple{"å", "a", 1u},
-          std::tuple{"č", "c", 1u}, std::tuple{"Ő", "O", 2u}, std::tuple{"ñ", "n", 1u}}) {
-        CAPTURE(marked);
-        CHECK(strokes_besides(letter(marked), letter(plain)) == strokes);
-        CHECK(strokes_besides(letter(plain), letter(marked)) == 0);
-        CHECK(highest(letter(marked)) > highest(letter(plain)) + 0.5);
+    struct Case {
+        const char* marked;
+        const char* plain;
+        std::size_t strokes;
+    };
+    for (const Case& one : {Case{"É", "E", 1}, Case{"Ü", "U", 2}, Case{"å", "a", 1},
+                            Case{"č", "c", 1}, Case{"Ő", "O", 2}, Case{"ñ", "n", 1}}) {
+        CAPTURE(one.marked);
+        CHECK(strokes_besides(letter(one.marked), letter(one.plain)) == one.strokes);
+        CHECK(strokes_besides(letter(one.plain), letter(one.marked)) == 0);
+        CHECK(highest(letter(one.marked)) > highest(letter(one.plain)) + 0.5);
     }
     CHECK(strokes_besides(letter("ç"), letter("c")) == 1);
     CHECK(highest(letter("ç")) == highest(letter("c")));

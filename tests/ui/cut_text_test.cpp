@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 namespace {
 // Every character is one wide, the mark included.
 float letters(const std::string& text) {

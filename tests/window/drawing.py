@@ -38,7 +38,7 @@ class Drawing(Person):
         self.hover("picture")
         program.key("d")
         program.wait("an empty drawing, and the pen in the hand", lambda s:
-                     s["signal"] == "drawing:strokes=[]" and "pen_tool:Freehand" in s["widgets"])
+                     s["signal"] == "drawing:fit=whole,strokes=[]" and "pen_tool:Freehand" in s["widgets"])
         x, y = program.middle("picture")
         box = (x - 60, y + 37, x + 60, y + 43)
         program.wait_for("the figure before has faded", lambda: self.screen.brightness(box) < 25)
@@ -51,7 +51,7 @@ class Drawing(Person):
         self.assertLess(abs(left + right), 0.02)  # as far to either side of the middle
         self.assertLess(height, -0.1)
         program.key("ctrl+z")
-        program.wait("undo takes it away", lambda s: s["signal"] == "drawing:strokes=[]")
+        program.wait("undo takes it away", lambda s: s["signal"] == "drawing:fit=whole,strokes=[]")
         program.wait_for("from the picture too", lambda: self.screen.brightness(box) < 25)
         program.key("ctrl+shift+z")
         program.click("pen_tool:Points")

@@ -22,7 +22,7 @@ from tuning import Tuning
 Person.executable = Path(sys.argv[1]).resolve()
 
 
-class Tuner(Tuning, Keeping, Trying, Foreign):
+class Tuner(Tuning, Keeping, Trying):
     """One person at one window: each test finds the look as it was first."""
 
 
@@ -30,7 +30,7 @@ class Looker(Driving, Drawing, Editing, Looking, Moving, Comparing, Choosing):
     """Another one."""
 
 
-class Owner(Owning):
+class Owner(Owning, Foreign):
     """A third one, whose own things stay."""
 
 
