@@ -198,10 +198,11 @@ private:
             session.comparison.mode = CompareMode::wipe;
         if (const JsonValue* comparison = reader.find("comparison"))
             session.comparison = read_comparison(*comparison, m_file, m_problems);
-        session.follows_view = reader.boolean("follows_view", session.follows_view);
+        session.follows_view = reader.boolean("follows_view", true);
+        session.fits_shape = reader.boolean("fits_shape", false);
         constexpr int largest = 16384;
-        session.fixed_size.width = reader.whole("width", session.fixed_size.width, 1, largest);
-        session.fixed_size.height = reader.whole("height", session.fixed_size.height, 1, largest);
+        session.fixed_size.width = reader.whole("width", session.fixed_size.width, 0, largest);
+        session.fixed_size.height = reader.whole("height", session.fixed_size.height, 0, largest);
         session.picture_scale = reader.number("picture_scale", session.picture_scale);
         session.picture_shape = reader.text("picture_shape", session.picture_shape);
         if (const JsonValue* looks = reader.find("knobs"))
@@ -293,6 +294,7 @@ std::string session_to_json(const Session& session) {
                       {"is_playing", session.is_playing},
                       {"comparison", json_of(session.comparison)},
                       {"follows_view", session.follows_view},
+                      {"fits_shape", session.fits_shape},
                       {"width", session.fixed_size.width},
                       {"height", session.fixed_size.height},
                       {"picture_scale", session.picture_scale},

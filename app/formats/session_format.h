@@ -38,8 +38,9 @@ struct Session {
     double level = 1.0;
     bool is_playing = true;
     Comparison comparison;
-    bool follows_view = true;
-    Extent fixed_size{1280, 720};
+    bool follows_view = false;
+    Extent fixed_size;        // empty: to be chosen
+    bool fits_shape = false;  // the picture is the largest of its shape within fixed_size
     double picture_scale = 1.0;
     std::string picture_shape;  // "": as the look has it; else "view", "source" or "whole pixels"
     LookKnobs knobs;            // what the person keeps about parameters, by look

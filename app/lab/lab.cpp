@@ -62,10 +62,11 @@ Extent Lab::picture_extent() const {
     const auto& source = m_drive.source();
     const bool has_source =
         m_document && m_document->look().driven_by == Driver::picture && source.has_value();
-    if (!has_source)
-        return m_picture_size.extent(m_view);
-    return m_picture_size.extent(
-        shaped(m_view, picture_shape(), source->extent(), source->spec().aspect));
+    const Extent room = m_picture_size.room(m_view);
+    if (!has_source || !m_picture_size.has_shape())
+        return m_picture_size.scaled(room);
+    return m_picture_size.scaled(
+        shaped(room, picture_shape(), source->extent(), source->spec().aspect));
 }
 
 void Lab::say(std::string text, bool is_problem, std::string subject) {
@@ -323,6 +324,27 @@ void Lab::set_sound_settings(const SoundSettings& settings) {
 
 void Lab::set_picture_size(const PictureSize& size) {
     m_picture_size = within_bounds(size);
+}
+
+void Lab::set_view(Extent view_pixels) {
+    if (view_pixels != m_view || !m_view_seconds)
+        m_view_seconds = 0.0;
+    m_view = view_pixels;
+}
+
+void Lab::fix_size_to_view() {
+    m_picture_size = fixed_in(m_picture_size, m_view);
+}
+
+// The panes of a new window have the sizes that they keep after a few turns only.
+void Lab::choose_size(double wall_seconds) {
+    constexpr double steady_seconds = 0.5;
+    constexpr double longest_turn = 0.1;  // a rest before it says nothing of the panes
+    if (!m_picture_size.is_to_be_chosen() || !m_document || !m_view_seconds)
+        return;
+    *m_view_seconds += std::min(wall_seconds, longest_turn);
+    if (*m_view_seconds > steady_seconds)
+        fix_size_to_view();
 }
 
 void Lab::set_mouse(double x, double y) {

@@ -118,7 +118,7 @@ public:
     bool is_in_slot(std::size_t number) const;
     const PictureSize& picture_size() const { return m_picture_size; }
     Extent picture_extent() const;
-    /// Of a picture that follows the view. What other programs' looks make of a source keeps its
+    /// Of a picture whose size has_shape(). What other programs' looks make of a source keeps its
     /// shape, unless the person chose otherwise; our own fill the view.
     ViewShape picture_shape() const;
     /// What drives the look: how far its file has been read.
@@ -185,7 +185,11 @@ public:
     const std::vector<SoundDevice>& sound_devices() const { return m_sound_devices; }
     void look_for_sound_devices() { m_sound_devices = m_player.sound_devices(); }
     void set_picture_size(const PictureSize& size);
-    void set_view(Extent view_pixels) { m_view = view_pixels; }
+    /// The pane that shows the picture. A picture whose size is to be chosen gets its size from it
+    /// once it has been as large for half a second.
+    void set_view(Extent view_pixels);
+    /// Fixes the picture's size at what fits into the view now.
+    void fix_size_to_view();
     void set_mouse(double x, double y);
     /// The left button goes down or up where the mouse is, for a look that reads it.
     void set_mouse_button(bool is_down);
@@ -386,6 +390,7 @@ private:
     void search_includes();
     bool listen_to_midi(bool listens);
     void bind_midi(const MidiBinding& binding);
+    void choose_size(double wall_seconds);
     void listen(double wall_seconds);
     void note_moves();
     void show_source(double seconds);
@@ -471,6 +476,7 @@ private:
     std::optional<Notice> m_notice;
     PictureSize m_picture_size;
     Extent m_view{1280, 720};
+    std::optional<double> m_view_seconds;  // since it was last resized; none: nobody has set it
     Extent m_drawn_extent;
     std::optional<PresetPlace> m_preset_step;  // that is being opened
     std::optional<Redraw> m_wanted;            // what the paused picture still owes

@@ -30,6 +30,7 @@ void Lab::update(double wall_seconds) {
     take_reload();
     const double arriving_seconds = seconds_since(m_turn_begun);
     listen(wall_seconds);
+    choose_size(wall_seconds);
     const bool was_comparing = m_rate_check.is_running();
     m_rate_check.update();
     if (const auto& compared = m_rate_check.outcome(); was_comparing && compared && *compared)

@@ -153,6 +153,7 @@ Session session_of(const Lab& lab, std::map<std::string, double> window) {
     const PictureSize& size = lab.picture_size();
     session.follows_view = size.follows_view;
     session.fixed_size = size.fixed;
+    session.fits_shape = size.fits_shape;
     session.picture_scale = size.scale;
     session.picture_shape = size.shape ? std::string(shape_name(*size.shape)) : std::string();
     session.time = lab.player().time();
@@ -208,7 +209,7 @@ void keep_locked(const Content& present, Document& document) {
 
 void restore(Lab& lab, const Session& session, const std::function<void(Lab&)>& then) {
     lab.set_picture_size({session.follows_view, session.fixed_size, session.picture_scale,
-                          find_shape(session.picture_shape)});
+                          find_shape(session.picture_shape), session.fits_shape});
     lab.transport().set_speed(session.speed);
     lab.transport().set_level(session.level);
     if (session.look.empty())

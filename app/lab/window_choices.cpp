@@ -19,10 +19,12 @@ ChoiceList size_choices(const SizeInForce& in_force) {
     PictureSize size = present;
     for (const auto& [shape, name] : picture_shapes)
         list.choices.push_back(sized(name, with_shape(present, shape), in_force.is_shaped(shape)));
+    list.choices.push_back(
+        {.name = "Match the pane once", .deeds = {[](Lab& lab) { lab.fix_size_to_view(); }}});
     for (const Extent& extent : picture_sizes)
         list.choices.push_back(sized(fmt::format("{} × {}", extent.width, extent.height),
                                      {false, extent, present.scale, present.shape},
-                                     !present.follows_view && present.fixed == extent));
+                                     present.is_exactly(extent)));
     for (const double scale : picture_scales) {
         size = present;
         size.scale = scale;

@@ -188,10 +188,9 @@ bool Application::has_lost_context() const {
 }
 
 // The pixels that a picture which follows the view has: the output window's, where it is open.
+// Empty before the first panels.
 Extent Application::view() const {
-    if (!m_state.views.output.is_empty())
-        return m_state.views.output;
-    return m_state.views.picture.is_empty() ? Extent{1280, 720} : m_state.views.picture;
+    return m_state.views.output.is_empty() ? m_state.views.picture : m_state.views.output;
 }
 
 void Application::turn() {
@@ -201,7 +200,8 @@ void Application::turn() {
     note_pace(wall_seconds);
     if (std::string problem = m_output.follow(m_state, m_window); !problem.empty())
         m_lab.say(std::move(problem), true);
-    m_lab.set_view(view());
+    if (const Extent seen = view(); !seen.is_empty())
+        m_lab.set_view(seen);
     m_lab.set_unattended(m_state.is_picture_only || m_output.is_open());
     m_lab.look_at(seen_passes(m_lab, m_state));
     m_lab.update(wall_seconds);

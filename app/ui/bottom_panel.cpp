@@ -66,7 +66,7 @@ void draw_half_size_offer(const Scene& scene, Edits& edits) {
     const Renderer* renderer = scene.lab.renderer();
     const double passes = renderer ? renderer->pass_times().present_total() : 0.0;
     const bool runs = scene.lab.player().is_playing() && !scene.lab.has_converged();
-    const bool may_be_smaller = half && half->follows_view;
+    const bool may_be_smaller = half && half->has_shape();
     if (!runs || !may_be_smaller || !scene.pace.is_slow_by_passes(passes))
         return;
     ImGui::SameLine();

@@ -100,9 +100,12 @@ void draw_size_items(const Scene& scene, Edits& edits) {
         edits.mark("shape:" + std::string(shape_name(shape)));
     }
     ImGui::Separator();
+    if (ImGui::MenuItem("Match the pane once", nullptr, present.fits_shape))
+        edits.add([](Lab& lab) { lab.fix_size_to_view(); });
+    tooltip("As large as the pane is now. The size stays when panes open or close.");
+    edits.mark("size:pane_once");
     for (const Extent& extent : picture_sizes) {
-        const bool is_chosen = !present.follows_view && present.fixed == extent;
-        if (ImGui::MenuItem(size_text(extent).c_str(), nullptr, is_chosen))
+        if (ImGui::MenuItem(size_text(extent).c_str(), nullptr, present.is_exactly(extent)))
             set_size({false, extent, present.scale, present.shape}, edits);
         edits.mark("size:" + std::to_string(extent.width) + "x" + std::to_string(extent.height));
     }

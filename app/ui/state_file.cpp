@@ -248,7 +248,7 @@ std::string state_text(const Scene& scene, const Edits& edits) {
     const Lab& lab = scene.lab;
     const Extent picture = lab.picture_extent();
     return fmt::format(
-        R"({{{}"turn":{},"panel_ms":{:.3f},"is_behind":{},"is_loading":{},"opening":{},"reading":{},"is_playing":{},"has_picture":{},"frame":{},"samples":{},"osc":{},"midi":[{},{},{}],"has_converged":{},"time":{:.4f},"shown_share":{:.3f},"picture":[{},{}],"notice":{},"dialog":{},"inspected":{},"channels":{},"wipe":{},"output":{},"probe":{},"problems":{},"widgets":{}}})",
+        R"({{{}"turn":{},"panel_ms":{:.3f},"is_behind":{},"is_loading":{},"opening":{},"reading":{},"is_playing":{},"has_picture":{},"frame":{},"samples":{},"osc":{},"midi":[{},{},{}],"has_converged":{},"time":{:.4f},"shown_share":{:.3f},"picture":[{},{}],"fixed_size":[{},{}],"notice":{},"dialog":{},"inspected":{},"channels":{},"wipe":{},"output":{},"probe":{},"problems":{},"widgets":{}}})",
         lab.document() ? document_text(lab) : std::string(), scene.turn, scene.panel_milliseconds,
         scene.is_behind, lab.is_loading(),
         json_string(lab.opening() ? words_of(lab.opening()->progress) : std::string()),
@@ -257,7 +257,8 @@ std::string state_text(const Scene& scene, const Edits& edits) {
         lab.samples().value_or(Samples{}).held, lab.osc().port(), lab.midi().is_listening(),
         json_string(lab.midi().learning() ? lab.midi().learning()->parameter : std::string()),
         lab.remote_settings().midi.size(), lab.has_converged(), lab.player().time(),
-        lab.player().shown_share(), picture.width, picture.height,
+        lab.player().shown_share(), picture.width, picture.height, lab.picture_size().fixed.width,
+        lab.picture_size().fixed.height,
         json_string(lab.notice() ? lab.notice()->text : std::string()),
         static_cast<int>(scene.window.dialog.kind), json_string(scene.window.inspected.pass),
         static_cast<int>(scene.window.inspected.channels),

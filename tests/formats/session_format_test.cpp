@@ -32,7 +32,8 @@ Session session() {
                        .has_equal_brightness = true};
     made.slots["phosphor"][1] = Slot{"Amber", {{"decay", Value(0.1 + 0.2)}}};
     made.slots["phosphor+crt"][0] = Slot{{}, {{"crt/tint", Value({0.25, 1.0, 0.5})}}};
-    made.follows_view = false;
+    made.fixed_size = {836, 640};
+    made.fits_shape = true;
     made.knobs["phosphor"] = {{"decay", {.is_favourite = true}},
                               {"exposure", {.is_locked = true, .ends = Limit{0.5, 2.0}}}};
     made.preset_stars = {"phosphor/P31 bench", "phosphor+crt/arcade"};
@@ -45,6 +46,21 @@ TEST_CASE("a session reads back as it was written") {
     const auto read = parse_session(session_to_json(session()), "session.json");
     REQUIRE(read.has_value());
     CHECK(*read == session());
+}
+
+TEST_CASE("a new session's picture size is to be chosen; that of a session without it follows") {
+    CHECK_FALSE(Session{}.follows_view);
+    CHECK(Session{}.fixed_size.is_empty());
+    const auto older = parse_session(R"({"format": "afterglow-session", "version": 1})", "s.json");
+    REQUIRE(older.has_value());
+    CHECK(older->follows_view);
+    CHECK_FALSE(older->fits_shape);
+    Session fresh = session();
+    fresh.fixed_size = {};
+    fresh.fits_shape = false;
+    const auto read = parse_session(session_to_json(fresh), "s.json");
+    REQUIRE(read.has_value());
+    CHECK(*read == fresh);
 }
 
 TEST_CASE("of a very long way back the latest 200 steps are kept") {

@@ -72,6 +72,31 @@ TEST_CASE("the picture's size is chosen apart from its view, from a quarter to t
     CHECK(drawn_at({false, {30, 10}, 0.5}) == Extent{15, 5});
 }
 
+TEST_CASE("the size is chosen once, from the view that has been as large for half a second") {
+    SmallLab small;
+    small.lab().set_picture_size({});
+    small.lab().set_view({40, 20});
+    const auto turn_for = [&small](double seconds) {
+        for (double left = seconds; left > 0.0; left -= 0.05)
+            small.lab().update(0.05);
+    };
+    turn_for(0.4);
+    small.lab().set_view({60, 20});
+    CHECK(small.lab().picture_extent() == Extent{60, 20});
+    turn_for(0.4);
+    CHECK(small.lab().picture_size().is_to_be_chosen());
+    turn_for(0.3);
+    small.lab().set_view({30, 10});
+    turn_for(1.0);
+    CHECK(small.lab().picture_extent() == Extent{60, 20});
+    small.lab().fix_size_to_view();
+    CHECK(small.lab().picture_extent() == Extent{30, 10});
+    small.lab().set_picture_size(PictureSize{true, {}, 1.0});
+    small.lab().set_view({50, 50});
+    turn_for(1.0);
+    CHECK(small.lab().picture_extent() == Extent{50, 50});
+}
+
 TEST_CASE("a uniform renamed with @was keeps its value") {
     SmallLab small;
     small.lab().edit([](Document& document) { document.set_value("gain", Value(5.0)); });

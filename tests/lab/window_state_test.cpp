@@ -31,10 +31,24 @@ TEST_CASE("zooming keeps the point under the pointer where it is") {
 }
 
 TEST_CASE("the picture's size follows the view or is fixed, and either is scaled") {
-    CHECK(PictureSize{}.extent({801, 600}) == Extent{801, 600});
-    CHECK(PictureSize{true, {}, 0.25}.extent({801, 600}) == Extent{200, 150});
-    CHECK(PictureSize{false, {320, 240}, 2.0}.extent({801, 600}) == Extent{640, 480});
-    CHECK(PictureSize{true, {}, 0.25}.extent({1, 1}) == Extent{1, 1});
+    CHECK(PictureSize{}.room({801, 600}) == Extent{801, 600});
+    CHECK(PictureSize{true, {320, 240}}.room({801, 600}) == Extent{801, 600});
+    CHECK(PictureSize{false, {320, 240}}.room({801, 600}) == Extent{320, 240});
+    CHECK(PictureSize{true, {}, 0.25}.scaled({801, 600}) == Extent{200, 150});
+    CHECK(PictureSize{true, {}, 0.25}.scaled({1, 1}) == Extent{1, 1});
+    CHECK(PictureSize{false, {320, 240}, 2.0}.scaled({320, 240}) == Extent{640, 480});
+}
+
+TEST_CASE("a new picture's size is to be chosen, and once chosen it does not follow the view") {
+    CHECK(PictureSize{}.is_to_be_chosen());
+    const PictureSize chosen = fixed_in(PictureSize{true, {}, 0.5}, {801, 600});
+    CHECK_FALSE(chosen.is_to_be_chosen());
+    CHECK_FALSE(chosen.follows_view);
+    CHECK(chosen.has_shape());  // another program's look keeps its source's shape in it
+    CHECK(chosen.room({100, 100}) == Extent{801, 600});
+    CHECK(chosen.scaled(chosen.room({100, 100})) == Extent{401, 300});
+    const PictureSize exact{false, {320, 240}};
+    CHECK_FALSE(exact.has_shape());
 }
 
 TEST_CASE("what was used of the palette and the files opened lately come back in their order") {

@@ -1,9 +1,10 @@
 """What is the user's own stays: signal, source, presets and unsaved changes."""
 
+import json
 import struct
 import zlib
 
-from person import Person, write_tones
+from person import PICTURE, Person, write_tones
 
 
 def write_png(file):
@@ -143,3 +144,45 @@ class Owning(Person):
         program.click(entry)
         program.wait("a click brings them back", lambda s: s["look"] == "phosphor" and
                      s["values"]["decay"] == [0.61])
+
+    def pane(self):
+        left, top, right, bottom = self.program.place("picture")
+        return [right - left, bottom - top]
+
+    def restart_with_size(self, width, height):
+        program = self.program
+        program.quit()
+        session = json.loads(program.session().read_text())
+        session.update(follows_view=False, fits_shape=False, width=width, height=height)
+        program.session().write_text(json.dumps(session))
+        program.start()
+
+    def test_panes_and_comparing_leave_the_picture_its_size(self):
+        program = self.program
+        self.restart_with_size(0, 0)  # as at a first start: it is to be chosen
+        whole = self.pane()
+        self.assertEqual(program.state()["picture"], whole)
+        program.wait("the size is chosen", lambda s: s["fixed_size"] == whole)
+        program.key("ctrl+7")
+        program.place("bottom:Pins")
+        small = self.pane()
+        self.assertLess(small[1], whole[1])
+        program.key("shift+F6", "w")
+        program.wait("two pictures are compared", lambda s: s["compare"]["mode"] != "off")
+        self.assertEqual(program.state()["picture"], whole)
+        self.snapshot("fixed_size")
+        program.click("compare_end")
+        program.click("picture_size")
+        program.click("shape:view")
+        program.wait("it follows its pane when asked to", lambda s: s["picture"] == small)
+        program.key("ctrl+7")
+        program.wait("it follows", lambda s: s["picture"] == whole)
+        program.click("picture_size")
+        program.click("size:pane_once")
+        program.quit()
+        program.start()
+        program.key("ctrl+7")
+        program.place("bottom:Pins")
+        self.assertEqual(program.state()["picture"], whole)
+        program.key("ctrl+7")
+        self.restart_with_size(*PICTURE)
