@@ -239,6 +239,7 @@ constexpr Rule rules[] = {
     {"@identity", apply_identity},
     {"@label", apply_text<&Parameter::label>, true},
     {"@unit", apply_text<&Parameter::unit>, true},
+    {"@period", apply_text<&Parameter::period>},
     {"@group", apply_text<&Parameter::group>, true},
     {"@help", apply_text<&Parameter::help>, true},
     {"@was", apply_was, true},

@@ -10,6 +10,8 @@ const std::vector<BuiltinUniform>& builtin_uniforms() {
         {"u_resolution", {Scalar::floating, 2, 1}},         // pixels of the pass's target
         {"u_output_resolution", {Scalar::floating, 2, 1}},  // pixels
         {"u_source_resolution", {Scalar::floating, 2, 1}},  // pixels
+        {"u_source_lines", {Scalar::floating, 3, 1}},       // start, pitch, count
+        {"u_source_columns", {Scalar::floating, 3, 1}},     // the same from the left
         {"u_mouse", {Scalar::floating, 2, 1}},              // pixels from bottom left
         {"u_samples", {Scalar::integer, 1, 1}},             // accumulated so far
         {"u_view", {Scalar::floating, 4, 4}},               // orbit: the object's turn

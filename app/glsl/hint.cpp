@@ -11,8 +11,9 @@
 namespace {
 const std::vector<std::string>& known_keys() {
     static const std::vector<std::string> keys{
-        "@range", "@limit", "@scale",    "@label", "@unit",   "@group", "@help",  "@items",
-        "@color", "@point", "@identity", "@was",   "@hidden", "@angle", "@parts", "@items_was"};
+        "@range",  "@limit", "@scale", "@label",     "@unit",     "@group",
+        "@help",   "@items", "@color", "@point",     "@identity", "@was",
+        "@hidden", "@angle", "@parts", "@items_was", "@period"};
     return keys;
 }
 

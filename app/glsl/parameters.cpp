@@ -5,6 +5,7 @@
 #include "glsl/include.h"
 #include "glsl/interface.h"
 #include "glsl/pass_uniforms.h"
+#include "model/aliasing.h"
 #include "model/orbit.h"
 
 #include <fmt/format.h>
@@ -155,6 +156,8 @@ Result<std::vector<Parameter>> find_parameters(const Look& look, CheckCache* cac
         add_orbit(look, orbit_passes, parameters, errors);
     if (errors.empty())
         check_counts(look, parameters, errors);
+    if (errors.empty())
+        add_new(errors, check_periods(parameters, look));
     if (!errors.empty())
         return fail(std::move(errors));
     return parameters;

@@ -40,6 +40,14 @@ Sixteen resolution(Extent extent) {
     return {width_of(extent), height_of(extent), 1.0};
 }
 
+Sixteen pair(Extent extent) {
+    return {width_of(extent), height_of(extent)};
+}
+
+Sixteen lines(const RasterAxis& axis) {
+    return {axis.start, axis.pitch, axis.count * 1.0};
+}
+
 Sixteen widened(const std::array<double, 4>& numbers) {
     return {numbers[0], numbers[1], numbers[2], numbers[3]};
 }
@@ -59,9 +67,6 @@ Sixteen quad_to_clip(RowOrder rows) {
 
 BuiltInUniforms::Numbers BuiltInUniforms::numbers_of(const Place& place, const Frame& frame,
                                                      const PassFacts& facts) {
-    const auto size = [](Extent extent) {
-        return Numbers{{width_of(extent), height_of(extent)}, 2};
-    };
     switch (place.says) {
         case BuiltIn::time:
             return {{frame.time}, 1};
@@ -84,15 +89,19 @@ BuiltInUniforms::Numbers BuiltInUniforms::numbers_of(const Place& place, const F
         case BuiltIn::date_from_0:
             return {date_numbers(frame.date, 0), 4};
         case BuiltIn::target_size:
-            return size(facts.target);
+            return {pair(facts.target), 2};
         case BuiltIn::output_size:
-            return size(facts.output);
+            return {pair(facts.output), 2};
         case BuiltIn::source_size:
-            return size(facts.source);
+            return {pair(facts.source), 2};
         case BuiltIn::source_aspect:
             return {{width_of(facts.source) * frame.pixel_aspect /
                      std::max(height_of(facts.source), 1.0)},
                     1};
+        case BuiltIn::source_lines:
+            return {lines(facts.raster.rows), 3};
+        case BuiltIn::source_columns:
+            return {lines(facts.raster.columns), 3};
         case BuiltIn::mouse:
             return {{frame.mouse[0], frame.mouse[1]}, 2};
         case BuiltIn::quad_to_clip:

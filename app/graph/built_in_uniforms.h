@@ -16,6 +16,7 @@ struct PassFacts {
     Extent target;
     Extent output;
     Extent source;
+    SourceRaster raster;
     RowOrder rows = RowOrder::bottom_first;  // of the target
     bool meets_drawn_onto = false;           // as the plan has it
     std::function<Extent(const BoundInput&)> extent_of;

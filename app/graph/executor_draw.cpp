@@ -233,19 +233,21 @@ PassFacts Executor::facts_of_pass(std::size_t index) const {
     const std::int64_t modulo =
         pass.frame_modulo > 0 ? pass.frame_modulo : std::numeric_limits<std::int64_t>::max();
     const std::int64_t before = std::max<std::int64_t>(m_drawn.number - 1, 0);
-    return {static_cast<double>(m_drawn.number % modulo),
-            static_cast<double>(before % modulo),
-            m_plan.targets[index].extent,
-            m_viewport,
-            source,
-            pass.rows,
-            meets_drawn_onto(m_look, m_plan, index),
-            [this, source](const BoundInput& input) {
-                if (input.from == Input::From::pass && input.pass >= 0)
-                    return m_plan.targets[static_cast<std::size_t>(input.pass)].extent;
-                const gpu::Texture* read = texture_for(input);
-                return read ? read->extent() : source;
-            }};
+    return {
+        static_cast<double>(m_drawn.number % modulo),
+        static_cast<double>(before % modulo),
+        m_plan.targets[index].extent,
+        m_viewport,
+        source,
+        pass.source.empty() && m_drawn.source_raster ? *m_drawn.source_raster : own_raster(source),
+        pass.rows,
+        meets_drawn_onto(m_look, m_plan, index),
+        [this, source](const BoundInput& input) {
+            if (input.from == Input::From::pass && input.pass >= 0)
+                return m_plan.targets[static_cast<std::size_t>(input.pass)].extent;
+            const gpu::Texture* read = texture_for(input);
+            return read ? read->extent() : source;
+        }};
 }
 
 void Executor::write_built_ins(std::size_t index) const {

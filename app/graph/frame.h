@@ -4,6 +4,7 @@
 #include "model/date.h"
 #include "model/hand.h"
 #include "model/sound_texture.h"
+#include "model/source_raster.h"
 #include "model/source_spec.h"
 
 #include <array>
@@ -13,12 +14,13 @@
 
 /// What a frame of a look is drawn for: its time, its beam, the mouse.
 struct Frame {
-    double time = 0;                // s, at the frame's end
-    double time_delta = 0;          // s
-    std::int64_t number = 0;        // from 1
-    std::array<double, 2> mouse{};  // px of the picture, from its bottom left
-    double pixel_aspect = 1.0;      // of the source: width to height of a pixel
-    Press press;                    // of its left button
+    double time = 0;                                 // s, at the frame's end
+    double time_delta = 0;                           // s
+    std::int64_t number = 0;                         // from 1
+    std::array<double, 2> mouse{};                   // px of the picture, from its bottom left
+    double pixel_aspect = 1.0;                       // of the source: width to height of a pixel
+    std::optional<SourceRaster> source_raster = {};  // none: the source has the picture's shape
+    Press press;                                     // of its left button
     Keys keys;
     std::span<const BeamPoint> beam;
     std::optional<Fit> beam_fit = {};    // how -1..1 lies in the picture; none: as the look has it

@@ -65,8 +65,8 @@ Extent Lab::picture_extent() const {
     const Extent room = m_picture_size.room(m_view);
     if (!has_source || !m_picture_size.has_shape())
         return m_picture_size.scaled(room);
-    return m_picture_size.scaled(
-        shaped(room, picture_shape(), source->extent(), source->spec().aspect));
+    return m_picture_size.scaled(shaped(room, picture_shape(), source->extent(),
+                                        pixel_aspect(source->spec(), source->extent())));
 }
 
 void Lab::say(std::string text, bool is_problem, std::string subject) {
@@ -238,7 +238,7 @@ void Lab::open_file(const fs::path& file) {
     source.picture = fs::absolute(file).string();
     const std::string text = to_string(source);
     m_drive.choose({.driver = Driver::picture,
-                    .source = is_first ? with_kept_shape(text, m_document->look()) : text,
+                    .source = is_first ? with_users_defaults(text, m_document->look()) : text,
                     .file = file});
 }
 

@@ -173,10 +173,8 @@ void add_lists(Lists& all, Lists more) {
 void add_of_look(const Lab& lab, const WindowState& window, const std::vector<ShelfLook>& looks,
                  Lists& all) {
     const Document& document = *lab.document();
-    const auto& open = lab.drive().source();
     add_lists(all, signal_choices(document));
-    add_lists(all, source_choices(document, open && open->is_film() ? std::optional(open->rate())
-                                                                    : std::nullopt));
+    add_lists(all, source_choices(document, open_source(lab.drive())));
     all.push_back(stack_choices(document.state().stack, looks));
     if (lab.renderer())
         add_lists(all,

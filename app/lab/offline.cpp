@@ -57,7 +57,7 @@ Result<void> apply_drive(const RenderRequest& request, Document& document) {
     if (!request.source.empty()) {
         if (document.look().driven_by != Driver::picture)
             return fail({{}, 0, "'" + document.look().id + "' does not work on a picture"});
-        document.set_source(with_kept_shape(request.source, document.look()));
+        document.set_source(with_users_defaults(request.source, document.look()));
     }
     return {};
 }

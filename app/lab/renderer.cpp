@@ -87,8 +87,10 @@ Result<void> Renderer::resize(Extent picture, Extent source) {
     return done;
 }
 
-Result<void> Renderer::set_source(const Picture& picture, double pixel_aspect) {
+Result<void> Renderer::set_source(const Picture& picture, double pixel_aspect,
+                                  const std::optional<SourceRaster>& raster) {
     m_pixel_aspect = pixel_aspect;
+    m_source_raster = raster;
     return for_each([&](Executor& executor) { return executor.set_source(picture); });
 }
 
@@ -206,6 +208,7 @@ Frame Renderer::frame_of(const PlayedFrame& played, const Beam& beam) const {
     frame.press = m_hand.press();
     frame.keys = m_hand.keys();
     frame.pixel_aspect = m_pixel_aspect;
+    frame.source_raster = m_source_raster;
     frame.patience_seconds = m_variant ? m_patience_seconds / 2.0 : m_patience_seconds;
     frame.beam = beam;
     frame.beam_fit = m_beam_fit;

@@ -58,8 +58,11 @@ public:
     Result<void> resize(Extent picture, Extent source);
     /// As it was last asked for, with sizes that depend on values as these are now.
     Result<void> resize_again() { return resize(m_picture, m_source); }
-    /// `pixel_aspect`: width to height of its pixels.
-    Result<void> set_source(const Picture& picture, double pixel_aspect = 1.0);
+    /// `pixel_aspect`: width to height of its pixels. `raster`: where the lines of the source lie
+    /// in it; none: they are its own.
+    Result<void> set_source(const Picture& picture, double pixel_aspect = 1.0,
+                            const std::optional<SourceRaster>& raster = {});
+    const std::optional<SourceRaster>& source_raster() const { return m_source_raster; }
     Result<void> set_image(const std::string& name, const Picture& picture);
     /// As image_texture() made it.
     void set_image(const std::string& name, const std::shared_ptr<const gpu::Texture>& texture);
@@ -180,6 +183,7 @@ private:
     Extent m_source;
     Hand m_hand;
     double m_pixel_aspect = 1.0;
+    std::optional<SourceRaster> m_source_raster;
     double m_patience_seconds = 0.0;
     std::vector<PassRun> m_runs;
     std::vector<double> m_pass_milliseconds;

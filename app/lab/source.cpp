@@ -7,6 +7,7 @@
 #include "lab/mend.h"
 #include "lab/renderer.h"
 #include "model/placing.h"
+#include "model/prescaled.h"
 #include "signals/patterns.h"
 
 #include <algorithm>
@@ -49,6 +50,7 @@ Result<Source> Source::open(const std::string& text) {
         source.m_picture = source.m_stream->wait(0);
         if (!source.m_picture)
             return fail(source.m_stream->take_problems());
+        source.find_prescale();
         return source;
     }
     auto picture = read_still(source.m_spec);
@@ -59,12 +61,42 @@ Result<Source> Source::open(const std::string& text) {
     if (auto mended = mend(*picture, file))
         source.m_problems.push_back(std::move(*mended));
     source.m_picture = std::make_shared<const Picture>(std::move(*picture));
+    source.find_prescale();
     source.m_is_moving_pattern = is_pattern && is_moving_pattern(pattern_of(source.m_spec));
     return source;
 }
 
+int Source::prescale() const {
+    return m_spec.prescaled > 0 ? m_spec.prescaled : m_found_prescale;
+}
+
+Extent Source::extent() const {
+    return extent_without_prescale(m_picture->extent, prescale());
+}
+
+// The one of the first picture counts for all of a film.
+void Source::find_prescale() {
+    if (m_spec.prescaled != 0 || m_spec.is_pattern() || m_has_looked_for_prescale)
+        return;
+    m_found_prescale = found_prescale(*m_picture);
+    m_has_looked_for_prescale = true;
+}
+
+SharedPicture Source::original() {
+    const int times = prescale();
+    if (times == 1)
+        return m_picture;
+    if (!m_original || m_original_of != m_picture || m_original_times != times) {
+        m_original = std::make_shared<const Picture>(without_prescale(*m_picture, times));
+        m_original_of = m_picture;
+        m_original_times = times;
+    }
+    return m_original;
+}
+
 void Source::set_spec(const SourceSpec& spec) {
     m_spec = spec;
+    find_prescale();
     if (m_stream)
         m_stream->set_loop(spec.loops);
 }
@@ -105,7 +137,7 @@ SharedPicture Source::wait_for(double seconds) {
         if (SharedPicture picture = m_stream->wait(number_at(seconds)))
             m_picture = std::move(picture);
     m_is_late = false;
-    return m_picture;
+    return original();
 }
 
 SharedPicture Source::picture_at(double seconds) {
@@ -115,7 +147,7 @@ SharedPicture Source::picture_at(double seconds) {
     m_is_late = picture == nullptr;
     if (picture)
         m_picture = std::move(picture);
-    return m_picture;
+    return original();
 }
 
 Diagnostics Source::take_problems() {
@@ -135,5 +167,6 @@ Result<void> show_placed(const Picture& picture, const SourceSpec& spec, Extent 
                          Renderer& renderer) {
     const bool is_whole = spec.fit == Fit::stretch;
     return renderer.set_source(is_whole ? picture : placed(picture, spec, viewport),
-                               placed_aspect(spec));
+                               placed_aspect(spec, picture.extent),
+                               placed_raster(picture.extent, spec, viewport));
 }

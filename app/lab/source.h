@@ -27,7 +27,10 @@ public:
     bool is_film() const { return m_stream != nullptr; }
     double rate() const;      // of a film, pictures a second
     double own_rate() const;  // without the person's
-    Extent extent() const { return m_picture->extent; }
+    /// Of its pictures as a look gets them: without what they were enlarged by.
+    Extent extent() const;
+    /// How many pixels along a side show one of the original, as set or as found.
+    int prescale() const;
 
     /// The picture at a frame's end: its pictures, like frames, cover the time up to their end, so
     /// that at equal rates frame N shows the N-th. Waits for it.
@@ -42,9 +45,16 @@ public:
 private:
     std::int64_t number_at(double seconds) const;
     void draw_pattern(double seconds);
+    void find_prescale();
+    SharedPicture original();
 
     SourceSpec m_spec;
-    SharedPicture m_picture;
+    SharedPicture m_picture;   // as it was read
+    SharedPicture m_original;  // of m_original_of, without its enlargement
+    SharedPicture m_original_of;
+    int m_original_times = 1;
+    int m_found_prescale = 1;
+    bool m_has_looked_for_prescale = false;
     std::unique_ptr<FrameStream> m_stream;  // null: a still picture or a pattern
     bool m_is_moving_pattern = false;
     double m_pattern_seconds = 0.0;  // that m_picture shows

@@ -1,5 +1,6 @@
 #include "lab/source_choices.h"
 
+#include "lab/drive.h"
 #include "lab/signal_choices.h"
 #include "lab/window_state.h"
 #include "model/source_spec.h"
@@ -7,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace {
@@ -49,13 +51,27 @@ void add_ends(SourceSpec source, std::vector<Choice>& choices) {
 }
 }  // namespace
 
+OpenSource open_source(const Drive& drive) {
+    const auto& source = drive.source();
+    if (!source)
+        return {};
+    return {source->extent(), source->prescale(),
+            source->is_film() ? std::optional(source->rate()) : std::nullopt};
+}
+
+SourceSpec with_pattern(SourceSpec source, const std::string& name) {
+    source.picture = "pattern:" + name;
+    source.prescaled = 1;
+    return source;
+}
+
 std::string name_of_pattern(const SourceSpec& source) {
     constexpr std::size_t prefix = std::string_view("pattern:").size();
     return source.is_pattern() ? std::string(pattern_name(source.picture.substr(prefix)))
                                : std::string();
 }
 
-std::vector<SourceSize> source_sizes(const SourceSpec& source) {
+std::vector<NamedSource> source_sizes(const SourceSpec& source) {
     const std::string name = name_of_pattern(source);
     if (name.empty())
         return {};
@@ -64,7 +80,7 @@ std::vector<SourceSize> source_sizes(const SourceSpec& source) {
         chosen.picture = "pattern:" + pattern_of_size(name, size);
         return chosen;
     };
-    std::vector<SourceSize> sizes{{"As the pattern has it", sized({})}};
+    std::vector<NamedSource> sizes{{"As the pattern has it", sized({})}};
     for (const PatternSize& size : pattern_sizes)
         sizes.push_back({fmt::format("{} × {}{}", size.extent.width, size.extent.height,
                                      size.is_interlaced ? "i" : ""),
@@ -72,14 +88,61 @@ std::vector<SourceSize> source_sizes(const SourceSpec& source) {
     return sizes;
 }
 
-std::vector<ChoiceList> source_choices(const Document& document, std::optional<double> film_rate) {
+std::vector<NamedSource> source_shapes(const SourceSpec& source, Extent extent) {
+    const auto shaped = [&source](const std::optional<ShapeRatio>& shape, double aspect) {
+        SourceSpec chosen = source;
+        chosen.shape = shape;
+        chosen.aspect = aspect;
+        return chosen;
+    };
+    constexpr double television_pixel = 8.0 / 7.0;  // of 256 pixels a line
+    const double present = pixel_aspect(source, extent);
+    std::vector<NamedSource> shapes{
+        {"Square pixels", shaped({}, 1.0)},
+        {"4:3", shaped(ShapeRatio{4.0, 3.0}, 1.0)},
+        {"16:9", shaped(ShapeRatio{16.0, 9.0}, 1.0)},
+        {"Custom", shaped({}, present == 1.0 ? television_pixel : present)}};
+    if (source.shape && std::ranges::none_of(shapes, [&](const NamedSource& shape) {
+            return shape.source == source;
+        }))
+        shapes.push_back(
+            {fmt::format("{:g}:{:g}", source.shape->width, source.shape->height), source});
+    return shapes;
+}
+
+std::vector<NamedSource> source_prescales(const SourceSpec& source, std::optional<int> found) {
+    if (source.is_pattern())
+        return {};
+    std::vector<NamedSource> prescales;
+    for (int times = 0; times <= largest_prescale; ++times) {
+        SourceSpec chosen = source;
+        chosen.prescaled = times;
+        const bool is_found = times == 0 && source.prescaled == 0 && found;
+        prescales.push_back({is_found     ? fmt::format("Auto ({}×)", *found)
+                             : times == 0 ? std::string("Auto")
+                                          : fmt::format("{}×", times),
+                             chosen});
+    }
+    return prescales;
+}
+
+namespace {
+void add_named(const std::string& heading, const std::vector<NamedSource>& from,
+               const SourceSpec& present, std::vector<Choice>& choices) {
+    for (const NamedSource& named : from)
+        choices.push_back({.name = heading + ": " + named.name,
+                           .deeds = {set_source_to(named.source)},
+                           .is_present = named.source == present});
+}
+}  // namespace
+
+std::vector<ChoiceList> source_choices(const Document& document, const OpenSource& open) {
     if (document.look().driven_by != Driver::picture)
         return {};
     const SourceSpec source = parse_source(document.state().source).value_or(SourceSpec{});
     ChoiceList list{"Source", ChoiceList::Place::edit};
     for (const PatternFacts& pattern : all_patterns()) {
-        SourceSpec chosen = source;
-        chosen.picture = "pattern:" + pattern.name;
+        const SourceSpec chosen = with_pattern(source, pattern.name);
         list.choices.push_back({.name = pattern.label,
                                 .deeds = {set_source_to(chosen)},
                                 .is_present = name_of_pattern(source) == pattern.name});
@@ -89,17 +152,18 @@ std::vector<ChoiceList> source_choices(const Document& document, std::optional<d
                                 window.dialog = {.kind = Dialog::Kind::open_file};
                             }}});
     list.choices.push_back(content_lock_choice(document));
-    for (const SourceSize& size : source_sizes(source))
-        list.choices.push_back({.name = "Size: " + size.name,
-                                .deeds = {set_source_to(size.source)},
-                                .is_present = size.source == source});
+    add_named("Size", source_sizes(source), source, list.choices);
     add_fits(source, list.choices);
+    add_named("Shape", source_shapes(source, open.extent), source, list.choices);
+    add_named("Pre-scaled", source_prescales(source, open.prescale), source, list.choices);
+    SourceSpec by_pixel = source;
+    by_pixel.shape.reset();
     list.choices.push_back(
         {.name = "Pixel aspect…",
-         .number = source_number(source, &SourceSpec::aspect, {1.0 / 16.0, 16.0}, {})});
-    if (film_rate) {
+         .number = source_number(by_pixel, &SourceSpec::aspect, {1.0 / 16.0, 16.0}, {})});
+    if (open.film_rate) {
         SourceSpec with_rate = source;
-        with_rate.rate = *film_rate;
+        with_rate.rate = *open.film_rate;
         list.choices.push_back(
             {.name = "Rate…",
              .number = source_number(with_rate, &SourceSpec::rate, {0.125, 960.0}, "/s")});

@@ -4,17 +4,34 @@
 #include "lab/document.h"
 #include "model/source_spec.h"
 
+class Drive;
+
+/// A pattern in the place of the source's picture, shown as that was; a pattern is not enlarged.
+SourceSpec with_pattern(SourceSpec source, const std::string& name);
+
 /// "harbour"; "" for a file.
 std::string name_of_pattern(const SourceSpec& source);
 
-/// A pattern at one of the sizes that there are.
-struct SourceSize {
-    std::string name;  // "256 × 224"
+/// The source with one of its settings chosen.
+struct NamedSource {
+    std::string name;
     SourceSpec source;
 };
-/// None for a file.
-std::vector<SourceSize> source_sizes(const SourceSpec& source);
+/// A pattern at the sizes that there are: "256 × 224". None for a file.
+std::vector<NamedSource> source_sizes(const SourceSpec& source);
+/// Square pixels, 4:3, 16:9, and the ratio that the source has beside these. `extent`: its pixels.
+std::vector<NamedSource> source_shapes(const SourceSpec& source, Extent extent);
+/// Auto, 1× to 8×; none for a pattern. `found`: the enlargement that was found in the picture.
+std::vector<NamedSource> source_prescales(const SourceSpec& source, std::optional<int> found);
+
+/// What is known of a source that is open.
+struct OpenSource {
+    Extent extent = {};                    // empty: not yet
+    std::optional<int> prescale = {};      // as set or as found
+    std::optional<double> film_rate = {};  // pictures a second, where there is more than one
+};
+OpenSource open_source(const Drive& drive);
 
 /// The patterns, a file, and how it lies in the picture; nothing in a look that works on no
-/// picture. `film_rate`: pictures a second of a source that has more than one.
-std::vector<ChoiceList> source_choices(const Document& document, std::optional<double> film_rate);
+/// picture.
+std::vector<ChoiceList> source_choices(const Document& document, const OpenSource& open);

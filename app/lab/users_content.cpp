@@ -89,10 +89,13 @@ Spec with_round_circles(Spec signal) {
     return signal;
 }
 
-std::string with_kept_shape(const std::string& source, const Look& look) {
-    if (is_foreign_look(look.stack.empty() ? look.manifest : look.stack.front().place))
-        return source;
-    const auto spec = parse_source(source, Fit::whole);
+std::string with_users_defaults(const std::string& source, const Look& look) {
+    const bool is_foreign =
+        is_foreign_look(look.stack.empty() ? look.manifest : look.stack.front().place);
+    SourceSpec usual;
+    usual.fit = is_foreign ? Fit::stretch : Fit::whole;
+    usual.prescaled = 0;
+    const auto spec = parse_source(source, usual);
     return spec && is_users_content(source) ? to_string(*spec) : source;
 }
 

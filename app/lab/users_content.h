@@ -20,9 +20,9 @@ bool is_same_content(const std::string& one, const std::string& other);
 /// The signal with circles kept round, where it is the user's own, draws in x and y and says
 /// nothing else; any other signal as it is.
 Spec with_round_circles(Spec signal);
-/// The source with its shape kept, where it is the user's own and its text says nothing else. Looks
-/// of other programs get it as it is: there the picture has the source's shape.
-std::string with_kept_shape(const std::string& source, const Look& look);
+/// The source with its shape kept and its enlargement found, where it is the user's own and its
+/// text says nothing else. In looks of other programs the picture has the source's shape anyway.
+std::string with_users_defaults(const std::string& source, const Look& look);
 
 /// How a signal asks to lie in the picture; none: as the look has it.
 std::optional<Fit> beam_fit_of(const Spec& signal);

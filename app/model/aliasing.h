@@ -1,6 +1,7 @@
 #pragma once
 
-#include "model/parameter.h"
+#include "model/look.h"
+#include "model/source_raster.h"
 
 #include <optional>
 #include <string_view>
@@ -17,6 +18,28 @@ bool is_period(const Parameter& parameter);
 
 /// The unit as it stands behind a number: "px" of a period.
 std::string_view shown_unit(const Parameter& parameter);
+
+/// What the period of a parameter depends on beside itself.
+struct PeriodTerms {
+    const Look& look;
+    const Values& values;
+    Extent target;        // px that the first pass which uses it draws
+    SourceRaster raster;  // of what the pass reads as the source
+};
+
+/// How many px lie from one stripe to the next that the parameter at `value` sets: by its
+/// expression, which may name parameters of its look, WIDTH and HEIGHT (px of the target), LINE (px
+/// from one line of the source to the next), LINES (how many there are), COLUMN and COLUMNS;
+/// without one a period as it is. None where it sets none.
+std::optional<double> period_of(const Parameter& parameter, double value, const PeriodTerms& terms);
+
+/// The value within the parameter's range, near `value`, whose period is the nearest whole number
+/// of px. None where no value has it.
+std::optional<double> even_value(const Parameter& parameter, double value,
+                                 const PeriodTerms& terms);
+
+/// A mistake in the expressions of these parameters at their defaults, at their lines.
+Diagnostics check_periods(const std::vector<Parameter>& parameters, const Look& look);
 
 /// How far apart two places of the beat are, in px; infinite for a whole period.
 double beat_of(double period);

@@ -7,6 +7,8 @@ const std::vector<BuiltInUniform>& own_built_ins() {
                                                  {"u_resolution", BuiltIn::target_size},
                                                  {"u_output_resolution", BuiltIn::output_size},
                                                  {"u_source_resolution", BuiltIn::source_size},
+                                                 {"u_source_lines", BuiltIn::source_lines},
+                                                 {"u_source_columns", BuiltIn::source_columns},
                                                  {"u_mouse", BuiltIn::mouse},
                                                  {"u_samples", BuiltIn::samples},
                                                  {"u_view", BuiltIn::view},

@@ -8,13 +8,15 @@
 
 /// What the program itself says in a uniform of a pass. Sizes are in pixels.
 enum class BuiltIn {
-    time,           // of the frame's end, s
-    time_delta,     // s
-    frame,          // from 1, after the pass's modulo
-    samples,        // accumulated so far
-    target_size,    // of the pass
-    output_size,    // of the whole picture
-    source_size,    // of what the look reads as the source
+    time,          // of the frame's end, s
+    time_delta,    // s
+    frame,         // from 1, after the pass's modulo
+    samples,       // accumulated so far
+    target_size,   // of the pass
+    output_size,   // of the whole picture
+    source_size,   // of what the look reads as the source
+    source_lines,  // start, pitch, count: see RasterAxis
+    source_columns,
     mouse,          // from the bottom left of the picture
     view,           // orbit: the object's turn, a matrix
     camera,         // orbit: the camera's

@@ -70,7 +70,8 @@ struct Parameter {
     std::string name;   // unique within its look
     std::string label;  // what a panel shows
     std::string unit;
-    std::string group;  // "": under the name of its first pass
+    std::string period;  // an expression: px of what repeats on pixels; 0: nothing does
+    std::string group;   // "": under the name of its first pass
     std::string help;
     NumberType type;
     Control control = Control::slider;

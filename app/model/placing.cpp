@@ -49,15 +49,28 @@ Placing fitted_in_memory(Extent picture, double shape, bool is_whole) {
 Placing placing_of(Extent picture, const SourceSpec& source, Extent viewport) {
     if (source.fit == Fit::stretch || viewport.is_empty())
         return {picture};
+    const double aspect = pixel_aspect(source, picture);
     if (source.fit == Fit::integer) {
-        const double times = std::min(viewport.width / (picture.width * source.aspect),
+        const double times = std::min(viewport.width / (picture.width * aspect),
                                       static_cast<double>(viewport.height) / picture.height);
         const int tall = std::max(1, static_cast<int>(times));
-        return {viewport, std::max(1, static_cast<int>(std::lround(tall * source.aspect))), tall};
+        return {viewport, std::max(1, static_cast<int>(std::lround(tall * aspect))), tall};
     }
     const double shape =
-        static_cast<double>(viewport.width) / viewport.height / source.aspect;  // in pixels
+        static_cast<double>(viewport.width) / viewport.height / aspect;  // in pixels
     return fitted_in_memory(picture, shape, source.fit == Fit::whole);
+}
+
+// Of what is made, px.
+Extent shown_extent(Extent picture, const Placing& placing) {
+    const Extent smaller = placing.shrink > 1 ? shrunk(picture, placing.shrink) : picture;
+    return {smaller.width * placing.repeat_x, smaller.height * placing.repeat_y};
+}
+
+// From the left and from the top; below 0 where the picture is cut.
+std::pair<int, int> first_pixel(Extent made, Extent shown) {
+    return {static_cast<int>(std::floor((made.width - shown.width) / 2.0)),
+            static_cast<int>(std::floor((made.height - shown.height) / 2.0))};
 }
 
 // Each pixel is the mean of `times` x `times` pixels, as they are stored; fewer at the last edges.
@@ -96,13 +109,11 @@ Picture placed(const Picture& given, const SourceSpec& source, Extent viewport) 
     if (channels == 4)
         for (std::size_t i = 3; i < made.pixels.size(); i += 4)
             made.pixels[i] = 1.0f;
-    const int shown_width = picture.extent.width * placing.repeat_x;
-    const int shown_height = picture.extent.height * placing.repeat_y;
-    const int left = static_cast<int>(std::floor((made.extent.width - shown_width) / 2.0));
-    const int top = static_cast<int>(std::floor((made.extent.height - shown_height) / 2.0));
+    const Extent shown = shown_extent(given.extent, placing);
+    const auto [left, top] = first_pixel(made.extent, shown);
     const int first = std::max(left, 0);
-    const int end = std::min(left + shown_width, made.extent.width);
-    for (int y = std::max(top, 0); y < std::min(top + shown_height, made.extent.height); ++y) {
+    const int end = std::min(left + shown.width, made.extent.width);
+    for (int y = std::max(top, 0); y < std::min(top + shown.height, made.extent.height); ++y) {
         const int from_y = (y - top) / placing.repeat_y;
         for (int x = first; x < end; ++x)
             std::copy_n(picture.pixels.begin() + static_cast<std::ptrdiff_t>(picture.index(
@@ -113,8 +124,23 @@ Picture placed(const Picture& given, const SourceSpec& source, Extent viewport) 
     return made;
 }
 
-double placed_aspect(const SourceSpec& source) {
-    return source.fit == Fit::integer ? 1.0 : source.aspect;
+double placed_aspect(const SourceSpec& source, Extent picture) {
+    return source.fit == Fit::integer ? 1.0 : pixel_aspect(source, picture);
+}
+
+namespace {
+// `shown`: as many pixels of what is made as the source's lines take; `first` of them.
+RasterAxis lines_of(int count, int shown, int first, int made) {
+    return {static_cast<double>(first) / made, static_cast<double>(shown) / count / made, count};
+}
+}  // namespace
+
+SourceRaster placed_raster(Extent picture, const SourceSpec& source, Extent viewport) {
+    const Placing placing = placing_of(picture, source, viewport);
+    const Extent shown = shown_extent(picture, placing);
+    const auto [left, top] = first_pixel(placing.made, shown);
+    return {.rows = lines_of(picture.height, shown.height, top, placing.made.height),
+            .columns = lines_of(picture.width, shown.width, left, placing.made.width)};
 }
 
 namespace {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "model/picture.h"
+#include "model/source_raster.h"
 #include "model/source_spec.h"
 
 #include <optional>
@@ -15,8 +16,11 @@ Extent placed_extent(Extent picture, const SourceSpec& source, Extent viewport);
 /// where more than 33 million pixels would be made, of which means are taken first.
 Picture placed(const Picture& picture, const SourceSpec& source, Extent viewport);
 
-/// Width to height of a pixel of what placed() makes.
-double placed_aspect(const SourceSpec& source);
+/// Width to height of a pixel of what placed() makes of a picture.
+double placed_aspect(const SourceSpec& source, Extent picture);
+
+/// Where the lines and columns of a picture lie in what placed() makes of it.
+SourceRaster placed_raster(Extent picture, const SourceSpec& source, Extent viewport);
 
 /// What shape a picture has that is as large as its view.
 enum class ViewShape {

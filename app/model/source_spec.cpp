@@ -25,6 +25,37 @@ Result<double> number_in(std::string_view setting, double low, double high) {
     return *number;
 }
 
+std::string shape_text(const ShapeRatio& shape) {
+    return format_number(shape.width) + ":" + format_number(shape.height);
+}
+
+Result<void> take_shape(std::string_view setting, std::string_view word, SourceSpec& source) {
+    source.shape.reset();
+    if (word == "square")
+        return {};
+    const std::size_t colon = std::min(word.find(':'), word.size());
+    const auto width = parse_number(word.substr(0, colon));
+    const auto height = parse_number(word.substr(std::min(colon + 1, word.size())));
+    const bool is_ratio = width && height && *width > 0.0 && *height > 0.0 &&
+                          *width / *height <= largest_aspect && *height / *width <= largest_aspect;
+    if (!is_ratio)
+        return fail(
+            {{}, 0, fmt::format("'{}': 'square' or a ratio such as 4:3 belongs there", setting)});
+    source.shape = ShapeRatio{*width, *height};
+    return {};
+}
+
+Result<void> take_prescale(std::string_view setting, std::string_view word, SourceSpec& source) {
+    const auto times = parse_integer(word);
+    if (word != "auto" && (!times || *times < 1 || *times > largest_prescale))
+        return fail({{},
+                     0,
+                     fmt::format("'{}': 'auto' or a whole number from 1 to {} belongs there",
+                                 setting, largest_prescale)});
+    source.prescaled = word == "auto" ? 0 : static_cast<int>(*times);
+    return {};
+}
+
 // One setting at the end of a source; nothing where the text is none.
 std::optional<Result<void>> take_setting(std::string_view setting, SourceSpec& source) {
     const std::string_view key = setting.substr(0, setting.find('='));
@@ -39,6 +70,10 @@ std::optional<Result<void>> take_setting(std::string_view setting, SourceSpec& s
         return std::nullopt;
     if (key == "aspect")
         return take(number_in(setting, 1.0 / largest_aspect, largest_aspect), source.aspect);
+    if (key == "shape")
+        return take_shape(setting, word, source);
+    if (key == "prescaled")
+        return take_prescale(setting, word, source);
     if (key == "rate")
         return take(number_in(setting, 0.0, largest_rate), source.rate);
     if (key == "loop" && (word == "on" || word == "off")) {
@@ -70,9 +105,8 @@ std::optional<Fit> find_fit(std::string_view name) {
                                     : std::optional(static_cast<Fit>(found - fit_names.begin()));
 }
 
-Result<SourceSpec> parse_source(std::string_view text, Fit usual) {
-    SourceSpec source;
-    source.fit = usual;
+Result<SourceSpec> parse_source(std::string_view text, const SourceSpec& usual) {
+    SourceSpec source = usual;
     // From the end on, so that the first of two equal settings would win; none is there twice.
     std::vector<std::string_view> pieces = split(text, ',');
     std::vector<std::string_view> own;
@@ -90,6 +124,8 @@ Result<SourceSpec> parse_source(std::string_view text, Fit usual) {
     source.picture = fmt::format("{}", fmt::join(pieces, ","));
     if (source.picture.empty())
         return fail({{}, 0, "a source is a file or pattern:NAME"});
+    if (source.shape && source.aspect != 1.0)
+        return fail({{}, 0, "a source takes 'aspect' or 'shape', not both"});
     return source;
 }
 
@@ -99,9 +135,20 @@ std::string to_string(const SourceSpec& source) {
         text += fmt::format(",fit={}", fit_name(source.fit));
     if (source.aspect != 1.0)
         text += ",aspect=" + format_number(source.aspect);
+    if (source.shape)
+        text += ",shape=" + shape_text(*source.shape);
+    if (source.prescaled != 1)
+        text += source.prescaled == 0 ? std::string(",prescaled=auto")
+                                      : fmt::format(",prescaled={}", source.prescaled);
     if (source.rate != 0.0)
         text += ",rate=" + format_number(source.rate);
     if (!source.loops)
         text += ",loop=off";
     return text;
+}
+
+double pixel_aspect(const SourceSpec& source, Extent extent) {
+    if (!source.shape || extent.is_empty())
+        return source.aspect;
+    return source.shape->width / source.shape->height * extent.height / extent.width;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/diagnostic.h"
+#include "model/extent.h"
 
 #include <optional>
 #include <string>
@@ -14,6 +15,14 @@ enum class Fit {
     integer,  // each of its pixels the same whole number of pixels, black around it
 };
 
+/// Width and height of a picture as it is seen, in any unit: 4:3.
+struct ShapeRatio {
+    double width = 4.0;
+    double height = 3.0;
+
+    bool operator==(const ShapeRatio&) const = default;
+};
+
 /// A source picture asked for by name, and how it is shown: "frame_%04d.png,fit=whole,rate=25".
 struct SourceSpec {
     std::string picture;  // "pattern:NAME", with its own settings, or a file
@@ -21,15 +30,22 @@ struct SourceSpec {
     double aspect = 1.0;  // width of a pixel against its height; no matter when stretched
     double rate = 0.0;    // pictures a second of a sequence or video; 0: its own, or 60
     bool loops = true;    // from the last picture on to the first; else the last one stays
+    std::optional<ShapeRatio> shape = std::nullopt;  // of the whole picture; none: by `aspect`
+    int prescaled = 1;  // pixels along a side that show one pixel of the original; 0: as found
 
     bool operator==(const SourceSpec&) const = default;
     bool is_pattern() const { return picture.starts_with("pattern:"); }
 };
 
-/// Reads a source with its settings fit, aspect, rate and loop, which stand at the end; commas and
-/// all else before them belong to the file's name or the pattern. `usual`: its fit where it says
-/// none. Errors carry no file.
-Result<SourceSpec> parse_source(std::string_view text, Fit usual = Fit::stretch);
+constexpr int largest_prescale = 8;
+
+/// Reads a source with its settings fit, aspect, shape, prescaled, rate and loop, which stand at
+/// the end; commas and all else before them belong to the file's name or the pattern. `usual`: the
+/// settings of a text that says none. Errors carry no file.
+Result<SourceSpec> parse_source(std::string_view text, const SourceSpec& usual = {});
+
+/// Width to height of a pixel of the source.
+double pixel_aspect(const SourceSpec& source, Extent extent);
 
 /// The text that parse_source reads as the same source; what is as usual is left out.
 std::string to_string(const SourceSpec& source);

@@ -37,12 +37,16 @@ SliderFacts facts_for(const Knob& knob, std::size_t component) {
     return facts;
 }
 
-void mark_safe_periods(const Knob& knob, double period, SliderFacts& facts) {
-    facts.safe = safe_periods(facts.low, facts.high);
+void tell_period(const Knob& knob, SliderFacts& facts) {
+    if (!knob.period.period)
+        return;
+    if (is_period(knob.parameter))
+        facts.safe = safe_periods(facts.low, facts.high);
     facts.warning = moire_warning(knob);
-    const int length = std::max(knob.target.width, knob.target.height);
-    if (const auto beat = visible_beat(period, length))
-        facts.note = fmt::format("moiré {} px", short_number(std::round(*beat)));
+    if (knob.period.is_too_fine)
+        facts.note = "under 2 px";
+    if (knob.period.beat)
+        facts.note = fmt::format("moiré {} px", short_number(std::round(*knob.period.beat)));
 }
 
 Turned draw_component(const Knob& knob, std::size_t component, Value& value,
@@ -62,8 +66,7 @@ Turned draw_component(const Knob& knob, std::size_t component, Value& value,
     double shown = value.numbers[component] * factor;
     if (is_decay(knob.parameter))
         facts.note = "½ " + duration_text(half_life(shown));
-    if (is_period(knob.parameter))
-        mark_safe_periods(knob, shown, facts);
+    tell_period(knob, facts);
     const std::string id = std::to_string(component);
     const Turned turned = form_slider(id.c_str(), shown, facts, columns, fonts);
     if (component == 0)

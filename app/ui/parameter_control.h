@@ -1,5 +1,6 @@
 #pragma once
 
+#include "lab/period_terms.h"
 #include "model/knob_settings.h"
 #include "model/midi.h"
 #include "model/modulation.h"
@@ -16,7 +17,7 @@ struct Knob {
     const Look& look;
     const Modulation* modulation = nullptr;  // null: it rests
     const Value* now = nullptr;              // as drawn, while it moves by itself
-    Extent target = {};                      // of the first pass that uses it; empty: not known yet
+    PeriodFacts period = {};                 // of what repeats on pixels
     std::optional<std::size_t> typed = {};   // which of its numbers has the keyboard from now on
     std::vector<MidiBinding> midi = {};      // what turns it
 };

@@ -45,17 +45,18 @@ std::string short_value(const Parameter& parameter, const Value& value) {
 }
 
 std::string moire_warning(const Knob& knob) {
-    if (!is_period(knob.parameter))
+    const PeriodFacts& facts = knob.period;
+    if (!facts.beat && !facts.is_too_fine)
         return {};
-    const double period = knob.value.number();
-    const auto beat = visible_beat(period, std::max(knob.target.width, knob.target.height));
-    if (!beat)
-        return {};
-    return fmt::format(
-        "{} px cannot be drawn evenly: bands come every {} px. Whole numbers draw every period "
-        "alike; {} is the nearest.",
-        short_number(period), short_number(std::round(*beat)),
-        short_number(std::max(2.0, std::round(period))));
+    const std::string period = short_number(*facts.period);
+    const std::string even =
+        facts.even ? fmt::format(" The nearest value that can is {}.", short_number(*facts.even))
+                   : std::string();
+    if (facts.is_too_fine)
+        return fmt::format("A period of {} px cannot be drawn: below 2 px it fades.{}", period,
+                           even);
+    return fmt::format("A period of {} px cannot be drawn evenly: bands come every {} px.{}",
+                       period, short_number(std::round(*facts.beat)), even);
 }
 
 void reset_parameter(const std::string& name, Edits& edits) {

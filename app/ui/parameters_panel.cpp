@@ -139,13 +139,12 @@ private:
     float m_lines = 1.0f;
 };
 
-Extent target_of(const Parameter& parameter, const Scene& scene) {
-    const Renderer* renderer = scene.lab.renderer();
-    if (!renderer || parameter.bindings.empty())
+PeriodFacts period_facts(const Parameter& parameter, const Scene& scene) {
+    if (parameter.type.size() != 1)
         return {};
-    const auto& targets = renderer->executor().plan().targets;
-    const auto pass = static_cast<std::size_t>(parameter.bindings.front().pass);
-    return pass < targets.size() ? targets[pass].extent : Extent{};
+    const Document& document = *scene.lab.document();
+    return period_facts(parameter, document.value(parameter).number(),
+                        period_terms(parameter, document, scene.lab.renderer()));
 }
 
 void draw_parameter_row(const Parameter& parameter, const Scene& scene, Edits& edits) {
@@ -164,7 +163,7 @@ void draw_parameter_row(const Parameter& parameter, const Scene& scene, Edits& e
               .declared = parameter.range,
               .look = document.look(),
               .modulation = document.modulation(parameter),
-              .target = target_of(parameter, scene),
+              .period = period_facts(parameter, scene),
               .midi = bindings_of(parameter, document.look(), scene.lab.remote_settings())};
     const Revealed& revealed = scene.window.revealed;
     if (revealed.is_to_be_typed && revealed.parameter == parameter.name)

@@ -30,14 +30,13 @@ std::string label_of(const SourceSpec& source) {
     return name;
 }
 
-void draw_choice(SourceSpec source, const Scene& scene, Edits& edits) {
+void draw_choice(const SourceSpec& source, const Scene& scene, Edits& edits) {
     const std::string label = label_of(source);
     const std::string present = name_of_pattern(source);
     if (begin_combo("##source", label, ImGui::GetContentRegionAvail().x)) {
         for (const PatternFacts& pattern : all_patterns()) {
-            source.picture = "pattern:" + pattern.name;
             if (ImGui::Selectable(pattern.label.c_str(), pattern.name == present))
-                set_source(source, edits);
+                set_source(with_pattern(source, pattern.name), edits);
             edits.mark("pattern:" + pattern.name);
             tooltip(pattern.help);
         }
@@ -50,25 +49,36 @@ void draw_choice(SourceSpec source, const Scene& scene, Edits& edits) {
     tooltip("For numbered pictures type their name with %04d for the number.");
 }
 
-void draw_size(const SourceSpec& source, Edits& edits) {
-    const std::vector<SourceSize> sizes = source_sizes(source);
-    if (sizes.empty())
+struct NamedList {
+    const char* mark;
+    const char* label;
+    const char* help;
+    std::string other = {};  // what is chosen where none of the list is
+};
+
+void draw_named(const NamedList& list, const std::vector<NamedSource>& choices,
+                const SourceSpec& source, Edits& edits) {
+    if (choices.empty())
         return;
     const FormColumns columns = form_columns();
-    const auto present = std::ranges::find(sizes, source, &SourceSize::source);
-    form_label("Size", {}, columns, present != sizes.begin());
-    tooltip("Pixels of the pattern: what a console or computer sent to its tube.");
+    const auto present = std::ranges::find(choices, source, &NamedSource::source);
+    form_label(list.label, {}, columns, present != choices.begin());
+    tooltip(list.help);
     form_control(columns);
     std::vector<const char*> labels;
-    for (const SourceSize& size : sizes)
-        labels.push_back(size.name.c_str());
-    int chosen = static_cast<int>(present - sizes.begin());
-    const std::string other =  // of its own, from a preset or the command line
-        source.picture.substr(std::min(source.picture.find("size="), source.picture.size()));
-    if (form_list("##size", labels.data(), static_cast<int>(labels.size()), chosen,
-                  columns.control_and_number(), other.c_str()))
-        set_source(sizes[static_cast<std::size_t>(chosen)].source, edits);
-    edits.mark("source_size");
+    for (const NamedSource& choice : choices)
+        labels.push_back(choice.name.c_str());
+    int chosen = static_cast<int>(present - choices.begin());
+    if (form_list((std::string("##") + list.mark).c_str(), labels.data(),
+                  static_cast<int>(labels.size()), chosen, columns.control_and_number(),
+                  list.other.c_str()))
+        set_source(choices[static_cast<std::size_t>(chosen)].source, edits);
+    edits.mark(list.mark);
+}
+
+// Of a pattern, from a preset or the command line.
+std::string own_size(const SourceSpec& source) {
+    return source.picture.substr(std::min(source.picture.find("size="), source.picture.size()));
 }
 
 void draw_fit(SourceSpec source, Edits& edits) {
@@ -128,15 +138,11 @@ void draw_loop(SourceSpec source, Edits& edits) {
     }
     edits.mark("source_loop");
 }
-}  // namespace
 
-void draw_source(const Scene& scene, Edits& edits) {
-    draw_content_heading("Source", scene, edits);
-    const SourceSpec source =
-        parse_source(scene.lab.document()->state().source).value_or(SourceSpec{});
-    draw_choice(source, scene, edits);
-    draw_size(source, edits);
-    draw_fit(source, edits);
+// Where no ratio of the whole picture is chosen.
+void draw_own_aspect(const SourceSpec& source, const Scene& scene, Edits& edits) {
+    if (source.shape)
+        return;
     draw_setting({.id = "source_aspect",
                   .label = "Pixel aspect",
                   .help = "Width of a pixel of the source against its height: 1.143 (8:7) for 256 "
@@ -149,21 +155,52 @@ void draw_source(const Scene& scene, Edits& edits) {
                             .is_changed = source.aspect != 1.0,
                             .limit = Limit{1.0 / 16.0, 16.0}}},
                  source, scene, edits);
-    const auto& open = scene.lab.drive().source();
-    if (!open || !open->is_film())
-        return;
+}
+
+void draw_film_settings(const Source& open, const SourceSpec& source, const Scene& scene,
+                        Edits& edits) {
     SourceSpec with_rate = source;
-    with_rate.rate = open->rate();
+    with_rate.rate = open.rate();
     draw_setting({.id = "source_rate",
                   .label = "Rate",
                   .help = "Pictures of the source in a second.",
                   .number = &SourceSpec::rate,
                   .facts = {.low = 1.0,
                             .high = 120.0,
-                            .initial = open->own_rate(),
+                            .initial = open.own_rate(),
                             .is_changed = source.rate != 0.0,
                             .unit = "/s",
                             .limit = Limit{0.125, 960.0}}},
                  with_rate, scene, edits);
     draw_loop(source, edits);
+}
+}  // namespace
+
+void draw_source(const Scene& scene, Edits& edits) {
+    draw_content_heading("Source", scene, edits);
+    const SourceSpec source =
+        parse_source(scene.lab.document()->state().source).value_or(SourceSpec{});
+    draw_choice(source, scene, edits);
+    const OpenSource open = open_source(scene.lab.drive());
+    draw_named({.mark = "source_size",
+                .label = "Size",
+                .help = "Pixels of the pattern: what a console or computer sent to its tube.",
+                .other = own_size(source)},
+               source_sizes(source), source, edits);
+    draw_named({.mark = "source_prescaled",
+                .label = "Pre-scaled",
+                .help = "How many times the file shows each pixel of the original along a side, as "
+                        "screenshots of emulators do. The look gets the original. Auto finds "
+                        "whole numbers up to 8."},
+               source_prescales(source, open.prescale), source, edits);
+    draw_fit(source, edits);
+    draw_named({.mark = "source_shape",
+                .label = "Shape",
+                .help = "Width to height of the source as it is seen. Consoles sent pixels that "
+                        "were not square to a 4:3 tube."},
+               source_shapes(source, open.extent), source, edits);
+    draw_own_aspect(source, scene, edits);
+    const auto& read = scene.lab.drive().source();
+    if (read && read->is_film())
+        draw_film_settings(*read, source, scene, edits);
 }

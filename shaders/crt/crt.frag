@@ -8,6 +8,8 @@
 
 uniform sampler2D scene;
 uniform vec2 u_resolution;
+uniform vec3 u_source_lines;
+uniform float u_time;
 uniform int u_frame;
 
 uniform bool crt = true;  // @label "CRT"  @group "CRT"
@@ -26,8 +28,14 @@ uniform float keep_hue = 0.0;     // @range 0 1  @limit 0 1  @label "Keep hue"  
                                   // @help "0: what is too bright turns white, channel by channel. 1: all three channels come down together, and the colour stays."
 uniform float scanline_strength = 0.3;  // @range 0 1  @limit 0 1  @label "Strength"  @group "Scanlines"  @identity 0
                                         // @help "Depth of the stripes: between them this share of the light is lost."
-uniform float scanline_period = 4.0;    // @range 2 16  @limit 1 1000  @label "Period"  @unit "px a period"  @group "Scanlines"
+uniform int scanline_unit = 0;          // @items "Pixels" "Source lines"  @label "Period in"  @group "Scanlines"
+                                        // @help "What the period is counted in. With source lines each line of the source gets its own stripe, wherever the fit places it in the picture."
+uniform float scanline_period = 4.0;    // @range 2 16  @limit 1 1000  @label "Period"  @unit "px a period"  @group "Scanlines"  @period "$scanline_unit == 0 ? $scanline_period : 0"
                                         // @help "From stripe to stripe in pixels of the picture, whatever its size."
+uniform float scanline_lines = 1.0;     // @range 0.5 4  @limit 0.25 64  @label "Lines per scanline"  @group "Scanlines"  @period "$scanline_unit == 0 ? 0 : $scanline_lines * $LINE * (1 + ($scanline_interlace == 2) + ($scanline_interlace == 1) * ($LINES > 288) * ($LINES <= 576))"
+                                        // @help "How many lines of the source a scanline covers, where the period is counted in them."
+uniform int scanline_interlace = 1;     // @items "Off" "Auto" "On"  @label "Interlace"  @group "Scanlines"
+                                        // @help "Draws even and odd lines of the source by turns, 60 fields a second, where the period is counted in source lines. Auto: for sources of 289 to 576 lines."
 uniform float scanline_brightness = 1.0;  // @range 0 1  @limit 0 1  @label "Brightness kept"  @group "Scanlines"
                                           // @help "0: the mean falls to 1 - strength / 2, as in the article, which makes up for nothing. 1: the crests are raised until the mean is what it was, as far as the screen can show."
 uniform bool dither = true;       // @label "Dither"  @group "Tone map"  @identity 0
@@ -54,14 +62,22 @@ vec3 as_the_article_wrote(vec2 shift) {
     return shown * (1.0 - scanline_strength * (0.5 + 0.5 * wave));
 }
 
+float scanlines() {
+    if (scanline_unit == 0)
+        return scanline_factor(scan_place(), scanline_period, scanline_strength);
+    float line = (1.0 - uv.y - u_source_lines.x) / u_source_lines.y;
+    float field = is_interlaced(scanline_interlace, u_source_lines.z) ? field_at(u_time) : -1.0;
+    return source_scanline_factor(line, scanline_lines, u_source_lines.y * u_resolution.y, field,
+                                  scanline_strength);
+}
+
 vec3 tube_light(vec2 shift) {
     vec3 light = fringed(shift) * exposure;
     float peak = tone_map == tone_map_reinhard_to_white ? white : 0.0;
     light = mix(tone_mapped(light, tone_map, peak),
                 tone_mapped_keeping_hue(light, tone_map, peak), keep_hue);
     float mean = 1.0 - 0.5 * scanline_strength;
-    return light * scanline_factor(scan_place(), scanline_period, scanline_strength) /
-           mix(1.0, mean, scanline_brightness);
+    return light * scanlines() / mix(1.0, mean, scanline_brightness);
 }
 
 void main() {

@@ -38,4 +38,34 @@ float scanline_factor(float y_px, float period_px, float strength) {
     return 1.0 - strength * (0.5 + 0.5 * wave);
 }
 
+const int interlace_off = 0;
+const int interlace_auto = 1;  // where the source has more lines than a field of television
+const int interlace_on = 2;
+
+// Whether a source of so many lines is drawn in two fields. Fields have up to 240 lines with 60 of
+// them a second and up to 288 with 50 (ITU-R BT.470), a frame twice as many.
+bool is_interlaced(int interlace, float lines) {
+    bool is_frame = lines > 288.0 && lines <= 576.0;
+    return interlace == interlace_on || (interlace == interlace_auto && is_frame);
+}
+
+// 0 while the even lines are drawn, 1 while the odd ones are: 60 fields a second, as they are named
+// in the source's own interlaced patterns. `seconds` is where the frame ends.
+float field_at(float seconds) {
+    return mod(floor(seconds * 60.0 + 1e-3), 2.0);
+}
+
+// As scanline_factor, for stripes that follow the lines of a source: crests lie in the middle of
+// every `period_lines` lines, in a field of every second such stripe. `line` is the place in lines
+// from the top of the first one, `line_px` how high a line is drawn; `field` is 0 or 1, and below 0
+// where the source is not interlaced.
+float source_scanline_factor(float line, float period_lines, float line_px, float field,
+                             float strength) {
+    bool has_fields = field >= 0.0;
+    float period = period_lines * (has_fields ? 2.0 : 1.0);
+    float crest = has_fields ? 0.25 + 0.5 * field : 0.5;  // of a period
+    return scanline_factor((line / period + 0.75 - crest) * period * line_px, period * line_px,
+                           strength);
+}
+
 #endif

@@ -9,13 +9,21 @@
 uniform sampler2D scene;
 uniform vec2 u_resolution;
 uniform vec2 u_source_resolution;
+uniform vec3 u_source_lines;
+uniform vec3 u_source_columns;
 uniform float u_time;
 uniform float u_time_delta;
 
 uniform int mask_type = 0;          // @items "Staggered cells" "Aperture grille" "Slot mask" "Dot triads"  @label "Type"  @group "Mask"
                                     // @help "Staggered cells are the article's. An aperture grille has stripes from top to bottom, a slot mask cuts them with bridges, dot triads are what computer monitors had."
-uniform float mask_size = 6.0;      // @range 2 32  @limit 0.5 256  @label "Size"  @unit "px a period"  @group "Mask"
+uniform int mask_unit = 0;          // @items "Pixels" "Triads across"  @label "Size in"  @group "Mask"
+                                    // @help "What the size is set by: pixels from one red to the next, or how many triads of red, green and blue lie across the picture, whatever its size."
+uniform float mask_size = 6.0;      // @range 2 32  @limit 0.5 256  @label "Size"  @unit "px a period"  @group "Mask"  @period "$mask_unit == 0 ? ($mask_snap == 1 ? max(round($mask_size), 1) : $mask_size) : 0"
                                     // @help "From one red stripe or dot to the next. What is finer than 3 px fades, and under 2 px is an even grey, as no screen could show it."
+uniform float mask_triads = 320.0;  // @range 60 1200  @limit 1 20000  @scale log  @label "Triads"  @unit "across"  @group "Mask"  @period "$mask_unit == 0 ? 0 : $mask_snap == 1 ? max(round($WIDTH / $mask_triads), 1) : $WIDTH / $mask_triads"
+                                    // @help "How many triads lie across the picture, where the size is set by them. A television of 21 inches had 500 to 800, an arcade monitor 300 to 400."
+uniform bool mask_snap = false;     // @label "Snap to whole pixels"  @group "Mask"
+                                    // @help "Rounds the size to a whole number of pixels, so that all cells are drawn alike."
 uniform float cell_height = 1.0;    // @range 0.5 4  @limit 0.1 20  @label "Cell height"  @unit "sizes"  @group "Mask"
                                     // @help "Height of cells and slots, as a multiple of the size. Grilles have none, and dots their own."
 uniform float mask_stagger = 0.5;   // @range 0 0.5  @limit 0 1  @label "Stagger"  @unit "cell heights"  @group "Mask"
@@ -45,8 +53,14 @@ uniform vec3 tint = vec3(1.0);               // @color  @label "Tint"  @group "T
 
 uniform float scanline_strength = 0.0;  // @range 0 1  @limit 0 1  @label "Strength"  @group "Scanlines"  @identity 0
                                         // @help "Depth of the stripes: between them this share of the light is lost."
-uniform float scanline_period = 4.0;    // @range 2 16  @limit 1 1000  @label "Period"  @unit "px a period"  @group "Scanlines"
+uniform int scanline_unit = 0;          // @items "Pixels" "Source lines"  @label "Period in"  @group "Scanlines"
+                                        // @help "What the period is counted in. With source lines each line of the source gets its own stripe, wherever the fit places it in the picture; up and down each column does."
+uniform float scanline_period = 4.0;    // @range 2 16  @limit 1 1000  @label "Period"  @unit "px a period"  @group "Scanlines"  @period "$scanline_unit == 0 ? $scanline_period : 0"
                                         // @help "From stripe to stripe."
+uniform float scanline_lines = 1.0;     // @range 0.5 4  @limit 0.25 64  @label "Lines per scanline"  @group "Scanlines"  @period "$scanline_unit == 0 ? 0 : $picture_size * $scanline_lines * ($scanline_axis == 0 ? $LINE : $COLUMN) * (1 + ($scanline_interlace == 2) + ($scanline_interlace == 1) * (($scanline_axis == 0 ? $LINES : $COLUMNS) > 288) * (($scanline_axis == 0 ? $LINES : $COLUMNS) <= 576))"
+                                        // @help "How many lines of the source a scanline covers, where the period is counted in them."
+uniform int scanline_interlace = 1;     // @items "Off" "Auto" "On"  @label "Interlace"  @group "Scanlines"
+                                        // @help "Draws even and odd lines of the source by turns, 60 fields a second, where the period is counted in source lines. Auto: for sources of 289 to 576 lines."
 uniform int scanline_axis = 0;          // @items "Across" "Up and down"  @label "Direction"  @group "Scanlines"
                                         // @help "Which way the lines run."
 
@@ -73,12 +87,20 @@ uniform float picture_size = 1.0;  // @range 0.8 1.1  @limit 0.1 10  @label "Pic
 in vec2 uv;
 out vec4 color;
 
-// What the picture has for a place of the tube.
-vec3 scene_at(vec2 px, float level) {
+// From one red to the next, px.
+float mask_pitch() {
+    float pitch = mask_unit == 0 ? mask_size : u_resolution.x / mask_triads;
+    return mask_snap ? max(floor(pitch + 0.5), 1.0) : pitch;
+}
+
+// The place in the picture, 0..1, that the beam draws at a place of the tube.
+vec2 picture_place(vec2 px) {
     vec2 place = px / u_resolution;
-    if (picture_size != 1.0)
-        place = (place - 0.5) / picture_size + 0.5;
-    return textureLod(scene, place, level).rgb;
+    return picture_size == 1.0 ? place : (place - 0.5) / picture_size + 0.5;
+}
+
+vec3 scene_at(vec2 px, float level) {
+    return textureLod(scene, picture_place(px), level).rgb;
 }
 
 // Through the tube's own point into the picture; `level` is of its smaller copies.
@@ -92,7 +114,7 @@ vec3 picture_light(Mask mask, vec2 px) {
     if (sampling == 2) {
         light = scene_light(px, 0.0);
     } else {
-        float texels = mask_size * u_source_resolution.x / u_resolution.x;
+        float texels = mask.pitch * u_source_resolution.x / u_resolution.x;
         light = scene_light(mask_cell_centre(mask, px), sampling == 1 ? log2(max(texels, 1.0)) : 0.0);
     }
     return mix(light, vec3(luminance(light)), monochrome) * tint;
@@ -116,10 +138,23 @@ float drawn_part(vec2 place) {
     return picture_size < 1.0 ? glass_coverage(place / picture_size, half_size, 0.0) : 1.0;
 }
 
+float source_scanlines(vec2 px) {
+    bool is_across = scanline_axis == 0;
+    vec3 lines = is_across ? u_source_lines : u_source_columns;
+    vec2 place = picture_place(px);
+    float line = ((is_across ? 1.0 - place.y : place.x) - lines.x) / lines.y;
+    float length_px = (is_across ? u_resolution.y : u_resolution.x) * picture_size;
+    float field = is_interlaced(scanline_interlace, lines.z) ? field_at(u_time) : -1.0;
+    return source_scanline_factor(line, scanline_lines, lines.y * length_px, field,
+                                  scanline_strength);
+}
+
 float scanlines(vec2 px) {
     float across = scanline_axis == 0 ? px.y : px.x;
-    return scanline_factor(across, scanline_period, scanline_strength) /
-           mix(1.0, 1.0 - 0.5 * scanline_strength, brightness_kept);
+    float factor = scanline_unit == 0
+                       ? scanline_factor(across, scanline_period, scanline_strength)
+                       : source_scanlines(px);
+    return factor / mix(1.0, 1.0 - 0.5 * scanline_strength, brightness_kept);
 }
 
 float vignette_left(vec2 place) {
@@ -138,7 +173,7 @@ void main() {
     vec2 place = barrel_radial(2.0 * uv - 1.0, curvature);
     vec2 px = (0.5 * place + 0.5) * u_resolution;
     if (as_written) {
-        CellsAsWritten cells = cells_as_written(px, mask_size, mask_border, mask_stagger);
+        CellsAsWritten cells = cells_as_written(px, mask_pitch(), mask_border, mask_stagger);
         vec3 light = vec3(texture(scene, (cells.corner + red_offset) / u_resolution).r,
                           texture(scene, (cells.corner + green_offset) / u_resolution).g,
                           texture(scene, (cells.corner + blue_offset) / u_resolution).b);
@@ -150,7 +185,7 @@ void main() {
         return;
     }
     float pixel = 0.5 * (abs(dFdx(px.x)) + abs(dFdy(px.y)));
-    Mask mask = Mask(mask_type, mask_size, cell_height, mask_border, mask_stagger);
+    Mask mask = Mask(mask_type, mask_pitch(), cell_height, mask_border, mask_stagger);
     vec3 light = picture_light(mask, px) * through_mask(mask, px, pixel);
     light *= scanlines(px) * drawn_part(place);
     color = vec4(light * vignette_left(place) * pulse(px.x), 1.0);

@@ -62,6 +62,17 @@ def manifest(driven_by, **more):
     return json.dumps({"format": "afterglow-look", "version": 1, "driven_by": driven_by, "passes": [only], **more})
 
 
+def pixel_art(width, height, times):
+    """An 8-bit RGB PNG: each pixel differs from its neighbours and is shown `times` x `times` times."""
+    def chunk(kind, body):
+        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+    head = struct.pack(">IIBBBBB", width * times, height * times, 8, 2, 0, 0, 0)
+    rows = b"".join((b"\0" + b"".join(bytes((9 * x, 7 * y, 128)) * times for x in range(width))) * times
+                    for y in range(height))
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", zlib.compress(rows)) +
+            chunk(b"IEND", b""))
+
+
 class MediaTest(ProgramTest):
     def setUp(self):
         super().setUp()
@@ -130,6 +141,17 @@ class Pictures(MediaTest):
         self.assert_done(run("render", "crt", "--set", "crt=false", "--set", "dither=false", "--source", bright,
                              "--size", "8x8", "-o", self.folder / "shown.png"))
         self.assertEqual(tuple(read_png(self.folder / "shown.png")[2][4][:3]), (255, 255, 188))  # sRGB of 1/2
+
+    def test_an_enlarged_screenshot_is_drawn_as_its_original(self):
+        for times in (1, 3):
+            (self.folder / ("art%d.png" % times)).write_bytes(pixel_art(20, 15, times))
+        def drawn(source):
+            self.assert_done(self.plain(self.folder / source, size="40x30", out="art.png"))
+            return read_png(self.folder / "art.png")
+        original = drawn("art1.png")
+        self.assertEqual(drawn("art3.png"), original)
+        self.assertEqual(drawn("art3.png,prescaled=3"), original)
+        self.assertNotEqual(drawn("art3.png,prescaled=1"), original)
 
     def test_the_smallest_and_the_widest_picture_are_shown(self):
         one = self.write("one.png", png(1, 1, COLORS[0]))

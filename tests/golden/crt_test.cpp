@@ -11,6 +11,10 @@ const GoldenLook crt{
                    {"keep_hue", {{"exposure", "6"}}},
                    {"exposure", {{"tone_map", "1"}}},
                    {"scanline_period", {{"scanline_strength", "1"}}},
+                   {"scanline_unit", {{"scanline_strength", "1"}, {"scanline_lines", "5"}}},
+                   {"scanline_lines", {{"scanline_strength", "1"}, {"scanline_unit", "1"}}},
+                   {"scanline_interlace",
+                    {{"scanline_strength", "1"}, {"scanline_unit", "1"}, {"scanline_lines", "2"}}},
                    {"scanline_brightness", {{"scanline_strength", "1"}}}},
     .source = "pattern:glyph-rain,size=160x90",
 };

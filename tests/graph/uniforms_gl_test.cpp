@@ -145,6 +145,24 @@ TEST_CASE_FIXTURE(Headless, "the program's own uniforms say time, frame, sizes, 
     CHECK(pixel(executor, 3) == Rgba{1, 2, 3, 2});
 }
 
+TEST_CASE_FIXTURE(Headless, "a pass is told where the lines and columns of its source lie") {
+    const Look look = look_of({pass("lines",
+                                    "uniform vec3 u_source_lines;\n"
+                                    "void main() { color = vec4(u_source_lines, 0); }\n"),
+                               pass("columns",
+                                    "uniform vec3 u_source_columns;\n"
+                                    "void main() { color = vec4(u_source_columns, 0); }\n")});
+    Executor executor = executor_of(look, {8, 4}, {320, 200});
+    executor.draw(frame(1));
+    CHECK(pixel(executor, 0) == Rgba{0, 0.005f, 200, 0});
+    CHECK(pixel(executor, 1) == Rgba{0, 0.003125f, 320, 0});
+    Frame placed = frame(2);
+    placed.source_raster = SourceRaster{{0.25, 1.0 / 512.0, 256}, {-0.5, 1.0 / 128.0, 256}};
+    executor.draw(placed);
+    CHECK(pixel(executor, 0) == Rgba{0.25f, 1.0f / 512.0f, 256, 0});
+    CHECK(pixel(executor, 1) == Rgba{-0.5f, 1.0f / 128.0f, 256, 0});
+}
+
 TEST_CASE_FIXTURE(Headless, "hundreds of parameters each reach their own uniform") {
     std::string declarations;
     std::string sum = "0.0";

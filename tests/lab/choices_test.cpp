@@ -136,15 +136,40 @@ TEST_CASE("patterns, sizes, fit and pixel aspect of a source are chosen by name"
          document);
     CHECK(document.state().source == "pattern:" + last.name);
     take(choice_of(source_choices(document, {}), "Source: Fit: Whole").deeds, document);
+    CHECK_FALSE(find_choice(source_choices(document, {}), "Source: Pre-scaled: Auto"));
     const auto lists = source_choices(document, {});
     CHECK(choice_of(lists, "Source: Fit: Whole").is_present);
     take(choice_of(lists, "Source: Pixel aspect…").number->answer(1.5), document);
     CHECK(document.state().source == "pattern:" + last.name + ",fit=whole,aspect=1.5");
     CHECK_FALSE(find_choice(lists, "Source: Rate…"));
-    const auto film = source_choices(document, 25.0);
+    const auto film = source_choices(document, {.film_rate = 25.0});
     CHECK(choice_of(film, "Source: Rate…").number->present == 25.0);
     take(choice_of(film, "Source: At the end: Hold").deeds, document);
     CHECK_FALSE(parse_source(document.state().source)->loops);
+}
+
+TEST_CASE("shape and enlargement of a file are chosen by name") {
+    Document document(choosing_look(Driver::picture));
+    document.set_source("game.png,fit=whole,prescaled=auto");
+    const auto lists = [&document] {
+        return source_choices(document, {.extent = {256, 224}, .prescale = 3});
+    };
+    CHECK(choice_of(lists(), "Source: Pre-scaled: Auto (3×)").is_present);
+    CHECK(choice_of(lists(), "Source: Shape: Square pixels").is_present);
+    take(choice_of(lists(), "Source: Shape: 4:3").deeds, document);
+    CHECK(document.state().source == "game.png,fit=whole,shape=4:3,prescaled=auto");
+    CHECK(choice_of(lists(), "Source: Shape: 4:3").is_present);
+    take(choice_of(lists(), "Source: Pre-scaled: 2×").deeds, document);
+    CHECK(document.state().source == "game.png,fit=whole,shape=4:3,prescaled=2");
+    take(choice_of(lists(), "Source: Shape: Custom").deeds, document);
+    CHECK(parse_source(document.state().source)->aspect == doctest::Approx(7.0 / 6.0));
+    CHECK(choice_of(lists(), "Source: Shape: Custom").is_present);
+    document.set_source("game.png,shape=16:10");
+    CHECK(choice_of(lists(), "Source: Shape: 16:10").is_present);
+    document.set_source("game.png,shape=16:10,prescaled=auto");
+    const PatternFacts& pattern = all_patterns().back();
+    take(choice_of(lists(), "Source: " + pattern.label).deeds, document);
+    CHECK(document.state().source == "pattern:" + pattern.name + ",shape=16:10");
 }
 
 TEST_CASE("looks are added, moved, bypassed and taken out by name") {

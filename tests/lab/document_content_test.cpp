@@ -213,13 +213,15 @@ TEST_CASE("the user's own signal in x and y keeps circles round unless it says o
     CHECK_FALSE(fit("lissajous:x=3,y=2").has_value());
 }
 
-TEST_CASE("the user's own picture keeps its shape unless its text says otherwise") {
+TEST_CASE(
+    "the user's own picture keeps its shape, without enlargement, unless its text says otherwise") {
     Look look = driven_by(Driver::picture);
     look.manifest = "/looks/crt/look.json";
-    CHECK(with_kept_shape("game.png", look) == "game.png,fit=whole");
-    CHECK(with_kept_shape("game.png,fit=stretch", look) == "game.png");
-    CHECK(with_kept_shape("game.png,fit=crop,rate=25", look) == "game.png,fit=crop,rate=25");
-    CHECK(with_kept_shape("pattern:smpte", look) == "pattern:smpte");
+    CHECK(with_users_defaults("game.png", look) == "game.png,fit=whole,prescaled=auto");
+    CHECK(with_users_defaults("game.png,fit=stretch,prescaled=1", look) == "game.png");
+    CHECK(with_users_defaults("game.png,fit=crop,prescaled=2,rate=25", look) ==
+          "game.png,fit=crop,prescaled=2,rate=25");
+    CHECK(with_users_defaults("pattern:smpte", look) == "pattern:smpte");
     look.manifest = "/looks/crt.slangp";  // its picture has the source's shape
-    CHECK(with_kept_shape("game.png", look) == "game.png");
+    CHECK(with_users_defaults("game.png", look) == "game.png,prescaled=auto");
 }

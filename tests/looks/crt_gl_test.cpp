@@ -122,6 +122,64 @@ TEST_CASE("scanlines are the mean of the sine over each pixel") {
     }
 }
 
+namespace {
+constexpr double turn = 6.28318530717958648;
+
+// The mean over pixel y of 1 - s (1 + cos(2 pi (y - crest) / period)) / 2 turned over: 1 at crests.
+double stripe_mean(int y, double period, double crest, double strength) {
+    const auto area = [&](double at) {
+        return std::sin(turn * (at - crest) / period) * period / turn;
+    };
+    return 1.0 - 0.5 * strength * (1.0 - (area(y + 1.0) - area(y)));
+}
+
+Values by_source_lines(double interlace) {
+    return with(stages_off(), {{"scanline_unit", Value(1.0)},
+                               {"scanline_strength", Value(0.6)},
+                               {"scanline_interlace", Value(interlace)},
+                               {"scanline_brightness", Value(0.0)}});
+}
+}  // namespace
+
+TEST_CASE("in source lines a scanline has its crest in the middle of each line") {
+    const Picture field = flat_field({4, 24}, 1.0f, 1.0f, 1.0f);
+    for (const int height : {96, 72, 60}) {  // 4, 3 and 2.5 px a line
+        CAPTURE(height);
+        const double line = height / 24.0;
+        const Picture drawn = drawn_look_at("crt", {4, height}, field, by_source_lines(0.0));
+        const Picture pairs =
+            drawn_look_at("crt", {4, height}, field,
+                          with(by_source_lines(0.0), {{"scanline_lines", Value(2.0)}}));
+        for (int y = 0; y < height; ++y) {
+            CHECK(std::abs(light_at(drawn, 1, y) - stripe_mean(y, line, 0.5 * line, 0.6)) < 2e-4);
+            CHECK(std::abs(light_at(pairs, 1, y) - stripe_mean(y, 2.0 * line, line, 0.6)) < 2e-4);
+        }
+    }
+}
+
+TEST_CASE("an interlaced source has its even lines in one field and its odd ones in the next") {
+    const Picture field = flat_field({4, 24}, 1.0f, 1.0f, 1.0f);
+    for (const int number : {2, 3}) {  // ends of frames: 2/60 s, an even field, and 3/60 s
+        CAPTURE(number);
+        const double crest = 2.0 * (number % 2) + 1.0;  // the middle of line 0 or 1, of 2 px
+        const Picture drawn = drawn_look_at("crt", {4, 48}, field, by_source_lines(2.0), number);
+        for (int y = 0; y < 48; ++y)
+            CHECK(std::abs(light_at(drawn, 1, y) - stripe_mean(y, 4.0, crest, 0.6)) < 2e-4);
+    }
+}
+
+TEST_CASE("by itself a source is interlaced from 289 lines to 576") {
+    for (const int lines : {288, 289, 576, 577}) {
+        CAPTURE(lines);
+        const Picture field = flat_field({2, lines}, 1.0f, 1.0f, 1.0f);
+        const Picture drawn = drawn_look_at("crt", {2, 2 * lines}, field, by_source_lines(1.0), 2);
+        const bool is_interlaced = lines == 289 || lines == 576;
+        const double period = is_interlaced ? 4.0 : 2.0;
+        for (int y = 0; y < 8; ++y)
+            CHECK(std::abs(light_at(drawn, 1, y) - stripe_mean(y, period, 1.0, 0.6)) < 2e-3);
+    }
+}
+
 TEST_CASE("as the article wrote it 4 px scanlines have two levels of the display value") {
     const Picture field = flat_field({4, 8}, 2.0f, 2.0f, 2.0f);
     const Picture drawn =

@@ -45,11 +45,17 @@ Renderer& ready(const std::string& id) {
 
 Picture drawn_look(const std::string& look, const Picture& source, const Values& values,
                    const std::string& pass) {
+    return drawn_look_at(look, source.extent, source, values, 1, pass);
+}
+
+Picture drawn_look_at(const std::string& look, Extent size, const Picture& source,
+                      const Values& values, int number, const std::string& pass) {
     Renderer& renderer = ready(look);
-    REQUIRE(renderer.resize(source.extent, source.extent).has_value());
+    REQUIRE(renderer.resize(size, source.extent).has_value());
     renderer.set_values(values);
     REQUIRE(renderer.set_source(source).has_value());
-    renderer.draw({1, {}}, {});
+    const double end = number / 60.0;
+    renderer.draw({number, {number == 1 ? 0.0 : end - 1.0 / 60.0, number == 1 ? 0.0 : end}}, {});
     const Executor& executor = renderer.executor();
     const int last = static_cast<int>(executor.look().passes.size()) - 1;
     return gpu::read_picture(

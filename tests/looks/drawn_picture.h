@@ -10,6 +10,10 @@
 Picture drawn_look(const std::string& look, const Picture& source, const Values& values,
                    const std::string& pass = "");
 
+/// The same of a picture of `size`, in frame `number` of 60 a second.
+Picture drawn_look_at(const std::string& look, Extent size, const Picture& source,
+                      const Values& values, int number = 1, const std::string& pass = "");
+
 /// A picture of one colour in linear light.
 Picture flat_field(Extent extent, float red, float green, float blue);
 

@@ -76,6 +76,47 @@ TEST_CASE("scanlines run across or up and down, counted from the bottom left") {
     }
 }
 
+TEST_CASE(
+    "scanlines of source lines follow the picture's size on the glass, and columns up and down") {
+    const Picture white = flat_field({12, 24}, 1.0f, 1.0f, 1.0f);
+    const Values lines = with(stages_off(), {{"scanline_unit", Value(1.0)},
+                                             {"scanline_strength", Value(0.6)},
+                                             {"scanline_interlace", Value(0.0)},
+                                             {"brightness_kept", Value(0.0)}});
+    const auto expected = [](double place, double period) {  // a crest in the middle of each line
+        const double angle = std::acos(-1.0) / period;
+        return 0.7 - 0.3 * std::cos(2.0 * angle * place) * std::sin(angle) / angle;
+    };
+    const Picture across = drawn_look_at("shadow-mask", {48, 96}, white, lines, 1, "tube");
+    const Picture larger = drawn_look_at("shadow-mask", {48, 96}, white,
+                                         with(lines, {{"picture_size", Value(1.25)}}), 1, "tube");
+    const Picture down = drawn_look_at("shadow-mask", {48, 96}, white,
+                                       with(lines, {{"scanline_axis", Value(1.0)}}), 1, "tube");
+    for (int i = 0; i < 48; ++i) {
+        CHECK(std::abs(number(across, 5, i) - expected(i + 0.5, 4.0)) < 2e-4);
+        CHECK(std::abs(number(larger, 5, i) - expected(i + 0.5 + 12.0, 5.0)) < 2e-4);
+        CHECK(std::abs(number(down, i, 5) - expected(i + 0.5, 4.0)) < 2e-4);
+    }
+}
+
+TEST_CASE("triads across the picture give the mask its size, and snapping rounds it") {
+    const Picture white = flat_field({120, 60}, 1.0f, 1.0f, 1.0f);
+    const auto masked = [&white](const Values& values) {
+        return drawn_look("shadow-mask", white,
+                          with(with(stages_off(), {{"mask_strength", Value(1.0)}}), values),
+                          "tube");
+    };
+    const Picture six = masked({{"mask_size", Value(6.0)}});
+    const Picture near_six = masked({{"mask_size", Value(6.3)}});
+    CHECK(six.pixels != near_six.pixels);
+    CHECK(masked({{"mask_unit", Value(1.0)}, {"mask_triads", Value(20.0)}}).pixels == six.pixels);
+    CHECK(masked({{"mask_size", Value(6.3)}, {"mask_snap", Value(1.0)}}).pixels == six.pixels);
+    CHECK(
+        masked({{"mask_unit", Value(1.0)}, {"mask_triads", Value(19.0)}, {"mask_snap", Value(1.0)}})
+            .pixels == six.pixels);  // 6.32 px
+    CHECK(masked({{"mask_unit", Value(1.0)}, {"mask_triads", Value(19.0)}}).pixels != six.pixels);
+}
+
 TEST_CASE("the mean over whole cells is that of the picture, in every channel of every mask") {
     const Picture grey = flat_field({120, 104}, 0.2f, 0.2f, 0.2f);
     for (const double type : {0.0, 1.0, 2.0, 3.0}) {

@@ -56,6 +56,29 @@ TEST_CASE("whole pixels are as large as the picture has room for, with black aro
     CHECK(cut.pixels == std::vector<float>{2, 3});
 }
 
+TEST_CASE("the shape of the whole picture counts in every fit") {
+    SourceSpec television = spec(Fit::whole);
+    television.shape = ShapeRatio{4.0, 3.0};
+    CHECK(placed_extent({256, 224}, television, {1280, 720}) == Extent{341, 224});  // of 16:9
+    television.fit = Fit::integer;
+    const SourceRaster raster = placed_raster({256, 240}, television, {1280, 720});
+    CHECK(raster.rows.pitch * 720.0 == doctest::Approx(3.0));
+    CHECK(raster.columns.pitch * 1280.0 == doctest::Approx(4.0));  // 3 * 5 / 4 is 3.75
+}
+
+TEST_CASE("the lines of a source lie where it is placed") {
+    const auto rows = [](Fit fit, Extent viewport) {
+        return placed_raster({320, 240}, spec(fit), viewport).rows;
+    };
+    CHECK(rows(Fit::stretch, {640, 960}) == RasterAxis{0.0, 1.0 / 240.0, 240});
+    CHECK(rows(Fit::whole, {640, 480}) == RasterAxis{0.0, 1.0 / 240.0, 240});
+    CHECK(rows(Fit::whole, {640, 960}) == RasterAxis{0.25, 1.0 / 480.0, 240});  // bars above
+    CHECK(rows(Fit::crop, {1280, 720}) == RasterAxis{-30.0 / 180.0, 1.0 / 180.0, 240});
+    CHECK(rows(Fit::integer, {700, 500}) == RasterAxis{10.0 / 500.0, 2.0 / 500.0, 240});
+    const RasterAxis columns = placed_raster({320, 240}, spec(Fit::integer), {700, 500}).columns;
+    CHECK(columns == RasterAxis{30.0 / 700.0, 2.0 / 700.0, 320});
+}
+
 TEST_CASE("what is beside a source with alpha is black, not clear") {
     const Picture picture{{1, 1}, 4, Encoding::display, {0.5f, 0.5f, 0.5f, 0.25f}};
     const Picture made = placed(picture, spec(Fit::whole), {30, 10});

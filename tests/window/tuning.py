@@ -109,6 +109,26 @@ class Tuning(Person):
         program.wait("a whole number is safe",
                      lambda s: "moire:scanline_period" not in s["widgets"])
 
+    def test_a_period_in_source_lines_is_told_by_the_pixels_that_it_comes_to(self):
+        program = self.program
+        program.click("look:crt")
+        program.wait("the look is open", lambda s: s["look"] == "crt" and not s["is_loading"])
+        program.set("scanline_period", "4.1")  # of 180 px, so the bands fit in: 164 px
+        program.wait("px are told", lambda s: "moire:scanline_period" in s["widgets"])
+        program.reveal("scanline_unit")
+        program.place("picture")  # the search box has let go of the keyboard
+        program.key("Down")
+        program.place("revealed:scanline_unit")
+        program.key("Right")
+        program.wait("lines of the source count", lambda s: s["values"]["scanline_unit"] == [1])
+        program.key("ctrl+f", "ctrl+a")
+        program.type("scanline")
+        program.wait("the period in px counts no more, that in lines does", lambda s:
+                     "number:scanline_period" in s["widgets"] and
+                     "moire:scanline_period" not in s["widgets"] and
+                     "moire:scanline_lines" in s["widgets"])
+        self.snapshot("source_lines")
+
     def test_help_shows_while_the_pointer_rests_on_a_parameter(self):
         program = self.program
         program.reveal("exposure")
