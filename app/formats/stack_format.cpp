@@ -1,6 +1,7 @@
 #include "formats/stack_format.h"
 
 #include "formats/stacked_look.h"
+#include "glsl/check_cache.h"
 
 #include <algorithm>
 #include <optional>
@@ -99,9 +100,15 @@ LoadedLook load_stack(Stack stack, const IncludeFolders& includes, const Reading
     whole.look = is_alone ? std::move(looks.front()) : stacked_look(looks, stack, whole.warnings);
     whole.look->stack = std::move(stack);
     whole.look->includes = includes;
+    if (help.cache)
+        whole.look->shader_limits = help.cache->limits();
     return whole;
 }
 
 LoadedLook load_again(const Look& look, const ReadingHelp& help) {
-    return load_stack(look.stack, look.includes, help);
+    CheckCache checks(nullptr, look.shader_limits);
+    ReadingHelp all = help;
+    if (!all.cache)
+        all.cache = &checks;
+    return load_stack(look.stack, look.includes, all);
 }

@@ -7,4 +7,5 @@
 LoadedLook load_stack(Stack stack, const IncludeFolders& includes, const ReadingHelp& help = {});
 
 /// A look that load_stack gave, from its files again; for other values of its constants.
+/// Without a cache its texts are held to the limits that it was read with.
 LoadedLook load_again(const Look& look, const ReadingHelp& help);

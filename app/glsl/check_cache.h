@@ -21,6 +21,7 @@ public:
     explicit CheckCache(ByteStore* kept = nullptr, const ShaderLimits& limits = {})
         : m_kept(kept), m_limits(limits) {}
 
+    const ShaderLimits& limits() const { return m_limits; }
     /// Whether what is found out from now on is kept for other runs; at first it is.
     void set_keeping(bool keeps) { m_keeps = keeps; }
     /// As check_program.

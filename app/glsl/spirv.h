@@ -1,7 +1,7 @@
 #pragma once
 
-#include "glsl/shader_limits.h"
 #include "model/look.h"
+#include "model/shader_limits.h"
 
 #include <cstdint>
 #include <vector>

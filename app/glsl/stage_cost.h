@@ -1,6 +1,6 @@
 #pragma once
 
-#include "glsl/shader_limits.h"
+#include "model/shader_limits.h"
 
 #include <optional>
 #include <string>

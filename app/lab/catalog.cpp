@@ -3,6 +3,7 @@
 #include "base/text.h"
 #include "formats/look_format.h"
 #include "formats/preset_format.h"
+#include "glsl/check_cache.h"
 #include "signals/kinds.h"
 #include "signals/patterns.h"
 
@@ -10,8 +11,10 @@
 
 std::vector<CatalogEntry> list_looks(const Library& library) {
     std::vector<CatalogEntry> entries;
+    CheckCache checks(nullptr, library.roots().shader_limits);
     for (const LookEntry& look : library.looks()) {
-        const LoadedLook loaded = load_look(look.folder, library.roots().include_folders());
+        const LoadedLook loaded =
+            load_look(look.folder, library.roots().include_folders(), {&checks});
         if (loaded.look)
             entries.push_back({look.id, loaded.look->name, loaded.look->about, {}, look.folder});
         else

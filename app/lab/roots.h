@@ -1,8 +1,8 @@
 #pragma once
 
 #include "base/diagnostic.h"
-#include "glsl/shader_limits.h"
 #include "model/include_folders.h"
+#include "model/shader_limits.h"
 
 #include <filesystem>
 #include <optional>

@@ -9,6 +9,7 @@
 #include "model/input.h"
 #include "model/parameter.h"
 #include "model/picture.h"
+#include "model/shader_limits.h"
 #include "model/spec.h"
 #include "model/stack.h"
 
@@ -150,6 +151,7 @@ struct Look {
     IncludeFolders includes;                   // that all looks may have
     std::vector<std::filesystem::path> files;  // everything that it was read from, for the watcher
     Stack stack;                               // the looks that it is made of
+    ShaderLimits shader_limits = {};           // that its texts were held to
 
     bool operator==(const Look&) const = default;
 };

@@ -37,6 +37,17 @@ class Constants(ProgramTest):
         self.write("a.glsl", "#define LEVEL 0.2  // @range 1 0\nvoid mainImage(out vec4 c, in vec2 p) { c = vec4(LEVEL); }\n")
         self.assert_refused(run("check", shader), f"{shader}:1: error: @range needs its low end first")
 
+    def test_a_limit_that_was_raised_holds_for_each_value_of_a_constant(self):
+        chain = "float f0() { return LEVEL; }\n" + "".join(
+            f"float f{i}() {{ return f{i - 1}(); }}\n" for i in range(1, 70))
+        shader = self.write("a.glsl", "#define LEVEL 0.2  // @range 0 1\n" + chain +
+                            "void mainImage(out vec4 c, in vec2 p) { c = vec4(f69()); }\n")
+        size = ("--size", "4x4", "--frames", 2, "-o", self.folder / "a.png")
+        moves = self.write("moves.txt", "0.01 LEVEL 1\n")
+        self.assert_refused(run("render", shader, *size), "--limit depth=")
+        self.assert_done(run("render", shader, *size, "--moves", moves, "--limit", "depth=100"))
+        self.assertEqual(read_png(self.folder / "a.png")[2][0][0], 255)
+
 
 if __name__ == "__main__":
     main()

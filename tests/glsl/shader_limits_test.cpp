@@ -1,4 +1,4 @@
-#include "glsl/shader_limits.h"
+#include "model/shader_limits.h"
 
 #include "glsl/check.h"
 #include "glsl/check_cache.h"
@@ -241,15 +241,4 @@ TEST_CASE("shaders for Vulkan are held to the same limits") {
     const auto large = translate_from_vulkan(vertex, with("float a[2000000000]; a[1] = 1.0;"));
     REQUIRE_FALSE(large.has_value());
     CHECK(names(to_string(large.error()), "variable-bytes"));
-}
-
-TEST_CASE("a limit is set by its name alone") {
-    ShaderLimits limits;
-    CHECK(set_limit(limits, "uniforms=2048").has_value());
-    CHECK(limits.uniforms == 2048.0);
-    for (const char* wrong : {"uniform=1", "uniforms", "uniforms=", "uniforms=0", "uniforms=-1",
-                              "uniforms=1.5", "uniforms=1e13", "uniforms=x", "=1", ""})
-        CHECK_FALSE(set_limit(limits, wrong).has_value());
-    CHECK(set_limit(limits, "uniform=1").error().front().message.find("switch-cases") !=
-          std::string::npos);
 }

@@ -1,4 +1,4 @@
-#include "glsl/shader_limits.h"
+#include "model/shader_limits.h"
 
 #include "base/text.h"
 
