@@ -26,6 +26,9 @@ void read_default_signal(ObjectReader& reader, LookFolder& folder, Look& look) {
     auto spec = read_spec(*member, reader.file(), reader.problems());
     if (!spec)
         return;
+    if (spec->kind == "socket" && (spec->settings.contains("path") || spec->settings.contains("")))
+        return reader.problem(*member,
+                              "a look does not say where a socket is made. Leave out \"path\"");
     const std::string file = file_of(*spec);
     if (!file.empty())
         if (const auto found = folder.find(file, *member, reader))

@@ -1,19 +1,38 @@
 #include "lab/beam_feed.h"
 
-#include "lab/preset_content.h"
+#include "base/user_folders.h"
 #include "signals/sent.h"
 #include "signals/settings.h"
 
 #include <fmt/format.h>
 
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace fs = std::filesystem;
+
 namespace {
 // The user's own folder; other users may not even look into it.
-void make_runtime_folder(const std::filesystem::path& socket) {
+Result<void> make_runtime_folder(const fs::path& socket) {
+    const fs::path folder = runtime_folder();
+    if (socket.parent_path() != folder)
+        return {};
     std::error_code error;
-    if (const std::filesystem::path folder = runtime_folder();
-        !folder.empty() && socket.parent_path() == folder &&
-        std::filesystem::create_directory(folder, error))
-        std::filesystem::permissions(folder, std::filesystem::perms::owner_all, error);
+    fs::create_directories(folder.parent_path(), error);
+    if (::mkdir(folder.c_str(), S_IRWXU) == 0)
+        return {};
+    struct stat status = {};
+    if (::lstat(folder.c_str(), &status) != 0)
+        return fail({folder, 0,
+                     "the folder of the socket cannot be made. Choose another place with "
+                     "socket:PATH"});
+    const bool is_private = S_ISDIR(status.st_mode) && status.st_uid == ::geteuid() &&
+                            (status.st_mode & (S_IWGRP | S_IWOTH)) == 0;
+    if (!is_private)
+        return fail({folder, 0,
+                     "is no folder that you alone can write to. Take the rights of others from it "
+                     "with chmod 700, or choose another place with socket:PATH"});
+    return {};
 }
 }  // namespace
 
@@ -27,7 +46,8 @@ BeamFeed::BeamFeed(const Spec& complete, SentBeam::Pace pace, double start)
 Result<std::unique_ptr<BeamFeed>> BeamFeed::open(const Spec& complete, SentBeam::Pace pace,
                                                  double start) {
     std::unique_ptr<BeamFeed> feed(new BeamFeed(complete, pace, start));
-    make_runtime_folder(feed->m_name);
+    if (auto made = make_runtime_folder(feed->m_name); !made)
+        return fail(made.error());
     // In the window the next sender may come; a picture that is rendered is the work of one.
     const auto senders = pace == SentBeam::Pace::waiting ? ByteReader::Senders::one
                                                          : ByteReader::Senders::one_after_the_other;

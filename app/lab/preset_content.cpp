@@ -1,10 +1,9 @@
 #include "lab/preset_content.h"
 
+#include "base/user_folders.h"
 #include "model/source_spec.h"
 #include "signals/kinds.h"
 #include "signals/settings.h"
-
-#include <cstdlib>
 
 namespace fs = std::filesystem;
 
@@ -41,11 +40,6 @@ std::string OutsideContent::words() const {
     return (is_socket ? "the socket '" : "the file '") + name + "'";
 }
 
-fs::path runtime_folder() {
-    const char* const folder = std::getenv("XDG_RUNTIME_DIR");
-    return folder && *folder == '/' ? fs::path(folder) / "afterglow" : fs::path();
-}
-
 CheckedPreset with_checked_media(const Preset& preset, const fs::path& folder,
                                  const RecentMedia& recent) {
     CheckedPreset checked{with_found_media(preset, folder, recent)};
@@ -53,10 +47,9 @@ CheckedPreset with_checked_media(const Preset& preset, const fs::path& folder,
                                    ? socket_of(*checked.preset.signal)
                                    : std::string();
     const std::string file = socket.empty() ? file_named_by(checked.preset) : std::string();
-    const bool is_outside =
-        !socket.empty()
-            ? runtime_folder().empty() || !is_inside(socket, runtime_folder())
-            : !file.empty() && !is_inside(folder / file, folder) && !is_recent(file, recent);
+    const bool is_outside = !socket.empty() ? !is_inside(socket, runtime_folder())
+                                            : !file.empty() && !is_inside(folder / file, folder) &&
+                                                  !is_recent(file, recent);
     if (!is_outside)
         return checked;
     checked.outside = OutsideContent{socket.empty() ? file : socket, checked.preset.signal,

@@ -28,7 +28,3 @@ struct CheckedPreset {
 /// As with_found_media, and separates content that lies outside.
 CheckedPreset with_checked_media(const Preset& preset, const std::filesystem::path& folder,
                                  const RecentMedia& recent);
-
-/// Where sockets are made without being asked for: $XDG_RUNTIME_DIR/afterglow; "" without the
-/// variable.
-std::filesystem::path runtime_folder();

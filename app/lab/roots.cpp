@@ -1,17 +1,12 @@
 #include "lab/roots.h"
 
+#include "base/user_folders.h"
+
 #include <cstdlib>
 
 namespace fs = std::filesystem;
 
 namespace {
-fs::path folder_from_environment(const char* name, const char* below_home) {
-    if (const char* folder = std::getenv(name); folder && *folder == '/')
-        return fs::path(folder) / "afterglow";
-    const char* home = std::getenv("HOME");
-    return fs::path(home && *home ? home : "/") / below_home / "afterglow";
-}
-
 bool holds_shaders(const fs::path& folder) {
     std::error_code error;
     return fs::is_directory(folder / "shaders", error);

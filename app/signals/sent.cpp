@@ -1,5 +1,6 @@
 #include "signals/sent.h"
 
+#include "base/user_folders.h"
 #include "signals/sent_beam.h"
 #include "signals/settings.h"
 
@@ -77,11 +78,12 @@ SignalKind stdin_kind() {
 
 SignalKind socket_kind() {
     std::vector<SettingFacts> settings = format_settings();
-    settings.insert(settings.begin(), {.key = "path",
-                                       .label = "Socket",
-                                       .help = "Where other programs find it; Enter opens it.",
-                                       .type = SettingType::text,
-                                       .initial_word = "/tmp/afterglow.sock"});
+    settings.insert(settings.begin(),
+                    {.key = "path",
+                     .label = "Socket",
+                     .help = "Where other programs find it; Enter opens it.",
+                     .type = SettingType::text,
+                     .initial_word = (runtime_folder() / "afterglow.sock").string()});
     return {.kind = "socket",
             .label = "Unix socket",
             .help = "The beam as another program sends it; one at a time, again and again.",

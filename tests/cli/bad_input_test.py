@@ -244,6 +244,25 @@ class BadPresets(ProgramTest):
                             "sent no point within the timeout")
         self.assertEqual((runtime / "afterglow").stat().st_mode & 0o777, 0o700)
 
+    def test_a_socket_without_a_path_is_made_where_only_its_user_can_write(self):
+        runtime, state = self.folder / "run", self.folder / "state"
+        runtime.mkdir()
+        preset = self.write("s.json", json.dumps({"format": "afterglow-preset", "version": 1, "look": "vector-beam",
+                                                  "name": "s", "values": {}, "signal": {"kind": "socket"}}))
+        draw = ("--size", "32x32", "--timeout", "0.1", "-o", self.folder / "x.png")
+        for where, place in ((str(runtime), runtime / "afterglow"), ("", state / "afterglow/run")):
+            home = {"XDG_RUNTIME_DIR": where, "XDG_STATE_HOME": str(state)}
+            for request in (("vector-beam", "--signal", "socket"), (preset,)):
+                self.assert_refused(run("render", *request, *draw, **home),
+                                    f"Waits for a program at {place}/afterglow.sock", "within the timeout")
+            self.assertEqual(place.stat().st_mode & 0o777, 0o700)
+            self.assertEqual(list(place.iterdir()), [])
+            place.chmod(0o777)
+            self.assert_refused(run("render", preset, *draw, **home), f"{place}: error: is no folder that you alone")
+            typed = self.folder / "typed.sock"
+            self.assert_refused(run("render", "vector-beam", "--signal", f"socket:{typed}", *draw, **home),
+                                f"Waits for a program at {typed}")
+
     def test_control_characters_of_a_file_do_not_reach_the_terminal(self):
         bad = self.write("esc.json", '{"format": "afterglow-preset", "version": 1, "look": "crt", '
                          '"a\\u001b[2Jb\\u0000c\\u009b": 1}')

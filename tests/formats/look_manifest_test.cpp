@@ -367,6 +367,13 @@ TEST_CASE("what drives a look is checked") {
               .errors_of(look_with(
                   "\"driven_by\": \"signal\", \"default_signal\": {\"kind\": \"x\"}, ", pass))
               .starts_with("look.json:1: error: "));
+    for (const char* key : {"path", ""})
+        CHECK(
+            disk.errors_of(look_with(std::string("\"driven_by\": \"signal\", \"default_signal\": "
+                                                 "{\"kind\": \"socket\", \"") +
+                                         key + "\": \"/any/where\"}, ",
+                                     pass)) ==
+            "look.json:1: error: a look does not say where a socket is made. Leave out \"path\"\n");
     const auto own =
         disk.load(look_with("\"driven_by\": \"picture\", \"default_source\": \"lut.png\", ", pass));
     REQUIRE(own.has_value());
