@@ -294,7 +294,7 @@ void Lab::cancel_loading() {
 }
 
 Preset Lab::portable(const Preset& preset, const fs::path& folder) const {
-    remember_foreign_looks(*m_document, m_drive.recent());
+    remember_files(*m_document, m_drive.recent());
     return with_portable_media(preset, folder, m_drive.recent());
 }
 
@@ -380,7 +380,7 @@ void Lab::paste(const std::string& line) {
         return;
     if (m_document && preset->look == m_document->look().id) {
         const CheckedPreset checked =
-            with_checked_media(*preset, fs::current_path(), m_drive.recent());
+            with_checked_media(*preset, m_document->look(), fs::current_path(), m_drive.recent());
         m_document->take(checked.preset, "Paste");
         return offer_content(checked);
     }

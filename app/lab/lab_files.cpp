@@ -64,7 +64,8 @@ void Lab::preset_file_changed(const fs::path& file) {
         say("'" + m_document->preset_name() + "' has changed on disk; your own changes stay", true);
         return;
     }
-    const CheckedPreset checked = with_checked_media(*preset, folder, m_drive.recent());
+    const CheckedPreset checked =
+        with_checked_media(*preset, m_document->look(), folder, m_drive.recent());
     m_document->take(checked.preset, "Preset changed on disk");
     DocumentState saved = m_document->state();
     saved.signal = checked.preset.signal.value_or(saved.signal);
@@ -83,6 +84,7 @@ void Lab::take_chosen_images() {
     if (const auto chosen = m_chosen_images.take_chosen(); chosen && succeeded(*chosen)) {
         m_document->set_value((*chosen)->parameter, Value::of_path((*chosen)->file.string()));
         m_opened_files.push_back((*chosen)->file);
+        m_drive.recent().remember((*chosen)->file, {});
     }
     Diagnostics problems;
     const auto names = m_chosen_images.take_read(m_document->look(), *m_renderer, problems);

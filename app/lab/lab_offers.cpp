@@ -15,23 +15,32 @@ void Lab::offer_outside(const OutsideContent& content) {
         lab.edit([&content](Document& document) {
             if (content.source.empty() && content.signal)
                 document.set_signal(*content.signal);
-            else
+            else if (!content.source.empty())
                 document.set_source(content.source);
+            if (!content.files.empty())
+                document.set_values(content.files, "Use files of the preset");
         });
+        for (const auto& [name, value] : content.files)
+            lab.drive().recent().remember(value.path, {});
     };
-    ask(fmt::format("The preset names {}, which lies outside its folder. It is not used.",
-                    content.words()),
-        {Choice{.name = "Use it", .deeds = {use}}});
+    const bool is_one = content.count() == 1;
+    ask(fmt::format("The preset names {}. {}", content.words(),
+                    is_one ? "It is not used." : "They are not used."),
+        {Choice{.name = is_one ? "Use it" : "Use them", .deeds = {use}}});
 }
 
 // Content that the preset brings: one click away while the user's own is locked, else asked for
-// where it lies outside.
+// where it lies outside. Files that its values choose are asked for in either case.
 void Lab::offer_content(const CheckedPreset& checked) {
-    if (!m_document->is_content_locked()) {
-        if (checked.outside)
-            offer_outside(*checked.outside);
-        return;
+    const bool is_locked = m_document->is_content_locked();
+    if (checked.outside && (!is_locked || !checked.outside->files.empty())) {
+        OutsideContent asked = *checked.outside;
+        if (is_locked)
+            asked = {.files = std::move(asked.files)};
+        return offer_outside(asked);
     }
+    if (!is_locked)
+        return;
     Preset whole = checked.preset;
     if (checked.outside) {
         whole.signal = checked.outside->signal;

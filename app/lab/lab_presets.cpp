@@ -111,11 +111,11 @@ void Lab::morph_to(const fs::path& file, double seconds) {
             return;
         if (preset->look != look.id)
             return say("'" + preset->name + "' is a preset of another look: it can only be opened");
-        const auto values = fitted_values(look, *preset, file);
+        to = with_checked_media(*preset, look, media_folder(file), m_drive.recent()).preset;
+        const auto values = fitted_values(look, to, file);
         const auto modulations = fitted_modulations(look, *preset, file);
         if (!succeeded(values) || !succeeded(modulations))
             return;
-        to = with_checked_media(*preset, media_folder(file), m_drive.recent()).preset;
         to.values = *values;
         to.modulations = *modulations;
     }
@@ -142,7 +142,8 @@ void Lab::go_on_morphing(double wall_seconds) {
         say("Arrived at '" + m_morphing->name() + "'");
         const fs::path& file = m_morphing->file();
         if (const auto preset = load_preset(file))
-            offer_content(with_checked_media(*preset, media_folder(file), m_drive.recent()));
+            offer_content(with_checked_media(*preset, m_document->look(), media_folder(file),
+                                             m_drive.recent()));
     } else {
         say("Something else was turned: the morph has ended there");
     }

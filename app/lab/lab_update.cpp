@@ -284,7 +284,7 @@ void Lab::open_document(LoadedRequest& loaded) {
     else
         m_document.emplace(std::move(look));
     m_document->keep_content(content);
-    remember_foreign_looks(*m_document, m_drive.recent());
+    remember_files(*m_document, m_drive.recent());
     begin_renderer(std::move(loaded.executor));
     if (loaded.is_spared_first_draws)
         m_renderer->draw_next_whole();
@@ -311,8 +311,8 @@ void Lab::open_document(LoadedRequest& loaded) {
     if (left)
         keep_unsaved(*left, [&] { return left_picture; });
     if (request.preset)
-        offer_content(with_checked_media(*request.preset, media_folder(request.preset_file),
-                                         m_drive.recent()));
+        offer_content(with_checked_media(*request.preset, m_document->look(),
+                                         media_folder(request.preset_file), m_drive.recent()));
 }
 
 // The first draws' targets go on where nothing was overridden.
@@ -331,7 +331,8 @@ void Lab::open_values(const OpenRequest& request) {
         return;
     }
     const fs::path folder = media_folder(request.preset_file);
-    CheckedPreset checked = with_checked_media(*request.preset, folder, m_drive.recent());
+    CheckedPreset checked =
+        with_checked_media(*request.preset, m_document->look(), folder, m_drive.recent());
     Preset preset = std::move(checked.preset);
     const auto warn = [this](Diagnostics& problems) {
         for (Diagnostic& problem : problems) {

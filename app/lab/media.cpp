@@ -7,6 +7,7 @@
 #include "io/picture_sequence.h"
 #include "io/video_file.h"
 #include "lab/file_stamp.h"
+#include "lab/look_media.h"
 #include "model/source_spec.h"
 #include "signals/kinds.h"
 
@@ -105,6 +106,12 @@ std::optional<fs::path> RecentMedia::find(const std::string& name,
     return found;
 }
 
+bool RecentMedia::has(const fs::path& file) const {
+    const std::vector<MediaEntry> all = entries();
+    return std::ranges::find(all, fs::absolute(file).lexically_normal(), &MediaEntry::file) !=
+           all.end();
+}
+
 std::string RecentMedia::digest_of(const fs::path& file) const {
     for (const MediaEntry& entry : entries())
         if (entry.file == file)
@@ -128,6 +135,21 @@ Preset with_found_media(Preset preset, const fs::path& folder, const RecentMedia
     return preset;
 }
 
+bool names_file(const Look& look, const std::string& name, const Value& value) {
+    const Parameter* parameter = find_parameter(look, name);
+    return parameter && !value.path.empty() && !made_name(value.path) &&
+           (parameter->control == Control::image || parameter->control == Control::sound);
+}
+
+Preset with_found_files(Preset preset, const Look& look, const fs::path& folder) {
+    for (auto& [name, value] : preset.values)
+        if (names_file(look, name, value))
+            if (const fs::path beside = fs::absolute(folder / value.path).lexically_normal();
+                is_there(beside))
+                value.path = beside.string();
+    return preset;
+}
+
 Diagnostics compare_with_media(const Preset& preset) {
     const fs::path file = named_file(preset);
     if (file.empty() || preset.media_digest.empty())
@@ -138,7 +160,19 @@ Diagnostics compare_with_media(const Preset& preset) {
     return {{file, 0, "is not the file that the preset was made with", Severity::warning}};
 }
 
+namespace {
+// The way to a file below a folder; "" where it is none.
+fs::path path_inside(const fs::path& file, const fs::path& folder) {
+    const fs::path inside = folder.empty() ? fs::path() : file.lexically_relative(folder);
+    return inside.empty() || *inside.begin() == ".." ? fs::path() : inside;
+}
+}  // namespace
+
 Preset with_portable_media(Preset preset, const fs::path& folder, const RecentMedia& recent) {
+    for (auto& [name, value] : preset.values)
+        if (const fs::path file = value.path; file.is_absolute() && is_there(file))
+            if (const fs::path inside = path_inside(file, folder); !inside.empty())
+                value.path = inside.string();
     if (named_file(preset).empty()) {
         preset.media_digest.clear();
         return preset;
@@ -149,7 +183,6 @@ Preset with_portable_media(Preset preset, const fs::path& folder, const RecentMe
     preset.media_digest = recent.digest_of(file);
     if (preset.media_digest.empty())
         preset.media_digest = digest_of_media(file);
-    const fs::path inside = folder.empty() ? fs::path() : file.lexically_relative(folder);
-    const bool is_inside = !inside.empty() && *inside.begin() != "..";
-    return with_file(std::move(preset), (is_inside ? inside : file.filename()).string());
+    const fs::path inside = path_inside(file, folder);
+    return with_file(std::move(preset), (inside.empty() ? file.filename() : inside).string());
 }

@@ -26,6 +26,7 @@ public:
     /// The latest existing file of that name; one with that digest goes first.
     std::optional<std::filesystem::path> find(const std::string& name,
                                               const std::string& digest) const;
+    bool has(const std::filesystem::path& file) const;
     /// As remembered; "" when it is not, or when the file has changed since.
     std::string digest_of(const std::filesystem::path& file) const;
 
@@ -44,10 +45,17 @@ std::filesystem::path media_folder(const std::filesystem::path& preset_file);
 Preset with_found_media(Preset preset, const std::filesystem::path& folder,
                         const RecentMedia& recent);
 
+/// Whether a value of the look is the path of a file, rather than numbers or a made picture.
+bool names_file(const Look& look, const std::string& parameter, const Value& value);
+
+/// The preset with the full paths of the files that its values choose and that lie beside it.
+Preset with_found_files(Preset preset, const Look& look, const std::filesystem::path& folder);
+
 /// A warning when the file that it names is there, but is not the one that it was made with.
 Diagnostics compare_with_media(const Preset& preset);
 
 /// The preset as it is saved into `folder` ("": a line of text): its file by a path within the
-/// folder, or by its name alone, with the digest.
+/// folder, or by its name alone, with the digest. Files that its values choose keep their full path
+/// where they lie outside.
 Preset with_portable_media(Preset preset, const std::filesystem::path& folder,
                            const RecentMedia& recent);

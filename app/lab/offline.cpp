@@ -92,7 +92,7 @@ Result<void> open_preset(OpenRequest request, const Library& library, Prepared& 
         return fail(modulations.error());
     preset.modulations = std::move(*modulations);
     CheckedPreset checked =
-        with_checked_media(preset, media_folder(file), RecentMedia(library.roots()));
+        with_checked_media(preset, look, media_folder(file), RecentMedia(library.roots()));
     preset = std::move(checked.preset);
     prepared.outside = std::move(checked.outside);
     const auto notes = compare_with_media(preset);
@@ -122,6 +122,25 @@ Result<OpenRequest> requested(const RenderRequest& request, const Library& libra
 }
 }  // namespace
 
+namespace {
+// What a preset brings from outside and the user named with no option.
+std::optional<Diagnostic> problem_with_outside(const Prepared& prepared,
+                                               const RenderRequest& request,
+                                               const fs::path& preset_file) {
+    if (!prepared.outside)
+        return std::nullopt;
+    OutsideContent unnamed = *prepared.outside;
+    if (!request.signal.empty() || !request.source.empty())
+        unnamed = {.files = std::move(unnamed.files)};
+    for (const auto& [name, text] : request.values)
+        if (const auto parameter = meant_parameter(name, prepared.document.look()))
+            unnamed.files.erase((*parameter)->name);
+    if (unnamed.count() == 0)
+        return std::nullopt;
+    return Diagnostic{preset_file, 0, unnamed.refusal()};
+}
+}  // namespace
+
 Result<Prepared> prepare(const RenderRequest& request, const Library& library) {
     auto preset = requested(request, library);
     if (!preset)
@@ -140,11 +159,8 @@ Result<Prepared> prepare(const RenderRequest& request, const Library& library) {
     if (preset->preset)
         if (auto done = open_preset(std::move(*preset), library, prepared); !done)
             return fail(done.error());
-    if (prepared.outside && request.signal.empty() && request.source.empty())
-        return fail({preset_file, 0,
-                     fmt::format("this preset names {}, which lies outside its folder. Name it "
-                                 "yourself with --signal or --source, if you trust the preset",
-                                 prepared.outside->words())});
+    if (auto problem = problem_with_outside(prepared, request, preset_file))
+        return fail(std::move(*problem));
     if (auto done = apply_values(request, prepared.document); !done)
         return fail(done.error());
     if (auto done = turn_texts(prepared.document, {&checks, request.progress}); !done)

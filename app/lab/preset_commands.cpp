@@ -84,7 +84,7 @@ void PresetCommands::replace(const std::string& name) {
 void PresetCommands::save_to(const fs::path& file, const std::string& name) {
     Document& document = *m_lab.mutable_document();
     const RecentMedia& recent = m_lab.drive().recent();
-    remember_foreign_looks(document, recent);
+    remember_files(document, recent);
     Preset preset = with_portable_media(document.preset(), media_folder(file), recent);
     preset.name = name;
     if (!m_lab.succeeded(::save_preset(file, preset, &document.look())))

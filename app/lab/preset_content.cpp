@@ -5,6 +5,10 @@
 #include "signals/kinds.h"
 #include "signals/settings.h"
 
+#include <fmt/format.h>
+
+#include <utility>
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -15,8 +19,8 @@ bool is_inside(const fs::path& file, const fs::path& folder) {
     return !inside.empty() && *inside.begin() != ".." && inside != ".";
 }
 
-bool is_recent(const fs::path& file, const RecentMedia& recent) {
-    return recent.find(file.filename().string(), {}) == fs::absolute(file).lexically_normal();
+bool is_asked_for(const fs::path& file, const fs::path& folder, const RecentMedia& recent) {
+    return !is_inside(file, folder) && !recent.has(file);
 }
 
 // The socket that a signal makes; "" for none.
@@ -33,29 +37,69 @@ std::string file_named_by(const Preset& preset) {
     const auto source = parse_source(preset.source);
     return !source || source->is_pattern() ? std::string() : source->picture;
 }
+
+// Moves what drives the look to `outside` where it is to be asked for.
+void separate_drive(Preset& preset, const fs::path& folder, const RecentMedia& recent,
+                    OutsideContent& outside) {
+    const std::string socket =
+        preset.signal && preset.source.empty() ? socket_of(*preset.signal) : std::string();
+    const std::string file = socket.empty() ? file_named_by(preset) : std::string();
+    const bool is_outside = socket.empty()
+                                ? !file.empty() && is_asked_for(folder / file, folder, recent)
+                                : !is_inside(socket, runtime_folder());
+    if (!is_outside)
+        return;
+    outside.name = socket.empty() ? file : socket;
+    outside.signal = std::exchange(preset.signal, std::nullopt);
+    outside.source = std::exchange(preset.source, {});
+    preset.media_digest.clear();
+}
+
+void separate_files(Preset& preset, const Look& look, const fs::path& folder,
+                    const RecentMedia& recent, OutsideContent& outside) {
+    preset.values = renamed_values(look, std::move(preset.values));
+    std::erase_if(preset.values, [&](const auto& entry) {
+        const auto& [name, value] = entry;
+        const bool is_outside =
+            names_file(look, name, value) && is_asked_for(value.path, folder, recent);
+        if (is_outside)
+            outside.files.emplace(name, value);
+        return is_outside;
+    });
+}
 }  // namespace
 
 std::string OutsideContent::words() const {
+    constexpr std::size_t most_named = 3;
     const bool is_socket = signal && !socket_of(*signal).empty();
-    return (is_socket ? "the socket '" : "the file '") + name + "'";
+    std::vector<std::string> named;
+    if (!name.empty())
+        named.push_back(fmt::format("the {} '{}'", is_socket ? "socket" : "file", name));
+    for (auto file = files.begin(); file != files.end() && named.size() < most_named; ++file)
+        named.push_back(fmt::format("the file '{}'", file->second.path));
+    if (count() > named.size())
+        named.push_back(fmt::format("{} more", count() - named.size()));
+    return fmt::format("{}, which {} outside its folder", fmt::join(named, ", "),
+                       count() == 1 ? "lies" : "lie");
 }
 
-CheckedPreset with_checked_media(const Preset& preset, const fs::path& folder,
+std::string OutsideContent::refusal() const {
+    std::vector<std::string> options;
+    if (!name.empty())
+        options.emplace_back("--signal or --source");
+    if (!files.empty())
+        options.push_back(fmt::format("--set {}=FILE", files.begin()->first));
+    return fmt::format("this preset names {}. Name {} yourself with {}, if you trust the preset",
+                       words(), count() == 1 ? "it" : "them", fmt::join(options, ", and "));
+}
+
+CheckedPreset with_checked_media(const Preset& preset, const Look& look, const fs::path& folder,
                                  const RecentMedia& recent) {
-    CheckedPreset checked{with_found_media(preset, folder, recent)};
-    const std::string socket = checked.preset.signal && checked.preset.source.empty()
-                                   ? socket_of(*checked.preset.signal)
-                                   : std::string();
-    const std::string file = socket.empty() ? file_named_by(checked.preset) : std::string();
-    const bool is_outside = !socket.empty() ? !is_inside(socket, runtime_folder())
-                                            : !file.empty() && !is_inside(folder / file, folder) &&
-                                                  !is_recent(file, recent);
-    if (!is_outside)
-        return checked;
-    checked.outside = OutsideContent{socket.empty() ? file : socket, checked.preset.signal,
-                                     checked.preset.source};
-    checked.preset.signal.reset();
-    checked.preset.source.clear();
-    checked.preset.media_digest.clear();
+    CheckedPreset checked{with_found_files(with_found_media(preset, folder, recent), look, folder)};
+    OutsideContent outside;
+    separate_drive(checked.preset, folder, recent, outside);
+    separate_files(checked.preset, look, folder, recent, outside);
+    if (outside.count() > 0)
+        checked.outside = std::move(outside);
     return checked;
 }

@@ -7,15 +7,19 @@
 #include <string>
 
 /// Content that a preset brings and that is used only where the user agrees: presets come from
-/// others. It is a file outside of the preset's folder that was not opened lately, or a socket
+/// others. It is files outside of the preset's folder that were not opened lately, or a socket
 /// outside of the runtime folder.
 struct OutsideContent {
-    std::string name;                           // the file or socket
+    std::string name = {};                      // the file or socket that drives the look; "": none
     std::optional<Spec> signal = std::nullopt;  // that it would be used as
     std::string source = {};                    // likewise
+    Values files = {};                          // that parameters choose
 
-    /// "the file '/tmp/a.png'".
+    std::size_t count() const { return files.size() + (name.empty() ? 0 : 1); }
+    /// "the file '/tmp/a.png', which lies outside its folder".
     std::string words() const;
+    /// "this preset names ...", with the options of the command line that allow it.
+    std::string refusal() const;
 };
 
 /// What with_found_media() gave for a preset of `folder`, without its content where that lies
@@ -25,6 +29,6 @@ struct CheckedPreset {
     std::optional<OutsideContent> outside = std::nullopt;
 };
 
-/// As with_found_media, and separates content that lies outside.
-CheckedPreset with_checked_media(const Preset& preset, const std::filesystem::path& folder,
-                                 const RecentMedia& recent);
+/// As with_found_media and with_found_files, and separates content that lies outside.
+CheckedPreset with_checked_media(const Preset& preset, const Look& look,
+                                 const std::filesystem::path& folder, const RecentMedia& recent);

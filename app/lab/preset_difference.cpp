@@ -22,6 +22,7 @@ Result<std::vector<Change>> difference_from(const std::filesystem::path& preset_
         preset->values = std::move(*fitted);
     if (auto fitted = fitted_modulations(open.look(), *preset, preset_file))
         preset->modulations = std::move(*fitted);
-    return difference_from(
-        with_found_media(*preset, media_folder(preset_file), lab.drive().recent()), open);
+    const auto folder = media_folder(preset_file);
+    Preset found = with_found_media(*preset, folder, lab.drive().recent());
+    return difference_from(with_found_files(std::move(found), open.look(), folder), open);
 }

@@ -12,16 +12,19 @@
 
 namespace fs = std::filesystem;
 
-void remember_foreign_looks(const Document& document, const RecentMedia& recent) {
+void remember_files(const Document& document, const RecentMedia& recent) {
     for (const StackPart& part : document.look().stack)
         if (is_foreign_look(part.place))
             recent.remember(part.place, {});
+    for (const auto& [name, value] : document.values())
+        if (names_file(document.look(), name, value))
+            recent.remember(value.path, {});
 }
 
 namespace {
 Preset portable(Preset preset, const Document& document, const fs::path& folder,
                 const RecentMedia& recent) {
-    remember_foreign_looks(document, recent);
+    remember_files(document, recent);
     return with_portable_media(std::move(preset), folder, recent);
 }
 }  // namespace

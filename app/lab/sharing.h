@@ -7,9 +7,10 @@
 #include <filesystem>
 #include <string>
 
-/// A preset names a look of another program by its file's name alone, as it does sounds and
-/// pictures; it is found again in the same way.
-void remember_foreign_looks(const Document& document, const RecentMedia& recent);
+/// Remembers the looks of other programs that a document is made of, and the files that its values
+/// choose. A preset names such a look by its file's name alone, as it does sounds and pictures, and
+/// it is found again in the same way. What the values choose is not asked for again.
+void remember_files(const Document& document, const RecentMedia& recent);
 
 // What leaves the machine names a person's sound or picture by its file name and digest alone.
 

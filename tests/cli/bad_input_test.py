@@ -226,6 +226,28 @@ class BadPresets(ProgramTest):
         for source in ("inside.png", "folder/inside.png", str(here / "inside.png"), "pattern:smpte"):
             self.assert_done(run("render", preset("b.json", source), "--size", "32x32", "-o", self.folder / "x.png", **home))
 
+    def test_files_that_a_preset_chooses_outside_of_its_folder_are_named_by_the_user(self):
+        look = self.folder / "data/afterglow/shaders/look"
+        self.write(look / "look.json", manifest())
+        self.write(look / "only.frag", "#version 410 core\nuniform sampler2D picked;\nin vec2 uv;\nout vec4 color;\n"
+                   "void main() { color = texture(picked, uv); }\n")
+        secret, inside = self.folder / "secret.png", self.folder / "presets/inside.png"
+        inside.parent.mkdir()
+        self.assert_done(run("render", "crt", "--source", "pattern:smpte", "--size", "32x32", "-o", secret))
+        shutil.copy(secret, inside)
+        home = {"XDG_STATE_HOME": str(self.folder / "state"), "XDG_DATA_HOME": str(self.folder / "data")}
+        def render(path, *more):
+            preset = self.write("presets/p.json", json.dumps({
+                "format": "afterglow-preset", "version": 1, "look": "look", "name": "p", "values": {"picked": str(path)}}))
+            return run("render", preset, *more, "--size", "8x8", "-o", self.folder / "x.png",
+                       cwd=self.folder, **home)
+        for path in (secret, "../secret.png", "secret.png", "/etc/hostname"):
+            self.assert_refused(render(path), "presets/p.json: error: this preset names the file '", "secret.png" if
+                                "secret" in str(path) else "/etc/hostname", "outside its folder", "--set picked=FILE")
+        for path, more in ((secret, ("--set", f"picked={inside}")), ("inside.png", ()), (inside, ()),
+                           ("pattern:noise", ())):
+            self.assert_done(render(path, *more))
+
     def test_a_socket_of_a_preset_is_made_in_the_runtime_folder_alone(self):
         runtime = self.folder / "run"
         runtime.mkdir()

@@ -242,3 +242,39 @@ TEST_CASE("a panorama that is chosen for a cube is seen all round, and what is n
     CHECK(small.lab().problems().front().diagnostic.message.starts_with("is 5 x 3: a cube is"));
     CHECK(small.turn_until([&] { return red() == 0.0f; }));
 }
+
+TEST_CASE("a picture outside of a preset's folder is shown when the user agrees, then at once") {
+    PickerLab small;
+    const fs::path outside = save_grey(small.folder() / "outside.exr", 0.5f);
+    const fs::path preset = small.folder() / "user/presets/small/theirs.json";
+    const auto open_with = [&](const std::string& file) {
+        fs::create_directories(preset.parent_path());
+        REQUIRE(write_atomically(preset, R"({"format": "afterglow-preset", "version": 1,
+            "look": "small", "name": "theirs", "values": {"picked": ")" +
+                                             file + "\"}}")
+                    .has_value());
+        small.lab().open(preset.string());
+        REQUIRE(small.turn_until([&] { return small.document().preset_file() == preset; }));
+        small.turn(3);
+    };
+    open_with(outside.string());
+    CHECK(small.shown() == 0.0f);
+    REQUIRE(small.lab().notice().has_value());
+    CHECK(small.lab().notice()->text == "The preset names the file '" + outside.string() +
+                                            "', which lies outside its folder. It is not used.");
+    const Choice use = small.lab().notice()->choices.front();
+    CHECK(use.name == "Use it");
+    std::get<std::function<void(Lab&)>>(use.deeds.front())(small.lab());
+    CHECK(small.turn_until([&] { return small.shown() == 0.5f; }));
+    small.lab().open("small");
+    REQUIRE(small.turn_until([&] { return small.document().preset_file().empty(); }));
+    open_with(outside.string());
+    CHECK(small.turn_until([&] { return small.shown() == 0.5f; }));
+
+    save_grey(preset.parent_path() / "beside.exr", 0.25f);
+    small.lab().open("small");
+    REQUIRE(small.turn_until([&] { return small.document().preset_file().empty(); }));
+    open_with("beside.exr");
+    CHECK(small.turn_until([&] { return small.shown() == 0.25f; }));
+    CHECK_FALSE(small.document().is_modified());
+}

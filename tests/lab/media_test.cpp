@@ -145,3 +145,22 @@ TEST_CASE("patterns and generated signals name no file") {
     preset.signal = Spec{"lissajous", {{"x", 3.0}}};
     CHECK(with_found_media(preset, home.presets, home.recent) == preset);
 }
+
+TEST_CASE("a file that a value chooses is saved by its path below the preset's folder") {
+    const Home home;
+    Preset preset;
+    preset.values = {{"near", Value::of_path(home.song.string())},
+                     {"label", Value::of_path("fast")}};
+    const Preset saved = with_portable_media(preset, home.folder.path(), home.recent);
+    CHECK(saved.values.at("near").path == "music/song.wav");
+    CHECK(saved.values.at("label").path == "fast");
+    CHECK(with_portable_media(preset, home.presets, home.recent).values == preset.values);
+
+    Look look;
+    for (const char* name : {"near", "label"}) {
+        look.parameters.emplace_back();
+        look.parameters.back().name = name;
+    }
+    look.parameters.front().control = Control::image;
+    CHECK(with_found_files(saved, look, home.folder.path()).values == preset.values);
+}
