@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <vector>
 
 namespace {
 // glslang 12 overflows a stack of 8 MiB at about 30000 operators in a row.
@@ -30,6 +32,63 @@ std::optional<OutOfBounds> find_deep_nesting(std::span<const Token> tokens) {
     return std::nullopt;
 }
 
+// Whether a '(' opens the arguments of a call or constructor, whose commas make a list.
+bool opens_list(std::span<const Token> code, std::size_t at) {
+    constexpr std::array<std::string_view, 5> statements{"if", "for", "while", "switch", "return"};
+    if (at == 0 || !code[at].is("("))
+        return false;
+    const Token& before = code[at - 1];
+    return before.is("]") || (before.kind == Token::Kind::word &&
+                              std::ranges::find(statements, before.text) == statements.end());
+}
+
+// The tokens from a macro's name to behind the brackets that follow it.
+std::span<const Token> macro_use(std::span<const Token> code) {
+    std::size_t end = 1;
+    int depth = 0;
+    while (end < code.size() && (depth > 0 || code[end].is("("))) {
+        depth += code[end].is("(") ? 1 : code[end].is(")") ? -1 : 0;
+        ++end;
+        if (depth == 0)
+            break;
+    }
+    return code.first(end);
+}
+
+// The tokens of code, but of each list those of its longest item alone: compilers build the items
+// of a list beside each other, and all else below each other. Macros must be balanced.
+double without_lists(std::span<const Token> code, MacroWeights& weights) {
+    struct Level {
+        bool is_list = false;
+        double item = 0.0;
+        double longest = 0.0;
+    };
+    std::vector<Level> levels(1);
+    for (std::size_t i = 0; i < code.size(); ++i) {
+        Level& level = levels.back();
+        const auto part =
+            weights.is_macro(code[i]) ? macro_use(code.subspan(i)) : code.subspan(i, 1);
+        level.item += weights.weight_of(part);
+        level.longest = std::max(level.longest, level.item);
+        i += part.size() - 1;
+        if (part.size() > 1)
+            continue;
+        if (code[i].is("(")) {
+            levels.push_back({.is_list = opens_list(code, i)});
+        } else if (code[i].is(",") && level.is_list) {
+            level.item = 0.0;
+        } else if (code[i].is(")") && levels.size() > 1) {
+            const double inside = level.longest;
+            levels.pop_back();
+            levels.back().item += inside;
+        }
+    }
+    double sum = 0.0;
+    for (const Level& level : levels)
+        sum += std::max(level.longest, level.item);
+    return sum;
+}
+
 class Measure {
 public:
     explicit Measure(const std::vector<Directive>& directives) : m_weights(directives) {}
@@ -40,7 +99,8 @@ public:
         const double weight = m_weights.weight_of(statement);
         m_total += weight;
         const int line = statement.front().line;
-        if (weight > most_in_statement)
+        if (weight > most_in_statement &&
+            (!m_weights.are_balanced() || without_lists(statement, m_weights) > most_in_statement))
             return OutOfBounds{line, fmt::format("this is too long to be compiled: more than {} "
                                                  "words and signs in one statement, with its "
                                                  "macros expanded",

@@ -16,6 +16,16 @@ bool is_close(const Token& token) {
     return token.is(")") || token.is("]") || token.is("}");
 }
 
+bool is_balanced(std::span<const Token> code) {
+    int depth = 0;
+    for (const Token& token : code) {
+        depth += is_open(token) ? 1 : is_close(token) ? -1 : 0;
+        if (depth < 0)
+            return false;
+    }
+    return depth == 0;
+}
+
 // 0 x infinite would be no number.
 double product(double a, double b) {
     return a == 0.0 || b == 0.0 ? 0.0 : a * b;
@@ -28,6 +38,7 @@ MacroWeights::MacroWeights(const std::vector<Directive>& directives) {
             continue;
         Definitions& same = m_macros[directive.arguments.front().text];
         same.all.push_back(macro_from(directive));
+        m_are_balanced = m_are_balanced && is_balanced(same.all.back().body);
         same.takes_arguments = same.takes_arguments || same.all.back().takes_arguments;
     }
 }

@@ -17,6 +17,10 @@ public:
     /// Tokens after expansion; infinite where macros are nested too deeply, or take
     /// too many arguments, to tell.
     double weight_of(std::span<const Token> code);
+    /// Whether a token is the name of a macro.
+    bool is_macro(const Token& token) const { return m_macros.contains(token.text); }
+    /// Whether each macro closes the brackets that it opens, and no others.
+    bool are_balanced() const { return m_are_balanced; }
 
 private:
     // Tokens of an expansion: `base`, and for each argument how often it is repeated.
@@ -45,5 +49,6 @@ private:
                          const Parameters& parameters, Weight& sum);
 
     std::map<std::string_view, Definitions> m_macros;
+    bool m_are_balanced = true;
     int m_depth = 0;
 };

@@ -184,6 +184,10 @@ TEST_CASE("shaders that would break the compiler are refused with a line") {
              "\n#if " + times(200000, "!") + "1\n#endif\nvoid main() {}",
              "\n#if " + times(200000, "(") + "1\n#endif\nvoid main() {}",
              open + times(200000, "- ") + "1.0;}",
+             open + "(1.0" + times(20000, ", 1.0") + ");}",
+             open + "sin(1.0" + times(8000, "+1.0") + times(200, "+sin(1.0, 1.0") +
+                 times(20000, "+1.0") + times(201, ")") + ";}",
+             "#define C )+(\nvoid main() { float x = sin(1.0 C 1.0" + times(20000, ", 1.0") + ");}",
              "void main() {\n" + times(100000, "{") + times(100000, "}") + "}",
          }) {
         const std::string message = first_error(stage_of("a.frag", "#version 410 core\n" + text));
@@ -209,6 +213,20 @@ TEST_CASE("macros that multiply are refused before they are expanded") {
               .starts_with("a.frag:4: error: this is too"));
     CHECK(
         check(stage_of("a.frag", call + "float x = G(F, F(1.0));\nvoid main() {}\n")).has_value());
+}
+
+TEST_CASE("a table may be as long as its variable, whose items are no deeper for it") {
+    const std::string table =
+        "#define V(x) vec2(x, -x)\n#define TWO 2.0\nconst vec2 m[5001] = vec2[](" +
+        times(5000, "V(TWO), ") +
+        "vec2(1, TWO));\n"
+        "const int t[20001] = int[](" +
+        times(20000, "5, ") +
+        "5);\n"
+        "const vec2 v[8001] = vec2[](" +
+        times(8000, "vec2(1, -2), ") + "vec2(0));\n";
+    CHECK(
+        check(stage_of("a.frag", "#version 410 core\n" + table + "void main() {}\n")).has_value());
 }
 
 TEST_CASE("a long but flat shader is none of that") {
