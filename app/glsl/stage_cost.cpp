@@ -70,6 +70,7 @@ constexpr std::array figures{
     std::pair{&ShaderLimits::uniforms, &StageCost::uniforms},
     std::pair{&ShaderLimits::switch_cases, &StageCost::switch_cases},
     std::pair{&ShaderLimits::inlined_calls, &StageCost::inlined_calls},
+    std::pair{&ShaderLimits::compared_values, &StageCost::compared_values},
     std::pair{&ShaderLimits::instructions, &StageCost::instructions},
 };
 
@@ -94,6 +95,7 @@ TIntermTyped& base_of(TIntermTyped& place) {
 // Of what is said outside of functions, and of one function.
 struct Part {
     double instructions = 0.0;
+    double compared_values = 0.0;
     double number_bytes = 0.0;     // of variables that are no arrays or structs
     double composite_bytes = 0.0;  // of those that are
     double indexed_bytes = 0.0;
@@ -106,6 +108,7 @@ struct Inlined {
     double instructions = 0.0;
     double composite_bytes = 0.0;
     double indexed_bytes = 0.0;
+    double compared_values = 0.0;
     double calls = 0.0;
     double depth = 0.0;  // of calls
 };
@@ -146,7 +149,7 @@ public:
         if (node->getOp() == glslang::EOpIndexIndirect)
             note_index(*node);
         if (node->getOp() == glslang::EOpEqual || node->getOp() == glslang::EOpNotEqual)
-            count_copy(*node->getLeft());  // compared element by element
+            count_comparison(*node->getLeft());
         count(*node);
         return true;
     }
@@ -199,6 +202,7 @@ public:
             m_cost.depth.raise(inlined.depth, part.line);
             m_cost.instructions.raise(inlined.instructions, part.line);
             m_cost.inlined_calls.raise(inlined.calls, part.line);
+            m_cost.compared_values.raise(inlined.compared_values, part.line);
             m_cost.variable_bytes.value += part.number_bytes;
             largest.composite_bytes = std::max(largest.composite_bytes, inlined.composite_bytes);
             largest.indexed_bytes = std::max(largest.indexed_bytes, inlined.indexed_bytes);
@@ -224,6 +228,14 @@ private:
         const TIntermTyped* typed = value.getAsTyped();
         if (typed && is_composite(typed->getType()))
             m_part->instructions += m_sizes.of(typed->getType()).elements;
+    }
+
+    // Arrays and structs are compared number by number.
+    void count_comparison(TIntermTyped& value) {
+        count_copy(value);
+        constexpr double bytes_of_number = 4.0;
+        if (is_composite(value.getType()))
+            m_part->compared_values += m_sizes.of(value.getType()).bytes / bytes_of_number;
     }
 
     // Uniform blocks and arrays of the driver's own are not variables of the program.
@@ -303,7 +315,7 @@ private:
         }
         m_nested += 1.0;
         Inlined all{part->second.instructions, part->second.composite_bytes,
-                    part->second.indexed_bytes};
+                    part->second.indexed_bytes, part->second.compared_values};
         for (const std::string& call : part->second.calls)
             add_call(inlined(call), all);
         m_nested -= 1.0;
@@ -315,6 +327,7 @@ private:
         all.instructions += called.instructions;
         all.composite_bytes += called.composite_bytes;
         all.indexed_bytes += called.indexed_bytes;
+        all.compared_values += called.compared_values;
         all.calls += called.calls + 1.0;
         all.depth = std::max(all.depth, called.depth);
     }

@@ -24,13 +24,14 @@ struct StageCost {
         }
     };
 
-    Figure variable_bytes;  // globals, uniforms and parameters included; arrays once a call
-    Figure indexed_bytes;   // variables of functions and globals alone
-    Figure uniforms;        // names that a driver lists: struct members one each
-    Figure depth;           // the deepest struct or chain of calls
-    Figure instructions;    // operations with every call inlined; copies of arrays by element
-    Figure inlined_calls;   // of a function, those of called functions included
-    Figure switch_cases;    // of the largest switch
+    Figure variable_bytes;   // globals, uniforms and parameters included; arrays once a call
+    Figure indexed_bytes;    // variables of functions and globals alone
+    Figure uniforms;         // names that a driver lists: struct members one each
+    Figure depth;            // the deepest struct or chain of calls
+    Figure instructions;     // operations with every call inlined; copies of arrays by element
+    Figure inlined_calls;    // of a function, those of called functions included
+    Figure switch_cases;     // of the largest switch
+    Figure compared_values;  // by == and != of arrays and structs, with every call inlined
 };
 
 /// Estimates a shader that was parsed without errors, while it and its memory live. Functions that

@@ -17,6 +17,7 @@ struct ShaderLimits {
     double instructions = 500'000;    // with every call inlined
     double inlined_calls = 24'000;    // calls, those of called functions included
     double switch_cases = 1280;       // of one switch
+    double compared_values = 4096;    // by == and != of arrays and structs, with calls inlined
 
     bool operator==(const ShaderLimits&) const = default;
 };
@@ -38,6 +39,8 @@ inline constexpr std::array shader_limits{
     ShaderLimit{"instructions", &ShaderLimits::instructions, "instructions with inlined calls"},
     ShaderLimit{"inlined-calls", &ShaderLimits::inlined_calls, "calls with inlined calls"},
     ShaderLimit{"switch-cases", &ShaderLimits::switch_cases, "cases of one switch"},
+    ShaderLimit{"compared-values", &ShaderLimits::compared_values,
+                "values compared in arrays and structs"},
 };
 
 /// Sets the limit that "NAME=VALUE" names; VALUE is a whole number from 1 to 1e12. An error names

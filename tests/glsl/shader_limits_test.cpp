@@ -155,11 +155,26 @@ TEST_CASE("a copy of an array counts for each element") {
                 "variable-bytes"));
 }
 
-TEST_CASE("arrays are compared element by element") {
-    std::string body = "float a[1000]; float b[1000]; a[0] = b[0] = uv.x;\n";
-    for (int i = 0; i < 505; ++i)
-        body += i % 2 == 0 ? "if (a == b) color.x += 1.0;\n" : "if (a != b) color.x += 1.0;\n";
-    CHECK(names(refused(fragment("", body)), "instructions"));
+TEST_CASE("arrays and structs are compared number by number, 4096 at most") {
+    const std::string type = "struct S { vec4 v[250]; float f; };\n";  // 1001 numbers
+    const auto comparing = [&](int count, const std::string& more) {
+        std::string body = "S s; S t; s.f = uv.x; t.f = uv.y; float a[92]; float b[92];\n" + more;
+        for (int i = 0; i < count; ++i)
+            body += i % 2 == 0 ? "if (s == t) color.x += 1.0;\n" : "if (s != t) color.x += 1.0;\n";
+        return fragment(type, body);
+    };
+    CHECK(refused(comparing(4, "if (a == b) color.y = 1.0;\n")) == "");  // 4004 + 92
+    CHECK(names(refused(comparing(4,
+                                  "if (a == b) color.y = 1.0;\nfloat c[1]; float d[1];\n"
+                                  "if (c == d) color.y = 1.0;\n")),
+                "compared-values"));
+    CHECK(names(refused(comparing(150, "")), "compared-values"));
+    CHECK(refused(fragment("", "if (uv == color.xy) color.x = 1.0;\n")) == "");
+    std::string calls;
+    for (int i = 0; i < 5; ++i)
+        calls += "color.x += f();\n";
+    const std::string called = type + "S s; S t; float f() { return s == t ? 1.0 : 0.0; }\n";
+    CHECK(names(refused(fragment(called, calls)), "compared-values"));
 }
 
 TEST_CASE("structs and calls are at most 64 levels deep") {
