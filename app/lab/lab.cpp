@@ -278,7 +278,8 @@ void Lab::offer_own_content(const Preset& preset) {
                   : is_same_content(own.source, present.source))
         return;
     const std::string kept = "Kept " + content_name(present, look);
-    const std::string told = m_notice && !m_notice->is_problem ? m_notice->text + " · " : "";
+    const bool goes_on = m_notice && !m_notice->is_problem && m_notice->choices.empty();
+    const std::string told = goes_on ? m_notice->text + " · " : "";
     say(told + kept);
     m_notice->choices.push_back(
         {.name = "Use the preset's " + content_word(look),

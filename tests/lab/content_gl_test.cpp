@@ -80,6 +80,17 @@ std::vector<std::string> offers(Lab& lab) {
 }
 }  // namespace
 
+TEST_CASE("of presets opened one after the other the notice says once what was kept") {
+    ContentLab small;
+    small.open_song();
+    for (int i = 0; i < 2; ++i) {
+        small.open_and_wait(small.preset_file("small", "wave").string());
+        REQUIRE(small.lab().notice().has_value());
+        CHECK(small.lab().notice()->text == "Kept song.wav");
+        CHECK(offers(small.lab()) == std::vector<std::string>{"Use the preset's signal"});
+    }
+}
+
 TEST_CASE("a preset opens with the user's sound, says so and offers its own signal") {
     ContentLab small;
     small.open_song();
