@@ -30,6 +30,9 @@ struct SizeInForce {
 };
 SizeInForce size_in_force(const Lab& lab);
 
+/// Offers the display's size for a picture of a fixed size that the output window begins to show.
+void offer_display_size(Lab& lab, Extent display);
+
 /// Size of the picture, zoom, panes, pins, the waveform's line and what else the window holds.
 std::vector<ChoiceList> window_choices(const WindowState& window, const SizeInForce& size);
 

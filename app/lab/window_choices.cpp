@@ -167,6 +167,17 @@ SizeInForce size_in_force(const Lab& lab) {
     return {lab.picture_size(), lab.picture_shape(), lab.picture_extent()};
 }
 
+void offer_display_size(Lab& lab, Extent display) {
+    const PictureSize& present = lab.picture_size();
+    if (present.follows_view || present.room(display) == display)
+        return;
+    const Extent picture = lab.picture_extent();
+    lab.offer(
+        fmt::format("The picture has {} × {} px, the display {} × {} px", picture.width,
+                    picture.height, display.width, display.height),
+        {.name = "Match the display", .deeds = {[](Lab& changed) { changed.fix_size_to_view(); }}});
+}
+
 PictureSize with_shape(PictureSize size, ViewShape shape) {
     size.follows_view = true;
     size.shape = shape;

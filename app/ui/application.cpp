@@ -4,6 +4,7 @@
 #include "gpu/window.h"
 #include "lab/first_file.h"
 #include "lab/injected_fault.h"
+#include "lab/looking_choices.h"
 #include "lab/palette.h"
 #include "lab/pending_fits.h"
 #include "lab/safe_start.h"
@@ -113,6 +114,7 @@ private:
     bool has_lost_context() const;
     Extent view() const;
     void turn();
+    void follow_output();
     bool awaits_picture();
     bool is_before_panels(Clock::time_point now);
     void make_panels_ready(double wall_seconds);
@@ -198,8 +200,7 @@ void Application::turn() {
     const double wall_seconds = seconds_between(m_last, now);
     m_last = now;
     note_pace(wall_seconds);
-    if (std::string problem = m_output.follow(m_state, m_window); !problem.empty())
-        m_lab.say(std::move(problem), true);
+    follow_output();
     if (const Extent seen = view(); !seen.is_empty())
         m_lab.set_view(seen);
     m_lab.set_unattended(m_state.is_picture_only || m_output.is_open());
@@ -223,6 +224,14 @@ void Application::turn() {
                                  ? std::optional(m_lab.document()->content())
                                  : std::nullopt);
     draw();
+}
+
+void Application::follow_output() {
+    const bool was_open = m_output.is_open();
+    if (std::string problem = m_output.follow(m_state, m_window); !problem.empty())
+        m_lab.say(std::move(problem), true);
+    if (!was_open && m_output.is_open())
+        offer_display_size(m_lab, m_state.views.output);
 }
 
 void Application::list_looks(double wall_seconds) {

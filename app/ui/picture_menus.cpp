@@ -102,7 +102,9 @@ void draw_size_items(const Scene& scene, Edits& edits) {
     ImGui::Separator();
     if (ImGui::MenuItem("Match the pane once", nullptr, present.fits_shape))
         edits.add([](Lab& lab) { lab.fix_size_to_view(); });
-    tooltip("As large as the pane is now. The size stays when panes open or close.");
+    tooltip(
+        "As large as the pane is now, or the display of the output window. The size stays when "
+        "panes open or close.");
     edits.mark("size:pane_once");
     for (const Extent& extent : picture_sizes) {
         if (ImGui::MenuItem(size_text(extent).c_str(), nullptr, present.is_exactly(extent)))

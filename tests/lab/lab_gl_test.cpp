@@ -1,3 +1,4 @@
+#include "lab/looking_choices.h"
 #include "lab/small_lab.h"
 
 TEST_CASE("an open look counts every frame of the clock") {
@@ -95,6 +96,23 @@ TEST_CASE("the size is chosen once, from the view that has been as large for hal
     small.lab().set_view({50, 50});
     turn_for(1.0);
     CHECK(small.lab().picture_extent() == Extent{50, 50});
+}
+
+TEST_CASE("the output window offers its display's size to a picture of another fixed size") {
+    SmallLab small;  // of 8 x 8 px
+    small.lab().set_view({40, 20});
+    offer_display_size(small.lab(), {8, 8});
+    CHECK_FALSE(small.lab().notice());
+    offer_display_size(small.lab(), {40, 20});
+    REQUIRE(small.lab().notice());
+    CHECK(small.lab().notice()->text == "The picture has 8 × 8 px, the display 40 × 20 px");
+    const Choice match = small.lab().notice()->choices.front();
+    std::get<std::function<void(Lab&)>>(match.deeds.front())(small.lab());
+    CHECK(small.lab().picture_extent() == Extent{40, 20});
+    SmallLab following;
+    following.lab().set_picture_size(PictureSize{true, {}, 1.0});
+    offer_display_size(following.lab(), {40, 20});
+    CHECK_FALSE(following.lab().notice());
 }
 
 TEST_CASE("a uniform renamed with @was keeps its value") {

@@ -128,6 +128,8 @@ class Driving(Person):
         middle = (340, 180, 940, 680)
         program.wait_for("the picture is there", lambda: screen.brightness(middle) > 1)
         self.snapshot("output")
+        program.wait("the display's size is offered", lambda s: s["notice"] ==
+                     "The picture has 240 × 180 px, the display 1280 × 860 px")
         program.key("ctrl+Next")
         program.wait("its keys are the panels'", lambda s: s["preset"] and s["output"] == "on")
         program.key("ctrl+b")
