@@ -54,7 +54,7 @@ void LookOptions::add_to(Options& options, Take take) {
     options.add(
         "--source", m_request.source,
         "The picture that a CRT look works on: a file, frame_%04d.png, a video or pattern:NAME; "
-        "behind it ,fit= ,aspect= ,rate= ,loop=");
+        "behind it ,fit= ,shape= ,aspect= ,prescaled= ,rate= ,loop=");
     options.add("--size", m_size, "Of the picture, in pixels").show_default();
     if (take == Take::drawing)
         options.add("--fps", m_request.fps, "Frames a second of the fixed clock")

@@ -55,8 +55,8 @@ std::span<const Token> macro_use(std::span<const Token> code) {
     return code.first(end);
 }
 
-// The tokens of code, but of each list those of its longest item alone: compilers build the items
-// of a list beside each other, and all else below each other. Macros must be balanced.
+// The number of tokens, where a list of arguments counts as its longest item: a compiler's tree has
+// the items of a list side by side, so they do not nest. Macros must be balanced.
 double without_lists(std::span<const Token> code, MacroWeights& weights) {
     struct Level {
         bool is_list = false;

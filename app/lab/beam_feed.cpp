@@ -30,8 +30,8 @@ Result<void> make_runtime_folder(const fs::path& socket) {
                             (status.st_mode & (S_IWGRP | S_IWOTH)) == 0;
     if (!is_private)
         return fail({folder, 0,
-                     "is no folder that you alone can write to. Take the rights of others from it "
-                     "with chmod 700, or choose another place with socket:PATH"});
+                     "other users may write to this folder, so no socket is made in it. Run "
+                     "chmod 700 on it, or choose another place with socket:PATH"});
     return {};
 }
 }  // namespace

@@ -476,7 +476,7 @@ private:
     std::optional<Notice> m_notice;
     PictureSize m_picture_size;
     Extent m_view{1280, 720};
-    std::optional<double> m_view_seconds;  // since it was last resized; none: nobody has set it
+    std::optional<double> m_view_seconds;  // since it changed; none: not set yet
     Extent m_drawn_extent;
     std::optional<PresetPlace> m_preset_step;  // that is being opened
     std::optional<Redraw> m_wanted;            // what the paused picture still owes

@@ -48,7 +48,7 @@ Preset with_found_media(Preset preset, const std::filesystem::path& folder,
 /// Whether a value of the look is the path of a file, rather than numbers or a made picture.
 bool names_file(const Look& look, const std::string& parameter, const Value& value);
 
-/// The preset with the full paths of the files that its values choose and that lie beside it.
+/// The preset with full paths for those files of its values that are in `folder`.
 Preset with_found_files(Preset preset, const Look& look, const std::filesystem::path& folder);
 
 /// A warning when the file that it names is there, but is not the one that it was made with.

@@ -5,12 +5,12 @@
 class Document;
 class Renderer;
 
-/// What the period of a parameter depends on in the open look. `renderer` may be null: nothing is
-/// drawn yet.
+/// Sizes and values in the open look that the period of a parameter is computed from. `renderer`
+/// may be null: nothing is drawn yet.
 PeriodTerms period_terms(const Parameter& parameter, const Document& document,
                          const Renderer* renderer);
 
-/// What is told of a parameter that sets a period.
+/// The period that a parameter sets, and whether pixels can draw it evenly.
 struct PeriodFacts {
     std::optional<double> period;  // px; none: it sets none now
     std::optional<double> beat;    // px from one band of moiré to the next; none: none is seen

@@ -7,8 +7,8 @@
 #include <string>
 
 /// Content that a preset brings and that is used only where the user agrees: presets come from
-/// others. It is files outside of the preset's folder that were not opened lately, or a socket
-/// outside of the runtime folder.
+/// others. Files outside the preset's folder count, unless they were opened lately; so does a
+/// socket outside the runtime folder.
 struct OutsideContent {
     std::string name = {};                      // the file or socket that drives the look; "": none
     std::optional<Spec> signal = std::nullopt;  // that it would be used as

@@ -6,7 +6,7 @@
 
 class Drive;
 
-/// A pattern in the place of the source's picture, shown as that was; a pattern is not enlarged.
+/// The source with a pattern as its picture: fit and shape stay, and it is not pre-scaled.
 SourceSpec with_pattern(SourceSpec source, const std::string& name);
 
 /// "harbour"; "" for a file.
@@ -19,7 +19,8 @@ struct NamedSource {
 };
 /// A pattern at the sizes that there are: "256 × 224". None for a file.
 std::vector<NamedSource> source_sizes(const SourceSpec& source);
-/// Square pixels, 4:3, 16:9, and the ratio that the source has beside these. `extent`: its pixels.
+/// Square pixels, 4:3, 16:9, Custom, and the source's own ratio if it is none of these. `extent`:
+/// its size in pixels.
 std::vector<NamedSource> source_shapes(const SourceSpec& source, Extent extent);
 /// Auto, 1× to 8×; none for a pattern. `found`: the enlargement that was found in the picture.
 std::vector<NamedSource> source_prescales(const SourceSpec& source, std::optional<int> found);

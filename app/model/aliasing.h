@@ -19,7 +19,7 @@ bool is_period(const Parameter& parameter);
 /// The unit as it stands behind a number: "px" of a period.
 std::string_view shown_unit(const Parameter& parameter);
 
-/// What the period of a parameter depends on beside itself.
+/// Sizes and values that the period of a parameter is computed from.
 struct PeriodTerms {
     const Look& look;
     const Values& values;

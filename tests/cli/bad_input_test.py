@@ -280,7 +280,7 @@ class BadPresets(ProgramTest):
             self.assertEqual(place.stat().st_mode & 0o777, 0o700)
             self.assertEqual(list(place.iterdir()), [])
             place.chmod(0o777)
-            self.assert_refused(run("render", preset, *draw, **home), f"{place}: error: is no folder that you alone")
+            self.assert_refused(run("render", preset, *draw, **home), f"{place}: error: other users may write to this folder")
             typed = self.folder / "typed.sock"
             self.assert_refused(run("render", "vector-beam", "--signal", f"socket:{typed}", *draw, **home),
                                 f"Waits for a program at {typed}")
