@@ -303,7 +303,7 @@ private:
     // glslang refuses recursion, but only when it links. Calls too deep for this thread's stack are
     // too deep for a driver as well.
     const Inlined& inlined(const std::string& name) {
-        constexpr double deepest = 4096.0;
+        constexpr double deepest = 1024.0;
         const auto [known, is_new] = m_inlined.try_emplace(name);
         Inlined& sum = known->second;
         const auto part = m_parts.find(name);

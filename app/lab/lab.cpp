@@ -131,6 +131,10 @@ std::optional<Lab::Opening> Lab::opening() const {
     return Opening{name_of(*request), m_arrival ? m_arrival->progress() : m_reloader.progress()};
 }
 
+bool Lab::is_opening_preset(const fs::path& file) const {
+    return is_reading() && m_reloader.request() && m_reloader.request()->preset_file == file;
+}
+
 void Lab::cancel_opening() {
     const bool is_restacking = m_document && m_document->is_restacking();
     if (!is_reading() || is_restacking)  // undo takes a stack's change back

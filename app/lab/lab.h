@@ -77,6 +77,7 @@ public:
     void put_problems_away();
     /// What is being opened is not; all stays as it is.
     void cancel_opening();
+    bool is_opening_preset(const std::filesystem::path& file) const;
     /// Ends the thread that opens looks; false: it is stuck in a driver, and only the end of the
     /// process ends it. Nothing is opened any more.
     bool end_opening();

@@ -384,13 +384,16 @@ std::vector<std::string> turned_uniforms(const Look& look, const Values& before,
 void follow(std::optional<DocumentState>& applied, const DocumentState& state) {
     if (!applied)
         applied = state;
-    follow_values(applied->values, state.values);
-    applied->signal = state.signal;
-    applied->source = state.source;
-    applied->overrides = state.overrides;
-    applied->origin = state.origin;
-    applied->stack = state.stack;
-    applied->modulations = state.modulations;
+    // Names every member, so that a new one cannot be forgotten.
+    const auto& [values, signal, source, overrides, origin, stack, modulations, locks] = state;
+    follow_values(applied->values, values);
+    applied->signal = signal;
+    applied->source = source;
+    applied->overrides = overrides;
+    applied->origin = origin;
+    applied->stack = stack;
+    applied->modulations = modulations;
+    applied->locks = locks;
     assert(*applied == state);
 }
 }  // namespace

@@ -173,6 +173,8 @@ void PresetCommands::remove(const fs::path& file) {
     const auto trashed = move_to_trash(file);
     if (!m_lab.succeeded(trashed))
         return;
+    if (m_lab.is_opening_preset(file))
+        m_lab.cancel_opening();
     Removal removal{.trashed = *trashed,
                     .look = document->look().id,
                     .name = preset ? preset->name : file.stem().string(),

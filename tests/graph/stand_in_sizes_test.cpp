@@ -19,8 +19,8 @@ Look scaled(const std::vector<double>& factors) {
 // Of each target, whether its sides are powers of two.
 std::vector<std::pair<bool, bool>> kinds(const Look& look, const PictureSizes& sizes) {
     std::vector<std::pair<bool, bool>> found;
-    for (const PlannedTarget& target :
-         plan_targets(look, sizes.viewport, sizes.source, {}).value().targets)
+    const auto plan = plan_targets(look, sizes.viewport, sizes.source, {}).value();
+    for (const PlannedTarget& target : plan.targets)
         found.emplace_back(is_power_of_two(target.extent.width),
                            is_power_of_two(target.extent.height));
     return found;

@@ -113,6 +113,21 @@ TEST_CASE("a deleted preset is in the trash, and undo brings it back as it was o
     CHECK(small.presets().undo_name().empty());
 }
 
+TEST_CASE("a preset that is deleted while it opens does not open") {
+    PresetLab small;
+    small.presets().save_as("Mine");
+    const fs::path file = small.users_file("Mine");
+    small.open_and_wait(small.shipped_file().string());
+    small.lab().open(file.string());
+    REQUIRE(small.lab().is_opening_preset(file));
+    small.presets().remove(file);
+    CHECK_FALSE(small.lab().is_opening_preset(file));
+    CHECK(small.lab().notice()->text == "Deleted 'Mine'");
+    CHECK(small.document().preset_file() == small.shipped_file());
+    small.lab().undo();
+    CHECK(fs::exists(file));
+}
+
 TEST_CASE("newer steps are undone before a deletion") {
     PresetLab small;
     small.presets().save_as("Mine");

@@ -14,7 +14,7 @@ double luminance(const theme::Color& color) {
 }
 
 double contrast(const theme::Color& one, const theme::Color& other) {
-    const auto [low, high] = std::minmax(luminance(one), luminance(other));
+    const auto [low, high] = std::minmax({luminance(one), luminance(other)});
     return (high + 0.05) / (low + 0.05);
 }
 }  // namespace
