@@ -23,20 +23,20 @@ int open_window(const std::string& look, const DataFolders& data) {
         data.data.empty() ? std::nullopt : std::optional<std::filesystem::path>(data.data),
         data.includes);
     if (!roots) {
-        std::cerr << to_string(roots.error()) << '\n';
+        std::cerr << to_string(roots.error());
         return EXIT_FAILURE;
     }
     roots->shader_limits = data.limits;
     const WindowOptions options = window_options(look, *roots);
     auto shown = run_window(options);
     if (!shown && !std::getenv("LIBGL_ALWAYS_SOFTWARE")) {
-        std::cerr << to_string(shown.error()) << "\nTrying software OpenGL.\n";
+        std::cerr << to_string(shown.error()) << "Trying software OpenGL.\n";
         setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
         shown = run_window(options);
     }
     if (shown)
         return EXIT_SUCCESS;
-    std::cerr << to_string(shown.error()) << "\nRendering a picture instead of opening a window.\n";
+    std::cerr << to_string(shown.error()) << "Rendering a picture instead of opening a window.\n";
     return render_instead_of_window(look, data);
 }
 }  // namespace

@@ -129,7 +129,7 @@ class RunTest(unittest.TestCase):
     def test_it_says_what_it_installs_and_how_much_before_it_does(self):
         said = self.run_it("build").stderr
         self.assertIn("g++", said)
-        self.assertIn("2 packages with what they need: 3 MB to download, 2 MB on disk", said)
+        self.assertIn("Packages including dependencies: 2 (3 MB to download, 2 MB on disk)", said)
         self.assertIn("apt-get install", self.log())
         self.assertIn("libopenimageio-dev", self.log())
         self.assertIn("--no-install-recommends", self.log())
@@ -214,7 +214,7 @@ class RunTest(unittest.TestCase):
         self.assertEqual(done.returncode, 1)
 
     def write_bench(self, name, key, verdict, ending=0):
-        """A program that tells one figure."""
+        """A program that reports one figure."""
         (self.box / f"tree/tests/bench/{name}_bench.cpp").touch()
         figure = {"topic": "t", "title": "T", "key": key, "what": key, "value": 1.0, "unit": "", "at_most": 2.0,
                   "verdict": verdict}
@@ -225,38 +225,38 @@ class RunTest(unittest.TestCase):
         program.chmod(0o755)
 
     def run_benches(self, *benches):
-        """What ./run bench came to, and the page that it wrote."""
+        """The outcome of ./run bench, and the page that it wrote."""
         for folder in ("tests/bench", "build/release/tests/bench", "docs"):
             (self.box / "tree" / folder).mkdir(parents=True, exist_ok=True)
         for name in ("figure.py", "write_table.py"):
             shutil.copy(SOURCE / "tests/bench" / name, self.box / "tree/tests/bench")
         page = self.box / "tree/docs/performance.md"
-        page.write_text("<!-- figures: ./run bench writes what follows -->\n<!-- end of figures -->\n", encoding="utf-8")
+        page.write_text("<!-- figures, written by ./run bench -->\n<!-- end of figures -->\n", encoding="utf-8")
         for bench in benches:
             self.write_bench(*bench)
         return self.run_it("bench"), page.read_text(encoding="utf-8")
 
-    def test_what_benches_tell_becomes_the_table_of_the_page(self):
+    def test_figures_of_benches_become_tables_of_the_page(self):
         script = self.box / "tree/tests/bench/last_bench.py"
         script.parent.mkdir(parents=True)
         script.write_text("import sys\nprint('got', sys.argv[1])\n", encoding="utf-8")
-        done, page = self.run_benches(("one", "first", "kept"), ("two", "second", "does not count"))
+        done, page = self.run_benches(("one", "first", "pass"), ("two", "second", "noise"))
         self.assertIn("<!-- t/first -->", page)
         self.assertIn("<!-- t/second -->", page)
         self.assertIn(f"got {self.box}/tree/build/release/app/afterglow\n", done.stdout)
-        self.assertTrue(done.stdout.endswith("\n1 kept, 0 missed, 1 do not count\n"))
+        self.assertTrue(done.stdout.endswith("\n1 pass, 0 miss, 1 noise\n"))
         self.assertEqual(done.returncode, 0)
 
-    def test_a_missed_bound_fails_the_run(self):
-        done, _ = self.run_benches(("one", "first", "missed"), ("two", "second", "kept"))
-        self.assertTrue(done.stdout.endswith("\n1 kept, 1 missed, 0 do not count\n"))
+    def test_a_missed_goal_fails_the_run(self):
+        done, _ = self.run_benches(("one", "first", "miss"), ("two", "second", "pass"))
+        self.assertTrue(done.stdout.endswith("\n1 pass, 1 miss, 0 noise\n"))
         self.assertEqual(done.returncode, 1)
 
-    def test_a_bench_that_fails_does_not_keep_the_others_from_running(self):
-        done, page = self.run_benches(("one", "first", "kept", 3), ("two", "second", "kept"))
-        self.assertIn("one_bench failed\n", done.stderr)
+    def test_a_bench_that_fails_does_not_stop_the_others(self):
+        done, page = self.run_benches(("one", "first", "pass", 3), ("two", "second", "pass"))
+        self.assertIn("Benchmark one_bench failed\n", done.stderr)
         self.assertIn("<!-- t/second -->", page)
-        self.assertTrue(done.stdout.endswith("\n2 kept, 0 missed, 0 do not count\n"))
+        self.assertTrue(done.stdout.endswith("\n2 pass, 0 miss, 0 noise\n"))
         self.assertEqual(done.returncode, 1)
 
     def test_help_tells_the_two_checks_apart_and_installs_nothing(self):

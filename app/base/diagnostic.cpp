@@ -52,10 +52,12 @@ void add_new(Diagnostics& all, Diagnostic one) {
         std::ranges::any_of(all, [&](const Diagnostic& known) { return are_same(known, one); }))
         return;
     if (count == most_of_a_severity) {
-        const char* kind = one.severity == Severity::error ? "errors" : "warnings";
         one.line = 0;
-        one.message =
-            fmt::format("there are more {}: the first {} are told", kind, most_of_a_severity);
+        one.message = one.severity == Severity::error
+                          ? fmt::format("more than {0} errors; only the first {0} are listed",
+                                        most_of_a_severity)
+                          : fmt::format("more than {0} warnings; only the first {0} are listed",
+                                        most_of_a_severity);
     }
     all.push_back(std::move(one));
 }

@@ -14,10 +14,11 @@ Result<std::size_t> size_of(const fs::path& file) {
     std::error_code error;
     const fs::file_status status = fs::status(file, error);
     if (!fs::exists(status))
-        return fail({file, 0, "there is no such file"});
+        return fail({file, 0, "file not found"});
     if (!fs::is_regular_file(status))
         return fail(
-            {file, 0, fs::is_directory(status) ? "is a folder, not a file" : "is not a file"});
+            {file, 0,
+             fs::is_directory(status) ? "this is a folder, not a file" : "this is not a file"});
     const std::uintmax_t size = fs::file_size(file, error);
     if (error)
         return fail({file, 0, error.message()});
@@ -29,7 +30,7 @@ Result<std::string> read_so_many(const fs::path& file, std::size_t count) {
     std::string bytes(count, '\0');
     stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     if (!stream && !stream.eof())
-        return fail({file, 0, std::string("cannot be read: ") + std::strerror(errno)});
+        return fail({file, 0, fmt::format("can't read the file: {}", std::strerror(errno))});
     bytes.resize(static_cast<std::size_t>(stream.gcount()));
     return bytes;
 }
@@ -42,7 +43,7 @@ Result<std::string> read_bytes(const fs::path& file, std::size_t most_bytes) {
     if (*size > most_bytes)
         return fail(
             {file, 0,
-             fmt::format("is too large: {} bytes, at most {} are read", *size, most_bytes)});
+             fmt::format("the file is too large: {} bytes; the limit is {}", *size, most_bytes)});
     return read_so_many(file, *size);
 }
 
@@ -64,7 +65,8 @@ Result<std::string> read_text(const fs::path& file) {
     if (zero != std::string::npos) {
         const auto line =
             std::count(text->begin(), text->begin() + static_cast<std::ptrdiff_t>(zero), '\n');
-        return fail({file, static_cast<int>(line) + 1, "is not a text file: it holds a NUL byte"});
+        return fail(
+            {file, static_cast<int>(line) + 1, "this is not a text file: it contains a NUL byte"});
     }
     return text;
 }

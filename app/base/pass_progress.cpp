@@ -35,14 +35,34 @@ PassProgress::State PassProgress::state() const {
     return state;
 }
 
+namespace {
+/// What is said of a step: before its passes are counted, while it goes on, at a slow pass.
+struct StepWords {
+    const char* begun;
+    const char* counted;
+    const char* slow;
+};
+
+StepWords words_of(PassProgress::Step step) {
+    switch (step) {
+        case PassProgress::Step::reading:
+            return {"Reading", "Reading: {} of {} passes", "Reading: {} of {} passes ({} is slow)"};
+        case PassProgress::Step::linking:
+            return {"Linking", "Linking: {} of {} passes", "Linking: {} of {} passes ({} is slow)"};
+        case PassProgress::Step::drawing:
+            break;
+    }
+    return {"First frame", "First frame: {} of {} passes",
+            "First frame: {} of {} passes ({} is slow)"};
+}
+}  // namespace
+
 std::string words_of(const PassProgress::State& state) {
     constexpr double long_seconds = 3.0;
-    const auto* const step = state.step == PassProgress::Step::reading   ? "Reading"
-                             : state.step == PassProgress::Step::linking ? "Linking"
-                                                                         : "First draws";
+    const StepWords words = words_of(state.step);
     if (state.total == 0)
-        return step;
-    const std::string slow =
-        state.seconds > long_seconds ? fmt::format(", '{}' takes long", state.pass) : std::string();
-    return fmt::format("{}: {} of {} passes{}", step, state.done, state.total, slow);
+        return words.begun;
+    if (state.seconds <= long_seconds)
+        return fmt::format(fmt::runtime(words.counted), state.done, state.total);
+    return fmt::format(fmt::runtime(words.slow), state.done, state.total, state.pass);
 }

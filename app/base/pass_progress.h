@@ -43,5 +43,5 @@ private:
     Clock::time_point m_since = Clock::now();
 };
 
-/// "Linking: 3 of 12 passes", and which pass takes long.
+/// "Linking: 3 of 12 passes", and which pass is slow.
 std::string words_of(const PassProgress::State& state);

@@ -1,5 +1,7 @@
 #include "base/text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -154,7 +156,15 @@ std::optional<std::string> find_similar(std::string_view name,
 
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& candidates) {
     const auto similar = find_similar(name, candidates);
-    return similar ? " (did you mean '" + *similar + "'?)" : std::string();
+    return similar ? fmt::format(" (did you mean '{}'?)", *similar) : std::string();
+}
+
+std::string with_sentence(std::string text, std::string_view sentence) {
+    if (!text.ends_with('.'))
+        text += '.';
+    text += ' ';
+    text += sentence;
+    return text;
 }
 
 std::uint64_t digest_of(std::string_view bytes) {

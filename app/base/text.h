@@ -49,5 +49,8 @@ std::optional<std::string> find_similar(std::string_view name,
 /// " (did you mean 'decay'?)", or nothing.
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& candidates);
 
+/// Both texts as sentences, each with its full stop: "file not found. 'noise' shows black."
+std::string with_sentence(std::string text, std::string_view sentence);
+
 /// A digest of bytes for telling texts apart (FNV-1a, 64 bit); not for secrets.
 std::uint64_t digest_of(std::string_view bytes);

@@ -4,9 +4,16 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <iostream>
 
 namespace {
+constexpr std::array bench_examples{
+    "afterglow bench phosphor",
+    "afterglow bench phosphor+crt --size 640x360 --frames 20",
+    "afterglow bench crt --source pattern:smpte --json",
+};
+
 struct BenchArguments {
     LookOptions look;
     int frames = 60;
@@ -28,14 +35,19 @@ void print_json(const Measurement& measured) {
 }
 
 void print_table(const Measurement& measured) {
-    std::cout << fmt::format("{}\nframe        {:8.3f} ms cpu  {:8.3f} ms wall\n",
-                             measured.renderer, measured.cpu_milliseconds,
-                             measured.wall_milliseconds);
+    std::cout << fmt::format(
+        "Renderer          {}\n"
+        "Frame, CPU time   {:.3f} ms\n"
+        "Frame, wall time  {:.3f} ms\n"
+        "Draw calls        {}\n"
+        "Memory traffic    {:.1f} bytes per pixel\n"
+        "Render targets    {:.1f} MB\n\n",
+        measured.renderer, measured.cpu_milliseconds, measured.wall_milliseconds,
+        measured.draw_calls, measured.bytes_per_pixel,
+        1e-6 * static_cast<double>(measured.target_bytes));
+    std::cout << fmt::format("{:<24} {:>11}\n", "Pass", "GPU time");
     for (const PassTime& pass : measured.passes)
-        std::cout << fmt::format("{:<12} {:8.3f} ms\n", pass.name, pass.milliseconds);
-    std::cout << fmt::format("{} draw calls, {:.1f} bytes a pixel, targets of {:.1f} MB\n",
-                             measured.draw_calls, measured.bytes_per_pixel,
-                             1e-6 * static_cast<double>(measured.target_bytes));
+        std::cout << fmt::format("{:<24} {:>8.3f} ms\n", pass.name, pass.milliseconds);
 }
 
 int bench(const BenchArguments& arguments, const DataFolders& data) {
@@ -54,12 +66,13 @@ int bench(const BenchArguments& arguments, const DataFolders& data) {
 
 /// afterglow bench LOOK --json
 Command add_bench(CommandLine& program) {
-    Options options = program.add_verb("bench", "Measure what a frame of a look costs");
+    Options options =
+        program.add_verb("bench", "Measure the render time of a look", bench_examples);
     auto arguments = std::make_shared<BenchArguments>();
     arguments->look.add_to(options, LookOptions::Take::drawing);
-    options.add("--frames", arguments->frames, "Frames to measure, after warm-up")
+    options.add("--frames N", arguments->frames, "Number of frames to measure, after warm-up")
         .show_default()
         .between(1, 100000);
-    options.add_flag("--json", arguments->as_json, "One JSON document");
+    options.add_flag("--json", arguments->as_json, "Print one JSON document");
     return [arguments](const DataFolders& data) { return bench(*arguments, data); };
 }

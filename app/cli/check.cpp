@@ -1,9 +1,18 @@
 #include "cli/common.h"
 #include "lab/look_media.h"
 
+#include <fmt/format.h>
+
+#include <array>
 #include <iostream>
 
 namespace {
+constexpr std::array check_examples{
+    "afterglow check phosphor crt",
+    "afterglow check my-look/",
+    "afterglow check crt-geom.slangp",
+};
+
 /// Validates one look or preset; prints what is wrong.
 bool is_good(const std::string& argument, const Library& library) {
     const auto prepared = prepare({.look = argument}, library);
@@ -17,17 +26,19 @@ bool is_good(const std::string& argument, const Library& library) {
     report(media);
     if (has_errors(media))
         return false;
-    std::cout << argument << ": good, " << look.passes.size() << " passes, "
-              << look.parameters.size() << " parameters\n";
+    std::cout << fmt::format("{}: good (passes: {}, parameters: {})\n", argument,
+                             look.passes.size(), look.parameters.size());
     return true;
 }
 }  // namespace
 
 /// afterglow check LOOK...
 Command add_check(CommandLine& program) {
-    Options options = program.add_verb("check", "Validate manifests, annotations and shaders");
+    Options options = program.add_verb(
+        "check", "Check looks, shaders and presets for errors\n\nThis works without OpenGL.",
+        check_examples);
     auto looks = std::make_shared<std::vector<std::string>>();
-    options.add("LOOK", *looks, "Looks, stacks or presets").required();
+    options.add("LOOK", *looks, "Looks, stacks, shaders of other programs, or presets").required();
     return [looks](const DataFolders& data) {
         const auto library = open_library(data);
         if (!library)

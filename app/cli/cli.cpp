@@ -26,12 +26,19 @@ constexpr std::array verbs{
 };
 
 constexpr const char* about =
-    "The lab for the CRT, phosphor and oscilloscope look.\n\n"
-    "afterglow [LOOK] opens the window, also on a sound, picture or preset; the commands work "
-    "without a display.\n"
-    "LOOK is a look's folder or name, a stack of looks as in phosphor+crt, a shader of another\n"
-    "program (libretro's .slangp and .slang, ISF, Shadertoy, a fragment shader alone), or a\n"
-    "preset: a file, a PNG that holds one, or its line of text.";
+    "Afterglow: a lab for CRT, phosphor and oscilloscope looks\n\n"
+    "Without a command, the window opens. All commands work without a display.\n\n"
+    "LOOK is a look (name or folder), a stack of looks (phosphor+crt), a shader of another "
+    "program (RetroArch .slangp and .slang, ISF, Shadertoy, plain fragment shaders), or a preset "
+    "(file, PNG with a preset, or line of text). The window also opens sounds, pictures and "
+    "videos.";
+
+constexpr std::array program_examples{
+    "afterglow",
+    "afterglow phosphor+crt",
+    "afterglow song.flac",
+    "afterglow render phosphor --preset amber-p3 -o amber.png",
+};
 
 // A misspelt command reads like the name of a look, and would open a window.
 void check_is_no_command(const std::string& look, const DataFolders& data) {
@@ -43,38 +50,42 @@ void check_is_no_command(const std::string& look, const DataFolders& data) {
                              library->find_look(look).has_value();
     const std::string guess = did_you_mean(look, names);
     if (!may_be_look && !guess.empty() && !std::filesystem::exists(look))
-        throw UsageError("there is no look and no command '" + look + "'" + guess);
+        throw UsageError(fmt::format("unknown command or look '{}'{}", look, guess));
 }
 
-// What was printed must have arrived: a full disk is told here.
+// What was printed must have been written: a full disk is reported here.
 int with_output_written(int code) {
     errno = 0;
     std::cout.flush();
     if (std::cout)
         return code;
-    const std::string reason = errno ? std::strerror(errno) : "nobody reads it";
-    return report({{{}, 0, "the output cannot be written: " + reason}});
+    return report({{{},
+                    0,
+                    errno ? fmt::format("can't write the output: {}", std::strerror(errno))
+                          : std::string("can't write the output")}});
 }
 
-std::string help_of_limits() {
+std::string note_of_help() {
     const ShaderLimits defaults;
-    std::string help = "NAME=VALUE, a larger limit for shaders; may be given again and again.";
+    std::string note = "Limits of --limit, with their defaults:";
     for (const ShaderLimit& limit : shader_limits)
-        help += fmt::format("\n{} ({:.0f}): {}", limit.name, defaults.*limit.value, limit.about);
-    return help;
+        note +=
+            fmt::format("\n  {:<22} {}",
+                        fmt::format("{}={:.0f}", limit.name, defaults.*limit.value), limit.about);
+    return note + "\n\nRun 'afterglow COMMAND --help' for the options of a command.";
 }
 
 void set_limits(DataFolders& data) {
     for (const std::string& text : data.limit_texts)
         if (const auto set = set_limit(data.limits, text); !set)
-            throw UsageError("--limit: " + set.error().front().message);
+            throw UsageError(fmt::format("--limit: {}", set.error().front().message));
 }
 
 /// Runs the command that was parsed, or opens the window when there was none.
 int run_parsed(const std::string& verb, const std::map<std::string, Command>& commands,
                const std::string& look, const DataFolders& data, const OpenWindow& open_window) {
     if (!verb.empty() && !look.empty())
-        throw UsageError("The following argument was not expected: " + look);
+        throw UsageError(unexpected_argument(look));
     if (!verb.empty())
         return with_output_written(commands.at(verb)(data));
     check_is_no_command(look, data);
@@ -83,17 +94,18 @@ int run_parsed(const std::string& verb, const std::map<std::string, Command>& co
 }  // namespace
 
 int run_program(int argc, const char* const* argv, const OpenWindow& open_window) {
-    CommandLine program("afterglow", AFTERGLOW_VERSION, about);
+    CommandLine program("afterglow", AFTERGLOW_VERSION, about, note_of_help(), program_examples);
     std::string look;
     DataFolders data;
     Options options = program.options();
-    options.add("LOOK", look, "What the window opens; the last one when it is left out");
-    options.add("--data", data.data, "The folder that holds shaders/ and presets/");
-    options
-        .add("--include", data.includes,
-             "A folder that shaders may include files from; may be given again and again")
+    options.add("LOOK", look, "What the window opens (default: the last look)");
+    options.add("--data FOLDER", data.data, "Folder that contains shaders/ and presets/");
+    options.add("--include FOLDER", data.includes, "Folder that shaders can include files from")
         .repeated();
-    options.add("--limit", data.limit_texts, help_of_limits()).repeated();
+    options
+        .add("--limit NAME=VALUE", data.limit_texts,
+             "Set one of the limits for shaders listed below")
+        .repeated();
     std::map<std::string, Command> commands;
     for (const Verb& verb : verbs)
         commands[verb.name] = verb.add(program);

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -21,6 +22,12 @@ public:
     using runtime_error::runtime_error;
 };
 
+/// What is said of an argument that no option or command takes.
+std::string unexpected_argument(const std::string& argument);
+
+/// "looks, presets or signals".
+std::string or_list(const std::vector<std::string>& words);
+
 /// An option, a flag or a positional that was added; each call says one thing more about it.
 class Option {
 public:
@@ -33,7 +40,7 @@ public:
     Option& between(int low, int high);
     Option& between(double low, double high);
     Option& one_of(const std::vector<std::string>& words);
-    /// Each value behind a name of its own: --set a --set b.
+    /// Each value after a name of its own: --set a --set b.
     Option& repeated();
     Option& excludes(const Option& other);
 
@@ -41,8 +48,9 @@ private:
     CLI::Option* m_option;
 };
 
-/// What the program or one of its verbs takes. `names` is "--frames", "-o,--output", or "LOOK" for
-/// a positional; `value` is filled by parsing and must live until then.
+/// What the program or one of its verbs takes. `names` is "--frames N", "-o,--output FILE", or
+/// "LOOK" for a positional: the names, and what the help calls the value. `value` is filled by
+/// parsing and must live until then.
 class Options {
 public:
     explicit Options(CLI::App& app) : m_app(&app) {}
@@ -60,17 +68,23 @@ private:
     CLI::App* m_app;
 };
 
+/// Whole command lines that the help of the program or of a verb ends with.
+using Examples = std::span<const char* const>;
+
 /// What the program takes on its command line: options of its own, and at most one verb with
 /// others.
 class CommandLine {
 public:
-    CommandLine(const std::string& name, const std::string& version, const std::string& about);
+    /// The help begins with `about`, and ends with `note` and `examples`.
+    CommandLine(const std::string& name, const std::string& version, const std::string& about,
+                const std::string& note, Examples examples);
     ~CommandLine();
     CommandLine(const CommandLine&) = delete;
     CommandLine& operator=(const CommandLine&) = delete;
 
     Options options();
-    Options add_verb(const std::string& name, const std::string& help);
+    /// The list of the verbs shows the first line of `help`.
+    Options add_verb(const std::string& name, const std::string& help, Examples examples);
 
     /// Parses, then gives what `action` returns for the verb, "" where there is none. Prints help
     /// and wrong usage itself; these are exit_done and exit_usage.

@@ -25,8 +25,8 @@ Extent parse_size(const std::string& text) {
                             : parse_integer(std::string_view(text).substr(cross + 1));
     constexpr int largest = 16384;
     if (!width || !height || *width < 1 || *height < 1 || *width > largest || *height > largest)
-        throw UsageError("--size: '" + text +
-                         "' is not of the form 1280x720, 1 to 16384 px a side");
+        throw UsageError(fmt::format(
+            "--size: expected WIDTHxHEIGHT with 1 to {} px per side, got '{}'", largest, text));
     return {*width, *height};
 }
 
@@ -34,30 +34,31 @@ void check_ending(const std::string& option, const std::string& file,
                   const std::vector<std::string>& endings) {
     const std::string ending = to_lower(std::filesystem::path(file).extension().string());
     if (std::find(endings.begin(), endings.end(), ending) == endings.end())
-        throw UsageError(
-            fmt::format("{}: '{}' does not end in {}", option, file, fmt::join(endings, " or ")));
+        throw UsageError(fmt::format("{}: the file name must end in {}, got '{}'", option,
+                                     or_list(endings), file));
 }
 
 void LookOptions::add_to(Options& options, Take take) {
     options
         .add("LOOK", m_request.look,
-             "A look's folder or name, a stack a+b, another program's shader, or a preset: file, "
-             "PNG or line")
+             "Look (name or folder), stack (phosphor+crt), shader of another program, or preset "
+             "(file, PNG or line of text)")
         .required();
-    options.add("--preset", m_request.preset, "A preset of the look: file, name or line");
+    options.add("--preset PRESET", m_request.preset,
+                "Apply a preset of the look (name, file or line of text)");
     options
-        .add("--set", m_set,
-             "name=value, in a stack also crt/name=value; may be given again and again")
+        .add("--set NAME=VALUE", m_set,
+             "Set a parameter, such as decay=0.9 or, in a stack, crt/exposure=2")
         .repeated();
-    options.add("--signal", m_request.signal,
-                "What drives a scope, as in lissajous:x=3,y=2 or audio:song.wav,mode=xy");
-    options.add(
-        "--source", m_request.source,
-        "The picture that a CRT look works on: a file, frame_%04d.png, a video or pattern:NAME; "
-        "behind it ,fit= ,shape= ,aspect= ,prescaled= ,rate= ,loop=");
-    options.add("--size", m_size, "Of the picture, in pixels").show_default();
+    options.add("--signal SIGNAL", m_request.signal,
+                "Signal of a scope look, such as lissajous:x=3,y=2 or audio:song.wav,mode=xy "
+                "('afterglow list signals' prints all)");
+    options.add("--source SOURCE", m_request.source,
+                "Picture of a CRT look: an image file, frame_%04d.png, a video or pattern:NAME, "
+                "with optional settings ,fit= ,shape= ,aspect= ,prescaled= ,rate= ,loop=");
+    options.add("--size WxH", m_size, "Render size in pixels").show_default();
     if (take == Take::drawing)
-        options.add("--fps", m_request.fps, "Frames a second of the fixed clock")
+        options.add("--fps N", m_request.fps, "Frames per second of the fixed clock")
             .show_default()
             .between(1.0, 1000.0);
 }
@@ -68,7 +69,7 @@ RenderRequest LookOptions::request() const {
     for (const std::string& assignment : m_set) {
         const std::size_t equals = assignment.find('=');
         if (equals == std::string::npos || equals == 0)
-            throw UsageError("--set: '" + assignment + "' is not of the form name=value");
+            throw UsageError(fmt::format("--set: expected NAME=VALUE, got '{}'", assignment));
         request.values.emplace_back(assignment.substr(0, equals), assignment.substr(equals + 1));
     }
     return request;
@@ -107,7 +108,7 @@ int run_drawing(RenderRequest request, const DataFolders& data, const Drawing& d
     if (!offline)
         return report(offline.error());
     if (offline->document().state().signal.kind == "socket")
-        std::cerr << offline->sender_state() << ". Ctrl+C ends it.\n";
+        std::cerr << fmt::format("{}. Press Ctrl+C to stop.\n", offline->sender_state());
     const auto done = drawing.draw(*offline, *library);
     const Diagnostics problems = offline->take_problems();
     warn(problems);

@@ -5,9 +5,16 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <iostream>
 
 namespace {
+constexpr std::array compare_examples{
+    "afterglow compare before.png after.png",
+    "afterglow compare before.exr after.exr --fail-above max=0",
+    "afterglow compare before.png after.png --tolerance 0.02 --json",
+};
+
 struct CompareArguments {
     std::string first;
     std::string second;
@@ -28,7 +35,8 @@ Bound parse_bound(const std::string& text) {
                            ? std::nullopt
                            : parse_number(std::string_view(text).substr(equals + 1));
     if (!value || (measure != "mean" && measure != "rms" && measure != "max" && measure != "share"))
-        throw UsageError("--fail-above: '" + text + "' is not mean=V, rms=V, max=V or share=V");
+        throw UsageError(
+            fmt::format("--fail-above: expected mean=V, rms=V, max=V or share=V, got '{}'", text));
     return {measure, *value};
 }
 
@@ -54,7 +62,11 @@ void print(const Difference& difference, bool as_json) {
         return;
     }
     std::cout << fmt::format(
-        "mean   {:.6g}\nrms    {:.6g}\nmax    {:.6g} at {}, {}\npsnr   {:.2f} dB\nshare  {:.6g}\n",
+        "mean   {:.6g}\n"
+        "rms    {:.6g}\n"
+        "max    {:.6g} at pixel ({}, {})\n"
+        "psnr   {:.2f} dB\n"
+        "share  {:.6g}\n",
         difference.mean, difference.rms, difference.largest, difference.largest_x,
         difference.largest_y, difference.psnr_db, difference.share_beyond);
 }
@@ -79,17 +91,17 @@ int compare(const CompareArguments& arguments) {
 
 /// afterglow compare A B
 Command add_compare(CommandLine& program) {
-    Options options = program.add_verb("compare", "Measure how far two pictures are apart");
+    Options options = program.add_verb("compare", "Measure the difference between two pictures",
+                                       compare_examples);
     auto arguments = std::make_shared<CompareArguments>();
-    options.add("A", arguments->first, "A picture").required();
-    options.add("B", arguments->second, "A picture").required();
+    options.add("A", arguments->first, "First picture").required();
+    options.add("B", arguments->second, "Second picture").required();
     options
-        .add("--tolerance", arguments->tolerance,
-             "The difference from which a pixel counts in 'share'")
-        .show_default()
+        .add("--tolerance D", arguments->tolerance,
+             "'share' counts the pixels that differ by more than this (default: 1/255)")
         .between(0.0, 1e9);
-    options.add("--fail-above", arguments->fail_above,
-                "mean=V, rms=V, max=V or share=V: exit code 1 beyond it");
-    options.add_flag("--json", arguments->as_json, "One JSON document");
+    options.add("--fail-above LIMIT", arguments->fail_above,
+                "Exit with 1 above this limit: mean=V, rms=V, max=V or share=V");
+    options.add_flag("--json", arguments->as_json, "Print one JSON document");
     return [arguments](const DataFolders&) { return compare(*arguments); };
 }

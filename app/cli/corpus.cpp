@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <atomic>
 #include <iostream>
 #include <mutex>
@@ -16,6 +17,12 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 namespace {
+constexpr std::array corpus_examples{
+    "afterglow corpus slang-shaders",
+    "afterglow corpus slang-shaders --only crt/ --jobs 4",
+    "afterglow corpus shadertoy --sample 100 --seed 11 --json > report.json",
+};
+
 struct CorpusArguments {
     std::string place;
     CorpusChoice choice;
@@ -71,17 +78,18 @@ Json tried_alone(const fs::path& file, const CorpusArguments& arguments, const D
         return json_of_lost(file, to_string(child.error()));
     const auto text = child->read_all_within(arguments.seconds, most_bytes);
     if (!text)
-        return json_of_lost(file, fmt::format("took longer than {} s", arguments.seconds));
+        return json_of_lost(file, fmt::format("timed out after {} s", arguments.seconds));
     const Json document = Json::parse(*text, nullptr, false);
     if (document.is_discarded() || !document.contains("files") || document["files"].size() != 1)
-        return json_of_lost(file, "its process ended: " + child->complaint());
+        return json_of_lost(
+            file, fmt::format("the process ended without a result: {}", child->complaint()));
     return document["files"][0];
 }
 
 std::vector<Json> tried_all(const std::vector<fs::path>& files, const CorpusArguments& arguments,
                             const DataFolders& data) {
     std::vector<Json> trials(files.size());
-    Progress progress("trying", static_cast<int>(files.size()), "files");
+    Progress progress(Progress::Work::checking_files, static_cast<int>(files.size()));
     std::atomic<std::size_t> next = 0;
     std::mutex mutex;
     int done = 0;
@@ -116,7 +124,7 @@ void print_trials(const std::vector<Json>& trials, bool as_json) {
     for (const Json& trial : trials)
         if (const auto why = trial["why"].get<std::string>(); !why.empty())
             std::cout << fmt::format("{}: {}\n", trial["file"].get<std::string>(), why);
-    std::cout << fmt::format("{} files: {} parsed, {} compiled, {} linked, {} drew\n",
+    std::cout << fmt::format("Files: {}, parsed: {}, compiled: {}, linked: {}, drawn: {}\n",
                              sums["files"].get<int>(), sums["parsed"].get<int>(),
                              sums["compiled"].get<int>(), sums["linked"].get<int>(),
                              sums["drew"].get<int>());
@@ -130,14 +138,14 @@ int run_corpus(const CorpusArguments& arguments, const DataFolders& data) {
     std::error_code error;
     if (!fs::is_directory(arguments.place, error)) {
         if (!fs::exists(arguments.place, error))
-            return report({{arguments.place, 0, "there is no such file or folder"}});
+            return report({{arguments.place, 0, "file or folder not found"}});
         const CorpusTrial trial = try_look(arguments.place, task, *library);
         print_trials({json_of_trial(trial)}, arguments.as_json);
         return trial.why.empty() ? exit_done : exit_not_good;
     }
     const std::vector<fs::path> files = corpus_files(arguments.place, arguments.choice);
     if (files.empty())
-        return report({{arguments.place, 0, "there is no look of another program in it"}});
+        return report({{arguments.place, 0, "the folder contains no shaders of other programs"}});
     const std::vector<Json> trials = tried_all(files, arguments, data);
     print_trials(trials, arguments.as_json);
     const bool is_good = std::ranges::all_of(
@@ -148,26 +156,34 @@ int run_corpus(const CorpusArguments& arguments, const DataFolders& data) {
 
 /// afterglow corpus DIR --json
 Command add_corpus(CommandLine& program) {
-    Options options = program.add_verb("corpus", "Try every look of another program in a folder");
+    Options options = program.add_verb("corpus",
+                                       "Check all shaders of other programs in a folder\n\n"
+                                       "Each file is read, compiled, linked and drawn in its own "
+                                       "process.",
+                                       corpus_examples);
     auto arguments = std::make_shared<CorpusArguments>();
-    options.add("DIR", arguments->place, "A folder, or one file").required();
-    options.add("--only", arguments->choice.only, "Part of the paths to be tried");
-    options.add("--sample", arguments->choice.sample, "So many of the files, by chance; 0: all")
+    options.add("FOLDER", arguments->place, "Folder, or a single file").required();
+    options.add("--only TEXT", arguments->choice.only, "Only files with this text in their path");
+    options
+        .add("--sample N", arguments->choice.sample,
+             "Number of files to sample at random, or 0 for all")
         .show_default()
         .between(0, 10'000'000);
-    options.add("--seed", arguments->choice.seed, "Of that chance: the same files each time")
+    options.add("--seed N", arguments->choice.seed, "Random seed of --sample")
         .show_default()
         .between(0, 1'000'000);
-    options.add("--size", arguments->size, "Of the picture, px").show_default();
-    options.add("--frames", arguments->frames, "Drawn of each; 0: shaders are only checked")
+    options.add("--size WxH", arguments->size, "Render size in pixels").show_default();
+    options
+        .add("--frames N", arguments->frames,
+             "Frames to draw per file, or 0 to only check the shaders")
         .show_default()
         .between(0, 10000);
-    options.add("--seconds", arguments->seconds, "After which a file is given up")
+    options.add("--seconds S", arguments->seconds, "Timeout per file in seconds")
         .show_default()
         .between(0.1, 86400.0);
-    options.add("--jobs", arguments->jobs, "Files that are tried at once")
+    options.add("--jobs N", arguments->jobs, "Number of files to check in parallel")
         .show_default()
         .between(1, 256);
-    options.add_flag("--json", arguments->as_json, "One JSON document");
+    options.add_flag("--json", arguments->as_json, "Print one JSON document");
     return [arguments](const DataFolders& data) { return run_corpus(*arguments, data); };
 }

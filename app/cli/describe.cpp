@@ -1,14 +1,26 @@
 #include "cli/common.h"
 
+#include <array>
 #include <iostream>
+
+namespace {
+constexpr std::array describe_examples{
+    "afterglow describe phosphor --json",
+    "afterglow describe phosphor --preset amber-p3 --json > amber.json",
+    "afterglow describe crt --source pattern:smpte --size 640x480 --json",
+};
+}  // namespace
 
 /// afterglow describe LOOK --json
 Command add_describe(CommandLine& program) {
     Options options =
-        program.add_verb("describe", "Print all that is needed to rebuild the frame elsewhere");
+        program.add_verb("describe",
+                         "Describe a look as JSON, with everything needed to draw it elsewhere\n\n"
+                         "This works without OpenGL.",
+                         describe_examples);
     auto look = std::make_shared<LookOptions>();
     look->add_to(options, LookOptions::Take::values);
-    options.add_flag("--json", "JSON on stdout, the only form there is");
+    options.add_flag("--json", "Print JSON (the only output format)");
     return [look](const DataFolders& data) {
         const RenderRequest request = look->request();
         const auto library = open_library(data);

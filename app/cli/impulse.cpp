@@ -10,6 +10,12 @@
 #include <sstream>
 
 namespace {
+constexpr std::array impulse_examples{
+    "afterglow impulse phosphor",
+    "afterglow impulse phosphor --preset radar-p7 --seconds 5",
+    "afterglow impulse phosphor+crt --at 0.25,0.5 --json",
+};
+
 constexpr std::array channels{"red", "green", "blue"};
 
 struct ImpulseArguments {
@@ -28,8 +34,7 @@ Pin parse_place(const std::string& text) {
     const auto is_share = [](double number) { return number >= 0.0 && number <= 1.0; };
     if (!(words >> place.x >> comma >> place.y) || comma != ',' || words >> rest ||
         !is_share(place.x) || !is_share(place.y))
-        throw UsageError("--at takes two numbers from 0 to 1, such as 0.5,0.25; '" + text +
-                         "' is none");
+        throw UsageError(fmt::format("--at: expected X,Y from 0 to 1, got '{}'", text));
     return place;
 }
 
@@ -62,11 +67,12 @@ std::string milliseconds(const std::optional<double>& seconds) {
 }
 
 void print_table(const ImpulseResponse& response) {
-    std::cout << fmt::format("{:<20} {:>10} {:>8} {:>9} {:>9} {:>9} {:>9}\n", "pass", "peak",
-                             "channel", "10 % ms", "1 % ms", "0.1 % ms", "half ms");
+    std::cout << "Time in ms until the light falls to 10 %, 1 % and 0.1 % of its peak\n\n";
+    std::cout << fmt::format("{:<24} {:>10} {:>8} {:>9} {:>9} {:>9} {:>9}\n", "Pass", "Peak",
+                             "Channel", "10 %", "1 %", "0.1 %", "Half-life");
     for (const PassImpulse& pass : response.passes)
         std::cout << fmt::format(
-            "{:<20} {:>10.4g} {:>8} {:>9} {:>9} {:>9} {:>9}\n", pass.pass, pass.fall.peak,
+            "{:<24} {:>10.4g} {:>8} {:>9} {:>9} {:>9} {:>9}\n", pass.pass, pass.fall.peak,
             channels[static_cast<std::size_t>(pass.channel)], milliseconds(pass.fall.to_tenth),
             milliseconds(pass.fall.to_hundredth), milliseconds(pass.fall.to_thousandth),
             milliseconds(pass.fall.half_life));
@@ -89,18 +95,18 @@ int impulse(const ImpulseArguments& arguments, const DataFolders& data) {
 
 /// afterglow impulse LOOK [--at X,Y] [--seconds S] [--json]
 Command add_impulse(CommandLine& program) {
-    Options options =
-        program.add_verb("impulse", "Fire one flash and tell how it falls in every pass");
+    Options options = program.add_verb(
+        "impulse", "Measure how a flash of light decays in every pass", impulse_examples);
     auto arguments = std::make_shared<ImpulseArguments>();
     arguments->look.add_to(options, LookOptions::Take::drawing);
     options
-        .add("--at", arguments->place,
-             "Where, as shares of the picture's width and height from its top left corner")
+        .add("--at X,Y", arguments->place,
+             "Position from 0,0 (top left of the picture) to 1,1 (bottom right)")
         .show_default();
-    options.add("--seconds", arguments->seconds, "How long it is watched")
+    options.add("--seconds S", arguments->seconds, "Time to measure in seconds")
         .show_default()
         .between(0.05, 60.0);
     options.add_flag("--json", arguments->as_json,
-                     "One JSON document, with the light of each frame");
+                     "Print one JSON document, with the light of each frame");
     return [arguments](const DataFolders& data) { return impulse(*arguments, data); };
 }

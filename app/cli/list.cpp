@@ -3,10 +3,17 @@
 
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <iomanip>
 #include <iostream>
 
 namespace {
+constexpr std::array list_examples{
+    "afterglow list looks",
+    "afterglow list signals",
+    "afterglow list presets --json",
+};
+
 void print_json(const std::vector<CatalogEntry>& entries) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const CatalogEntry& entry : entries) {
@@ -55,12 +62,13 @@ Command add_list(CommandLine& program) {
         std::string what;
         bool as_json = false;
     };
-    Options options = program.add_verb("list", "Print what there is");
+    Options options =
+        program.add_verb("list", "List looks, presets, signals or test patterns", list_examples);
     auto arguments = std::make_shared<Arguments>();
     options.add("WHAT", arguments->what, "looks, presets, signals or patterns")
         .required()
         .one_of({"looks", "presets", "signals", "patterns"});
-    options.add_flag("--json", arguments->as_json, "One JSON document");
+    options.add_flag("--json", arguments->as_json, "Print one JSON document");
     return [arguments](const DataFolders& data) {
         return list(arguments->what, arguments->as_json, data);
     };

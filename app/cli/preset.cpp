@@ -1,7 +1,16 @@
 #include "cli/common.h"
 #include "lab/sharing.h"
 
+#include <array>
 #include <iostream>
+
+namespace {
+constexpr std::array preset_examples{
+    "afterglow preset phosphor --set decay=0.97 --name Slow -o slow.json",
+    "afterglow preset slow.json --line",
+    "afterglow preset picture.png -o picture.json",
+};
+}  // namespace
 
 /// afterglow preset LOOK [--preset F] [--set …] -o F.json | --line
 Command add_preset(CommandLine& program) {
@@ -11,16 +20,19 @@ Command add_preset(CommandLine& program) {
         std::string name;
         bool as_line = false;
     };
-    Options options = program.add_verb("preset", "Make, convert or share a preset");
+    Options options =
+        program.add_verb("preset", "Create, convert or share a preset", preset_examples);
     auto arguments = std::make_shared<Arguments>();
     arguments->look.add_to(options, LookOptions::Take::values);
-    Option output = options.add("-o,--output", arguments->output, "The file to write, .json");
-    options.add("--name", arguments->name, "What the preset is called");
-    Option line = options.add_flag("--line", arguments->as_line, "Print it as one line of text");
+    Option output =
+        options.add("-o,--output FILE", arguments->output, "Save the preset as a .json file");
+    options.add("--name NAME", arguments->name, "Name of the preset");
+    Option line =
+        options.add_flag("--line", arguments->as_line, "Print the preset as one line of text");
     line.excludes(output);
     return [arguments](const DataFolders& data) {
         if (!arguments->as_line && arguments->output.empty())
-            throw UsageError("-o F.json or --line is required");
+            throw UsageError("--output FILE or --line is required");
         if (!arguments->as_line)
             check_ending("--output", arguments->output, {".json"});
         const auto library = open_library(data);

@@ -7,11 +7,23 @@
 #include <unistd.h>
 #include <utility>
 
-Progress::Progress(std::string what, int total, std::string unit)
-    : m_what(std::move(what)),
-      m_unit(std::move(unit)),
-      m_total(total),
-      m_is_shown(isatty(STDERR_FILENO) == 1) {}
+namespace {
+// With what is done, all, the rate, its digits after the point, and the seconds left.
+const char* pattern_of(Progress::Work work) {
+    switch (work) {
+        case Progress::Work::rendering_pictures:
+            return "\rRendering: {} of {} pictures, {:.{}f} pictures/s, {:.0f} s left\033[K";
+        case Progress::Work::checking_files:
+            return "\rChecking: {} of {} files, {:.{}f} files/s, {:.0f} s left\033[K";
+        case Progress::Work::rendering_frames:
+            break;
+    }
+    return "\rRendering: {} of {} frames, {:.{}f} frames/s, {:.0f} s left\033[K";
+}
+}  // namespace
+
+Progress::Progress(Work work, int total)
+    : m_work(work), m_total(total), m_is_shown(isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {
     if (m_has_shown)
@@ -26,9 +38,8 @@ void Progress::show(int done) {
     m_has_shown = true;
     const double gone = std::chrono::duration<double>(now - m_start).count();
     const double rate = done / gone;
-    std::cerr << fmt::format("\r{}  {} of {} {}, {:.{}f} a second, {:.0f} s left\033[K", m_what,
-                             done, m_total, m_unit, rate, rate < 10.0 ? 1 : 0,
-                             (m_total - done) / std::max(rate, 1e-9));
+    std::cerr << fmt::format(fmt::runtime(pattern_of(m_work)), done, m_total, rate,
+                             rate < 10.0 ? 1 : 0, (m_total - done) / std::max(rate, 1e-9));
 }
 
 OpeningLine::OpeningLine()
@@ -45,5 +56,5 @@ void OpeningLine::show(const PassProgress::State& state) {
         return;
     m_last = now;
     m_has_shown = true;
-    std::cerr << fmt::format("\r{} ('{}')\033[K", words_of(state), state.pass);
+    std::cerr << fmt::format("\r{}\033[K", words_of(state));
 }

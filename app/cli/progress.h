@@ -3,12 +3,13 @@
 #include "base/pass_progress.h"
 
 #include <chrono>
-#include <string>
 
 /// How far long work has come, on one line of a terminal's stderr; silent elsewhere.
 class Progress {
 public:
-    Progress(std::string what, int total, std::string unit = "frames");
+    enum class Work { rendering_frames, rendering_pictures, checking_files };
+
+    Progress(Work work, int total);
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
@@ -18,8 +19,7 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
 
-    std::string m_what;
-    std::string m_unit;
+    Work m_work;
     int m_total;
     bool m_is_shown;
     bool m_has_shown = false;

@@ -10,10 +10,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <unistd.h>
 
 namespace {
+constexpr std::array render_examples{
+    "afterglow render phosphor --preset amber-p3 -o amber.png",
+    "afterglow render crt --source screenshot.png --set exposure=1.5 -o crt.png",
+    "afterglow render phosphor --signal audio:song.flac,mode=xy -o song.mp4",
+    "afterglow render vector-beam --size 640x360 --seconds 1 -o frame_%04d.png",
+};
+
 struct RenderArguments {
     LookOptions look;
     std::string output;
@@ -36,8 +44,8 @@ Result<int> chosen_pass(const RenderArguments& arguments, const Look& look) {
     if (!candidates.empty())
         return fail({{},
                      0,
-                     fmt::format("'{}' is a pass of several looks; write one of: {}",
-                                 arguments.pass, fmt::join(candidates, ", "))});
+                     fmt::format("several looks have a pass '{}'; use one of: {}", arguments.pass,
+                                 fmt::join(candidates, ", "))});
     return fail({{},
                  0,
                  fmt::format("'{}' has no pass '{}'{}", look.id, arguments.pass,
@@ -63,20 +71,20 @@ Result<void> save_all_passes(const Offline& offline, const std::filesystem::path
     return {};
 }
 
-// What cannot become a file is told before anything is drawn.
+// An output that cannot be written is refused before anything is drawn.
 FrameNames output_names(const RenderArguments& arguments) {
     const std::string& output = arguments.output;
     auto names = parse_frame_names(output);
     if (!names)
-        throw UsageError("--output: " + names.error().front().message);
+        throw UsageError(fmt::format("--output: {}", names.error().front().message));
     if (output == export_pipe && ::isatty(STDOUT_FILENO) == 1)
-        throw UsageError("--output: '-' writes a film for another program, not for a terminal");
+        throw UsageError("--output: '-' writes video data; pipe it to another program");
     if (output != export_pipe)
         check_ending("--output", output, {".png", ".exr", ".mp4", ".webm", ".gif"});
     if (is_film_output(arguments.output) && names->is_sequence())
-        throw UsageError("--output: a film is one file; '%' is for pictures, .png or .exr");
+        throw UsageError("--output: a video is one file; use %04d with .png or .exr only");
     if (!is_film_output(arguments.output) && !names->is_sequence() && arguments.start > 0.0)
-        throw UsageError("--start is for films and for pictures with %04d in their name");
+        throw UsageError("--start needs a video or an image sequence, such as frame_%04d.png");
     return std::move(*names);
 }
 
@@ -103,14 +111,14 @@ Result<ExportPart> part_to_write(const RenderArguments& arguments, const Offline
     if (arguments.frames > 0)
         part.end = arguments.frames;
     if (part.count() < 1)
-        return fail({{}, 0, "--start lies behind the last of --frames"});
+        return fail({{}, 0, "--start is after the last of --frames"});
     return part;
 }
 
 /// Draws up to the picture, and writes it.
 Result<void> draw_picture(const std::filesystem::path& file, const ExportPart& part, int pass,
                           Offline& offline, const RecentMedia& recent) {
-    Progress progress("render", static_cast<int>(part.end));
+    Progress progress(Progress::Work::rendering_frames, static_cast<int>(part.end));
     for (std::int64_t frame = 1; frame <= part.end; ++frame) {
         frame < part.end ? offline.advance_unseen() : offline.advance();
         progress.show(static_cast<int>(frame));
@@ -122,7 +130,7 @@ Result<void> draw_picture(const std::filesystem::path& file, const ExportPart& p
 
 /// Draws and writes all frames of the part.
 Result<void> draw_frames(const RenderArguments& arguments, ExportJob job, Offline& offline) {
-    Progress progress("render", static_cast<int>(job.part.end));
+    Progress progress(Progress::Work::rendering_frames, static_cast<int>(job.part.end));
     job.go_on = [&](std::int64_t drawn) {
         progress.show(static_cast<int>(drawn));
         return true;
@@ -196,37 +204,41 @@ int render(const RenderArguments& arguments, const DataFolders& data) {
 
 /// afterglow render LOOK -o OUT
 Command add_render(CommandLine& program) {
-    Options options = program.add_verb("render", "Draw a look from a fresh start on a fixed clock");
+    Options options =
+        program.add_verb("render",
+                         "Render a look to a picture, an image sequence or a video"
+                         "\n\nRendering starts at t = 0 on a fixed clock, so the same "
+                         "command gives the same bytes.",
+                         render_examples);
     auto arguments = std::make_shared<RenderArguments>();
     arguments->look.add_to(options, LookOptions::Take::drawing);
     options
-        .add("-o,--output", arguments->output,
-             "The picture's file, .png or .exr; with %04d in it every frame, the first 0000; or a "
-             "film, .mp4, .webm or .gif, or - for y4m into a pipe")
+        .add("-o,--output FILE", arguments->output,
+             "Picture of the last frame (.png, .exr), image sequence (frame_%04d.png or .exr, from "
+             "0000), video (.mp4, .webm, .gif), or - for y4m on standard output")
         .required();
-    Option frames = options.add("--frames", arguments->frames,
-                                "Frames to draw; the last is the picture (default: what the look "
-                                "needs to settle; of a film --seconds)");
+    Option frames = options.add("--frames N", arguments->frames,
+                                "Number of frames to render, from t = 0 (default: until the look "
+                                "has settled, or for a video the default of --seconds)");
     frames.between(1, 10000000);
     options
-        .add("--start", arguments->start,
-             "Seconds before what is written; they are drawn all the same")
+        .add("--start S", arguments->start, "Skip the first S seconds (they are still simulated)")
         .between(0.0, 86400.0);
     options
-        .add(
-            "--seconds", arguments->seconds,
-            "How long what is written is (default of a film: as long as the sound; without one 10)")
+        .add("--seconds S", arguments->seconds,
+             "Duration of the output in seconds (default for a video: the length of the sound, or "
+             "10 without sound)")
         .between(0.001, 86400.0)
         .excludes(frames);
-    options.add("--moves", arguments->moves,
-                "A file of lines 'seconds name value', as the window records them: what is turned "
-                "when");
+    options.add("--moves FILE", arguments->moves,
+                "Automation file, as recorded in the window, with lines of 'seconds name value'");
     options
-        .add("--timeout", arguments->timeout,
-             "Seconds without a point from stdin or a socket until it is an error (default: none)")
+        .add("--timeout S", arguments->timeout,
+             "Fail after S seconds without a point from stdin or a socket (default: no limit)")
         .between(0.001, 86400.0);
-    options.add("--pass", arguments->pass, "This pass's target instead of the picture");
-    options.add("--all-passes", arguments->all_passes,
-                "A folder for every pass's target as EXR, after the last frame");
+    options.add("--pass NAME", arguments->pass,
+                "Save the target of this pass instead of the picture");
+    options.add("--all-passes FOLDER", arguments->all_passes,
+                "Also save the targets of all passes as EXR in this folder, after the last frame");
     return [arguments](const DataFolders& data) { return render(*arguments, data); };
 }

@@ -5,7 +5,15 @@
 #include "cli/progress.h"
 #include "io/picture_file.h"
 
+#include <array>
+
 namespace {
+constexpr std::array sheet_examples{
+    "afterglow sheet phosphor -o phosphor.png",
+    "afterglow sheet crt shadow-mask --columns 3 --size 320x180 -o tubes.png",
+    "afterglow sheet mine.json yours.json -o both.png",
+};
+
 struct SheetArguments {
     std::vector<std::string> looks;
     std::string output;
@@ -60,12 +68,13 @@ Result<void> make_sheet(const SheetArguments& arguments, const Library& library)
     const std::string ending =
         to_lower(std::filesystem::path(arguments.output).extension().string());
     if (ending != ".png" && ending != ".exr")
-        return fail({arguments.output, 0, "a picture is saved as .png or .exr"});
+        return fail({arguments.output, 0,
+                     "can't save the picture: the file name must end in .png or .exr"});
     const auto requests = requests_of(arguments, library);
     if (!requests)
         return fail(requests.error());
     std::vector<SheetCell> cells;
-    Progress progress("sheet", static_cast<int>(requests->size()), "pictures");
+    Progress progress(Progress::Work::rendering_pictures, static_cast<int>(requests->size()));
     for (const RenderRequest& request : *requests) {
         auto cell = drawn(request, library);
         if (!cell)
@@ -82,16 +91,17 @@ Result<void> make_sheet(const SheetArguments& arguments, const Library& library)
 
 /// afterglow sheet LOOK... -o OUT
 Command add_sheet(CommandLine& program) {
-    Options options = program.add_verb("sheet", "Draw all presets of looks as one picture");
+    Options options = program.add_verb("sheet", "Render all presets of looks as one contact sheet",
+                                       sheet_examples);
     auto arguments = std::make_shared<SheetArguments>();
-    options.add("LOOK", arguments->looks, "Looks, with all their presets, or single presets")
+    options.add("LOOK", arguments->looks, "Looks (with all their presets) or single presets")
         .required();
-    options.add("-o,--output", arguments->output, "The sheet's file, .png or .exr").required();
-    options.add("--columns", arguments->columns, "Pictures side by side")
+    options.add("-o,--output FILE", arguments->output, "Save the sheet as .png or .exr").required();
+    options.add("--columns N", arguments->columns, "Pictures per row")
         .show_default()
         .between(1, 100);
-    options.add("--size", arguments->size, "Of each picture, in pixels").show_default();
-    options.add("--fps", arguments->fps, "Frames a second of the fixed clock")
+    options.add("--size WxH", arguments->size, "Size of each picture in pixels").show_default();
+    options.add("--fps N", arguments->fps, "Frames per second of the fixed clock")
         .show_default()
         .between(1.0, 1000.0);
     return [arguments](const DataFolders& data) {

@@ -2,7 +2,15 @@
 #include "io/sound_save.h"
 #include "lab/play_beam.h"
 
+#include <array>
+
 namespace {
+constexpr std::array signal_examples{
+    "afterglow signal text:HELLO -o hello.wav",
+    "afterglow signal lissajous:x=3,y=2 --seconds 60 --rate 96000 -o figure.flac",
+    "afterglow signal drawing:logo.svg --channels 3 -o logo.wav",
+};
+
 struct SignalArguments {
     std::string signal;
     std::string output;
@@ -23,14 +31,28 @@ int write_signal(const SignalArguments& arguments) {
 
 /// afterglow signal SPEC -o SOUND
 Command add_signal(CommandLine& program) {
-    Options options = program.add_verb("signal", "Write a signal as sound, for a real scope");
+    Options options = program.add_verb(
+        "signal", "Save a signal as a sound file, for a real oscilloscope in XY mode",
+        signal_examples);
     auto arguments = std::make_shared<SignalArguments>();
-    options.add("SPEC", arguments->signal, "The signal, such as text:HELLO").required();
-    options.add("-o,--output", arguments->output, "A .wav or .flac: x left, y right").required();
-    options.add("--seconds", arguments->format.seconds, "How long it is (10)")
+    options
+        .add("SIGNAL", arguments->signal,
+             "Signal, such as text:HELLO ('afterglow list signals' prints all)")
+        .required();
+    options
+        .add("-o,--output FILE", arguments->output,
+             "Save as .wav or .flac, with x on the left channel and y on the right")
+        .required();
+    options.add("--seconds S", arguments->format.seconds, "Duration in seconds")
+        .show_default()
         .between(0.001, 3600.0);
-    options.add("--rate", arguments->format.rate, "Samples a second (48000)").between(8000, 768000);
-    options.add("--channels", arguments->format.channels, "2, or 3 with the beam's current (2)")
+    options.add("--rate HZ", arguments->format.rate, "Sample rate in Hz")
+        .show_default()
+        .between(8000, 768000);
+    options
+        .add("--channels N", arguments->format.channels,
+             "2 channels, or 3 with the beam current on the third")
+        .show_default()
         .between(2, 3);
     return [arguments](const DataFolders&) { return write_signal(*arguments); };
 }

@@ -6,7 +6,17 @@
 #include "io/picture_file.h"
 #include "lab/sheet.h"
 
+#include <fmt/format.h>
+
+#include <array>
+
 namespace {
+constexpr std::array sweep_examples{
+    "afterglow sweep phosphor --vary decay=0.5:0.98:5 -o decay.png",
+    "afterglow sweep phosphor --vary beam_width=1:4:3 --columns 1 -o widths.png",
+    "afterglow sweep crt --vary exposure=1:4:3 --vary tone_map=ACES,AgX -o crt.png",
+};
+
 struct SweepArguments {
     LookOptions look{"320x180"};
     std::vector<std::string> axes;
@@ -28,7 +38,7 @@ Result<std::vector<SweepAxis>> axes_of(const SweepArguments& arguments, const Lo
     if (!problems.empty())
         return fail(std::move(problems));
     if (axes.size() == 2 && axes[0].parameter == axes[1].parameter)
-        return fail({{}, 0, "'" + axes[0].parameter + "' is varied twice"});
+        return fail({{}, 0, fmt::format("'{}' is varied twice", axes[0].parameter)});
     return axes;
 }
 
@@ -52,7 +62,7 @@ Result<void> draw_sheet(const SweepArguments& arguments, const std::vector<Sweep
     if (auto fits = check_sheet(size, count, columns); !fits)
         return fits;
     std::vector<SheetCell> drawn_cells;
-    Progress progress("sweep", count, "pictures");
+    Progress progress(Progress::Work::rendering_pictures, count);
     for (const SweepCell& cell : cells) {
         auto picture = drawn(start, cell, frames, offline);
         if (!picture)
@@ -70,7 +80,7 @@ int sweep(const SweepArguments& arguments, const DataFolders& data) {
     const RenderRequest request = arguments.look.request();
     check_ending("--output", arguments.output, {".png", ".exr"});
     if (arguments.axes.size() > 2)
-        throw UsageError("--vary: two parameters at most, one across and one down");
+        throw UsageError("--vary can be given at most twice: one parameter across and one down");
     std::vector<SweepAxis> axes;
     const auto check = [&](const Prepared& prepared) -> Result<void> {
         auto read = axes_of(arguments, prepared.document.look());
@@ -88,24 +98,22 @@ int sweep(const SweepArguments& arguments, const DataFolders& data) {
 
 /// afterglow sweep LOOK --vary NAME=LOW:HIGH:COUNT -o OUT
 Command add_sweep(CommandLine& program) {
-    Options options =
-        program.add_verb("sweep", "Draw a look with one or two parameters varied, as one picture");
+    Options options = program.add_verb(
+        "sweep", "Render a look with varied parameters as one contact sheet", sweep_examples);
     auto arguments = std::make_shared<SweepArguments>();
     arguments->look.add_to(options, LookOptions::Take::drawing);
     options
-        .add("--vary", arguments->axes,
-             "name=low:high:count or name=a,b,c; a second one goes down the sheet")
+        .add("--vary NAME=VALUES", arguments->axes,
+             "Vary a parameter over LOW:HIGH:COUNT or A,B,C; the second --vary goes down the sheet")
         .required()
         .repeated();
-    options.add("-o,--output", arguments->output, "The sheet's file, .png or .exr").required();
-    options
-        .add("--columns", arguments->columns, "Pictures side by side, when one parameter is varied")
+    options.add("-o,--output FILE", arguments->output, "Save the sheet as .png or .exr").required();
+    options.add("--columns N", arguments->columns, "Pictures per row, with one --vary")
         .show_default()
         .between(1, 100);
     options
-        .add("--frames", arguments->frames,
-             "Frames to draw of each; the last is the picture (default: what the look needs to "
-             "settle)")
+        .add("--frames N", arguments->frames,
+             "Frames to render for each picture (default: until the look has settled)")
         .between(1, 10000000);
     return [arguments](const DataFolders& data) { return sweep(*arguments, data); };
 }

@@ -3,6 +3,8 @@
 #include "cli/progress.h"
 #include "lab/sharing.h"
 
+#include <fmt/format.h>
+
 #include <iostream>
 
 int render_instead_of_window(const std::string& look, const DataFolders& data) {
@@ -18,7 +20,7 @@ int render_instead_of_window(const std::string& look, const DataFolders& data) {
     if (!offline)
         return report(offline.error());
     const int frames = offline->document().look().settle_frames;
-    Progress progress("render", frames);
+    Progress progress(Progress::Work::rendering_frames, frames);
     for (int frame = 0; frame < frames; ++frame) {
         frame + 1 < frames ? offline->advance_unseen() : offline->advance();
         progress.show(frame + 1);
@@ -29,6 +31,6 @@ int render_instead_of_window(const std::string& look, const DataFolders& data) {
                                                 RecentMedia(library->roots()));
     if (!saved)
         return report(saved.error());
-    std::cout << "Rendered to " << file.string() << '\n';
+    std::cout << fmt::format("Rendered to {}\n", file.string());
     return exit_done;
 }

@@ -63,7 +63,7 @@ std::string reason_of(std::string_view message) {
     const std::size_t read = reason.find("; last read: ");
     if (read != std::string::npos)
         reason.erase(read, reason.find("; expected", read) - read);
-    return "no JSON: " + reason;
+    return fmt::format("invalid JSON: {}", reason);
 }
 
 // Builds the tree while the parser runs, and stops it at the first mistake but for double keys.
@@ -95,7 +95,7 @@ public:
         m_next.text = std::move(value);
         return add(JsonValue::Kind::text);
     }
-    bool binary(binary_t&) override { return stop("no JSON: binary data"); }
+    bool binary(binary_t&) override { return stop("invalid JSON: binary data"); }
 
     bool key(string_t& value) override {
         start_token();
@@ -120,7 +120,7 @@ public:
             --at;
         m_next.line = line_at(at);
         if (m_consumed == 0 || trim(m_text).empty())
-            return stop("is empty");
+            return stop("the file is empty");
         return stop(reason_of(error.what()) + column_note(m_text, at > 0 ? at - 1 : 0));
     }
 
@@ -177,8 +177,7 @@ private:
 
     void note_double(const std::string& key) {
         if (m_double_keys == DoubleKeys::refused)
-            add_new(m_problems,
-                    {m_file, m_next.line, fmt::format("the key \"{}\" is there twice", key)});
+            add_new(m_problems, {m_file, m_next.line, fmt::format("duplicate key '{}'", key)});
         else
             m_open.back().has_doubles = true;
     }
@@ -201,7 +200,7 @@ private:
 
     bool place(JsonValue value) {
         if (++m_count > most_values)
-            return stop(fmt::format("holds more than {} values", most_values));
+            return stop(fmt::format("too many values; the limit is {}", most_values));
         if (m_open.empty())
             m_root = std::move(value);
         else
@@ -214,7 +213,7 @@ private:
         m_next.kind = kind;
         m_end = m_consumed;
         if (m_open.size() >= deepest)
-            return stop(fmt::format("is nested more than {} levels deep", deepest));
+            return stop(fmt::format("nested too deeply; the limit is {} levels", deepest));
         m_open.push_back({take_next(), {}, false});
         return true;
     }
@@ -248,7 +247,7 @@ Result<JsonValue> parse_json(std::string_view text, const std::filesystem::path&
                              DoubleKeys double_keys) {
     if (text.size() > largest_text)
         return fail({file, 0,
-                     fmt::format("is too large: {} bytes, at most {} are read", text.size(),
+                     fmt::format("the text is too large: {} bytes; the limit is {}", text.size(),
                                  largest_text)});
     Builder builder(text, file, double_keys);
     const CountingIterator first(text.data(), builder.consumed());
@@ -270,10 +269,23 @@ const JsonValue* find_member(const JsonValue& object, std::string_view key) {
     return object.is(JsonValue::Kind::object) && found != object.children.end() ? &*found : nullptr;
 }
 
-std::string_view kind_name(JsonValue::Kind kind) {
-    constexpr std::string_view names[] = {"null",   "true or false", "a number",
-                                          "a text", "a list",        "an object"};
-    return names[static_cast<std::size_t>(kind)];
+std::string shown_json(const JsonValue& value) {
+    constexpr std::size_t longest = 60;
+    switch (value.kind) {
+        case JsonValue::Kind::null:
+            return "null";
+        case JsonValue::Kind::boolean:
+            return value.boolean ? "true" : "false";
+        case JsonValue::Kind::number:
+            return format_number(value.number);
+        case JsonValue::Kind::text:
+            return value.text.size() <= longest ? fmt::format("'{}'", value.text) : "'...'";
+        case JsonValue::Kind::array:
+            return value.children.empty() ? "[]" : "[...]";
+        case JsonValue::Kind::object:
+            break;
+    }
+    return value.children.empty() ? "{}" : "{...}";
 }
 
 std::map<std::string, int> lines_below(const std::filesystem::path& file, std::string_view key) {

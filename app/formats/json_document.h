@@ -45,5 +45,5 @@ const JsonValue* find_member(const JsonValue& object, std::string_view key);
 /// The lines of a file's members below the member `key`, by name; none where it is no JSON.
 std::map<std::string, int> lines_below(const std::filesystem::path& file, std::string_view key);
 
-/// "a number", "a list": for messages.
-std::string_view kind_name(JsonValue::Kind kind);
+/// A value as messages show it: "5", "'amber'", "[...]".
+std::string shown_json(const JsonValue& value);

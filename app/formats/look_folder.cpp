@@ -14,24 +14,26 @@ bool climbs(const fs::path& path) {
 
 std::optional<fs::path> LookFolder::find(std::string_view name, const JsonValue& value,
                                          ObjectReader& reader) {
-    const auto refuse = [&](std::string_view reason) {
-        reader.problem(value, fmt::format("'{}' {}", name, reason));
+    const auto refuse = [&](std::string message) {
+        reader.problem(value, std::move(message));
         return std::nullopt;
     };
     const fs::path relative(name);
     if (name.empty() || name.find('\0') != std::string_view::npos)
-        return refuse("is no file name");
+        return refuse(fmt::format("'{}' isn't a valid file name", name));
     if (relative.is_absolute() || climbs(relative))
-        return refuse("leads out of the look's folder; files of a look lie in its own folder");
+        return refuse(fmt::format(
+            "'{}' is outside the look's folder. Copy the file into the look's folder.", name));
     const fs::path file = m_folder / relative;
     if (std::find(m_files.begin(), m_files.end(), file) == m_files.end())
         m_files.push_back(file);
     std::error_code error;
     const fs::file_status status = fs::status(file, error);
     if (!fs::exists(status))
-        return refuse("is missing in the look's folder" + nearest_name(file));
+        return refuse(
+            fmt::format("can't find '{}' in the look's folder{}", name, nearest_name(file)));
     if (!fs::is_regular_file(status))
-        return refuse("is not a file");
+        return refuse(fmt::format("'{}' isn't a file", name));
     return file;
 }
 

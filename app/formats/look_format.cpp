@@ -12,6 +12,8 @@
 #include "glsl/turned_constants.h"
 #include "model/plan.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <string_view>
@@ -79,7 +81,7 @@ void order_by_groups(Look& look, Diagnostics& warnings) {
         });
         if (!is_used)
             warnings.push_back({group.declared.file, group.declared.line,
-                                "no parameter is listed under \"" + group.name + '"',
+                                fmt::format("the group '{}' has no parameters", group.name),
                                 Severity::warning});
     }
     std::ranges::stable_sort(look.parameters, {}, place);

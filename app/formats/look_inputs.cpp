@@ -22,8 +22,9 @@ public:
         if (at != std::string_view::npos) {
             const auto frames = parse_integer(reference.substr(at + 1));
             if (!frames || *frames < 0 || *frames > most_frames_ago)
-                return problem(fmt::format("'{}': behind @ stands a number of frames, 0 to {}",
-                                           reference, most_frames_ago));
+                return problem(
+                    fmt::format("'{}': expected a number of frames from 0 to {} after '@'",
+                                reference, most_frames_ago));
             input.frames_ago = *frames;
         }
         input.name = name;
@@ -42,33 +43,33 @@ private:
         input.from = Input::From::source;
         input.name.clear();
         if (m_look.driven_by != Driver::picture)
-            problem("there is no source: the look is not driven by a picture");
+            problem("'source' needs a look with 'driven_by': 'picture'");
     }
 
     void refer_to_pass(std::size_t pass, Input& input) {
         input.from = Input::From::pass;
         if (input.frames_ago == 0 && pass == m_pass)
             problem(
-                fmt::format("a pass cannot read what it is drawing; '{}@1' is its own picture of "
-                            "the frame before",
+                fmt::format("a pass can't read its own target while it draws; use '{}@1' for the "
+                            "previous frame",
                             input.name));
         else if (input.frames_ago == 0 && pass > m_pass)
-            problem(
-                fmt::format("pass '{}' is drawn after this one; '{}@1' is its picture of the frame "
-                            "before",
-                            input.name, input.name));
+            problem(fmt::format(
+                "pass '{0}' is drawn after this one; use '{0}@1' for its previous frame",
+                input.name));
     }
 
     void refer_to_image(Input& input) {
         const auto image = std::find_if(m_look.images.begin(), m_look.images.end(),
                                         [&](const Image& each) { return each.name == input.name; });
         if (image == m_look.images.end())
-            return problem(fmt::format("there is no pass or image '{}'{}", input.name,
+            return problem(fmt::format("unknown pass or image '{}'{}", input.name,
                                        did_you_mean(input.name, known_names())));
         input.from = Input::From::image;
         input.sampler = image->sampler;
         if (input.frames_ago > 0)
-            problem(fmt::format("'{}' is an image; it is the same in every frame", input.name));
+            problem(fmt::format("'{}' is an image and has no previous frames; remove '@{}'",
+                                input.name, input.frames_ago));
     }
 
     std::vector<std::string> known_names() const {
@@ -100,11 +101,11 @@ void check_texels(ObjectReader& reader, const Look& look, const JsonValue& membe
     if (input.sampler.filter == Filter::linear)
         reader.problem(
             *filter,
-            fmt::format("pass '{}' holds whole numbers, which cannot be filtered", input.name));
+            fmt::format("pass '{}' has an integer format; use 'filter': 'nearest'", input.name));
     if (input.sampler.mipmap)
         reader.problem(
             *find_member(member, "mipmap"),
-            fmt::format("pass '{}' holds whole numbers, which have no smaller levels", input.name));
+            fmt::format("pass '{}' has an integer format, which can't have mipmaps", input.name));
 }
 
 Input read_input(const JsonValue& member, ObjectReader& parent, const Look& look,
@@ -135,7 +136,8 @@ void read_inputs(ObjectReader& reader, Look& look, std::size_t pass) {
     if (!inputs || !reader.expect(*inputs, JsonValue::Kind::object))
         return;
     if (inputs->children.size() > most_inputs)
-        return reader.problem(*inputs, fmt::format("a pass has at most {} inputs", most_inputs));
+        return reader.problem(*inputs, fmt::format("the pass has {} inputs; the limit is {}",
+                                                   inputs->children.size(), most_inputs));
     for (const JsonValue& member : inputs->children)
         look.passes[pass].inputs.push_back(read_input(member, reader, look, pass));
 }

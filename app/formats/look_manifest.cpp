@@ -22,13 +22,12 @@ void read_default_signal(ObjectReader& reader, LookFolder& folder, Look& look) {
     if (!member)
         return;
     if (look.driven_by != Driver::signal)
-        reader.problem(*member, "\"default_signal\" is for a look with \"driven_by\": \"signal\"");
+        reader.problem(*member, "'default_signal' needs 'driven_by': 'signal'");
     auto spec = read_spec(*member, reader.file(), reader.problems());
     if (!spec)
         return;
     if (spec->kind == "socket" && (spec->settings.contains("path") || spec->settings.contains("")))
-        return reader.problem(*member,
-                              "a look does not say where a socket is made. Leave out \"path\"");
+        return reader.problem(*member, "a look can't set the path of a socket; remove 'path'");
     const std::string file = file_of(*spec);
     if (!file.empty())
         if (const auto found = folder.find(file, *member, reader))
@@ -42,7 +41,7 @@ void check_pattern(std::string_view pattern, const JsonValue& member, ObjectRead
     for (const PatternFacts& known : all_patterns())
         names.push_back(known.name);
     if (std::find(names.begin(), names.end(), name) == names.end())
-        reader.problem(member, fmt::format("there is no test pattern '{}'{}; there are: {}", name,
+        reader.problem(member, fmt::format("unknown pattern '{}'{}; use one of: {}", name,
                                            did_you_mean(name, names), fmt::join(names, ", ")));
 }
 
@@ -51,12 +50,11 @@ void read_default_source(ObjectReader& reader, LookFolder& folder, Look& look) {
     const JsonValue* member = reader.find("default_source");
     if (!member && look.driven_by == Driver::picture)
         reader.problem(*driver,
-                       "a look that is driven by a picture needs a \"default_source\", as in "
-                       "\"pattern:smpte\"");
+                       "'driven_by': 'picture' needs a 'default_source' such as 'pattern:smpte'");
     if (!member || !reader.expect(*member, JsonValue::Kind::text))
         return;
     if (look.driven_by != Driver::picture)
-        reader.problem(*member, "\"default_source\" is for a look with \"driven_by\": \"picture\"");
+        reader.problem(*member, "'default_source' needs 'driven_by': 'picture'");
     constexpr std::string_view pattern = "pattern:";
     look.default_source = member->text;
     auto source = parse_source(member->text);
@@ -74,8 +72,9 @@ std::optional<Image> read_image(const JsonValue& member, ObjectReader& parent, L
     Image image;
     image.name = member.key;
     if (!is_look_name(member.key) || member.key == "source")
-        parent.problem(member, fmt::format("'{}' cannot be the name of an image: {}", member.key,
-                                           look_name_rule()));
+        parent.problem(member,
+                       with_sentence(fmt::format("'{}' can't be the name of an image", member.key),
+                                     look_name_rule()));
     if (member.is(JsonValue::Kind::text)) {
         image.file = folder.find(member.text, member, parent).value_or(fs::path());
         return image;

@@ -30,8 +30,8 @@ void read_scale(ObjectReader& reader, Pass& pass, Side::By by) {
         const JsonValue& one = is_pair ? scale->children[i] : *scale;
         if (!is_scale(one))
             return reader.problem(*scale,
-                                  fmt::format("\"scale\" must be a number above 0 and at most "
-                                              "{}, or a list of two: [x, y]",
+                                  fmt::format("'scale' must be a number above 0 and at most {}, or "
+                                              "a list [x, y]",
                                               largest_scale));
         pass.size[i].factor = one.number;
     }
@@ -46,8 +46,8 @@ void read_side(const JsonValue& value, ObjectReader& reader, Side& side) {
         side = {Side::By::expression, 1.0, value.text};
     else
         reader.problem(value,
-                       fmt::format("a side of \"size\" must be 1 to {} pixels or an expression "
-                                   "such as \"$WIDTH/2\"",
+                       fmt::format("each side of 'size' must be 1 to {} pixels or an expression "
+                                   "such as '$WIDTH/2'",
                                    largest_side));
 }
 
@@ -57,16 +57,15 @@ void read_size(ObjectReader& reader, const Look& look, Pass& pass) {
                                      {"source", Side::By::source}};
     const Side::By by = reader.choice("scale_of", measures, Side::By::viewport);
     if (by == Side::By::source && look.driven_by != Driver::picture)
-        reader.problem(*of,
-                       "there is no source to measure by: the look is not driven by a picture");
+        reader.problem(*of, "'scale_of': 'source' needs a look with 'driven_by': 'picture'");
     read_scale(reader, pass, by);
     const JsonValue* size = reader.find("size");
     if (!size)
         return;
     if (of || reader.find("scale"))
-        reader.problem(*size, "a pass has a \"scale\" or a \"size\", not both");
+        reader.problem(*size, "a pass with 'size' can't have 'scale' or 'scale_of'");
     if (!size->is(JsonValue::Kind::array) || size->children.size() != 2)
-        return reader.problem(*size, "\"size\" must be a list of two: [width, height]");
+        return reader.problem(*size, "'size' must be a list [width, height]");
     for (std::size_t i = 0; i < 2; ++i)
         read_side(size->children[i], reader, pass.size[i]);
 }
@@ -77,8 +76,7 @@ std::string read_expression(ObjectReader& reader, const char* key, const char* e
     if (!when || !reader.expect(*when, JsonValue::Kind::text))
         return {};
     if (trim(when->text).empty())
-        reader.problem(*when,
-                       fmt::format("\"{}\" must be an expression such as \"{}\"", key, example));
+        reader.problem(*when, fmt::format("'{}' must be an expression such as '{}'", key, example));
     return when->text;
 }
 
@@ -91,20 +89,18 @@ bool reads_in_frame(const Pass& reader, const std::string& name) {
 std::optional<std::string> problem_of_onto(const Look& look, const Pass& pass) {
     const auto place = find_pass(look, pass.onto->pass);
     if (!place)
-        return fmt::format("there is no pass '{}'{}", pass.onto->pass,
+        return fmt::format("unknown pass '{}'{}", pass.onto->pass,
                            did_you_mean(pass.onto->pass, pass_names(look)));
     const Pass& host = look.passes[static_cast<std::size_t>(*place)];
     const bool is_once = !pass.accumulate && pass.repeat == Count(1);
     if (pass.blend != Blend::add || !is_once)
-        return "only a pass with \"blend\": \"add\" that is drawn once a frame can be drawn onto "
-               "another";
+        return "'onto' needs 'blend': 'add' and no 'accumulate' or 'repeat'";
     if (host.blend != Blend::replace || host.accumulate || host.onto)
-        return fmt::format(
-            "'{}' accumulates, blends or is drawn onto another, so nothing can be "
-            "drawn onto it",
-            host.name);
+        return fmt::format("can't draw onto '{}' because it has 'accumulate', 'blend' or 'onto'",
+                           host.name);
     if (!reads_in_frame(host, pass.name))
-        return fmt::format("'{}' does not read '{}'", host.name, pass.name);
+        return fmt::format("can't draw onto '{}' because it doesn't read '{}'", host.name,
+                           pass.name);
     return std::nullopt;
 }
 
@@ -128,9 +124,9 @@ void read_spot(ObjectReader& reader, Pass& pass) {
     if (!spot)
         return;
     if (pass.draw != Draw::segments)
-        return reader.problem(*spot, "only a pass that draws segments has a \"spot\"");
+        return reader.problem(*spot, "'spot' needs 'draw': 'segments'");
     if (!spot->is(JsonValue::Kind::array) || spot->children.size() != 2)
-        return reader.problem(*spot, "\"spot\" must be a list of two: [across, up]");
+        return reader.problem(*spot, "'spot' must be a list [across, up]");
     for (std::size_t i = 0; i < 2; ++i) {
         const JsonValue& length = spot->children[i];
         if (length.is(JsonValue::Kind::number) && length.number >= 0.0)
@@ -139,8 +135,8 @@ void read_spot(ObjectReader& reader, Pass& pass) {
             pass.spot[i] = length.text;
         else
             reader.problem(length,
-                           "a length of \"spot\" must be a number from 0 on or an expression such "
-                           "as \"2 * $spot_px / $HEIGHT\"");
+                           "each length of 'spot' must be 0 or more, or an expression such as "
+                           "'2 * $spot_px / $HEIGHT'");
     }
 }
 
@@ -151,7 +147,8 @@ void read_set(ObjectReader& reader, Pass& pass) {
     for (const JsonValue& member : set->children) {
         const auto value = read_value(member, reader);
         if (value && value->numbers.empty())
-            reader.problem(member, fmt::format("\"{}\" must be numbers", member.key));
+            reader.problem(member, fmt::format("'{}' must be a number or a list of numbers, got {}",
+                                               member.key, shown_json(member)));
         else if (value)
             pass.set[member.key] = *value;
     }
@@ -165,12 +162,13 @@ void read_rename(ObjectReader& reader, Pass& pass) {
         if (!reader.expect(member, JsonValue::Kind::text))
             continue;
         if (!is_look_name(member.text))
-            reader.problem(member, fmt::format("'{}' cannot be the name of a parameter: {}",
-                                               member.text, look_name_rule()));
-        if (pass.set.contains(member.key))
             reader.problem(
                 member,
-                fmt::format("'{}' is fixed by \"set\" and has no parameter to rename", member.key));
+                with_sentence(fmt::format("'{}' can't be the name of a parameter", member.text),
+                              look_name_rule()));
+        if (pass.set.contains(member.key))
+            reader.problem(
+                member, fmt::format("can't rename '{}' because 'set' sets its value", member.key));
         pass.rename[member.key] = member.text;
     }
 }
@@ -188,7 +186,7 @@ void read_converge(ObjectReader& reader, Pass& pass) {
         return;
     pass.converge = read_count(reader, "converge", 0, {0, most_samples});
     if (!pass.accumulate)
-        reader.problem(*converge, "only a pass with \"accumulate\": true can converge");
+        reader.problem(*converge, "'converge' needs 'accumulate': true");
 }
 
 void read_shaders(ObjectReader& reader, LookFolder& folder, const Look& look, Pass& pass) {
@@ -202,11 +200,10 @@ void read_shaders(ObjectReader& reader, LookFolder& folder, const Look& look, Pa
         return;
     const JsonValue& draw = *reader.find("draw");
     if (!vertex)
-        reader.problem(draw,
-                       fmt::format("a pass that draws {} needs a \"vertex\" shader", draw.text));
+        reader.problem(draw, fmt::format("'draw': '{}' needs a 'vertex' shader", draw.text));
     if (look.driven_by != Driver::signal)
         reader.problem(
-            draw, fmt::format("only a look with \"driven_by\": \"signal\" can draw {}", draw.text));
+            draw, fmt::format("'draw': '{}' needs a look with 'driven_by': 'signal'", draw.text));
 }
 
 // All but the inputs, which need to know the passes that follow.
@@ -217,8 +214,9 @@ Pass read_pass(ObjectReader& reader, LookFolder& folder, const Look& look, bool 
     pass.name = reader.text("name");
     if (name && name->is(JsonValue::Kind::text) &&
         (!is_look_name(pass.name) || pass.name == "source"))
-        reader.problem(*name, fmt::format("'{}' cannot be the name of a pass: {}", pass.name,
-                                          look_name_rule()));
+        reader.problem(*name,
+                       with_sentence(fmt::format("'{}' can't be the name of a pass", pass.name),
+                                     look_name_rule()));
     pass.draw = reader.choice("draw", draw_words(), Draw::fullscreen);
     read_shaders(reader, folder, look, pass);
     const bool is_shown = is_last && look.output == Encoding::display;
@@ -230,7 +228,7 @@ Pass read_pass(ObjectReader& reader, LookFolder& folder, const Look& look, bool 
     read_spot(reader, pass);
     pass.blend = reader.choice("blend", blend_words(), Blend::replace);
     if (pass.blend != Blend::replace && facts_of(pass.format).is_integer)
-        reader.problem(*reader.find("blend"), "a target of whole numbers cannot be blended");
+        reader.problem(*reader.find("blend"), "a target with an integer format can't be blended");
     read_set(reader, pass);
     read_rename(reader, pass);
     pass.accumulate = reader.boolean("accumulate", false);
@@ -250,12 +248,13 @@ void check_names(std::vector<ObjectReader>& readers, const Look& look) {
         ObjectReader& reader = readers[i];
         const auto [first, is_new] = lines.emplace(name, value->line);
         if (!is_new)
-            reader.problem(*value, fmt::format("there is a pass '{}' already, on line {}", name,
-                                               first->second));
+            reader.problem(*value,
+                           fmt::format("the name '{}' is already used by the pass on line {}", name,
+                                       first->second));
         const bool is_image = std::any_of(look.images.begin(), look.images.end(),
                                           [&](const Image& image) { return image.name == name; });
         if (is_image)
-            reader.problem(*value, fmt::format("there is an image '{}' already", name));
+            reader.problem(*value, fmt::format("the name '{}' is already used by an image", name));
     }
 }
 }  // namespace
@@ -266,7 +265,8 @@ void read_passes(ObjectReader& reader, LookFolder& folder, Look& look) {
         return;
     const std::size_t count = passes->children.size();
     if (count == 0 || count > most_passes)
-        return reader.problem(*passes, fmt::format("a look has 1 to {} passes", most_passes));
+        return reader.problem(
+            *passes, fmt::format("a look must have 1 to {} passes, got {}", most_passes, count));
     std::vector<ObjectReader> readers;
     for (const JsonValue& child : passes->children) {
         readers.emplace_back(child, reader.file(), reader.problems());
@@ -305,6 +305,6 @@ bool is_look_name(std::string_view name) {
 }
 
 std::string_view look_name_rule() {
-    return "a name is 1 to 64 letters, digits, _ and -, starts with a letter or _, and is not "
-           "'source'";
+    return "Use 1 to 64 letters, digits, _ and -, start with a letter or _, and don't use "
+           "'source'.";
 }

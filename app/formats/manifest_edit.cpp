@@ -130,10 +130,11 @@ Result<std::string> with_overrides_written(std::string_view text, const PassOver
         return fail(document.error());
     const JsonValue* passes = find_member(*document, "passes");
     if (!passes || !passes->is(JsonValue::Kind::array))
-        return fail({file, 0, "has no list of passes to write into"});
+        return fail({file, 0, "can't save the pass settings: the list 'passes' is missing"});
     for (const auto& [name, override] : overrides)
         if (!override.is_empty() && !has_pass(*passes, name))
-            return fail({file, passes->line, fmt::format("has no pass '{}' to write into", name)});
+            return fail({file, passes->line,
+                         fmt::format("can't save the pass settings: pass '{}' is missing", name)});
     TextEdit edit(text);
     for (const JsonValue& pass : passes->children)
         write_pass(edit, pass, overrides);
@@ -144,8 +145,8 @@ Result<void> write_overrides(const std::filesystem::path& manifest,
                              const PassOverrides& overrides) {
     if (!is_inside(manifest, manifest.has_parent_path() ? manifest.parent_path() : "."))
         return fail({manifest, 0,
-                     "is a link that leads out of the look's folder, where nothing is written. "
-                     "Replace the link by a copy of the file, or edit the file itself"});
+                     "can't save through a link to a file outside the look's folder. Replace the "
+                     "link with a copy of the file, or edit that file yourself."});
     const auto bytes = read_bytes(manifest);
     const auto text = read_text(manifest);
     if (!bytes || !text)

@@ -27,7 +27,7 @@ void read_figure(ObjectReader& reader, const ModulationFigure& figure, Modulatio
         return;
     if (value->number < figure.limit.low || value->number > figure.limit.high)
         reader.problem(
-            *value, fmt::format("\"{}\" must lie between {} and {}, and is {}", figure.key,
+            *value, fmt::format("'{}' must be between {} and {}, got {}", figure.key,
                                 format_number(figure.limit.low), format_number(figure.limit.high),
                                 format_number(value->number)));
     modulation.*figure.number = value->number;
@@ -88,8 +88,7 @@ Result<Modulations> fitted_modulations(const Look& look, const Preset& preset,
         if (!lines)
             lines = lines_below(file, "modulation");
         const auto line = lines->find(preset.modulations.contains(name) ? name : parameter->was);
-        problems.push_back({file, line == lines->end() ? 0 : line->second,
-                            fmt::format("'{}' cannot move by itself: it {}", name, reason)});
+        problems.push_back({file, line == lines->end() ? 0 : line->second, reason});
     }
     if (!problems.empty())
         return fail(std::move(problems));

@@ -64,9 +64,9 @@ public:
         }
         read_line(words_of(joined));
         if (m_is_too_large)
-            problem(fmt::format("has more than {} edges; a beam cannot draw so many", most_edges));
+            problem(fmt::format("too many edges; the limit is {}", most_edges));
         if (m_problems.empty() && m_edges.empty())
-            problem_at(0, "has no edges to draw: no 'f' and no 'l' lines");
+            problem_at(0, "the model has no edges to draw; add 'f' or 'l' lines");
         if (!m_problems.empty())
             return fail(std::move(m_problems));
         return edge_paths(m_corners, {m_edges.begin(), m_edges.end()});
@@ -94,7 +94,7 @@ private:
         for (std::size_t i = 0; i < 3; ++i) {
             const auto number = i + 1 < words.size() ? parse_number(words[i + 1]) : std::nullopt;
             if (!number || std::abs(*number) > 1e12)
-                return problem("a corner is 'v' and three numbers");
+                return problem("expected 'v' and three numbers between -1e12 and 1e12");
             numbers[i] = *number;
         }
         m_corners.push_back({numbers[0], numbers[1], numbers[2]});
@@ -105,13 +105,12 @@ private:
         const auto index = parse_integer(word.substr(0, word.find('/')));
         const auto count = static_cast<int>(m_corners.size());
         if (!index) {
-            problem(fmt::format("'{}' is no number of a corner", word));
+            problem(fmt::format("'{}' isn't a vertex index", word));
             return std::nullopt;
         }
         const int place = *index < 0 ? count + *index : *index - 1;
         if (*index == 0 || place < 0 || place >= count) {
-            problem(
-                fmt::format("there is no corner {}; there are {} before this line", *index, count));
+            problem(fmt::format("unknown vertex {}; vertices before this line: {}", *index, count));
             return std::nullopt;
         }
         return static_cast<std::size_t>(place);

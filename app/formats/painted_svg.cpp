@@ -7,6 +7,8 @@
 #include "formats/xml_tags.h"
 #include "io/picture_codec.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -97,7 +99,8 @@ private:
 
     void walk(std::size_t begin, std::size_t end, const State& state) {
         if (state.depth > most_open_groups)
-            m_problem = "its groups are nested too deep";
+            m_problem = fmt::format("groups are nested too deeply; the limit is {} levels",
+                                    most_open_groups);
         for (std::size_t i = begin; i < end && m_problem.empty(); ++i) {
             const XmlTag& tag = m_tags[i];
             if (tag.is_closing)
@@ -216,12 +219,12 @@ private:
                 m_count += seen.points.size();
                 m_paths.push_back(std::move(seen));
                 if (m_count > most_scene_points) {
-                    m_problem = "it has too many points for a beam to draw";
+                    m_problem = fmt::format("too many points; the limit is {}", most_scene_points);
                     return;
                 }
             }
         if (m_tests == 0)
-            m_problem = "its clip paths have too many corners";
+            m_problem = "the clip paths have too many points; simplify them";
     }
 
     const std::vector<XmlTag>& m_tags;
@@ -281,13 +284,14 @@ Result<std::vector<ScenePath>> painted_outlines(std::string_view bytes, const fs
     const auto to_page = parse_svg_transform(std::string_view(*drawn).substr(0, first_line));
     const auto tags = parse_xml_tags(std::string_view(*drawn).substr(first_line + 1), file);
     if (!to_page || !tags)
-        return fail(
-            {file, 0, "cannot be drawn: " + (tags ? "no page" : tags.error().front().message)});
+        return fail({file, 0,
+                     fmt::format("can't read the SVG: {}",
+                                 tags ? "the page has no size" : tags.error().front().message)});
     PaintedReader reader(*tags, *to_page);
     std::vector<ScenePath> paths = reader.read();
     if (!reader.problem().empty())
-        return fail({file, 0, "cannot be drawn: " + reader.problem()});
+        return fail({file, 0, reader.problem()});
     if (paths.empty())
-        return fail({file, 1, "has no paths, lines or shapes to draw: nothing in it is painted"});
+        return fail({file, 1, "the SVG has nothing to draw: no visible path, line or shape"});
     return paths;
 }

@@ -29,7 +29,7 @@ Values read_values(ObjectReader& reader) {
     if (!member || !reader.expect(*member, JsonValue::Kind::object))
         return values;
     if (member->children.size() > most_values) {
-        reader.problem(*member, fmt::format("has {} values; a preset holds at most {}",
+        reader.problem(*member, fmt::format("the preset has {} values; the limit is {}",
                                             member->children.size(), most_values));
         return values;
     }
@@ -47,8 +47,8 @@ std::vector<std::string> read_bypass(ObjectReader& reader, const std::string& lo
         return bypass;
     const std::vector<std::string> keys = stack_keys(look_ids(look));
     if (list->children.size() > keys.size()) {
-        reader.problem(*list,
-                       fmt::format("bypasses {} looks of {}", list->children.size(), keys.size()));
+        reader.problem(*list, fmt::format("'bypass' lists {} looks, but the stack has only {}",
+                                          list->children.size(), keys.size()));
         return bypass;
     }
     for (const JsonValue& item : list->children) {
@@ -56,7 +56,7 @@ std::vector<std::string> read_bypass(ObjectReader& reader, const std::string& lo
             continue;
         if (std::ranges::find(keys, item.text) == keys.end())
             reader.problem(
-                item, fmt::format("there is no '{}' in '{}'{}; its looks are: {}", item.text, look,
+                item, fmt::format("unknown look '{}' in '{}'{}; use one of: {}", item.text, look,
                                   did_you_mean(item.text, keys), fmt::join(keys, ", ")));
         bypass.push_back(item.text);
     }
@@ -68,7 +68,7 @@ Result<Value> fitted_value(const Parameter& parameter, const Value& value) {
         parameter.control == Control::image || parameter.control == Control::sound;
     if (takes_path && !value.numbers.empty())
         return fail(
-            {{}, 0, fmt::format("'{}' takes the path of a file, not numbers", parameter.name)});
+            {{}, 0, fmt::format("'{}' must be the path of a file, got numbers", parameter.name)});
     if (takes_path)
         return value;
     if (value.numbers.empty())
@@ -77,8 +77,10 @@ Result<Value> fitted_value(const Parameter& parameter, const Value& value) {
     if (value.numbers.size() != size)
         return fail({{},
                      0,
-                     fmt::format("'{}' takes {} number{}, not {}", parameter.name, size,
-                                 size == 1 ? "" : "s", value.numbers.size())});
+                     size == 1 ? fmt::format("'{}' must be a single number, got {} numbers",
+                                             parameter.name, value.numbers.size())
+                               : fmt::format("'{}' must have {} numbers, got {}", parameter.name,
+                                             size, value.numbers.size())});
     return clamped(parameter, value);
 }
 }  // namespace
@@ -95,7 +97,7 @@ Result<Preset> parse_preset(std::string_view text, const std::filesystem::path& 
     const JsonValue* look = reader.require("look");
     preset.look = reader.text("look");
     if (look && look->is(JsonValue::Kind::text) && look->text.empty())
-        reader.problem(*look, "\"look\" must name a look");
+        reader.problem(*look, "'look' is empty; set it to the name of a look");
     if (const std::string fault = fault_of_stack_size(preset.look); look && !fault.empty()) {
         reader.problem(*look, fault);
         return fail(std::move(problems));

@@ -4,6 +4,8 @@
 #include "formats/preset_format.h"
 #include "io/png_chunks.h"
 
+#include <fmt/format.h>
+
 #include <optional>
 
 namespace {
@@ -66,12 +68,13 @@ Result<Preset> preset_from_png(std::string_view png, const std::filesystem::path
             continue;
         const auto text = text_of(chunk);
         if (!text)
-            return fail({file, 0, "holds a preset that is damaged"});
+            return fail({file, 0, "the preset in the PNG is damaged"});
         auto preset = parse_preset(*text, file);
         if (!preset)
             for (Diagnostic& reason : preset.error())
-                reason = {file, 0, "holds a preset with a mistake: " + reason.message};
+                reason = {file, 0,
+                          fmt::format("the preset in the PNG is invalid: {}", reason.message)};
         return preset;
     }
-    return fail({file, 0, "is a picture that holds no preset"});
+    return fail({file, 0, "the PNG doesn't contain a preset"});
 }

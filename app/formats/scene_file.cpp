@@ -18,7 +18,10 @@ double positive(ObjectReader& reader, std::string_view key, double fallback, boo
     if (value > 0.0 || (may_be_zero && value == 0.0))
         return value;
     if (const JsonValue* given = reader.find(key))
-        reader.problem(*given, fmt::format("'{}' must be above 0", key));
+        reader.problem(*given,
+                       may_be_zero
+                           ? fmt::format("'{}' must be 0 or more, got {}", key, shown_json(*given))
+                           : fmt::format("'{}' must be above 0, got {}", key, shown_json(*given)));
     return fallback;
 }
 
@@ -27,7 +30,7 @@ void read_items(const JsonValue& items, ObjectReader& reader, BeamScene& scene) 
     if (!reader.expect(items, JsonValue::Kind::array))
         return;
     if (items.children.empty())
-        reader.problem(items, "there is nothing to draw");
+        reader.problem(items, "the scene has nothing to draw; add items");
     std::size_t points = 0;
     for (const JsonValue& value : items.children) {
         ObjectReader item(value, reader.file(), reader.problems());
@@ -35,9 +38,10 @@ void read_items(const JsonValue& items, ObjectReader& reader, BeamScene& scene) 
         for (const ScenePath& path : scene.items.back().paths)
             points += path.points.size();
         if (points > most_scene_points) {
-            reader.problem(value, fmt::format("the scene has more than {} points up to here; "
-                                              "remove items or simplify them",
-                                              most_scene_points));
+            reader.problem(value,
+                           fmt::format("too many points up to this item; the limit is {}. Remove "
+                                       "or simplify items.",
+                                       most_scene_points));
             return;
         }
     }

@@ -25,10 +25,11 @@ std::optional<std::vector<double>> numbers_of(ObjectReader& reader, const JsonVa
         }
     if (is_good && numbers.size() >= fewest && numbers.size() <= most)
         return numbers;
-    const std::string count =
-        fewest == most ? std::to_string(fewest) : fmt::format("{} or {}", fewest, most);
-    reader.problem(value, (value.key.empty() ? std::string() : "'" + value.key + "' ") +
-                              "takes a list of " + count + " numbers");
+    const char* words = "expected a list of {1} or {2} numbers";  // a point in a list
+    if (!value.key.empty())
+        words = fewest == most ? "'{0}' must be a list of {1} numbers"
+                               : "'{0}' must be a list of {1} or {2} numbers";
+    reader.problem(value, fmt::format(fmt::runtime(words), value.key, fewest, most));
     return std::nullopt;
 }
 
@@ -38,8 +39,9 @@ double bounded(ObjectReader& reader, std::string_view key, double fallback, doub
     if (value >= low && value <= high)
         return value;
     if (const JsonValue* given = reader.find(key))
-        reader.problem(*given, fmt::format("'{}' must lie between {} and {}", key,
-                                           format_number(low), format_number(high)));
+        reader.problem(
+            *given, fmt::format("'{}' must be between {} and {}, got {}", key, format_number(low),
+                                format_number(high), format_number(value)));
     return fallback;
 }
 
@@ -70,7 +72,8 @@ std::array<double, 3> turn_of(ObjectReader& reader, std::string_view key) {
     if (value->is(JsonValue::Kind::number) && std::abs(value->number) <= largest_number)
         return {0.0, 0.0, value->number};
     if (!value->is(JsonValue::Kind::array)) {
-        reader.problem(*value, fmt::format("'{}' takes degrees: a number, or a list of 3", key));
+        reader.problem(*value,
+                       fmt::format("'{}' must be an angle in degrees or a list of 3 angles", key));
         return {};
     }
     const auto numbers = numbers_of(reader, *value, 3, 3);
@@ -86,7 +89,7 @@ std::vector<ScenePath> read_points(ObjectReader& reader, bool is_closed) {
     for (const JsonValue& point : value->children)
         path.points.push_back(point_of(reader, point));
     if (path.points.size() < 2)
-        reader.problem(*value, "takes at least two points");
+        reader.problem(*value, "'points' must have at least two points");
     else if (is_closed)
         path.points.push_back(path.points.front());
     return {path};
@@ -128,8 +131,10 @@ std::vector<ScenePath> read_text(ObjectReader& reader) {
     std::string text = reader.text("text");
     constexpr std::size_t most_letters = 16'384;
     if (text.size() > most_letters) {
-        reader.problem(*reader.find("text"),
-                       fmt::format("'text' takes at most {} letters; split it", most_letters));
+        reader.problem(
+            *reader.find("text"),
+            fmt::format("'text' has {} bytes; the limit is {}. Split it into several items.",
+                        text.size(), most_letters));
         text.clear();
     }
     const double height = bounded(reader, "height", 0.2, 1e-6, 1000);
@@ -156,7 +161,7 @@ std::filesystem::path file_beside(ObjectReader& reader) {
     for (const auto& part : name)
         is_inside = is_inside && part != "..";
     if (!is_inside) {
-        reader.problem(*value, "takes a file beside the scene, or in a folder beside it");
+        reader.problem(*value, "'file' must be in the scene's folder or in a folder below it");
         return {};
     }
     return reader.file().parent_path() / name;
@@ -173,7 +178,7 @@ std::optional<T> taken(ObjectReader& reader, Result<T> read) {
         if (reason.line > 0)
             reader.problems().push_back(reason);
         else
-            reader.problem(name, fmt::format("'{}': {}", name.text, reason.message));
+            reader.problem(name, fmt::format("can't read '{}': {}", name.text, reason.message));
     return std::nullopt;
 }
 

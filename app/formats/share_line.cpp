@@ -6,6 +6,7 @@
 #include "formats/json_text.h"
 #include "formats/preset_format.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -34,9 +35,16 @@ bool is_share_line(std::string_view text) {
 
 Result<Preset> parse_share_line(std::string_view text) {
     if (!is_share_line(text))
-        return fail({{}, 0, "is no shared preset: that starts with 'afterglow:1:'"});
+        return fail(
+            {{},
+             0,
+             "the clipboard doesn't contain an Afterglow preset. Copy a line that starts with "
+             "'afterglow:1:'."});
     if (text.size() > 2 * largest_preset)
-        return fail({{}, 0, "the shared preset is too large"});
+        return fail({{},
+                     0,
+                     fmt::format("the shared preset is too large: {} bytes; the limit is {}",
+                                 text.size(), 2 * largest_preset)});
     const std::string line = without_blanks(text);
     std::string_view rest = std::string_view(line).substr(scheme.size());
     if (!rest.starts_with(version)) {
@@ -44,17 +52,17 @@ Result<Preset> parse_share_line(std::string_view text) {
         return fail({{},
                      0,
                      newer && *newer > 1
-                         ? "the shared preset was made by a newer version of the program"
-                         : "the shared preset is damaged: it starts with 'afterglow:1:'"});
+                         ? "the shared preset needs a newer version of Afterglow"
+                         : "the shared preset is damaged: it must start with 'afterglow:1:'"});
     }
     rest.remove_prefix(version.size());
     const auto stream = base64url_decode(rest);
     const auto json = stream ? inflated(*stream, largest_preset) : std::nullopt;
     if (!json)
-        return fail({{}, 0, "the shared preset is damaged or not complete; copy the whole line"});
+        return fail({{}, 0, "the shared preset is damaged or incomplete. Copy the whole line."});
     auto preset = parse_preset(*json, {});
     if (!preset)
         for (Diagnostic& reason : preset.error())
-            reason = {{}, 0, "the shared preset: " + reason.message};
+            reason = {{}, 0, fmt::format("the shared preset is invalid: {}", reason.message)};
     return preset;
 }

@@ -12,7 +12,7 @@ namespace {
 // IEC 61966-2-1 between two looks. Light below black and above white goes on by the same curve, as
 // where a source picture is read.
 constexpr const char* conversion = R"(#version 410 core
-// Between two looks of a stack: {0}.
+// {0}
 uniform sampler2D image;
 in vec2 uv;
 out vec4 color;
@@ -39,11 +39,12 @@ constexpr const char* keep = "vec3 result = value;";
 Stage conversion_stage(Encoding from, Encoding to) {
     const bool is_same = from == to;
     const bool encodes = to == Encoding::display;
-    return builtin_stage(fmt::format(
-        fmt::runtime(conversion),
-        is_same ? "the picture as it is"
-                : (encodes ? "light to display values (sRGB)" : "display values (sRGB) to light"),
-        is_same ? keep : (encodes ? encode : decode)));
+    return builtin_stage(
+        fmt::format(fmt::runtime(conversion),
+                    is_same   ? "Between two looks of a stack: copies the picture."
+                    : encodes ? "Between two looks of a stack: converts linear light to sRGB."
+                              : "Between two looks of a stack: converts sRGB to linear light.",
+                    is_same ? keep : (encodes ? encode : decode)));
 }
 
 Format format_after(const Pass& pass) {
@@ -89,8 +90,8 @@ private:
         for (const std::size_t i : drawn)
             if (i < first)
                 warnings.push_back({m_looks[first].manifest, 0,
-                                    fmt::format("'{}' is not seen: '{}', which comes after it, "
-                                                "does not work on a picture",
+                                    fmt::format("'{}' isn't drawn because the later look '{}' "
+                                                "doesn't use a picture",
                                                 m_keys[i], m_keys[first]),
                                     Severity::warning});
         return first;
@@ -245,7 +246,7 @@ private:
         pass.vertex = fullscreen_vertex_stage();
         pass.fragment = builtin_stage(
             "#version 410 core\n"
-            "// Every look of the stack is bypassed: the source as it is. Display-encoded.\n"
+            "// Every look of the stack is bypassed: shows the source. Display-encoded.\n"
             "uniform sampler2D image;\n"
             "in vec2 uv;\n"
             "out vec4 color;\n"

@@ -38,9 +38,10 @@ public:
         for (const XmlTag& tag : tags)
             tag.is_closing ? leave(tag) : enter(tag);
         if (m_problems.empty() && m_found.outlines.empty())
-            m_problems.push_back({m_file, 1, "has no paths, lines or shapes to draw"});
+            m_problems.push_back({m_file, 1, "the drawing is empty: no paths, lines or shapes"});
         if (m_count > most_scene_points)
-            m_problems.push_back({m_file, 0, "has too many points for a beam to draw"});
+            m_problems.push_back(
+                {m_file, 0, fmt::format("too many points; the limit is {}", most_scene_points)});
         if (!m_problems.empty())
             return fail(std::move(m_problems));
         return std::move(m_found);
@@ -87,7 +88,7 @@ private:
         else if (!is_displayed(tag))
             level.is_hidden = true;
         if (is_keyframe && m_found.keyframes == most_keyframes + 1)
-            problem(tag, fmt::format("has more than {} keyframes", most_keyframes));
+            problem(tag, fmt::format("too many keyframes; the limit is {}", most_keyframes));
     }
 
     void enter(const XmlTag& tag) {
@@ -133,7 +134,7 @@ private:
             text.remove_suffix(2);
         const auto value = parse_number(text);
         if (!value)
-            problem(tag, fmt::format("'{}' takes a number, not '{}'", name, found->second));
+            problem(tag, fmt::format("'{}' must be a number, got '{}'", name, found->second));
         return value.value_or(fallback);
     }
 
@@ -170,7 +171,7 @@ private:
         const auto found = tag.attributes.find("points");
         const auto numbers = parse_svg_numbers(found == tag.attributes.end() ? "" : found->second);
         if (!numbers || numbers->size() < 4 || numbers->size() % 2 != 0) {
-            problem(tag, "'points' takes pairs of numbers, at least two");
+            problem(tag, "'points' must have at least two pairs of numbers");
             return {};
         }
         ScenePath path;

@@ -96,12 +96,12 @@ public:
             if (std::isalpha(static_cast<unsigned char>(m_reader.peek())) != 0)
                 m_command = m_reader.take();
             else if (m_command == '\0' || m_command == 'z' || m_command == 'Z')
-                return fail({{}, 0, "a path begins with M, and after Z with a letter"});
+                return fail({{}, 0, "expected a path command at the start or after Z"});
             if (!run())
-                return fail(
-                    {{},
-                     0,
-                     fmt::format("a path's '{}' lacks numbers or is no command", m_command)});
+                return fail({{},
+                             0,
+                             fmt::format("path command '{}' is unknown or has too few numbers",
+                                         m_command)});
             m_reader.skip_separators();
         }
         finish();

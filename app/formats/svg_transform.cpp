@@ -3,6 +3,8 @@
 #include "base/text.h"
 #include "formats/svg_path.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -56,12 +58,13 @@ Result<SvgTransform> parse_svg_transform(std::string_view text) {
         const std::size_t open = rest.find('(');
         const std::size_t close = rest.find(')');
         if (open == std::string_view::npos || close == std::string_view::npos || close < open)
-            return fail({{}, 0, "a transform is a name and numbers in brackets"});
+            return fail({{}, 0, "expected a transform such as translate(10 20)"});
         const auto numbers = parse_svg_numbers(rest.substr(open + 1, close - open - 1));
         const std::string_view name = trim(rest.substr(0, open));
         const auto single = numbers ? single_transform(name, *numbers) : std::nullopt;
         if (!single)
-            return fail({{}, 0, "'" + std::string(name) + "' is no transform with these numbers"});
+            return fail(
+                {{}, 0, fmt::format("unknown transform '{}' or wrong number of arguments", name)});
         whole = whole * *single;
         rest.remove_prefix(close + 1);
         while (!rest.empty() && (rest.front() == ',' || trim(rest.substr(0, 1)).empty()))

@@ -37,9 +37,9 @@ std::optional<Value> read_value(const JsonValue& value, ObjectReader& reader) {
     std::vector<double> numbers = numbers_of(value);
     if (!numbers.empty())
         return Value(std::move(numbers));
-    reader.problem(value, fmt::format("\"{}\" must be a number, a list of 1 to 16 numbers, true, "
-                                      "false or a text",
-                                      value.key));
+    reader.problem(value, fmt::format("'{}' must be a number, a list of 1 to 16 numbers, true, "
+                                      "false or a text in quotes, got {}",
+                                      value.key, shown_json(value)));
     return std::nullopt;
 }
 

@@ -1,5 +1,7 @@
 #include "formats/xml_tags.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 
@@ -42,7 +44,7 @@ public:
         while (m_problem.empty() && move_to(m_text.find('<', m_at)))
             read_markup();
         if (m_problem.empty() && m_tags.empty())
-            m_problem = "holds no tags";
+            m_problem = "the file has no XML tags";
         if (!m_problem.empty())
             return fail({m_file, m_line, m_problem});
         return std::move(m_tags);
@@ -62,7 +64,7 @@ private:
     bool skip_past(std::string_view mark) {
         const std::size_t found = m_text.find(mark, m_at);
         if (found == std::string_view::npos) {
-            m_problem = "ends within a tag or a comment";
+            m_problem = "the file ends inside a tag or comment";
             return false;
         }
         move_to(found + mark.size());
@@ -101,11 +103,11 @@ private:
             move_to(m_at + 1);
         tag.name = without_prefix(read_name());
         if (tag.name.empty())
-            m_problem = "'<' is not followed by a name";
+            m_problem = "expected a tag name after '<'";
         while (m_problem.empty() && !read_end(tag))
             read_attribute(tag);
         if (m_tags.size() >= most_tags)
-            m_problem = "holds too many tags";
+            m_problem = fmt::format("too many tags; the limit is {}", most_tags);
         m_tags.push_back(std::move(tag));
     }
 
@@ -135,7 +137,7 @@ private:
         const std::string name = without_prefix(read_name());
         skip_space();
         if (name.empty() || m_at >= m_text.size() || m_text[m_at] != '=') {
-            m_problem = "a tag is broken: attributes are name=\"value\"";
+            m_problem = "expected an attribute name=\"value\"";
             return;
         }
         move_to(m_at + 1);
@@ -143,7 +145,7 @@ private:
         const char quote = m_at < m_text.size() ? m_text[m_at] : '\0';
         const std::size_t end = m_text.find(quote, m_at + 1);
         if ((quote != '"' && quote != '\'') || end == std::string_view::npos) {
-            m_problem = "the value of '" + name + "' has no closing quote";
+            m_problem = fmt::format("the value of '{}' must be in quotes", name);
             return;
         }
         tag.attributes.insert_or_assign(

@@ -21,6 +21,12 @@ struct Site {
     void error(const std::string& message) const {
         errors.push_back({hint.at.file, hint.at.line, message});
     }
+
+    void refuse_boolean() const {
+        error(fmt::format("{} is only for numbers; '{}' is a bool", hint.key, parameter.name));
+    }
+
+    void refuse_words() const { error(fmt::format("{} takes no arguments", hint.key)); }
 };
 
 bool is_boolean(const Parameter& parameter) {
@@ -51,10 +57,10 @@ std::optional<std::vector<double>> numbers_of(const Site& site) {
         if (is_boolean(site.parameter) && (word == "true" || word == "false"))
             number = word == "true" ? 1.0 : 0.0;
         if (!number)
-            site.error(fmt::format("{}: '{}' is not a number", site.hint.key, word));
+            site.error(fmt::format("{}: expected a number, got '{}'", site.hint.key, word));
         else if (!fits(component, *number))
-            site.error(fmt::format("{}: {} does not fit {}", site.hint.key, word,
-                                   with_article(glsl_name(component))));
+            site.error(
+                fmt::format("{}: {} is not a valid {}", site.hint.key, word, glsl_name(component)));
         if (!number || !fits(component, *number))
             return std::nullopt;
         numbers.push_back(*number);
@@ -65,7 +71,7 @@ std::optional<std::vector<double>> numbers_of(const Site& site) {
 bool is_ordered(const Site& site, const std::vector<double>& numbers) {
     if (numbers[0] < numbers[1])
         return true;
-    site.error(fmt::format("{} needs its low end first, then a higher one, not {} {}",
+    site.error(fmt::format("{}: the minimum must be below the maximum, got {} and {}",
                            site.hint.key, site.hint.words[0], site.hint.words[1]));
     return false;
 }
@@ -73,15 +79,15 @@ bool is_ordered(const Site& site, const std::vector<double>& numbers) {
 void apply_range(const Site& site) {
     const std::size_t count = site.hint.words.size();
     if (is_boolean(site.parameter))
-        return site.error("@range is for numbers; '" + site.parameter.name + "' is a bool");
+        return site.refuse_boolean();
     if (count != 2 && count != 3)
-        return site.error(
-            "@range takes two numbers, its low and its high end, and may take a step");
+        return site.error("@range takes a minimum, a maximum and an optional step");
     const auto numbers = numbers_of(site);
     if (!numbers || !is_ordered(site, *numbers))
         return;
     if (count == 3 && (*numbers)[2] <= 0.0)
-        return site.error("@range needs a step above 0, not " + site.hint.words[2]);
+        return site.error(
+            fmt::format("@range: the step must be above 0, got {}", site.hint.words[2]));
     const double smallest_step = site.parameter.type.scalar == Scalar::floating ? 0.0 : 1.0;
     site.parameter.range = {(*numbers)[0], (*numbers)[1],
                             count == 3 ? (*numbers)[2] : smallest_step};
@@ -89,9 +95,9 @@ void apply_range(const Site& site) {
 
 void apply_limit(const Site& site) {
     if (is_boolean(site.parameter))
-        return site.error("@limit is for numbers; '" + site.parameter.name + "' is a bool");
+        return site.refuse_boolean();
     if (site.hint.words.size() != 2)
-        return site.error("@limit takes two numbers, its low and its high end");
+        return site.error("@limit takes a minimum and a maximum");
     const auto numbers = numbers_of(site);
     if (numbers && is_ordered(site, *numbers))
         site.parameter.limit = Limit{(*numbers)[0], (*numbers)[1]};
@@ -100,29 +106,29 @@ void apply_limit(const Site& site) {
 void apply_scale(const Site& site) {
     const auto& words = site.hint.words;
     if (is_boolean(site.parameter))
-        return site.error("@scale is for numbers; '" + site.parameter.name + "' is a bool");
+        return site.refuse_boolean();
     if (words.size() != 1 || (words[0] != "linear" && words[0] != "log"))
-        return site.error("@scale is 'linear' or 'log'");
+        return site.error("@scale must be 'linear' or 'log'");
     site.parameter.scale = words[0] == "log" ? Scale::logarithmic : Scale::linear;
 }
 
 template <std::string Parameter::*Member>
 void apply_text(const Site& site) {
     if (site.hint.words.size() != 1)
-        return site.error(site.hint.key + " takes one text: " + site.hint.key + " \"...\"");
+        return site.error(fmt::format("{0} takes one text in quotes: {0} \"...\"", site.hint.key));
     site.parameter.*Member = site.hint.words[0];
 }
 
 void apply_items(const Site& site) {
     if (site.parameter.type.size() != 1)
-        return site.error(fmt::format("@items is for a single value; '{}' is {}",
+        return site.error(fmt::format("@items is only for single values; '{}' is {}",
                                       site.parameter.name,
                                       with_article(glsl_name(site.parameter.type))));
     const std::size_t count = site.hint.words.size();
     if (is_boolean(site.parameter) && count != 2)
-        return site.error("@items of a bool takes two names, for false and for true");
+        return site.error("@items of a bool takes two labels, for false and true");
     if (count < 2)
-        return site.error("@items takes two names or more, for the values 0, 1, ...");
+        return site.error("@items takes at least two labels, for the values 0, 1, ...");
     site.parameter.control = Control::list;
     for (const std::string& label : site.hint.words)
         site.parameter.items.push_back({static_cast<double>(site.parameter.items.size()), label});
@@ -130,27 +136,26 @@ void apply_items(const Site& site) {
     const double initial = site.parameter.initial.number();
     if (std::ranges::find(site.parameter.items, initial, &Item::value) ==
         site.parameter.items.end())
-        site.error(fmt::format("@items: the default {} is none of the {} items, which are 0 to {}",
-                               format_number(initial), count, count - 1));
+        site.error(fmt::format("@items: the default must be a whole number from 0 to {}, got {}",
+                               count - 1, format_number(initial)));
 }
 
 // Former labels, "" where an item had none. One that another item has now would be read as that.
 void apply_items_was(const Site& site) {
     std::vector<Item>& items = site.parameter.items;
     if (items.empty())
-        return site.error("@items_was needs @items, in the same order");
+        return site.error("@items_was needs @items in the same order");
     if (site.hint.words.empty() || site.hint.words.size() > items.size())
         return site.error(
-            fmt::format("@items_was takes up to {} names, one for each item; \"\" "
-                        "for an item that had no other",
+            fmt::format("@items_was takes up to {} labels, one per item; use \"\" for an item "
+                        "that was not renamed",
                         items.size()));
     for (std::size_t i = 0; i < site.hint.words.size(); ++i) {
         const std::string& was = site.hint.words[i];
         if (const auto same = std::ranges::find(items, was, &Item::label); same != items.end())
-            return site.error(
-                fmt::format("@items_was: '{}' is the name of an item now", same->label));
+            return site.error(fmt::format("@items_was: '{}' is also in @items", same->label));
         if (!was.empty() && std::ranges::find(items, was, &Item::was) != items.end())
-            return site.error(fmt::format("@items_was has '{}' twice", was));
+            return site.error(fmt::format("@items_was lists '{}' twice", was));
         items[i].was = was;
     }
 }
@@ -158,39 +163,40 @@ void apply_items_was(const Site& site) {
 void apply_parts(const Site& site) {
     const NumberType& type = site.parameter.type;
     if (type.columns > 1 || type.rows < 2)
-        return site.error(fmt::format("@parts is for vectors; '{}' is {}", site.parameter.name,
+        return site.error(fmt::format("@parts is only for vectors; '{}' is {}", site.parameter.name,
                                       with_article(glsl_name(type))));
     if (site.hint.words.size() != static_cast<std::size_t>(type.rows))
         return site.error(
-            fmt::format("@parts of {} takes {} names", with_article(glsl_name(type)), type.rows));
+            fmt::format("@parts of {} takes {} labels", with_article(glsl_name(type)), type.rows));
     site.parameter.parts = site.hint.words;
     site.parameter.control = Control::slider;
 }
 
-// @color, @point, @angle: no words, and types that they fit.
+// @color, @point, @angle: no words, and types that they fit; `refusal` has a {} for the name of the
+// parameter and one for its type.
 void apply_control(const Site& site, Control control, std::initializer_list<int> rows,
-                   std::string_view wanted) {
+                   std::string_view refusal) {
     const NumberType& type = site.parameter.type;
     const bool is_fit = type.scalar == Scalar::floating && type.columns == 1 &&
                         std::ranges::find(rows, type.rows) != rows.end();
     if (!site.hint.words.empty())
-        return site.error(site.hint.key + " takes no words");
+        return site.refuse_words();
     if (!is_fit)
-        return site.error(fmt::format("{} is for {}; '{}' is {}", site.hint.key, wanted,
-                                      site.parameter.name, with_article(glsl_name(type))));
+        return site.error(
+            fmt::format(fmt::runtime(refusal), site.parameter.name, with_article(glsl_name(type))));
     site.parameter.control = control;
 }
 
 void apply_color(const Site& site) {
-    apply_control(site, Control::color, {3, 4}, "vec3 and vec4");
+    apply_control(site, Control::color, {3, 4}, "@color is only for vec3 and vec4; '{}' is {}");
 }
 
 void apply_point(const Site& site) {
-    apply_control(site, Control::point, {2}, "vec2");
+    apply_control(site, Control::point, {2}, "@point is only for vec2; '{}' is {}");
 }
 
 void apply_angle(const Site& site) {
-    apply_control(site, Control::angle, {1}, "float");
+    apply_control(site, Control::angle, {1}, "@angle is only for float; '{}' is {}");
 }
 
 void apply_identity(const Site& site) {
@@ -208,15 +214,15 @@ void apply_identity(const Site& site) {
 
 void apply_was(const Site& site) {
     if (site.hint.words.size() != 1)
-        return site.error("@was takes one name, the uniform's former one");
+        return site.error("@was takes one name, the previous name of the parameter");
     if (site.hint.words[0] == site.parameter.name)
-        return site.error("@was names the uniform itself");
+        return site.error("@was must be a previous name, not the current one");
     site.parameter.was = site.hint.words[0];
 }
 
 void apply_hidden(const Site& site) {
     if (!site.hint.words.empty())
-        return site.error("@hidden takes no words");
+        return site.refuse_words();
     site.parameter.is_hidden = true;
 }
 
@@ -255,21 +261,25 @@ void report(const Hint* hint, std::string message, Diagnostics& errors) {
 void check_together(const Parameter& parameter, const Hints& hints, Diagnostics& errors) {
     const Hint* const scale = find_hint(hints, "@scale");
     if (parameter.scale == Scale::logarithmic && parameter.range.low <= 0.0)
-        report(scale, "@scale log needs a @range whose low end is above 0", errors);
-    int controls = 0;
-    for (const std::string_view key : {"@color", "@point", "@angle", "@items", "@parts"})
-        if (const Hint* hint = find_hint(hints, key); hint && ++controls > 1)
-            report(hint, hint->key + " does not go with another kind of control", errors);
+        report(scale, "@scale log needs a @range with a minimum above 0", errors);
+    const Hint* first = nullptr;
+    for (const std::string_view key : {"@color", "@point", "@angle", "@items", "@parts"}) {
+        const Hint* const hint = find_hint(hints, key);
+        if (hint && first)
+            report(hint, fmt::format("{} can't be combined with {}", hint->key, first->key),
+                   errors);
+        first = first ? first : hint;
+    }
     if (!parameter.limit)
         return;
     const Limit& limit = *parameter.limit;
     for (const double number : parameter.initial.numbers)
         if (number < limit.low || number > limit.high)
             return report(find_hint(hints, "@limit"),
-                          fmt::format("@limit keeps out the default, {}", format_number(number)),
+                          fmt::format("the default {} is outside @limit", format_number(number)),
                           errors);
     if (parameter.range.low < limit.low || parameter.range.high > limit.high)
-        report(find_hint(hints, "@range"), "@range goes beyond @limit", errors);
+        report(find_hint(hints, "@range"), "@range must lie within @limit", errors);
 }
 
 // Guesses that follow from hints.
@@ -298,9 +308,10 @@ void annotate(Parameter& parameter, const Hints& hints, Diagnostics& errors) {
     for (const Rule& rule : rules) {
         const Hint* const hint = find_hint(hints, rule.key);
         if (hint && is_image && !rule.is_for_images)
-            report(hint,
-                   fmt::format("{} is for numbers; '{}' is a sampler", rule.key, parameter.name),
-                   errors);
+            report(
+                hint,
+                fmt::format("{} is only for numbers; '{}' is a sampler", rule.key, parameter.name),
+                errors);
         else if (hint)
             rule.apply({parameter, *hint, errors});
     }

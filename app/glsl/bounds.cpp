@@ -26,8 +26,9 @@ std::optional<OutOfBounds> find_deep_nesting(std::span<const Token> tokens) {
         else if (token.is(")") || token.is("]") || token.is("}"))
             depth = std::max(depth - 1, 0);
         if (depth > most_nested)
-            return OutOfBounds{token.line,
-                               fmt::format("brackets are nested more than {} deep", most_nested)};
+            return OutOfBounds{
+                token.line,
+                fmt::format("brackets are nested deeper than the limit of {} levels", most_nested)};
     }
     return std::nullopt;
 }
@@ -101,13 +102,13 @@ public:
         const int line = statement.front().line;
         if (weight > most_in_statement &&
             (!m_weights.are_balanced() || without_lists(statement, m_weights) > most_in_statement))
-            return OutOfBounds{line, fmt::format("this is too long to be compiled: more than {} "
-                                                 "words and signs in one statement, with its "
-                                                 "macros expanded",
-                                                 most_in_statement)};
+            return OutOfBounds{line,
+                               fmt::format("this statement has more tokens than the limit of {}, "
+                                           "counted with macros expanded",
+                                           most_in_statement)};
         if (m_total > most_in_text)
-            return OutOfBounds{line, fmt::format("the shader is too long to be compiled: more than "
-                                                 "{} words and signs, with its macros expanded",
+            return OutOfBounds{line, fmt::format("the shader has more tokens than the limit of {}, "
+                                                 "counted with macros expanded",
                                                  most_in_text)};
         return std::nullopt;
     }
@@ -124,7 +125,9 @@ std::optional<OutOfBounds> find_long_statement(std::span<const Token> code, Meas
     int structs = 0;
     for (std::size_t i = 0; i < code.size(); ++i) {
         if (code[i].is("struct") && ++structs > most_structs)
-            return OutOfBounds{code[i].line, fmt::format("more than {} structs", most_structs)};
+            return OutOfBounds{
+                code[i].line,
+                fmt::format("the shader has more structs than the limit of {}", most_structs)};
         depth = std::max(depth + (code[i].is("(") ? 1 : code[i].is(")") ? -1 : 0), 0);
         const bool ends = depth == 0 && (code[i].is(";") || code[i].is("{") || code[i].is("}"));
         if (!ends && i + 1 < code.size())

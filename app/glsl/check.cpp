@@ -60,7 +60,7 @@ public:
             found.push_back(diagnostic_from(message, m_stage, m_text));
         if (!is_good && !has_errors(found)) {
             const Location at = place_in(m_stage, 1);
-            found.push_back({at.file, at.line, "glslang refuses this shader without a reason"});
+            found.push_back({at.file, at.line, refused_without_reason});
         }
         problems.insert(problems.end(), found.begin(), found.end());
     }
@@ -105,10 +105,11 @@ std::vector<std::string> live_in(Compiled& vertex, Compiled& fragment) {
 void check_varying_counts(const StageInterface& declared, const Stage& stage,
                           Diagnostics& problems) {
     constexpr std::size_t most_varyings = 256;
-    if (std::max(declared.inputs.size(), declared.outputs.size()) > most_varyings)
+    const std::size_t count = std::max(declared.inputs.size(), declared.outputs.size());
+    if (count > most_varyings)
         problems.push_back(
             {stage.file, 0,
-             fmt::format("more than {} values go from shader to shader", most_varyings)});
+             fmt::format("the shader has {} varyings; the limit is {}", count, most_varyings)});
 }
 
 // What keeps a text from being given to glslang.

@@ -17,10 +17,10 @@ struct Uniform {
 
     std::string name;  // a block's own name
     Kind kind = Kind::other;
-    std::string type_name;         // as GLSL writes it: "vec3", "sampler2D", "float[4]"
-    NumberType type;               // of a number
-    std::string why_no_control;    // of all else but samplers: a sentence's end, "is an array, ..."
-    std::optional<Value> initial;  // of a number, when it is initialised
+    std::string type_name;           // as GLSL writes it: "vec3", "sampler2D", "float[4]"
+    NumberType type;                 // of a number
+    std::string why_no_control;      // of all else but samplers
+    std::optional<Value> initial;    // of a number, when it is initialised
     std::vector<Location> declared;  // one a stage that declares it
 
     bool operator==(const Uniform&) const = default;

@@ -94,7 +94,7 @@ std::string with_single_blanks(std::string_view message) {
 }
 
 // Not of which extensions would know one.
-constexpr std::string_view no_quotes = "GLSL knows no text in quotes";
+constexpr std::string_view no_quotes = "GLSL has no strings";
 
 // "'' :  syntax error" and "'foo' : undeclared identifier " -> the words alone.
 std::string cleaned(std::string_view message) {
@@ -102,7 +102,7 @@ std::string cleaned(std::string_view message) {
     if (message.starts_with("'' :"))
         message = trim(message.substr(4));
     if (message.starts_with("memory exhausted"))
-        return "this is nested too deeply to be compiled";
+        return "the code is nested too deeply for the compiler";
     if (message.starts_with("'string literal'"))
         return std::string(no_quotes);
     if (message.starts_with("syntax error"))
@@ -140,7 +140,7 @@ CompilerMessage located(std::string_view rest) {
     }
     message.text = cleaned(rest);
     if (message.text.starts_with("Missing entry point"))
-        message.text = "there is no main()";
+        message.text = "the shader has no main()";
     return message;
 }
 
@@ -150,7 +150,10 @@ void add_message(std::vector<CompilerMessage>& messages, CompilerMessage message
     const auto count =
         std::ranges::count(messages, message.is_warning, &CompilerMessage::is_warning);
     if (count == most)
-        message.text = fmt::format("there is more: the first {} messages are told", most);
+        message.text =
+            message.is_warning
+                ? fmt::format("more than {0} warnings; only the first {0} are listed", most)
+                : fmt::format("more than {0} errors; only the first {0} are listed", most);
     if (count <= most)
         messages.push_back(std::move(message));
 }

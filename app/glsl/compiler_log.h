@@ -13,5 +13,8 @@ struct CompilerMessage {
     bool is_about_vertex_stage = false;  // of a link message
 };
 
+inline constexpr const char* refused_without_reason =
+    "glslang rejected the shader without giving a reason";
+
 /// Reads glslang's info log: messages without the lines that only count or close them.
 std::vector<CompilerMessage> parse_compiler_log(std::string_view log);

@@ -103,9 +103,9 @@ private:
         if (!m_is_known)
             m_errors.push_back(
                 {at.file, at.line,
-                 fmt::format("unknown hint '{}'{}", key, did_you_mean(key, known_keys()))});
+                 fmt::format("unknown annotation '{}'{}", key, did_you_mean(key, known_keys()))});
         else if (find_hint(m_hints, key))
-            m_errors.push_back({at.file, at.line, key + " is given twice"});
+            m_errors.push_back({at.file, at.line, fmt::format("{} is used twice", key)});
         if (m_is_known)
             m_hints.push_back({key, {}, at});
     }
@@ -150,7 +150,7 @@ void merge_hints(Hints& hints, const Hints& others, const std::string& name, Dia
             hints.push_back(other);
         else if (!same->says_the_same_as(other))
             errors.push_back({other.at.file, other.at.line,
-                              fmt::format("{} of '{}' is not what another declaration says{}",
+                              fmt::format("{} of '{}' differs from another declaration{}",
                                           other.key, name, aside(same->at))});
     }
 }

@@ -21,7 +21,7 @@ constexpr std::size_t most_errors = 32;
 constexpr std::size_t most_lines = 200'000;
 
 constexpr const char* too_large =
-    "the shader with its includes is too large (more than 4 MiB or 200000 lines)";
+    "the shader with its includes is larger than the limit of 4 MiB or 200,000 lines";
 
 class Assembler {
 public:
@@ -74,7 +74,7 @@ private:
             if (reason.line > 0 || from.line == 0)
                 error({reason.file, reason.line}, reason.message);
             else
-                error(from, fmt::format("'{}' {}", file.string(), reason.message));
+                error(from, fmt::format("can't read '{}': {}", file.string(), reason.message));
         }
     }
 
@@ -82,7 +82,7 @@ private:
         const fs::path file = m_open.back().path;
         const std::string_view text = from.text;
         if (from.unclosed_comment > 0)
-            error({file, from.unclosed_comment}, "the comment that starts here never ends");
+            error({file, from.unclosed_comment}, "the comment that starts here has no closing */");
         std::size_t done = 0;
         int line = 1;
         for (const ShaderText::Include& directive : from.includes) {
@@ -119,7 +119,7 @@ private:
 
     void add_given(std::string_view name, const Location& at) {
         if (std::ranges::find(m_given, name) == m_given.end())
-            return error(at, fmt::format("there is no '<{}>' here; a file is included by "
+            return error(at, fmt::format("unknown include <{}>; to include a file, use "
                                          "#include \"file.glsl\"",
                                          name));
         add_line(fmt::format("#include <{}>", name), at);
@@ -131,7 +131,7 @@ private:
         if (!m_given.empty() && directive.given)
             return add_given(*directive.given, at);
         if (!directive.file)
-            return error(at, "an include is written #include \"file.glsl\"");
+            return error(at, "expected #include \"file.glsl\"");
         const std::string& name = *directive.file;
         if (std::string fault = fault_of_include_name(name); !fault.empty())
             return error(at, fault);
@@ -142,7 +142,7 @@ private:
             return error(at, why_not_found(name, found));
         const fs::path& real = m_disk.place_of(*found.file);
         if (!is_include_text(real))
-            return error(at, fmt::format("'{}' is a link to '{}', which is not a shader text", name,
+            return error(at, fmt::format("'{}' is a link to '{}', which isn't a shader file", name,
                                          real.string()));
         enter(*found.file, at);
     }
@@ -150,13 +150,11 @@ private:
     std::string why_not_found(const std::string& name, const IncludePaths::Found& found) const {
         if (found.leads_out)
             return fmt::format(
-                "'{}' leads out of '{}', the folder that is open. Move the file into "
-                "it, or allow its folder with --include DIR (in the window: Edit > "
-                "Includes)",
+                "'{}' is outside the open folder '{}'. Move the file into it, or add its folder "
+                "with --include FOLDER (in the window: Edit > Includes).",
                 name, m_paths.tree().string());
         return fmt::format(
-            "there is no file '{}' next to this file, in the look's folder or in an "
-            "include folder{}",
+            "can't find '{}' next to this file, in the look's folder or in an include folder{}",
             name, IncludePaths::nearest_name(found.tried));
     }
 
@@ -169,14 +167,16 @@ private:
             std::string chain;
             for (auto link = open; link != m_open.end(); ++link)
                 chain += link->path.filename().string() + " -> ";
-            return error(at, "includes go round in a circle: " + chain + file.filename().string());
+            return error(at,
+                         fmt::format("circular #include: {}{}", chain, file.filename().string()));
         }
         if (m_open.size() >= most_nested_includes)
-            return error(
-                at, fmt::format("includes are nested more than {} deep", most_nested_includes));
+            return error(at, fmt::format("includes are nested deeper than the limit of {} levels",
+                                         most_nested_includes));
         if (++m_included > most_files) {
             m_is_full = true;
-            return error(at, fmt::format("more than {} includes in one shader", most_files));
+            return error(
+                at, fmt::format("the shader has more includes than the limit of {}", most_files));
         }
         add_file(file, at);
     }

@@ -87,21 +87,22 @@ std::string IncludePaths::nearest_name(const std::vector<fs::path>& tried) {
         for (fs::directory_iterator entry(file.has_parent_path() ? file.parent_path() : ".", error);
              entry != fs::directory_iterator() && ++names < most_names; entry.increment(error))
             if (to_lower(entry->path().filename().string()) == wanted)
-                return fmt::format("; '{}' is there", entry->path().filename().string());
+                return fmt::format(" (did you mean '{}'?)", entry->path().filename().string());
     }
     return {};
 }
 
 std::string fault_of_include_name(std::string_view name) {
     if (name.empty())
-        return "#include needs the name of a file";
+        return "#include needs a file name";
     if (name.find('\\') != std::string_view::npos)
-        return "write '/' between the folders of an include";
+        return "use '/' instead of '\\' in an include";
     if (name.front() == '/' || (name.size() > 1 && name[1] == ':'))
-        return "an absolute path cannot be included; name its folder with --include DIR (in the "
-               "window: Edit > Includes) and write the rest of the path";
+        return "can't include an absolute path. Add its folder with --include FOLDER (in the "
+               "window: "
+               "Edit > Includes) and write the rest of the path here.";
     if (!is_include_text(name))
-        return fmt::format("'{}' cannot be included: included files end in {}", name,
+        return fmt::format("can't include '{}': use a file that ends in {}", name,
                            fmt::join(include_endings, ", "));
     return {};
 }

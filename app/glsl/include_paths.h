@@ -20,7 +20,8 @@ public:
     /// The first file called `name` as seen from a file in `beside`.
     Found find(std::string_view name, const std::filesystem::path& beside) const;
 
-    /// "; 'Noise.glsl' is there" for a file whose name is nearly that of one of `tried`; else "".
+    /// " (did you mean 'Noise.glsl'?)" for a file whose name is nearly that of one of `tried`; else
+    /// "".
     static std::string nearest_name(const std::vector<std::filesystem::path>& tried);
 
     /// The folder that was opened.

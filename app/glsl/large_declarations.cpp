@@ -32,30 +32,32 @@ public:
             if (token.is("case") && ++cases > limits.switch_cases)
                 return OutOfBounds{
                     token.line,
-                    fmt::format("this switch has more than {0:.0f} cases, the limit. Split it, or "
-                                "raise the limit with --limit switch-cases={1:.0f}",
-                                limits.switch_cases, 2.0 * limits.switch_cases)};
+                    fmt::format(
+                        "this switch has more cases than the limit of {:.0f}. Split it, or raise "
+                        "the limit with --limit switch-cases={:.0f}",
+                        limits.switch_cases, 2.0 * limits.switch_cases)};
             if (!token.is("struct"))
                 continue;
             const StructSize size = read_struct();
             if (size.members > limits.struct_members)
-                return refused(token.line, size.members, "members", limits.struct_members,
-                               "struct-members");
+                return OutOfBounds{
+                    token.line,
+                    fmt::format(
+                        "this struct has {0:.0f} members; the limit is {1:.0f}. Simplify it, "
+                        "or raise the limit with --limit struct-members={0:.0f}",
+                        size.members, limits.struct_members)};
             if (size.depth > limits.depth)
-                return refused(token.line, size.depth, "levels of nested structs", limits.depth,
-                               "depth");
+                return OutOfBounds{
+                    token.line,
+                    fmt::format(
+                        "this struct has {0:.0f} levels of nested structs; the limit is "
+                        "{1:.0f}. Simplify it, or raise the limit with --limit depth={0:.0f}",
+                        size.depth, limits.depth)};
         }
         return std::nullopt;
     }
 
 private:
-    static OutOfBounds refused(int line, double value, std::string_view what, double limit,
-                               std::string_view name) {
-        return {line, fmt::format("this struct has {:.0f} {}; the limit is {:.0f}. Simplify it, or "
-                                  "raise the limit with --limit {}={:.0f}",
-                                  value, what, limit, name, value)};
-    }
-
     // From behind "struct" to behind its '}'.
     StructSize read_struct() {
         std::string name;

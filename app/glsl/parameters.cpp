@@ -66,26 +66,24 @@ Parameter parameter_from(const Candidate& candidate, Diagnostics& errors) {
     return parameter;
 }
 
-// `does` holds a {} for the parameter's name.
-void check_count(const Pass& pass, const Count& count, const char* does,
+// `refusal` has {0} for the pass, {1} for the parameter's name and {2} for a similar name.
+void check_count(const Pass& pass, const Count& count, const char* refusal,
                  const std::vector<std::string>& names, Diagnostics& errors) {
     const auto* const name = std::get_if<std::string>(&count);
     if (!name || std::ranges::find(names, *name) != names.end())
         return;
-    const std::string what = fmt::format(fmt::runtime(does), *name);
-    errors.push_back({pass.declared.file, pass.declared.line,
-                      fmt::format("pass '{}' {}, which no shader declares{}", pass.name, what,
-                                  did_you_mean(*name, names))});
+    errors.push_back(
+        {pass.declared.file, pass.declared.line,
+         fmt::format(fmt::runtime(refusal), pass.name, *name, did_you_mean(*name, names))});
 }
 
 // Of a uniform that is called as a constant of the texts is.
 void check_names(const Look& look, const std::vector<Parameter>& parameters, Diagnostics& errors) {
     for (const Parameter& parameter : parameters)
         if (const Parameter* same = find_parameter(look, parameter.name); same && same->is_constant)
-            add_new(errors,
-                    {{parameter.declared.file, parameter.declared.line,
-                      fmt::format("'{}' is a uniform here but a constant in another place{}",
-                                  parameter.name, aside(same->declared))}});
+            add_new(errors, {{parameter.declared.file, parameter.declared.line,
+                              fmt::format("'{}' is a uniform here but a constant elsewhere{}",
+                                          parameter.name, aside(same->declared))}});
 }
 
 void check_counts(const Look& look, const std::vector<Parameter>& parameters, Diagnostics& errors) {
@@ -93,9 +91,13 @@ void check_counts(const Look& look, const std::vector<Parameter>& parameters, Di
     for (const Parameter& parameter : parameters)
         names.push_back(parameter.name);
     for (const Pass& pass : look.passes) {
-        check_count(pass, pass.repeat, "repeats '{}' times", names, errors);
+        check_count(pass, pass.repeat,
+                    "pass '{0}' repeats '{1}' times, but no shader declares '{1}'{2}", names,
+                    errors);
         if (pass.converge)
-            check_count(pass, *pass.converge, "converges after '{}' samples", names, errors);
+            check_count(pass, *pass.converge,
+                        "pass '{0}' converges after '{1}' samples, but no shader declares '{1}'{2}",
+                        names, errors);
     }
 }
 
@@ -117,13 +119,14 @@ void add_orbit(const Look& look, const OrbitPasses& passes, std::vector<Paramete
     std::vector<Parameter> orbit = orbit_parameters(passes.view, passes.camera);
     if (orbit.empty())
         add_new(errors, {look.manifest, 0,
-                         "the look has an \"orbit\", but no shader declares 'uniform mat4 u_view' "
+                         "the look has an 'orbit', but no shader declares 'uniform mat4 u_view' "
                          "or 'uniform mat4 u_camera'"});
     for (Parameter& part : orbit) {
         const auto same = std::ranges::find(parameters, part.name, &Parameter::name);
         if (same != parameters.end())
-            add_new(errors, {same->declared.file, same->declared.line,
-                             fmt::format("'{}' is a parameter of the orbit", part.name)});
+            add_new(errors,
+                    {same->declared.file, same->declared.line,
+                     fmt::format("'{}' is reserved for a parameter of the orbit", part.name)});
         part.declared = {look.manifest, 0};
         parameters.push_back(std::move(part));
     }

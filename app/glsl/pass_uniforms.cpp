@@ -45,14 +45,12 @@ private:
             return &*found;
         if (found != reflection.uniforms.end())
             error(m_pass.declared,
-                  fmt::format("pass '{}': \"{}\" names '{}', which the program sets "
-                              "itself",
+                  fmt::format("pass '{}': '{}' names '{}', which Afterglow sets automatically",
                               m_pass.name, key, name));
         else
-            error(
-                m_pass.declared,
-                fmt::format("pass '{}': \"{}\" names '{}', which no shader of the pass declares{}",
-                            m_pass.name, key, name, did_you_mean(name, m_names)));
+            error(m_pass.declared,
+                  fmt::format("pass '{}': '{}' names '{}', which no shader of the pass declares{}",
+                              m_pass.name, key, name, did_you_mean(name, m_names)));
         return nullptr;
     }
 
@@ -62,26 +60,28 @@ private:
             return;
         if (uniform->kind != Uniform::Kind::number)
             error(m_pass.declared,
-                  fmt::format("pass '{}': \"set\" cannot set '{}', which is {}", m_pass.name, name,
+                  fmt::format("pass '{}': 'set' can't set '{}', which is {}", m_pass.name, name,
                               with_article(uniform->type_name)));
         else if (value.numbers.size() != static_cast<std::size_t>(uniform->type.size()))
             error(m_pass.declared,
-                  fmt::format("pass '{}': \"set\" gives '{}' {} numbers; {} takes {}", m_pass.name,
-                              name, value.numbers.size(), with_article(uniform->type_name),
-                              uniform->type.size()));
+                  fmt::format(
+                      "pass '{}': wrong number of values for '{}' in 'set'; {} needs {}, got {}",
+                      m_pass.name, name, with_article(uniform->type_name), uniform->type.size(),
+                      value.numbers.size()));
     }
 
     void check_rename(const std::string& name, const Reflection& reflection) {
         if (find("rename", name, reflection) && m_pass.set.contains(name))
-            error(m_pass.declared, fmt::format("pass '{}': '{}' is in \"set\" and in \"rename\"",
-                                               m_pass.name, name));
+            error(m_pass.declared,
+                  fmt::format("pass '{}': '{}' can't be in both 'set' and 'rename'", m_pass.name,
+                              name));
     }
 
     void check_input(const Input& input, const Reflection& reflection) {
         const Uniform* const uniform = find("inputs", input.uniform, reflection);
         if (uniform && uniform->kind != Uniform::Kind::sampler)
             error(m_pass.declared,
-                  fmt::format("pass '{}': the input '{}' is {}, not a sampler", m_pass.name,
+                  fmt::format("pass '{}': input '{}' must be a sampler, got {}", m_pass.name,
                               input.uniform, with_article(uniform->type_name)));
     }
 
@@ -92,19 +92,18 @@ private:
             return;
         if (uniform.kind == Uniform::Kind::other) {
             const Location& at = uniform.declared.front();
-            m_result.warnings.push_back({at.file, at.line,
-                                         fmt::format("'{}' ({}) {}", uniform.name,
-                                                     uniform.type_name, uniform.why_no_control),
-                                         Severity::warning});
+            m_result.warnings.push_back(
+                {at.file, at.line, uniform.why_no_control, Severity::warning});
             return;
         }
         if (uniform.kind == Uniform::Kind::sampler && has_input(uniform.name))
             return;
         if (uniform.kind == Uniform::Kind::sampler && uniform.type_name != "sampler2D")
-            return error(uniform.declared.front(),
-                         fmt::format("'{}' has no input in pass '{}', and only a sampler2D can be "
-                                     "given a picture by hand",
-                                     uniform.name, m_pass.name));
+            return error(
+                uniform.declared.front(),
+                fmt::format("'{}' has no input in pass '{}'; only a sampler2D can be a picture "
+                            "parameter",
+                            uniform.name, m_pass.name));
         const auto renamed = m_pass.rename.find(uniform.name);
         const std::string& parameter =
             renamed == m_pass.rename.end() ? uniform.name : renamed->second;
@@ -129,7 +128,7 @@ private:
             !builtin || (uniform.kind == Uniform::Kind::number && uniform.type == builtin->type);
         if (!is_right)
             error(uniform.declared.front(),
-                  fmt::format("'{}' is set by the program as {}; here it is {}", uniform.name,
+                  fmt::format("Afterglow sets '{}', so it must be {}, got {}", uniform.name,
                               with_article(glsl_name(builtin->type)),
                               with_article(uniform.type_name)));
     }
@@ -166,9 +165,11 @@ private:
 PassUniforms find_pass_uniforms(const Pass& pass, int index, CheckCache* cache) {
     PassUniforms failed;
     if (pass.vertex.text.empty() && pass.draw != Draw::fullscreen) {
-        failed.errors = {{pass.declared.file, pass.declared.line,
-                          fmt::format("pass '{}' draws {} and needs a vertex shader", pass.name,
-                                      pass.draw == Draw::points ? "points" : "segments")}};
+        failed.errors = {
+            {pass.declared.file, pass.declared.line,
+             pass.draw == Draw::points
+                 ? fmt::format("pass '{}' draws points and needs a vertex shader", pass.name)
+                 : fmt::format("pass '{}' draws segments and needs a vertex shader", pass.name)}};
         return failed;
     }
     const Stage& vertex = vertex_of(pass);

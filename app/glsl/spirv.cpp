@@ -31,7 +31,7 @@ public:
                                             false, false, vulkan_messages);
         add_messages(m_shader.getInfoLog(), problems);
         if (!is_good && !has_errors(problems))
-            problems.push_back({m_stage.file, 1, "glslang refuses this shader without a reason"});
+            problems.push_back({m_stage.file, 1, refused_without_reason});
     }
 
     void add_messages(const char* log, Diagnostics& problems) const {

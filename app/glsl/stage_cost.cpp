@@ -63,15 +63,40 @@ private:
     std::map<const glslang::TTypeList*, Size> m_known;
 };
 
+/// A figure, its limit, and what to say where it exceeds it: {0} is the figure, {1} the limit.
+struct LimitedFigure {
+    double ShaderLimits::*limit;
+    StageCost::Figure StageCost::*figure;
+    const char* refusal;
+};
+
 constexpr std::array figures{
-    std::pair{&ShaderLimits::depth, &StageCost::depth},
-    std::pair{&ShaderLimits::variable_bytes, &StageCost::variable_bytes},
-    std::pair{&ShaderLimits::indexed_bytes, &StageCost::indexed_bytes},
-    std::pair{&ShaderLimits::uniforms, &StageCost::uniforms},
-    std::pair{&ShaderLimits::switch_cases, &StageCost::switch_cases},
-    std::pair{&ShaderLimits::inlined_calls, &StageCost::inlined_calls},
-    std::pair{&ShaderLimits::compared_values, &StageCost::compared_values},
-    std::pair{&ShaderLimits::instructions, &StageCost::instructions},
+    LimitedFigure{&ShaderLimits::depth, &StageCost::depth,
+                  "the shader has {0:.0f} levels of nested structs or calls; the limit is {1:.0f}. "
+                  "Simplify it, or raise the limit with --limit depth={0:.0f}"},
+    LimitedFigure{
+        &ShaderLimits::variable_bytes, &StageCost::variable_bytes,
+        "the shader has {0:.0f} bytes of variables; the limit is {1:.0f}. Simplify it, or "
+        "raise the limit with --limit variable-bytes={0:.0f}"},
+    LimitedFigure{&ShaderLimits::indexed_bytes, &StageCost::indexed_bytes,
+                  "the shader has {0:.0f} bytes of arrays with a computed index; the limit is "
+                  "{1:.0f}. Simplify it, or raise the limit with --limit indexed-bytes={0:.0f}"},
+    LimitedFigure{&ShaderLimits::uniforms, &StageCost::uniforms,
+                  "the shader has {0:.0f} uniforms, counting the members of structs; the limit is "
+                  "{1:.0f}. Simplify it, or raise the limit with --limit uniforms={0:.0f}"},
+    LimitedFigure{
+        &ShaderLimits::switch_cases, &StageCost::switch_cases,
+        "the shader has {0:.0f} cases in one switch; the limit is {1:.0f}. Simplify it, or "
+        "raise the limit with --limit switch-cases={0:.0f}"},
+    LimitedFigure{&ShaderLimits::inlined_calls, &StageCost::inlined_calls,
+                  "the shader has {0:.0f} calls after inlining; the limit is {1:.0f}. Simplify it, "
+                  "or raise the limit with --limit inlined-calls={0:.0f}"},
+    LimitedFigure{&ShaderLimits::compared_values, &StageCost::compared_values,
+                  "the shader compares {0:.0f} values in arrays and structs; the limit is {1:.0f}. "
+                  "Simplify it, or raise the limit with --limit compared-values={0:.0f}"},
+    LimitedFigure{&ShaderLimits::instructions, &StageCost::instructions,
+                  "the shader has {0:.0f} instructions after inlining; the limit is {1:.0f}. "
+                  "Simplify it, or raise the limit with --limit instructions={0:.0f}"},
 };
 
 bool is_composite(const TType& type) {
@@ -354,17 +379,14 @@ StageCost estimate_cost(glslang::TShader& shader) {
 }
 
 std::optional<ExceededLimit> find_exceeded(const StageCost& cost, const ShaderLimits& limits) {
-    for (const auto& [limit, figure] : figures)
-        if ((cost.*figure).value > limits.*limit)
-            return ExceededLimit{limit, cost.*figure};
+    for (const LimitedFigure& known : figures)
+        if ((cost.*known.figure).value > limits.*known.limit)
+            return ExceededLimit{known.limit, cost.*known.figure};
     return std::nullopt;
 }
 
 std::string refusal(const ExceededLimit& exceeded, const ShaderLimits& limits) {
-    const auto limit = std::ranges::find(shader_limits, exceeded.limit, &ShaderLimit::value);
-    return fmt::format(
-        "the shader has {:.0f} {}; the limit is {:.0f}. Simplify it, or raise the "
-        "limit with --limit {}={:.0f}",
-        exceeded.figure.value, limit->about, limits.*exceeded.limit, limit->name,
-        std::ceil(exceeded.figure.value));
+    const auto* const exceeding = std::ranges::find(figures, exceeded.limit, &LimitedFigure::limit);
+    return fmt::format(fmt::runtime(exceeding->refusal), std::ceil(exceeded.figure.value),
+                       limits.*exceeded.limit);
 }

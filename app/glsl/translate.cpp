@@ -63,19 +63,23 @@ private:
 };
 
 void Translator::check(Diagnostics& problems) const {
-    const auto refuse = [&](const auto& resources, std::size_t most, std::string_view what) {
+    // A refusal has a {} for the stage and one for what is too much.
+    const auto refuse = [&](const auto& resources, std::size_t most, std::string_view refusal) {
         if (resources.size() > most)
-            problems.push_back(
-                {m_author.file, 0,
-                 fmt::format("the {} stage has {} ('{}')", m_stage, what, resources[most].name)});
+            problems.push_back({m_author.file, 0,
+                                fmt::format(fmt::runtime(refusal), m_stage, resources[most].name)});
     };
-    refuse(m_resources.uniform_buffers, 1, "a second uniform block");
-    refuse(m_resources.push_constant_buffers, 1, "a second block of push constants");
-    refuse(m_resources.storage_buffers, 0, "a storage buffer, which a pass cannot have");
-    refuse(m_resources.storage_images, 0, "a storage image, which a pass cannot have");
-    refuse(m_resources.separate_images, 0, "a texture without its sampler");
-    refuse(m_resources.separate_samplers, 0, "a sampler without its texture");
-    refuse(m_resources.subpass_inputs, 0, "a subpass input, which a pass cannot have");
+    refuse(m_resources.uniform_buffers, 1, "the {} stage has a second uniform block, '{}'");
+    refuse(m_resources.push_constant_buffers, 1,
+           "the {} stage has a second push constant block, '{}'");
+    refuse(m_resources.storage_buffers, 0,
+           "the {} stage has a storage buffer, '{}'; storage buffers aren't supported");
+    refuse(m_resources.storage_images, 0,
+           "the {} stage has a storage image, '{}'; storage images aren't supported");
+    refuse(m_resources.separate_images, 0, "the {} stage has a texture without a sampler, '{}'");
+    refuse(m_resources.separate_samplers, 0, "the {} stage has a sampler without a texture, '{}'");
+    refuse(m_resources.subpass_inputs, 0,
+           "the {} stage has a subpass input, '{}'; subpass inputs aren't supported");
 }
 
 std::set<std::uint32_t> Translator::flat_inputs() const {
@@ -205,7 +209,7 @@ Result<Translation> translate_from_vulkan(const Stage& vertex, const Stage& frag
         translation.fragment = to_fragment.translate(translation);
         return translation;
     } catch (const spirv_cross::CompilerError& error) {
-        return fail(
-            {fragment.file, 0, fmt::format("cannot be translated for OpenGL: {}", error.what())});
+        return fail({fragment.file, 0,
+                     fmt::format("can't translate the shader to OpenGL: {}", error.what())});
     }
 }

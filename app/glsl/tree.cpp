@@ -57,22 +57,23 @@ std::string type_name_of(const TType& type) {
     return name;
 }
 
-std::string why_no_control(const TType& type) {
+// A {} stands for the uniform's name, another for its type.
+std::string_view why_no_control(const TType& type) {
     if (type.isArray())
-        return "is an array; only single values have controls";
+        return "'{}' ({}) is an array; only single values have controls";
     switch (type.getBasicType()) {
         case glslang::EbtStruct:
-            return "is a struct; only single values have controls";
+            return "'{}' ({}) is a struct; only single values have controls";
         case glslang::EbtBlock:
-            return "is a block; only plain uniforms have controls";
+            return "'{}' ({}) is a block; only plain uniforms have controls";
         case glslang::EbtDouble:
-            return "is a double; float has a control";
+            return "'{}' ({}) is a double; use float to get a control";
         case glslang::EbtAtomicUint:
-            return "is an atomic counter, which only shaders change";
+            return "'{}' ({}) is an atomic counter, which has no control";
         case glslang::EbtSampler:
-            return "is an image that a shader writes to; a pass writes to its target alone";
+            return "'{}' ({}) is a writable image; a pass can write only to its target";
         default:
-            return "has a type that no control turns";
+            return "'{}' ({}) has a type without a control";
     }
 }
 
@@ -148,7 +149,8 @@ private:
                    !type.getSampler().isImage()) {
             uniform.kind = Uniform::Kind::sampler;
         } else {
-            uniform.why_no_control = why_no_control(type);
+            uniform.why_no_control =
+                fmt::format(fmt::runtime(why_no_control(type)), uniform.name, uniform.type_name);
         }
         return uniform;
     }

@@ -38,8 +38,8 @@ TurnedConstants::Constant* TurnedConstants::note(const WrittenConstant& written,
                                                  const Stage& stage) {
     const Location at = place_in(stage, written.line);
     if (!written.number) {
-        error(at, fmt::format("@range and @items are for numbers; '{}' is not written as one plain "
-                              "number",
+        error(at, fmt::format("@range and @items are only for constants with one plain number; "
+                              "'{}' has another value",
                               written.name));
         return nullptr;
     }
@@ -62,8 +62,8 @@ TurnedConstants::Constant* TurnedConstants::note(const WrittenConstant& written,
     const Parameter& first = known->parameter;
     if (first.type != written.type || first.initial != Value(*written.number)) {
         error(at,
-              fmt::format("'{}' is {} here but {} in another place{}: one name is one number "
-                          "to turn",
+              fmt::format("'{}' is {} here but {} elsewhere{}; an adjustable constant needs the "
+                          "same value everywhere",
                           written.name, glsl_number(written.type, *written.number),
                           glsl_number(first.type, first.initial.number()), aside(first.declared)));
         return nullptr;
@@ -118,8 +118,8 @@ Diagnostics TurnedConstants::add_to(Look& look) const {
         add_new(errors, found);
         if (const Parameter* same = find_parameter(look, parameter.name))
             errors.push_back({parameter.declared.file, parameter.declared.line,
-                              fmt::format("'{}' is the name of another parameter{}", parameter.name,
-                                          aside(same->declared))});
+                              fmt::format("'{}' is already the name of another parameter{}",
+                                          parameter.name, aside(same->declared))});
         look.constants[parameter.name] = constant.value;
         look.parameters.push_back(std::move(parameter));
     }

@@ -21,7 +21,7 @@ Diagnostics check_version(const Stage& stage) {
     const auto first = std::ranges::find_if(
         tokens.all, [](const Token& token) { return token.kind != Token::Kind::comment; });
     if (first == tokens.all.end())
-        return problem(stage, 1, "the shader is empty; it starts with '#version 410 core'");
+        return problem(stage, 1, "the shader is empty; its first line must be '#version 410 core'");
     const std::vector<Directive> directives = find_directives(stage.text, tokens);
     if (!first->starts_directive || directives.front().name != "version")
         return problem(stage, first->line, "the shader's first line must be '#version 410 core'");
@@ -29,14 +29,12 @@ Diagnostics check_version(const Stage& stage) {
     const auto& words = directives.front().arguments;
     const auto number = words.empty() ? std::nullopt : parse_integer(words.front().text);
     if (!number || *number < oldest)
-        return problem(stage, first->line,
-                       fmt::format("write '#version 410 core': versions below {} are not for "
-                                   "OpenGL's core profile",
-                                   oldest));
+        return problem(
+            stage, first->line,
+            fmt::format("use '#version 410 core'; versions below {} aren't supported", oldest));
     if (words.size() > 1 && !words[1].is("core"))
         return problem(stage, first->line,
-                       fmt::format("write '#version 410 core': '{}' is not for OpenGL's core "
-                                   "profile",
+                       fmt::format("use '#version 410 core'; the profile '{}' isn't supported",
                                    words[1].text));
     return {};
 }

@@ -37,7 +37,7 @@ Result<Canvas> Canvas::make(Extent extent, Format format, bool is_mipmapped) {
             glBindFramebuffer(GL_FRAMEBUFFER, 0);
             return fail({{},
                          0,
-                         fmt::format("the graphics driver cannot draw into {} ({:#x})",
+                         fmt::format("the graphics driver can't render to the format {} ({:#x})",
                                      facts_of(format).name, status)});
         }
         canvas.clear();

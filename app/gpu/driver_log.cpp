@@ -1,5 +1,7 @@
 #include "gpu/driver_log.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -90,13 +92,16 @@ Diagnostics parse_driver_log(std::string_view log, const Stage& stage) {
         if (stage.lines.empty())
             place = {stage.file, remark->line};
         const bool is_warning = remark->kind == "warning";
-        diagnostics.push_back({place.file, place.line, "the graphics driver: " + remark->message,
+        diagnostics.push_back({place.file, place.line,
+                               fmt::format("graphics driver: {}", remark->message),
                                is_warning ? Severity::warning : Severity::error});
     }
     if (!has_errors(diagnostics)) {
         const std::string_view whole = trim(log);
-        const std::string said(whole.empty() ? "refused without a word" : whole);
-        diagnostics.push_back({stage.file, 0, "the graphics driver: " + said});
+        diagnostics.push_back({stage.file, 0,
+                               whole.empty()
+                                   ? "the graphics driver rejected the shader without a message"
+                                   : fmt::format("graphics driver: {}", whole)});
     }
     return diagnostics;
 }

@@ -52,7 +52,7 @@ private:
     Result<std::unique_ptr<Context>> make_sharing() const override {
         if (auto made = share_through_glx({m_display, m_context}, m_facts))
             return made;
-        return fail({{}, 0, "no further OpenGL 4.1 context can be had"});
+        return fail({{}, 0, "can't create another OpenGL 4.1 context"});
     }
     void take_thread() override { glXMakeContextCurrent(m_display, None, None, m_context); }
     void leave_thread() override { glXMakeContextCurrent(m_display, None, None, nullptr); }

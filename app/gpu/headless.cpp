@@ -90,7 +90,7 @@ private:
     Result<std::unique_ptr<Context>> make_sharing() const override {
         auto context = make(m_display, m_config, m_context);
         if (!context)
-            return fail({{}, 0, "the graphics driver gives no second context for a helper thread"});
+            return fail({{}, 0, "the graphics driver can't create a second OpenGL context"});
         context->m_facts = m_facts;
         return context;
     }
@@ -173,9 +173,9 @@ Result<std::unique_ptr<Context>> Context::headless() {
             return context;
     return fail({{},
                  0,
-                 fmt::format("no OpenGL 4.1 core without a display here: EGL offers {} places to "
-                             "draw and none of them has it; Mesa's software driver (the package "
-                             "libgl1-mesa-dri) would do",
+                 fmt::format("can't draw without a display: none of the EGL displays supports "
+                             "OpenGL 4.1 core (displays tried: {}). Install Mesa's software "
+                             "driver, the Debian package libgl1-mesa-dri.",
                              tried.size())});
 }
 

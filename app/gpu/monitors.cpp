@@ -73,10 +73,10 @@ double Window::refresh_rate() const {
 Result<std::unique_ptr<Window>> Window::open_full_screen(std::size_t monitor) {
     const std::vector<GLFWmonitor*> monitors = handles();
     if (monitor >= monitors.size())
-        return fail({{}, 0, "that display is no longer there"});
+        return fail({{}, 0, "this display is no longer connected"});
     const GLFWvidmode* mode = glfwGetVideoMode(monitors[monitor]);
-    auto window = create({"Afterglow, the picture", {mode->width, mode->height}}, m_window,
-                         monitors[monitor]);
+    auto window =
+        create({"Afterglow output", {mode->width, mode->height}}, m_window, monitors[monitor]);
     if (!window)
         return window;
     GLFWwindow* made = (*window)->m_window;

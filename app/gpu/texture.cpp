@@ -40,10 +40,11 @@ void forget_errors() {
 }
 
 tl::unexpected<Diagnostics> no_memory(Extent extent, Format format) {
-    return fail({{},
-                 0,
-                 fmt::format("the graphics driver has no room for a {} x {} px texture in {}",
-                             extent.width, extent.height, facts_of(format).name)});
+    return fail(
+        {{},
+         0,
+         fmt::format("the graphics driver can't create a {} x {} px texture in the format {}",
+                     extent.width, extent.height, facts_of(format).name)});
 }
 }  // namespace
 

@@ -47,7 +47,7 @@ Result<std::shared_ptr<Window::Library>> Window::open_library() {
         return library;
     check_driver_cache();
     if (!glfwInit())
-        return fail({{}, 0, fmt::format("no window can be opened: {}", last_problem())});
+        return fail({{}, 0, fmt::format("can't open a window: {}", last_problem())});
     auto library = std::make_shared<Library>();
     open = library;
     return library;
@@ -143,7 +143,8 @@ Result<std::unique_ptr<Window>> Window::create(const WindowOptions& options, GLF
     GLFWwindow* made =
         glfwCreateWindow(size.width, size.height, options.title.c_str(), monitor, shared);
     if (!made)
-        return fail({{}, 0, fmt::format("no OpenGL 4.1 window can be had: {}", last_problem())});
+        return fail(
+            {{}, 0, fmt::format("can't open a window with OpenGL 4.1: {}", last_problem())});
     return std::unique_ptr<Window>(new Window(std::move(*library), made));
 }
 

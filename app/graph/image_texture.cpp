@@ -3,6 +3,8 @@
 #include "gpu/texels.h"
 #include "model/solid_picture.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 bool reads_mipmaps(const Look& look, Input::From from, const std::string& name) {
@@ -17,7 +19,7 @@ bool reads_mipmaps(const Look& look, Input::From from, const std::string& name) 
 Result<std::shared_ptr<const gpu::Texture>> image_texture(const Look& look, const std::string& name,
                                                           const Picture& picture) {
     if (picture.extent.is_empty())
-        return fail({{}, 0, "the picture '" + name + "' is empty"});
+        return fail({{}, 0, fmt::format("the picture '{}' is empty", name)});
     const auto declared = std::ranges::find(look.images, name, &Image::name);
     const Image* image = declared == look.images.end() ? nullptr : &*declared;
     if (image && image->shape != picture.shape) {

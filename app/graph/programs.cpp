@@ -19,9 +19,9 @@ Diagnostics check_inputs(const Pass& pass) {
         if (input.from == Input::From::pass && input.name == pass.name && input.frames_ago == 0)
             problems.push_back(
                 {pass.declared.file, pass.declared.line,
-                 fmt::format("pass '{}' cannot read what it is drawing; '{}@1' is its "
-                             "former frame",
-                             pass.name, pass.name)});
+                 fmt::format("pass '{0}' can't read its own output. Use '{0}@1' for its previous "
+                             "frame.",
+                             pass.name)});
     return problems;
 }
 
@@ -83,7 +83,7 @@ Result<Programs> build_programs(const Look& look, const Programs* reuse, ByteSto
         progress->begin(PassProgress::Step::linking, look.passes.size());
     for (const Pass& pass : look.passes) {
         if (progress && !progress->next(pass.name))
-            return fail({look.manifest, 0, "was not opened to its end"});
+            return fail({look.manifest, 0, "opening was cancelled"});
         auto made = build_pass(pass, reusable, kept, home);
         if (made)
             programs.passes.push_back(std::move(*made));

@@ -34,7 +34,7 @@ Result<std::optional<std::vector<gpu::Canvas>>> make_common(
         auto canvas = gpu::Canvas::make(picture.extent, picture.format, picture.mipmapped);
         if (!canvas)
             return fail({{look.manifest, 0,
-                          "targets that passes share: " + canvas.error().front().message}});
+                          fmt::format("shared targets: {}", canvas.error().front().message)}});
         made.push_back(std::move(*canvas));
     }
     return made;
@@ -50,7 +50,7 @@ Result<TargetSet> TargetSet::make(const Look& look, const Plan& plan, TargetSet&
     if (memory_of(plan) > most_bytes)
         return fail(
             {look.manifest, 0,
-             fmt::format("the targets would take {:.1f} GiB; {} GiB is the most",
+             fmt::format("the targets need {:.1f} GiB; the limit is {} GiB",
                          static_cast<double>(memory_of(plan)) / (1 << 30), most_bytes >> 30)});
     // First all that is new, as that may fail; what goes on is moved last.
     std::vector<std::optional<Target>> made(plan.targets.size());

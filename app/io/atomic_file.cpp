@@ -3,6 +3,8 @@
 #include "io/descriptor.h"
 #include "io/temporary_file.h"
 
+#include <fmt/format.h>
+
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -12,6 +14,10 @@
 namespace fs = std::filesystem;
 
 namespace {
+tl::unexpected<Diagnostics> unwritable(const fs::path& file, const std::string& reason) {
+    return fail({file, 0, fmt::format("can't write the file: {}", reason)});
+}
+
 std::string system_reason() {
     return std::strerror(errno);
 }
@@ -26,10 +32,10 @@ Result<fs::path> target_of(fs::path file) {
             return file;
         const fs::path next = fs::read_symlink(file, error);
         if (error)
-            return fail({asked, 0, "cannot be written: " + error.message()});
+            return unwritable(asked, error.message());
         file = file.parent_path() / next;
     }
-    return fail({asked, 0, "cannot be written: its links go round in a circle"});
+    return unwritable(asked, "its symbolic links form a loop");
 }
 
 // So that the rename itself reaches the disk. Where that fails the new file is in its place all the
@@ -46,11 +52,11 @@ Result<std::optional<mode_t>> mode_to_keep(const fs::path& file, const fs::path&
     if (::stat(target.c_str(), &status) != 0)
         return std::nullopt;
     if (S_ISDIR(status.st_mode))
-        return fail({file, 0, "cannot be written: it is a folder"});
+        return unwritable(file, "it is a folder");
     if (!S_ISREG(status.st_mode))
-        return fail({file, 0, "cannot be written: it is not a regular file"});
+        return unwritable(file, "it isn't a regular file");
     if (::access(target.c_str(), W_OK) != 0)
-        return fail({file, 0, "cannot be written: " + system_reason()});
+        return unwritable(file, system_reason());
     return status.st_mode & 07777;
 }
 }  // namespace
@@ -66,9 +72,9 @@ Result<void> check_writable(const fs::path& file) {
     while (!fs::exists(folder, error) && folder.has_relative_path())
         folder = folder.parent_path();
     if (!fs::is_directory(folder, error))
-        return fail({file, 0, "cannot be written: '" + folder.string() + "' is not a folder"});
+        return unwritable(file, fmt::format("'{}' isn't a folder", folder.string()));
     if (::access(folder.c_str(), W_OK | X_OK) != 0)
-        return fail({file, 0, "cannot be written: " + system_reason()});
+        return unwritable(file, system_reason());
     return {};
 }
 
@@ -84,7 +90,7 @@ AtomicFile::~AtomicFile() = default;
 
 Result<AtomicFile> AtomicFile::create(const fs::path& file, Leftovers leftovers) {
     if (!file.has_filename())
-        return fail({file, 0, "cannot be written: it has no file name"});
+        return unwritable(file, "the path has no file name");
     auto target = target_of(file);
     if (!target)
         return fail(target.error());
@@ -95,7 +101,7 @@ Result<AtomicFile> AtomicFile::create(const fs::path& file, Leftovers leftovers)
     std::error_code error;
     fs::create_directories(folder, error);
     if (error)
-        return fail({file, 0, "its folder cannot be made: " + error.message()});
+        return fail({file, 0, fmt::format("can't create its folder: {}", error.message())});
     if (leftovers == Leftovers::removed)
         remove_leftovers(folder);
     AtomicFile made(file, std::move(*target), folder);
@@ -105,7 +111,7 @@ Result<AtomicFile> AtomicFile::create(const fs::path& file, Leftovers leftovers)
 }
 
 tl::unexpected<Diagnostics> AtomicFile::refused() const {
-    return fail({m_file, 0, "cannot be written: " + system_reason()});
+    return unwritable(m_file, system_reason());
 }
 
 int AtomicFile::descriptor() const {

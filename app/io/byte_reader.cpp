@@ -35,14 +35,14 @@ Result<void> clear_place(const fs::path& path, const sockaddr_un& address) {
     if (::lstat(path.c_str(), &status) != 0)
         return {};
     if (!S_ISSOCK(status.st_mode))
-        return fail({path, 0, "is there already and is no socket; choose another place"});
+        return fail({path, 0, "the path exists and isn't a socket. Choose another path."});
     const Descriptor asker(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
     if (::connect(asker.get(), general(address), sizeof address) == 0 || errno == EAGAIN)
-        return fail({path, 0, "is the socket of a program that is running"});
+        return fail({path, 0, "another running program uses this socket"});
     if (errno != ECONNREFUSED)
-        return cannot(path, "the socket cannot be used");
+        return cannot(path, "can't use the socket");
     if (::unlink(path.c_str()) != 0)
-        return cannot(path, "the socket that is there cannot be replaced");
+        return cannot(path, "can't replace the existing socket");
     return {};
 }
 }  // namespace
@@ -50,7 +50,7 @@ Result<void> clear_place(const fs::path& path, const sockaddr_un& address) {
 Result<void> ByteReader::make_stop() {
     std::array<int, 2> ends{};
     if (::pipe2(ends.data(), O_CLOEXEC) != 0)
-        return cannot({}, "no other program can be read");
+        return cannot({}, "can't read from other programs");
     m_stop_reader = Descriptor(ends[0]);
     m_stop_writer = Descriptor(ends[1]);
     return {};
@@ -59,7 +59,8 @@ Result<void> ByteReader::make_stop() {
 Result<std::unique_ptr<ByteReader>> ByteReader::read_stdin(ByteSink& sink) {
     // To read from a terminal in the background would stop the program.
     if (::isatty(STDIN_FILENO) == 1 && ::tcgetpgrp(STDIN_FILENO) != ::getpgrp())
-        return fail({"stdin", 0, "is a terminal that another program uses; send through a pipe"});
+        return fail(
+            {"stdin", 0, "another program uses this terminal. Send the beam through a pipe."});
     std::unique_ptr<ByteReader> reader(new ByteReader(sink));
     if (auto made = reader->make_stop(); !made)
         return fail(made.error());
@@ -85,7 +86,7 @@ Result<std::unique_ptr<ByteReader>> ByteReader::listen(const fs::path& path, Sen
 Result<void> ByteReader::make_socket(const fs::path& path) {
     const std::string made = path.string() + '~';
     if (made.size() >= sizeof sockaddr_un::sun_path)
-        return fail({path, 0, "is too long for a socket; it may have 106 bytes"});
+        return fail({path, 0, "the path is too long for a socket; the limit is 106 bytes"});
     if (auto cleared = clear_place(path, address_of(path.string())); !cleared)
         return cleared;
     if (auto cleared = clear_place(made, address_of(made)); !cleared)
@@ -94,14 +95,14 @@ Result<void> ByteReader::make_socket(const fs::path& path) {
     Descriptor listener(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
     const sockaddr_un address = address_of(made);
     if (::bind(listener.get(), general(address), sizeof address) != 0)
-        return cannot(path, "the socket cannot be made");
+        return cannot(path, "can't create the socket");
     constexpr int waiting = 8;
     // Only the person's own programs may draw.
     if (::chmod(made.c_str(), S_IRUSR | S_IWUSR) != 0 || ::listen(listener.get(), waiting) != 0)
-        return cannot(path, "the socket cannot be opened");
+        return cannot(path, "can't open the socket");
     m_socket_file.emplace(path);
     if (::rename(made.c_str(), path.c_str()) != 0)
-        return cannot(path, "the socket cannot be opened");
+        return cannot(path, "can't open the socket");
     m_listener = std::move(listener);
     return {};
 }

@@ -50,7 +50,7 @@ public:
         Font font(std::move(*bytes));
         if (const int start = stbtt_GetFontOffsetForIndex(font.data(), 0);
             start < 0 || !stbtt_InitFont(&font.m_info, font.data(), start))
-            return fail({file, 0, "cannot write with this font"});
+            return fail({file, 0, "can't use this font"});
         font.m_scale = stbtt_ScaleForMappingEmToPixels(&font.m_info, static_cast<float>(height));
         return font;
     }
@@ -134,7 +134,8 @@ Result<void> draw_caption(Picture& picture, const CaptionPlace& place, const std
     const std::string file =
         find_font_file({"Inter-Regular.otf", "Inter-Regular.ttf", "DejaVuSans.ttf"});
     if (file.empty())
-        return fail({{}, 0, "no font for captions was found (Debian's is in fonts-dejavu-core)"});
+        return fail(
+            {{}, 0, "no font for captions found. Install the Debian package fonts-dejavu-core."});
     const auto font = Font::load(file, place.height);
     if (!font)
         return fail(font.error());

@@ -2,6 +2,8 @@
 
 #include "base/text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -36,6 +38,10 @@ private:
     posix_spawn_file_actions_t m_actions{};
 };
 
+tl::unexpected<Diagnostics> no_pipe() {
+    return fail({{}, 0, fmt::format("can't create a pipe: {}", std::strerror(errno))});
+}
+
 struct InputLink {
     Descriptor ours;
     Descriptor theirs;
@@ -44,7 +50,7 @@ struct InputLink {
 Result<InputLink> make_input() {
     std::array<int, 2> ends{};
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
-        return fail({{}, 0, std::string("cannot be started: ") + std::strerror(errno)});
+        return no_pipe();
     ::shutdown(ends[0], SHUT_RD);
     return InputLink{Descriptor(ends[0]), Descriptor(ends[1])};
 }
@@ -75,7 +81,7 @@ Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& command
     }
     std::array<int, 2> ends{};
     if (::pipe2(ends.data(), O_CLOEXEC) != 0)
-        return fail({{}, 0, std::string("cannot be started: ") + std::strerror(errno)});
+        return no_pipe();
     Descriptor output(ends[0]);
     const Descriptor input(ends[1]);
     Descriptor complaints(::memfd_create("complaints", MFD_CLOEXEC));
@@ -99,10 +105,10 @@ Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& command
     const int error = ::posix_spawnp(&process, arguments.front(), actions.get(), nullptr,
                                      arguments.data(), environ);
     if (error == ENOENT)
-        return fail({{}, 0, "the program '" + command.front() + "' is not installed"});
+        return fail({{}, 0, fmt::format("the program '{}' isn't installed", command.front())});
     if (error != 0)
         return fail(
-            {{}, 0, "'" + command.front() + "' cannot be started: " + std::strerror(error)});
+            {{}, 0, fmt::format("can't start '{}': {}", command.front(), std::strerror(error))});
     return ChildProcess(process, std::move(fed), std::move(output), std::move(complaints));
 }
 

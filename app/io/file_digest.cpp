@@ -24,9 +24,9 @@ Result<std::string> file_digest(const std::filesystem::path& file, Work* work) {
         if (got == 0)
             return fmt::format("{:08x}", sum);
         if (got < 0)
-            return fail({file, 0, fmt::format("cannot be read: {}", std::strerror(errno))});
+            return fail({file, 0, fmt::format("can't read the file: {}", std::strerror(errno))});
         if (work && work->is_cancelled)
-            return fail({file, 0, "was not read to its end"});
+            return fail({file, 0, "reading was cancelled"});
         sum = crc32(sum, block.data(), static_cast<uInt>(got));
     }
 }

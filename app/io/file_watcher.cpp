@@ -1,5 +1,7 @@
 #include "io/file_watcher.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -52,7 +54,7 @@ Result<FileWatcher> FileWatcher::start() {
     if (!events.is_open() || !timer.is_open() || !poll.is_open() ||
         !add_to_poll(poll.get(), events.get()) || !add_to_poll(poll.get(), timer.get()))
         return fail(
-            {{}, 0, std::string("changed files cannot be watched: ") + std::strerror(errno)});
+            {{}, 0, fmt::format("can't watch files for changes: {}", std::strerror(errno))});
     return FileWatcher(std::move(events), std::move(timer), std::move(poll));
 }
 
@@ -115,7 +117,8 @@ Diagnostics FileWatcher::place_watches() {
             (target.empty() || target == place || place_watch(target, file, folders));
         if (!is_watched)
             problems.push_back(
-                {file, 0, std::string("its changes cannot be watched: ") + std::strerror(errno)});
+                {file, 0,
+                 fmt::format("can't watch this file for changes: {}", std::strerror(errno))});
     }
     for (const auto& [number, folder] : m_folders)
         if (!folders.contains(number))

@@ -125,8 +125,8 @@ Result<std::unique_ptr<FilmFile>> FilmFile::create(const fs::path& file, FilmFor
         {.inputs = format.sound.rate > 0 ? 2 : 1, .output = target->descriptor()});
     if (!process)
         return fail({file, 0,
-                     "films are written with the program of the Debian package ffmpeg: " +
-                         process.error().front().message});
+                     fmt::format("writing videos needs the Debian package ffmpeg: {}",
+                                 process.error().front().message)});
     return std::unique_ptr<FilmFile>(
         new FilmFile(file, std::move(format), std::move(*target), std::move(*process)));
 }
@@ -165,8 +165,8 @@ void FilmFile::feed_sound() {
 tl::unexpected<Diagnostics> FilmFile::failed() {
     const std::string complaint = m_process.complaint();
     return fail({m_file, 0,
-                 "cannot be written as a film: " +
-                     (complaint.empty() ? "ffmpeg has ended" : "ffmpeg: " + complaint)});
+                 complaint.empty() ? "can't write the video: ffmpeg stopped without a message"
+                                   : fmt::format("can't write the video: ffmpeg: {}", complaint)});
 }
 
 Result<void> FilmFile::add(std::span<const std::uint8_t> rgb) {

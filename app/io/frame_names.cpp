@@ -21,9 +21,6 @@ Result<FrameNames> parse_frame_names(const std::string& text) {
     if (end == std::string::npos || !digits || *digits < 1 || *digits > 9 ||
         text.find('%', percent + 1) != std::string::npos)
         return fail(
-            {{},
-             0,
-             "'" + text +
-                 "': a sequence's name holds one %04d or the like, for the frame's number"});
+            {{}, 0, fmt::format("'{}' must contain exactly one frame number, such as %04d", text)});
     return FrameNames(text.substr(0, percent), *digits, text.substr(end + 1));
 }

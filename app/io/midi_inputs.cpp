@@ -110,18 +110,18 @@ Result<void> MachineMidi::open() {
     // Asked first, as the library would write of it on stderr.
     constexpr const char* sequencer = "/dev/snd/seq";
     if (::access(sequencer, R_OK | W_OK) != 0)
-        return fail({{},
-                     0,
-                     fmt::format("no device was found: this machine has no ALSA sequencer ({})",
-                                 sequencer)});
+        return fail(
+            {{},
+             0,
+             fmt::format("no device found: this computer has no ALSA sequencer ({})", sequencer)});
     try {
         open_all();
     } catch (const RtMidiError& error) {
         close();
-        return fail({{}, 0, "devices cannot be listened to: " + error.getMessage()});
+        return fail({{}, 0, fmt::format("can't open the devices: {}", error.getMessage())});
     }
     if (m_names.empty())
-        return fail({{}, 0, "no device was found: plug one in and look again"});
+        return fail({{}, 0, "no device found. Connect one and rescan."});
     return {};
 }
 }  // namespace

@@ -98,29 +98,29 @@ Result<void> read_message(OscReader reader, Messages& messages) {
     OscMessage message;
     const auto address = reader.text();
     if (!address)
-        return fail({{}, 0, "an OSC address has no end"});
+        return fail({{}, 0, "an OSC address isn't terminated"});
     message.address = *address;
     if (reader.is_at_end())
         return fail({{}, 0, fmt::format("'{}' has no type tags", message.address)});
     const auto tags = reader.text();
     if (!tags || !tags->starts_with(','))
-        return fail({{}, 0, fmt::format("the type tags of '{}' are damaged", message.address)});
+        return fail({{}, 0, fmt::format("the type tags of '{}' are invalid", message.address)});
     for (const char tag : tags->substr(1)) {
         if (std::string_view("ifshdTF").find(tag) == std::string_view::npos)
             return fail({{},
                          0,
-                         fmt::format("'{}' has an argument of the type '{}', which is not read",
+                         fmt::format("'{}' has an argument of unsupported type '{}'",
                                      message.address, tag)});
         auto argument = read_argument(tag, reader);
         if (!argument)
             return fail({{},
                          0,
-                         fmt::format("argument {} of '{}' is cut off, or no finite number",
+                         fmt::format("argument {} of '{}' is truncated or not finite",
                                      message.arguments.size() + 1, message.address)});
         message.arguments.push_back(std::move(*argument));
     }
     if (!reader.is_at_end())
-        return fail({{}, 0, fmt::format("'{}' is longer than its type tags say", message.address)});
+        return fail({{}, 0, fmt::format("'{}' has data after its last argument", message.address)});
     messages.push_back(std::move(message));
     return {};
 }
@@ -135,7 +135,7 @@ Result<void> read_bundle(OscReader reader, int depth, Messages& messages) {
         const auto size = reader.number<std::uint32_t>();
         const auto element = size ? reader.take(*size) : std::nullopt;
         if (!element)
-            return fail({{}, 0, "an element of an OSC bundle is cut off"});
+            return fail({{}, 0, "an element of an OSC bundle is truncated"});
         if (auto read = read_packet(*element, depth + 1, messages); !read)
             return read;
     }
@@ -146,16 +146,17 @@ Result<void> read_packet(Bytes packet, int depth, Messages& messages) {
     if (packet.empty() || packet.size() % part_size != 0)
         return fail({{},
                      0,
-                     fmt::format("an OSC packet of {} bytes: not a multiple of {}", packet.size(),
-                                 part_size)});
+                     fmt::format("an OSC packet must have a multiple of {} bytes, got {}",
+                                 part_size, packet.size())});
     if (depth > deepest)
-        return fail({{}, 0, fmt::format("OSC bundles are nested more than {} deep", deepest)});
+        return fail(
+            {{}, 0, fmt::format("OSC bundles are nested more than {} levels deep", deepest)});
     OscReader reader(packet);
     if (packet.front() == '/')
         return read_message(reader, messages);
     if (reader.text() == "#bundle")
         return read_bundle(reader, depth, messages);
-    return fail({{}, 0, "an OSC packet that begins neither with '/' nor with '#bundle'"});
+    return fail({{}, 0, "an OSC packet must start with '/' or '#bundle'"});
 }
 }  // namespace
 

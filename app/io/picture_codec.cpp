@@ -14,9 +14,9 @@ Result<const PictureCodec*> load_module() {
         const char* const reason = ::dlerror();
         return fail({{},
                      0,
-                     fmt::format("pictures cannot be read, nor EXR saved, until Afterglow is built "
-                                 "or installed anew: {}",
-                                 reason ? reason : "the module is not whole")});
+                     fmt::format("can't load the picture module: {}. Rebuild or reinstall "
+                                 "Afterglow to read pictures and save EXR.",
+                                 reason ? reason : "the module is incomplete")});
     }
     return reinterpret_cast<decltype(&afterglow_picture_codec)>(symbol)();
 }

@@ -19,7 +19,7 @@ Result<void> check_file(const fs::path& file) {
     if (!start)
         return fail(start.error());
     if (start->empty())
-        return fail({file, 0, "is empty"});
+        return fail({file, 0, "the file is empty"});
     if (!is_png(*start))
         return {};
     const auto bytes = read_bytes(file);
@@ -57,8 +57,8 @@ Result<Picture> load_picture(const fs::path& file) {
     const std::string kind = picture_kind(*start, file);
     if (kind.empty())
         return fail({file, 0,
-                     "cannot be read as a picture: it is no PNG, JPEG, EXR, TIFF, HDR, GIF, WebP, "
-                     "HEIF, PSD, DDS, JPEG 2000, BMP, PNM or TGA"});
+                     "can't read the picture: not a PNG, JPEG, EXR, TIFF, HDR, GIF, WebP, HEIF, "
+                     "PSD, DDS, JPEG 2000, BMP, PNM or TGA file"});
     const auto codec = picture_codec();
     if (!codec)
         return fail(about_file(codec.error(), file));
@@ -69,7 +69,7 @@ Result<void> save_picture(const Picture& picture, const fs::path& file,
                           const SaveOptions& options) {
     const std::string extension = to_lower(file.extension().string());
     if (extension != ".png" && extension != ".exr")
-        return fail({file, 0, "a picture is saved as .png or .exr"});
+        return fail({file, 0, "can't save the picture: the file name must end in .png or .exr"});
     const auto bytes = extension == ".png" ? encode_png(picture) : encode_exr(picture, options);
     if (!bytes)
         return fail(about_file(bytes.error(), file));

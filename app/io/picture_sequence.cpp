@@ -63,8 +63,8 @@ public:
         const auto file = m_files.find(asked);
         if (file == m_files.end())
             return fail({m_name, 0,
-                         fmt::format("number {} is missing; the sequence has {} of the numbers "
-                                     "{} to {}",
+                         fmt::format("picture {} is missing. The sequence has {} pictures, "
+                                     "numbered {} to {}.",
                                      asked, m_files.size(), m_files.begin()->first,
                                      m_files.rbegin()->first)});
         auto picture = load_picture(file->second);
@@ -72,9 +72,10 @@ public:
             return fail(picture.error());
         if (!m_extent.is_empty() && picture->extent != m_extent)
             return fail({file->second, 0,
-                         fmt::format("has {} x {} px; the sequence began with {} x {} px",
-                                     picture->extent.width, picture->extent.height, m_extent.width,
-                                     m_extent.height)});
+                         fmt::format("expected {} x {} px like the start of the sequence, got {} "
+                                     "x {} px",
+                                     m_extent.width, m_extent.height, picture->extent.width,
+                                     picture->extent.height)});
         m_extent = picture->extent;
         return std::optional(std::move(*picture));
     }
@@ -97,7 +98,7 @@ bool is_sequence_name(const fs::path& name) {
 Result<std::unique_ptr<PictureReader>> open_sequence(const fs::path& name) {
     const auto parts = parse_name(name.filename().string());
     if (!parts)
-        return fail({name, 0, "the name of a sequence holds one %04d for the number"});
+        return fail({name, 0, "the name of a sequence must contain one number, such as %04d"});
     std::map<int, fs::path> files;
     const fs::path folder = name.parent_path().empty() ? fs::path(".") : name.parent_path();
     std::error_code error;
@@ -106,6 +107,6 @@ Result<std::unique_ptr<PictureReader>> open_sequence(const fs::path& name) {
         if (const auto number = number_of(entry->path().filename().string(), *parts))
             files.emplace(*number, entry->path());
     if (files.empty())
-        return fail({name, 0, "there is no picture with such a number"});
+        return fail({name, 0, "no numbered pictures match this name"});
     return std::make_unique<PictureSequence>(name, std::move(files));
 }

@@ -45,12 +45,12 @@ bool is_png(std::string_view bytes) {
 
 Result<std::vector<PngChunk>> parse_png_chunks(std::string_view bytes) {
     if (!is_png(bytes))
-        return fail({{}, 0, "is no PNG picture"});
+        return fail({{}, 0, "not a PNG file"});
     std::vector<PngChunk> chunks;
     for (std::size_t at = png_signature().size();;) {
         const std::size_t left = bytes.size() - at;
         if (left < 3 * word_size || number_at(bytes, at) > left - 3 * word_size)
-            return fail({{}, 0, "is damaged: the PNG ends too early"});
+            return fail({{}, 0, "the PNG is damaged: it ends early"});
         const std::size_t length = number_at(bytes, at);
         const PngChunk chunk{bytes.substr(at + word_size, word_size),
                              bytes.substr(at + 2 * word_size, length),
@@ -58,10 +58,9 @@ Result<std::vector<PngChunk>> parse_png_chunks(std::string_view bytes) {
         const std::uint32_t sum = number_at(bytes, at + 2 * word_size + length);
         if (!is_type(chunk.type) ||
             check_sum(bytes.substr(at + word_size, word_size + length)) != sum)
-            return fail(
-                {{}, 0, fmt::format("is damaged: a wrong check sum at byte {} of the PNG", at)});
+            return fail({{}, 0, fmt::format("the PNG is damaged: wrong checksum at byte {}", at)});
         if (chunks.empty() != (chunk.type == "IHDR"))
-            return fail({{}, 0, "is damaged: the PNG does not start with its size"});
+            return fail({{}, 0, "the PNG is damaged: it doesn't start with its header"});
         chunks.push_back(chunk);
         at += chunk.whole.size();
         if (chunk.type == "IEND")
@@ -72,12 +71,12 @@ Result<std::vector<PngChunk>> parse_png_chunks(std::string_view bytes) {
 std::string fault_of_png(const std::vector<PngChunk>& chunks) {
     const std::string_view header = chunks.empty() ? std::string_view() : chunks.front().data;
     if (chunks.empty() || chunks.front().type != "IHDR" || header.size() != 13)
-        return "is damaged: the PNG has no header";
+        return "the PNG is damaged: it has no header";
     const std::uint32_t width = number_at(header, 0);
     const std::uint32_t height = number_at(header, 4);
     constexpr std::uint32_t most = 0x7fffffff;
     if (width < 1 || height < 1 || width > most || height > most)
-        return fmt::format("is damaged: the PNG has a size of {} x {} px", width, height);
+        return fmt::format("the PNG is damaged: its size is {} x {} px", width, height);
     // The bit depths that a colour type has.
     const std::map<int, std::string_view> depths{{0, "\x01\x02\x04\x08\x10"},
                                                  {2, "\x08\x10"},
@@ -87,16 +86,16 @@ std::string fault_of_png(const std::vector<PngChunk>& chunks) {
     const int color = static_cast<unsigned char>(header[9]);
     const auto known = depths.find(color);
     if (known == depths.end() || known->second.find(header[8]) == std::string_view::npos)
-        return fmt::format("is damaged: no PNG has a depth of {} with colour type {}",
+        return fmt::format("the PNG is damaged: bit depth {} is invalid for colour type {}",
                            int{header[8]}, color);
     if (header[10] != 0 || header[11] != 0 || header[12] < 0 || header[12] > 1)
-        return "is damaged: the PNG is packed in an unknown way";
+        return "the PNG is damaged: unknown compression, filter or interlacing";
     const auto has = [&](std::string_view type) {
         return std::ranges::find(chunks, type, &PngChunk::type) != chunks.end();
     };
     if (color == 3 && !has("PLTE"))
-        return "is damaged: the PNG has no palette";
-    return has("IDAT") ? "" : "is damaged: the PNG has no pixels";
+        return "the PNG is damaged: it has no palette";
+    return has("IDAT") ? "" : "the PNG is damaged: it has no pixels";
 }
 
 std::string png_chunk(std::string_view type, std::string_view data) {

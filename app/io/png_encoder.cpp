@@ -2,6 +2,8 @@
 
 #include "model/display_bytes.h"
 
+#include <fmt/format.h>
+
 #include <cassert>
 #include <csetjmp>
 #include <cstring>
@@ -63,7 +65,7 @@ Result<std::string> encode_bytes(Extent extent, int channels, std::span<const st
     }
     png_destroy_write_struct(&png, &info);
     if (!is_good)
-        return fail({{}, 0, "cannot be encoded: " + target.error});
+        return fail({{}, 0, fmt::format("can't encode the PNG: {}", target.error)});
     return std::move(target.bytes);
 }
 }  // namespace

@@ -1,5 +1,7 @@
 #include "io/sound_api.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <dlfcn.h>
@@ -40,7 +42,7 @@ unsigned int find_device(RtAudio& audio, const std::string& name, SoundDirection
         if (info.name == name && (is_out ? info.outputChannels : info.inputChannels) > 0)
             return device;
     }
-    throw RtAudioError("'" + name + "' is not there");
+    throw RtAudioError(fmt::format("'{}' isn't connected", name));
 }
 }  // namespace
 
@@ -74,15 +76,17 @@ OpenedOutput open_stereo_output(RtAudio& audio, const SoundSettings& settings,
 
 void ignore_while_running(RtAudioError::Type, const std::string&) {}
 
-Result<void> try_sound_apis(const std::string& what,
+Result<void> try_sound_apis(SoundDirection direction,
                             const std::function<bool(RtAudio::Api)>& open) {
-    std::string reason = "no sound " + what + " was found";
+    const bool is_out = direction == SoundDirection::out;
+    std::string reason = is_out ? "no audio device found" : "no audio input found";
     for (const RtAudio::Api api : usable_sound_apis()) {
         try {
             if (open(api))
                 return {};
         } catch (const RtAudioError& error) {
-            reason = "the sound " + what + " cannot be opened: " + error.getMessage();
+            reason = is_out ? fmt::format("can't open the audio device: {}", error.getMessage())
+                            : fmt::format("can't open the audio input: {}", error.getMessage());
         }
     }
     return fail({{}, 0, std::move(reason)});

@@ -46,15 +46,16 @@ constexpr int end_of_stream = 2;
 void ignore_while_running(RtAudioError::Type, const std::string&);
 
 /// Calls `open` for each usable API until it gives true. An error is its last reason for not doing
-/// so, `what` being a word for the device.
-Result<void> try_sound_apis(const std::string& what, const std::function<bool(RtAudio::Api)>& open);
+/// so.
+Result<void> try_sound_apis(SoundDirection direction,
+                            const std::function<bool(RtAudio::Api)>& open);
 
 /// A Stream of the first API that has a device, started with `arguments`.
 template <typename Stream, typename... Arguments>
-Result<std::unique_ptr<Stream>> open_first_sound_device(const std::string& what,
+Result<std::unique_ptr<Stream>> open_first_sound_device(SoundDirection direction,
                                                         const Arguments&... arguments) {
     std::unique_ptr<Stream> opened;
-    const auto done = try_sound_apis(what, [&](RtAudio::Api api) {
+    const auto done = try_sound_apis(direction, [&](RtAudio::Api api) {
         auto stream = std::make_unique<Stream>(api);
         if (!stream->has_device())
             return false;

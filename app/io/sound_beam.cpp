@@ -1,5 +1,6 @@
 #include "io/sound_beam.h"
 
+#include "base/text.h"
 #include "io/device_watch.h"
 #include "io/sound_api.h"
 
@@ -48,9 +49,11 @@ private:
 }  // namespace
 
 Result<std::unique_ptr<BeamOutput>> open_sound_beam(const SoundSettings& settings) {
-    auto opened = open_first_sound_device<SoundBeam>("device", settings);
+    auto opened = open_first_sound_device<SoundBeam>(SoundDirection::out, settings);
     if (!opened)
-        return fail(
-            {{}, 0, opened.error().front().message + "; the beam is shown and goes nowhere else"});
+        return fail({{},
+                     0,
+                     with_sentence(opened.error().front().message,
+                                   "The beam is only shown on the screen.")});
     return std::move(*opened);
 }

@@ -73,7 +73,7 @@ private:
 
 Result<std::unique_ptr<SoundCapture>> open_sound_capture(const SoundSettings& settings,
                                                          int channels) {
-    auto opened = open_first_sound_device<Capture>("input", settings, channels);
+    auto opened = open_first_sound_device<Capture>(SoundDirection::in, settings, channels);
     if (!opened)
         return fail(opened.error());
     return std::move(*opened);

@@ -27,13 +27,13 @@ using SoundFile = std::unique_ptr<SNDFILE, CloseFile>;
 
 Result<void> check(const std::filesystem::path& file, const SF_INFO& info) {
     if (info.samplerate <= 0 || info.samplerate > most_rate)
-        return fail(
-            {file, 0,
-             fmt::format("has a rate of {} Hz; 1 to {} can be read", info.samplerate, most_rate)});
+        return fail({file, 0,
+                     fmt::format("the sample rate must be between 1 and {} Hz, got {} Hz",
+                                 most_rate, info.samplerate)});
     if (info.channels <= 0 || info.channels > most_channels)
-        return fail(
-            {file, 0,
-             fmt::format("has {} channels; 1 to {} can be read", info.channels, most_channels)});
+        return fail({file, 0,
+                     fmt::format("the number of channels must be between 1 and {}, got {}",
+                                 most_channels, info.channels)});
     return {};
 }
 
@@ -60,15 +60,15 @@ Result<void> read_samples(const std::filesystem::path& file, SNDFILE* source, do
             return {};
         const auto count = static_cast<std::size_t>(got) * channels;
         if (sound.samples.size() + count > longest)
-            return fail({file, 0, "is longer than an hour, which is the limit"});
+            return fail({file, 0, "the sound is too long; the limit is 1 hour"});
         if (sound.samples.size() + count > most_sound_samples)
-            return fail({file, 0, "takes more than 2 GiB of memory, which is the limit"});
+            return fail({file, 0, "the sound needs too much memory; the limit is 2 GiB"});
         for (std::size_t i = 0; i < count; ++i)
             sound.samples.push_back(sane(block[i]));
         if (!work)
             continue;
         if (work->is_cancelled)
-            return fail({file, 0, "was not read to its end"});
+            return fail({file, 0, "reading was cancelled"});
         const auto done = static_cast<double>(sound.frame_count());
         work->share = claimed > 0.0 ? std::min(done / claimed, 1.0) : 0.0;
     }
@@ -105,12 +105,11 @@ std::optional<Diagnostic> find_break(const std::filesystem::path& file, SNDFILE*
     };
     constexpr double slack = 1.01;  // encoders pad
     if (announced == SF_COUNT_MAX)  // of an OGG, which tells its length in its last page
-        return note(fmt::format("breaks off: {:.2f} s are there, then the file ends too early",
-                                sound.seconds()));
+        return note(fmt::format("the file ends early: only {:.2f} s were read", sound.seconds()));
     const double whole =
         std::max(static_cast<double>(announced), read * announced_share(log)) / sound.rate;
     if (whole > slack * sound.seconds())
-        return note(fmt::format("breaks off: {:.2f} of {:.2f} s are there, the rest is missing",
+        return note(fmt::format("the file ends early: only {:.2f} of {:.2f} s were read",
                                 sound.seconds(), whole));
     return std::nullopt;
 }
@@ -174,7 +173,7 @@ Result<Sound> load_sound(const std::filesystem::path& file, Work* work, Diagnost
     if (!start)
         return fail(start.error());
     if (start->empty())
-        return fail({file, 0, "is empty"});
+        return fail({file, 0, "the file is empty"});
 
     // By its content alone: told a name, libsndfile takes any bytes called .mp3 for MPEG frames,
     // and the decoder then complains on stderr.
@@ -182,7 +181,7 @@ Result<Sound> load_sound(const std::filesystem::path& file, Work* work, Diagnost
     SF_INFO info{};
     const SoundFile source(sf_open_fd(descriptor.get(), SFM_READ, &info, SF_FALSE));
     if (!source)
-        return fail({file, 0, fmt::format("cannot be read as a sound: {}", sf_strerror(nullptr))});
+        return fail({file, 0, fmt::format("can't read the sound: {}", sf_strerror(nullptr))});
     if (const auto good = check(file, info); !good)
         return fail(good.error());
 
@@ -192,16 +191,16 @@ Result<Sound> load_sound(const std::filesystem::path& file, Work* work, Diagnost
         if (const auto read = read_samples(file, source.get(), claimed, sound, work); !read)
             return fail(read.error());
     } catch (const std::bad_alloc&) {
-        return fail({file, 0, "does not fit into memory"});
+        return fail({file, 0, "not enough memory for this sound"});
     }
     if (sound.samples.empty()) {
         auto unfinished = load_unfinished_wav(file, work);
         if (!unfinished)
-            return fail({file, 0, "holds no sound: there is a header and nothing behind it"});
+            return fail({file, 0, "the file has a header but no sound data"});
         if (notes)
             notes->push_back({file, 0,
-                              fmt::format("breaks off: its header holds no length; {:.2f} s "
-                                          "were read",
+                              fmt::format("the recording is unfinished: its header has no length. "
+                                          "{:.2f} s were read.",
                                           unfinished->seconds()),
                               Severity::warning});
         return std::move(*unfinished);

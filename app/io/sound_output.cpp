@@ -1,5 +1,6 @@
 #include "io/sound_output.h"
 
+#include "base/text.h"
 #include "io/device_watch.h"
 #include "io/sound_api.h"
 #include "io/sound_clock.h"
@@ -79,8 +80,8 @@ private:
 }  // namespace
 
 Result<std::unique_ptr<SoundOutput>> open_sound_output(const SoundSettings& settings) {
-    auto opened = open_first_sound_device<Output>("device", settings);
+    auto opened = open_first_sound_device<Output>(SoundDirection::out, settings);
     if (!opened)
-        return fail({{}, 0, opened.error().front().message + "; the picture runs without sound"});
+        return fail({{}, 0, with_sentence(opened.error().front().message, "Playing silently.")});
     return std::move(*opened);
 }

@@ -22,12 +22,12 @@ Result<void> save_sound(const Sound& sound, const std::filesystem::path& file) {
     info.channels = sound.channels;
     info.format = format_of(file);
     if (info.format == 0)
-        return fail({file, 0, "a sound is written as .wav or .flac"});
+        return fail({file, 0, "can't save the sound: the file name must end in .wav or .flac"});
     SF_VIRTUAL_IO memory = memory_file_calls();
     MemoryFile bytes;
     SNDFILE* const target = sf_open_virtual(&memory, SFM_WRITE, &info, &bytes);
     if (!target)
-        return fail({file, 0, fmt::format("cannot be written: {}", sf_strerror(nullptr))});
+        return fail({file, 0, fmt::format("can't write the sound: {}", sf_strerror(nullptr))});
     // Without the chunk of peaks, which holds the time of writing.
     sf_command(target, SFC_SET_ADD_PEAK_CHUNK, nullptr, SF_FALSE);
     sf_command(target, SFC_SET_CLIPPING, nullptr, SF_TRUE);
@@ -35,6 +35,6 @@ Result<void> save_sound(const Sound& sound, const std::filesystem::path& file) {
     const sf_count_t written = sf_writef_float(target, sound.samples.data(), frames);
     const bool is_closed = sf_close(target) == 0;
     if (written != frames || !is_closed)
-        return fail({file, 0, "cannot be written as a sound of this rate and these channels"});
+        return fail({file, 0, "can't write a sound with this sample rate and number of channels"});
     return write_atomically(file, bytes.bytes);
 }

@@ -73,9 +73,9 @@ Result<fs::path> reserve_name(const fs::path& trash, const fs::path& file,
         if (is_written && is_closed)
             return info;
         unlink(info.c_str());
-        return fail({info, 0, "cannot be written"});
+        return fail({info, 0, "can't write the file"});
     }
-    return fail({trash, 0, "holds too many files of that name"});
+    return fail({trash, 0, "the trash contains too many files with this name"});
 }
 
 // `told`: the path as the info file has it.
@@ -101,7 +101,7 @@ Result<TrashedFile> move_to_trash(const fs::path& given) {
     std::error_code error;
     const fs::path file = fs::absolute(given, error).lexically_normal();
     if (!fs::exists(fs::symlink_status(file, error)))
-        return fail({file, 0, "there is no such file"});
+        return fail({file, 0, "file not found"});
     if (auto moved = move_into(home_trash(), file, file))
         return moved;
     const fs::path top = top_of_volume(file);
@@ -110,17 +110,20 @@ Result<TrashedFile> move_to_trash(const fs::path& given) {
     if (moved)
         return moved;
     return fail(
-        {file, 0, fmt::format("cannot be moved to the trash: {}", moved.error().front().message)});
+        {file, 0,
+         fmt::format("can't move the file to the trash: {}", moved.error().front().message)});
 }
 
 Result<void> restore_from_trash(const TrashedFile& trashed) {
     std::error_code error;
     if (fs::exists(fs::symlink_status(trashed.original, error)))
-        return fail({trashed.original, 0, "exists again. The deleted one stays in the trash"});
+        return fail({trashed.original, 0,
+                     "a new file with this name exists. The deleted file is still in the trash."});
     fs::create_directories(trashed.original.parent_path(), error);
     fs::rename(trashed.file, trashed.original, error);
     if (error)
-        return fail({trashed.original, 0, "cannot be moved out of the trash: " + error.message()});
+        return fail({trashed.original, 0,
+                     fmt::format("can't restore the file from the trash: {}", error.message())});
     fs::remove(trashed.info, error);
     return {};
 }

@@ -23,8 +23,10 @@ Result<UdpPort> UdpPort::open(int port) {
     const auto refused = [port](int reason) {
         return fail({{},
                      0,
-                     fmt::format("port {} cannot be listened on: {}", port,
-                                 std::generic_category().message(reason))});
+                     reason == EADDRINUSE
+                         ? fmt::format("can't listen on port {}: another program is using it", port)
+                         : fmt::format("can't listen on port {}: {}", port,
+                                       std::generic_category().message(reason))});
     };
     Descriptor socket(::socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
     if (!socket.is_open())

@@ -73,9 +73,9 @@ bool has_deep_channels(const std::string& pixels) {
 }
 
 tl::unexpected<Diagnostics> not_installed(const fs::path& file, const Diagnostics& reasons) {
-    return fail(
-        {file, 0,
-         "videos are read with the programs of the package ffmpeg: " + reasons.front().message});
+    return fail({file, 0,
+                 fmt::format("reading videos needs the Debian package ffmpeg: {}",
+                             reasons.front().message)});
 }
 
 Result<Facts> facts_in(const std::string& text, const fs::path& file) {
@@ -93,10 +93,10 @@ Result<Facts> facts_in(const std::string& text, const fs::path& file) {
     if (parse_integer(said("rotation")).value_or(0) % 180 != 0)
         std::swap(facts.extent.width, facts.extent.height);
     if (facts.extent.is_empty() || facts.rate_number <= 0.0)
-        return fail({file, 0, "holds no video that can be read"});
+        return fail({file, 0, "the file contains no readable video"});
     if (facts.extent.width > largest_frame_side || facts.extent.height > largest_frame_side)
         return fail({file, 0,
-                     fmt::format("is too large: {} x {} px; at most {} px a side are read",
+                     fmt::format("the video is too large: {} x {} px; the limit is {} px per side",
                                  facts.extent.width, facts.extent.height, largest_frame_side)});
     return facts;
 }
@@ -113,7 +113,9 @@ Result<Facts> probe(const fs::path& file) {
     const std::string text = process->read_all(most);
     if (!process->finish()) {
         const std::string reason = without_name(process->complaint(), file);
-        return fail({file, 0, "cannot be read as a video" + (reason.empty() ? "" : ": " + reason)});
+        return fail({file, 0,
+                     reason.empty() ? "can't read the video"
+                                    : fmt::format("can't read the video: {}", reason)});
     }
     return facts_in(text, file);
 }
@@ -184,10 +186,13 @@ private:
         m_process.reset();
         if (is_good && complaint.empty() && m_next > 0)
             return std::nullopt;
-        return fail({m_file, 0,
-                     fmt::format("{} after {} pictures{}{}",
-                                 is_good && complaint.empty() ? "ends" : "is damaged", m_next,
-                                 complaint.empty() ? "" : ": ", complaint)});
+        if (is_good && complaint.empty())
+            return fail({m_file, 0, "the video has no pictures"});
+        return fail(
+            {m_file, 0,
+             complaint.empty()
+                 ? fmt::format("the video is damaged (pictures read: {})", m_next)
+                 : fmt::format("the video is damaged (pictures read: {}): {}", m_next, complaint)});
     }
 
     Picture decoded() const {
@@ -227,7 +232,7 @@ Result<std::unique_ptr<PictureReader>> open_video(const fs::path& file) {
     if (!start)
         return fail(start.error());
     if (start->empty())
-        return fail({file, 0, "is empty"});
+        return fail({file, 0, "the file is empty"});
     auto facts = probe(file);
     if (!facts)
         return fail(facts.error());

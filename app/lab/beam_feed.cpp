@@ -23,15 +23,14 @@ Result<void> make_runtime_folder(const fs::path& socket) {
         return {};
     struct stat status = {};
     if (::lstat(folder.c_str(), &status) != 0)
-        return fail({folder, 0,
-                     "the folder of the socket cannot be made. Choose another place with "
-                     "socket:PATH"});
+        return fail(
+            {folder, 0, "can't create the socket folder. Choose another path with socket:PATH."});
     const bool is_private = S_ISDIR(status.st_mode) && status.st_uid == ::geteuid() &&
                             (status.st_mode & (S_IWGRP | S_IWOTH)) == 0;
     if (!is_private)
         return fail({folder, 0,
-                     "other users may write to this folder, so no socket is made in it. Run "
-                     "chmod 700 on it, or choose another place with socket:PATH"});
+                     "other users can write to this folder, so no socket is created in it. Run "
+                     "chmod 700 on it, or choose another path with socket:PATH."});
     return {};
 }
 }  // namespace
@@ -95,7 +94,7 @@ void BeamFeed::end() {
         const std::lock_guard lock(m_mutex);
         m_state = State::ended;
         if (!m_has_drawn && !m_problem)
-            m_problem = Diagnostic{m_name, 0, "ended without a single point", Severity::warning};
+            m_problem = Diagnostic{m_name, 0, "ended without sending a point", Severity::warning};
     }
     if (m_pace == SentBeam::Pace::waiting)
         m_beam->end();
@@ -103,7 +102,7 @@ void BeamFeed::end() {
 
 void BeamFeed::fail_with(const std::string& why) {
     const std::lock_guard lock(m_mutex);
-    m_problem = Diagnostic{m_name, 0, "cannot be read: " + why};
+    m_problem = Diagnostic{m_name, 0, fmt::format("can't read the beam: {}", why)};
 }
 
 void BeamFeed::note() {
@@ -122,12 +121,13 @@ Diagnostics BeamFeed::problems() const {
         problems.push_back(*m_problem);
     if (m_beam->has_timed_out())
         problems.push_back({m_name, 0,
-                            "sent no point within the timeout. Start the sender first, or raise "
-                            "--timeout"});
+                            "sent no point before the timeout. Start the sender first, or raise "
+                            "--timeout."});
     if (m_bad_count > 1)
         problems.push_back({m_name, 0,
-                            fmt::format("{} {} in all could not be read", m_bad_count,
-                                        sent_format(Settings(m_spec)).is_raw ? "points" : "lines"),
+                            sent_format(Settings(m_spec)).is_raw
+                                ? fmt::format("skipped {} invalid points", m_bad_count)
+                                : fmt::format("skipped {} invalid lines", m_bad_count),
                             Severity::warning});
     return problems;
 }
@@ -136,13 +136,13 @@ std::string BeamFeed::complaint() const {
     if (const Diagnostics all = problems(); !all.empty())
         return to_string(all.front());
     const std::lock_guard lock(m_mutex);
-    return m_state == State::ended ? "'" + m_name + "' sends nothing more; the beam rests"
-                                   : std::string();
+    return m_state == State::ended ? fmt::format("\"{}\" stopped sending", m_name) : std::string();
 }
 
 std::string BeamFeed::state() const {
     const std::lock_guard lock(m_mutex);
     if (m_state == State::waiting)
-        return m_spec.kind == "socket" ? "Waits for a program at " + m_name : "Waits";
-    return m_state == State::sending ? "Draws what comes from " + m_name : std::string();
+        return m_spec.kind == "socket" ? fmt::format("Waiting for a program at {}", m_name)
+                                       : std::string("Waiting for input");
+    return m_state == State::sending ? fmt::format("Receiving from {}", m_name) : std::string();
 }

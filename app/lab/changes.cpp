@@ -49,7 +49,7 @@ void add_values(const Look& look, const Values& before, const Values& after,
 
 std::string modulation_text(const Modulations& modulations, const std::string& name) {
     const auto found = modulations.find(name);
-    return found == modulations.end() ? "rests" : summary_of(found->second);
+    return found == modulations.end() ? "none" : summary_of(found->second);
 }
 
 void add_modulations(const Look& look, const Modulations& before, const Modulations& after,
@@ -64,7 +64,7 @@ void add_modulations(const Look& look, const Modulations& before, const Modulati
         const Parameter* parameter = find_parameter(look, name);
         if (old_text != new_text)
             changes.push_back({name,
-                               "Modulation of " + (parameter ? parameter->label : name),
+                               fmt::format("Modulation of {}", parameter ? parameter->label : name),
                                old_text,
                                new_text,
                                {}});
@@ -115,12 +115,12 @@ void add_signal(const Spec& before, const Spec& after, std::vector<Change>& chan
             continue;
         const SettingFacts* facts = kind ? find_setting(*kind, key) : nullptr;
         Change change{{},
-                      "Signal: " + (facts ? facts->label : key),
+                      fmt::format("Signal: {}", facts ? facts->label : key),
                       text_of(old_spec, key),
                       text_of(new_spec, key),
                       facts ? facts->unit : ""};
         if (change.before == change.after)
-            change.after = "another one";  // long texts that begin alike
+            change.after = "another value";  // long texts that begin alike
         changes.push_back(std::move(change));
     }
 }
@@ -135,7 +135,7 @@ std::string source_text(const std::string& source) {
 std::string override_text(const PassOverrides& overrides, const std::string& pass) {
     const auto found = overrides.find(pass);
     if (found == overrides.end())
-        return "as written";
+        return "default";
     std::vector<std::string> words;
     if (found->second.format)
         words.emplace_back(facts_of(*found->second.format).name);
@@ -156,7 +156,8 @@ void add_overrides(const PassOverrides& before, const PassOverrides& after,
         std::string old_text = override_text(before, pass);
         std::string new_text = override_text(after, pass);
         if (old_text != new_text)
-            changes.push_back({{}, "Pass " + pass, std::move(old_text), std::move(new_text), {}});
+            changes.push_back(
+                {{}, fmt::format("Pass {}", pass), std::move(old_text), std::move(new_text), {}});
     }
 }
 
@@ -181,7 +182,7 @@ std::vector<Change> changes_between(const Look& look, const DocumentState& befor
         changes.push_back(
             {{}, "Source", source_text(before.source), source_text(after.source), {}});
     if (stack_text(before.stack) != stack_text(after.stack))
-        changes.push_back({{}, "Looks", stack_text(before.stack), stack_text(after.stack), {}});
+        changes.push_back({{}, "Stack", stack_text(before.stack), stack_text(after.stack), {}});
     add_overrides(moved(before.overrides, before.stack, after.stack), after.overrides, changes);
     return changes;
 }

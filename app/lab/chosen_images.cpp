@@ -61,10 +61,8 @@ std::optional<fs::file_time_type> written_time(const fs::path& file) {
 }
 
 Diagnostics warnings(Diagnostics problems, const Parameter& parameter) {
-    for (Diagnostic& problem : problems) {
-        problem.message += "; '" + parameter.label + "' reads black";
-        problem.severity = Severity::warning;
-    }
+    for (Diagnostic& problem : problems)
+        problem = warning_of_black(std::move(problem), parameter.label);
     return problems;
 }
 // What is told of a picture that was to be shown.

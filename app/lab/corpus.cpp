@@ -86,7 +86,7 @@ void draw(Prepared prepared, const CorpusTask& task, CorpusTrial& trial) {
     const std::vector<std::string> errors = log.take();
     trial.has_drawn = errors.empty();
     if (!errors.empty())
-        trial.why = "the driver reports " + errors.front();
+        trial.why = fmt::format("driver error: {}", errors.front());
 }
 }  // namespace
 

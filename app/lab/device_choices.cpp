@@ -34,7 +34,7 @@ void add_devices(const SoundFacts& facts, std::string SoundSettings::*device, co
         choices.push_back(sound_choice(fmt::format("{}: {}", words, label), next,
                                        facts.settings.*device == name));
     };
-    offer("", "System's choice");
+    offer("", "System default");
     for (const SoundDevice& one : facts.devices)
         if (is_out ? one.has_output : one.has_input)
             offer(one.name, one.name);
@@ -45,14 +45,14 @@ void add_sizes(const SoundSettings& settings, std::vector<Choice>& choices) {
         SoundSettings next = settings;
         next.rate = rate;
         choices.push_back(
-            sound_choice(rate == 0 ? "Rate: Device's own" : fmt::format("Rate: {}", rate), next,
-                         settings.rate == rate));
+            sound_choice(rate == 0 ? "Rate: Device default" : fmt::format("Rate: {} Hz", rate),
+                         next, settings.rate == rate));
     }
     for (const int buffer : sound_buffers) {
         SoundSettings next = settings;
         next.buffer = buffer;
-        choices.push_back(
-            sound_choice(fmt::format("Buffer: {}", buffer), next, settings.buffer == buffer));
+        choices.push_back(sound_choice(fmt::format("Buffer: {} samples", buffer), next,
+                                       settings.buffer == buffer));
     }
 }
 
@@ -96,9 +96,9 @@ ChoiceList sound_choices(const SoundFacts& facts) {
     SoundSettings beam = facts.settings;
     beam.plays_beam = !beam.plays_beam;
     list.choices.push_back(
-        sound_choice("Beam on the sound output", beam, facts.settings.plays_beam));
+        sound_choice("Send beam to audio output", beam, facts.settings.plays_beam));
     list.choices.push_back(
-        {.name = "Look for devices", .deeds = {[](Lab& lab) { lab.look_for_sound_devices(); }}});
+        {.name = "Rescan devices", .deeds = {[](Lab& lab) { lab.look_for_sound_devices(); }}});
     add_devices(facts, &SoundSettings::output, "Output", list.choices);
     add_devices(facts, &SoundSettings::input, "Input", list.choices);
     add_sizes(facts.settings, list.choices);
@@ -117,10 +117,10 @@ ChoiceList remote_choices(const RemoteSettings& settings, bool hears_osc, bool h
           [next = !hears_osc](RemoteSettings& changed) { changed.listens_to_osc = next; });
     offer("Listen to MIDI", hears_midi,
           [next = !hears_midi](RemoteSettings& changed) { changed.listens_to_midi = next; });
-    offer("Pick up MIDI knobs", settings.picks_up,
+    offer("Soft takeover", settings.picks_up,
           [](RemoteSettings& changed) { changed.picks_up = !changed.picks_up; });
-    list.choices.push_back({.name = "Look for MIDI devices",
-                            .deeds = {[](Lab& lab) { lab.look_for_midi_devices(); }}});
+    list.choices.push_back(
+        {.name = "Rescan MIDI devices", .deeds = {[](Lab& lab) { lab.look_for_midi_devices(); }}});
     list.choices.push_back(
         {.name = "OSC port…",
          .number = AskedNumber{.present = static_cast<double>(settings.osc_port),
@@ -132,7 +132,7 @@ ChoiceList remote_choices(const RemoteSettings& settings, bool hears_osc, bool h
                                    })};
                                }}});
     for (const MidiBinding& binding : settings.midi)
-        offer(fmt::format("Let go of {} ({})", binding.goal.parameter, words_of(binding)), false,
+        offer(fmt::format("Unmap {} ({})", binding.goal.parameter, words_of(binding)), false,
               [goal = binding.goal](RemoteSettings& changed) { changed.unbind(goal); });
     return list;
 }

@@ -118,7 +118,7 @@ void Document::set_modulation(const std::string& name, const std::optional<Modul
         next.modulations[*present] = tidied(*modulation);
     else
         next.modulations.erase(*present);
-    change(std::move(next), "Modulation of " + parameter->label, goes_on);
+    change(std::move(next), fmt::format("Modulation of {}", parameter->label), goes_on);
 }
 
 const Modulation* Document::modulation(const Parameter& parameter) const {
@@ -140,7 +140,7 @@ void Document::reset(const std::vector<std::string>& names) {
         if (const auto present = present_name(name))
             next.values.erase(*present);
     const Parameter* first = names.size() == 1 ? find_parameter(m_look, names.front()) : nullptr;
-    change(std::move(next), first ? "Reset " + first->label : "Reset group");
+    change(std::move(next), first ? fmt::format("Reset {}", first->label) : "Reset group");
 }
 
 namespace {
@@ -223,7 +223,7 @@ void Document::use_content(const Content& content) {
         next.source = content.source;
         next.locks.source = false;
     }
-    change(std::move(next), "Use the preset's " + content_word(m_look), false, StepKind::content);
+    change(std::move(next), use_content_words(m_look), false, StepKind::content);
 }
 
 namespace {
@@ -267,13 +267,13 @@ void Document::set_override(const std::string& pass, PassOverride override) {
         next.overrides.erase(*present);
     else
         next.overrides[*present] = override;
-    change(std::move(next), "Pass " + pass);
+    change(std::move(next), fmt::format("Pass {}", pass));
 }
 
 void Document::clear_overrides() {
     DocumentState next = state();
     next.overrides.clear();
-    change(std::move(next), "Passes as written");
+    change(std::move(next), "Reset all passes");
 }
 
 DocumentState Document::state_of(const Preset& preset) const {
@@ -342,11 +342,12 @@ void Document::open(DocumentState next, Origin from, std::string step_name, Open
 }
 
 void Document::open_preset(const Preset& preset, std::filesystem::path file, OpenedWith content) {
-    open(state_of(preset), {preset, std::move(file), {}}, "Open " + preset.name, content);
+    open(state_of(preset), {preset, std::move(file), {}}, fmt::format("Open {}", preset.name),
+         content);
 }
 
 void Document::open_defaults(OpenedWith content) {
-    open(initial_state(m_look), {}, "Open " + m_look.name, content);
+    open(initial_state(m_look), {}, fmt::format("Open {}", m_look.name), content);
 }
 
 void Document::arrive_at(const Preset& preset, std::filesystem::path file,

@@ -1,5 +1,6 @@
 #include "lab/drive.h"
 
+#include "base/text.h"
 #include "model/placing.h"
 #include "signals/kinds.h"
 
@@ -11,7 +12,8 @@ Diagnostics told(Diagnostics reasons) {
     std::error_code error;
     for (Diagnostic& reason : reasons)
         if (!reason.file.empty() && !std::filesystem::exists(reason.file, error))
-            reason.message += "; it is neither beside the preset nor among the files opened lately";
+            reason.message = with_sentence(
+                reason.message, "It is neither next to the preset nor among the recent files.");
     return reasons;
 }
 
@@ -261,6 +263,6 @@ Result<void> Drive::take(LoadedMedia loaded, const Document& document, Player& p
     const std::string& expected = document.identity().media_digest;
     if (document.state().signal == document.saved().signal && !expected.empty() &&
         expected != loaded.digest)
-        return fail({loaded.name, 0, "is not the file that the preset was made with"});
+        return fail(other_media(loaded.name));
     return {};
 }

@@ -36,8 +36,8 @@ Result<std::vector<std::string>> editor_words(const char* variable_name,
     if (!words || words->empty() || words->front().empty())
         return fail({{},
                      0,
-                     fmt::format("${} is not a command: {}. Close its quotes, as in "
-                                 "'\"/opt/My Editor/ed\" -w'",
+                     fmt::format("${} is not a valid command: {}. Close its quotes, as in "
+                                 "'\"/opt/My Editor/ed\" -w'.",
                                  variable_name, editor)});
     return std::move(*words);
 }
@@ -73,7 +73,7 @@ Location place_on_disk(const Location& place) {
 
 Result<std::vector<std::string>> editor_command(const Location& asked) {
     if (asked.file.empty())
-        return fail({{}, 0, "there is no file behind this"});
+        return fail({{}, 0, "there is no shader file to open"});
     const Location place = place_on_disk(asked);
     for (const char* name : {"VISUAL", "EDITOR"})
         if (const std::string editor = variable(name); !editor.empty()) {
@@ -107,15 +107,13 @@ Result<void> open_in_editor(const Location& place) {
         return fail(command.error());
     if (const int error = start(*command); error != 0)
         return fail({place.file, place.line,
-                     fmt::format("'{}' cannot be started ({}); set $VISUAL to your editor",
+                     fmt::format("can't start '{}': {}. Set $VISUAL to your editor.",
                                  command->front(), std::strerror(error))});
     return {};
 }
 
 Result<void> open_folder(const std::filesystem::path& folder) {
     if (const int error = start({"xdg-open", folder.string()}); error != 0)
-        return fail(
-            {folder, 0,
-             fmt::format("cannot be shown: xdg-open does not start ({})", std::strerror(error))});
+        return fail({folder, 0, fmt::format("can't start xdg-open: {}", std::strerror(error))});
     return {};
 }

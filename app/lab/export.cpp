@@ -31,7 +31,7 @@ Result<std::vector<std::uint8_t>> film_bytes(const PipedFrame& frame, Extent ext
         return fail(
             {{},
              0,
-             fmt::format("a film has one size, {} x {} px, but frame {} is of {} x {} px",
+             fmt::format("a video has one frame size: {} x {} px, but frame {} is {} x {} px",
                          extent.width, extent.height, frame.number, now.width, now.height)});
     return display_bytes(frame.picture);
 }
@@ -49,8 +49,7 @@ Result<void> write_all(int descriptor, std::string_view bytes) {
         if (count < 0 && errno == EINTR)
             continue;
         if (count < 0)
-            return fail(
-                {{}, 0, std::string("the film cannot be written: ") + std::strerror(errno)});
+            return fail({{}, 0, fmt::format("can't write the video: {}", std::strerror(errno))});
         bytes.remove_prefix(static_cast<std::size_t>(count));
     }
     return {};
@@ -183,8 +182,7 @@ Result<double> usual_film_seconds(const Offline& offline, double start_seconds) 
     if (start_seconds >= sound)
         return fail({{},
                      0,
-                     fmt::format("there is nothing to write from {} s on: the sound is over after "
-                                 "{} s",
+                     fmt::format("nothing to export from {} s on: the sound ends at {} s",
                                  format_number(start_seconds), format_number(sound))});
     return sound - start_seconds;
 }

@@ -10,18 +10,15 @@ namespace {
 Result<void> check_export(const Document& document, const std::filesystem::path& file) {
     const SignalKind* kind = find_kind(document.state().signal.kind);
     if (document.look().driven_by == Driver::signal && kind && (kind->is_live || kind->is_sent))
-        return fail({{},
-                     0,
-                     "what drives the look comes in live, and only once; choose another signal to "
-                     "export"});
+        return fail({{}, 0, "live input can't be exported. Choose another signal."});
     const auto names = parse_frame_names(file.string());
     if (!names)
         return fail(names.error());
     const std::string ending = to_lower(file.extension().string());
     if (names->is_sequence() ? ending != ".png" && ending != ".exr" : !is_film_name(file))
         return fail({file, 0,
-                     "a film ends in .mp4, .webm or .gif; pictures have %04d in their name and end "
-                     "in .png or .exr"});
+                     "video files must end in .mp4, .webm or .gif. Image sequences need %04d in "
+                     "the name and must end in .png or .exr."});
     return check_writable(names->name(0));
 }
 }  // namespace

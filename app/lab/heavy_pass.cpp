@@ -26,19 +26,19 @@ ChoiceList heavy_pass_choices(const Pass& pass, const PictureSize& size) {
     ChoiceList list{"Heavy pass"};
     if (handed_on(pass))
         list.choices.push_back(
-            {.name = "Bypass " + pass.name,
+            {.name = fmt::format("Bypass {}", pass.name),
              .deeds = {[name = pass.name](Lab& lab) {
                  lab.switch_pass(PassSwitch::bypass, name);
-                 lab.say(
-                     fmt::format("'{}' is bypassed; the strip of passes takes it in again", name));
+                 lab.say(fmt::format(
+                     "Bypassed \"{}\". Right-click it in the pass strip to undo this.", name));
              }}});
     if (const auto half = size.halved())
-        list.choices.push_back(
-            {.name = "Half size", .deeds = {[half = *half](Lab& lab) {
-                                      lab.set_picture_size(half);
-                                      lab.say(
-                                          "The picture has half its size; View > Picture size "
-                                          "has the others");
-                                  }}});
+        list.choices.push_back({.name = "Halve render size",
+                                .deeds = {[half = *half](Lab& lab) { use_half_size(lab, half); }}});
     return list;
+}
+
+void use_half_size(Lab& lab, const PictureSize& half) {
+    lab.set_picture_size(half);
+    lab.say("Render size halved. Change it in View > Render size.");
 }

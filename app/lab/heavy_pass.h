@@ -5,6 +5,8 @@
 
 #include <optional>
 
+class Lab;
+
 struct Pass;
 struct PictureSize;
 
@@ -17,3 +19,6 @@ std::optional<std::size_t> heavy_pass(const PassTimes& times);
 
 /// What may be done about such a pass: what can be bypassed is, or the picture becomes smaller.
 ChoiceList heavy_pass_choices(const Pass& pass, const PictureSize& size);
+
+/// Sets the halved render size, and says where to change it.
+void use_half_size(Lab& lab, const PictureSize& half);

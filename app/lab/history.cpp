@@ -41,7 +41,7 @@ HistoryStep history_step(const Document& document, std::size_t place) {
     const std::size_t present = history.past().size();
     const int distance = static_cast<int>(place) - static_cast<int>(present);
     if (place == 0)
-        return {"At first", {}, {}, distance};
+        return {"Start", {}, {}, distance};
     const std::string& name =
         place <= present ? history.past()[place - 1].name
                          : history.future()[history.future().size() - (place - present)].name;

@@ -8,7 +8,7 @@ Result<void> ImageBudget::take(const Image& image, const Picture& picture) {
         std::int64_t{picture.extent.width} * picture.extent.height * facts_of(image.format).bytes;
     if (m_bytes <= most_bytes)
         return {};
-    return fail(
-        {image.file, 0,
-         "is too much: the images of a look take at most 1 GiB together. Make some smaller"});
+    return fail({image.file, 0,
+                 "the image is too large: the limit for all images of a look is 1 GiB. Use smaller "
+                 "images."});
 }

@@ -7,6 +7,8 @@
 #include "lab/users_content.h"
 #include "model/color.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -44,8 +46,9 @@ Result<void> drive(Offline& offline, Extent size, const ImpulseQuestion& questio
     const Look& look = offline.executor().look();
     if (look.driven_by == Driver::nothing)
         return fail({look.manifest, 0,
-                     "neither a beam nor a picture drives '" + look.id +
-                         "': there is nothing to fire a flash with"});
+                     fmt::format("'{}' uses neither a signal nor a picture, so it has no impulse "
+                                 "response",
+                                 look.id)});
     if (look.driven_by == Driver::picture)
         return offline.hold_source(even(size, 0.0f));
     const BeamPlacing placing(look, offline.document().values(), size,
@@ -107,7 +110,7 @@ Result<ImpulseResponse> fire_impulse(Offline& offline, Extent size, const Impuls
     const int all = dark_frames + 1 + watched;
     for (int frame = 1; frame <= all; ++frame) {
         if (work.is_cancelled)
-            return fail({{}, 0, "the impulse was cancelled"});
+            return fail({{}, 0, "the impulse response was cancelled"});
         if (has_source && (frame == dark_frames + 1 || frame == dark_frames + 2))
             if (auto held = offline.hold_source(even(size, frame == dark_frames + 1 ? 1.0f : 0.0f));
                 !held)

@@ -25,8 +25,9 @@ ChoiceList texture_choices(const InspectedParts& parts) {
     for (int ago = 1; ago < parts.frames; ++ago) {
         TextureChoice choice = parts.present;
         choice.frames_ago = ago;
-        list.choices.push_back({.name = fmt::format("{}, {} frame{} ago", choice.present().label(),
-                                                    ago, ago == 1 ? "" : "s"),
+        const std::string label = choice.present().label();
+        list.choices.push_back({.name = ago == 1 ? fmt::format("{}, 1 frame ago", label)
+                                                 : fmt::format("{}, {} frames ago", label, ago),
                                 .deeds = {look_into(choice)},
                                 .is_present = choice == parts.present});
     }
@@ -142,17 +143,17 @@ ChoiceList pass_setting_choices(const Document& document, const std::string& pas
     for (const double scale : pass_scales) {
         PassOverride changed = now->tried;
         changed.scale = scale;
-        offer("Size " + times_text(scale), changed, now->scale == scale);
+        offer(fmt::format("Size {}", times_text(scale)), changed, now->scale == scale);
     }
     for (const FormatFacts& facts : all_formats()) {
         PassOverride changed = now->tried;
         changed.format = facts.format;
-        offer("Format " + std::string(facts.name), changed, facts.format == now->format);
+        offer(fmt::format("Format {}", facts.name), changed, facts.format == now->format);
     }
     for (const Filter filter : {Filter::nearest, Filter::linear}) {
         PassOverride changed = now->tried;
         changed.filter = filter;
-        offer(filter == Filter::nearest ? "Read nearest" : "Read linear", changed,
+        offer(filter == Filter::nearest ? "Filter nearest" : "Filter linear", changed,
               now->filter == filter);
     }
     return list;

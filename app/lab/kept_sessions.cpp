@@ -171,5 +171,5 @@ std::string age_text(double seconds) {
     if (seconds < day)
         return fmt::format("{:.0f} h ago", std::floor(seconds / hour));
     const double days = std::floor(seconds / day);
-    return fmt::format("{:.0f} day{} ago", days, days == 1.0 ? "" : "s");
+    return days == 1.0 ? "1 day ago" : fmt::format("{:.0f} days ago", days);
 }

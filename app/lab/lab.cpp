@@ -145,7 +145,7 @@ void Lab::cancel_opening() {
     forget_constants();
     m_when_opened = {};
     m_preset_step.reset();
-    say("'" + name + "' was not opened");
+    say(fmt::format("Cancelled opening \"{}\"", name));
 }
 
 bool Lab::end_opening() {
@@ -189,7 +189,7 @@ void Lab::keep_unsaved(const Session& session,
                        const std::function<std::optional<Picture>()>& picture) {
     const auto kept = m_kept_sessions.keep(session, picture);
     if (succeeded(kept) && *kept)
-        say("Unsaved changes are kept: File, Unsaved changes");
+        say("Your unsaved changes are kept in File > Unsaved changes");
 }
 
 void Lab::take_up(const fs::path& kept) {
@@ -226,11 +226,7 @@ void Lab::open_file(const fs::path& file) {
     if (m_document && is_picture_file(file) && is_reference_wanted())
         return compare_with_file(file);
     if (!m_document || m_document->look().driven_by != needed) {
-        say(is_sound
-                ? "This look is not driven by a signal: open one that is, then the file will draw"
-                : "This look does not work on a video: open one that does, then it will show",
-            true);
-        return;
+        return say(is_sound ? needs_signal_look : needs_picture_look, true);
     }
     if (is_sound)
         return m_drive.choose({.driver = Driver::signal,
@@ -281,12 +277,11 @@ void Lab::offer_own_content(const Preset& preset) {
     if (is_signal ? is_same_content(own.signal, present.signal)
                   : is_same_content(own.source, present.source))
         return;
-    const std::string kept = "Kept " + content_name(present, look);
+    const std::string kept = fmt::format("Kept {}", content_name(present, look));
     const bool goes_on = m_notice && !m_notice->is_problem && m_notice->choices.empty();
-    const std::string told = goes_on ? m_notice->text + " · " : "";
-    say(told + kept);
+    say(goes_on ? fmt::format("{} · {}", m_notice->text, kept) : kept);
     m_notice->choices.push_back(
-        {.name = "Use the preset's " + content_word(look),
+        {.name = use_content_words(look),
          .deeds = {[own](Document& document) { document.use_content(own); }}});
 }
 
@@ -295,7 +290,7 @@ void Lab::cancel_loading() {
     if (name.empty() || !m_document)
         return;
     m_drive.cancel();
-    say("'" + fs::path(name).filename().string() + "' was not read to its end");
+    say(fmt::format("Cancelled loading \"{}\"", fs::path(name).filename().string()));
 }
 
 Preset Lab::portable(const Preset& preset, const fs::path& folder) const {
@@ -402,10 +397,9 @@ void Lab::duplicate_look(const std::string& id) {
     if (!m_document)
         return;
     if (m_document->look().stack.size() > 1)
-        return say("a stack is not one look; open one of its looks to duplicate it", true);
+        return say("A stack can't be duplicated. Open one of its looks first.", true);
     if (is_foreign_look(m_document->look().manifest))
-        return say("a look of another program stays where its files are; it cannot be duplicated",
-                   true);
+        return say("Looks of other programs can't be duplicated", true);
     const auto folder = m_library.duplicate_look(m_document->look().manifest.parent_path(), id);
     if (!succeeded(folder))
         return;
@@ -420,8 +414,8 @@ void Lab::write_overrides() {
     const Stack& stack = m_document->look().stack;
     for (const StackPart& part : stack)
         if (m_library.is_shipped(manifest_of(part.place)))
-            return offer_duplicate("'" + part.look +
-                                   "' is a shipped look, which is not overwritten");
+            return offer_duplicate(
+                fmt::format("\"{}\" is a shipped look and can't be changed", part.look));
     for (std::size_t i = 0; i < stack.size(); ++i) {
         PassOverrides own;
         const std::string scope = scope_of(stack, i);
@@ -429,14 +423,12 @@ void Lab::write_overrides() {
             if (pass.starts_with(scope))
                 own.emplace(pass.substr(scope.size()), override);
         if (!own.empty() && is_foreign_look(stack[i].place))
-            return say(
-                "what a pass of another program's look is changed to cannot be written there",
-                true);
+            return say("Pass settings can't be saved to looks of other programs", true);
         if (!own.empty() && !succeeded(::write_overrides(manifest_of(stack[i].place), own)))
             return;
     }
     m_document->clear_overrides();
-    say("Written to look.json");
+    say("Saved to look.json");
 }
 
 // A shipped file that the user may not write to.
@@ -454,7 +446,7 @@ void Lab::offer_duplicate(const std::string& words) {
 
 void Lab::open_in_editor(const Location& place) {
     if (m_document && must_duplicate(place.file))
-        return offer_duplicate("'" + m_document->look().name +
-                               "' is a shipped look, in a folder that cannot be written to");
+        return offer_duplicate(
+            fmt::format("\"{}\" is a shipped look in a read-only folder", m_document->look().name));
     succeeded(::open_in_editor(place));
 }

@@ -36,7 +36,7 @@ ChoiceList comparing_choices(const Lab& lab) {
              })},
              .is_present = chosen.mode == CompareMode::difference && chosen.measure == measure});
     list.choices.push_back(
-        {.name = "Gain of the difference…",
+        {.name = "Difference gain…",
          .number = AskedNumber{.present = chosen.gain_stops,
                                .unit = "stops",
                                .limit = {-16.0, 16.0},
@@ -46,17 +46,17 @@ ChoiceList comparing_choices(const Lab& lab) {
                                }}});
     if (const auto& file = lab.comparing().reference().file();
         lab.comparing().reference().picture())
-        list.choices.push_back({.name = "With " + file.filename().string(),
+        list.choices.push_back({.name = fmt::format("With {}", file.filename().string()),
                                 .deeds = {[file](Lab& changed) {
                                     changed.compare_with({Other::Kind::file, 0, file});
                                 }}});
     list.choices.push_back(
-        {.name = "Our picture alone",
+        {.name = "Stop comparing",
          .deeds = {[](Lab& changed) { changed.set_compare_mode(CompareMode::off); }},
          .is_present = chosen.mode == CompareMode::off});
     for (std::size_t i = 0; i < lab.slots().size(); ++i)
         if (lab.slots()[i])
-            list.choices.push_back({.name = "Empty slot " + slot_name(i),
+            list.choices.push_back({.name = fmt::format("Clear slot {}", slot_name(i)),
                                     .deeds = {[i](Lab& changed) { changed.empty_slot(i); }}});
     return list;
 }
@@ -87,12 +87,12 @@ void add_keyframes(const DrawingBoard& board, std::vector<Choice>& choices) {
         choices.push_back({.name = name, .deeds = {on_board(change)}});
     };
     offer("New keyframe", &DrawingBoard::add_keyframe);
-    offer("Copy the keyframe", &DrawingBoard::duplicate_keyframe);
-    offer("Remove the keyframe", &DrawingBoard::remove_keyframe);
-    offer("Clear the keyframe", &DrawingBoard::clear_keyframe);
-    offer("Keyframe earlier",
+    offer("Duplicate keyframe", &DrawingBoard::duplicate_keyframe);
+    offer("Remove keyframe", &DrawingBoard::remove_keyframe);
+    offer("Clear keyframe", &DrawingBoard::clear_keyframe);
+    offer("Move keyframe earlier",
           [](DrawingBoard& desk, Document& document) { desk.move_keyframe(-1, document); });
-    offer("Keyframe later",
+    offer("Move keyframe later",
           [](DrawingBoard& desk, Document& document) { desk.move_keyframe(1, document); });
     for (std::size_t i = 0; i < board.drawing()->keyframes.size(); ++i)
         choices.push_back({.name = fmt::format("Keyframe {}", i + 1),
@@ -123,7 +123,8 @@ ChoiceList unsaved_choices(const KeptSessions& kept) {
     ChoiceList list{"Unsaved changes"};
     for (const KeptSession& session : kept.list())
         list.choices.push_back(
-            {.name = session.look + (session.preset.empty() ? "" : " – " + session.preset),
+            {.name = session.preset.empty() ? session.look
+                                            : fmt::format("{} – {}", session.look, session.preset),
              .deeds = {[file = session.file](Lab& changed) { changed.take_up(file); }}});
     return list;
 }
@@ -131,7 +132,7 @@ ChoiceList unsaved_choices(const KeptSessions& kept) {
 ChoiceList include_choices(const Lab& lab) {
     ChoiceList list{"Includes", ChoiceList::Place::edit};
     list.choices.push_back(
-        {.name = "Folders, with ':' between…",
+        {.name = "Folders, separated by ':'…",
          .text = AskedText{include_folders_text(lab.include_folders()),
                            [](const std::string& typed) -> Deeds {
                                return {[folders = parse_include_folders(typed)](Lab& changed) {
@@ -145,10 +146,9 @@ ChoiceList include_choices(const Lab& lab) {
 ChoiceList trouble_choices(const Lab& lab) {
     ChoiceList list{"Problem"};
     if (lab.trip())
-        for (const auto& [answer, name] :
-             {std::pair{TripAnswer::clear, "Clear the history, and go on"},
-              std::pair{TripAnswer::clamp, "Clamp what is not finite"},
-              std::pair{TripAnswer::go_on, "Go on with what is not finite"}})
+        for (const auto& [answer, name] : {std::pair{TripAnswer::clear, "Restart history"},
+                                           std::pair{TripAnswer::clamp, "Clamp NaN/Inf"},
+                                           std::pair{TripAnswer::go_on, "Ignore NaN/Inf"}})
             list.choices.push_back({.name = name, .deeds = {[to = answer](Lab& changed) {
                                                       changed.answer_trip(to);
                                                   }}});

@@ -27,7 +27,7 @@ void Lab::keep_in_slot(std::size_t number) {
     m_comparing.set_slot(
         look.id, number,
         Slot{m_document->preset_name(), changed_values(look, m_document->values())});
-    say("Kept in slot " + slot_name(number));
+    say(fmt::format("Stored in slot {}", slot_name(number)));
 }
 
 void Lab::recall_slot(std::size_t number) {
@@ -35,10 +35,10 @@ void Lab::recall_slot(std::size_t number) {
         return;
     const std::optional<Slot>& slot = slots().at(number);
     if (!slot)
-        return say("Slot " + slot_name(number) + " is empty");
+        return say(fmt::format("Slot {} is empty", slot_name(number)));
     Preset preset = m_document->preset();
     preset.values = values_of(*slot, m_document->look());
-    m_document->take(preset, "Slot " + slot_name(number));
+    m_document->take(preset, fmt::format("Recall slot {}", slot_name(number)));
 }
 
 void Lab::empty_slot(std::size_t number) {
@@ -63,7 +63,8 @@ std::optional<Sides> Lab::sides() const {
         return std::nullopt;
     std::string name = m_comparing.reference().file().filename().string();
     if (picture->extent != picture_extent())
-        name += fmt::format(" · {} × {}, fitted", picture->extent.width, picture->extent.height);
+        name = fmt::format("{} · {} × {}, scaled", name, picture->extent.width,
+                           picture->extent.height);
     return Sides{std::move(name), "Now", true};
 }
 
@@ -77,9 +78,9 @@ bool Lab::find_other(Comparison& comparison) {
     m_comparing.choose(comparison);
     const auto other = m_comparing.nearest_other(m_document->look(), m_document->values());
     if (!other) {
-        say("'" + m_document->look().name +
-                "' has no switch 'as_written', and the slots are empty: keep values in one of "
-                "them, or choose a picture to compare with",
+        say(fmt::format("\"{}\" has no switch as_written, and all slots are empty. Store the "
+                        "settings in a slot or choose an image file to compare with.",
+                        m_document->look().name),
             true);
         return false;
     }
@@ -109,7 +110,8 @@ void Lab::set_compare_mode(CompareMode mode) {
 void Lab::compare_with(const Other& other) {
     Comparison comparison = m_comparing.chosen();
     if (other.kind == Other::Kind::slot && !slots().at(other.slot))
-        return say("Slot " + slot_name(other.slot) + " is empty: keep values in it first");
+        return say(
+            fmt::format("Slot {} is empty. Store settings in it first.", slot_name(other.slot)));
     comparison.other = other;
     if (comparison.mode == CompareMode::off)
         comparison.mode = CompareMode::wipe;
@@ -123,11 +125,12 @@ void Lab::compare_with_file(const fs::path& file) {
     if (m_comparing.chosen().other.kind != Other::Kind::file || !picture)
         return;
     m_opened_files.push_back(file);
-    std::string words = "Compared with '" + file.filename().string() + "'";
-    if (const Extent own = picture->extent; own != picture_extent())
-        words += fmt::format(": {} × {}, shown fitted into {} × {}", own.width, own.height,
-                             picture_extent().width, picture_extent().height);
-    say(std::move(words));
+    const std::string name = file.filename().string();
+    const Extent own = picture->extent;
+    const Extent shown = picture_extent();
+    say(own == shown ? fmt::format("Comparing with \"{}\"", name)
+                     : fmt::format("Comparing with \"{}\" ({} × {}, scaled to {} × {})", name,
+                                   own.width, own.height, shown.width, shown.height));
 }
 
 // A picture that is no source for the look, or that takes the place of the one before.

@@ -2,6 +2,7 @@
 #include "formats/svg_file.h"
 #include "io/atomic_file.h"
 #include "lab/lab.h"
+#include "lab/told_name.h"
 #include "lab/users_content.h"
 #include "signals/kinds.h"
 #include "signals/stroke_line.h"
@@ -45,7 +46,7 @@ void Lab::take_pen(bool is_in_hand) {
     if (!m_document)
         return;
     if (m_document->look().driven_by != Driver::signal)
-        return say("This look is not driven by a signal: open one that is, then draw", true);
+        return say(needs_signal_look, true);
     m_board.follow(*m_document);
     if (is_in_hand && !m_board.drawing()) {
         const Spec& signal = m_document->state().signal;
@@ -65,7 +66,7 @@ void Lab::pen_down(const PicturePixel& pixel) {
     const BeamPlacing placing = beam_placing();
     m_board.press(placing.place_of(pixel), placing.pixel_size(), *m_document);
     if (m_board.drawing() && point_count(*m_board.drawing()) + 2 > most_drawing_points)
-        say(fmt::format("The drawing is full: it has {} points", most_drawing_points), true);
+        say(fmt::format("The drawing is full. The limit is {} points.", most_drawing_points), true);
 }
 
 void Lab::pen_move(const PicturePixel& pixel) {
@@ -91,8 +92,7 @@ void Lab::load_drawing(const fs::path& file) {
     if (!m_document)
         return;
     if (m_document->look().driven_by != Driver::signal)
-        return say("This look is not driven by a signal: open one that is, then the drawing shows",
-                   true);
+        return say(needs_signal_look, true);
     const auto loaded = load_svg_drawing(file);
     if (!succeeded(loaded))
         return;
@@ -106,7 +106,7 @@ void Lab::load_drawing(const fs::path& file) {
     played.settings.erase("strokes");
     played.settings["file"] = fs::absolute(file).string();
     m_document->set_signal(with_round_circles(std::move(played)), false, "Load drawing");
-    say(fmt::format("'{}' plays from its file: {} points are too many to draw on",
+    say(fmt::format("\"{}\" plays from its file. Its {} points are too many to edit.",
                     file.filename().string(), point_count(drawing)));
 }
 
@@ -115,8 +115,8 @@ void Lab::save_drawing(const fs::path& given) {
         return;
     m_board.follow(*m_document);
     if (!m_board.drawing() || !has_strokes(*m_board.drawing()))
-        return say("There is nothing drawn that could be saved", true);
+        return say("The drawing is empty. Draw something first.", true);
     const fs::path file = given.has_extension() ? given : fs::path(given.string() + ".svg");
     if (succeeded(write_atomically(file, svg_text(*m_board.drawing()))))
-        say("Saved '" + file.filename().string() + "'");
+        say(saved_words(file.filename().string()));
 }

@@ -4,6 +4,8 @@
 #include "lab/lab.h"
 #include "lab/media.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 namespace fs = std::filesystem;
@@ -18,7 +20,7 @@ void Lab::set_include_folders(const std::vector<fs::path>& folders) {
     for (const fs::path& folder : folders) {
         std::error_code error;
         if (!fs::is_directory(folder, error))
-            return say({folder, 0, "is not a folder; includes are looked for in folders"});
+            return say({folder, 0, "is not a folder. Includes are searched for in folders."});
     }
     m_includes = folders;
     succeeded(save_include_folders(m_library.roots(), m_includes));
@@ -61,7 +63,9 @@ void Lab::preset_file_changed(const fs::path& file) {
     if (is_written_alike(*preset, portable(m_document->preset(), folder), m_document->look()))
         return;
     if (m_document->is_modified()) {
-        say("'" + m_document->preset_name() + "' has changed on disk; your own changes stay", true);
+        say(fmt::format("\"{}\" changed on disk. Your changes are kept.",
+                        m_document->preset_name()),
+            true);
         return;
     }
     const CheckedPreset checked =

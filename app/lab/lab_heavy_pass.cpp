@@ -28,7 +28,7 @@ void Lab::follow_heavy_pass() {
     m_heavy_pass = passes[*heavy].name;
     if (std::exchange(m_has_told_heavy_pass, true))
         return;
-    say(fmt::format("pass '{}' takes {:.1f} s a frame here", m_heavy_pass, latest[*heavy] / 1000.0),
+    say(fmt::format("Pass \"{}\" takes {:.1f} s per frame", m_heavy_pass, latest[*heavy] / 1000.0),
         true, heavy_subject);
     m_notice->choices = heavy_pass_choices().choices;
     m_notice->goes_by = false;

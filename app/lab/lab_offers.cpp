@@ -18,15 +18,13 @@ void Lab::offer_outside(const OutsideContent& content) {
             else if (!content.source.empty())
                 document.set_source(content.source);
             if (!content.files.empty())
-                document.set_values(content.files, "Use files of the preset");
+                document.set_values(content.files, "Use the preset's files");
         });
         for (const auto& [name, value] : content.files)
             lab.drive().recent().remember(value.path, {});
     };
-    const bool is_one = content.count() == 1;
-    ask(fmt::format("The preset names {}. {}", content.words(),
-                    is_one ? "It is not used." : "They are not used."),
-        {Choice{.name = is_one ? "Use it" : "Use them", .deeds = {use}}});
+    ask(content.notice(),
+        {Choice{.name = content.count() == 1 ? "Use it" : "Use them", .deeds = {use}}});
 }
 
 // Content that the preset brings: one click away while the user's own is locked, else asked for

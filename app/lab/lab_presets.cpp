@@ -7,6 +7,7 @@
 #include "lab/lab.h"
 #include "lab/morphing.h"
 #include "lab/shelf.h"
+#include "lab/told_name.h"
 
 #include <fmt/format.h>
 
@@ -21,16 +22,16 @@ bool Lab::can_save_slang_preset() const {
 
 void Lab::save_slang_preset(const fs::path& given) {
     if (!can_save_slang_preset())
-        return say("only a look of libretro's can be saved as a .slangp", true);
+        return say("Only RetroArch looks can be saved as .slangp", true);
     const fs::path file =
         given.extension() == ".slangp" ? given : fs::path(given.string() + ".slangp");
     const Look& look = m_document->look();
     std::error_code error;
     if (fs::equivalent(file, look.manifest, error))
-        return say("a .slangp cannot refer to itself: give it another name", true);
+        return say("A .slangp file can't reference itself. Choose another name.", true);
     const auto is_read = [&](const fs::path& read) { return fs::equivalent(file, read, error); };
     if (std::ranges::any_of(m_reloader.look_files(), is_read))
-        return say("the open look is made of that file: give it another name", true);
+        return say("The open look uses this file. Choose another name.", true);
     std::map<std::string, double> values;
     std::string left_out;
     for (const Parameter& parameter : look.parameters)
@@ -38,9 +39,12 @@ void Lab::save_slang_preset(const fs::path& given) {
             left_out += (left_out.empty() ? "" : ", ") + parameter.label;
         else if (m_document->is_changed(parameter))
             values[parameter.name] = m_document->value(parameter).number();
-    if (succeeded(write_atomically(file, simple_slang_preset(look.manifest, values, file))))
-        say(fmt::format("Saved '{}'{}{}", file.filename().string(),
-                        left_out.empty() ? "" : "; such a file cannot keep: ", left_out));
+    if (!succeeded(write_atomically(file, simple_slang_preset(look.manifest, values, file))))
+        return;
+    const std::string name = file.filename().string();
+    say(left_out.empty()
+            ? saved_words(name)
+            : fmt::format("Saved \"{}\". A .slangp file can't store {}.", name, left_out));
 }
 
 namespace {
@@ -74,7 +78,7 @@ std::optional<PresetPlace> Lab::preset_on_ring(int by, bool only_starred) {
         return preset_beside(presets, present, by);
     auto starred = starred_beside(presets, m_presets.stars(), present, by);
     if (!starred)
-        say("No preset of this look has a star");
+        say("This look has no favourite presets");
     return starred;
 }
 
@@ -87,14 +91,14 @@ void Lab::step_preset(int by, bool only_starred) {
 }
 
 void Lab::tell_preset(bool had_changes) {
+    constexpr const char* restore_hint = "Press Ctrl+Z to restore your unsaved changes";
     std::string words;
     if (const auto step = std::exchange(m_preset_step, {}))
-        words = step->number == 0 ? "As the look has it"
+        words = step->number == 0 ? "Default"
                                   : fmt::format("{} · preset {} of {}", m_document->preset_name(),
                                                 step->number, step->count);
     if (had_changes)
-        words +=
-            fmt::format("{}What was not saved comes back with Ctrl+Z", words.empty() ? "" : " · ");
+        words = words.empty() ? restore_hint : fmt::format("{} · {}", words, restore_hint);
     if (!words.empty())
         say(std::move(words));
 }
@@ -110,7 +114,9 @@ void Lab::morph_to(const fs::path& file, double seconds) {
         if (!succeeded(preset))
             return;
         if (preset->look != look.id)
-            return say("'" + preset->name + "' is a preset of another look: it can only be opened");
+            return say(
+                fmt::format("\"{}\" belongs to another look. It can be opened, but not morphed to.",
+                            preset->name));
         to = with_checked_media(*preset, look, media_folder(file), m_drive.recent()).preset;
         const auto values = fitted_values(look, to, file);
         const auto modulations = fitted_modulations(look, *preset, file);
@@ -139,13 +145,13 @@ void Lab::go_on_morphing(double wall_seconds) {
         return;
     if (m_morphing->has_arrived()) {
         watch_extra_files();
-        say("Arrived at '" + m_morphing->name() + "'");
+        say(fmt::format("Morphed to \"{}\"", m_morphing->name()));
         const fs::path& file = m_morphing->file();
         if (const auto preset = load_preset(file))
             offer_content(with_checked_media(*preset, m_document->look(), media_folder(file),
                                              m_drive.recent()));
     } else {
-        say("Something else was turned: the morph has ended there");
+        say("Morph stopped because you changed something else");
     }
     m_morphing.reset();  // what was turned goes on as a step of its own
 }

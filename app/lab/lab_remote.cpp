@@ -33,7 +33,7 @@ void Lab::open_remote() {
 bool Lab::listen_to_midi(bool listens) {
     const auto done = m_midi.listen(listens);
     if (!done)
-        say("MIDI: " + done.error().front().message);
+        say(fmt::format("MIDI: {}", done.error().front().message));
     return done.has_value();
 }
 
@@ -41,7 +41,7 @@ void Lab::look_for_midi_devices() {
     if (!listen_to_midi(true))
         return;
     m_remote.listens_to_midi = true;
-    say(fmt::format("MIDI: listens to {}", fmt::join(m_midi.devices(), ", ")));
+    say(fmt::format("Listening to MIDI: {}", fmt::join(m_midi.devices(), ", ")));
     succeeded(save_remote_settings(m_library.roots(), m_remote));
 }
 
@@ -51,7 +51,7 @@ void Lab::learn_midi(const MidiGoal& goal) {
     if (!parameter)
         return;
     if (!can_be_turned(*parameter))
-        return say("No knob can turn '" + parameter->label + "'");
+        return say(fmt::format("\"{}\" can't be controlled by MIDI", parameter->label));
     if (!listen_to_midi(true))  // also finds what has been plugged in since
         return;
     m_remote.listens_to_midi = true;
@@ -63,7 +63,7 @@ void Lab::bind_midi(const MidiBinding& binding) {
     const Parameter* parameter =
         m_document ? find_parameter(m_document->look(), binding.goal.parameter) : nullptr;
     const std::string& name = parameter ? parameter->label : binding.goal.parameter;
-    say(fmt::format("{} turns '{}' from now on", words_of(binding), name));
+    say(fmt::format("{} now controls \"{}\"", words_of(binding), name));
     succeeded(save_remote_settings(m_library.roots(), m_remote));
 }
 
@@ -77,7 +77,7 @@ void Lab::listen(double wall_seconds) {
         bind_midi(*learnt);
     m_hand.update(document, m_listened_seconds);
     if (m_osc.refused() > refused_osc)
-        say("OSC: " + m_osc.problem(), true, "OSC");
+        say(fmt::format("OSC: {}", m_osc.problem()), true, "OSC");
     if (m_midi.refused() > refused_midi)
-        say("MIDI: " + m_midi.problem(), true, "MIDI");
+        say(fmt::format("MIDI: {}", m_midi.problem()), true, "MIDI");
 }

@@ -1,4 +1,5 @@
 // The part of Lab that stops the clock at a number that is not finite.
+#include "base/text.h"
 #include "lab/lab.h"
 #include "lab/trip_words.h"
 
@@ -50,7 +51,7 @@ void Lab::stop_at(const Trip& trip) {
     if (m_renderer->executor().guard() == Executor::Guard::clamp) {
         if (!m_trip.has_told && m_trip.answer != TripAnswer::clamp) {
             Diagnostic problem = diagnostic_of(trip, m_renderer->executor().look());
-            problem.message += "; such numbers are clamped";
+            problem.message = with_sentence(problem.message, "NaN and Inf are clamped.");
             say(problem);
         }
         m_trip.has_told = true;

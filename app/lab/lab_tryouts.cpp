@@ -2,6 +2,8 @@
 #include "lab/lab.h"
 #include "lab/tryouts.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -27,7 +29,8 @@ void Lab::take_from_sheet(std::size_t number) {
     if (!m_document || number >= cells.size())
         return;
     const SweepCell& cell = cells[number].values;
-    m_document->set_values({cell.values.begin(), cell.values.end()}, "Take " + cell.caption);
+    m_document->set_values({cell.values.begin(), cell.values.end()},
+                           fmt::format("Apply {}", cell.caption));
     m_document->finish();
 }
 

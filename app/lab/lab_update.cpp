@@ -351,7 +351,7 @@ void Lab::open_values(const OpenRequest& request) {
         warn(fitted.error());
     if (request.preset_file.empty()) {  // a line of text: kept nowhere yet
         m_document->set_identity(preset, {});
-        m_document->take(preset, "Opened values");
+        m_document->take(preset, "Open preset");
     } else {
         m_document->open_preset(preset, request.preset_file, content);
     }

@@ -26,19 +26,27 @@ std::vector<fs::path> sorted_entries(const fs::path& folder) {
     return entries;
 }
 
-Result<void> check_name(std::string_view name, const char* what) {
+bool is_name(std::string_view name) {
     const auto is_fine = [](unsigned char c) {
         return std::isalnum(c) || c >= 0x80 ||
                std::string_view(" -_.()+").find(static_cast<char>(c)) != std::string_view::npos;
     };
-    if (name.empty() || name.size() > 100 || name.front() == '.' || trim(name) != name ||
-        !std::all_of(name.begin(), name.end(), is_fine))
-        return fail({{},
-                     0,
-                     fmt::format("'{}' cannot be the name of a {}: letters, digits, spaces and "
-                                 "-_.()+ make a name",
-                                 name, what)});
-    return {};
+    return !name.empty() && name.size() <= 100 && name.front() != '.' && trim(name) == name &&
+           std::all_of(name.begin(), name.end(), is_fine);
+}
+
+Result<void> check_preset_name(std::string_view name) {
+    if (is_name(name))
+        return {};
+    return fail({{},
+                 0,
+                 fmt::format("'{}' can't be a preset name; use letters, digits, spaces and "
+                             "- _ . ( ) +",
+                             name)});
+}
+
+Diagnostic preset_exists(std::string_view name) {
+    return {{}, 0, fmt::format("a preset called '{}' already exists", name)};
 }
 
 template <class Entry>
@@ -123,7 +131,9 @@ Result<fs::path> Library::move_to_user_folder(const PresetEntry& preset) const {
     fs::remove(preset.file, error);
     if (error)
         return fail({preset.file, 0,
-                     "is now in your folder, too, as it cannot be removed: " + error.message()});
+                     fmt::format("was copied to your presets, but the original can't be deleted: "
+                                 "{}",
+                                 error.message())});
     return place;
 }
 
@@ -165,11 +175,11 @@ std::optional<PresetEntry> Library::find_preset(std::string_view look,
 }
 
 Result<fs::path> Library::preset_path(std::string_view look, std::string_view name) const {
-    if (auto fine = check_name(name, "preset"); !fine)
+    if (auto fine = check_preset_name(name); !fine)
         return fail(fine.error());
     // A preset's file says of which look it is; it does not say where to write.
     if (look == ".." || look.find('/') != look.npos)
-        return fail({{}, 0, fmt::format("'{}' cannot be the name of a look", look)});
+        return fail({{}, 0, fmt::format("'{}' can't be a look name", look)});
     return m_roots.user / "presets" / look / (std::string(name) + ".json");
 }
 
@@ -179,7 +189,7 @@ Result<fs::path> Library::new_preset_path(std::string_view look, std::string_vie
         return file;
     std::error_code error;
     if (fs::exists(*file, error))
-        return fail({{}, 0, fmt::format("there is a preset called '{}' already", name)});
+        return fail(preset_exists(name));
     return file;
 }
 
@@ -195,16 +205,16 @@ Result<fs::path> Library::save_preset(Preset preset, const std::string& name) co
 }
 
 Result<fs::path> Library::rename_preset(const fs::path& file, const std::string& name) const {
-    if (auto fine = check_name(name, "preset"); !fine)
+    if (auto fine = check_preset_name(name); !fine)
         return fail(fine.error());
     if (is_shipped(file))
-        return fail({file, 0, "is a shipped preset. Save it under a new name instead"});
+        return fail({file, 0, "is a shipped preset. Save it under a new name instead."});
     const fs::path renamed = file.parent_path() / (name + ".json");
     std::error_code error;
     if (renamed == file)
         return file;
     if (fs::exists(renamed, error))
-        return fail({{}, 0, fmt::format("there is a preset called '{}' already", name)});
+        return fail(preset_exists(name));
     auto preset = load_preset(file);
     if (!preset)
         return fail(preset.error());
@@ -217,7 +227,9 @@ Result<fs::path> Library::rename_preset(const fs::path& file, const std::string&
         return fail(saved.error());
     fs::remove(file, error);
     if (error)
-        return fail({file, 0, "the old file stays: " + error.message()});
+        return fail(
+            {file, 0,
+             fmt::format("was renamed, but the old file can't be deleted: {}", error.message())});
     return renamed;
 }
 
@@ -236,12 +248,19 @@ Result<fs::path> Library::duplicate_preset(const fs::path& file) const {
 }
 
 Result<fs::path> Library::new_look_folder(const std::string& id) const {
-    if (auto fine = check_name(id, "look"); !fine)
-        return fail(fine.error());
+    if (!is_name(id))
+        return fail({{},
+                     0,
+                     fmt::format("'{}' can't be a look name; use letters, digits, spaces and "
+                                 "- _ . ( )",
+                                 id)});
     if (id.find('+') != std::string::npos)
-        return fail({{}, 0, "the name of a look holds no '+', which joins looks to a stack"});
+        return fail(
+            {{},
+             0,
+             fmt::format("'{}' can't be a look name: '+' separates the looks of a stack", id)});
     if (find_look(id))
-        return fail({{}, 0, "there is a look called '" + id + "' already"});
+        return fail({{}, 0, fmt::format("a look called '{}' already exists", id)});
     const fs::path folder = m_roots.user / "shaders" / id;
     std::error_code error;
     fs::create_directories(folder, error);

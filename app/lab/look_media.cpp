@@ -1,5 +1,6 @@
 #include "lab/look_media.h"
 
+#include "base/text.h"
 #include "io/picture_file.h"
 #include "lab/mend.h"
 #include "lab/signal_file.h"
@@ -121,9 +122,10 @@ Result<Picture> load_faces(const Image& image) {
             return face;
         const Extent extent = face->extent;
         if (extent.width != extent.height || (!cube.extent.is_empty() && extent != cube.extent))
-            return fail({file, 0,
-                         fmt::format("has {} x {} px; the faces of a cube are squares of one size",
-                                     extent.width, extent.height)});
+            return fail(
+                {file, 0,
+                 fmt::format("is {} x {} px; cube map faces must be squares of the same size",
+                             extent.width, extent.height)});
         cube.extent = extent;
         cube.encoding = face->encoding;
         if (cube.note.empty())
@@ -141,6 +143,12 @@ Result<Picture> read_image(const Image& image) {
 }
 }  // namespace
 
+Diagnostic warning_of_black(Diagnostic reason, std::string_view name) {
+    reason.severity = Severity::warning;
+    reason.message = with_sentence(reason.message, fmt::format("'{}' shows black.", name));
+    return reason;
+}
+
 Result<std::optional<Picture>> load_image(const Image& image, Diagnostics& warnings) {
     if (image.file.empty() && image.made.empty())
         return std::optional<Picture>();
@@ -152,10 +160,7 @@ Result<std::optional<Picture>> load_image(const Image& image, Diagnostics& warni
     }
     if (image.is_needed)
         return fail(picture.error());
-    for (Diagnostic& reason : picture.error()) {
-        reason.severity = Severity::warning;
-        reason.message += "; '" + image.name + "' reads black";
-        warnings.push_back(std::move(reason));
-    }
+    for (Diagnostic& reason : picture.error())
+        warnings.push_back(warning_of_black(std::move(reason), image.name));
     return std::optional<Picture>();
 }

@@ -18,6 +18,9 @@ std::optional<std::string_view> made_name(std::string_view choice);
 /// What they name then.
 Result<Picture> made_picture(const std::string& name);
 
+/// The warning for a picture that cannot be read, and is black.
+Diagnostic warning_of_black(Diagnostic reason, std::string_view name);
+
 /// When a file that an image is made of was written last.
 std::filesystem::file_time_type last_write_time_of(const Image& image, std::error_code& error);
 

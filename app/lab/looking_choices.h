@@ -38,9 +38,8 @@ std::vector<ChoiceList> window_choices(const WindowState& window, const SizeInFo
 
 /// How a picture that follows the view may be shaped, as a person reads it.
 inline constexpr std::array picture_shapes{
-    std::pair{ViewShape::view, "As large as the view"},
-    std::pair{ViewShape::source, "In the view, with the source's shape"},
-    std::pair{ViewShape::whole_pixels, "In the view, whole multiples of the source"}};
+    std::pair{ViewShape::view, "Fit pane"}, std::pair{ViewShape::source, "Fit, keep source aspect"},
+    std::pair{ViewShape::whole_pixels, "Fit, integer scale"}};
 /// The size with that shape.
 PictureSize with_shape(PictureSize size, ViewShape shape);
 

@@ -150,6 +150,10 @@ Preset with_found_files(Preset preset, const Look& look, const fs::path& folder)
     return preset;
 }
 
+Diagnostic other_media(const fs::path& file) {
+    return {file, 0, "is not the file that the preset was saved with"};
+}
+
 Diagnostics compare_with_media(const Preset& preset) {
     const fs::path file = named_file(preset);
     if (file.empty() || preset.media_digest.empty())
@@ -157,7 +161,9 @@ Diagnostics compare_with_media(const Preset& preset) {
     const std::string digest = digest_of_media(file);
     if (digest.empty() || digest == preset.media_digest)
         return {};
-    return {{file, 0, "is not the file that the preset was made with", Severity::warning}};
+    Diagnostic other = other_media(file);
+    other.severity = Severity::warning;
+    return {other};
 }
 
 namespace {

@@ -51,6 +51,9 @@ bool names_file(const Look& look, const std::string& parameter, const Value& val
 /// The preset with full paths for those files of its values that are in `folder`.
 Preset with_found_files(Preset preset, const Look& look, const std::filesystem::path& folder);
 
+/// A file that is not the one that a preset was made with.
+Diagnostic other_media(const std::filesystem::path& file);
+
 /// A warning when the file that it names is there, but is not the one that it was made with.
 Diagnostics compare_with_media(const Preset& preset);
 

@@ -14,11 +14,11 @@ std::optional<Diagnostic> mend(Picture& picture, const std::filesystem::path& fi
         }
     if (mended == 0)
         return std::nullopt;
-    return Diagnostic{file, 0,
-                      fmt::format("{} values are no numbers or infinite; they are read as 0 and "
-                                  "65504",
-                                  mended),
-                      Severity::warning};
+    return Diagnostic{
+        file, 0,
+        mended == 1 ? "contains 1 NaN or Inf value, read as 0 or ±65504"
+                    : fmt::format("contains {} NaN or Inf values, read as 0 or ±65504", mended),
+        Severity::warning};
 }
 
 std::optional<Diagnostic> note_about(const Picture& picture, const std::filesystem::path& file) {

@@ -2,6 +2,8 @@
 
 #include "lab/document.h"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <string>
 
@@ -19,7 +21,7 @@ public:
     const std::string& name() const { return m_to.name; }
     const std::filesystem::path& file() const { return m_file; }
     /// Of its step of undo.
-    std::string step_name() const { return "Morph to " + name(); }
+    std::string step_name() const { return fmt::format("Morph to {}", name()); }
     bool has_arrived() const { return m_elapsed >= m_seconds; }
 
 private:

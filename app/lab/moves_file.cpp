@@ -22,7 +22,7 @@ std::string_view take_word(std::string_view& line) {
 Result<const Parameter*> recorded_parameter(std::string_view name, const Look& look) {
     auto parameter = meant_parameter(std::string(name), look);
     if (parameter && !is_recorded(**parameter))
-        return fail({{}, 0, fmt::format("'{}' is a file, which no move turns", name)});
+        return fail({{}, 0, fmt::format("'{}' is a file and can't be automated", name)});
     return parameter;
 }
 
@@ -31,12 +31,12 @@ Result<Move> parse_move(std::string_view line, const Look& look, double earliest
     const std::string_view name = take_word(line);
     const auto seconds = parse_number(time);
     if (!seconds || !(*seconds >= 0.0) || name.empty() || line.empty())
-        return fail({{}, 0, "is not of the form 'seconds name value'"});
+        return fail({{}, 0, "expected 'seconds name value'"});
     if (*seconds < earliest)
         return fail({{},
                      0,
-                     fmt::format("{} s is before {} s of the line above", format_number(*seconds),
-                                 format_number(earliest))});
+                     fmt::format("{} s is earlier than {} s on the line above",
+                                 format_number(*seconds), format_number(earliest))});
     const auto parameter = recorded_parameter(name, look);
     if (!parameter)
         return fail(parameter.error());
@@ -86,7 +86,7 @@ Result<Moves> load_moves(const std::filesystem::path& file, const Look& look) {
 }
 
 std::string moves_text(const Moves& moves, const Look& look) {
-    std::string text = fmt::format("# Moves of {}: seconds name value\n", look.id);
+    std::string text = fmt::format("# Automation of {}: seconds name value\n", look.id);
     for (const Move& move : moves)
         if (const Parameter* parameter = find_parameter(look, move.name))
             text += fmt::format("{:.6f} {} {}\n", move.seconds, move.name,

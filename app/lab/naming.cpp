@@ -13,7 +13,7 @@ Result<const Parameter*> meant_parameter(const std::string& name, const Look& lo
     if (!candidates.empty())
         return fail({{},
                      0,
-                     fmt::format("'{}' is a parameter of several looks; write one of: {}", name,
+                     fmt::format("several looks have a parameter '{}'; use one of: {}", name,
                                  fmt::join(candidates, ", "))});
     return fail(
         {{},

@@ -12,7 +12,7 @@ struct Problem {
     std::string source_line;
 };
 
-/// Something that just happened and goes by ("Saved 'amber'").
+/// Something that just happened and goes by (Saved "amber").
 struct Notice {
     std::string text;
     bool is_problem = false;

@@ -48,7 +48,7 @@ Result<void> apply_values(const RenderRequest& request, Document& document) {
 Result<void> apply_drive(const RenderRequest& request, Document& document) {
     if (!request.signal.empty()) {
         if (document.look().driven_by != Driver::signal)
-            return fail({{}, 0, "'" + document.look().id + "' is not driven by a signal"});
+            return fail({{}, 0, fmt::format("'{}' doesn't use a signal", document.look().id)});
         auto signal = parse_signal(request.signal);
         if (!signal)
             return fail(signal.error());
@@ -56,7 +56,7 @@ Result<void> apply_drive(const RenderRequest& request, Document& document) {
     }
     if (!request.source.empty()) {
         if (document.look().driven_by != Driver::picture)
-            return fail({{}, 0, "'" + document.look().id + "' does not work on a picture"});
+            return fail({{}, 0, fmt::format("'{}' doesn't use a picture", document.look().id)});
         document.set_source(with_users_defaults(request.source, document.look()));
     }
     return {};
@@ -192,7 +192,7 @@ Result<void> check_memory(const Prepared& prepared, Extent size, std::uint64_t m
         {{},
          0,
          fmt::format("'{}' at {}x{} needs about {:.1f} GB of memory, more than a quarter of the "
-                     "{:.1f} GB of this machine. Choose a smaller --size",
+                     "{:.1f} GB of this machine. Choose a smaller --size.",
                      prepared.document.look().id, size.width, size.height,
                      static_cast<double>(bytes) / gigabyte,
                      static_cast<double>(memory) / gigabyte)});
@@ -301,7 +301,8 @@ Diagnostics Offline::take_problems() {
     }
     if (const auto trip = m_renderer->take_trip(true)) {
         problems.push_back(diagnostic_of(*trip, executor().look()));
-        problems.back().message += "; such numbers were clamped";
+        std::string& message = problems.back().message;
+        message = with_sentence(message, "NaN and Inf were clamped.");
     }
     add_new(problems, m_chosen_images.problems());
     const Diagnostics sent = m_player->sent_problems();
@@ -441,7 +442,7 @@ void Offline::make_moves(double seconds) {
     const Values turned = m_moves.take(seconds);
     if (turned.empty())
         return;
-    m_document.set_values(turned, "Moves");
+    m_document.set_values(turned, "Automation");
     m_document.forget_past();
     if (auto done = follow_constants(); !done)
         m_problems.insert(m_problems.end(), done.error().begin(), done.error().end());

@@ -111,7 +111,7 @@ public:
     /// What of the source, or of a beam that another program sends, could not be read. Asked once,
     /// at the end.
     Diagnostics take_problems();
-    /// What drawing waits for, "Waits for a program at /run/…"; "" for nothing.
+    /// What drawing waits for, "Waiting for a program at /run/…"; "" for nothing.
     std::string sender_state() const { return m_player->sender_state(); }
     /// The picture of a pass, row 0 on top; with the encoding that its values have.
     Picture picture(int pass) const;

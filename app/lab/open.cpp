@@ -61,7 +61,7 @@ Result<OpenRequest> request_of_preset(Preset preset, fs::path file, const Librar
         auto part = part_of_preset(id, file, library);
         if (!part)
             return fail({file, 0,
-                         fmt::format("this preset is for the look '{}', which is not here{}", id,
+                         fmt::format("this preset needs the look '{}', which was not found{}", id,
                                      did_you_mean(id, known_looks(library)))});
         part->tag = free_tag(stack, id);
         stack.push_back(std::move(*part));
@@ -82,9 +82,7 @@ bool is_web_page(const fs::path& file) {
 Result<OpenRequest> request_of_file(const fs::path& file, const Library& library) {
     const std::string extension = to_lower(file.extension().string());
     if (extension != ".json" && is_web_page(file))
-        return fail(
-            {file, 1,
-             "is a web page, not a shader: save the file itself, which sites call \"raw\""});
+        return fail({file, 1, "is a web page, not a shader. Download the raw file instead."});
     const bool is_foreign = is_foreign_look(file);
     if (extension == ".png" || (extension == ".json" && !is_foreign && !is_look_manifest(file))) {
         auto preset = load_preset(file);
@@ -92,10 +90,7 @@ Result<OpenRequest> request_of_file(const fs::path& file, const Library& library
     }
     if (extension == ".json" || is_foreign)
         return OpenRequest{file, {}, {}};
-    return fail(
-        {file, 0,
-         "is neither a look's folder, a look.json, a shader or preset of another program, a preset "
-         "of ours nor a PNG that holds one"});
+    return fail({file, 0, "not a look, shader, preset, picture or sound that Afterglow knows"});
 }
 
 // Of a look of ours, or of one of Shadertoy with a file a pass.
@@ -111,14 +106,14 @@ Result<StackPart> resolve_part(const std::string& argument, const Library& libra
     const fs::path path(argument);
     std::error_code error;
     if (argument.empty())
-        return fail({{}, 0, "a stack is written as LOOK+LOOK, without blanks"});
+        return fail({{}, 0, "write a stack as LOOK+LOOK, without spaces"});
     if (const auto look = library.find_look(argument))
         return StackPart{look->id, look->folder, {}};
     if (fs::is_directory(path, error) || path.filename() == "look.json" ||
         (fs::exists(path, error) && is_foreign_look(path)))
         return StackPart{{}, path, {}};
     if (fs::exists(path, error))
-        return fail({path, 0, "is not a look's folder; a stack is made of looks"});
+        return fail({path, 0, "is not a look. A stack can only contain looks."});
     return fail({{},
                  0,
                  fmt::format("there is no look called '{}'{}", argument,
@@ -183,7 +178,7 @@ Result<OpenRequest> resolve(const std::string& argument, const Library& library)
     if (argument.find('+') != std::string::npos)
         return resolve_stack(argument, library);
     if (is_path)
-        return fail({path, 0, "there is no such file or folder"});
+        return fail({path, 0, "file or folder not found"});
     return fail({{},
                  0,
                  fmt::format("there is no look called '{}'{}", argument,
@@ -204,8 +199,8 @@ Result<OpenRequest> resolve_preset(const std::string& argument, const std::strin
             names.push_back(entry.name);
         return fail({{},
                      0,
-                     fmt::format("'{}' has no preset called '{}', and there is no such file{}",
-                                 look, argument, did_you_mean(argument, names))});
+                     fmt::format("'{}' has no preset or file called '{}'{}", look, argument,
+                                 did_you_mean(argument, names))});
     }
     auto request = resolve(argument, library);
     if (request && !request->preset)

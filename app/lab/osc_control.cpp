@@ -20,17 +20,15 @@ Result<Value> asked_value(const OscMessage& message, const Parameter& parameter)
     if (is_file || numbers.size() != arguments.size() || numbers.size() != size)
         return fail({{},
                      0,
-                     is_file ? fmt::format("'{}' takes a text", message.address)
-                             : fmt::format("'{}' takes {} number{}, not {}", message.address, size,
-                                           size == 1 ? "" : "s", arguments.size())});
+                     is_file ? fmt::format("'{}' must be a text", message.address)
+                             : wrong_count(message.address, size, arguments.size())});
     return clamped(parameter, Value(std::move(numbers)));
 }
 }  // namespace
 
 Result<RemoteTurn> turn_of(const OscMessage& message, const Look& look) {
     if (!message.address.starts_with(osc_prefix))
-        return fail(
-            {{}, 0, fmt::format("'{}' is not of the form /afterglow/NAME", message.address)});
+        return fail({{}, 0, fmt::format("expected /afterglow/NAME, got '{}'", message.address)});
     const auto parameter = meant_parameter(message.address.substr(osc_prefix.size()), look);
     if (!parameter)
         return fail(parameter.error());

@@ -2,6 +2,8 @@
 
 #include "base/fuzzy.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <set>
 #include <tuple>
@@ -12,25 +14,31 @@ using Kind = PaletteEntry::Kind;
 void add_presets(const ShelfLook& look, std::vector<PaletteEntry>& entries) {
     for (const ShelfPreset& preset : look.presets) {
         const std::string file = preset.entry.file.string();
-        entries.push_back({Kind::preset,
-                           "preset:" + file,
-                           "Preset: " + preset.name,
-                           look.name + (preset.entry.is_shipped ? "" : " · yours"),
-                           file,
-                           {},
-                           {}});
+        entries.push_back(
+            {Kind::preset,
+             "preset:" + file,
+             fmt::format("Preset: {}", preset.name),
+             preset.entry.is_shipped ? look.name : fmt::format("{} · yours", look.name),
+             file,
+             {},
+             {}});
     }
 }
 
 void add_parts(const Look& look, std::vector<PaletteEntry>& entries) {
     for (const Pass& pass : look.passes)
-        entries.push_back(
-            {Kind::pass, "pass:" + pass.name, "Pass: " + pass.name, "Inspect", pass.name, {}, {}});
+        entries.push_back({Kind::pass,
+                           "pass:" + pass.name,
+                           fmt::format("Pass: {}", pass.name),
+                           "Inspect",
+                           pass.name,
+                           {},
+                           {}});
     for (const Parameter& parameter : look.parameters)
         if (!parameter.is_hidden)
             entries.push_back({Kind::parameter,
                                "parameter:" + parameter.name,
-                               "Parameter: " + parameter.label,
+                               fmt::format("Parameter: {}", parameter.label),
                                heading_of(look, parameter),
                                parameter.name,
                                {},
@@ -78,7 +86,7 @@ std::vector<PaletteEntry> palette_entries(const Look* open, const std::vector<Sh
     for (const ShelfLook& look : looks)
         entries.push_back({Kind::look,
                            "look:" + look.argument(),
-                           "Look: " + look.name,
+                           fmt::format("Look: {}", look.name),
                            {},
                            look.argument(),
                            {},
@@ -99,7 +107,7 @@ std::vector<PaletteEntry> choice_entries(const std::vector<ChoiceList>& lists) {
                 entries.push_back({Kind::choice,
                                    label,
                                    label,
-                                   choice.is_present ? "now" : "",
+                                   choice.is_present ? "current" : "",
                                    {},
                                    {},
                                    {},
@@ -114,7 +122,7 @@ std::vector<PaletteEntry> file_entries(const std::vector<std::string>& recent) {
         const std::filesystem::path path(file);
         entries.push_back({Kind::file,
                            "file:" + file,
-                           "File: " + path.filename().string(),
+                           fmt::format("File: {}", path.filename().string()),
                            path.parent_path().string(),
                            file,
                            {},
@@ -131,8 +139,8 @@ std::vector<PaletteEntry> difference_entries(const Look& open,
             if (look.entry.id == open.id)
                 entries.push_back({Kind::difference,
                                    "difference:" + preset.name,
-                                   "Differences: " + preset.name,
-                                   "from what is open",
+                                   fmt::format("Differences: {}", preset.name),
+                                   "compared with the current settings",
                                    preset.entry.file.string(),
                                    {},
                                    {}});

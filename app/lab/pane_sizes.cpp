@@ -4,11 +4,11 @@
 
 const std::array<PaneSide, 5>& pane_sides() {
     static const std::array<PaneSide, 5> sides{
-        {{"Left pane", "wider", "narrower", &PaneSizes::left, {170.0, 520.0}},
-         {"Right pane", "wider", "narrower", &PaneSizes::right, {270.0, 700.0}},
-         {"Strip of passes", "higher", "lower", &PaneSizes::strip, {84.0, 260.0}},
-         {"Bottom pane", "higher", "lower", &PaneSizes::bottom, {80.0, 500.0}},
-         {"Inspector", "higher", "lower", &PaneSizes::inspector, {160.0, 900.0}}}};
+        {{"Widen left pane", "Narrow left pane", &PaneSizes::left, {170.0, 520.0}},
+         {"Widen right pane", "Narrow right pane", &PaneSizes::right, {270.0, 700.0}},
+         {"Enlarge pass strip", "Shrink pass strip", &PaneSizes::strip, {84.0, 260.0}},
+         {"Enlarge bottom pane", "Shrink bottom pane", &PaneSizes::bottom, {80.0, 500.0}},
+         {"Enlarge inspector", "Shrink inspector", &PaneSizes::inspector, {160.0, 900.0}}}};
     return sides;
 }
 

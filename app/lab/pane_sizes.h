@@ -5,9 +5,8 @@
 
 /// A pane that a person may make larger, and within what.
 struct PaneSide {
-    const char* name;     // "Left pane"
-    const char* larger;   // "wider"
-    const char* smaller;  // "narrower"
+    const char* larger;   // "Widen left pane"
+    const char* smaller;  // "Narrow left pane"
     float PaneSizes::*size;
     Limit limit;  // px at a scale of 1
 };

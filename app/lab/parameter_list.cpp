@@ -4,6 +4,8 @@
 #include "model/parameter_use.h"
 #include "model/slider_range.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace {
@@ -101,18 +103,19 @@ std::optional<Pointed> listed_beside(const std::vector<ParameterGroup>& groups,
 
 std::string why_nothing_is_listed(const ParameterQuery& query) {
     if (!query.words.empty())
-        return query.filter == ParameterFilter::all ? "No parameter matches."
-                                                    : "No parameter that the filter shows matches.";
+        return query.filter == ParameterFilter::all ? "No matches."
+                                                    : "No matches among the filtered parameters.";
     switch (query.filter) {
         case ParameterFilter::all:
             break;
         case ParameterFilter::changed:
-            return "Nothing is changed.";
+            return "No parameters are changed.";
         case ParameterFilter::favourites:
-            return "No favourites yet: point at a label and click the star beside it.";
+            return "No favourites yet. Hover over a label and click its star.";
         case ParameterFilter::of_pass:
-            return query.pass.empty() ? "No pass is chosen: click one in the strip."
-                                      : "The pass '" + query.pass + "' uses no parameter.";
+            return query.pass.empty()
+                       ? "No pass is selected. Click one in the pass strip."
+                       : fmt::format("The pass \"{}\" uses no parameters.", query.pass);
     }
-    return "There is nothing to turn.";
+    return "This look has no parameters.";
 }

@@ -8,6 +8,8 @@
 #include "signals/settings.h"
 #include "signals/sound_texels.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -155,7 +157,7 @@ std::string Player::silence() const {
     if (m_feed)
         if (std::string complaint = m_feed->complaint(); !complaint.empty())
             return complaint;
-    return draws_muted_input() ? "Live sound is muted." : m_silence;
+    return draws_muted_input() ? "Live sound is muted" : m_silence;
 }
 
 bool Player::draws_muted_input() const {
@@ -334,12 +336,13 @@ void Player::notice_lost_devices() {
     if (!m_silence.empty())
         return;
     if (m_playout && m_playout->has_stalled())
-        m_silence = "'" + m_playout->device_name() + "' plays the beam no longer";
+        m_silence = fmt::format("Audio device \"{}\" stopped. The beam isn't sent any more.",
+                                m_playout->device_name());
     else if (m_capture && m_capture->has_stalled())
-        m_silence = "nothing comes in from '" + m_capture->device_name() + "' any more";
+        m_silence = fmt::format("No input from \"{}\"", m_capture->device_name());
     else if (m_sound.sound && m_output && m_output->has_stalled())
         m_silence =
-            "'" + m_output->device_name() + "' plays no longer; the picture runs without sound";
+            fmt::format("Audio device \"{}\" stopped. Playing silently.", m_output->device_name());
 }
 
 // What came in while the player was paused or held up is passed over.

@@ -8,13 +8,13 @@ namespace {
 ChoiceList morph_choices(const std::vector<ListedPreset>& presets, double seconds) {
     ChoiceList list{"Morph", ChoiceList::Place::file};
     for (const ListedPreset& preset : presets)
-        list.choices.push_back({.name = "To " + preset.preset.name,
+        list.choices.push_back({.name = fmt::format("To {}", preset.preset.name),
                                 .deeds = {[file = preset.preset.entry.file, seconds](Lab& lab) {
                                     lab.morph_to(file, seconds);
                                 }}});
     for (const double length : morph_lengths)
         list.choices.push_back(
-            {.name = fmt::format("Takes {:g} s", length),
+            {.name = fmt::format("Duration {:g} s", length),
              .deeds = {[length](WindowState& window) { window.presets.morph_seconds = length; }},
              .is_present = length == seconds});
     return list;
@@ -41,7 +41,7 @@ void show_preset_pictures(WindowState& window) {
 
 ChoiceList browsing_choices(const PresetBrowsing& wanted) {
     ChoiceList list{"Presets"};
-    list.choices.push_back({.name = "Favourites alone",
+    list.choices.push_back({.name = "Favourites only",
                             .deeds = {[](WindowState& window) {
                                 window.presets.only_starred = !window.presets.only_starred;
                                 show_preset_pictures(window);
@@ -67,6 +67,6 @@ std::vector<ChoiceList> preset_choices(const std::vector<ListedPreset>& presets,
 ChoiceList shipped_preset_choices() {
     return {"Preset",
             ChoiceList::Place::palette,
-            {{.name = "Save into shipped presets",
+            {{.name = "Save to shipped presets",
               .deeds = {[](Lab& lab) { lab.presets().save_into_shipped(); }}}}};
 }

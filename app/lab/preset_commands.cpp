@@ -43,7 +43,8 @@ std::string PresetCommands::proposed_name() const {
     if (name.empty() || !m_lab.library().is_shipped(document->preset_file()))
         return name;
     for (int n = 1;; ++n) {
-        std::string mine = n == 1 ? name + " (mine)" : fmt::format("{} (mine {})", name, n);
+        std::string mine =
+            n == 1 ? fmt::format("{} (mine)", name) : fmt::format("{} (mine {})", name, n);
         const auto place = m_lab.library().preset_path(document->look().id, mine);
         std::error_code error;
         if (!place || !fs::exists(*place, error))
@@ -92,7 +93,7 @@ void PresetCommands::save_to(const fs::path& file, const std::string& name) {
     document.set_identity(preset, file);
     document.mark_saved();
     m_lab.watch_extra_files();
-    m_lab.say("Saved '" + name + "'");
+    m_lab.say(saved_words(name));
 }
 
 bool PresetCommands::has_source_checkout() const {
@@ -141,7 +142,7 @@ void PresetCommands::rename(const fs::path& before, const std::string& name) {
         document.set_identity(identity, *file);
         m_lab.watch_extra_files();
     }
-    m_lab.say("Renamed to '" + name + "'");
+    m_lab.say(fmt::format("Renamed to \"{}\"", name));
 }
 
 void PresetCommands::duplicate(const fs::path& before) {
@@ -158,7 +159,7 @@ void PresetCommands::duplicate(const fs::path& before) {
         document.set_identity(identity, *file);
         m_lab.watch_extra_files();
     }
-    m_lab.say("Duplicated as '" + (copy ? copy->name : file->stem().string()) + "'");
+    m_lab.say(fmt::format("Duplicated as \"{}\"", copy ? copy->name : file->stem().string()));
 }
 
 void PresetCommands::remove(const fs::path& file) {
@@ -166,7 +167,7 @@ void PresetCommands::remove(const fs::path& file) {
     if (!document || file.empty())
         return;
     if (m_lab.library().is_shipped(file))
-        return m_lab.say("Shipped presets cannot be deleted", true);
+        return m_lab.say("Shipped presets can't be deleted", true);
     const auto preset = load_preset(file);
     const std::string star = star_name(file);
     const bool was_open = is_open(file);
@@ -187,8 +188,9 @@ void PresetCommands::remove(const fs::path& file) {
         document->mark_saved(initial_state(document->look()));
         m_lab.watch_extra_files();
     }
-    m_lab.offer(fmt::format("Deleted '{}'{}", removal.name,
-                            was_open ? ". Its settings are still loaded" : ""),
+    m_lab.offer(was_open
+                    ? fmt::format("Deleted \"{}\". Its settings are still loaded.", removal.name)
+                    : fmt::format("Deleted \"{}\"", removal.name),
                 {.name = "Undo", .deeds = {[](Lab& lab) { lab.undo(); }}});
     m_removals.push_back(std::move(removal));
 }
@@ -204,7 +206,7 @@ const PresetCommands::Removal* PresetCommands::last_removal() const {
 
 std::string PresetCommands::undo_name() const {
     const Removal* removal = last_removal();
-    return removal ? "Delete '" + removal->name + "'" : std::string();
+    return removal ? fmt::format("Delete \"{}\"", removal->name) : std::string();
 }
 
 bool PresetCommands::undo_removal() {
@@ -222,7 +224,7 @@ bool PresetCommands::undo_removal() {
         document.mark_saved(removal.saved);
         m_lab.watch_extra_files();
     }
-    m_lab.say("Restored '" + removal.name + "'");
+    m_lab.say(fmt::format("Restored \"{}\"", removal.name));
     return true;
 }
 
@@ -234,8 +236,8 @@ void PresetCommands::offer_move() {
     const std::size_t count = m_lab.library().presets_in_program_folder().size();
     if (count == 0)
         return;
-    m_lab.offer(count == 1 ? "1 preset of yours is in the program's folder"
-                           : fmt::format("{} presets of yours are in the program's folder", count),
+    m_lab.offer(count == 1 ? "1 of your presets is in the program folder"
+                           : fmt::format("{} of your presets are in the program folder", count),
                 {.name = "Move to my presets",
                  .deeds = {[](Lab& lab) { lab.presets().move_to_user_folder(); }}});
 }
@@ -255,8 +257,9 @@ void PresetCommands::move_to_user_folder() {
     }
     if (m_lab.document())
         m_lab.watch_extra_files();
-    m_lab.say(fmt::format("Moved {} preset{} to {}", count, count == 1 ? "" : "s",
-                          told_folder(m_lab.library().roots().user / "presets")));
+    const std::string folder = told_folder(m_lab.library().roots().user / "presets");
+    m_lab.say(count == 1 ? fmt::format("Moved 1 preset to {}", folder)
+                         : fmt::format("Moved {} presets to {}", count, folder));
 }
 
 void PresetCommands::star(const std::string& preset, bool has_star) {

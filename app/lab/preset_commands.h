@@ -46,7 +46,7 @@ public:
     /// Brings the preset back that was deleted last, where nothing was changed since. False: there
     /// is none, and the document's own step is next.
     bool undo_removal();
-    /// "Delete 'Amber'", where undo_removal() would do something; else "".
+    /// Delete "Amber", where undo_removal() would do something; else "".
     std::string undo_name() const;
 
     /// Says once a start that presets of the user lie in the program's folder, and offers to move

@@ -69,18 +69,23 @@ void separate_files(Preset& preset, const Look& look, const fs::path& folder,
 }
 }  // namespace
 
-std::string OutsideContent::words() const {
+std::string OutsideContent::names(char quote) const {
     constexpr std::size_t most_named = 3;
     const bool is_socket = signal && !socket_of(*signal).empty();
     std::vector<std::string> named;
     if (!name.empty())
-        named.push_back(fmt::format("the {} '{}'", is_socket ? "socket" : "file", name));
+        named.push_back(is_socket ? fmt::format("socket {0}{1}{0}", quote, name)
+                                  : fmt::format("file {0}{1}{0}", quote, name));
     for (auto file = files.begin(); file != files.end() && named.size() < most_named; ++file)
-        named.push_back(fmt::format("the file '{}'", file->second.path));
+        named.push_back(fmt::format("file {0}{1}{0}", quote, file->second.path));
     if (count() > named.size())
         named.push_back(fmt::format("{} more", count() - named.size()));
-    return fmt::format("{}, which {} outside its folder", fmt::join(named, ", "),
-                       count() == 1 ? "lies" : "lie");
+    return fmt::format("{}", fmt::join(named, ", "));
+}
+
+std::string OutsideContent::notice() const {
+    return fmt::format("The preset uses content outside its folder: {}. It was not loaded.",
+                       names('"'));
 }
 
 std::string OutsideContent::refusal() const {
@@ -89,8 +94,9 @@ std::string OutsideContent::refusal() const {
         options.emplace_back("--signal or --source");
     if (!files.empty())
         options.push_back(fmt::format("--set {}=FILE", files.begin()->first));
-    return fmt::format("this preset names {}. Name {} yourself with {}, if you trust the preset",
-                       words(), count() == 1 ? "it" : "them", fmt::join(options, ", and "));
+    return fmt::format(
+        "the preset uses content outside its folder: {}. If you trust it, load it with {}.",
+        names('\''), fmt::join(options, " and "));
 }
 
 CheckedPreset with_checked_media(const Preset& preset, const Look& look, const fs::path& folder,

@@ -16,10 +16,12 @@ struct OutsideContent {
     Values files = {};                          // that parameters choose
 
     std::size_t count() const { return files.size() + (name.empty() ? 0 : 1); }
-    /// "the file '/tmp/a.png', which lies outside its folder".
-    std::string words() const;
-    /// "this preset names ...", with the options of the command line that allow it.
+    /// For the window: what was not loaded.
+    std::string notice() const;
+    /// For the command line: with the options that allow it.
     std::string refusal() const;
+    /// "file '/tmp/a.png', 2 more".
+    std::string names(char quote) const;
 };
 
 /// What with_found_media() gave for a preset of `folder`, without its content where that lies

@@ -39,7 +39,7 @@ std::vector<ListedPreset> listed_presets(const Document& document,
         if ((entry.has_star || !wanted.only_starred) && holds_words(preset, wanted.search))
             listed.push_back(std::move(entry));
     };
-    add({{document.look().id, {}, {}}, "As the look has it", "Every parameter at its default."});
+    add({{document.look().id, {}, {}}, "Default", "All parameters at their defaults."});
     const auto look = std::ranges::find_if(
         looks, [&](const ShelfLook& known) { return known.entry.id == document.look().id; });
     if (look != looks.end())

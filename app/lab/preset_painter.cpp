@@ -152,7 +152,7 @@ Result<Picture> PresetPainter::draw(Prepared prepared, const Work& work) {
     for (int frame = 1;
          frame <= enough || (frame <= patience && !has_samples(m_offline->executor())); ++frame) {
         if (work.is_cancelled)
-            return fail({{}, 0, "nobody looks any more"});
+            return fail({{}, 0, "cancelled"});
         const auto begun = std::chrono::steady_clock::now();
         frame < enough ? m_offline->advance_unseen() : m_offline->advance();
         const double longest_rest = 0.1;

@@ -42,8 +42,8 @@ Result<void> check_driver(const Document& document) {
     if (kind && (kind->is_live || kind->is_sent))
         return fail({{},
                      0,
-                     "what drives the look comes in live, and only once; choose another "
-                     "signal to compare frame rates"});
+                     "live input can't be replayed. Choose another signal to compare frame "
+                     "rates."});
     return {};
 }
 

@@ -3,9 +3,17 @@
 #include "formats/stack_format.h"
 #include "lab/kept_shaders.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace fs = std::filesystem;
+
+namespace {
+std::string no_hot_reload(const Diagnostics& reasons) {
+    return fmt::format("Hot reload is off: {}", to_string(reasons.front()));
+}
+}  // namespace
 
 Reloader::Reloader(std::unique_ptr<gpu::Context> context, const gpu::Context& screen,
                    const Roots& roots)
@@ -19,7 +27,7 @@ Reloader::Reloader(std::unique_ptr<gpu::Context> context, const gpu::Context& sc
     if (auto watcher = FileWatcher::start())
         m_watcher = std::make_unique<FileWatcher>(std::move(*watcher));
     else
-        m_watch_problem = "edits will not be seen: " + to_string(watcher.error().front());
+        m_watch_problem = no_hot_reload(watcher.error());
     m_thread = std::thread([this] { run(); });
 }
 
@@ -289,7 +297,7 @@ void Reloader::watch_all() {
     const auto watched = m_watcher->watch(all);
     m_is_watching = watched.has_value();
     if (!watched)
-        m_watch_problem = "edits will not be seen: " + to_string(watched.error().front());
+        m_watch_problem = no_hot_reload(watched.error());
 }
 
 std::optional<LoadedRequest> Reloader::take_finished() {
@@ -410,7 +418,7 @@ void Reloader::run() {
 
 namespace {
 Diagnostics no_context() {
-    return {{{}, 0, "the graphics driver gives no further OpenGL context"}};
+    return {{{}, 0, "the graphics driver can't create another OpenGL context"}};
 }
 }  // namespace
 

@@ -32,7 +32,8 @@ Result<Roots> find_roots(const std::optional<fs::path>& data,
     for (const std::string& include : includes) {
         std::error_code error;
         if (!fs::is_directory(include, error))
-            return fail({include, 0, "is not a folder; --include takes a folder of shader texts"});
+            return fail(
+                {include, 0, "is not a folder. --include takes a folder of shader includes."});
         roots.includes.push_back(fs::absolute(include).lexically_normal());
     }
     roots.user = folder_from_environment("XDG_DATA_HOME", ".local/share");
@@ -42,7 +43,7 @@ Result<Roots> find_roots(const std::optional<fs::path>& data,
     if (data || (variable && *variable)) {
         roots.program = data ? *data : fs::path(variable);
         if (!holds_shaders(roots.program))
-            return fail({roots.program, 0, "holds no folder 'shaders', so it is no data folder"});
+            return fail({roots.program, 0, "is not a data folder: it has no folder 'shaders'"});
         roots.program = fs::absolute(roots.program).lexically_normal();
         return roots;
     }
@@ -53,5 +54,5 @@ Result<Roots> find_roots(const std::optional<fs::path>& data,
         }
     }
     return fail(
-        {{}, 0, "the looks were not found beside the program; name their folder with --data"});
+        {{}, 0, "the looks were not found next to the program. Set their folder with --data."});
 }

@@ -39,9 +39,13 @@ Session without_look(Session session) {
 }
 
 std::string message_about(const UnfinishedOpening& left) {
-    const char* const what = left.is_reset ? "The graphics driver was reset while it drew '{}'."
-                                           : "Afterglow ended while it compiled '{}'.";
-    return fmt::format(fmt::runtime(what), left.look) + " The look was not opened again.";
+    return left.is_reset
+               ? fmt::format(
+                     "The graphics driver was reset while drawing \"{}\". The look was not "
+                     "reopened.",
+                     left.look)
+               : fmt::format("Afterglow quit while compiling \"{}\". The look was not reopened.",
+                             left.look);
 }
 
 OpenRequest request_of(const UnfinishedOpening& left) {
@@ -83,8 +87,8 @@ void restore_safely(Lab& lab, const Session& session,
     if (is_safe && is_first)
         lab.open(first_look);
     if (!missing.empty())
-        lab.say(fmt::format("The look of the last session is missing: {}. Open it from its new "
-                            "place. Its unsaved changes are kept under File, Unsaved changes.",
+        lab.say(fmt::format("The look of the last session was not found: {}. Open it from its new "
+                            "location. Its unsaved changes are kept in File > Unsaved changes.",
                             missing.string()),
                 true);
     if (left)

@@ -128,8 +128,7 @@ Session load_file(const fs::path& file, Diagnostics& warnings) {
     const fs::path aside = file.string() + ".damaged";
     fs::rename(file, aside, error);
     warnings.push_back(session.error().front());
-    warnings.push_back(
-        {aside, 0, "holds what could be kept of the last session", Severity::warning});
+    warnings.push_back({aside, 0, "is a copy of the damaged session file", Severity::warning});
     return {};
 }
 }  // namespace

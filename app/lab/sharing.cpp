@@ -36,7 +36,7 @@ std::string share_line_of(const Document& document, const RecentMedia& recent) {
 Result<void> write_preset(const Document& document, const std::string& name, const fs::path& file,
                           const RecentMedia& recent) {
     if (to_lower(file.extension().string()) != ".json")
-        return fail({file, 0, "a preset's file ends in .json"});
+        return fail({file, 0, "preset files must end in .json"});
     Preset preset = portable(document.preset(), document, media_folder(file), recent);
     if (!name.empty())
         preset.name = name;

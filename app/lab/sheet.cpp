@@ -64,7 +64,7 @@ Result<void> check_sheet(Extent picture, int count, int columns) {
     if (extent.width > largest_side || extent.height > largest_side)
         return fail({{},
                      0,
-                     fmt::format("the sheet would be {} x {} px, and {} px a side is the most",
+                     fmt::format("the sheet would be {} x {} px; the limit is {} px per side",
                                  extent.width, extent.height, largest_side)});
     return {};
 }

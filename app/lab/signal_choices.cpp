@@ -7,6 +7,8 @@
 #include "lab/window_state.h"
 #include "signals/kinds.h"
 
+#include <fmt/format.h>
+
 #include <cctype>
 
 namespace {
@@ -22,18 +24,19 @@ Deed set_signal_setting(const std::string& key, Spec::Setting value) {
 
 // Labels alone come more than once: each channel has a frequency.
 std::string full_label(const SettingFacts& setting) {
-    return setting.group.empty() ? setting.label : setting.group + " · " + setting.label;
+    return setting.group.empty() ? setting.label
+                                 : fmt::format("{} · {}", setting.group, setting.label);
 }
 
 void add_words(const SettingFacts& setting, const Spec& spec, std::vector<Choice>& choices) {
     for (const std::string& word : setting.words)
-        choices.push_back({.name = full_label(setting) + ": " + label_of_word(word),
+        choices.push_back({.name = fmt::format("{}: {}", full_label(setting), label_of_word(word)),
                            .deeds = {set_signal_setting(setting.key, word)},
                            .is_present = spec.settings.at(setting.key) == Spec::Setting(word)});
 }
 
 Choice number_setting(const SettingFacts& setting, const Spec& spec) {
-    return {.name = full_label(setting) + "…",
+    return {.name = fmt::format("{}…", full_label(setting)),
             .number = AskedNumber{.present = std::get<double>(spec.settings.at(setting.key)),
                                   .unit = setting.unit,
                                   .limit = setting.limit,
@@ -45,7 +48,7 @@ Choice number_setting(const SettingFacts& setting, const Spec& spec) {
 }
 
 Choice text_setting(const SettingFacts& setting, const SignalKind& kind, const Spec& spec) {
-    const std::string name = full_label(setting) + "…";
+    const std::string name = fmt::format("{}…", full_label(setting));
     if (setting.key == kind.file_setting)
         return {.name = name, .deeds = {deed_for(kind)}};
     return {.name = name,
@@ -58,7 +61,7 @@ Choice text_setting(const SettingFacts& setting, const SignalKind& kind, const S
 // A drawing begins at once, whatever file it may also be taken from.
 std::string name_of_kind(const SignalKind& kind) {
     const bool asks = !kind.file_setting.empty() && kind.kind != "drawing";
-    return kind.label + (asks ? "…" : "");
+    return asks ? fmt::format("{}…", kind.label) : kind.label;
 }
 
 ChoiceList kind_choices(const std::string& present) {
@@ -100,8 +103,8 @@ ChoiceList setting_choices(const Document& document) {
 
 std::string label_of_word(std::string word) {
     if (word == "look")
-        return "Look's own";
-    if (word.size() != 2)
+        return "Look default";
+    if (word.size() != 2 || word == "on")
         return label_from_name(word);
     for (char& letter : word)
         letter = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
@@ -128,7 +131,7 @@ Deed deed_for(const SignalKind& kind) {
 
 Choice content_lock_choice(const Document& document) {
     const bool is_locked = document.is_content_locked();
-    return {.name = "Keep my " + content_word(document.look()),
+    return {.name = keep_content_words(document.look()),
             .deeds = {[is_locked](Document& changed) { changed.lock_content(!is_locked); }},
             .is_present = is_locked};
 }

@@ -1,5 +1,6 @@
 #include "lab/signal_file.h"
 
+#include "base/text.h"
 #include "formats/scene_file.h"
 #include "formats/svg_file.h"
 #include "io/sound_file.h"
@@ -28,8 +29,9 @@ Result<SignalMedia> load_signal_media(const std::filesystem::path& file, Work* w
     if (!sound) {  // which is only one of the things that it might have been
         Diagnostics reasons = sound.error();
         for (Diagnostic& reason : reasons)
-            reason.message +=
-                "; a signal's file is a sound, an SVG, a scene (.json) or a model (.obj)";
+            reason.message = with_sentence(
+                reason.message,
+                "Signals can use a sound, an SVG, a scene (.json) or a model (.obj).");
         return fail(std::move(reasons));
     }
     media.sound = std::make_shared<const Sound>(std::move(*sound));

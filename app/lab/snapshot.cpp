@@ -4,13 +4,16 @@
 #include "gpu/readback.h"
 #include "io/picture_file.h"
 #include "lab/sharing.h"
+#include "lab/told_name.h"
 #include "lab/views.h"
+
+#include <fmt/format.h>
 
 void save_snapshot(Lab& lab, std::filesystem::path file) {
     if (!lab.document() || !lab.renderer())
         return;
     if (!lab.renderer()->has_whole_picture())
-        return lab.say("The picture is still being drawn: save it when it is there", true);
+        return lab.say("The picture is still rendering. Try again when it is done.", true);
     if (file.extension().empty())
         file += ".png";
     const Executor& executor = lab.renderer()->executor();
@@ -20,7 +23,7 @@ void save_snapshot(Lab& lab, std::filesystem::path file) {
     const auto saved =
         save_picture_with_preset(picture, *lab.document(), file, lab.drive().recent());
     if (saved)
-        lab.say("Saved the picture as '" + file.filename().string() + "'");
+        lab.say(saved_words(file.filename().string()));
     else
         lab.say(saved.error().front());
 }
@@ -50,9 +53,9 @@ void save_target(Lab& lab, const PassView& view, std::filesystem::path file) {
         inspected->choice.from != Input::From::pass ||
         !lab.renderer()->executor().plan().targets[static_cast<std::size_t>(inspected->pass)].onto;
     if (!is_there)
-        return lab.say("Nobody looks at this pass: open the inspector, then save it", true);
+        return lab.say("This pass isn't being inspected. Open the inspector first.", true);
     if (!lab.renderer()->has_whole_picture())
-        return lab.say("The pass is still being drawn: save it when it is there", true);
+        return lab.say("The pass is still rendering. Try again when it is done.", true);
     auto closer = CloserLook::make();
     if (!closer)
         return lab.say(closer.error().front());
@@ -64,7 +67,8 @@ void save_target(Lab& lab, const PassView& view, std::filesystem::path file) {
                                  : gpu::read_picture(target);
     const auto saved = picture ? save_picture(*picture, file) : fail(picture.error());
     if (saved)
-        lab.say("Saved '" + inspected->choice.label() + "' as '" + file.filename().string() + "'");
+        lab.say(fmt::format("Saved \"{}\" to \"{}\"", inspected->choice.label(),
+                            file.filename().string()));
     else
         lab.say(saved.error().front());
 }

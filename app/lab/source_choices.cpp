@@ -31,10 +31,10 @@ AskedNumber source_number(const SourceSpec& source, double SourceSpec::*number, 
 void add_fits(SourceSpec source, std::vector<Choice>& choices) {
     const Fit present = source.fit;
     for (const auto& [fit, label] :
-         {std::pair{Fit::stretch, "Stretched"}, std::pair{Fit::whole, "Whole"},
-          std::pair{Fit::crop, "Cropped"}, std::pair{Fit::integer, "Whole pixels"}}) {
+         {std::pair{Fit::stretch, "Stretch"}, std::pair{Fit::whole, "Fit"},
+          std::pair{Fit::crop, "Fill (crop)"}, std::pair{Fit::integer, "Integer scale"}}) {
         source.fit = fit;
-        choices.push_back({.name = std::string("Fit: ") + label,
+        choices.push_back({.name = fmt::format("Scaling: {}", label),
                            .deeds = {set_source_to(source)},
                            .is_present = fit == present});
     }
@@ -44,7 +44,7 @@ void add_ends(SourceSpec source, std::vector<Choice>& choices) {
     const bool present = source.loops;
     for (const bool loops : {true, false}) {
         source.loops = loops;
-        choices.push_back({.name = loops ? "At the end: Loop" : "At the end: Hold",
+        choices.push_back({.name = loops ? "At end: Loop" : "At end: Hold",
                            .deeds = {set_source_to(source)},
                            .is_present = loops == present});
     }
@@ -80,7 +80,7 @@ std::vector<NamedSource> source_sizes(const SourceSpec& source) {
         chosen.picture = "pattern:" + pattern_of_size(name, size);
         return chosen;
     };
-    std::vector<NamedSource> sizes{{"As the pattern has it", sized({})}};
+    std::vector<NamedSource> sizes{{"Native size", sized({})}};
     for (const PatternSize& size : pattern_sizes)
         sizes.push_back({fmt::format("{} × {}{}", size.extent.width, size.extent.height,
                                      size.is_interlaced ? "i" : ""),
@@ -130,7 +130,7 @@ namespace {
 void add_named(const std::string& heading, const std::vector<NamedSource>& from,
                const SourceSpec& present, std::vector<Choice>& choices) {
     for (const NamedSource& named : from)
-        choices.push_back({.name = heading + ": " + named.name,
+        choices.push_back({.name = fmt::format("{}: {}", heading, named.name),
                            .deeds = {set_source_to(named.source)},
                            .is_present = named.source == present});
 }
@@ -147,10 +147,10 @@ std::vector<ChoiceList> source_choices(const Document& document, const OpenSourc
                                 .deeds = {set_source_to(chosen)},
                                 .is_present = name_of_pattern(source) == pattern.name});
     }
-    list.choices.push_back({.name = "A picture or video from a file…",
-                            .deeds = {[](WindowState& window) {
-                                window.dialog = {.kind = Dialog::Kind::open_file};
-                            }}});
+    list.choices.push_back(
+        {.name = "Picture or video file…", .deeds = {[](WindowState& window) {
+                                               window.dialog = {.kind = Dialog::Kind::open_file};
+                                           }}});
     list.choices.push_back(content_lock_choice(document));
     add_named("Size", source_sizes(source), source, list.choices);
     add_fits(source, list.choices);
@@ -165,8 +165,8 @@ std::vector<ChoiceList> source_choices(const Document& document, const OpenSourc
         SourceSpec with_rate = source;
         with_rate.rate = *open.film_rate;
         list.choices.push_back(
-            {.name = "Rate…",
-             .number = source_number(with_rate, &SourceSpec::rate, {0.125, 960.0}, "/s")});
+            {.name = "Frame rate…",
+             .number = source_number(with_rate, &SourceSpec::rate, {0.125, 960.0}, "fps")});
         add_ends(source, list.choices);
     }
     return {list};

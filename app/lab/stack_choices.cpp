@@ -1,5 +1,7 @@
 #include "lab/stack_choices.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace {
@@ -20,30 +22,33 @@ Deed change_of_stack(const std::string& tag, const std::string& step, const Stac
 Deed bypass_part(const StackPart& part, const std::string& name) {
     const bool next = !part.is_bypassed;
     return change_of_stack(
-        part.tag, (next ? "Bypass " : "Draw ") + name,
+        part.tag, next ? fmt::format("Bypass {}", name) : fmt::format("Re-enable {}", name),
         [next](Stack& stack, std::size_t place) { stack[place].is_bypassed = next; });
 }
 
 Deed move_part(const StackPart& part, const std::string& name, int by) {
-    return change_of_stack(part.tag, "Move " + name, [by](Stack& stack, std::size_t place) {
-        const std::size_t other = place + static_cast<std::size_t>(by);  // before the first: huge
-        if (other < stack.size())
-            std::swap(stack[place], stack[other]);
-    });
+    return change_of_stack(part.tag, fmt::format("Move {}", name),
+                           [by](Stack& stack, std::size_t place) {
+                               const std::size_t other =
+                                   place + static_cast<std::size_t>(by);  // before the first: huge
+                               if (other < stack.size())
+                                   std::swap(stack[place], stack[other]);
+                           });
 }
 
 Deed remove_part(const StackPart& part, const std::string& name) {
-    return change_of_stack(part.tag, "Remove " + name, [](Stack& left, std::size_t place) {
-        if (left.size() > 1)
-            left.erase(left.begin() + static_cast<std::ptrdiff_t>(place));
-    });
+    return change_of_stack(part.tag, fmt::format("Remove {}", name),
+                           [](Stack& left, std::size_t place) {
+                               if (left.size() > 1)
+                                   left.erase(left.begin() + static_cast<std::ptrdiff_t>(place));
+                           });
 }
 
 Deed add_part(const ShelfLook& look) {
     return [entry = look.entry, name = look.name](Document& document) {
         Stack stack = document.state().stack;
         stack.push_back({entry.id, entry.folder, free_tag(stack, entry.id)});
-        document.set_stack(std::move(stack), "Add " + name);
+        document.set_stack(std::move(stack), fmt::format("Add {}", name));
     };
 }
 
@@ -69,7 +74,7 @@ ChoiceList stack_choices(const Stack& stack, const std::vector<ShelfLook>& looks
     for (const ShelfLook& look : looks)
         if (!look.is_stack())
             list.choices.push_back(
-                {.name = "Add " + look.name + " behind", .deeds = {add_part(look)}});
+                {.name = fmt::format("Add {}", look.name), .deeds = {add_part(look)}});
     if (!is_worth_listing(stack))
         return list;
     const std::vector<std::string> names = part_names(stack, looks);
@@ -78,13 +83,14 @@ ChoiceList stack_choices(const Stack& stack, const std::vector<ShelfLook>& looks
             list.choices.push_back(
                 {.name = name, .deeds = {std::move(deed)}, .is_present = is_present});
         };
-        offer("Bypass " + names[i], bypass_part(stack[i], names[i]), stack[i].is_bypassed);
+        offer(fmt::format("Bypass {}", names[i]), bypass_part(stack[i], names[i]),
+              stack[i].is_bypassed);
         if (i > 0)
-            offer("Draw " + names[i] + " earlier", move_part(stack[i], names[i], -1));
+            offer(fmt::format("Move {} earlier", names[i]), move_part(stack[i], names[i], -1));
         if (i + 1 < stack.size())
-            offer("Draw " + names[i] + " later", move_part(stack[i], names[i], 1));
+            offer(fmt::format("Move {} later", names[i]), move_part(stack[i], names[i], 1));
         if (stack.size() > 1)
-            offer("Remove " + names[i], remove_part(stack[i], names[i]));
+            offer(fmt::format("Remove {}", names[i]), remove_part(stack[i], names[i]));
     }
     return list;
 }

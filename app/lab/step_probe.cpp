@@ -61,14 +61,14 @@ void StepProbe::begin(const TrialSubject& subject) {
     m_next = 0;
     const Parameter* declared = find_parameter(look, m_question->parameter);
     if (!declared)
-        return fail_with("That parameter is no more");
+        return fail_with("This parameter no longer exists");
     const Parameter parameter = with_ends(*declared, setting_of(declared->name, document.knobs()));
     const auto next = one_step(parameter, value_of(parameter, m_values), m_question->component,
                                m_question->is_up);
     if (!next)
-        return fail_with(parameter.label + " " + next.error().front().message);
+        return fail_with(next.error().front().message);
     if (parameter.is_constant)
-        return fail_with(parameter.label + " " + std::string(untried_constant));
+        return fail_with(why_untried(parameter));
     Values others = m_values;
     others[parameter.name] = *next;
     DocumentState before = document.state();
@@ -76,7 +76,7 @@ void StepProbe::begin(const TrialSubject& subject) {
     before.values = m_values;
     after.values = others;
     m_change = line_of(changes_between(look, before, after).front());
-    m_words = m_change + " …";
+    m_words = fmt::format("{} …", m_change);
     constexpr double patience_seconds = 1.0;
     constexpr double times = 2.0;
     const std::size_t frames = bearable_frames(look, subject.shown, patience_seconds, times);
@@ -84,7 +84,7 @@ void StepProbe::begin(const TrialSubject& subject) {
     if (!trial)
         return fail_with(trial.error().front().message);
     if (!make_tools())
-        return fail_with("There is no memory to compare the two pictures");
+        return fail_with("Not enough memory to compare the pictures");
     m_trial.emplace(std::move(*trial));
 }
 
@@ -136,9 +136,10 @@ void StepProbe::conclude() {
     m_effect = effect_of(look, *find_parameter(look, m_question->parameter), changes);
     m_gain = gain_for(changes.back().largest);
     draw_difference();
-    m_words = m_change + ": " + effect_text(*m_effect, changes.back());
-    if (m_has_picture && changes.back().has_changed() && m_gain > 1.0)
-        m_words += fmt::format(" · shown {:.0f} times as large", m_gain);
+    const std::string effect = effect_text(*m_effect, changes.back());
+    m_words = m_has_picture && changes.back().has_changed() && m_gain > 1.0
+                  ? fmt::format("{}: {} · amplified {:.0f}×", m_change, effect, m_gain)
+                  : fmt::format("{}: {}", m_change, effect);
     m_trial.reset();
     m_is_answered = true;
 }
@@ -155,7 +156,7 @@ void StepProbe::update(const TrialSubject& subject, double slice_seconds) {
     if (m_trial->is_running()) {
         m_trial->go_on(subject, slice_seconds);
         const std::size_t share = 100 * m_trial->done() / m_trial->total();
-        m_words = fmt::format("{}: drawing it, {} %", m_change, share);
+        m_words = fmt::format("{}: rendering, {} %", m_change, share);
         return;
     }
     measure();

@@ -38,9 +38,8 @@ Result<std::vector<std::string>> texts_of_span(const Parameter& parameter, std::
         return fail(
             {{},
              0,
-             fmt::format(
-                 "'{}={}' is not of the form name=low:high:count, with a count from 2 to {}",
-                 parameter.name, text, most_stops)});
+             fmt::format("expected name=low:high:count with a count from 2 to {}, got '{}={}'",
+                         most_stops, parameter.name, text)});
     std::vector<std::string> texts;
     for (int i = 0; i < count; ++i) {
         const double share = static_cast<double>(i) / (count - 1);
@@ -58,17 +57,20 @@ Result<std::vector<std::string>> texts_of(const Parameter& parameter, std::strin
     for (const std::string_view piece : split(text, ','))
         texts.emplace_back(trim(piece));
     if (texts.size() > static_cast<std::size_t>(most_stops))
-        return fail(
-            {{}, 0, fmt::format("'{}' takes at most {} values here", parameter.name, most_stops)});
+        return fail({{},
+                     0,
+                     fmt::format("'{}' has {} values; the limit is {}", parameter.name,
+                                 texts.size(), most_stops)});
     return texts;
 }
 
 std::string caption_of(const Parameter& parameter, const Value& value) {
     for (const Item& item : parameter.items)
         if (item.value == value.number())
-            return parameter.label + ": " + item.label;
+            return fmt::format("{}: {}", parameter.label, item.label);
     if (parameter.type.scalar == Scalar::boolean)
-        return parameter.label + (value.number() != 0.0 ? ": on" : ": off");
+        return value.number() != 0.0 ? fmt::format("{}: on", parameter.label)
+                                     : fmt::format("{}: off", parameter.label);
     return fmt::format("{} {:.4g}{}", parameter.label, value.number(), unit_of(parameter));
 }
 }  // namespace
@@ -77,17 +79,15 @@ Result<SweepAxis> parse_sweep_axis(std::string_view text, const Look& look) {
     const std::size_t equals = text.find('=');
     if (equals == std::string_view::npos || equals == 0)
         return fail(
-            {{},
-             0,
-             fmt::format("'{}' is not of the form name=low:high:count or name=a,b,c", text)});
+            {{}, 0, fmt::format("expected name=low:high:count or name=a,b,c, got '{}'", text)});
     const auto parameter = meant_parameter(std::string(text.substr(0, equals)), look);
     if (!parameter)
         return fail(parameter.error());
     if (!is_single_number(**parameter))
-        return fail({{},
-                     0,
-                     fmt::format("'{}' is not a single number; only such can be varied",
-                                 (*parameter)->name)});
+        return fail(
+            {{},
+             0,
+             fmt::format("'{}' is not a single number and can't be swept", (*parameter)->name)});
     const auto texts = texts_of(**parameter, text.substr(equals + 1));
     if (!texts)
         return fail(texts.error());

@@ -1,5 +1,7 @@
 #include "lab/told_name.h"
 
+#include <fmt/format.h>
+
 #include <cstdlib>
 #include <string_view>
 
@@ -7,6 +9,10 @@ std::string told_name(const std::filesystem::path& file) {
     const std::string name = file.filename().string();
     const std::string folder = file.parent_path().filename().string();
     return name == "look.json" && !folder.empty() ? folder + "/" + name : name;
+}
+
+std::string saved_words(const std::string& name) {
+    return fmt::format("Saved \"{}\"", name);
 }
 
 std::string told_folder(const std::filesystem::path& folder) {

@@ -4,6 +4,8 @@
 #include "lab/local_date.h"
 #include "lab/users_content.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 
@@ -98,6 +100,13 @@ bool Trial::go_on(const TrialSubject& subject, double seconds) {
     while (is_running() && seconds_since(start) < seconds)
         draw_next(subject);
     return !is_running();
+}
+
+std::string why_untried(const Parameter& constant) {
+    return fmt::format(
+        "\"{}\" is a constant, so changing it recompiles the look. Change it directly, or render a "
+        "sheet with 'afterglow sweep'.",
+        constant.label);
 }
 
 std::size_t bearable_frames(const Look& look, const Renderer& shown, double seconds, double times) {

@@ -6,7 +6,7 @@
 
 #include <memory>
 #include <optional>
-#include <string_view>
+#include <string>
 #include <vector>
 
 /// What is open, for those who draw it with other values.
@@ -19,10 +19,8 @@ struct TrialSubject {
     Extent picture;  // that is to be drawn
 };
 
-/// Why a parameter that is a constant is not tried out: behind its label.
-constexpr std::string_view untried_constant =
-    "is no uniform: the look is made anew for each value. Turn it, or draw a sheet of it with "
-    "'afterglow sweep'";
+/// Why a parameter that is a constant is not tried out.
+std::string why_untried(const Parameter& constant);
 
 /// The frames that were shown last, drawn anew with other values and in slices of a turn, beside
 /// the picture: its history and its clock go on undisturbed.

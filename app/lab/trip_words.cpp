@@ -5,7 +5,7 @@
 Diagnostic diagnostic_of(const Trip& trip, const Look& look) {
     const Pass& pass = look.passes[trip.pass];
     return {pass.declared.file, pass.declared.line,
-            fmt::format("pass '{}' drew a number that is not finite: pixel {}, {} in frame {}",
-                        pass.name, trip.x, trip.y, trip.frame),
+            fmt::format("pass '{}' wrote NaN/Inf at pixel ({}, {}), frame {}", pass.name, trip.x,
+                        trip.y, trip.frame),
             Severity::warning};
 }

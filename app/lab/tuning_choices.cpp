@@ -46,7 +46,7 @@ Choice end_choice(const Parameter& parameter, bool is_low) {
         const Limit next = is_low ? Limit{end, ends.high} : Limit{ends.low, end};
         return {[name, next](Lab& lab) { lab.set_slider_ends(name, next); }};
     };
-    return {.name = is_low ? "Slider from…" : "Slider to…", .number = std::move(asked)};
+    return {.name = is_low ? "Slider minimum…" : "Slider maximum…", .number = std::move(asked)};
 }
 
 void add_ends(const Parameter& declared, const KnobSetting& setting, std::vector<Choice>& choices) {
@@ -57,7 +57,7 @@ void add_ends(const Parameter& declared, const KnobSetting& setting, std::vector
     choices.push_back(end_choice(parameter, false));
     if (setting.ends)
         choices.push_back(
-            {.name = "Slider as declared", .deeds = {[name = declared.name](Lab& lab) {
+            {.name = "Reset slider range", .deeds = {[name = declared.name](Lab& lab) {
                                                lab.set_slider_ends(name, std::nullopt);
                                            }}});
 }
@@ -72,7 +72,8 @@ void add_parts(const Parameter& parameter, const Value& value, std::vector<Choic
             next.numbers[i] = typed / factor;
             return {[name, next](Document& document) { document.set_value(name, next); }};
         };
-        choices.push_back({.name = part_label(parameter, i) + "…", .number = std::move(asked)});
+        choices.push_back(
+            {.name = fmt::format("{}…", part_label(parameter, i)), .number = std::move(asked)});
     }
 }
 
@@ -82,7 +83,8 @@ void add_midi(const Parameter& parameter, std::vector<Choice>& choices) {
     const auto count = static_cast<std::size_t>(parameter.type.size());
     for (std::size_t i = 0; i < count; ++i)
         choices.push_back(
-            {.name = count == 1 ? "MIDI learn" : "MIDI learn: " + part_label(parameter, i),
+            {.name = count == 1 ? "MIDI learn"
+                                : fmt::format("MIDI learn: {}", part_label(parameter, i)),
              .deeds = {[goal = MidiGoal{parameter.name, i}](Lab& lab) { lab.learn_midi(goal); }}});
 }
 
@@ -93,10 +95,10 @@ ChoiceList hand_choices(const Document& document, const Parameter& parameter) {
                     mark_choice("Locked", parameter.name, setting, &KnobSetting::is_locked)};
     if (parameter.control == Control::image || parameter.control == Control::sound)
         list.choices.push_back(
-            {.name = "Choose its file…", .deeds = {[name = parameter.name](WindowState& window) {
-                                             window.dialog = {.kind = Dialog::Kind::choose_file,
-                                                              .subject = name};
-                                         }}});
+            {.name = "Choose file…", .deeds = {[name = parameter.name](WindowState& window) {
+                                         window.dialog = {.kind = Dialog::Kind::choose_file,
+                                                          .subject = name};
+                                     }}});
     for (const Item& item : parameter.items)
         list.choices.push_back(
             {.name = item.label,
@@ -109,7 +111,7 @@ ChoiceList hand_choices(const Document& document, const Parameter& parameter) {
     add_midi(parameter, list.choices);
     if (!parameter.declared.file.empty())
         list.choices.push_back(
-            {.name = "Open its declaration",
+            {.name = "Open declaration",
              .deeds = {[place = parameter.declared](Lab& lab) { lab.open_in_editor(place); }}});
     return list;
 }
@@ -128,10 +130,11 @@ ChoiceList move_choices(const Document& document, const Parameter& parameter) {
                                 .deeds = {modulate(parameter.name, next)},
                                 .is_present = is_it});
     };
-    offer("Rests", std::nullopt, !present);
+    offer("Modulation: None", std::nullopt, !present);
     const double depth = present ? present->depth : Modulation{}.depth;
     for (const auto& kind : modulation_kinds())
-        offer("Moves by " + kind.label, Modulation{.kind = kind.value, .depth = depth},
+        offer(fmt::format("Modulation: {}", kind.label),
+              Modulation{.kind = kind.value, .depth = depth},
               present && present->kind == kind.value);
     if (!present)
         return list;
@@ -139,11 +142,11 @@ ChoiceList move_choices(const Document& document, const Parameter& parameter) {
         Modulation next = *present;
         next.shape = shape.value;
         if (present->kind == ModulationKind::lfo)
-            offer("Moves as " + shape.label, next, present->shape == shape.value);
+            offer(fmt::format("LFO shape: {}", shape.label), next, present->shape == shape.value);
     }
     for (const ModulationFigure& figure : figures_of(present->kind))
         list.choices.push_back(
-            {.name = "Moves: " + figure.label + "…",
+            {.name = fmt::format("Modulation: {}…", figure.label),
              .number = AskedNumber{.present = present->*figure.number,
                                    .unit = figure.unit,
                                    .limit = figure.limit,
@@ -184,9 +187,9 @@ std::vector<ChoiceList> listing_choices(const Document& document, const WindowSt
     ChoiceList shown{"Parameters"};
     for (const auto& [filter, name] :
          {std::pair{ParameterFilter::all, "Show all"},
-          std::pair{ParameterFilter::changed, "Show only what is changed"},
+          std::pair{ParameterFilter::changed, "Show only changed"},
           std::pair{ParameterFilter::favourites, "Show only favourites"},
-          std::pair{ParameterFilter::of_pass, "Show only what this pass uses"}})
+          std::pair{ParameterFilter::of_pass, "Show only this pass"}})
         shown.choices.push_back({.name = name,
                                  .deeds = {[chosen = filter](WindowState& changed) {
                                      changed.filter = chosen;
@@ -204,7 +207,8 @@ std::vector<ChoiceList> listing_choices(const Document& document, const WindowSt
         }
         if (is_changed)
             shown.choices.push_back(
-                {.name = "Reset " + (group.name.empty() ? "those without a group" : group.name),
+                {.name = group.name.empty() ? "Reset ungrouped parameters"
+                                            : fmt::format("Reset {}", group.name),
                  .deeds = {[names](Document& changed) { changed.reset_group(names); }}});
     }
     return {shown};
@@ -231,23 +235,24 @@ ChoiceList sheet_choices(const SheetRequest& request, const std::vector<SweepCel
                          const Parameter* in_hand) {
     ChoiceList list{"Sheet"};
     if (in_hand && can_be_varied(*in_hand)) {
-        list.choices.push_back({.name = "Filmstrip along " + in_hand->label,
+        list.choices.push_back({.name = fmt::format("Filmstrip of {}", in_hand->label),
                                 .deeds = sheet_deeds({.across = in_hand->name})});
         SheetRequest next = request;
         next.down = in_hand->name;
         if (!request.across.empty() && request.across != in_hand->name)
-            list.choices.push_back({.name = in_hand->label + " down", .deeds = sheet_deeds(next)});
+            list.choices.push_back(
+                {.name = fmt::format("Rows: {}", in_hand->label), .deeds = sheet_deeds(next)});
     }
     if (request.across.empty())
         return list;
     if (!request.down.empty()) {
         SheetRequest next = request;
         next.down.clear();
-        list.choices.push_back({.name = "Nothing down", .deeds = sheet_deeds(next)});
+        list.choices.push_back({.name = "Rows: None", .deeds = sheet_deeds(next)});
     }
     add_counts(request, list.choices);
     for (std::size_t i = 0; i < cells.size(); ++i)
-        list.choices.push_back({.name = "Take " + cells[i].caption,
+        list.choices.push_back({.name = fmt::format("Apply {}", cells[i].caption),
                                 .deeds = {[i](Lab& lab) { lab.take_from_sheet(i); }}});
     return list;
 }

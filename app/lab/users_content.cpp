@@ -113,8 +113,13 @@ std::string content_name(const Content& content, const Look& look) {
                                              : signal_name(content.signal);
 }
 
-std::string content_word(const Look& look) {
-    return look.driven_by == Driver::picture ? "source" : "signal";
+std::string keep_content_words(const Look& look) {
+    return look.driven_by == Driver::picture ? "Keep my source" : "Keep my signal";
+}
+
+std::string use_content_words(const Look& look) {
+    return look.driven_by == Driver::picture ? "Use the preset's source"
+                                             : "Use the preset's signal";
 }
 
 bool is_locked_in(const Look& look, const ContentLocks& locks) {

@@ -30,8 +30,15 @@ std::optional<Fit> beam_fit_of(const Spec& signal);
 /// As a message names what drives a look: "song.wav", "Live sound", "HELLO", "SMPTE bars".
 std::string content_name(const Content& content, const Look& look);
 
-/// "signal" or "source": what drives the look. It is driven by one of both.
-std::string content_word(const Look& look);
+/// What is said where a look is not driven by what was chosen for it.
+inline constexpr const char* needs_signal_look =
+    "This look doesn't use a signal. Open a signal look (such as Phosphor) first.";
+inline constexpr const char* needs_picture_look =
+    "This look doesn't use a picture or video. Open a picture look (such as CRT) first.";
+
+/// "Keep my signal" or "Keep my source", and the like for what the preset brings.
+std::string keep_content_words(const Look& look);
+std::string use_content_words(const Look& look);
 
 /// Whether what drives the look is locked.
 bool is_locked_in(const Look& look, const ContentLocks& locks);

@@ -1,5 +1,7 @@
 #include "lab/variant.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <vector>
 
@@ -20,7 +22,7 @@ std::optional<Variant> article_variant(const Look& look, const Values& values) {
     const bool is_article = std::ranges::any_of(switches, [&](const Parameter* parameter) {
         return value_of(*parameter, values).number() != 0.0;
     });
-    Variant variant{values, {"The article's own", "Corrected", !is_article}};
+    Variant variant{values, {"Original article", "Corrected", !is_article}};
     if (is_article)
         std::swap(variant.sides.other, variant.sides.present);
     for (const Parameter* parameter : switches)
@@ -39,5 +41,7 @@ Values values_of(const Slot& slot, const Look& look) {
 Variant slot_variant(const Look& look, const Slot& slot, std::size_t number) {
     const std::string name = slot_name(number);
     return {values_of(slot, look),
-            {slot.preset.empty() ? "Slot " + name : name + " · " + slot.preset, "Now", true}};
+            {slot.preset.empty() ? fmt::format("Slot {}", name)
+                                 : fmt::format("{} · {}", name, slot.preset),
+             "Now", true}};
 }

@@ -94,11 +94,11 @@ void VariantSheet::lay_out(const TrialSubject& subject) {
     const auto add = [&](const std::string& name, int count) {
         const Parameter* parameter = find_parameter(document.look(), name);
         if (!parameter) {
-            m_problem = "This look has no parameter '" + name + "'";
+            m_problem = fmt::format("This look has no parameter \"{}\"", name);
             return;
         }
         if (parameter->is_constant) {
-            m_problem = parameter->label + " " + std::string(untried_constant);
+            m_problem = why_untried(*parameter);
             return;
         }
         auto axis = axis_along(document.look(),
@@ -106,7 +106,7 @@ void VariantSheet::lay_out(const TrialSubject& subject) {
         if (axis)
             axes.push_back(std::move(*axis));
         else
-            m_problem = parameter->label + ": " + axis.error().front().message;
+            m_problem = fmt::format("{}: {}", parameter->label, axis.error().front().message);
     };
     add(m_request.across, m_request.columns);
     if (!m_request.down.empty())

@@ -14,13 +14,13 @@ Choice sized(std::string name, const PictureSize& size, bool is_present) {
 }
 
 ChoiceList size_choices(const SizeInForce& in_force) {
-    ChoiceList list{"Picture size"};
+    ChoiceList list{"Render size"};
     const PictureSize& present = in_force.chosen;
     PictureSize size = present;
     for (const auto& [shape, name] : picture_shapes)
         list.choices.push_back(sized(name, with_shape(present, shape), in_force.is_shaped(shape)));
     list.choices.push_back(
-        {.name = "Match the pane once", .deeds = {[](Lab& lab) { lab.fix_size_to_view(); }}});
+        {.name = "Match pane once", .deeds = {[](Lab& lab) { lab.fix_size_to_view(); }}});
     for (const Extent& extent : picture_sizes)
         list.choices.push_back(sized(fmt::format("{} × {}", extent.width, extent.height),
                                      {false, extent, present.scale, present.shape},
@@ -28,7 +28,8 @@ ChoiceList size_choices(const SizeInForce& in_force) {
     for (const double scale : picture_scales) {
         size = present;
         size.scale = scale;
-        list.choices.push_back(sized("Scaled " + times_text(scale), size, present.scale == scale));
+        list.choices.push_back(
+            sized(fmt::format("Scale {}", times_text(scale)), size, present.scale == scale));
     }
     return list;
 }
@@ -36,7 +37,7 @@ ChoiceList size_choices(const SizeInForce& in_force) {
 ChoiceList zoom_choices(const PictureView& present) {
     ChoiceList list{"Zoom"};
     list.choices.push_back(
-        {.name = "Whole pixels, as large as fits",
+        {.name = "Largest integer zoom",
          .deeds = {[](WindowState& window) { window.large_view() = {PictureView::Fit::whole}; }},
          .is_present = present.fit == PictureView::Fit::whole});
     for (const double zoom : picture_zooms)
@@ -48,8 +49,8 @@ ChoiceList zoom_choices(const PictureView& present) {
              }},
              .is_present = present.fit == PictureView::Fit::free && present.zoom == zoom});
     for (const auto& [name, x, y] :
-         {std::tuple{"Go left", -0.1, 0.0}, std::tuple{"Go right", 0.1, 0.0},
-          std::tuple{"Go up", 0.0, -0.1}, std::tuple{"Go down", 0.0, 0.1}})
+         {std::tuple{"Pan left", -0.1, 0.0}, std::tuple{"Pan right", 0.1, 0.0},
+          std::tuple{"Pan up", 0.0, -0.1}, std::tuple{"Pan down", 0.0, 0.1}})
         list.choices.push_back({.name = name, .deeds = {[x = x, y = y](WindowState& window) {
                                                   PictureView& view = window.large_view();
                                                   view.x = std::clamp(view.x + x, 0.0, 1.0);
@@ -63,17 +64,16 @@ ChoiceList pane_choices() {
     constexpr float step = 40.0f;
     for (const PaneSide& side : pane_sides())
         for (const float by : {step, -step})
-            list.choices.push_back(
-                {.name = fmt::format("{} {}", side.name, by > 0.0f ? side.larger : side.smaller),
-                 .deeds = {[size = side.size, by](WindowState& window) {
-                     resize_pane(window.panes, size, by);
-                 }}});
+            list.choices.push_back({.name = by > 0.0f ? side.larger : side.smaller,
+                                    .deeds = {[size = side.size, by](WindowState& window) {
+                                        resize_pane(window.panes, size, by);
+                                    }}});
     return list;
 }
 
 ChoiceList pin_choices(const std::vector<Pin>& pins) {
     ChoiceList list{"Pins"};
-    list.choices.push_back({.name = "Pin the middle of the picture",
+    list.choices.push_back({.name = "Pin picture centre",
                             .deeds = {[](WindowState& window) { add_pin(window, {}); }}});
     for (std::size_t i = 0; i < pins.size(); ++i)
         list.choices.push_back({.name = fmt::format("Remove pin {}", i + 1),
@@ -134,15 +134,15 @@ ChoiceList number_choices(const WindowState& window) {
     ChoiceList list{"Set"};
     list.choices = {
         window_number(
-            "Budget of a frame…", "ms", window.budget_milliseconds, {0.1, 1000.0},
+            "Frame budget…", "ms", window.budget_milliseconds, {0.1, 1000.0},
             [](WindowState& changed, double number) { changed.budget_milliseconds = number; }),
-        window_number("Comfort clamp…", "of full light a second", window.comfort.most_a_second,
-                      {ComfortClamp::lowest, ComfortClamp::highest},
+        window_number("Flash limiter…", "× full brightness per second",
+                      window.comfort.most_a_second, {ComfortClamp::lowest, ComfortClamp::highest},
                       [](WindowState& changed, double number) {
                           changed.comfort = {.is_on = true, .most_a_second = number};
                       }),
         window_number(
-            "Line of the wipe…", "%", 100.0 * window.wipe_share, {0.0, 100.0},
+            "Wipe position…", "%", 100.0 * window.wipe_share, {0.0, 100.0},
             [](WindowState& changed, double number) { changed.wipe_share = number / 100.0; })};
     return list;
 }
@@ -173,9 +173,9 @@ void offer_display_size(Lab& lab, Extent display) {
         return;
     const Extent picture = lab.picture_extent();
     lab.offer(
-        fmt::format("The picture has {} × {} px, the display {} × {} px", picture.width,
+        fmt::format("The render size is {} × {} px, the display {} × {} px", picture.width,
                     picture.height, display.width, display.height),
-        {.name = "Match the display", .deeds = {[](Lab& changed) { changed.fix_size_to_view(); }}});
+        {.name = "Match display", .deeds = {[](Lab& changed) { changed.fix_size_to_view(); }}});
 }
 
 PictureSize with_shape(PictureSize size, ViewShape shape) {

@@ -61,7 +61,7 @@ std::optional<double> parse_decay(std::string_view text) {
 
 std::string duration_text(double seconds) {
     if (!std::isfinite(seconds))
-        return "for ever";
+        return "forever";
     const bool is_short = seconds < 0.9995;
     const double number = is_short ? seconds * 1000.0 : seconds;
     const int decimals = number < 9.995 ? 2 : number < 99.95 ? 1 : 0;

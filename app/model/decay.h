@@ -25,5 +25,5 @@ double factor_leaving(double share, double seconds);
 /// stand for the point. None where the text says no such thing.
 std::optional<double> parse_decay(std::string_view text);
 
-/// "139 ms", "1.4 s": three digits or fewer; "for ever" where it is infinite.
+/// "139 ms", "1.4 s": three digits or fewer; "forever" where it is infinite.
 std::string duration_text(double seconds);

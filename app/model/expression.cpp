@@ -2,6 +2,8 @@
 
 #include "base/text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -22,9 +24,9 @@ public:
         const double value = choice();
         skip_blank();
         if (m_problem.empty() && m_at < m_text.size())
-            m_problem = "unexpected '" + std::string(m_text.substr(m_at)) + "'";
+            m_problem = fmt::format("unexpected '{}'", m_text.substr(m_at));
         if (m_problem.empty() && !std::isfinite(value))
-            m_problem = "'" + std::string(m_text) + "' is not a finite number";
+            m_problem = fmt::format("'{}' is not a finite number", m_text);
         if (!m_problem.empty())
             return fail({{}, 0, m_problem});
         return value;
@@ -38,7 +40,7 @@ private:
         if (!accept('?'))
             return condition;
         if (m_depth + 1 >= deepest)
-            return stop("too many choices");
+            return stop("the '? :' conditions are nested too deeply");
         ++m_depth;
         const double yes = choice();
         expect(':');
@@ -92,7 +94,7 @@ private:
 
     double factor() {
         if (m_depth >= deepest)
-            return stop("too many brackets");
+            return stop("the expression is nested too deeply");
         ++m_depth;
         const double value = accept('-') ? -factor() : atom();
         --m_depth;
@@ -118,7 +120,8 @@ private:
             name += '.' + word();
         }
         const auto found = m_names.find(name);
-        return found == m_names.end() ? stop("unknown name '$" + name + "'") : found->second;
+        return found == m_names.end() ? stop(fmt::format("unknown name '${}'", name))
+                                      : found->second;
     }
 
     double number() {
@@ -126,7 +129,7 @@ private:
         while (m_at < m_text.size() && (std::isdigit(letter()) || letter() == '.'))
             ++m_at;
         const auto value = parse_number(m_text.substr(start, m_at - start));
-        return value ? *value : stop("a number, a name or a bracket is missing");
+        return value ? *value : stop("expected a number, a name or '('");
     }
 
     double call(const std::string& name) {
@@ -143,7 +146,7 @@ private:
             {"abs", std::fabs},  {"ceil", std::ceil},   {"finite", finite}, {"floor", std::floor},
             {"log2", std::log2}, {"round", std::round}, {"sqrt", std::sqrt}};
         const auto function = functions.find(name);
-        return function == functions.end() ? stop("unknown function '" + name + "'")
+        return function == functions.end() ? stop(fmt::format("unknown function '{}'", name))
                                            : function->second(a);
     }
 
@@ -168,7 +171,7 @@ private:
 
     void expect(char wanted) {
         if (!accept(wanted))
-            stop(std::string("'") + wanted + "' is missing");
+            stop(fmt::format("missing '{}'", wanted));
     }
 
     double stop(std::string problem) {

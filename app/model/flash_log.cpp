@@ -98,8 +98,12 @@ void FlashLog::add(std::span<const Light> cells, double seconds) {
 std::optional<std::string> FlashLog::warning() const {
     if (!m_first)
         return std::nullopt;
+    const std::string frames =
+        m_count == 1 ? fmt::format("1 frame at {:.2f} s is above it.", *m_first)
+                     : fmt::format("{} frames from {:.2f} s to {:.2f} s are above it.", m_count,
+                                   *m_first, m_last);
     return fmt::format(
-        "the picture flashes up to {} times a second ({} in red), more than the {} of WCAG 2.3.1: "
-        "{} frames from {:.2f} s to {:.2f} s",
-        m_most.most(), m_most.red, Flashes::limit, m_count, *m_first, m_last);
+        "the picture flashes up to {} times a second ({} in red); the limit of WCAG 2.3.1 is {}. "
+        "{}",
+        m_most.most(), m_most.red, Flashes::limit, frames);
 }

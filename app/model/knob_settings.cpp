@@ -39,8 +39,8 @@ Result<Limit> fitted_ends(const Parameter& parameter, Limit ends) {
         return fail(
             {{},
              0,
-             fmt::format("the slider of '{}' cannot run from {} to {}: its low end must "
-                         "lie below its high end",
+             fmt::format("the slider minimum of '{}' must be below its maximum, got {} "
+                         "and {}",
                          parameter.label, format_number(ends.low), format_number(ends.high))});
     return inside;
 }

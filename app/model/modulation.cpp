@@ -17,7 +17,7 @@ ModulationFigure depth_figure() {
     return {.key = "depth",
             .label = "Depth",
             .unit = "",
-            .help = "How far it goes, in shares of the parameter's range; below 0 the other way.",
+            .help = "Change as a fraction of the parameter's range. Negative values invert it.",
             .number = &Modulation::depth,
             .range = {-1.0, 1.0, 0.0},
             .limit = {-4.0, 4.0}};
@@ -27,7 +27,7 @@ ModulationFigure release_figure(const Range& range, double longest) {
     return {.key = "release",
             .label = "Release",
             .unit = "s",
-            .help = "How slowly it comes down: in this time to 37 %.",
+            .help = "Time to fall to 37 %.",
             .number = &Modulation::release,
             .range = range,
             .limit = {0.001, longest},
@@ -38,7 +38,7 @@ Figures lfo_figures() {
     return {{.key = "rate",
              .label = "Rate",
              .unit = "Hz",
-             .help = "Turns a second.",
+             .help = "Cycles per second.",
              .number = &Modulation::rate,
              .range = {0.02, 20.0, 0.0},
              .limit = {0.001, 1000.0},
@@ -46,7 +46,7 @@ Figures lfo_figures() {
             {.key = "phase",
              .label = "Phase",
              .unit = "turns",
-             .help = "Where in its turn it is at time 0.",
+             .help = "Phase at time 0. One turn is a full cycle.",
              .number = &Modulation::phase,
              .range = {0.0, 1.0, 0.0},
              .limit = {0.0, 1.0}},
@@ -58,7 +58,7 @@ Figures envelope_figures() {
     return {{.key = "attack",
              .label = "Attack",
              .unit = "s",
-             .help = "How slowly it goes up: in this time 63 % of the way.",
+             .help = "Time to rise by 63 % of the difference.",
              .number = &Modulation::attack,
              .range = {0.001, 1.0, 0.0},
              .limit = {0.001, longest},
@@ -71,8 +71,8 @@ Figures beat_figures() {
     constexpr double longest = 0.5;  // a beat is remembered for two seconds
     return {{.key = "threshold",
              .label = "Threshold",
-             .unit = "times",
-             .help = "A beat is bass with so many times the energy of the last second's.",
+             .unit = "×",
+             .help = "Bass energy that counts as a beat, relative to the mean of the last second.",
              .number = &Modulation::threshold,
              .range = {1.0, 8.0, 0.0},
              .limit = {0.1, 1000.0}},
@@ -133,7 +133,7 @@ const std::vector<ModulationFigure>& figures_of(ModulationKind kind) {
 const std::vector<ModulationWord<ModulationKind>>& modulation_kinds() {
     static const std::vector<ModulationWord<ModulationKind>> words{
         {ModulationKind::lfo, "lfo", "LFO"},
-        {ModulationKind::envelope, "envelope", "Envelope"},
+        {ModulationKind::envelope, "envelope", "Sound level"},
         {ModulationKind::beat, "beat", "Beat"}};
     return words;
 }
@@ -152,10 +152,12 @@ std::string summary_of(const Modulation& modulation) {
     std::string text = word_of(modulation_kinds(), modulation.kind).label;
     if (modulation.kind == ModulationKind::lfo)
         text += ", " + to_lower(word_of(lfo_shapes(), modulation.shape).label);
-    for (const ModulationFigure& figure : figures_of(modulation.kind))
-        text += fmt::format(", {} {}{}{}", to_lower(figure.label),
-                            format_number(modulation.*figure.number),
-                            figure.unit.empty() ? "" : " ", figure.unit);
+    for (const ModulationFigure& figure : figures_of(modulation.kind)) {
+        const bool is_close = figure.unit.empty() || figure.unit == "×";
+        text +=
+            fmt::format(", {} {}{}{}", to_lower(figure.label),
+                        format_number(modulation.*figure.number), is_close ? "" : " ", figure.unit);
+    }
     return text;
 }
 
@@ -173,28 +175,32 @@ Modulation tidied(const Modulation& modulation) {
 }
 
 std::string why_unmodulated(const Look& look, const Parameter& parameter) {
+    const std::string& name = parameter.name;
     switch (parameter.control) {
         case Control::list:
-            return "is a list";
+            return fmt::format("'{}' can't be modulated: it is a list", name);
         case Control::color:
-            return "is a colour";
+            return fmt::format("'{}' can't be modulated: it is a colour", name);
         case Control::event:
-            return "is a button";
+            return fmt::format("'{}' can't be modulated: it is a button", name);
         case Control::image:
         case Control::sound:
-            return "is a file";
+            return fmt::format("'{}' can't be modulated: it is a file", name);
         case Control::slider:
         case Control::angle:
         case Control::point:
             break;
     }
     if (parameter.is_constant)
-        return "is no uniform: the look is made anew for each value";
+        return fmt::format("'{}' can't be modulated: changing it recompiles the look", name);
     if (parameter.type.scalar == Scalar::boolean)
-        return "is a switch";
+        return fmt::format("'{}' can't be modulated: it is a switch", name);
     if (parameter.type.columns > 1)
-        return "is a matrix";
-    return drives_size(look, parameter) ? "says how large a pass is or how often it draws" : "";
+        return fmt::format("'{}' can't be modulated: it is a matrix", name);
+    if (drives_size(look, parameter))
+        return fmt::format("'{}' can't be modulated: it sets the size or repeat count of a pass",
+                           name);
+    return "";
 }
 
 double lfo_at(const Modulation& modulation, double seconds, std::uint64_t seed) {

@@ -53,14 +53,14 @@ struct ModulationWord {
 const std::vector<ModulationWord<ModulationKind>>& modulation_kinds();
 const std::vector<ModulationWord<LfoShape>>& lfo_shapes();
 
-/// "LFO, sine, 0.5 Hz, depth 0.25".
+/// "LFO, sine, rate 0.5 Hz, depth 0.25".
 std::string summary_of(const Modulation& modulation);
 
 /// Within the limits of its figures, and without those of other kinds.
 Modulation tidied(const Modulation& modulation);
 
-/// Why a parameter is not moved ("is a list"); "" when it can be. Numbers can, but not those that
-/// sizes and counts of passes follow: targets would be made anew in every frame.
+/// Why a parameter can't be modulated, as a sentence; "" when it can. Numbers can, except those
+/// that set the sizes and repeat counts of passes: their targets would be allocated in every frame.
 std::string why_unmodulated(const Look& look, const Parameter& parameter);
 
 /// How loud it is, 0 silence .. 1 full scale: pure functions of the time of what is heard, however

@@ -2,6 +2,8 @@
 
 #include "model/slider_range.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,8 +11,11 @@ namespace {
 constexpr double share_of_slider = 0.01;
 constexpr double stops_of_color = 0.1;
 
-Result<Value> at_end(bool up) {
-    return fail({{}, 0, up ? "is at its upper end" : "is at its lower end"});
+Result<Value> at_end(const Parameter& parameter, bool up) {
+    return fail({{},
+                 0,
+                 up ? fmt::format("{} is at its maximum", parameter.label)
+                    : fmt::format("{} is at its minimum", parameter.label)});
 }
 
 Result<Value> next_item(const Parameter& parameter, const Value& value, bool up) {
@@ -18,7 +23,10 @@ Result<Value> next_item(const Parameter& parameter, const Value& value, bool up)
     const auto found = std::ranges::find(items, value.number(), &Item::value);
     const bool is_last = up ? found + 1 >= items.end() : found == items.begin();
     if (found == items.end() || is_last)
-        return fail({{}, 0, up ? "is at its last item" : "is at its first item"});
+        return fail({{},
+                     0,
+                     up ? fmt::format("{} is at its last item", parameter.label)
+                        : fmt::format("{} is at its first item", parameter.label)});
     return Value((up ? found + 1 : found - 1)->value);
 }
 
@@ -37,7 +45,7 @@ Result<Value> brighter(const Parameter& parameter, const Value& value, bool up) 
         number *= std::exp2(up ? stops_of_color : -stops_of_color);
     next = clamped(parameter, std::move(next));
     if (next == value)
-        return fail({{}, 0, "cannot be made brighter or darker: it is black, or at its limit"});
+        return fail({{}, 0, fmt::format("{} is black or at its limit", parameter.label)});
     return next;
 }
 }  // namespace
@@ -48,7 +56,7 @@ Result<Value> one_step(const Parameter& parameter, const Value& value, std::size
                            parameter.control != Control::image &&
                            parameter.control != Control::sound && parameter.type.columns == 1;
     if (!is_turned || value.numbers.empty())
-        return fail({{}, 0, "has no steps"});
+        return fail({{}, 0, fmt::format("{} can't be changed in steps", parameter.label)});
     if (parameter.control == Control::list)
         return next_item(parameter, value, up);
     if (parameter.control == Control::color)
@@ -63,6 +71,6 @@ Result<Value> one_step(const Parameter& parameter, const Value& value, std::size
         number = next_number(parameter, range_of(parameter, chosen), number, up);
     next = clamped(parameter, std::move(next));
     if (next == value)
-        return at_end(up);
+        return at_end(parameter, up);
     return next;
 }

@@ -99,8 +99,8 @@ std::vector<Parameter> orbit_parameters(const std::vector<int>& view_passes,
     std::vector<Parameter> parameters;
     if (!view_passes.empty()) {
         Parameter turn = part_of_orbit(
-            OrbitPart::turn, "orbit_turn", "Turn of the object",
-            "About its x, y and z axis, in this order. Drag the picture to turn it by hand.");
+            OrbitPart::turn, "orbit_turn", "Object rotation",
+            "Rotation about the x, y and z axes, in this order. Drag the picture to change it.");
         turn.type.rows = 3;
         turn.initial = std::vector<double>{0.0, 0.0, 0.0};
         parameters.push_back(std::move(turn));
@@ -110,17 +110,17 @@ std::vector<Parameter> orbit_parameters(const std::vector<int>& view_passes,
         return parameters;
     const std::size_t first = parameters.size();
     parameters.push_back(
-        part_of_orbit(OrbitPart::azimuth, "orbit_azimuth", "Camera around",
-                      "How far the camera has gone round to the right. Drag the picture with the "
-                      "right mouse button to move it by hand."));
-    parameters.push_back(part_of_orbit(OrbitPart::elevation, "orbit_elevation", "Camera up",
-                                       "How far the camera has gone up: 90 looks straight down."));
+        part_of_orbit(OrbitPart::azimuth, "orbit_azimuth", "Camera azimuth",
+                      "Horizontal angle, positive to the right. Drag the picture with the right "
+                      "mouse button to change it."));
+    parameters.push_back(part_of_orbit(OrbitPart::elevation, "orbit_elevation", "Camera elevation",
+                                       "Vertical angle. At 90° the camera looks straight down."));
     parameters.back().range = {-90.0, 90.0, 0.0};
     parameters.back().limit = Limit{-90.0, 90.0};
-    parameters.push_back(
-        part_of_orbit(OrbitPart::distance, "orbit_distance", "Camera distance",
-                      "1 is the look's own. Turn the mouse wheel over the picture with Ctrl held "
-                      "to change it by hand."));
+    parameters.push_back(part_of_orbit(
+        OrbitPart::distance, "orbit_distance", "Camera distance",
+        "Relative to the look's own distance. Hold Ctrl and scroll over the picture to "
+        "change it."));
     Parameter& distance = parameters.back();
     distance.unit = "×";
     distance.initial = 1.0;

@@ -106,19 +106,21 @@ std::optional<double> number_from(const Parameter& parameter, std::string_view t
     return parse_number(text);
 }
 
-// What a person may write for it.
-std::string expected_text(const Parameter& parameter) {
+// Why a text is none of its values.
+std::string refusal_of(const Parameter& parameter, std::string_view text) {
     std::vector<std::string> labels;
     for (const Item& item : parameter.items)
-        labels.push_back('"' + item.label + '"');
+        labels.push_back(fmt::format("'{}'", item.label));
+    const std::string& name = parameter.name;
     if (!labels.empty())
-        return fmt::format("takes {}", fmt::join(labels, ", "));
-    if (parameter.control == Control::color)
-        return fmt::format("takes a colour: #rrggbb or {} numbers", parameter.type.size());
-    if (parameter.type.scalar == Scalar::boolean && parameter.type.size() == 1)
-        return "takes true or false";
+        return fmt::format("'{}' must be one of {}, got '{}'", name, fmt::join(labels, ", "), text);
     const int size = parameter.type.size();
-    return size == 1 ? "takes a number" : fmt::format("takes {} numbers", size);
+    if (parameter.control == Control::color)
+        return fmt::format("'{}' must be #rrggbb or {} numbers, got '{}'", name, size, text);
+    if (parameter.type.scalar == Scalar::boolean && size == 1)
+        return fmt::format("'{}' must be true or false, got '{}'", name, text);
+    return size == 1 ? fmt::format("'{}' must be a number, got '{}'", name, text)
+                     : fmt::format("'{}' must be {} numbers, got '{}'", name, size, text);
 }
 
 bool is_item(const Parameter& parameter, double number) {
@@ -129,19 +131,21 @@ bool is_item(const Parameter& parameter, double number) {
 Result<double> parse_component(const Parameter& parameter, std::string_view text) {
     const auto number = number_from(parameter, text);
     if (!number || (!parameter.items.empty() && !is_item(parameter, *number)))
-        return fail(
-            {{},
-             0,
-             fmt::format("'{}' {}, not '{}'", parameter.name, expected_text(parameter), text)});
+        return fail({{}, 0, refusal_of(parameter, text)});
     if (parameter.limit && (*number < parameter.limit->low || *number > parameter.limit->high))
         return fail({{},
                      0,
-                     fmt::format("'{}' must lie between {} and {}, and is {}", parameter.name,
+                     fmt::format("'{}' must be between {} and {}, got {}", parameter.name,
                                  format_number(parameter.limit->low),
                                  format_number(parameter.limit->high), format_number(*number))});
     return *number;
 }
 }  // namespace
+
+std::string wrong_count(std::string_view name, std::size_t expected, std::size_t given) {
+    return expected == 1 ? fmt::format("'{}' must be a single number, got {} numbers", name, given)
+                         : fmt::format("'{}' must have {} numbers, got {}", name, expected, given);
+}
 
 Value clamped(const Parameter& parameter, Value value) {
     if (parameter.control == Control::image || parameter.control == Control::sound)
@@ -175,9 +179,6 @@ Result<Value> parse_value(const Parameter& parameter, std::string_view text) {
         numbers.push_back(*number);
     }
     if (numbers.size() != size)
-        return fail({{},
-                     0,
-                     fmt::format("'{}' takes {} number{}, not {}", parameter.name, size,
-                                 size == 1 ? "" : "s", numbers.size())});
+        return fail({{}, 0, wrong_count(parameter.name, size, numbers.size())});
     return clamped(parameter, Value(std::move(numbers)));
 }

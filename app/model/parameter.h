@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 enum class Scalar { floating, integer, natural, boolean };
@@ -107,6 +108,9 @@ std::string part_label(const Parameter& parameter, std::size_t component);
 /// The nearest value that the parameter allows: within its limit, of its size, whole where it
 /// counts.
 Value clamped(const Parameter& parameter, Value value);
+
+/// Why so many numbers are refused.
+std::string wrong_count(std::string_view name, std::size_t expected, std::size_t given);
 
 /// Reads what a person typed or gave to `--set`: numbers between commas, an item's label,
 /// true/false, #rrggbb for a colour (taken as display-encoded sRGB, kept linear), or a path. Errors

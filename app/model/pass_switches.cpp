@@ -1,5 +1,7 @@
 #include "model/pass_switches.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace {
@@ -43,16 +45,18 @@ Result<PassSwitches> switched(const Look& look, PassSwitches switches, PassSwitc
                               const std::string& pass) {
     const auto found = find_pass(look, pass);
     if (!found)
-        return fail({{}, 0, "there is no pass '" + pass + "'"});
+        return fail({{}, 0, fmt::format("there is no pass '{}'", pass)});
     const Pass& chosen = look.passes[static_cast<std::size_t>(*found)];
     switch (which) {
         case PassSwitch::bypass:
             if (!handed_on(chosen))
-                return fail({{},
-                             0,
-                             "'" + pass + "' reads " +
-                                 (chosen.inputs.empty() ? "no picture" : "only its own past") +
-                                 ", so there is nothing that a bypass could hand on"});
+                return fail(
+                    {{},
+                     0,
+                     chosen.inputs.empty()
+                         ? fmt::format("'{}' can't be bypassed: it has no inputs", pass)
+                         : fmt::format("'{}' can't be bypassed: it reads only its own output",
+                                       pass)});
             toggle(switches.bypassed, pass);
             break;
         case PassSwitch::freeze:

@@ -100,8 +100,8 @@ Result<Extent> extent_of(const Pass& pass, const Extent& source, const Extent& b
     const double most = largest_side + 0.5;  // before rounding
     if (!(*width > 0.0 && *width<most&& * height> 0.0 && *height < most))
         return fail({pass.declared.file, pass.declared.line,
-                     fmt::format("pass '{}' would be {} x {} px; a side is 1 to {} px", pass.name,
-                                 *width, *height, largest_side)});
+                     fmt::format("pass '{}' would be {} x {} px; each side must be 1 to {} px",
+                                 pass.name, *width, *height, largest_side)});
     return Extent{std::max(1, static_cast<int>(std::lround(*width))),
                   std::max(1, static_cast<int>(std::lround(*height)))};
 }
@@ -113,9 +113,9 @@ Result<bool> is_in_force(const std::string& expression, const char* key, const P
         return false;
     const auto value = evaluate(expression, measures.names_for(pass));
     if (!value)
-        return fail({pass.declared.file, pass.declared.line,
-                     fmt::format("\"{}\" of pass '{}': {}", key, pass.name,
-                                 value.error().front().message)});
+        return fail(
+            {pass.declared.file, pass.declared.line,
+             fmt::format("'{}' of pass '{}': {}", key, pass.name, value.error().front().message)});
     return *value > 0.0;
 }
 
@@ -139,7 +139,7 @@ Result<double> spot_length(const Pass& pass, std::size_t axis, int texels,
     if (!length)
         return fail(
             {pass.declared.file, pass.declared.line,
-             fmt::format("\"spot\" of pass '{}': {}", pass.name, length.error().front().message)});
+             fmt::format("'spot' of pass '{}': {}", pass.name, length.error().front().message)});
     return std::isfinite(*length) ? std::max(*length, 0.0) : 0.0;
 }
 

@@ -19,12 +19,12 @@ Result<void> set_limit(ShaderLimits& limits, std::string_view text) {
         return fail(
             {{},
              0,
-             fmt::format("unknown limit '{}'; the limits are {}", name, fmt::join(names, ", "))});
+             fmt::format("unknown limit '{}'; use one of: {}", name, fmt::join(names, ", "))});
     }
     const auto value = parse_number(text.substr(std::min(equals + 1, text.size())));
     if (!value || *value < 1.0 || *value > most ||
         *value != static_cast<double>(static_cast<long long>(*value)))
-        return fail({{}, 0, fmt::format("limit '{}' takes a whole number from 1 to 1e12", name)});
+        return fail({{}, 0, fmt::format("'{}' must be a whole number from 1 to 1e12", name)});
     limits.*limit->value = *value;
     return {};
 }

@@ -33,14 +33,15 @@ inline constexpr std::array shader_limits{
     ShaderLimit{"variable-bytes", &ShaderLimits::variable_bytes, "bytes of variables"},
     ShaderLimit{"indexed-bytes", &ShaderLimits::indexed_bytes,
                 "bytes of arrays with a computed index"},
-    ShaderLimit{"uniforms", &ShaderLimits::uniforms, "uniforms, and members of uniform structs"},
-    ShaderLimit{"struct-members", &ShaderLimits::struct_members, "members of one struct"},
+    ShaderLimit{"uniforms", &ShaderLimits::uniforms,
+                "uniforms (members of uniform structs included)"},
+    ShaderLimit{"struct-members", &ShaderLimits::struct_members, "members in one struct"},
     ShaderLimit{"depth", &ShaderLimits::depth, "levels of nested structs or calls"},
-    ShaderLimit{"instructions", &ShaderLimits::instructions, "instructions with inlined calls"},
-    ShaderLimit{"inlined-calls", &ShaderLimits::inlined_calls, "calls with inlined calls"},
-    ShaderLimit{"switch-cases", &ShaderLimits::switch_cases, "cases of one switch"},
+    ShaderLimit{"instructions", &ShaderLimits::instructions, "instructions after inlining"},
+    ShaderLimit{"inlined-calls", &ShaderLimits::inlined_calls, "calls after inlining"},
+    ShaderLimit{"switch-cases", &ShaderLimits::switch_cases, "cases in one switch"},
     ShaderLimit{"compared-values", &ShaderLimits::compared_values,
-                "values compared in arrays and structs"},
+                "compared values in arrays and structs"},
 };
 
 /// Sets the limit that "NAME=VALUE" names; VALUE is a whole number from 1 to 1e12. An error names

@@ -105,8 +105,8 @@ Result<Picture> cube_of(const Picture& flat) {
         return from_panorama(flat);
     return fail({{},
                  0,
-                 fmt::format("is {} x {}: a cube is read from six squares in a row or column, a "
-                             "cross of 4 x 3 or 3 x 4 squares, or a panorama of 2 : 1",
+                 fmt::format("can't be a cube map at {} x {} px. Use six squares in a row or "
+                             "column, a cross of 4 x 3 or 3 x 4 squares, or a 2:1 panorama.",
                              width, height)});
 }
 }  // namespace
@@ -139,8 +139,8 @@ Result<Picture> solid_of(const Picture& flat, PictureShape wanted) {
     if (flat.shape == PictureShape::flat && wanted == PictureShape::volume)
         return fail({{},
                      0,
-                     fmt::format("is {} x {}: a volume is read from as many square slices in a row "
-                                 "or column as one is wide",
+                     fmt::format("can't be a volume at {} x {} px. Use a row or column of N square "
+                                 "slices, each N px wide.",
                                  width, height)});
-    return fail({{}, 0, "is no flat picture"});
+    return fail({{}, 0, "is not a flat picture"});
 }

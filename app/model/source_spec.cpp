@@ -20,7 +20,7 @@ Result<double> number_in(std::string_view setting, double low, double high) {
     if (!number || !(*number >= low && *number <= high))
         return fail({{},
                      0,
-                     fmt::format("'{}': a number from {} to {} belongs there", setting,
+                     fmt::format("'{}': expected a number from {} to {}", setting,
                                  format_number(low), format_number(high))});
     return *number;
 }
@@ -40,7 +40,7 @@ Result<void> take_shape(std::string_view setting, std::string_view word, SourceS
                           *width / *height <= largest_aspect && *height / *width <= largest_aspect;
     if (!is_ratio)
         return fail(
-            {{}, 0, fmt::format("'{}': 'square' or a ratio such as 4:3 belongs there", setting)});
+            {{}, 0, fmt::format("'{}': expected 'square' or a ratio such as 4:3", setting)});
     source.shape = ShapeRatio{*width, *height};
     return {};
 }
@@ -50,8 +50,8 @@ Result<void> take_prescale(std::string_view setting, std::string_view word, Sour
     if (word != "auto" && (!times || *times < 1 || *times > largest_prescale))
         return fail({{},
                      0,
-                     fmt::format("'{}': 'auto' or a whole number from 1 to {} belongs there",
-                                 setting, largest_prescale)});
+                     fmt::format("'{}': expected 'auto' or a whole number from 1 to {}", setting,
+                                 largest_prescale)});
     source.prescaled = word == "auto" ? 0 : static_cast<int>(*times);
     return {};
 }
@@ -81,17 +81,15 @@ std::optional<Result<void>> take_setting(std::string_view setting, SourceSpec& s
         return Result<void>();
     }
     if (key == "loop")
-        return fail({{}, 0, fmt::format("'{}': 'on' or 'off' belongs there", setting)});
+        return fail({{}, 0, fmt::format("'{}': expected 'on' or 'off'", setting)});
     if (key != "fit")
         return std::nullopt;
     if (const auto fit = find_fit(word)) {
         source.fit = *fit;
         return Result<void>();
     }
-    return fail({{},
-                 0,
-                 fmt::format("'{}': there is no such fit; there are: {}", setting,
-                             fmt::join(fit_names, ", "))});
+    return fail(
+        {{}, 0, fmt::format("unknown fit '{}'; use one of: {}", word, fmt::join(fit_names, ", "))});
 }
 }  // namespace
 
@@ -123,9 +121,9 @@ Result<SourceSpec> parse_source(std::string_view text, const SourceSpec& usual) 
     pieces.insert(pieces.end(), own.begin(), own.end());
     source.picture = fmt::format("{}", fmt::join(pieces, ","));
     if (source.picture.empty())
-        return fail({{}, 0, "a source is a file or pattern:NAME"});
+        return fail({{}, 0, "a source must be a file or pattern:NAME"});
     if (source.shape && source.aspect != 1.0)
-        return fail({{}, 0, "a source takes 'aspect' or 'shape', not both"});
+        return fail({{}, 0, "a source can have 'aspect' or 'shape', not both"});
     return source;
 }
 

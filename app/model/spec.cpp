@@ -2,6 +2,8 @@
 
 #include "base/text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace {
@@ -98,7 +100,7 @@ Result<Spec> parse_spec(std::string_view text, HasSetting has_setting) {
     const std::size_t colon = text.find(':');
     Spec spec{std::string(trim(text.substr(0, colon))), {}};
     if (spec.kind.empty())
-        return fail({{}, 0, "a signal starts with its kind, as in 'lissajous:x=3,y=2'"});
+        return fail({{}, 0, "expected the signal kind first, as in 'lissajous:x=3,y=2'"});
     if (colon == std::string_view::npos)
         return spec;
     PieceReader reader(text.substr(colon + 1));
@@ -116,11 +118,11 @@ Result<Spec> parse_spec(std::string_view text, HasSetting has_setting) {
         } else if (bare) {
             *bare += ',' + piece.whole;
         } else {
-            return fail({{}, 0, "'" + piece.whole + "' is not of the form key=value"});
+            return fail({{}, 0, fmt::format("expected key=value, got '{}'", piece.whole)});
         }
     }
     if (reader.is_unclosed())
-        return fail({{}, 0, "the quotes in '" + std::string(text) + "' do not end"});
+        return fail({{}, 0, fmt::format("missing closing quote in '{}'", text)});
     return spec;
 }
 

@@ -35,12 +35,8 @@ bool ends_in(const Look& look, std::size_t pass, const Parameter& parameter,
 std::string quoted(const std::vector<std::string>& names) {
     std::vector<std::string> words;
     for (const std::string& name : names)
-        words.push_back("'" + name + "'");
-    if (words.size() < 2)
-        return fmt::format("{}", fmt::join(words, ""));
-    const std::string last = words.back();
-    words.pop_back();
-    return fmt::format("{} and {}", fmt::join(words, ", "), last);
+        words.push_back('"' + name + '"');
+    return fmt::format("{}", fmt::join(words, ", "));
 }
 
 std::string levels_text(double share) {
@@ -91,19 +87,14 @@ std::string effect_text(const StepEffect& effect, const PassChange& picture) {
         return fmt::format("changes the picture by up to {} of 255 levels, {} on average",
                            levels_text(picture.largest), levels_text(picture.mean));
     if (effect.kind == StepEffect::Kind::faint)
-        return fmt::format("cannot be seen: it changes the picture by {} of 255 levels at most",
+        return fmt::format("too small to see: at most {} of 255 levels",
                            levels_text(picture.largest));
-    const std::string ends = effect.ends.empty() ? std::string() : quoted(effect.ends);
-    const bool is_one = effect.ends.size() == 1;
+    const std::string ends = quoted(effect.ends);
     if (effect.kind == StepEffect::Kind::lost && ends.empty())
-        return fmt::format("changes nothing in the picture: no pass reads what '{}' draws",
-                           effect.last_changed);
+        return fmt::format("doesn't change the picture: no pass reads \"{}\"", effect.last_changed);
     if (effect.kind == StepEffect::Kind::lost)
-        return fmt::format(
-            "changes nothing in the picture: its effect ends in {}, which {} the same", ends,
-            is_one ? "draws" : "draw");
+        return fmt::format("doesn't change the picture: its effect ends in {}", ends);
     if (ends.empty())
-        return "changes nothing: no pass uses it";
-    return fmt::format("changes nothing: {} {} it, and {} the same", ends, is_one ? "uses" : "use",
-                       is_one ? "draws" : "draw");
+        return "has no effect: no pass uses it";
+    return fmt::format("has no effect: the output of {} stays the same", ends);
 }

@@ -74,7 +74,7 @@ std::string read_bounded(int input, const ChildBounds& bounds, std::string& text
         if (ready < 0 && errno == EINTR)
             continue;
         if (ready <= 0)
-            return fmt::format("it takes more than {:g} s", bounds.seconds);
+            return fmt::format("it takes too long; the limit is {:g} s", bounds.seconds);
         const ssize_t count = ::read(input, block.data(), block.size());
         if (count < 0 && errno == EINTR)
             continue;
@@ -82,14 +82,15 @@ std::string read_bounded(int input, const ChildBounds& bounds, std::string& text
             return {};
         text.append(block.data(), static_cast<std::size_t>(count));
         if (text.size() > bounds.output_bytes)
-            return fmt::format("it gives more than {} MB of paths", bounds.output_bytes >> 20);
+            return fmt::format("its paths are too large; the limit is {} MB",
+                               bounds.output_bytes >> 20);
     }
 }
 
 std::string how_it_ended(int status, const ChildBounds& bounds) {
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0)
         return {};
-    return fmt::format("it needs more than {} MB of memory, or breaks the library that draws it",
+    return fmt::format("it needs more than {} MB of memory, or it crashes the SVG library",
                        bounds.memory_bytes >> 20);
 }
 }  // namespace

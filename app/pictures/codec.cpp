@@ -34,7 +34,7 @@ std::string cleaned(std::string_view message) {
         text.resize(longest);
     while (text.ends_with('.') || text.ends_with(' '))
         text.pop_back();
-    return text.empty() ? "its content is not understood" : text;
+    return text.empty() ? "no reason given" : text;
 }
 
 std::int64_t most_pixels(int channels) {
@@ -44,19 +44,20 @@ std::int64_t most_pixels(int channels) {
 
 Result<void> check_extent(int width, int height, int channels, const fs::path& file) {
     if (width < 1 || height < 1)
-        return fail({file, 0, "holds no flat picture"});
+        return fail({file, 0, "the file contains no flat picture"});
     if (width > largest_side || height > largest_side ||
         std::int64_t{width} * height > most_pixels(channels))
         return fail(
             {file, 0,
-             fmt::format("is too large: {} x {} px; at most {} px a side and {} pixels are read",
+             fmt::format("the picture is too large: {} x {} px; the limit is {} px per side and {} "
+                         "pixels in total",
                          width, height, largest_side, most_pixels(channels))});
     return {};
 }
 
 Result<void> check_spec(const OIIO::ImageSpec& spec, const fs::path& file) {
     if (spec.depth > 1)
-        return fail({file, 0, "holds no flat picture"});
+        return fail({file, 0, "the file contains no flat picture"});
     if (auto good = check_extent(spec.width, spec.height, spec.nchannels, file); !good)
         return good;
     if (auto good = check_extent(spec.full_width, spec.full_height, spec.nchannels, file); !good)
@@ -65,7 +66,7 @@ Result<void> check_spec(const OIIO::ImageSpec& spec, const fs::path& file) {
     if (spec.nchannels != 1 && spec.nchannels != 3 && spec.nchannels != 4 && !has_grey_alpha)
         return fail(
             {file, 0,
-             fmt::format("has {} channels; pictures of 1 (grey), 3 (RGB) and 4 (RGBA) are read",
+             fmt::format("the picture must have 1 (grey), 3 (RGB) or 4 (RGBA) channels, got {}",
                          spec.nchannels)});
     return {};
 }
@@ -137,7 +138,8 @@ std::string note_of(const std::string& error) {
         return {};
     const std::string reason = cleaned(error);
     const bool is_cut = reason.find("remature end") != std::string::npos;
-    return (is_cut ? "breaks off, the rest is filled in: " : "is damaged: ") + reason;
+    return is_cut ? fmt::format("the file ends early, so the rest is filled in: {}", reason)
+                  : fmt::format("the picture is damaged: {}", reason);
 }
 
 Result<Picture> read_picture(const fs::path& file, const std::string& kind) {
@@ -147,8 +149,8 @@ Result<Picture> read_picture(const fs::path& file, const std::string& kind) {
     OIIO::ImageSpec spec;
     if (!input || !input->open(file.string(), spec, wishes))
         return fail({file, 0,
-                     "cannot be read as a picture: " +
-                         cleaned(input ? input->geterror() : OIIO::geterror())});
+                     fmt::format("can't read the picture: {}",
+                                 cleaned(input ? input->geterror() : OIIO::geterror()))});
     if (const auto good = check_spec(spec, file); !good)
         return fail(good.error());
 
@@ -157,7 +159,8 @@ Result<Picture> read_picture(const fs::path& file, const std::string& kind) {
         picture.encoding = Encoding::linear;
     picture.pixels.resize(spec.image_pixels() * static_cast<std::size_t>(spec.nchannels));
     if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, picture.pixels.data()))
-        return fail({file, 0, "is damaged: " + cleaned(input->geterror())});
+        return fail(
+            {file, 0, fmt::format("the picture is damaged: {}", cleaned(input->geterror()))});
     picture.note = note_of(input->geterror());
     if (spec.nchannels == 2) {
         picture.pixels = rgba_from_grey_alpha(picture.pixels);
@@ -194,11 +197,11 @@ Result<std::string> write_exr(const ExrPixels& pixels) {
     const char* const name = "picture.exr";
     const auto output = OIIO::ImageOutput::create(name, &memory);
     if (!output)
-        return fail({{}, 0, "cannot be encoded: " + cleaned(OIIO::geterror())});
+        return fail({{}, 0, fmt::format("can't encode the EXR: {}", cleaned(OIIO::geterror()))});
     if (!output->open(name, spec) ||
         !output->write_image(pixels.held_as, pixels.top, OIIO::AutoStride, pixels.row_bytes) ||
         !output->close())
-        return fail({{}, 0, "cannot be encoded: " + cleaned(output->geterror())});
+        return fail({{}, 0, fmt::format("can't encode the EXR: {}", cleaned(output->geterror()))});
     return std::string(bytes.begin(), bytes.end());
 }
 
@@ -234,7 +237,8 @@ Result<T> guarded(const fs::path& file, const Function& function) {
     try {
         return function();
     } catch (const std::exception& exception) {
-        return fail({file, 0, "cannot be used: " + cleaned(exception.what())});
+        return fail(
+            {file, 0, fmt::format("the picture library failed: {}", cleaned(exception.what()))});
     }
 }
 

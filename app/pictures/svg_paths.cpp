@@ -62,7 +62,7 @@ int number_at(std::string_view text) {
 // libxml2 writes "... on line 4 column 7 of data: what is wrong", and its SAX reader "... in
 // (null):4:7: what is wrong".
 std::string failure(const GError* error) {
-    std::string_view message = error ? error->message : "cannot be read";
+    std::string_view message = error ? error->message : "no reason given";
     message = message.substr(0, message.find_last_not_of(" \n") + 1);
     for (const std::string_view mark : {" on line ", " in (null):"}) {
         const std::size_t place = message.find(mark);
@@ -71,9 +71,9 @@ std::string failure(const GError* error) {
         const std::string_view behind = message.substr(place + mark.size());
         const std::size_t words = std::min(behind.find(": "), behind.size());
         return failure(number_at(behind),
-                       fmt::format("is not well-formed XML{}", behind.substr(words)));
+                       fmt::format("not well-formed XML{}", behind.substr(words)));
     }
-    return failure(0, fmt::format("is not an SVG file that can be drawn: {}", message));
+    return failure(0, fmt::format("can't draw this SVG file: {}", message));
 }
 
 std::optional<Page> page_of(RsvgHandle* handle) {
@@ -184,7 +184,7 @@ Result<std::string> svg_paths(std::string_view bytes, const fs::path& file) {
                                  .output_bytes = std::size_t{256} << 20};
     const ChildOutput made = run_bounded([&] { return convert(bytes, file); }, bounds);
     if (!made.problem.empty())
-        return fail({file, 0, "is too large for a drawing: " + made.problem});
+        return fail({file, 0, fmt::format("can't draw this SVG file: {}", made.problem)});
     const std::string& text = made.text;
     if (text.starts_with('S'))
         return text.substr(1);

@@ -7,6 +7,8 @@
 #include "signals/sound_scope.h"
 #include "signals/sound_spectrum.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <functional>
 
@@ -46,9 +48,9 @@ Result<std::unique_ptr<Signal>> make_spectrum(const Settings& settings,
                                               std::shared_ptr<const SampleStream> sound) {
     const SpectrumKnobs knobs = spectrum_knobs(settings);
     if (knobs.low_hertz >= knobs.high_hertz)
-        return fail({{}, 0, "high must be above low"});
+        return fail({{}, 0, "'high' must be above 'low'"});
     if (knobs.floor_decibels >= knobs.ceiling_decibels)
-        return fail({{}, 0, "ceiling must be above floor"});
+        return fail({{}, 0, "'ceiling' must be above 'floor'"});
     SoundPlug plug{.channels = channels_of(settings),
                    .is_swapped = settings.is("channel", "right"),
                    .level = settings.number("level"),
@@ -93,17 +95,18 @@ Result<std::unique_ptr<Signal>> make_audio(const Settings& settings, const Signa
     if (media.drawing || media.scene)
         return fail({{},
                      0,
-                     media.drawing ? "audio: takes a sound; an SVG is drawn by drawing:FILE"
-                                   : "audio: takes a sound; a scene is drawn by scene:FILE"});
+                     media.drawing
+                         ? "audio: expected a sound file, got an SVG. Use drawing:FILE instead."
+                         : "audio: expected a sound file, got a scene. Use scene:FILE instead."});
     if (!sound || sound->rate <= 0 || sound->frame_count() == 0)
-        return fail({{}, 0, "audio: there is no sound to show"});
+        return fail({{}, 0, "audio: no sound to draw"});
     const double start = std::round(settings.number("start") * sound->rate);
     if (start >= static_cast<double>(sound->frame_count()))
         return fail({{},
                      0,
-                     "audio: start is " + format_number(settings.number("start")) +
-                         " s, but the sound is only " + format_number(sound->seconds()) +
-                         " s long"});
+                     fmt::format("audio: 'start' is {} s, but the sound is only {} s long",
+                                 format_number(settings.number("start")),
+                                 format_number(sound->seconds()))});
     const SoundPart part{static_cast<std::int64_t>(start), settings.is("loop", "on")};
     const auto open = [&](const StreamChannels& channels) {
         return stream_of(sound, part, channels);
@@ -115,7 +118,9 @@ Result<std::unique_ptr<Signal>> make_microphone(const Settings& settings,
                                                 const SignalMedia& media) {
     if (!media.live)
         return fail(
-            {{}, 0, "microphone: there is no live sound here; audio:FILE shows a sound file"});
+            {{},
+             0,
+             "microphone: live sound only works in the window. Use audio:FILE for a sound file."});
     const auto open = [&](const StreamChannels& channels) {
         return stream_of(media.live, media.live_first, channels);
     };
@@ -124,25 +129,26 @@ Result<std::unique_ptr<Signal>> make_microphone(const Settings& settings,
 
 std::vector<SettingFacts> settings_of_all_modes() {
     return {choice_setting(
-                "mode", "Shown as",
-                "xy: left across, right up, and nothing taken away from it; one channel alone "
-                "draws the diagonal. waveform: over time. spectrum: how loud each frequency "
-                "is. radial: the spectrum around a ring that jumps on each beat.",
+                "mode", "Mode",
+                "xy: left channel horizontal, right channel vertical, unfiltered. A mono sound "
+                "draws a diagonal. waveform: level over time. spectrum: level of each frequency. "
+                "radial: spectrum around a ring that pulses with the beat.",
                 {"xy", "waveform", "spectrum", "radial"}),
             {.key = "level",
              .label = "Level",
-             .help = "1: full scale reaches the edge.",
+             .help = "At 1, full scale reaches the edge.",
              .low = 0,
              .high = 4,
              .initial = 1,
              .limit = {0, 100}},
-            choice_setting("auto_gain", "Auto gain",
-                           "on: the peak of the last second just fits, at most 40 dB are added.",
-                           {"off", "on"}),
+            choice_setting(
+                "auto_gain", "Auto gain",
+                "on: scales the peak of the last second to the edge, with at most 40 dB of gain.",
+                {"off", "on"}),
             {.key = "upsample",
              .label = "Upsampling",
-             .unit = "times",
-             .help = "Points per sample; the path goes through all samples.",
+             .unit = "×",
+             .help = "Points per sample. The path passes through every sample.",
              .low = 1,
              .high = 16,
              .step = 1,
@@ -151,8 +157,8 @@ std::vector<SettingFacts> settings_of_all_modes() {
              .used_while = {"mode", {"xy", "waveform"}}},
             {.key = "channel",
              .label = "Channel",
-             .help = "What is drawn; both: two traces over time, left as channel 1 and right as "
-                     "channel 2, and the mean in a spectrum.",
+             .help = "Sound channel to draw. both: in a waveform, left as channel 1 and right as "
+                     "channel 2. In a spectrum, their mean.",
              .type = SettingType::word,
              .words = {"mean", "left", "right", "both"},
              .initial_word = "mean",
@@ -162,30 +168,29 @@ std::vector<SettingFacts> settings_of_all_modes() {
 std::vector<SettingFacts> file_settings() {
     return {{.key = "file",
              .label = "File",
-             .help = "A sound: WAV, FLAC, OGG or MP3.",
+             .help = "A sound file: WAV, FLAC, OGG or MP3.",
              .type = SettingType::text},
-            choice_setting("loop", "Loop", "on: from the end on to the start.", {"on", "off"}),
+            choice_setting("loop", "Loop", "on: starts again at the end.", {"on", "off"}),
             {.key = "start",
              .label = "Start",
              .unit = "s",
-             .help = "Where in the sound time 0 is, and where a loop begins again.",
+             .help = "Position in the sound at time 0. Loops also restart here.",
              .low = 0,
              .high = 600,
              .limit = {0, 86400}}};
 }
 
 std::vector<SettingFacts> spectrum_settings() {
-    SettingFacts size =
-        choice_setting("fft", "FFT size",
-                       "Samples a spectrum is made of: more tell tones apart, fewer are quicker.",
-                       {"256", "512", "1024", "2048", "4096", "8192", "16384", "32768"});
+    SettingFacts size = choice_setting(
+        "fft", "FFT size", "Samples per spectrum. More separate close tones, fewer react faster.",
+        {"256", "512", "1024", "2048", "4096", "8192", "16384", "32768"});
     size.initial_word = "2048";
     return in_group("Spectrum", {"mode", {"spectrum", "radial"}},
                     {size,
                      {.key = "smoothing",
                       .label = "Smoothing",
                       .unit = "s",
-                      .help = "Time constant with which the levels follow the sound.",
+                      .help = "Time constant of the levels.",
                       .low = 0,
                       .high = 1,
                       .initial = 0.08,
@@ -193,7 +198,7 @@ std::vector<SettingFacts> spectrum_settings() {
                      {.key = "floor",
                       .label = "Floor",
                       .unit = "dB",
-                      .help = "The level at the bottom, 0 dB being a sine of full scale.",
+                      .help = "Level at the bottom of the screen. 0 dB is a full-scale sine.",
                       .low = -120,
                       .high = -20,
                       .initial = -80,
@@ -201,23 +206,23 @@ std::vector<SettingFacts> spectrum_settings() {
                      {.key = "ceiling",
                       .label = "Ceiling",
                       .unit = "dB",
-                      .help = "The level at the top.",
+                      .help = "Level at the top of the screen.",
                       .low = -60,
                       .high = 12,
                       .limit = {-200, 100}},
                      {.key = "low",
-                      .label = "Lowest",
+                      .label = "Lowest frequency",
                       .unit = "Hz",
-                      .help = "The frequency at the left; the scale is logarithmic.",
+                      .help = "Frequency at the left edge. The scale is logarithmic.",
                       .low = 10,
                       .high = 1000,
                       .initial = 20,
                       .logarithmic = true,
                       .limit = {1, 100000}},
                      {.key = "high",
-                      .label = "Highest",
+                      .label = "Highest frequency",
                       .unit = "Hz",
-                      .help = "The frequency at the right.",
+                      .help = "Frequency at the right edge.",
                       .low = 1000,
                       .high = 24000,
                       .initial = 20000,
@@ -226,35 +231,36 @@ std::vector<SettingFacts> spectrum_settings() {
 }
 
 std::vector<SettingFacts> ring_settings() {
-    return in_group("Ring", {"mode", {"radial"}},
-                    {{.key = "radius",
-                      .label = "Radius",
-                      .help = "Of the ring where the level is at the floor; 1 reaches the edge.",
-                      .initial = 0.4,
-                      .limit = {0, 1}},
-                     {.key = "pulse",
-                      .label = "Beat pulse",
-                      .unit = "radii",
-                      .help = "How far a beat throws the ring out.",
-                      .initial = 0.3,
-                      .limit = {0, 4}},
-                     {.key = "beat_threshold",
-                      .label = "Beat threshold",
-                      .unit = "times the mean",
-                      .help = "A beat is bass with so many times the energy of the last second's.",
-                      .low = 1,
-                      .high = 8,
-                      .initial = 2,
-                      .limit = {0.1, 1000}},
-                     {.key = "beat_decay",
-                      .label = "Beat decay",
-                      .unit = "s",
-                      .help = "Time constant with which the ring comes back.",
-                      .low = 0.02,
-                      .high = 1,
-                      .initial = 0.2,
-                      .logarithmic = true,
-                      .limit = {0.001, 10}}});
+    return in_group(
+        "Ring", {"mode", {"radial"}},
+        {{.key = "radius",
+          .label = "Radius",
+          .help = "Radius of the ring at the floor level. 1 reaches the edge.",
+          .initial = 0.4,
+          .limit = {0, 1}},
+         {.key = "pulse",
+          .label = "Beat pulse",
+          .unit = "× radius",
+          .help = "How far a beat expands the ring.",
+          .initial = 0.3,
+          .limit = {0, 4}},
+         {.key = "beat_threshold",
+          .label = "Beat threshold",
+          .unit = "× mean",
+          .help = "Bass energy that counts as a beat, relative to the mean of the last second.",
+          .low = 1,
+          .high = 8,
+          .initial = 2,
+          .limit = {0.1, 1000}},
+         {.key = "beat_decay",
+          .label = "Beat decay",
+          .unit = "s",
+          .help = "Time constant of the ring's return to its radius.",
+          .low = 0.02,
+          .high = 1,
+          .initial = 0.2,
+          .logarithmic = true,
+          .limit = {0.001, 10}}});
 }
 
 std::vector<SettingFacts> shown_settings() {
@@ -276,7 +282,7 @@ SignalKind audio_kind() {
         settings.push_back(std::move(setting));
     return {.kind = "audio",
             .label = "Sound file",
-            .help = "A sound on the screen, every sample drawn exactly once.",
+            .help = "Draws a sound file. Every sample is drawn exactly once.",
             .settings = std::move(settings),
             .file_setting = "file",
             .bare_setting = "file",
@@ -287,7 +293,7 @@ SignalKind microphone_kind() {
     return {.kind = "microphone",
             .label = "Live sound",
             .help =
-                "What comes in at the sound device, or what another program plays. Only in the "
+                "Draws live sound from an audio input or from another program. Works only in the "
                 "window.",
             .settings = shown_settings(),
             .is_live = true,

@@ -14,7 +14,6 @@ std::vector<SettingFacts> channel_settings(const ChannelMap& initial, const Used
     const auto setting = [](const char* key, const char* label, const char* help, int channel) {
         return SettingFacts{.key = key,
                             .label = label,
-                            .unit = "channel",
                             .help = help,
                             .low = 0,
                             .high = 8,
@@ -24,16 +23,24 @@ std::vector<SettingFacts> channel_settings(const ChannelMap& initial, const Used
     };
     return in_group(
         "Channel map", used_while,
-        {setting("x", "X", "What moves the beam across; 0: none, it stays in the middle.",
+        {setting("x", "X",
+                 "Channel that moves the beam horizontally. 0: none, it stays in the middle.",
                  initial.x),
-         setting("y", "Y", "What moves the beam up; 0: none, it stays in the middle.", initial.y),
+         setting("y", "Y",
+                 "Channel that moves the beam vertically. 0: none, it stays in the middle.",
+                 initial.y),
          setting("intensity", "Intensity",
-                 "The beam's current: 1 is full, 0 and less is blanked. 0: none, always full.",
+                 "Channel of the beam current: 1 is full, 0 or less is blanked. Channel 0: none, "
+                 "always full.",
                  initial.intensity),
-         setting("r", "Red", "The beam's red, 0 to 1. Without red, green and blue it is white.",
-                 initial.r),
-         setting("g", "Green", "The beam's green. A colour without a channel is dark.", initial.g),
-         setting("b", "Blue", "The beam's blue. A colour without a channel is dark.", initial.b)});
+         setting(
+             "r", "Red",
+             "Channel of the beam's red, 0 to 1. Without red, green and blue the beam is white.",
+             initial.r),
+         setting("g", "Green", "Channel of the beam's green. A colour without a channel is dark.",
+                 initial.g),
+         setting("b", "Blue", "Channel of the beam's blue. A colour without a channel is dark.",
+                 initial.b)});
 }
 
 ChannelMap channel_map(const Settings& settings) {
@@ -50,11 +57,13 @@ Result<void> check_channels(const ChannelMap& map, int channels) {
     const auto check = [&](const char* name, int channel) -> Result<void> {
         if (channel <= channels)
             return {};
-        return fail(
-            {{},
-             0,
-             fmt::format("{} is channel {}, but the sound has {}", name, channel,
-                         channels == 1 ? "1 channel" : fmt::format("{} channels", channels))});
+        return fail({{},
+                     0,
+                     channels == 1
+                         ? fmt::format("'{}' is channel {}, but the sound has only 1 channel", name,
+                                       channel)
+                         : fmt::format("'{}' is channel {}, but the sound has only {} channels",
+                                       name, channel, channels)});
     };
     for (const auto& [name, channel] : {std::pair("x", map.x),
                                         {"y", channels == 1 && map.y == usual.y ? 1 : map.y},

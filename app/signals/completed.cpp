@@ -16,9 +16,9 @@ Diagnostic unknown_kind(const std::string& name) {
     for (const SignalKind& kind : signal_kinds())
         known.push_back(kind.kind);
     const std::string guess = did_you_mean(name, known);
-    return problem(fmt::format(
-        "there is no signal '{}'{}", name,
-        guess.empty() ? "; known are " + fmt::format("{}", fmt::join(known, ", ")) : guess));
+    return problem(guess.empty() ? fmt::format("unknown signal '{}'; use one of: {}", name,
+                                               fmt::join(known, ", "))
+                                 : fmt::format("unknown signal '{}'{}", name, guess));
 }
 
 Diagnostic unknown_setting(const SignalKind& kind, const std::string& key) {
@@ -26,9 +26,10 @@ Diagnostic unknown_setting(const SignalKind& kind, const std::string& key) {
     for (const SettingFacts& setting : kind.settings)
         known.push_back(setting.key);
     const std::string guess = did_you_mean(key, known);
-    return problem(fmt::format(
-        "{} has no setting '{}'{}", kind.kind, key,
-        guess.empty() ? "; it has " + fmt::format("{}", fmt::join(known, ", ")) : guess));
+    return problem(guess.empty()
+                       ? fmt::format("{}: unknown setting '{}'; use one of: {}", kind.kind, key,
+                                     fmt::join(known, ", "))
+                       : fmt::format("{}: unknown setting '{}'{}", kind.kind, key, guess));
 }
 
 std::string text_of(const Spec::Setting& value) {
@@ -40,12 +41,14 @@ std::string text_of(const Spec::Setting& value) {
 std::string number_problem(const SettingFacts& facts, const Spec::Setting& value) {
     const double* number = std::get_if<double>(&value);
     if (!number || !std::isfinite(*number))
-        return fmt::format("takes a number, not '{}'", text_of(value));
+        return fmt::format("'{}' must be a number, got '{}'", facts.key, text_of(value));
     if (*number < facts.limit.low || *number > facts.limit.high)
-        return fmt::format("is {}, but must lie between {} and {}", format_number(*number),
-                           format_number(facts.limit.low), format_number(facts.limit.high));
+        return fmt::format("'{}' must be between {} and {}, got {}", facts.key,
+                           format_number(facts.limit.low), format_number(facts.limit.high),
+                           format_number(*number));
     if (facts.step == 1.0 && *number != std::floor(*number))
-        return fmt::format("takes a whole number, not {}", format_number(*number));
+        return fmt::format("'{}' must be a whole number, got {}", facts.key,
+                           format_number(*number));
     return {};
 }
 
@@ -53,8 +56,8 @@ std::string word_problem(const SettingFacts& facts, const Spec::Setting& value) 
     const std::string word = text_of(value);
     if (std::find(facts.words.begin(), facts.words.end(), word) != facts.words.end())
         return {};
-    return fmt::format("takes {}, not '{}'{}", fmt::join(facts.words, ", "), word,
-                       did_you_mean(word, facts.words));
+    return fmt::format("'{}' must be one of '{}', got '{}'{}", facts.key,
+                       fmt::join(facts.words, "', '"), word, did_you_mean(word, facts.words));
 }
 
 std::string value_problem(const SettingFacts& facts, const Spec::Setting& value) {
@@ -64,7 +67,9 @@ std::string value_problem(const SettingFacts& facts, const Spec::Setting& value)
         case SettingType::word:
             return word_problem(facts, value);
         case SettingType::text:
-            return text_of(value).empty() && !facts.may_be_empty ? "must be given" : "";
+            return text_of(value).empty() && !facts.may_be_empty
+                       ? fmt::format("'{}' is required", facts.key)
+                       : std::string();
     }
     return {};
 }
@@ -82,9 +87,9 @@ Result<Spec> with_bare_word_named(const SignalKind& kind, Spec spec) {
         return spec;
     const std::string word = text_of(bare->second);
     if (kind.bare_setting.empty() && !word.empty())
-        return fail(problem(fmt::format("{}: '{}' is not of the form key=value", kind.kind, word)));
+        return fail(problem(fmt::format("{}: expected key=value, got '{}'", kind.kind, word)));
     if (!word.empty() && !spec.settings.emplace(kind.bare_setting, word).second)
-        return fail(problem(fmt::format("{}: {} is given twice", kind.kind, kind.bare_setting)));
+        return fail(problem(fmt::format("{}: '{}' is given twice", kind.kind, kind.bare_setting)));
     spec.settings.erase("");
     return spec;
 }
@@ -109,7 +114,7 @@ Result<Spec> completed(const Spec& given) {
         Spec::Setting value = found == named->settings.end() ? initial_of(facts) : found->second;
         const std::string wrong = value_problem(facts, value);
         if (!wrong.empty())
-            problems.push_back(problem(fmt::format("{}: {} {}", kind->kind, facts.key, wrong)));
+            problems.push_back(problem(fmt::format("{}: {}", kind->kind, wrong)));
         if (facts.type != SettingType::number)
             value = text_of(value);
         complete.settings.emplace(facts.key, std::move(value));

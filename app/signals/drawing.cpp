@@ -36,7 +36,7 @@ Result<Stroke> stroke_in(std::string_view text) {
     Stroke stroke;
     const char kind = text.empty() ? '\0' : text.front();
     if (kind != 'L' && kind != 'S')
-        return fail({{}, 0, "begins with L for lines or S for a smooth curve"});
+        return fail({{}, 0, "expected L for lines or S for a smooth curve first"});
     stroke.is_smooth = kind == 'S';
     text.remove_prefix(1);
     stroke.is_closed = text.ends_with('z');
@@ -44,7 +44,7 @@ Result<Stroke> stroke_in(std::string_view text) {
         text.remove_suffix(1);
     const std::vector<double> numbers = numbers_in(text);
     if (numbers.empty() || numbers.size() % 2 != 0)
-        return fail({{}, 0, "takes pairs of numbers between -100 and 100, as in L0 0 0.5 0.5"});
+        return fail({{}, 0, "expected pairs of numbers from -100 to 100, as in L0 0 0.5 0.5"});
     for (std::size_t i = 0; i < numbers.size(); i += 2)
         stroke.points.push_back({numbers[i], numbers[i + 1]});
     return stroke;
@@ -59,7 +59,7 @@ Result<Keyframe> keyframe_in(std::string_view text, std::size_t number) {
         if (!stroke)
             return fail({{},
                          0,
-                         fmt::format("stroke {} of keyframe {} {}", keyframe.size() + 1, number,
+                         fmt::format("stroke {} of keyframe {}: {}", keyframe.size() + 1, number,
                                      stroke.error().front().message)});
         keyframe.push_back(std::move(*stroke));
     }
@@ -128,7 +128,7 @@ Result<Drawing> parse_drawing(std::string_view text) {
     while (!text.empty()) {
         const std::size_t end = text.find(']');
         if (text.front() != '[' || end == std::string_view::npos)
-            return fail({{}, 0, "each keyframe stands between [ and ]"});
+            return fail({{}, 0, "each keyframe must be enclosed in [ and ]"});
         auto keyframe = keyframe_in(text.substr(1, end - 1), drawing.keyframes.size() + 1);
         if (!keyframe)
             return fail(keyframe.error());
@@ -136,10 +136,10 @@ Result<Drawing> parse_drawing(std::string_view text) {
         text.remove_prefix(end + 1);
     }
     if (drawing.keyframes.empty())
-        return fail({{}, 0, "there is no keyframe: [] is an empty one"});
+        return fail({{}, 0, "expected at least one keyframe, such as the empty one []"});
     if (drawing.keyframes.size() > most_keyframes)
-        return fail({{}, 0, fmt::format("there are more than {} keyframes", most_keyframes)});
+        return fail({{}, 0, fmt::format("too many keyframes; the limit is {}", most_keyframes)});
     if (point_count(drawing) > most_drawing_points)
-        return fail({{}, 0, fmt::format("there are more than {} points", most_drawing_points)});
+        return fail({{}, 0, fmt::format("too many points; the limit is {}", most_drawing_points)});
     return drawing;
 }

@@ -92,23 +92,26 @@ Result<Drawing> drawing_in(const Settings& settings, const SignalMedia& media) {
     const std::string_view strokes = settings.word("strokes");
     const bool has_file = !settings.word("file").empty();
     if (has_file && !strokes.empty())
-        return fail({{}, 0, "drawing: takes either a file or strokes"});
+        return fail({{}, 0, "drawing: 'file' and 'strokes' can't be used together"});
     if (!strokes.empty()) {
         auto drawing = parse_drawing(strokes);
         if (!drawing)
-            return fail({{}, 0, "drawing: strokes: " + drawing.error().front().message});
+            return fail(
+                {{}, 0, fmt::format("drawing: strokes: {}", drawing.error().front().message)});
         return drawing;
     }
     if (media.sound)
-        return fail({{}, 0, "drawing: takes an SVG; a sound is played by audio:FILE"});
+        return fail({{}, 0, "drawing: expected an SVG file, got a sound. Use audio:FILE instead."});
     if (media.scene)
         return fail(
-            {{}, 0, "drawing: takes an SVG; a scene or an OBJ model is drawn by scene:FILE"});
+            {{},
+             0,
+             "drawing: expected an SVG file, got a scene or OBJ model. Use scene:FILE instead."});
     if (!media.drawing)
         return fail({{},
                      0,
-                     has_file ? "drawing: there is nothing to draw"
-                              : "drawing: takes a file, as in drawing:FILE.svg, or strokes"});
+                     has_file ? "drawing: nothing to draw"
+                              : "drawing: expected a file, as in drawing:FILE.svg, or strokes"});
     return to_scale(*media.drawing, settings.number("size"));
 }
 
@@ -120,7 +123,7 @@ Result<std::unique_ptr<Signal>> make_drawing(const Settings& settings, const Sig
     if (moving.most_points() > most_scene_points)
         return fail({{},
                      0,
-                     fmt::format("drawing: has {} points; at most {} can be drawn",
+                     fmt::format("drawing: too many points ({}); the limit is {}",
                                  moving.most_points(), most_scene_points)});
     const double seconds = moving.seconds();
     return make_changing_scene_signal({[moving](double time) { return moving.at(time); }, seconds},
@@ -130,19 +133,19 @@ Result<std::unique_ptr<Signal>> make_drawing(const Settings& settings, const Sig
 std::vector<SettingFacts> keyframe_settings() {
     SettingFacts play = choice_setting(
         "play", "Play",
-        "How the keyframes follow each other: loop begins again after the last, pingpong goes back "
-        "and forth, once stays at the last, still shows one of them.",
+        "Order of the keyframes. loop: restarts after the last. pingpong: back and forth. once: "
+        "stays at the last. still: shows one keyframe.",
         {"loop", "pingpong", "once", "still"});
-    SettingFacts ease = choice_setting(
-        "ease", "Ease", "smooth begins and ends each change gently, even goes at one speed.",
-        {"smooth", "even"});
+    SettingFacts ease =
+        choice_setting("ease", "Ease", "smooth: morphs start and end slowly. even: constant speed.",
+                       {"smooth", "even"});
     const UsedWhile moves{"play", {"loop", "pingpong", "once"}};
     ease.used_while = moves;
     return in_group("Keyframes", {},
                     {std::move(play),
                      {.key = "keyframe",
                       .label = "Keyframe",
-                      .help = "Which keyframe is shown, from 1.",
+                      .help = "Number of the keyframe to show, from 1.",
                       .low = 1,
                       .high = 10,
                       .step = 1,
@@ -152,7 +155,7 @@ std::vector<SettingFacts> keyframe_settings() {
                      {.key = "hold",
                       .label = "Hold",
                       .unit = "s",
-                      .help = "How long each keyframe stays as it was drawn.",
+                      .help = "How long each keyframe is held.",
                       .low = 0,
                       .high = 5,
                       .initial = 0.5,
@@ -161,7 +164,7 @@ std::vector<SettingFacts> keyframe_settings() {
                      {.key = "morph",
                       .label = "Morph",
                       .unit = "s",
-                      .help = "How long a keyframe takes to turn into the next.",
+                      .help = "How long the morph to the next keyframe takes.",
                       .low = 0,
                       .high = 5,
                       .initial = 1,
@@ -175,9 +178,9 @@ std::vector<SettingFacts> beam_settings() {
                     {spin_setting(),
                      speed_setting(),
                      {.key = "refresh",
-                      .label = "Refresh",
-                      .unit = "per s",
-                      .help = "How often the beam draws it at most; a long drawing takes its time.",
+                      .label = "Refresh rate",
+                      .unit = "Hz",
+                      .help = "Maximum rate of redrawing. Long drawings are redrawn less often.",
                       .low = 10,
                       .high = 240,
                       .initial = 60,
@@ -188,12 +191,12 @@ std::vector<SettingFacts> beam_settings() {
 std::vector<SettingFacts> drawing_settings() {
     const UsedWhile has_file{"strokes", {""}};
     SettingFacts size =
-        size_setting(1.6, "How large the longer side is, of an SVG that another program made.");
+        size_setting(1.6, "Length of the longer side, for SVG files from other programs.");
     size.used_while = has_file;
     std::vector<SettingFacts> settings{
         {.key = "file",
          .label = "File",
-         .help = "An SVG; its paths, lines and shapes are followed.",
+         .help = "An SVG file. The beam follows its paths, lines and shapes.",
          .type = SettingType::text,
          .used_while = has_file,
          .may_be_empty = true},
@@ -201,7 +204,7 @@ std::vector<SettingFacts> drawing_settings() {
         fit_setting(),
         {.key = "strokes",
          .label = "Strokes",
-         .help = "What was drawn by hand, instead of a file; see docs/signals.md.",
+         .help = "Strokes drawn by hand, instead of a file. See docs/signals.md.",
          .type = SettingType::text,
          .may_be_empty = true,
          .is_hidden = true}};
@@ -215,7 +218,7 @@ SignalKind drawing_kind() {
     return {.kind = "drawing",
             .label = "Drawing",
             .help =
-                "What you draw on the picture, or the lines of an SVG file; keyframes turn "
+                "Your own drawing on the picture, or the lines of an SVG file. Keyframes morph "
                 "into each other.",
             .settings = drawing_settings(),
             .file_setting = "file",

@@ -46,12 +46,11 @@ Result<std::unique_ptr<Signal>> make_scene(const Settings& settings, const Signa
     if (!media.scene)
         return fail({{},
                      0,
-                     media.drawing
-                         ? "scene: takes a JSON scene or an OBJ model; an SVG is drawn by "
-                           "drawing:FILE"
-                     : media.sound ? "scene: takes a JSON scene or an OBJ model; a sound is played "
-                                     "by audio:FILE"
-                                   : "scene: there is no scene to draw"});
+                     media.drawing ? "scene: expected a JSON scene or OBJ model, got an SVG. Use "
+                                     "drawing:FILE instead."
+                     : media.sound ? "scene: expected a JSON scene or OBJ model, got a sound. Use "
+                                     "audio:FILE instead."
+                                   : "scene: no scene to draw"});
     BeamScene scene = *media.scene;
     scene.beam_speed *= settings.number("speed");
     scene.move_speed *= settings.number("speed");
@@ -62,13 +61,13 @@ Result<std::unique_ptr<Signal>> make_scene(const Settings& settings, const Signa
 SignalKind text_kind() {
     return {.kind = "text",
             .label = "Text",
-            .help = "A text in the lab's own stroke font, drawn 60 times a second.",
+            .help = "Text in Afterglow's stroke font, drawn 60 times a second.",
             .settings = {{.key = "text",
                           .label = "Text",
-                          .help = "What is written; \\n begins a new line.",
+                          .help = "The text to draw. \\n starts a new line.",
                           .type = SettingType::text,
                           .initial_word = "AFTERGLOW"},
-                         size_setting(0.2, "How high a capital letter is."),
+                         size_setting(0.2, "Height of a capital letter."),
                          spin_setting(),
                          speed_setting(),
                          fit_setting(),
@@ -78,25 +77,26 @@ SignalKind text_kind() {
 }
 
 SignalKind scene_kind() {
-    return {.kind = "scene",
-            .label = "Scene",
-            .help = "Shapes, text, drawings and wireframes that a JSON file puts together.",
-            .settings = {{.key = "file",
-                          .label = "File",
-                          .help = "A scene: JSON, see docs/scenes.md.",
-                          .type = SettingType::text},
-                         {.key = "speed",
-                          .label = "Speed",
-                          .unit = "times",
-                          .help = "The beam's speed against what the scene says.",
-                          .low = 0.1,
-                          .high = 10,
-                          .initial = 1,
-                          .logarithmic = true,
-                          .limit = {0.001, 1000}},
-                         fit_setting(),
-                         points_setting()},
-            .file_setting = "file",
-            .bare_setting = "file",
-            .make = make_scene};
+    return {
+        .kind = "scene",
+        .label = "Scene",
+        .help = "Shapes, text, drawings and wireframes from a JSON scene or an OBJ model.",
+        .settings = {{.key = "file",
+                      .label = "File",
+                      .help = "A JSON scene (see docs/scenes.md) or an OBJ model.",
+                      .type = SettingType::text},
+                     {.key = "speed",
+                      .label = "Speed",
+                      .unit = "×",
+                      .help = "Speed of the beam and of all movement, relative to the scene file.",
+                      .low = 0.1,
+                      .high = 10,
+                      .initial = 1,
+                      .logarithmic = true,
+                      .limit = {0.001, 1000}},
+                     fit_setting(),
+                     points_setting()},
+        .file_setting = "file",
+        .bare_setting = "file",
+        .make = make_scene};
 }

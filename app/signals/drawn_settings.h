@@ -19,8 +19,8 @@ inline SettingFacts size_setting(double initial, std::string help) {
 inline SettingFacts spin_setting() {
     return {.key = "spin",
             .label = "Spin",
-            .unit = "degrees/s",
-            .help = "How fast it turns around its upright axis; 0 stands still.",
+            .unit = "°/s",
+            .help = "Speed of rotation about the vertical axis. 0 stops it.",
             .low = -180,
             .high = 180,
             .limit = {-100000, 100000}};
@@ -31,8 +31,8 @@ inline SettingFacts speed_setting() {
             .label = "Beam speed",
             .unit = "half screens/s",
             .help =
-                "How fast the beam draws. Slower is brighter, and flickers when it takes more "
-                "than 1/60 s.",
+                "Drawing speed of the beam. Slower is brighter, but flickers if a drawing takes "
+                "more than 1/60 s.",
             .low = 50,
             .high = 10000,
             .initial = 1000,

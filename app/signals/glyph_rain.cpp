@@ -202,7 +202,7 @@ Picture drawn_rain(Extent extent, double seconds) {
 
 Pattern glyph_rain_pattern() {
     return {{"glyph-rain", "Glyph rain",
-             "Falling glyphs with bloom; linear light, and the heads above 1", true},
+             "Falling glyphs with bloom, in linear light. The heads are brighter than 1.", true},
             {1280, 720},
             drawn_rain};
 }

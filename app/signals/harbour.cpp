@@ -381,7 +381,7 @@ Picture drawn_harbour(Extent extent, double seconds) {
 
 Pattern harbour_pattern() {
     return {{"harbour", "Pixel art: harbour",
-             "320 x 240 pixels in sixteen colours: a harbour at dusk, and who looks at it", true},
+             "A harbour at dusk and its onlooker, in 320 x 240 pixels and sixteen colours.", true},
             native,
             drawn_harbour};
 }

@@ -55,33 +55,33 @@ private:
 }  // namespace
 
 SignalKind harmonics_kind() {
-    return {
-        .kind = "harmonics",
-        .label = "Harmonics",
-        .help = "A sum of sines at multiples of a base frequency.",
-        .settings = one_channel_settings(
-            {periods_setting("base", "Base", "Periods across the screen of the lowest sine.", 2),
-             {.key = "count",
-              .label = "Harmonics",
-              .help = "The highest multiple.",
-              .low = 1,
-              .high = 32,
-              .step = 1,
-              .initial = 5,
-              .limit = {1, 64}},
-             {.key = "falloff",
-              .label = "Fall-off",
-              .help = "The n-th sine has 1 / n^falloff of the first one's amplitude.",
-              .low = 0,
-              .high = 3,
-              .initial = 1,
-              .limit = {0, 10}},
-             {.key = "shape",
-              .label = "Towards",
-              .help = "saw: every multiple. square: the odd ones. triangle: the odd ones, every "
-                      "second upside down (with fall-off 2).",
-              .type = SettingType::word,
-              .words = {"saw", "square", "triangle"},
-              .initial_word = "saw"}}),
-        .make = make_one_channel<Harmonics>};
+    return {.kind = "harmonics",
+            .label = "Harmonics",
+            .help = "A sum of sines at multiples of a base frequency.",
+            .settings = one_channel_settings(
+                {periods_setting("base", "Base frequency",
+                                 "Periods of the lowest sine across the screen.", 2),
+                 {.key = "count",
+                  .label = "Harmonics",
+                  .help = "Highest multiple of the base frequency.",
+                  .low = 1,
+                  .high = 32,
+                  .step = 1,
+                  .initial = 5,
+                  .limit = {1, 64}},
+                 {.key = "falloff",
+                  .label = "Fall-off",
+                  .help = "The n-th sine has 1 / n^falloff of the first sine's amplitude.",
+                  .low = 0,
+                  .high = 3,
+                  .initial = 1,
+                  .limit = {0, 10}},
+                 {.key = "shape",
+                  .label = "Shape",
+                  .help = "saw: all multiples. square: odd multiples. triangle: odd multiples with "
+                          "alternating sign (use fall-off 2).",
+                  .type = SettingType::word,
+                  .words = {"saw", "square", "triangle"},
+                  .initial_word = "saw"}}),
+            .make = make_one_channel<Harmonics>};
 }

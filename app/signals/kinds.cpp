@@ -10,6 +10,8 @@
 #include "signals/stroke_font.h"
 #include "signals/waveform.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 const std::vector<SignalKind>& signal_kinds() {
@@ -55,8 +57,9 @@ SettingFacts choice_setting(std::string key, std::string label, std::string help
 SettingFacts fit_setting(UsedWhile used_while) {
     SettingFacts fit = choice_setting(
         "fit", "Fit",
-        "whole: circles stay round, and all is seen. stretch: over the whole picture. crop: "
-        "circles stay round, and no edge stays empty. look: as the look's own fit has it.",
+        "whole: fits the picture, circles stay round. stretch: fills the picture, circles may "
+        "become ellipses. crop: fills the picture, circles stay round and edges are cut off. look: "
+        "uses the look's own Fit setting.",
         {"look", "whole", "stretch", "crop"});
     fit.used_while = std::move(used_while);
     return fit;
@@ -87,7 +90,7 @@ Diagnostics notes_about(const Spec& spec) {
         return {};
     return {{{},
              0,
-             "text: the font has no " + missing + "; a box is drawn instead",
+             fmt::format("text: characters missing from the font are drawn as boxes: {}", missing),
              Severity::warning}};
 }
 

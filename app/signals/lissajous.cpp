@@ -64,7 +64,7 @@ SettingFacts frequency_setting(std::string key, std::string label, double initia
     return {.key = std::move(key),
             .label = std::move(label),
             .unit = "per 1/60 s",
-            .help = "Swings in 1/60 s; with whole numbers the figure closes in that time.",
+            .help = "Periods per 1/60 s. With whole numbers the figure closes in that time.",
             .low = 1,
             .high = 12,
             .initial = initial,
@@ -73,35 +73,34 @@ SettingFacts frequency_setting(std::string key, std::string label, double initia
 }  // namespace
 
 SignalKind lissajous_kind() {
-    return {.kind = "lissajous",
-            .label = "Lissajous figure",
-            .help = "Two sines, one across and one up. A whole figure is drawn each 1/60 s.",
-            .settings = {frequency_setting("x", "Across", 3),
-                         frequency_setting("y", "Up", 2),
-                         {.key = "phase",
-                          .label = "Phase",
-                          .unit = "turns",
-                          .help = "Of the swing across against the one up.",
-                          .initial = 0.25},
-                         amplitude_setting(0.8),
-                         {.key = "speed",
-                          .label = "Drift",
-                          .unit = "turns/s",
-                          .help = "How fast the phase goes on; 0 stands still.",
-                          .low = -1,
-                          .high = 1,
-                          .limit = {-1000, 1000}},
-                         points_setting(),
-                         {.key = "weighting",
-                          .label = "Weighting",
-                          .help = "constant: the beam's current never changes. speed: it falls as "
-                                  "0.3 + 0.7 * 0.05 / (s + 0.05), s the speed of the beam against "
-                                  "its fastest.",
-                          .type = SettingType::word,
-                          .words = {"constant", "speed"},
-                          .initial_word = "constant"}},
-            .make = [](const Settings& settings,
-                       const SignalMedia&) -> Result<std::unique_ptr<Signal>> {
-                return std::make_unique<Lissajous>(settings);
-            }};
+    return {
+        .kind = "lissajous",
+        .label = "Lissajous figure",
+        .help = "Two sines, one horizontal and one vertical. A whole figure is drawn each 1/60 s.",
+        .settings = {frequency_setting("x", "X frequency", 3),
+                     frequency_setting("y", "Y frequency", 2),
+                     {.key = "phase",
+                      .label = "Phase",
+                      .unit = "turns",
+                      .help = "Phase of the horizontal sine relative to the vertical one.",
+                      .initial = 0.25},
+                     amplitude_setting(0.8),
+                     {.key = "speed",
+                      .label = "Drift",
+                      .unit = "turns/s",
+                      .help = "Speed of the phase. 0 stops it.",
+                      .low = -1,
+                      .high = 1,
+                      .limit = {-1000, 1000}},
+                     points_setting(),
+                     {.key = "weighting",
+                      .label = "Weighting",
+                      .help = "constant: constant beam current. speed: the current falls with "
+                              "the beam's speed, as 0.3 + 0.7 * 0.05 / (s + 0.05), where s is "
+                              "the speed relative to the maximum.",
+                      .type = SettingType::word,
+                      .words = {"constant", "speed"},
+                      .initial_word = "constant"}},
+        .make = [](const Settings& settings, const SignalMedia&)
+            -> Result<std::unique_ptr<Signal>> { return std::make_unique<Lissajous>(settings); }};
 }

@@ -38,12 +38,12 @@ struct FrequencyModulation : Carrier {
 };
 
 SettingFacts modulator_setting(double initial) {
-    return periods_setting("modulator", "Modulator", "Periods across the screen of the slow wave.",
+    return periods_setting("modulator", "Modulator", "Periods of the slow wave across the screen.",
                            initial);
 }
 
 SettingFacts carrier_setting(double initial) {
-    return periods_setting("carrier", "Carrier", "Periods across the screen of the fast wave.",
+    return periods_setting("carrier", "Carrier", "Periods of the fast wave across the screen.",
                            initial);
 }
 }  // namespace
@@ -51,12 +51,12 @@ SettingFacts carrier_setting(double initial) {
 SignalKind am_kind() {
     return {.kind = "am",
             .label = "Amplitude modulation",
-            .help = "A fast sine whose amplitude follows a slow one.",
+            .help = "A fast sine with its amplitude modulated by a slow sine.",
             .settings = one_channel_settings({carrier_setting(24),
                                               modulator_setting(2),
                                               {.key = "depth",
                                                .label = "Depth",
-                                               .help = "0: none; 1: down to silence.",
+                                               .help = "0: no modulation. 1: down to silence.",
                                                .initial = 0.8,
                                                .limit = {0, 1}}}),
             .make = make_one_channel<AmplitudeModulation>};
@@ -65,13 +65,13 @@ SignalKind am_kind() {
 SignalKind fm_kind() {
     return {.kind = "fm",
             .label = "Frequency modulation",
-            .help = "A fast sine whose frequency follows a slow one.",
+            .help = "A fast sine with its frequency modulated by a slow sine.",
             .settings = one_channel_settings({carrier_setting(12),
                                               modulator_setting(1),
                                               {.key = "index",
-                                               .label = "Index",
-                                               .unit = "radians",
-                                               .help = "How far the phase is pushed.",
+                                               .label = "Modulation index",
+                                               .unit = "rad",
+                                               .help = "Peak deviation of the phase.",
                                                .low = 0,
                                                .high = 20,
                                                .initial = 5,

@@ -71,16 +71,15 @@ Picture draw_bayer(Extent extent, double) {
 }  // namespace
 
 std::vector<Pattern> noise_patterns() {
-    return {{{"noise", "Noise", "Chance in red, green, blue and alpha, each by itself"},
-             {256, 256},
-             draw_noise},
-            {{"grey-noise", "Grey noise", "Chance, the same in all colours"},
-             {256, 256},
-             draw_grey_noise},
-            {{"stone", "Stone", "Fractal noise in the colours of sandstone, which tiles"},
-             {512, 512},
-             draw_stone},
-            {{"bayer", "Bayer matrix", "The thresholds of ordered dither, 8 by 8"},
-             {8, 8},
-             draw_bayer}};
+    return {
+        {{"noise", "Noise", "Random values, independent in red, green, blue and alpha."},
+         {256, 256},
+         draw_noise},
+        {{"grey-noise", "Grey noise", "Random values, the same in all channels."},
+         {256, 256},
+         draw_grey_noise},
+        {{"stone", "Stone", "Fractal noise in the colours of sandstone. It tiles seamlessly."},
+         {512, 512},
+         draw_stone},
+        {{"bayer", "Bayer matrix", "8 x 8 thresholds for ordered dithering."}, {8, 8}, draw_bayer}};
 }

@@ -17,17 +17,18 @@ std::vector<SettingFacts> one_channel_settings(std::vector<SettingFacts> own) {
     own.push_back({.key = "speed",
                    .label = "Scroll",
                    .unit = "screens/s",
-                   .help = "How fast the trace moves to the left; yt only.",
+                   .help = "Speed of the trace to the left, in YT mode.",
                    .low = -1,
                    .high = 1,
                    .limit = {-1000, 1000},
                    .used_while = {"mode", {"yt"}}});
-    own.push_back({.key = "mode",
-                   .label = "Shown as",
-                   .help = "yt: over time. xy: across, and a quarter period later up.",
-                   .type = SettingType::word,
-                   .words = {"yt", "xy"},
-                   .initial_word = "yt"});
+    own.push_back(
+        {.key = "mode",
+         .label = "Mode",
+         .help = "yt: trace over time. xy: horizontal against vertical, a quarter period apart.",
+         .type = SettingType::word,
+         .words = {"yt", "xy"},
+         .initial_word = "yt"});
     own.push_back(points_setting());
     return own;
 }

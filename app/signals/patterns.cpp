@@ -43,9 +43,7 @@ Result<PatternSize> size_of(std::string_view text) {
     constexpr int largest = 8192;
     if (!width || !height || *width < 1 || *height < 1 || *width > largest || *height > largest)
         return fail(
-            {{},
-             0,
-             fmt::format("'size={}' is not of the form size=640x480 or size=640x480i", whole)});
+            {{}, 0, fmt::format("expected size=640x480 or size=640x480i, got 'size={}'", whole)});
     return PatternSize{{*width, *height}, is_interlaced};
 }
 
@@ -96,14 +94,18 @@ Result<Picture> make_pattern(std::string_view text, double seconds) {
         std::vector<std::string> names;
         for (const Pattern& known : patterns())
             names.push_back(known.facts.name);
-        return fail(
-            {{}, 0, fmt::format("there is no pattern '{}'{}", name, did_you_mean(name, names))});
+        const std::string guess = did_you_mean(name, names);
+        return fail({{},
+                     0,
+                     guess.empty() ? fmt::format("unknown pattern '{}'; use one of: {}", name,
+                                                 fmt::join(names, ", "))
+                                   : fmt::format("unknown pattern '{}'{}", name, guess)});
     }
     if (name.size() == text.size())
         return pattern->draw(pattern->initial, seconds);
     const std::string_view setting = text.substr(name.size() + 1);
     if (!setting.starts_with("size="))
-        return fail({{}, 0, fmt::format("a pattern takes size=WxH, not '{}'", setting)});
+        return fail({{}, 0, fmt::format("unknown pattern setting '{}'; use size=WxH", setting)});
     const auto size = size_of(setting.substr(5));
     if (!size)
         return fail(size.error());

@@ -251,14 +251,14 @@ Result<std::unique_ptr<Signal>> make_scene_signal(std::shared_ptr<const BeamScen
     if (point_count(*scene) > most_scene_points)
         return fail({{},
                      0,
-                     fmt::format("has {} points; a scene may have {}", point_count(*scene),
+                     fmt::format("too many points ({}); the limit is {}", point_count(*scene),
                                  most_scene_points)});
     auto signal = std::make_unique<SceneSignal>(std::move(scene), rate);
     const auto& legs = signal->table().legs();
     const bool draws =
         std::any_of(legs.begin(), legs.end(), [](const Leg& leg) { return leg.current > 0.0; });
     if (!draws || signal->table().seconds() < 1e-6)
-        return fail({{}, 0, "there is nothing to draw"});
+        return fail({{}, 0, "nothing to draw"});
     return signal;
 }
 

@@ -33,35 +33,35 @@ int trigger_source(std::string_view word) {
 }
 
 std::vector<SettingFacts> channel_settings(const std::string& number) {
-    return {{.key = "v" + number,
-             .label = "V/div",
-             .unit = "V/div",
-             .help = "Volts a division, of which there are 8 up. Full scale of a sound and an "
-                     "amplitude of 1 are 1 V, so at 0.25 they reach the edge.",
-             .low = 0.002,
-             .high = 5,
-             .initial = 0.25,
-             .logarithmic = true,
-             .limit = {1e-5, 1000}},
-            {.key = "o" + number,
-             .label = "Position",
-             .unit = "divisions",
-             .help = "Where 0 V lies, up from the middle; in xy, channel 1's to the right.",
-             .low = -4,
-             .high = 4,
-             .limit = {-1000, 1000}},
-            choice_setting("coupling" + number, "Coupling",
-                           "dc: the whole input. ac: without what is slower than 5 Hz. gnd: 0 V.",
-                           {"dc", "ac", "gnd"}),
-            choice_setting("invert" + number, "Invert", "on: upside down.", {"off", "on"})};
+    return {
+        {.key = "v" + number,
+         .label = "Vertical scale",
+         .unit = "V/div",
+         .help = "Volts per division (8 divisions high). Full scale of a sound and an amplitude "
+                 "of 1 are 1 V, so at 0.25 they reach the edge.",
+         .low = 0.002,
+         .high = 5,
+         .initial = 0.25,
+         .logarithmic = true,
+         .limit = {1e-5, 1000}},
+        {.key = "o" + number,
+         .label = "Position",
+         .unit = "div",
+         .help = "Position of 0 V above the middle. In XY mode, of channel 1 to the right.",
+         .low = -4,
+         .high = 4,
+         .limit = {-1000, 1000}},
+        choice_setting("coupling" + number, "Coupling",
+                       "dc: the whole input. ac: removes frequencies below 5 Hz. gnd: 0 V.",
+                       {"dc", "ac", "gnd"}),
+        choice_setting("invert" + number, "Invert", "on: inverts the channel.", {"off", "on"})};
 }
 
 std::vector<SettingFacts> vertical_settings(const UsedWhile& on_a_scope) {
     std::vector<SettingFacts> settings = in_group("Channel 1", on_a_scope, channel_settings("1"));
     std::vector<SettingFacts> second = channel_settings("2");
-    second.push_back(choice_setting("swap", "Swap inputs",
-                                    "on: channel 1 gets the input of channel 2, and 2 that of 1.",
-                                    {"off", "on"}));
+    second.push_back(choice_setting(
+        "swap", "Swap inputs", "on: exchanges the inputs of channels 1 and 2.", {"off", "on"}));
     for (SettingFacts& setting : in_group("Channel 2", on_a_scope, std::move(second)))
         settings.push_back(std::move(setting));
     return settings;
@@ -71,15 +71,15 @@ std::vector<SettingFacts> horizontal_settings(const ScopeFacts& facts) {
     return {{.key = "sdiv",
              .label = "Time base",
              .unit = "s/div",
-             .help = "Seconds a division; a sweep goes over 10 of them.",
+             .help = "Seconds per division. A sweep is 10 divisions long.",
              .low = std::max(1e-5, facts.shortest_division),
              .high = 1,
              .initial = facts.seconds_per_division,
              .logarithmic = true,
              .limit = {facts.shortest_division, 100}},
-            choice_setting("layout", "Two traces",
-                           "split: two traces have a half of the screen each, so a division of "
-                           "the graticule counts twice. overlaid: both have all of it.",
+            choice_setting("layout", "Trace layout",
+                           "split: each trace gets half of the screen, so a graticule division "
+                           "counts double. overlaid: both traces share the whole screen.",
                            {"split", "overlaid"})};
 }
 
@@ -87,25 +87,26 @@ std::vector<SettingFacts> trigger_settings(const ScopeFacts& facts) {
     std::vector<SettingFacts> settings{
         choice_setting(
             "trigger", "Trigger",
-            "auto: a sweep waits for the trigger, but runs on where none came for 0.1 s. "
-            "normal: it waits, dark. single: the first trigger after a restart, then "
-            "never again. off: sweep follows sweep.",
+            "auto: sweeps on each trigger, or without one after 0.1 s. normal: waits for a "
+            "trigger with a dark screen. single: sweeps once, on the first trigger after a "
+            "restart. off: sweeps continuously.",
             {"auto", "normal", "single", "off"}),
         choice_setting("trigger_source", "Source",
-                       "The channel that is watched; shown: the first one that is shown.",
+                       "Channel to trigger on. shown: the first visible channel.",
                        {"shown", "1", "2"}),
         {.key = "trigger_level",
          .label = "Level",
          .unit = "V",
-         .help = "The voltage at which a sweep begins, behind coupling and invert.",
+         .help = "Voltage that starts a sweep, after coupling and inversion.",
          .low = -1,
          .high = 1,
          .limit = {-1000, 1000}},
-        choice_setting("slope", "Slope", "Which way the level is crossed.", {"rising", "falling"}),
+        choice_setting("slope", "Slope", "Direction in which the signal crosses the level.",
+                       {"rising", "falling"}),
         {.key = "holdoff",
          .label = "Hold-off",
          .unit = "s",
-         .help = "Rest after a sweep, in which no trigger counts.",
+         .help = "Time after a sweep in which triggers are ignored.",
          .low = 0,
          .high = 0.5,
          .limit = {0, 100}}};

@@ -17,7 +17,7 @@ private:
 
 Result<std::unique_ptr<Signal>> make_sent(const Settings&, const SignalMedia& media) {
     if (!media.sent)
-        return fail({{}, 0, "no other program can send a beam here"});
+        return fail({{}, 0, "can't receive a beam from another program here"});
     return std::make_unique<SentSignal>(media.sent);
 }
 
@@ -27,13 +27,13 @@ std::vector<SettingFacts> format_settings() {
     const UsedWhile is_raw{"format", {"f32le"}};
     std::vector<SettingFacts> settings{
         choice_setting("format", "Format",
-                       "text: lines of x y intensity [seconds [red green blue]]. f32le: raw 32-bit "
-                       "floats, little-endian.",
+                       "text: one point per line, x y intensity [seconds [red green blue]]. f32le: "
+                       "raw little-endian 32-bit floats.",
                        {"text", "f32le"}),
         {.key = "rate",
          .label = "Rate",
          .unit = "points/s",
-         .help = "Of raw points, and of lines that say no seconds.",
+         .help = "Point rate of raw data, and of lines without seconds.",
          .low = 1000,
          .high = 245760,
          .step = 1,
@@ -42,9 +42,8 @@ std::vector<SettingFacts> format_settings() {
          .limit = {1, 1e6}},
         {.key = "channels",
          .label = "Channels",
-         .help =
-             "Numbers a point: 2: x and y, always lit; 3: the intensity as well; 6: its colour, "
-             "too.",
+         .help = "Numbers per point. 2: x and y at full intensity. 3: also intensity. 6: also red, "
+                 "green and blue.",
          .low = 2,
          .high = 8,
          .step = 1,
@@ -52,7 +51,7 @@ std::vector<SettingFacts> format_settings() {
          .limit = {1, 64},
          .used_while = is_raw}};
     for (SettingFacts& setting : channel_settings(usual_map, is_raw)) {
-        setting.help += " One that a point does not have is none.";
+        setting.help += " A channel that points don't have counts as none.";
         settings.push_back(std::move(setting));
     }
     settings.push_back(fit_setting());
@@ -70,7 +69,7 @@ SentFormat sent_format(const Settings& settings) {
 SignalKind stdin_kind() {
     return {.kind = "stdin",
             .label = "Standard input",
-            .help = "The beam as another program sends it through a pipe.",
+            .help = "Beam data from another program through a pipe.",
             .settings = format_settings(),
             .is_sent = true,
             .make = make_sent};
@@ -81,12 +80,12 @@ SignalKind socket_kind() {
     settings.insert(settings.begin(),
                     {.key = "path",
                      .label = "Socket",
-                     .help = "Where other programs find it; Enter opens it.",
+                     .help = "Path that other programs connect to. Press Enter to open it.",
                      .type = SettingType::text,
                      .initial_word = (runtime_folder() / "afterglow.sock").string()});
     return {.kind = "socket",
             .label = "Unix socket",
-            .help = "The beam as another program sends it; one at a time, again and again.",
+            .help = "Beam data from other programs, one connection after the other.",
             .settings = std::move(settings),
             .bare_setting = "path",
             .is_sent = true,

@@ -60,13 +60,14 @@ std::string shown(std::string_view word) {
 Result<double> number_of(std::string_view word, const Range& range) {
     const auto number = parse_number(word);
     if (!number)
-        return fail({{}, 0, fmt::format("{} is '{}', not a number", range.name, shown(word))});
+        return fail(
+            {{}, 0, fmt::format("'{}' must be a number, got '{}'", range.name, shown(word))});
     if (*number < range.low || *number > range.high)
         return fail(
             {{},
              0,
-             fmt::format("{} is {}, but must lie between {} and {}", range.name, shown(word),
-                         format_number(range.low), format_number(range.high))});
+             fmt::format("'{}' must be between {} and {}, got {}", range.name,
+                         format_number(range.low), format_number(range.high), shown(word))});
     return *number;
 }
 
@@ -104,14 +105,15 @@ void SentReader::take_line(std::string_view line, std::vector<SentPoint>& points
     const int number =
         static_cast<int>(std::min<std::int64_t>(m_number, std::numeric_limits<int>::max()));
     if (m_is_too_long)
-        return pass_over(number, fmt::format("is longer than {} characters", longest_line));
+        return pass_over(
+            number, fmt::format("the line is too long; the limit is {} characters", longest_line));
     const auto words = words_of(line.substr(0, line.find('#')));
     if (words.empty())
         return;
     if (words.size() != 3 && words.size() != 4 && words.size() != ranges.size())
-        return pass_over(
-            number, fmt::format("'{}' is not of the form: x y intensity [seconds [red green blue]]",
-                                shown(trim(line))));
+        return pass_over(number,
+                         fmt::format("expected x y intensity [seconds [red green blue]], got '{}'",
+                                     shown(trim(line))));
     Numbers values{0.0, 0.0, 0.0, m_format.seconds, 0.0, 0.0, 0.0};
     for (std::size_t i = 0; i < words.size(); ++i) {
         const auto value = number_of(words[i], ranges[i]);
@@ -150,8 +152,9 @@ void SentReader::take_frame(std::string_view frame, std::vector<SentPoint>& poin
             continue;
         values[i] = static_cast<double>(little_endian_float(frame.data() + end - sizeof(float)));
         if (!(values[i] >= ranges[i].low && values[i] <= ranges[i].high))
-            return pass_over(
-                0, fmt::format("point {} has {} for {}", m_number, values[i], ranges[i].name));
+            return pass_over(0, fmt::format("point {}: '{}' must be between {} and {}, got {}",
+                                            m_number, ranges[i].name, format_number(ranges[i].low),
+                                            format_number(ranges[i].high), values[i]));
         has_tint = has_tint || i > seconds_place;
     }
     points.push_back(point_of(values, has_tint));
@@ -159,7 +162,7 @@ void SentReader::take_frame(std::string_view frame, std::vector<SentPoint>& poin
 
 void SentReader::finish(std::vector<SentPoint>& points) {
     if (m_format.is_raw && !m_rest.empty())
-        pass_over(0, fmt::format("ends within point {}", m_number + 1));
+        pass_over(0, fmt::format("the data ends within point {}", m_number + 1));
     else if (!m_rest.empty())
         take_line(m_rest, points);
     m_rest.clear();

@@ -69,5 +69,8 @@ Result<Picture> make_solid(std::string_view name) {
         return make_sky();
     if (name == "grey-volume" || name == "noise-volume")
         return make_volume(name == "grey-volume");
-    return fail({{}, 0, fmt::format("there is no cube or volume '{}'", name)});
+    return fail(
+        {{},
+         0,
+         fmt::format("unknown cube or volume '{}'; use sky, grey-volume or noise-volume", name)});
 }

@@ -94,7 +94,7 @@ Picture drawn_page(Extent extent, double /*seconds*/) {
 }  // namespace
 
 Pattern terminal_page_pattern() {
-    return {{"terminal", "Terminal page", "80 x 25 characters of text in eight colours"},
+    return {{"terminal", "Terminal page", "80 x 25 characters of text in eight colours."},
             {page_columns * letter_width, page_lines * letter_height},
             drawn_page};
 }

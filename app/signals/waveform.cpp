@@ -126,12 +126,12 @@ private:
 std::vector<SettingFacts> generator_settings(const std::string& number, const std::string& shape,
                                              double frequency) {
     SettingFacts shapes =
-        choice_setting("ch" + number, "Shape", "The shape of its wave.", shape_names());
+        choice_setting("ch" + number, "Shape", "Shape of the wave.", shape_names());
     shapes.initial_word = shape;
     return {shapes,
             {.key = "f" + number,
              .label = "Frequency",
-             .help = "Periods in 1/60 s, or in a second: see Frequencies.",
+             .help = "Periods per 1/60 s or per second, see Frequency unit.",
              .low = 0.5,
              .high = 20,
              .initial = frequency,
@@ -139,50 +139,48 @@ std::vector<SettingFacts> generator_settings(const std::string& number, const st
             {.key = "a" + number,
              .label = "Amplitude",
              .unit = "V",
-             .help = "From its middle to its crest.",
+             .help = "From the middle to the peak.",
              .initial = 0.7,
              .limit = {0, 1000}},
             {.key = "p" + number,
              .label = "Phase",
              .unit = "turns",
-             .help = "Where in its period the wave is at time 0. A trigger on it hides that."},
+             .help = "Phase at time 0. Triggering on this wave hides it."},
             {.key = "d" + number,
-             .label = "Mean",
+             .label = "DC offset",
              .unit = "V",
-             .help = "Added to the wave; ac coupling takes it away again.",
+             .help = "Voltage added to the wave. AC coupling removes it.",
              .low = -1,
              .high = 1,
              .limit = {-1000, 1000}}};
 }
 
 std::vector<SettingFacts> shared_settings() {
-    return {
-        choice_setting("per", "Frequencies",
-                       "frame: in periods per 1/60 s, which with whole numbers stand still in a "
-                       "picture; second: in Hz.",
-                       {"frame", "second"}),
-        {.key = "speed",
-         .label = "Scroll",
-         .unit = "periods/s",
-         .help = "How fast the traces move to the left; in xy channel 1 against 2.",
-         .low = -2,
-         .high = 2,
-         .limit = {-1000, 1000}},
-        {.key = "seed",
-         .label = "Noise seed",
-         .help = "Another number, another noise.",
-         .low = 1,
-         .high = 100,
-         .step = 1,
-         .initial = 1,
-         .limit = {0, 1e6}},
-        points_setting()};
+    return {choice_setting("per", "Frequency unit",
+                           "frame: periods per 1/60 s, so whole numbers stand still. second: Hz.",
+                           {"frame", "second"}),
+            {.key = "speed",
+             .label = "Scroll",
+             .unit = "periods/s",
+             .help = "Speed of the traces to the left. In XY mode, of channel 1 relative to 2.",
+             .low = -2,
+             .high = 2,
+             .limit = {-1000, 1000}},
+            {.key = "seed",
+             .label = "Noise seed",
+             .help = "Each number gives a different noise.",
+             .low = 1,
+             .high = 100,
+             .step = 1,
+             .initial = 1,
+             .limit = {0, 1e6}},
+            points_setting()};
 }
 
 std::vector<SettingFacts> all_settings() {
-    std::vector<SettingFacts> settings{
-        choice_setting("mode", "Shown as",
-                       "yt: traces over time. xy: channel 1 across, channel 2 up.", {"yt", "xy"})};
+    std::vector<SettingFacts> settings{choice_setting(
+        "mode", "Mode", "yt: traces over time. xy: channel 1 horizontal, channel 2 vertical.",
+        {"yt", "xy"})};
     for (auto part : {in_group("Wave 1", {}, generator_settings("1", "sine", 2)),
                       in_group("Wave 2", {}, generator_settings("2", "saw", 3)),
                       in_group("Both waves", {}, shared_settings()),

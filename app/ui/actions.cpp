@@ -15,6 +15,7 @@
 #include "ui/tuning_actions.h"
 #include "ui/view_actions.h"
 
+#include <fmt/format.h>
 #include <imgui/imgui_internal.h>
 
 #include <algorithm>
@@ -109,7 +110,7 @@ std::vector<Action> edit_actions() {
              file_actions::has_document},
             {ActionId::show_changed,
              Menu::edit,
-             "Show only what is changed",
+             "Show only changed parameters",
              {'F', true, true},
              false,
              view_actions::toggle_changed,
@@ -120,21 +121,21 @@ std::vector<Action> edit_actions() {
 std::vector<Action> playback_actions() {
     return {
         {ActionId::play_pause, Menu::playback, "Play or pause", {' '}, false, play_pause},
-        {ActionId::step, Menu::playback, "One frame on", {'.'}, false, step},
+        {ActionId::step, Menu::playback, "Step one frame", {'.'}, false, step},
         {ActionId::restart, Menu::playback, "Restart", {'R'}, false, restart},
-        {ActionId::slower, Menu::playback, "Half as fast", {'['}, true, change_speed<-1>},
-        {ActionId::faster, Menu::playback, "Twice as fast", {']'}, false, change_speed<1>},
+        {ActionId::slower, Menu::playback, "Halve speed", {'['}, true, change_speed<-1>},
+        {ActionId::faster, Menu::playback, "Double speed", {']'}, false, change_speed<1>},
         {ActionId::normal_speed, Menu::playback, "Normal speed", {'\\'}, false, set_normal_speed},
         {ActionId::compare_rates,
          Menu::playback,
-         "Compare at 24, 30, 60 and 144 Hz…",
+         "Compare frame rates…",
          {},
          true,
          [](const Scene&, Edits& edits) { compare_rates(edits); },
          file_actions::has_document},
         {ActionId::impulse,
          Menu::playback,
-         "Fire a flash, and see it fall in every pass…",
+         "Measure impulse response…",
          {'I'},
          false,
          fire_impulse,
@@ -164,13 +165,13 @@ std::vector<Action> moves_actions() {
     };
     return {{ActionId::record_moves,
              Menu::playback,
-             "Record moves",
+             "Record automation",
              {},
              true,
              record_moves,
              file_actions::has_document,
              is_recording},
-            {ActionId::save_moves, Menu::playback, "Save the moves…", {}, false, save, has_moves},
+            {ActionId::save_moves, Menu::playback, "Save automation…", {}, false, save, has_moves},
             {ActionId::remote, Menu::edit, "Remote control…", {}, true, remote}};
 }
 
@@ -182,14 +183,15 @@ std::vector<Action> help_actions() {
     const auto palette = [](const Scene&, Edits& edits) {
         edits.show({.kind = Dialog::Kind::palette});
     };
-    return {{ActionId::palette, Menu::help, "Find a command…", {'P', true}, false, palette},
-            {ActionId::keys, Menu::help, "Keys", {gpu::key::first_function}, false, keys},
-            {ActionId::about,
-             Menu::help,
-             "About Afterglow",
-             {gpu::key::first_function, false, true},
-             false,
-             about}};
+    return {
+        {ActionId::palette, Menu::help, "Find a command…", {'P', true}, false, palette},
+        {ActionId::keys, Menu::help, "Keyboard shortcuts", {gpu::key::first_function}, false, keys},
+        {ActionId::about,
+         Menu::help,
+         "About Afterglow",
+         {gpu::key::first_function, false, true},
+         false,
+         about}};
 }
 
 std::vector<Action> make_actions() {
@@ -304,17 +306,18 @@ std::string key_of(ActionId id) {
 
 std::string help_of(ActionId id) {
     const std::string keys = key_of(id);
-    return action_of(id).label + (keys.empty() ? "" : " (" + keys + ")");
+    const char* label = action_of(id).label;
+    return keys.empty() ? label : fmt::format("{} ({})", label, keys);
 }
 
 std::string label_of(const Action& action, const Scene& scene) {
     const Document* document = scene.lab.document();
     if (document && action.id == ActionId::undo && can_undo(scene))
-        return "Undo: " + (scene.lab.presets().undo_name().empty()
-                               ? document->history().undo_name()
-                               : scene.lab.presets().undo_name());
+        return fmt::format("Undo: {}", scene.lab.presets().undo_name().empty()
+                                           ? document->history().undo_name()
+                                           : scene.lab.presets().undo_name());
     if (document && action.id == ActionId::redo && can_redo(scene))
-        return "Redo: " + document->history().redo_name();
+        return fmt::format("Redo: {}", document->history().redo_name());
     return action.label;
 }
 

@@ -21,6 +21,8 @@
 #include "ui/toolkit.h"
 #include "ui/window_panes.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
@@ -375,7 +377,7 @@ void Application::note_geometry() {
 
 void Application::update_title() {
     const std::string open = title_of(m_lab);
-    std::string title = open.empty() ? "Afterglow" : open + " – Afterglow";
+    std::string title = open.empty() ? "Afterglow" : fmt::format("{} – Afterglow", open);
     if (title != m_title)
         m_window.set_title(m_title = std::move(title));
 }
@@ -427,5 +429,5 @@ Result<void> run_window(const WindowOptions& options) {
         again.look.reset();  // the session has it
     }
     return fail(
-        {{}, 0, "the graphics driver is reset again and again; close other programs that draw"});
+        {{}, 0, "the graphics driver keeps resetting; close other programs that use the GPU"});
 }

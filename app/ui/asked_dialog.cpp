@@ -29,11 +29,12 @@ NumberFacts facts_of(const AskedNumber& asked) {
 
 std::string words_about(const AskedNumber& asked) {
     constexpr double practically_none = 1e6;
-    const std::string unit = asked.unit.empty() ? "" : " " + asked.unit;
     if (asked.limit.high - asked.limit.low >= practically_none)
-        return "A number" + (unit.empty() ? "" : "," + unit);
-    return fmt::format("{} to {}{}", short_number(asked.limit.low), short_number(asked.limit.high),
-                       unit);
+        return asked.unit.empty() ? "Any number" : fmt::format("Any number, in {}", asked.unit);
+    const std::string low = short_number(asked.limit.low);
+    const std::string high = short_number(asked.limit.high);
+    return asked.unit.empty() ? fmt::format("{} to {}", low, high)
+                              : fmt::format("{} to {} {}", low, high, asked.unit);
 }
 
 // What is typed, as it is after this frame's keys.
@@ -77,7 +78,7 @@ void draw_asked_dialog(const Scene& scene, Edits& edits) {
         dim_text(words_about(*choice->number));
     }
     const std::string text = draw_answer(*choice, scene.window.dialog, edits);
-    if (!draw_dialog_buttons("Take it", true, edits))
+    if (!draw_dialog_buttons("Apply", true, edits))
         return;
     close_dialog(edits);
     answer(*choice, text, edits);

@@ -1,5 +1,6 @@
 #include "ui/bottom_panel.h"
 
+#include "lab/heavy_pass.h"
 #include "ui/actions.h"
 #include "ui/icons.h"
 #include "ui/pass_graph_panel.h"
@@ -30,9 +31,11 @@ std::string problems_text(const Lab& lab) {
 std::string pace_text(const Scene& scene) {
     const double pace = scene.pace.frames_a_second();
     if (scene.lab.renderer() && scene.lab.renderer()->replay().is_running())
-        return "drawing the past";
-    if (!scene.lab.player().is_playing() || pace <= 0.0)
-        return "resting";
+        return "Replaying";
+    if (!scene.lab.player().is_playing())
+        return "Paused";
+    if (pace <= 0.0)
+        return "Idle";
     return fmt::format("{:.{}f} fps", pace, pace < 9.95 ? 1 : 0);
 }
 
@@ -42,8 +45,8 @@ std::string lag_text(const Player& player) {
     const double share = player.shown_share();
     if (!player.is_playing() || share > hardly_seen)
         return {};
-    return player.leaves_out() ? fmt::format("{:.0f} % of the sound drawn", 100.0 * share)
-                               : fmt::format("time slowed to {:.2f}×", share);
+    return player.leaves_out() ? fmt::format("Drawing {:.0f} % of the sound", 100.0 * share)
+                               : fmt::format("Running at {:.2f}× speed", share);
 }
 
 void draw_lag(const Scene& scene, Edits& edits) {
@@ -56,8 +59,8 @@ void draw_lag(const Scene& scene, Edits& edits) {
     ImGui::TextUnformatted(text.c_str());
     edits.mark("lag");
     tooltip(
-        "This machine cannot draw frames of this size as fast as time goes by. A smaller "
-        "picture or fewer points help.");
+        "This render size is too slow for real time. Try a smaller render size or fewer "
+        "points.");
 }
 
 // Asked for by nobody, so it takes no more room than a few words.
@@ -72,16 +75,13 @@ void draw_half_size_offer(const Scene& scene, Edits& edits) {
     ImGui::SameLine();
     {
         const ScopedColor color(ImGuiCol_Text, theme::accent);
-        if (quiet_button("Draw at half size"))
-            edits.add([half = *half](Lab& lab) {
-                lab.set_picture_size(half);
-                lab.say("The picture has half its size; the menu above it has the others");
-            });
+        if (quiet_button("Halve render size"))
+            edits.add([half = *half](Lab& lab) { use_half_size(lab, half); });
     }
     edits.mark("half_size");
     tooltip(
-        "For two seconds no frame has come within 1/30 s, and the passes take most of its time. A "
-        "quarter of the pixels is drawn about four times as fast.");
+        "Running below 30 fps for two seconds, limited by the passes. Half the render size is "
+        "about four times faster.");
 }
 
 /// What a frame costs, in words around the one number that may be too much.
@@ -100,7 +100,8 @@ Cost cost_of(const Scene& scene) {
         static_cast<double>(memory_of(renderer->executor().plan())) / (1024.0 * 1024.0);
     const int draws = renderer->executor().draw_calls();
     return {pace_text(scene) + "   ", fmt::format("{:.2f} ms", all),
-            fmt::format("   {} {}   {:.1f} MiB", draws, draws == 1 ? "draw" : "draws", memory)};
+            draws == 1 ? fmt::format("   1 draw   {:.1f} MiB", memory)
+                       : fmt::format("   {} draws   {:.1f} MiB", draws, memory)};
 }
 
 // One button; over the budget its time alone is red.
@@ -134,7 +135,7 @@ std::string pointer_text(const Scene& scene) {
 
 void draw_problems(const Scene& scene, Edits& edits) {
     if (scene.lab.problems().empty())
-        dim_text("Nothing is wrong with the open look and what drives it.");
+        dim_text("No problems.");
     for (const Problem& problem : scene.lab.problems()) {
         draw_problem(problem, scene.fonts, edits);
         ImGui::Spacing();
@@ -143,7 +144,7 @@ void draw_problems(const Scene& scene, Edits& edits) {
 }  // namespace
 
 void draw_bottom_panel(const Scene& scene, Edits& edits) {
-    static constexpr std::array labels{"Problems", "Timings",   "Pins",     "Reads",  "Text",
+    static constexpr std::array labels{"Problems", "Timings",   "Pins",     "Inputs", "Compiled",
                                        "Graph",    "Filmstrip", "Waveform", "Presets"};
     const int present = static_cast<int>(scene.window.bottom_part);
     const int chosen =

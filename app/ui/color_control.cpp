@@ -38,7 +38,7 @@ std::string hex_of(const Rgba& color) {
 
 Turned draw_linear_numbers(Value& value, const Fonts& fonts) {
     Turned turned;
-    dim_text("linear light");
+    dim_text("Linear RGB");
     const ScopedFont font(fonts.numbers);
     const float width = ImGui::GetFontSize() * 4.5f;
     for (std::size_t i = 0; i < value.numbers.size(); ++i) {

@@ -133,21 +133,21 @@ std::vector<Action> seeing_actions() {
     using Mode = CompareMode;
     using Id = ActionId;
     std::vector<Action> actions{
-        action(Id::flash, "Show the other while held", {'O'}, flash, is_flashing),
+        action(Id::flash, "Show reference (hold)", {'O'}, flash, is_flashing),
         action(Id::wipe, "Wipe", {'W'}, toggle<Mode::wipe>, is_seen<Mode::wipe>),
         action(Id::side_by_side, "Side by side", {'W', false, true}, toggle<Mode::side_by_side>,
                is_seen<Mode::side_by_side>),
         action(Id::difference, "Difference", {'M'}, toggle<Mode::difference>,
                is_seen<Mode::difference>),
-        action(Id::next_measure, "Difference: absolute, relative, squared", {'M', false, true},
-               next_measure, nullptr),
-        action(Id::fit_gain, "Largest difference as white", {}, fit_gain, nullptr),
+        action(Id::next_measure, "Next difference metric", {'M', false, true}, next_measure,
+               nullptr),
+        action(Id::fit_gain, "Auto gain", {}, fit_gain, nullptr),
         action(Id::equal_brightness, "Equal brightness", {'B'}, toggle_brightness,
                has_equal_brightness),
-        action(Id::with_article, "Compare with the article's own picture", {f5 + 3, true},
+        action(Id::with_article, "Compare with original article", {f5 + 3, true},
                compare_with_article, is_article_other),
-        action(Id::with_file, "Compare with a picture from a file…", {f5 + 4, true},
-               choose_reference, is_file_other)};
+        action(Id::with_file, "Compare with image file…", {f5 + 4, true}, choose_reference,
+               is_file_other)};
     actions[0].let_go = end_flash;
     actions[5].is_enabled = can_fit_gain;
     actions[6].is_first = actions[7].is_first = true;
@@ -160,11 +160,11 @@ std::vector<Action> compare_actions::list() {
     std::vector<Action> actions = seeing_actions();
     for (const auto& slot :
          {slot_actions<0>({Id::keep_a, Id::recall_a, Id::with_a},
-                          {"Keep these values in slot A", "Take slot A", "Compare with slot A"}),
+                          {"Store in slot A", "Recall slot A", "Compare with slot A"}),
           slot_actions<1>({Id::keep_b, Id::recall_b, Id::with_b},
-                          {"Keep these values in slot B", "Take slot B", "Compare with slot B"}),
+                          {"Store in slot B", "Recall slot B", "Compare with slot B"}),
           slot_actions<2>({Id::keep_c, Id::recall_c, Id::with_c},
-                          {"Keep these values in slot C", "Take slot C", "Compare with slot C"})})
+                          {"Store in slot C", "Recall slot C", "Compare with slot C"})})
         actions.insert(actions.end(), slot.begin(), slot.end());
     return actions;
 }

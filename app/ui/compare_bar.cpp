@@ -57,7 +57,7 @@ void draw_others(const Scene& scene, float width, Edits& edits) {
     if (const auto& file = comparing.reference().file(); comparing.reference().picture())
         draw_other(file.filename().string(), {Other::Kind::file, 0, file}, scene, edits);
     ImGui::Separator();
-    if (ImGui::Selectable("A picture from a file…"))
+    if (ImGui::Selectable("Image file…"))
         run(ActionId::with_file, scene, edits);
     edits.mark("other:file");
     ImGui::EndCombo();
@@ -80,9 +80,9 @@ void draw_brightness(const Scene& scene, Edits& edits) {
     edits.mark("equal_brightness");
     const ScopedColor normal(ImGuiCol_Text, theme::text);
     tooltip(
-        "Multiplies the light of the other picture so that its mean luminance is ours, as measured "
-        "now: what is brighter is often taken for better. " +
-        help_of(ActionId::equal_brightness));
+        fmt::format("{}\nScales the reference to the mean luminance of this picture, because a "
+                    "brighter picture often looks better.",
+                    help_of(ActionId::equal_brightness)));
 }
 
 void draw_choices(const Scene& scene, Edits& edits) {
@@ -97,7 +97,7 @@ void draw_choices(const Scene& scene, Edits& edits) {
     ImGui::SameLine();
     draw_brightness(scene, edits);
     same_line_right(side);
-    if (icon_button("##end", Icon::close, "Our picture alone", theme::dim))
+    if (icon_button("##end", Icon::close, "Stop comparing", theme::dim))
         compare_actions::set_mode(CompareMode::off, edits);
     edits.mark("compare_end");
 }
@@ -119,7 +119,7 @@ void draw_gain(const Scene& scene, float room, Edits& edits) {
     Turned turned =
         draw_slider("##gain", gain, facts, std::clamp(room - taken, 2.0f * letter, 8.0f * letter));
     edits.mark("difference_gain");
-    tooltip(fmt::format("How much the difference is multiplied to be seen: white is {}.",
+    tooltip(fmt::format("Gain of the difference view. White is a difference of {}.",
                         short_number(std::exp2(-gain))));
     ImGui::SameLine(0.0f, 2.0f);
     {
@@ -129,7 +129,7 @@ void draw_gain(const Scene& scene, float room, Edits& edits) {
     }
     ImGui::SameLine(0.0f, 0.0f);
     const bool can_fit = scene.lab.comparing().chosen().measure != DifferenceMeasure::relative;
-    if (icon_button("##fit", Icon::fit, "So that the largest difference is white",
+    if (icon_button("##fit", Icon::fit, "Auto gain: show the largest difference as white.",
                     can_fit ? theme::text : theme::faint) &&
         can_fit)
         edits.arrange([](WindowState& window) { window.pending.gain = true; });
@@ -142,19 +142,19 @@ void draw_gain(const Scene& scene, float room, Edits& edits) {
 std::string numbers_text(const Scene& scene) {
     const auto& distances = scene.views.compared().distances();
     if (!distances)
-        return "measuring…";
-    const std::string psnr = std::isinf(distances->psnr_db) && distances->psnr_db > 0.0
-                                 ? "the same"
-                                 : fmt::format("PSNR {:.1f} dB", distances->psnr_db);
-    return fmt::format("mean {:.3g}  RMS {:.3g}  max {:.3g}  {}", distances->mean, distances->rms,
-                       distances->largest, psnr);
+        return "Measuring…";
+    if (std::isinf(distances->psnr_db) && distances->psnr_db > 0.0)
+        return fmt::format("mean {:.3g}  RMS {:.3g}  max {:.3g}  identical", distances->mean,
+                           distances->rms, distances->largest);
+    return fmt::format("mean {:.3g}  RMS {:.3g}  max {:.3g}  PSNR {:.1f} dB", distances->mean,
+                       distances->rms, distances->largest, distances->psnr_db);
 }
 
 void draw_numbers(const Scene& scene, Edits& edits) {
     const ComparedPictures& compared = scene.views.compared();
     if (compared.other() && !compared.difference() && !compared.distances() &&
         !scene.lab.renderer()->replay().is_running())
-        return dim_text("These have no difference: they hold whole numbers");
+        return dim_text("No difference view for integer formats");
     {
         const ScopedFont font(scene.fonts.numbers);
         ImGui::AlignTextToFramePadding();
@@ -162,11 +162,11 @@ void draw_numbers(const Scene& scene, Edits& edits) {
     }
     edits.mark("difference_numbers");
     if (const auto& distances = scene.views.compared().distances())
-        tooltip(
-            fmt::format("Of the absolute differences of red, green and blue, whatever is shown, "
-                        "as 'afterglow compare' counts them. {:.1f} % of the pixels are apart "
-                        "by more than 1/255.",
-                        100.0 * distances->share_beyond));
+        tooltip(fmt::format(
+            "Absolute differences of red, green and blue, as in the command \"afterglow "
+            "compare\". They don't depend on the metric chosen here. {:.1f} % of the "
+            "pixels differ by more than 1/255.",
+            100.0 * distances->share_beyond));
 }
 
 // What the numbers leave of the row.

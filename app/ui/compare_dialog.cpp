@@ -6,6 +6,8 @@
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 void compare_preset(const ShelfPreset& preset, const Scene& scene, Edits& edits) {
@@ -43,7 +45,7 @@ void draw_table(const Dialog& dialog, const Scene& scene, Edits& edits) {
     cell({}, theme::dim);
     cell({}, theme::dim);
     cell(dialog.subject, theme::dim);
-    cell("What is open", theme::dim);
+    cell("Current", theme::dim);
     cell({}, theme::dim);
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(dialog.changes.size()), line);
@@ -65,11 +67,12 @@ void draw_table(const Dialog& dialog, const Scene& scene, Edits& edits) {
 
 void draw_compare_dialog(const Scene& scene, Edits& edits) {
     const Dialog& dialog = scene.window.dialog;
-    const DialogFrame frame("What differs", 58.0f, scene, edits);
+    const DialogFrame frame("Differences", 58.0f, scene, edits);
     if (!frame.is_open())
         return;
     if (dialog.changes.empty())
-        dim_text("'" + dialog.subject + "' and what is open are the same.");
+        wrapped_dim_text(
+            fmt::format("\"{}\" and the current settings are identical.", dialog.subject));
     else
         draw_table(dialog, scene, edits);
     draw_close_button("Close", edits);

@@ -1,26 +1,28 @@
 #include "ui/content_lock.h"
 
-#include "lab/users_content.h"
 #include "ui/icons.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
-#include <fmt/format.h>
+namespace {
+const char* lock_help(bool is_source, bool is_locked) {
+    if (is_source)
+        return is_locked ? "Presets and looks keep this source. Click to let presets change it.\n"
+                           "Alt+click a preset to open it with its own source."
+                         : "Keep my source\nPresets and looks then don't change it.";
+    return is_locked ? "Presets and looks keep this signal. Click to let presets change it.\n"
+                       "Alt+click a preset to open it with its own signal."
+                     : "Keep my signal\nPresets and looks then don't change it.";
+}
+}  // namespace
 
 void draw_content_heading(const std::string& text, const Scene& scene, Edits& edits) {
     const Document& document = *scene.lab.document();
     const bool is_locked = document.is_content_locked();
-    const std::string word = content_word(document.look());
+    const bool is_source = document.look().driven_by == Driver::picture;
     heading_with_button(text);
-    const std::string help =
-        is_locked
-            ? fmt::format(
-                  "Presets and looks keep this {0}. Click to let presets change the "
-                  "{0}.\nAlt+click a preset to open it with its own {0}.",
-                  word)
-            : fmt::format("Keep my {0}\nPresets and looks then leave the {0} as it is.", word);
-    if (icon_button("##keep_content", is_locked ? Icon::pinned : Icon::unpinned, help,
-                    is_locked ? theme::accent : theme::label))
+    if (icon_button("##keep_content", is_locked ? Icon::pinned : Icon::unpinned,
+                    lock_help(is_source, is_locked), is_locked ? theme::accent : theme::label))
         edits.document([is_locked](Document& changed) { changed.lock_content(!is_locked); });
     edits.mark("keep_content");
 }

@@ -15,6 +15,7 @@
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
+#include <fmt/format.h>
 #include <imgui/imgui_stdlib.h>
 
 #include <algorithm>
@@ -67,13 +68,14 @@ void draw_name_dialog(const Question& question, const Scene& scene, Edits& edits
         edits.arrange([text](WindowState& window) { window.dialog.text = text; });
     edits.mark("dialog_name");
     if (scene.window.dialog.kind == Dialog::Kind::save_preset_as)
-        wrapped_dim_text("Saved in " + told_folder(scene.lab.presets().destination()));
+        wrapped_dim_text(
+            fmt::format("Saved in {}", told_folder(scene.lab.presets().destination())));
     const bool is_taken = question.is_taken(scene, text);
     const bool replaces = is_taken && question.replace;
     if (is_taken) {
         const ScopedColor color(ImGuiCol_Text, theme::warning);
-        ImGui::TextWrapped(replaces ? "'%s' is there already; it will be replaced."
-                                    : "'%s' is there already; choose another name.",
+        ImGui::TextWrapped(replaces ? "\"%s\" already exists and will be replaced."
+                                    : "\"%s\" already exists. Choose another name.",
                            text.c_str());
         edits.mark("dialog_taken");
     }
@@ -90,15 +92,16 @@ void draw_name_dialog(const Question& question, const Scene& scene, Edits& edits
 Question name_question(Dialog::Kind kind) {
     using Kind = Dialog::Kind;
     using Text = const std::string&;
+    constexpr const char* folder_help = "Folder name (lowercase letters, digits, - and _)";
     if (kind == Kind::rename_preset)
-        return {"Rename the preset", "Its new name", "Rename",
+        return {"Rename preset", "New name", "Rename",
                 [](Lab& lab, Text name, Text file) { lab.presets().rename(file, name); },
                 is_other_preset};
     if (kind == Kind::new_look)
-        return {"New look", "The name of its folder: small letters, digits, - and _", "Create",
+        return {"New look", folder_help, "Create",
                 [](Lab& lab, Text name, Text) { lab.new_look(name); }, is_look};
     if (kind == Kind::duplicate_look)
-        return {"Duplicate this look", "The name of the copy's folder", "Duplicate",
+        return {"Duplicate look", folder_help, "Duplicate",
                 [](Lab& lab, Text name, Text) { lab.duplicate_look(name); }, is_look};
     return {"Save preset as", "Preset name",
             "Save",           [](Lab& lab, Text name, Text) { lab.presets().save_as(name); },

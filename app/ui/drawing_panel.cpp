@@ -24,19 +24,19 @@ void draw_pen_button(const Scene& scene, Edits& edits) {
         run(ActionId::draw, scene, edits);
     edits.mark("pen");
     tooltip(has_pen
-                ? "Puts the pen down (D): the keyframes play, and a drag moves the picture again."
-                : "Takes the pen (D): the left button draws, the middle one moves the picture.");
+                ? "Stop drawing (D). Keyframes play, and dragging moves the picture again."
+                : "Start drawing (D). The left button draws, the middle button moves the picture.");
 }
 
 const char* help_of(PenTool tool, bool is_line_open) {
     switch (tool) {
         case PenTool::freehand:
-            return "Hold the left button on the picture and draw.";
+            return "Hold the left button and draw on the picture.";
         case PenTool::points:
-            return is_line_open ? "Esc ends it, the first point closes it."
-                                : "Click from point to point on the picture.";
+            return is_line_open ? "Press Esc to end the line, or click its first point to close it."
+                                : "Click on the picture to add points.";
         case PenTool::edit:
-            return "Drag a point, or a line to move all of it. The right button deletes a point.";
+            return "Drag a point or a whole line. Right-click a point to delete it.";
         case PenTool::erase:
             return "Click a stroke to delete it.";
     }
@@ -122,12 +122,12 @@ void draw_keyframes(const DrawingBoard& board, Edits& edits) {
     draw_keyframe_numbers(board, edits);
     ImGui::EndGroup();
     draw_buttons(
-        {{"New", "keyframe_new", "An empty keyframe behind this one.", has_room,
+        {{"New", "keyframe_new", "Adds an empty keyframe after this one.", has_room,
           &DrawingBoard::add_keyframe},
          {"Copy", "keyframe_copy",
-          "A copy of this keyframe behind it. Its strokes turn into each other in their order.",
+          "Adds a copy of this keyframe after it. Strokes morph into one another in their order.",
           has_room, &DrawingBoard::duplicate_keyframe},
-         {"Remove", "keyframe_remove", "Removes this keyframe; one always stays.",
+         {"Remove", "keyframe_remove", "Removes this keyframe. The last one can't be removed.",
           keyframes.size() > 1, &DrawingBoard::remove_keyframe}},
         edits);
     const auto move = [](int places) {
@@ -135,9 +135,9 @@ void draw_keyframes(const DrawingBoard& board, Edits& edits) {
             desk.move_keyframe(places, document);
         };
     };
-    draw_buttons({{"Earlier", "keyframe_earlier", "Shows this keyframe one place earlier.",
+    draw_buttons({{"Earlier", "keyframe_earlier", "Moves this keyframe one place earlier.",
                    present > 0, move(-1)},
-                  {"Later", "keyframe_later", "Shows this keyframe one place later.",
+                  {"Later", "keyframe_later", "Moves this keyframe one place later.",
                    present + 1 < keyframes.size(), move(1)},
                   {"Clear", "keyframe_clear", "Deletes all strokes of this keyframe.",
                    !keyframes[present].empty(), &DrawingBoard::clear_keyframe}},
@@ -151,8 +151,8 @@ void draw_files(const DrawingBoard& board, Edits& edits) {
         edits.show({.kind = Dialog::Kind::load_drawing});
     edits.mark("load_drawing");
     tooltip(
-        "Takes the lines of an SVG in the place of this drawing; one that was saved here comes "
-        "back with its keyframes.");
+        "Replaces this drawing with the lines of an SVG file. An SVG saved here keeps its "
+        "keyframes.");
     ImGui::SameLine(0.0f, gap);
     {
         const ScopedDisabled idle(!board.drawing() || !has_strokes(*board.drawing()));
@@ -161,8 +161,8 @@ void draw_files(const DrawingBoard& board, Edits& edits) {
     }
     edits.mark("save_drawing");
     tooltip(
-        "Writes a file for other programs and the command line. A preset holds the drawing by "
-        "itself.");
+        "Saves an SVG file for other programs and the command line. Presets already contain the "
+        "drawing.");
 }
 }  // namespace
 

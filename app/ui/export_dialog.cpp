@@ -14,10 +14,13 @@ double export_seconds(const Scene& scene) {
 }
 
 void draw_exported(const Exported& exported, Edits& edits) {
-    ImGui::TextUnformatted(wrapped(fmt::format("{} frames of {} are in {}.", exported.frames,
-                                               size_text(exported.size), exported.file.string()),
-                                   ImGui::GetContentRegionAvail().x)
-                               .c_str());
+    const std::string size = size_text(exported.size);
+    const std::string file = exported.file.string();
+    const std::string text =
+        exported.frames == 1
+            ? fmt::format("Exported 1 frame ({}) to {}.", size, file)
+            : fmt::format("Exported {} frames ({}) to {}.", exported.frames, size, file);
+    ImGui::TextUnformatted(wrapped(text, ImGui::GetContentRegionAvail().x).c_str());
     edits.mark("export_done");
     for (const Diagnostic& warning : exported.warnings)
         wrapped_dim_text(warning.message);
@@ -44,18 +47,18 @@ void draw_export_numbers(const Scene& scene, Edits& edits) {
     ImGui::SameLine();
     double fps = scene.window.export_fps;
     ImGui::SetNextItemWidth(width);
-    if (ImGui::InputDouble("frames a second", &fps, 0.0, 0.0, "%.3f"))
+    if (ImGui::InputDouble("fps", &fps, 0.0, 0.0, "%.3f"))
         edits.arrange(
             [fps](WindowState& window) { window.export_fps = std::clamp(fps, 1.0, 1000.0); });
     edits.mark("export_fps");
 }
 
 void draw_export_dialog(const Scene& scene, Edits& edits) {
-    const DialogFrame frame("Export a film or sequence", 44.0f, scene, edits);
+    const DialogFrame frame("Export video or image sequence", 44.0f, scene, edits);
     if (!frame.is_open())
         return;
     const auto draw = [&](const Exported& exported) { draw_exported(exported, edits); };
     draw_work(
-        scene.lab.frame_export(), "Drawing from a fresh start, and writing", draw,
+        scene.lab.frame_export(), "Rendering from the start…", draw,
         [](Lab& lab) { lab.cancel_export(); }, edits);
 }

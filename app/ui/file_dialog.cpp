@@ -42,25 +42,25 @@ std::vector<std::string> endings_for(Dialog::Kind kind) {
 const char* title_for(Dialog::Kind kind) {
     switch (kind) {
         case Dialog::Kind::save_picture:
-            return "Save the picture";
+            return "Save picture";
         case Dialog::Kind::save_pass:
-            return "Save the pass: EXR with its numbers, PNG as it is seen";
+            return "Save pass (EXR: exact values, PNG: as shown)";
         case Dialog::Kind::export_frames:
-            return "Export a film (.mp4, .webm, .gif) or pictures (frame_%04d.png, .exr)";
+            return "Export video (.mp4, .webm, .gif) or image sequence (frame_%04d.png, .exr)";
         case Dialog::Kind::load_drawing:
-            return "Load a drawing";
+            return "Load drawing";
         case Dialog::Kind::save_drawing:
-            return "Save the drawing";
+            return "Save drawing";
         case Dialog::Kind::save_moves:
-            return "Save the moves, for render --moves";
+            return "Save automation file (for afterglow render --moves)";
         case Dialog::Kind::save_slangp:
-            return "Save a .slangp that refers to this one and holds what is changed";
+            return "Save changed parameters as .slangp (references the original)";
         case Dialog::Kind::choose_file:
             return "Choose a file";
         case Dialog::Kind::choose_reference:
-            return "Choose a picture to compare with";
+            return "Choose a reference picture";
         default:
-            return "Open a look, a preset, a picture or a sound";
+            return "Open a look, shader, preset, picture or sound";
     }
 }
 
@@ -89,7 +89,7 @@ void start(const Scene& scene, Edits& edits) {
     if (scene.window.dialog.kind == Dialog::Kind::save_picture)
         edits.arrange([](WindowState& window) { window.dialog.text = "picture.png"; });
     if (scene.window.dialog.kind == Dialog::Kind::export_frames)
-        edits.arrange([](WindowState& window) { window.dialog.text = "film.mp4"; });
+        edits.arrange([](WindowState& window) { window.dialog.text = "video.mp4"; });
     if (scene.window.dialog.kind == Dialog::Kind::save_pass)
         edits.arrange([](WindowState& window) {
             window.dialog.text = window.dialog.subject + ".exr";
@@ -98,7 +98,7 @@ void start(const Scene& scene, Edits& edits) {
     if (scene.window.dialog.kind == Dialog::Kind::save_drawing)
         edits.arrange([](WindowState& window) { window.dialog.text = "drawing.svg"; });
     if (scene.window.dialog.kind == Dialog::Kind::save_moves)
-        edits.arrange([](WindowState& window) { window.dialog.text = "moves.txt"; });
+        edits.arrange([](WindowState& window) { window.dialog.text = "automation.txt"; });
     if (scene.window.dialog.kind == Dialog::Kind::save_slangp)
         edits.arrange([name = scene.lab.document()->look().name](WindowState& window) {
             window.dialog.text = name + "-mine.slangp";
@@ -194,7 +194,7 @@ void draw_recent(const Scene& scene, Edits& edits) {
     const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(6.0f, 6.0f));
     ImGui::BeginChild("##recent", {letter * 14.0f, letter * 20.0f}, false,
                       ImGuiWindowFlags_AlwaysUseWindowPadding);
-    dim_text("Lately");
+    dim_text("Recent");
     const auto clicked = draw_recent_files(files, edits);
     ImGui::EndChild();
     if (clicked)
@@ -228,7 +228,7 @@ void draw_entries(const Scene& scene, Edits& edits) {
             ImGui::SetScrollHereY();
     }
     if (dialog.entries.empty() && !dialog.is_new)
-        dim_text("Nothing here that could be opened.");
+        dim_text("This folder has no matching files.");
     ImGui::EndChild();
 }
 }  // namespace
@@ -250,14 +250,14 @@ void draw_file_dialog(const Scene& scene, Edits& edits) {
         ImGui::SetKeyboardFocusHere();
     if (dialog.chosen == shows_chosen)
         edits.arrange([](WindowState& window) { window.dialog.chosen = 0; });
-    if (ImGui::InputTextWithHint("##file", "Name or path of a file", &name))
+    if (ImGui::InputTextWithHint("##file", "File name or path", &name))
         edits.arrange([name](WindowState& window) { window.dialog.text = name; });
     edits.mark("dialog_file");
     if (dialog.kind == Dialog::Kind::export_frames)
         draw_export_numbers(scene, edits);
     const bool replaces = is_saving(dialog) && is_listed(dialog, name);
     if (replaces)
-        dim_text("There is such a file; it will be replaced.");
+        dim_text("This file exists and will be replaced.");
     const char* verb = replaces ? "Replace" : is_saving(dialog) ? "Save" : "Open";
     if (draw_dialog_buttons(verb, !name.empty(), edits))
         accept(dialog.folder / name, scene, edits);

@@ -70,19 +70,19 @@ void draw_first_steps(const Scene& scene, Edits& edits) {
     {
         const ScopedFont font(scene.fonts.strong);
         ImGui::AlignTextToFramePadding();
-        ImGui::TextUnformatted(steps.are_done() ? "That is all it takes" : "To begin with");
+        ImGui::TextUnformatted(steps.are_done() ? "You're all set" : "Getting started");
     }
     same_line_right(ImGui::GetFrameHeight());
-    if (icon_button("##close", Icon::close, "Close for good", theme::dim))
+    if (icon_button("##close", Icon::close, "Don't show again", theme::dim))
         edits.arrange([](WindowState& window) { window.first_steps.is_shown = false; });
     edits.mark("first_steps:close");
     ImGui::Spacing();
-    draw_step(steps.has_turned, "Turn something", "Drag a slider on the right.");
-    draw_step(steps.has_driven, "Put in your own", "Drop a sound, a picture or a preset here.");
-    draw_step(steps.has_looked, "Look inside",
-              fmt::format("Click a pass below; {} opens its shader in your editor.",
+    draw_step(steps.has_turned, "Adjust a parameter", "Drag a slider on the right.");
+    draw_step(steps.has_driven, "Use your own media", "Drop a sound, picture or preset here.");
+    draw_step(steps.has_looked, "Inspect a pass",
+              fmt::format("Click a pass below. Press {} to edit its shader.",
                           key_of(ActionId::edit_pass)));
-    wrapped_dim_text(fmt::format("{} finds everything, {} lists the keys.",
+    wrapped_dim_text(fmt::format("Press {} to find any command and {} for all shortcuts.",
                                  key_of(ActionId::palette), key_of(ActionId::keys)));
     height = ImGui::GetCursorPosY() + letter * 0.4f;
     ImGui::EndChild();

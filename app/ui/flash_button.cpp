@@ -12,13 +12,16 @@ constexpr const char* popup = "flashes";
 
 std::string label_of(const Scene& scene) {
     const int most = scene.views.flashes().most();
-    return fmt::format("{} {}{}", most, most == 1 ? "flash/s" : "flashes/s",
-                       scene.window.comfort.is_on ? " · clamped" : "");
+    const bool is_limited = scene.window.comfort.is_on;
+    if (most == 1)
+        return is_limited ? "1 flash/s · limited" : "1 flash/s";
+    return is_limited ? fmt::format("{} flashes/s · limited", most)
+                      : fmt::format("{} flashes/s", most);
 }
 
 // As wide for any number, so that what stands beside it does not move.
 std::string widest_label(const Scene& scene) {
-    return fmt::format("00 flashes/s{}", scene.window.comfort.is_on ? " · clamped" : "");
+    return scene.window.comfort.is_on ? "00 flashes/s · limited" : "00 flashes/s";
 }
 
 theme::Color color_of(const Flashes& flashes) {
@@ -29,28 +32,29 @@ theme::Color color_of(const Flashes& flashes) {
 
 void draw_counts(const Scene& scene) {
     const Flashes flashes = scene.views.flashes();
-    ImGui::TextUnformatted(fmt::format("Within the last second: {} general, {} red flashes",
-                                       flashes.general, flashes.red)
-                               .c_str());
+    ImGui::TextUnformatted(
+        fmt::format("Flashes in the last second: {} general, {} red", flashes.general, flashes.red)
+            .c_str());
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * 26.0f);
     wrapped_dim_text(
-        "WCAG 2.3.1 allows three of each over more than a quarter of any field of 10 degrees: here "
-        "a third of the picture's width and height, as if it filled the screen.");
+        "WCAG 2.3.1 allows three of each per second. A flash counts where it covers more than a "
+        "quarter of a 10-degree field. Here that field is a third of the picture's width and "
+        "height, as if the picture filled the screen.");
     ImGui::PopTextWrapPos();
 }
 
 void draw_clamp(const Scene& scene, Edits& edits) {
     ComfortClamp clamp = scene.window.comfort;
-    bool is_changed = ImGui::Checkbox("Comfort clamp", &clamp.is_on);
+    bool is_changed = ImGui::Checkbox("Flash limiter", &clamp.is_on);
     edits.mark("comfort");
     tooltip(
-        "Large parts of what is shown change their light no faster than this. It is a setting of "
-        "yours: presets, saved pictures and renders are without it.");
+        "Limits how fast large areas of the picture change brightness on screen. Presets, saved "
+        "pictures and renders aren't affected.");
     if (clamp.is_on) {
         const SliderFacts facts{.low = ComfortClamp::lowest,
                                 .high = ComfortClamp::highest,
                                 .initial = ComfortClamp::default_most,
-                                .unit = "of full light a second",
+                                .unit = "of full brightness per second",
                                 .limit = Limit{ComfortClamp::lowest, ComfortClamp::highest}};
         is_changed |=
             draw_slider("##comfort", clamp.most_a_second, facts, ImGui::GetFontSize() * 10.0f)
@@ -58,7 +62,7 @@ void draw_clamp(const Scene& scene, Edits& edits) {
         edits.mark("comfort_rate");
         ImGui::SameLine();
         ImGui::TextUnformatted(
-            fmt::format("{:.2f} of full light a second", clamp.most_a_second).c_str());
+            fmt::format("{:.2f} of full brightness per second", clamp.most_a_second).c_str());
     }
     if (is_changed)
         edits.arrange([clamp](WindowState& window) { window.comfort = clamp; });
@@ -81,9 +85,7 @@ void draw_flash_button(const Scene& scene, Edits& edits) {
             ImGui::OpenPopup(popup);
         edits.mark("flashes");
     }
-    tooltip(
-        "How often a quarter of a field of the picture flashed within the last second. A click: "
-        "the limits, and a clamp for your comfort.");
+    tooltip("Flashes in the last second (WCAG 2.3.1). Click for the limits and the flash limiter.");
     if (ImGui::BeginPopup(popup)) {
         draw_counts(scene);
         ImGui::Separator();

@@ -14,14 +14,14 @@
 
 namespace {
 constexpr std::array<std::pair<const char*, const char*>, 8> mouse_habits{
-    {{"Drag on a slider", "turn it; with Shift ten times finer, with Alt ten times coarser"},
-     {"Ctrl+click or double click", "type a value, also beyond the slider's ends"},
-     {"Click on a name", "what it is, where it is declared, where its slider ends"},
-     {"Wheel over a picture", "zoom about the pointer"},
-     {"Drag a picture", "move it; in a look that can be turned (Caffeine) turn the object"},
-     {"Right button, Ctrl + wheel", "there: move the camera around, nearer or farther"},
-     {"F10", "the menus, by arrow keys, Enter and Escape"},
-     {"Escape", "stop what takes long, go back to the picture, close a dialog"}}};
+    {{"Drag a slider", "Change the value (Shift: 10× finer, Alt: 10× coarser)"},
+     {"Ctrl+click or double-click", "Type a value, even beyond the slider's range"},
+     {"Click a parameter name", "Show its help, its declaration and its slider range"},
+     {"Scroll over a picture", "Zoom at the pointer"},
+     {"Drag a picture", "Pan, or rotate the object in 3D looks (Caffeine)"},
+     {"Right-drag, Ctrl+scroll", "Orbit the camera, move it nearer or farther (3D looks)"},
+     {"F10", "Open the menus (arrow keys, Enter, Esc)"},
+     {"Esc", "Stop a long task, return to the picture or close a dialog"}}};
 
 void line(const std::string& keys, const std::string& words) {
     ImGui::TableNextRow();
@@ -149,7 +149,7 @@ void draw_keys(const Scene& scene) {
 }  // namespace
 
 void draw_keys_dialog(const Scene& scene, Edits& edits) {
-    const DialogFrame frame("Keys", 72.0f, scene, edits);
+    const DialogFrame frame("Keyboard shortcuts", 72.0f, scene, edits);
     if (!frame.is_open())
         return;
     draw_in_room("##keys", [&] { draw_keys(scene); });
@@ -161,12 +161,12 @@ void draw_about_dialog(const Scene& scene, Edits& edits) {
     if (!frame.is_open())
         return;
     ImGui::TextWrapped(
-        "A lab for the CRT, phosphor and oscilloscope look: open a look, turn its "
-        "parameters, edit its shaders, and share what you found as a preset.");
+        "A lab for CRT, phosphor and oscilloscope looks. Open a look, feed it sound or pictures, "
+        "tune its parameters, edit its shaders and share the result as a preset.");
     ImGui::Spacing();
-    dim_text("Looks and presets");
+    dim_text("Shipped looks and presets");
     ImGui::TextWrapped("%s", scene.lab.library().roots().program.string().c_str());
-    dim_text("Your own");
+    dim_text("Your looks and presets");
     ImGui::TextWrapped("%s", scene.lab.library().roots().user.string().c_str());
     draw_close_button("Close", edits);
 }

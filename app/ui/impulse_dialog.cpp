@@ -64,7 +64,7 @@ struct ImpulsePlot {
 void draw_grid(const ImpulsePlot& plot, ImDrawList& list) {
     const ImU32 line = ImGui::GetColorU32(theme::line);
     const ImU32 words = ImGui::GetColorU32(theme::dim);
-    for (const auto& [share, label] : {std::pair{1.0, "peak"}, std::pair{0.1, "10 %"},
+    for (const auto& [share, label] : {std::pair{1.0, "Peak"}, std::pair{0.1, "10 %"},
                                        std::pair{0.01, "1 %"}, std::pair{0.001, "0.1 %"}}) {
         const ImVec2 left = plot.at(0.0, share);
         list.AddLine(left, {left.x + plot.size.x, left.y}, line);
@@ -190,7 +190,7 @@ void draw_times(const ImpulseResponse& response, const Scene& scene, Edits& edit
     const ScopedColor stripe(ImGuiCol_TableRowBgAlt, theme::field);
     if (!ImGui::BeginTable("##impulse", 6, ImGuiTableFlags_RowBg))
         return;
-    for (const char* heading : {"pass", "peak", "to 10 %", "to 1 %", "to 0.1 %", "half-life"})
+    for (const char* heading : {"Pass", "Peak", "To 10 %", "To 1 %", "To 0.1 %", "Half-life"})
         ImGui::TableSetupColumn(heading);
     ImGui::TableHeadersRow();
     for (std::size_t i = 0; i < response.passes.size(); ++i) {
@@ -217,10 +217,10 @@ void draw_response(const ImpulseResponse& response, const Scene& scene, Edits& e
     ImGui::Spacing();
     const Pin& place = response.question.place;
     wrapped_dim_text(fmt::format(
-        "A flash of one frame in the dark at {:.1f} %, {:.1f} % of the picture, drawn at {} and "
-        "{:g} Hz. Light is linear, of the brightest colour, above what was there before; time "
-        "counts from the peak. – : not within {:g} s. Half-lives are of the exponential that fits "
-        "best down to 1 %.",
+        "A one-frame flash in the dark at {:.1f} %, {:.1f} % of the picture, rendered at {} and "
+        "{:g} Hz. Values are linear light of the brightest channel, minus the level before the "
+        "flash. Times count from the peak. A dash means longer than {:g} s. Half-lives come from "
+        "an exponential fitted down to 1 %.",
         place.x * 100.0, place.y * 100.0, size_text(response.size), response.question.fps,
         response.question.seconds));
 }
@@ -232,11 +232,11 @@ void fire_impulse(const Scene& scene, Edits& edits) {
 }
 
 void draw_impulse_dialog(const Scene& scene, Edits& edits) {
-    const DialogFrame frame("One flash in every pass", 44.0f, scene, edits);
+    const DialogFrame frame("Impulse response", 44.0f, scene, edits);
     if (!frame.is_open())
         return;
     const auto draw = [&](const auto& outcome) { draw_response(outcome, scene, edits); };
     draw_work(
-        scene.lab.impulse(), "Firing a flash, and watching it fall", draw,
+        scene.lab.impulse(), "Measuring the impulse response…", draw,
         [](Lab& lab) { lab.cancel_impulse(); }, edits);
 }

@@ -138,11 +138,11 @@ std::string share_text(std::uint32_t part, std::uint32_t whole) {
 
 std::string help_text(const Histogram& histogram) {
     std::string text =
-        "How often each number occurs from black to white, in logarithmic heights; min, max, mean "
-        "and flaws are of every texel. Drag the left half to move black, the right half to move "
-        "white; double click fits both.";
+        "Histogram from black to white, with logarithmic heights. Min, max, mean, NaN and Inf "
+        "cover every texel. Drag the left half to set black, the right half to set white. "
+        "Double-click to fit both.";
     if (histogram.finite > 0)
-        text += fmt::format(" Below black {}, above white {}.",
+        text += fmt::format("\nBelow black: {}. Above white: {}.",
                             share_text(histogram.below, histogram.finite),
                             share_text(histogram.above, histogram.finite));
     return text;
@@ -196,7 +196,8 @@ void draw_end(const char* name, double value, const Scene& scene, Edits& edits, 
         const Levels& levels = scene.window.inspected.levels;
         set_levels(is_black ? with_black(levels, value) : with_white(levels, value), edits);
     }
-    tooltip(std::string("The stored number that is seen as ") + name + ". A click types it.");
+    tooltip(is_black ? "Stored value shown as black. Click to type it."
+                     : "Stored value shown as white. Click to type it.");
     edits.mark(std::string("level:") + name);
 }
 

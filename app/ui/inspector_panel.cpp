@@ -61,7 +61,7 @@ std::string frame_words(int ago) {
 void draw_frames(const InspectedTexture& inspected, int count, float width, Edits& edits) {
     const int present = inspected.choice.frames_ago;
     ImGui::SameLine(0.0f, 4.0f);
-    if (begin_combo("##frame", present == 0 ? "now" : fmt::format("{} ago", present), width)) {
+    if (begin_combo("##frame", present == 0 ? "Now" : fmt::format("{} ago", present), width)) {
         for (int ago = 0; ago < count; ++ago) {
             TextureChoice choice = inspected.choice;
             choice.frames_ago = ago;
@@ -69,7 +69,7 @@ void draw_frames(const InspectedTexture& inspected, int count, float width, Edit
         }
         ImGui::EndCombo();
     } else {
-        tooltip("Which of the frames that later ones read: this one, or one of the past.");
+        tooltip("Frame to show: the current one or an earlier one that passes still read.");
     }
     edits.mark("inspector_frame");
 }
@@ -77,17 +77,17 @@ void draw_frames(const InspectedTexture& inspected, int count, float width, Edit
 void draw_levels(const InspectedTexture& inspected, int count, float width, Edits& edits) {
     const int present = inspected.choice.level;
     ImGui::SameLine(0.0f, 4.0f);
-    if (begin_combo("##level", fmt::format("mip {}", present), width)) {
+    if (begin_combo("##level", fmt::format("Mip {}", present), width)) {
         for (int level = 0; level < count; ++level) {
             TextureChoice choice = inspected.choice;
             choice.level = level;
             const Extent extent = inspected.extent_of(level);
-            draw_choice(choice, fmt::format("mip {}   {}", level, size_text(extent)),
+            draw_choice(choice, fmt::format("Mip {}   {}", level, size_text(extent)),
                         level == present, edits);
         }
         ImGui::EndCombo();
     } else {
-        tooltip("Which of its mip levels.");
+        tooltip("Mip level to show.");
     }
     edits.mark("inspector_level");
 }
@@ -115,7 +115,8 @@ void draw_title(const Pass& pass, const InspectedTexture& inspected, const Scene
     const std::filesystem::path file = pass.fragment.file;
     if (has_shader) {
         if (icon_button("##edit", Icon::edit,
-                        "Open " + file.filename().string() + " in your editor", theme::dim))
+                        fmt::format("Open {} in your editor", file.filename().string()),
+                        theme::dim))
             edits.add([file](Lab& lab) { lab.open_in_editor({file, 1}); });
         edits.mark("edit_pass");
         ImGui::SameLine(0.0f, 2.0f);
@@ -157,7 +158,8 @@ void draw_exposure(const Scene& scene, Edits& edits) {
     const ScopedFont font(scene.fonts.numbers);
     Turned turned = draw_slider("##exposure", view.exposure, facts, std::max(room, 30.0f));
     tooltip(
-        "Exposure of this view, in stops. Double click to type; the pass itself stays as it is.");
+        "Exposure of this view in stops. The pass itself doesn't change. Double-click to type a "
+        "value.");
     edits.mark("inspector_exposure");
     ImGui::SameLine(0.0f, 4.0f);
     turned |= draw_number("##stops", view.exposure, number, facts.number());

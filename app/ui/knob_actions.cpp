@@ -5,6 +5,8 @@
 #include "model/one_step.h"
 #include "ui/file_actions.h"
 
+#include <fmt/format.h>
+
 namespace {
 const Parameter* knob_in_hand(const Scene& scene) {
     return scene.lab.document()
@@ -50,9 +52,7 @@ void turn(const Scene& scene, Edits& edits) {
     if (next)
         edits.set(parameter.name, *next);
     else
-        edits.add([words = parameter.label + " " + next.error().front().message](Lab& lab) {
-            lab.say(words);
-        });
+        edits.add([words = next.error().front().message](Lab& lab) { lab.say(words); });
 }
 
 void let_go(const Scene& scene, Edits& edits) {
@@ -99,10 +99,22 @@ std::vector<Action> knob_actions::list() {
          false,
          go<-1>,
          file_actions::has_document},
-        turning(ActionId::turn_up, "Turn up by a step", key::right, turn<true>),
-        turning(ActionId::turn_down, "Turn down by a step", key::left, turn<false>),
-        {ActionId::type_knob, Menu::knob, "Type its number", {key::enter}, false, type, has_knob},
-        {ActionId::reset_knob, Menu::knob, "Reset it", {key::backspace}, false, reset, has_knob},
-        {ActionId::copy_knob_name, Menu::knob, "Copy its name", {}, false, copy_name, has_knob},
+        turning(ActionId::turn_up, "Increase by one step", key::right, turn<true>),
+        turning(ActionId::turn_down, "Decrease by one step", key::left, turn<false>),
+        {ActionId::type_knob, Menu::knob, "Type a value", {key::enter}, false, type, has_knob},
+        {ActionId::reset_knob,
+         Menu::knob,
+         "Reset parameter",
+         {key::backspace},
+         false,
+         reset,
+         has_knob},
+        {ActionId::copy_knob_name,
+         Menu::knob,
+         "Copy parameter name",
+         {},
+         false,
+         copy_name,
+         has_knob},
     };
 }

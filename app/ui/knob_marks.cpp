@@ -13,14 +13,15 @@ float mark_width() {
 }
 
 std::string star_help(const KnobSetting& setting) {
-    return setting.is_favourite ? "A favourite. A click takes the star away."
-                                : "Make it a favourite: the filter above can list these alone.";
+    return setting.is_favourite ? "Favourite. Click to remove it from the favourites."
+                                : "Add to favourites. The filter above can show only favourites.";
 }
 
 std::string lock_help(const KnobSetting& setting) {
-    const std::string rule =
-        "resetting a group or all, presets and Randomise leave it; only your hand here turns it.";
-    return (setting.is_locked ? "Locked: " : "Lock it: ") + rule;
+    return setting.is_locked ? "Locked. Presets, Randomise and resetting a group or all parameters "
+                               "don't change it. Click to unlock."
+                             : "Lock. Presets, Randomise and resetting a group or all parameters "
+                               "then don't change it.";
 }
 
 void change(const Knob& knob, bool KnobSetting::*mark, Edits& edits) {

@@ -34,8 +34,8 @@ void draw_presets(const ShelfLook& look, const Scene& scene, Edits& edits) {
     const float indent = ImGui::GetStyle().IndentSpacing;
     ImGui::Indent(indent);
     const bool has_none = document.preset_file().empty();
-    if (draw_line({.label = "As the look has it",
-                   .about = "Every parameter at its default.",
+    if (draw_line({.label = "Default",
+                   .about = "All parameters at their defaults.",
                    .is_open = has_none,
                    .is_modified = has_none && document.is_modified()}))
         edits.open(look.argument());
@@ -70,7 +70,7 @@ void draw_look_menu(const ShelfLook& look, const Scene& scene, Edits& edits) {
         return;
     if (ImGui::MenuItem("Open"))
         edits.open(look.argument());
-    if (!look.is_stack() && scene.lab.document() && ImGui::MenuItem("Add behind the open look"))
+    if (!look.is_stack() && scene.lab.document() && ImGui::MenuItem("Append to the stack"))
         add_to_stack(look, edits);
     ImGui::EndPopup();
 }
@@ -97,5 +97,5 @@ void draw_library_panel(const Scene& scene, Edits& edits) {
             draw_presets(look, scene, edits);
     }
     if (scene.shelf.looks().empty())
-        dim_text("There is none yet.");
+        dim_text("No looks found.");
 }

@@ -9,6 +9,8 @@
 #include "ui/unsaved_menu.h"
 #include "ui/widgets.h"
 
+#include <fmt/format.h>
+
 #include <array>
 
 namespace {
@@ -24,7 +26,7 @@ void draw_item(const Action& action, const Scene& scene, Edits& edits) {
 }
 
 void draw_picture_submenus(const Scene& scene, Edits& edits) {
-    if (ImGui::BeginMenu("Picture size")) {
+    if (ImGui::BeginMenu("Render size")) {
         draw_size_items(scene, edits);
         ImGui::EndMenu();
     }
@@ -82,8 +84,8 @@ std::string title_of(const Lab& lab) {
         return {};
     std::string title = document->look().name;
     if (!document->preset_name().empty())
-        title += " – " + document->preset_name();
-    return document->is_modified() ? title + " •" : title;
+        title = fmt::format("{} – {}", title, document->preset_name());
+    return document->is_modified() ? fmt::format("{} •", title) : title;
 }
 
 void draw_menu_bar(const Scene& scene, Edits& edits) {

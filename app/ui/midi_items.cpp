@@ -37,7 +37,7 @@ const Parameter* meant_here(const MidiGoal& goal, const Document* document) {
 // "Decay", "Centre · y".
 std::string label_of(const Parameter& parameter, const MidiGoal& goal) {
     return parameter.type.size() > 1
-               ? parameter.label + " · " + part_label(parameter, goal.component)
+               ? fmt::format("{} · {}", parameter.label, part_label(parameter, goal.component))
                : parameter.label;
 }
 
@@ -48,31 +48,36 @@ void draw_binding(const MidiBinding& binding, const Scene& scene, Edits& edits) 
     if (const Parameter* parameter = meant_here(binding.goal, scene.lab.document()))
         fitted_text(label_of(*parameter, binding.goal), width, theme::text);
     else
-        fitted_text(binding.goal.parameter + ", not in this look", width, theme::dim);
+        fitted_text(fmt::format("{} (not in this look)", binding.goal.parameter), width,
+                    theme::dim);
     ImGui::SameLine(width + ImGui::GetFontSize());
     dim_text(words_of(binding));
     same_line_right(ImGui::GetFrameHeight());
-    if (icon_button("##unbind", Icon::close, "Let it go", theme::dim))
+    if (icon_button("##unbind", Icon::close, "Remove this MIDI mapping", theme::dim))
         unbind(binding.goal, edits);
     edits.mark("midi_unbind:" + binding.goal.parameter);
 }
 
+std::string devices_text(const MidiControl& midi) {
+    if (!midi.is_listening())
+        return "MIDI is off.";
+    const std::vector<std::string> devices = midi.devices();
+    return devices.empty() ? "No MIDI device connected."
+                           : fmt::format("Listening to {}", fmt::join(devices, ", "));
+}
+
 void draw_devices(const MidiControl& midi, Edits& edits) {
     ImGui::AlignTextToFramePadding();
-    if (midi.is_listening())
-        dim_text(fmt::format("Listens to {}", fmt::join(midi.devices(), ", ")));
-    else
-        dim_text("No device is listened to.");
-    same_line_right(ImGui::CalcTextSize("Look for devices").x +
-                    2.0f * ImGui::GetStyle().FramePadding.x);
-    if (ImGui::Button("Look for devices"))
+    dim_text(devices_text(midi));
+    same_line_right(ImGui::CalcTextSize("Rescan").x + 2.0f * ImGui::GetStyle().FramePadding.x);
+    if (ImGui::Button("Rescan"))
         edits.add([](Lab& lab) { lab.look_for_midi_devices(); });
     edits.mark("midi_look");
     if (const auto& last = midi.last(); midi.is_listening() && last)
-        dim_text(fmt::format("Came last: CC {}, channel {}: {}", last->controller, last->channel,
-                             last->value));
+        dim_text(fmt::format("Last message: CC {}, channel {}, value {}", last->controller,
+                             last->channel, last->value));
     if (!midi.problem().empty())
-        wrapped_dim_text("Refused last: " + midi.problem());
+        wrapped_dim_text(fmt::format("Last rejected: {}", midi.problem()));
 }
 }  // namespace
 
@@ -90,9 +95,11 @@ void draw_midi_items(const Knob& knob, Edits& edits) {
     }
     edits.mark("midi_learn");
     for (const MidiBinding& binding : knob.midi) {
-        const std::string part =
-            count > 1 ? part_label(parameter, binding.goal.component) + ": " : std::string();
-        if (ImGui::MenuItem((part + "Let go of " + words_of(binding)).c_str()))
+        const std::string label =
+            count > 1 ? fmt::format("Unmap {} ({})", part_label(parameter, binding.goal.component),
+                                    words_of(binding))
+                      : fmt::format("Unmap {}", words_of(binding));
+        if (ImGui::MenuItem(label.c_str()))
             unbind(binding.goal, edits);
         edits.mark("midi_let_go");
     }
@@ -102,17 +109,15 @@ void draw_midi_settings(const Scene& scene, Edits& edits) {
     const MidiControl& midi = scene.lab.midi();
     RemoteSettings settings = scene.lab.remote_settings();
     ImGui::TextWrapped(
-        "Knobs and faders of MIDI devices turn parameters: press the right button on a parameter, "
-        "choose MIDI learn, then move the knob.");
+        "Control parameters with MIDI knobs and faders. Right-click a parameter, choose MIDI "
+        "learn, then move the knob.");
     ImGui::Spacing();
     settings.listens_to_midi = midi.is_listening();
     bool is_changed = ImGui::Checkbox("Listen to MIDI", &settings.listens_to_midi);
     edits.mark("midi_listen");
     ImGui::SameLine(0.0f, ImGui::GetFontSize() * 1.5f);
-    is_changed |= ImGui::Checkbox("Pick up", &settings.picks_up);
-    tooltip(
-        "A knob turns its parameter only from where it has come by its value, so that nothing "
-        "jumps.");
+    is_changed |= ImGui::Checkbox("Soft takeover", &settings.picks_up);
+    tooltip("A knob takes effect once it passes the current value, so that nothing jumps.");
     edits.mark("midi_picks_up");
     if (is_changed)
         edits.add([settings](Lab& lab) { lab.set_remote_settings(settings); });

@@ -15,21 +15,21 @@ void turn(const Knob& knob, const std::optional<Modulation>& next, bool goes_on,
 
 FormColumns editor_columns() {
     const float em = ImGui::GetFontSize();
-    return {.label = em * 5.0f, .control = em * 9.0f, .number = em * 4.4f, .button = 0.0f};
+    return {.label = em * 6.0f, .control = em * 9.0f, .number = em * 4.4f, .button = 0.0f};
 }
 
 const char* words_about(const Modulation* modulation) {
     if (!modulation)
-        return "An LFO, the sound's level or its beats can move it about its value.";
+        return "Modulate this parameter with an LFO, the sound level or beats.";
     switch (modulation->kind) {
         case ModulationKind::envelope:
-            return "From its value on, with the level of the sound, or of the signal.";
+            return "Follows the level of the sound or signal, from the slider value.";
         case ModulationKind::beat:
-            return "Jumps off its value at each beat of the sound, and comes back.";
+            return "Jumps at each beat of the sound, then returns to the slider value.";
         case ModulationKind::lfo:
             break;
     }
-    return "Swings about its value, on the picture's clock.";
+    return "Oscillates around the slider value, in playback time.";
 }
 
 void draw_kinds(const Knob& knob, const FormColumns& columns, Edits& edits) {
@@ -39,14 +39,14 @@ void draw_kinds(const Knob& knob, const FormColumns& columns, Edits& edits) {
                                  &ModulationWord<ModulationKind>::value)
             ->label;
     };
-    const std::string present = knob.modulation ? kind_of() : "Rests";
-    form_label("Moves", {}, columns, false);
+    const std::string present = knob.modulation ? kind_of() : "None";
+    form_label("Modulation", {}, columns, false);
     form_control(columns);
     const bool is_open = begin_combo("##moves", present.c_str(), columns.control_and_number());
     edits.mark("modulation");
     if (!is_open)
         return;
-    if (ImGui::Selectable("Rests", !knob.modulation))
+    if (ImGui::Selectable("None", !knob.modulation))
         turn(knob, std::nullopt, false, edits);
     edits.mark("modulation:rests");
     for (const auto& kind : kinds) {

@@ -46,7 +46,7 @@ void draw_offer(const Notice& notice, const Scene& scene, Edits& edits) {
         edits.mark("offer:" + choice.name);
         ImGui::SameLine();
     }
-    if (icon_button("##leave", Icon::close, "Leave it as it is", theme::dim))
+    if (icon_button("##leave", Icon::close, "Dismiss", theme::dim))
         edits.add([](Lab& lab) { lab.put_notice_away(); });
     edits.mark("offer_leave");
     ImGui::EndChild();

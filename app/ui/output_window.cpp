@@ -1,5 +1,7 @@
 #include "ui/output_window.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 std::string OutputWindow::follow(WindowState& state, gpu::Window& panels) {
@@ -21,7 +23,7 @@ std::string OutputWindow::follow(WindowState& state, gpu::Window& panels) {
             (wanted == own ? *m_window : panels).focus();
         } else {
             state.output.is_open = false;
-            problem = "The output window cannot be opened: " + to_string(opened.error());
+            problem = fmt::format("Can't open the output window: {}", to_string(opened.error()));
         }
     }
     m_monitor = wanted;

@@ -45,7 +45,7 @@ float height_of(const Problem& problem, float width) {
 std::string headline_of(const Lab& lab) {
     if (lab.unopened().empty() || !lab.document())
         return {};
-    return fmt::format("Could not open '{}'; {} stays open.", lab.unopened(),
+    return fmt::format("Can't open \"{}\". {} is still open.", lab.unopened(),
                        lab.document()->look().name);
 }
 
@@ -81,10 +81,10 @@ void draw_errors(const Scene& scene, Edits& edits) {
         ImGui::Spacing();
     }
     if (errors.size() > most)
-        dim_text(fmt::format("and {} more, in the problems below", errors.size() - most));
+        dim_text(fmt::format("{} more in the Problems list", errors.size() - most));
     ImGui::EndChild();
     ImGui::SameLine(0.0f, 0.0f);
-    if (icon_button("##away", Icon::close, "Put away (Escape); the list of problems keeps it",
+    if (icon_button("##away", Icon::close, "Dismiss (Esc). The Problems list keeps these errors.",
                     theme::label))
         edits.add([](Lab& lab) { lab.put_problems_away(); });
     edits.mark("errors_away");
@@ -137,8 +137,7 @@ void draw_replay(const Scene& scene) {
         return;
     const Replay& replay = scene.lab.renderer()->replay();
     draw_pill({"##replay",
-               fmt::format("Showing the past again: {} of {} frames · Esc stops", replay.done,
-                           replay.total),
+               fmt::format("Replaying frame {} of {} · Esc to stop", replay.done, replay.total),
                theme::dim, 1.0f},
               scene);
 }
@@ -149,10 +148,9 @@ void draw_trip(const Scene& scene, Edits& edits) {
     if (!trip || !scene.lab.renderer())
         return;
     const std::string& pass = scene.lab.renderer()->executor().look().passes[trip->pass].name;
-    const std::string words = fmt::format(
-        "The clock has stopped: pass '{}' drew a number that is not finite, at pixel "
-        "{}, {} in frame {}.",
-        pass, trip->x, trip->y, trip->frame);
+    const std::string words =
+        fmt::format("Paused: pass \"{}\" wrote NaN/Inf at pixel ({}, {}), frame {}.", pass, trip->x,
+                    trip->y, trip->frame);
     const float margin = ImGui::GetFontSize() * 0.7f;
     const ImGuiStyle& style = ImGui::GetStyle();
     const float width = ImGui::GetWindowWidth() - 2.0f * margin;
@@ -172,18 +170,20 @@ void draw_trip(const Scene& scene, Edits& edits) {
         const char* name;
     };
     for (const Choice& choice :
-         {Choice{TripAnswer::clear, "Clear", "History begins anew, and time goes on", "trip_clear"},
+         {Choice{TripAnswer::clear, "Restart history", "Clears the history and continues.",
+                 "trip_clear"},
           Choice{TripAnswer::clamp, "Clamp",
-                 "NaN becomes 0 and an infinity the largest number, in every pass", "trip_clamp"},
-          Choice{TripAnswer::go_on, "Go on",
-                 "Such numbers stay as they are, until the look is edited", "trip_go_on"}}) {
+                 "Replaces NaN with 0 and Inf with the largest number, in every pass.",
+                 "trip_clamp"},
+          Choice{TripAnswer::go_on, "Ignore", "Ignores NaN and Inf until the look is edited.",
+                 "trip_go_on"}}) {
         if (ImGui::Button(choice.label))
             edits.add([answer = choice.answer](Lab& lab) { lab.answer_trip(answer); });
         edits.mark(choice.name);
         tooltip(choice.help);
         ImGui::SameLine();
     }
-    if (quiet_button("Show the pass"))
+    if (quiet_button("Show pass"))
         edits.arrange([pass](WindowState& window) {
             window.inspected.look_into(pass);
             window.inspected.marks_flaws = true;
@@ -193,19 +193,19 @@ void draw_trip(const Scene& scene, Edits& edits) {
     ImGui::EndChild();
 }
 
+std::string opening_text(const Lab::Opening& opening) {
+    return fmt::format("Opening {} · {} · Esc to cancel", opening.look, words_of(opening.progress));
+}
+
 void draw_loading(const Scene& scene) {
     const std::filesystem::path file = scene.lab.drive().loading();
     const auto opening = scene.lab.opening();
     if (file.empty() && opening && scene.lab.document())
-        draw_pill(
-            {"##loading",
-             fmt::format("Opening {} · {} · Esc stops", opening->look, words_of(opening->progress)),
-             theme::dim, 2.0f},
-            scene);
+        draw_pill({"##loading", opening_text(*opening), theme::dim, 2.0f}, scene);
     if (file.empty())
         return;
     draw_pill({"##loading",
-               fmt::format("Reading {}: {:.0f} % · Esc stops", file.filename().string(),
+               fmt::format("Loading {}: {:.0f} % · Esc to cancel", file.filename().string(),
                            100.0 * scene.lab.drive().loaded_share()),
                theme::dim, 2.0f},
               scene);
@@ -225,7 +225,7 @@ void draw_step(const Scene& scene, Edits& edits) {
 void draw_morph(const Scene& scene) {
     if (const Morphing* morphing = scene.lab.morphing())
         draw_pill({"##morph",
-                   fmt::format("Going to '{}': {:.0f} % · Esc stops here", morphing->name(),
+                   fmt::format("Morphing to \"{}\": {:.0f} % · Esc to stop", morphing->name(),
                                100.0 * morphing->share()),
                    theme::dim, 2.0f},
                   scene);
@@ -238,9 +238,11 @@ void draw_midi_learning(const Scene& scene, Edits& edits) {
                                      : nullptr;
     if (!parameter)
         return;
-    draw_pill({"##midi", fmt::format("Move a knob or fader for '{}' · Esc stops", parameter->label),
-               theme::accent, 2.0f},
-              scene);
+    draw_pill(
+        {"##midi",
+         fmt::format("Move a MIDI knob or fader for \"{}\" · Esc to cancel", parameter->label),
+         theme::accent, 2.0f},
+        scene);
     edits.mark("midi_learning");
 }
 }  // namespace
@@ -266,16 +268,13 @@ void draw_welcome(const Scene& scene) {
     const float line = ImGui::GetTextLineHeightWithSpacing();
     if (scene.lab.is_loading()) {
         const auto opening = scene.lab.opening();
-        draw_centered(opening ? fmt::format("Opening {} · {} · Esc stops", opening->look,
-                                            words_of(opening->progress))
-                              : "Reading the look…",
-                      middle, theme::dim);
+        draw_centered(opening ? opening_text(*opening) : "Loading the look…", middle, theme::dim);
         return;
     }
     {
         const ScopedFont font(scene.fonts.strong);
         draw_centered("Afterglow", middle, theme::text);
     }
-    draw_centered("Choose a look on the left, or drop a look, a preset or a sound here.",
+    draw_centered("Choose a look on the left, or drop a look, preset, picture or sound here.",
                   middle + line * 1.3f, theme::dim);
 }

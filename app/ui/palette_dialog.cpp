@@ -20,7 +20,7 @@ std::string draw_query(const Dialog& dialog, float width, Edits& edits) {
     ImGui::SetNextItemWidth(width);
     if (dialog.is_new || !ImGui::IsAnyItemActive())
         ImGui::SetKeyboardFocusHere();
-    if (ImGui::InputTextWithHint("##query", "An action, a look, a preset, a pass or a parameter",
+    if (ImGui::InputTextWithHint("##query", "Find commands, looks, presets, passes or parameters",
                                  &text))
         edits.arrange([text](WindowState& window) {
             window.dialog.text = text;
@@ -132,7 +132,7 @@ void draw_palette(const Scene& scene, float width, Edits& edits) {
     const bool follows = chosen != dialog.chosen || query != dialog.text;
     int asked = draw_rows(entries, matches, chosen, follows, edits);
     if (matches.empty())
-        dim_text("Nothing has a name like that.");
+        dim_text("No matches.");
     ImGui::EndChild();
     if (ImGui::IsKeyPressed(gpu::key::enter, false) ||
         ImGui::IsKeyPressed(gpu::key::pad_enter, false))

@@ -13,13 +13,13 @@ const char* menu_name(Menu menu) {
         case Menu::edit:
             return "Edit";
         case Menu::knob:
-            return "Edit, Parameter";
+            return "Edit > Parameter";
         case Menu::view:
             return "View";
         case Menu::output:
-            return "View, Output";
+            return "View > Output";
         case Menu::frame_rate:
-            return "View, Frame rate";
+            return "View > Frame rate";
         case Menu::compare:
             return "Compare";
         case Menu::pass:
@@ -32,24 +32,27 @@ const char* menu_name(Menu menu) {
     return "";
 }
 
+constexpr const char* no_unsaved = "no unsaved changes";
+constexpr const char* no_parameter = "no parameter is selected (use the Up and Down keys)";
+
 const char* why_not(const Action& action, const Scene& scene) {
     if (!action.is_enabled || action.is_enabled(scene))
         return "";
     if (action.id == ActionId::next_output)
-        return "there is one display";
+        return "only one display is connected";
     if (action.id == ActionId::blackout)
         return "the output window is closed";
     if (!scene.lab.document())
-        return action.id == ActionId::take_up_unsaved ? "there is none" : "no look is open";
+        return action.id == ActionId::take_up_unsaved ? no_unsaved : "no look is open";
     switch (action.id) {
         case ActionId::take_up_unsaved:
-            return "there is none";
+            return no_unsaved;
         case ActionId::save_slangp:
-            return "no look of libretro's is open";
+            return "the open look isn't a RetroArch slang preset";
         case ActionId::rename_preset:
         case ActionId::delete_preset:
             return scene.lab.document()->preset_file().empty() ? "no preset is open"
-                                                               : "shipped presets stay as they are";
+                                                               : "shipped presets can't be changed";
         case ActionId::duplicate_preset:
         case ActionId::show_preset_in_folder:
             return "no preset is open";
@@ -58,7 +61,7 @@ const char* why_not(const Action& action, const Scene& scene) {
         case ActionId::redo:
             return "nothing to redo";
         case ActionId::reset_all:
-            return "nothing is changed";
+            return "no parameters are changed";
         case ActionId::recall_a:
         case ActionId::recall_b:
         case ActionId::recall_c:
@@ -70,26 +73,25 @@ const char* why_not(const Action& action, const Scene& scene) {
         case ActionId::turn_down:
         case ActionId::type_knob:
         case ActionId::reset_knob:
-            return "no parameter is chosen: the keys Down and Up choose one";
-        case ActionId::save_moves:
-            return "no moves are recorded";
-        case ActionId::fit_gain:
-            return "no difference is shown";
         case ActionId::copy_knob_name:
-            return "no parameter is chosen: the keys Down and Up choose one";
+            return no_parameter;
+        case ActionId::save_moves:
+            return "no automation is recorded";
+        case ActionId::fit_gain:
+            return "needs an absolute or squared difference view";
         case ActionId::fit_levels:
-            return "the inspector is closed, or has not measured yet";
+            return "the inspector is closed or still measuring";
         case ActionId::pin:
-            return "the pointer is on no picture";
+            return "the pointer isn't over a picture";
         case ActionId::draw:
-            return "this look is not driven by a signal";
+            return "this look doesn't use a signal";
         case ActionId::passes_as_usual:
-            return "no pass is switched";
+            return "solo, bypass and freeze are off";
         case ActionId::write_passes:
         case ActionId::passes_as_written:
-            return "the passes are as look.json says";
+            return "pass settings match look.json";
         default:
-            return "not now";
+            return "not available now";
     }
 }
 

@@ -44,7 +44,7 @@ void tell_period(const Knob& knob, SliderFacts& facts) {
         facts.safe = safe_periods(facts.low, facts.high);
     facts.warning = moire_warning(knob);
     if (knob.period.is_too_fine)
-        facts.note = "under 2 px";
+        facts.note = "below 2 px";
     if (knob.period.beat)
         facts.note = fmt::format("moiré {} px", short_number(std::round(*knob.period.beat)));
 }
@@ -65,7 +65,7 @@ Turned draw_component(const Knob& knob, std::size_t component, Value& value,
         facts.limit = Limit{facts.limit->low * factor, facts.limit->high * factor};
     double shown = value.numbers[component] * factor;
     if (is_decay(knob.parameter))
-        facts.note = "½ " + duration_text(half_life(shown));
+        facts.note = fmt::format("½ {}", duration_text(half_life(shown)));
     tell_period(knob, facts);
     const std::string id = std::to_string(component);
     const Turned turned = form_slider(id.c_str(), shown, facts, columns, fonts);
@@ -196,8 +196,8 @@ Turned draw_control(const Knob& knob, Value& value, const FormColumns& columns, 
 
 void draw_reset(const Knob& knob, const FormColumns& columns, Edits& edits) {
     const Parameter& parameter = knob.parameter;
-    if (form_reset("Back to " + short_value(parameter, parameter.initial), knob.is_changed,
-                   columns))
+    if (form_reset(fmt::format("Reset to {}", short_value(parameter, parameter.initial)),
+                   knob.is_changed, columns))
         reset_parameter(parameter.name, edits);
     if (knob.is_changed)
         edits.mark("reset:" + parameter.name);

@@ -16,6 +16,7 @@
 #include "ui/widgets.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -37,11 +38,12 @@ std::string short_value(const Parameter& parameter, const Value& value) {
         return value.number() != 0.0 ? "on" : "off";
     if (parameter.control == Control::angle)
         return short_number(value.number() * shown_factor(parameter)) + "°";
-    std::string text;
+    std::vector<std::string> numbers;
     for (const double number : value.numbers)
-        text += (text.empty() ? "" : ", ") + short_number(number);
+        numbers.push_back(short_number(number));
+    const std::string text = fmt::format("{}", fmt::join(numbers, ", "));
     const std::string unit(shown_unit(parameter));
-    return unit.empty() ? text : text + " " + unit;
+    return unit.empty() ? text : fmt::format("{} {}", text, unit);
 }
 
 std::string moire_warning(const Knob& knob) {
@@ -49,14 +51,15 @@ std::string moire_warning(const Knob& knob) {
     if (!facts.beat && !facts.is_too_fine)
         return {};
     const std::string period = short_number(*facts.period);
-    const std::string even =
-        facts.even ? fmt::format(" The nearest value that can is {}.", short_number(*facts.even))
-                   : std::string();
-    if (facts.is_too_fine)
-        return fmt::format("A period of {} px cannot be drawn: below 2 px it fades.{}", period,
-                           even);
-    return fmt::format("A period of {} px cannot be drawn evenly: bands come every {} px.{}",
-                       period, short_number(std::round(*facts.beat)), even);
+    const std::string problem =
+        facts.is_too_fine
+            ? fmt::format("A period of {} px is too fine. Below 2 px the pattern fades out.",
+                          period)
+            : fmt::format("A period of {} px causes moiré bands every {} px.", period,
+                          short_number(std::round(*facts.beat)));
+    return facts.even ? fmt::format("{}\nThe nearest clean value is {}.", problem,
+                                    short_number(*facts.even))
+                      : problem;
 }
 
 void reset_parameter(const std::string& name, Edits& edits) {
@@ -64,11 +67,13 @@ void reset_parameter(const std::string& name, Edits& edits) {
 }
 
 namespace {
+constexpr float fact_column = 6.0f;  // letters
+
 void fact(const char* name, const std::string& text) {
     if (text.empty())
         return;
     dim_text(name);
-    ImGui::SameLine(ImGui::GetFontSize() * 5.0f);
+    ImGui::SameLine(ImGui::GetFontSize() * fact_column);
     ImGui::TextUnformatted(text.c_str());
 }
 
@@ -88,8 +93,8 @@ std::string range_text(const Parameter& parameter) {
 
 // The control shows a colour as a display is told it.
 std::string told_value(const Parameter& parameter, const Value& value) {
-    const bool is_color = parameter.control == Control::color;
-    return short_value(parameter, value) + (is_color ? " in linear light" : "");
+    const std::string text = short_value(parameter, value);
+    return parameter.control == Control::color ? fmt::format("{} (linear light)", text) : text;
 }
 
 std::string place_text(const Location& place) {
@@ -110,11 +115,11 @@ void draw_facts(const Knob& knob, const Fonts& fonts) {
         ImGui::PopTextWrapPos();
     }
     ImGui::Spacing();
-    fact("name", parameter.name + "  (" + type_name(parameter) + ")");
-    fact("value", told_value(parameter, knob.value));
+    fact("Name", fmt::format("{}  ({})", parameter.name, type_name(parameter)));
+    fact("Value", told_value(parameter, knob.value));
     if (is_decay(parameter)) {
-        fact("half-life", duration_text(half_life(knob.value.number())));
-        fact("10 % left", "after " + duration_text(seconds_to(0.1, knob.value.number())));
+        fact("Half-life", duration_text(half_life(knob.value.number())));
+        fact("To 10 %", duration_text(seconds_to(0.1, knob.value.number())));
     }
     if (const std::string warning = moire_warning(knob); !warning.empty()) {
         const ScopedColor color(ImGuiCol_Text, theme::warning);
@@ -122,14 +127,14 @@ void draw_facts(const Knob& knob, const Fonts& fonts) {
         ImGui::TextUnformatted(warning.c_str());
         ImGui::PopTextWrapPos();
     }
-    fact("default", told_value(parameter, parameter.initial));
-    fact("range", range_text(parameter));
-    fact("scale", parameter.scale == Scale::logarithmic ? "logarithmic" : "");
+    fact("Default", told_value(parameter, parameter.initial));
+    fact("Range", range_text(parameter));
+    fact("Scale", parameter.scale == Scale::logarithmic ? "Logarithmic" : "");
     for (const MidiBinding& binding : knob.midi)
         fact("MIDI", words_of(binding));
     if (knob.modulation)
-        fact("moves", summary_of(*knob.modulation));
-    fact("declared", place_text(parameter.declared));
+        fact("Modulation", summary_of(*knob.modulation));
+    fact("Declared", place_text(parameter.declared));
 }
 // A number on a field of its own, which says that it can be typed.
 bool draw_end(const char* id, double& end, const NumberFacts& facts) {
@@ -151,8 +156,8 @@ bool draw_two_ends(const Knob& knob, Limit& ends, const Fonts& fonts, Edits& edi
     if (parameter.limit)
         facts.limit = Limit{parameter.limit->low * factor, parameter.limit->high * factor};
     ImGui::AlignTextToFramePadding();
-    dim_text("slider");
-    ImGui::SameLine(ImGui::GetFontSize() * 5.0f);
+    dim_text("Slider");
+    ImGui::SameLine(ImGui::GetFontSize() * fact_column);
     const ScopedFont numbers(fonts.numbers);
     facts.is_changed = parameter.range.low != knob.declared.low;
     bool is_changed = draw_end("##low", ends.low, facts);
@@ -183,7 +188,8 @@ void draw_slider_ends(const Knob& knob, const Fonts& fonts, Edits& edits) {
     ImGui::SameLine();
     const SliderFacts declared{.low = knob.declared.low * factor,
                                .high = knob.declared.high * factor};
-    if (icon_button("##ends", Icon::reset, "Back to " + range_text(declared), theme::dim))
+    if (icon_button("##ends", Icon::reset, fmt::format("Reset to {}", range_text(declared)),
+                    theme::dim))
         edits.add([name](Lab& lab) { lab.set_slider_ends(name, std::nullopt); });
     edits.mark("reset_slider_ends");
 }
@@ -206,13 +212,13 @@ void draw_parameter_help(const Knob& knob, const Fonts& fonts, Edits& edits) {
     draw_step_items(parameter.name, edits);
     draw_sheet_items(knob, edits);
     if (is_decay(parameter)) {
-        if (ImGui::Selectable("Compare at 24, 30, 60 and 144 Hz…"))
+        if (ImGui::Selectable("Compare frame rates…"))
             compare_rates(edits);
         edits.mark("compare_rates");
     }
     const Location place = parameter.declared;
     if (!place.file.empty()) {
-        if (ImGui::Selectable(("Open " + place_text(place)).c_str()))
+        if (ImGui::Selectable(fmt::format("Open {}", place_text(place)).c_str()))
             edits.add([place](Lab& lab) { lab.open_in_editor(place); });
         edits.mark("open_declared");
     }
@@ -220,7 +226,7 @@ void draw_parameter_help(const Knob& knob, const Fonts& fonts, Edits& edits) {
     draw_midi_items(knob, edits);
     if (knob.is_changed && ImGui::Selectable("Reset"))
         reset_parameter(parameter.name, edits);
-    if (ImGui::Selectable("Copy the name"))
+    if (ImGui::Selectable("Copy name"))
         edits.copy(parameter.name);
     ImGui::EndPopup();
 }

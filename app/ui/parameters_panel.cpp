@@ -9,6 +9,7 @@
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
+#include <fmt/format.h>
 #include <imgui/imgui_stdlib.h>
 
 #include <algorithm>
@@ -35,7 +36,7 @@ struct FilterChoice {
 };
 constexpr std::array<FilterChoice, 4> filters{
     {{ParameterFilter::all, "All", "All parameters"},
-     {ParameterFilter::changed, "Changed", "Changed from their defaults"},
+     {ParameterFilter::changed, "Changed", "Changed parameters"},
      {ParameterFilter::favourites, "Favourites", "Favourites"},
      {ParameterFilter::of_pass, "This pass", "Used by this pass"}}};
 
@@ -52,14 +53,14 @@ void draw_filter(const WindowState& window, Edits& edits) {
         is_open = begin_combo("##filter", present.name, filter_width());
     }
     if (!is_open) {
-        tooltip("Which parameters are listed");
+        tooltip("Filter parameters");
         edits.mark("filter");
         return;
     }
     for (const FilterChoice& choice : filters) {
         const bool is_of_pass = choice.filter == ParameterFilter::of_pass;
         const std::string words =
-            is_of_pass ? "Used by " + window.inspected.pass : std::string(choice.words);
+            is_of_pass ? fmt::format("Used by {}", window.inspected.pass) : choice.words;
         if ((!is_of_pass || !window.inspected.pass.empty()) &&
             ImGui::Selectable(words.c_str(), choice.filter == window.filter))
             edits.arrange([chosen = choice.filter](WindowState& state) { state.filter = chosen; });
@@ -77,14 +78,15 @@ void draw_toolbar(const Scene& scene, Edits& edits) {
     draw_filter(scene.window, edits);
     ImGui::SameLine();
     if (icon_button("##randomise", Icon::dice,
-                    help_of(ActionId::randomise) + ": all that is not locked, within its range",
+                    fmt::format("{}\nSets each unlocked parameter to a random value in its range.",
+                                help_of(ActionId::randomise)),
                     theme::text))
         run(ActionId::randomise, scene, edits);
     edits.mark("randomise");
     ImGui::SameLine(0.0f, 0.0f);
     const bool can_reset = !document.values().empty();
     const ScopedDisabled disabled(!can_reset);
-    if (icon_button("##reset_all", Icon::reset, "Reset every parameter that is not locked",
+    if (icon_button("##reset_all", Icon::reset, "Reset all unlocked parameters",
                     can_reset ? theme::text : theme::faint) &&
         can_reset)
         edits.document([](Document& changed) { changed.reset_all(); });
@@ -96,7 +98,7 @@ void draw_group_header_end(const ParameterGroup& group, std::size_t changed, Edi
         return;
     same_line_right(ImGui::GetFrameHeight());
     const bool is_asked = icon_button("##reset_group", Icon::reset,
-                                      "Reset what is not locked in this group", theme::dim);
+                                      "Reset unlocked parameters in this group", theme::dim);
     edits.mark("reset_group:" + group.name);
     if (!is_asked)
         return;
@@ -202,7 +204,7 @@ void draw_group(const ParameterGroup& group, const Scene& scene, Edits& edits) {
 void draw_nothing_to_show(const Document& document, const WindowState& window, Edits& edits) {
     if (document.look().parameters.empty()) {
         wrapped_dim_text(
-            "This look has no parameters: a uniform in one of its shaders becomes one.");
+            "This look has no parameters. Each uniform that you add to its shaders becomes one.");
         return;
     }
     wrapped_dim_text(why_nothing_is_listed(query_of(window)));
@@ -219,9 +221,9 @@ void draw_orphans(const Document& document) {
     if (names.empty())
         return;
     ImGui::Separator();
-    heading("Kept for a parameter that this look no longer has");
+    heading("Values of missing parameters");
     for (const std::string& name : names)
-        fitted_text(name + " = " + to_string(document.values().at(name)),
+        fitted_text(fmt::format("{} = {}", name, to_string(document.values().at(name))),
                     ImGui::GetContentRegionAvail().x, theme::dim);
 }
 // Words and place of one look's list say nothing about another's. Gives whether it is another.

@@ -119,14 +119,14 @@ std::vector<Action> looking_actions() {
              has_passes},
             {ActionId::reset_levels,
              Menu::pass,
-             "Black 0, white 1",
+             "Reset black and white",
              {'A', false, true},
              false,
              reset_levels,
              has_levels},
             {ActionId::mark_flaws,
              Menu::pass,
-             "Mark NaN red, infinite green, negative blue",
+             "Mark NaN (red), Inf (green), negative (blue)",
              {'X'},
              false,
              toggle<&View::marks_flaws>,
@@ -134,7 +134,7 @@ std::vector<Action> looking_actions() {
              is_on<&View::marks_flaws>},
             {ActionId::mark_clipping,
              Menu::pass,
-             "Mark clipping: white yellow, black cyan",
+             "Mark clipped white (yellow), black (cyan)",
              {'X', false, true},
              false,
              toggle<&View::marks_clipping>,
@@ -142,16 +142,16 @@ std::vector<Action> looking_actions() {
              is_on<&View::marks_clipping>},
             {ActionId::false_color,
              Menu::pass,
-             "False colours",
+             "False colour",
              {'C', false, true},
              false,
              toggle<&View::is_false_color>,
              has_passes,
              is_on<&View::is_false_color>},
-            {ActionId::pin, Menu::pass, "Pin this pixel", {'K'}, true, pin, has_probe},
+            {ActionId::pin, Menu::pass, "Pin pixel", {'K'}, true, pin, has_probe},
             {ActionId::save_pass,
              Menu::pass,
-             "Save this pass…",
+             "Save pass…",
              {'E', true, true},
              false,
              save_pass,
@@ -164,26 +164,25 @@ std::vector<Action> pass_actions::list() {
                            void (*act)(const Scene&, Edits&)) {
         return Action{id, Menu::pass, label, chord, is_first, act, has_passes};
     };
-    Action large =
-        action(ActionId::pass_large, "As large as the picture", {'P'}, true, toggle_large);
+    Action large = action(ActionId::pass_large, "Show pass large", {'P'}, true, toggle_large);
     large.is_on = is_large;
     Action written =
-        action(ActionId::write_passes, "Write into look.json", {'W', true, true}, false, write);
-    Action back = action(ActionId::passes_as_written, "Back to what look.json says",
-                         {'L', true, true}, false, take_back);
+        action(ActionId::write_passes, "Save to look.json", {'W', true, true}, false, write);
+    Action back = action(ActionId::passes_as_written, "Revert to look.json", {'L', true, true},
+                         false, take_back);
     written.is_enabled = back.is_enabled = has_overrides;
     std::vector<Action> actions{
         action(ActionId::next_pass, "Next pass", {'N'}, false, choose_next<1>),
         action(ActionId::previous_pass, "Previous pass", {'N', false, true}, false,
                choose_next<-1>),
         large,
-        action(ActionId::next_channels, "Next channels", {'C'}, false, choose_channels),
+        action(ActionId::next_channels, "Next channel", {'C'}, false, choose_channels),
         action(ActionId::brighter, "One stop brighter", {'E'}, false, expose<1>),
         action(ActionId::darker, "One stop darker", {'E', false, true}, false, expose<-1>),
     };
     const std::vector<Action> looking = looking_actions();
     actions.insert(actions.end(), looking.begin(), looking.end());
-    actions.insert(actions.end(), {action(ActionId::edit_pass, "Edit the shader",
+    actions.insert(actions.end(), {action(ActionId::edit_pass, "Edit shader",
                                           {gpu::key::first_function + 3}, true, edit_shader),
                                    written, back});
     return actions;

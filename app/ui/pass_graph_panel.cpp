@@ -149,10 +149,10 @@ std::string help_of(std::size_t node, const PassGraph& graph, const Scene& scene
     const Node& drawn = graph.nodes[node];
     const bool is_pass = drawn.kind == Input::From::pass;
     std::string text = is_pass                               ? drawn.name
-                       : drawn.kind == Input::From::source   ? "the source picture"
-                       : drawn.kind == Input::From::keyboard ? "the keys of the keyboard"
-                       : drawn.kind == Input::From::sound    ? "follows the sound: " + drawn.name
-                                                             : "image " + drawn.name;
+                       : drawn.kind == Input::From::source   ? "Source picture"
+                       : drawn.kind == Input::From::keyboard ? "Keyboard"
+                       : drawn.kind == Input::From::sound    ? fmt::format("Sound: {}", drawn.name)
+                                                             : fmt::format("Image: {}", drawn.name);
     if (is_pass) {
         const PlannedTarget& target =
             scene.lab.renderer()->executor().plan().targets[pass_of(drawn, scene)];
@@ -160,12 +160,14 @@ std::string help_of(std::size_t node, const PassGraph& graph, const Scene& scene
     }
     for (const Edge& edge : graph.edges)
         if (edge.to == node)
-            text += fmt::format("\nreads {}{} as {}", graph.nodes[edge.from].name,
-                                edge.frames_ago > 0 ? fmt::format("@{}", edge.frames_ago) : "",
-                                fmt::join(edge.uniforms, ", "));
+            text += edge.frames_ago > 0
+                        ? fmt::format("\nReads {}@{} as {}", graph.nodes[edge.from].name,
+                                      edge.frames_ago, fmt::join(edge.uniforms, ", "))
+                        : fmt::format("\nReads {} as {}", graph.nodes[edge.from].name,
+                                      fmt::join(edge.uniforms, ", "));
     for (const Edge& edge : graph.edges)
         if (edge.from == node)
-            text += "\nis read by " + graph.nodes[edge.to].name;
+            text += fmt::format("\nRead by {}", graph.nodes[edge.to].name);
     return text;
 }
 

@@ -25,14 +25,14 @@ const char* wrap_text(Wrap wrap) {
 
 void draw_read(const SamplerReport& sampler, Edits& edits) {
     if (!sampler.reads) {
-        dim_text("nothing: transparent black");
+        dim_text("none (transparent black)");
         return;
     }
     if (quiet_button(sampler.reads->label() + "##" + sampler.uniform))
         edits.arrange(
             [choice = *sampler.reads](WindowState& window) { window.inspected.look_into(choice); });
     edits.mark("reads:" + sampler.uniform);
-    tooltip("A click looks into that picture.");
+    tooltip("Click to inspect this picture.");
 }
 
 void draw_sampler(const SamplerReport& sampler, Edits& edits) {
@@ -48,7 +48,7 @@ void draw_sampler(const SamplerReport& sampler, Edits& edits) {
     ImGui::TableNextColumn();
     draw_read(sampler, edits);
     if (sampler.extent.is_empty()) {
-        cell(!sampler.reads ? "" : "not there yet: transparent black");
+        cell(!sampler.reads ? "" : "not available yet (transparent black)");
         return;
     }
     cell(size_text(sampler.extent));
@@ -67,9 +67,9 @@ void name_columns(int columns) {
 
 void draw_samplers(const PassReport& report, Edits& edits) {
     if (report.samplers.empty())
-        dim_text("This pass reads no picture.");
+        dim_text("This pass has no inputs.");
     else if (ImGui::BeginTable("##samplers", 6, ImGuiTableFlags_SizingFixedFit)) {
-        for (const char* head : {"sampler", "reads", "size", "format", "filter", "beyond the edge"})
+        for (const char* head : {"Sampler", "Input", "Size", "Format", "Filter", "Wrap"})
             ImGui::TableSetupColumn(head);
         name_columns(6);
         for (const SamplerReport& sampler : report.samplers)
@@ -80,9 +80,9 @@ void draw_samplers(const PassReport& report, Edits& edits) {
 
 void draw_built_ins(const PassReport& report) {
     if (report.built_ins.empty())
-        dim_text("This pass uses no built-in uniform.");
+        dim_text("This pass uses no built-in uniforms.");
     else if (ImGui::BeginTable("##built_ins", 2, ImGuiTableFlags_SizingFixedFit)) {
-        for (const char* head : {"built-in", "now"})
+        for (const char* head : {"Built-in uniform", "Value"})
             ImGui::TableSetupColumn(head);
         name_columns(2);
         for (const BuiltInReport& built_in : report.built_ins) {

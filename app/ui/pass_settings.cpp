@@ -27,12 +27,12 @@ void draw_scale(const std::string& pass, const PassSetting& now, float width, Ed
             chosen = static_cast<int>(i);
     }
     if (form_list("##scale", labels.data(), static_cast<int>(labels.size()), chosen, width,
-                  "by look")) {
+                  "Custom")) {
         PassOverride changed = now.tried;
         changed.scale = pass_scales[static_cast<std::size_t>(chosen)];
         set_override(pass, changed, edits);
     }
-    tooltip("Size of this pass against the picture");
+    tooltip("Size of this pass relative to the render size.");
     edits.mark("pass_scale");
 }
 
@@ -49,7 +49,7 @@ void draw_format(const std::string& pass, const PassSetting& now, float width, E
         }
         ImGui::EndCombo();
     }
-    tooltip("Format of this pass's target");
+    tooltip("Pixel format of this pass.");
     edits.mark("pass_format");
 }
 
@@ -61,7 +61,7 @@ void draw_filter(const std::string& pass, const PassSetting& now, float width, E
         changed.filter = chosen == 1 ? Filter::linear : Filter::nearest;
         set_override(pass, changed, edits);
     }
-    tooltip("How other passes read this one between its texels");
+    tooltip("Filter that other passes use to sample this one.");
     edits.mark("pass_filter");
 }
 
@@ -70,13 +70,13 @@ bool has_changes(const Scene& scene) {
 }
 
 void draw_buttons(Edits& edits) {
-    if (ImGui::Button("Write to look.json"))
+    if (ImGui::Button("Save to look.json"))
         edits.add([](Lab& lab) { lab.write_overrides(); });
     edits.mark("write_overrides");
     ImGui::SameLine();
-    if (quiet_button("As written"))
+    if (quiet_button("Revert"))
         edits.document([](Document& document) { document.clear_overrides(); });
-    tooltip("Takes back what was tried here, in every pass");
+    tooltip("Discards the changes made here in all passes.");
 }
 }  // namespace
 

@@ -56,6 +56,9 @@ Action switching(ActionId id, const char* label, Chord chord, bool is_first = fa
             is_on<which>};
 }
 
+constexpr const char* clear_label = "Clear solo, bypass and freeze";
+constexpr const char* clear_history_label = "Clear pass history";
+
 struct MenuLine {
     PassSwitch which;
     const char* label;
@@ -63,13 +66,12 @@ struct MenuLine {
 };
 
 constexpr std::array switch_items{
-    MenuLine{PassSwitch::bypass, "Bypass",
-             "It hands on the first picture that it reads, as it is."},
-    MenuLine{PassSwitch::solo, "Solo", "This pass alone is seen, in the place of the picture."},
+    MenuLine{PassSwitch::bypass, "Bypass", "Passes its first input through unchanged."},
+    MenuLine{PassSwitch::solo, "Solo", "Shows only this pass instead of the picture."},
     MenuLine{PassSwitch::stop, "Stop here",
-             "This pass is seen in the place of the picture, and later ones are not drawn."},
+             "Shows this pass instead of the picture and skips later passes."},
     MenuLine{PassSwitch::freeze, "Freeze",
-             "It keeps what it drew last; later passes go on with that."},
+             "Keeps its last frame. Later passes continue to use it."},
 };
 }  // namespace
 
@@ -89,10 +91,10 @@ void pass_switch_actions::draw_items(const std::string& pass, const Scene& scene
         edits.mark(std::string("switch:") + item.label);
     }
     ImGui::Separator();
-    if (ImGui::MenuItem("Clear its history"))
+    if (ImGui::MenuItem(clear_history_label))
         edits.add([pass](Lab& lab) { lab.clear_history(pass); });
     edits.mark("switch:clear");
-    if (ImGui::MenuItem("All passes as usual", nullptr, false, has_switches(scene)))
+    if (ImGui::MenuItem(clear_label, nullptr, false, has_switches(scene)))
         switch_nothing(scene, edits);
 }
 
@@ -118,28 +120,28 @@ std::string pass_switch_actions::words_of(std::size_t pass, const Look& look,
 std::vector<Action> pass_switch_actions::list() {
     Action usual{ActionId::passes_as_usual,
                  Menu::pass,
-                 "All passes as usual",
+                 clear_label,
                  {},
                  false,
                  switch_nothing,
                  has_switches};
     return {switching<PassSwitch::bypass>(ActionId::bypass_pass, "Bypass this pass",
                                           {'B', false, true}, true),
-            switching<PassSwitch::solo>(ActionId::solo_pass, "Solo: see only this pass", {'S'}),
+            switching<PassSwitch::solo>(ActionId::solo_pass, "Solo this pass", {'S'}),
             switching<PassSwitch::stop>(ActionId::stop_at_pass, "Stop at this pass",
                                         {'S', false, true}),
             switching<PassSwitch::freeze>(ActionId::freeze_pass, "Freeze this pass",
                                           {'F', false, true}),
             {ActionId::clear_pass,
              Menu::pass,
-             "Clear the history of this pass",
+             clear_history_label,
              {'H', false, true},
              true,
              clear_chosen,
              file_actions::has_document},
             {ActionId::clear_passes,
              Menu::pass,
-             "Clear the history of all passes",
+             "Clear all passes' history",
              {'H'},
              false,
              clear_all,

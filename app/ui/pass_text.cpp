@@ -35,7 +35,7 @@ void draw_line(int number, std::string_view text, const Location& origin, float 
     const bool is_chosen = ImGui::Selectable("##line");
     if (!origin.file.empty()) {
         edits.mark("text_line:" + origin_text(origin));
-        tooltip(origin.file.string() + "\nA click opens it in your editor.");
+        editor_tooltip(origin.file);
         if (is_chosen)
             edits.add([origin](Lab& lab) { lab.open_in_editor(origin); });
     }
@@ -73,6 +73,6 @@ void draw_pass_text(const Scene& scene, Edits& edits) {
     const Pass& pass = executor.look().passes[index];
     const Stage own{{}, executor.programs().passes[index].vertex, {}};
     const ScopedFont font(scene.fonts.numbers);
-    draw_stage("Fragment stage", pass.fragment, edits);
-    draw_stage("Vertex stage", pass.vertex.text.empty() ? own : pass.vertex, edits);
+    draw_stage("Fragment shader", pass.fragment, edits);
+    draw_stage("Vertex shader", pass.vertex.text.empty() ? own : pass.vertex, edits);
 }

@@ -6,6 +6,8 @@
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
 
@@ -22,7 +24,7 @@ double present_zoom(const Scene& scene) {
 std::string zoom_label(const Scene& scene) {
     const double zoom = present_zoom(scene);
     const bool is_whole = zoom >= 1.0 && zoom == std::floor(zoom);
-    return zoom_text(zoom) + (is_whole ? "" : " resampled");
+    return is_whole ? zoom_text(zoom) : fmt::format("{} resampled", zoom_text(zoom));
 }
 
 float button_width(const std::string& label) {
@@ -77,14 +79,14 @@ void draw_picture_menus(const Scene& scene, Edits& edits) {
     const std::string size = size_label(scene);
     const std::string zoom = zoom_label(scene);
     const ScopedFont font(scene.fonts.numbers);
-    draw_button(size, "size", "Size of the picture in pixels, whatever the window's", [&] {
+    draw_button(size, "size", "Render size in pixels, independent of the window size.", [&] {
         const ScopedFont text(scene.fonts.text);
         draw_size_items(scene, edits);
     });
     edits.mark("picture_size");
     ImGui::SameLine(0.0f, 0.0f);
     const ScopedColor color(ImGuiCol_Text, theme::dim);
-    draw_button(zoom, "zoom", "How large a pixel of the picture is shown", [&] {
+    draw_button(zoom, "zoom", "Zoom: screen pixels per pixel of the picture.", [&] {
         const ScopedFont text(scene.fonts.text);
         const ScopedColor normal(ImGuiCol_Text, theme::text);
         draw_zoom_items(scene, edits);
@@ -100,11 +102,11 @@ void draw_size_items(const Scene& scene, Edits& edits) {
         edits.mark("shape:" + std::string(shape_name(shape)));
     }
     ImGui::Separator();
-    if (ImGui::MenuItem("Match the pane once", nullptr, present.fits_shape))
+    if (ImGui::MenuItem("Match pane once", nullptr, present.fits_shape))
         edits.add([](Lab& lab) { lab.fix_size_to_view(); });
     tooltip(
-        "As large as the pane is now, or the display of the output window. The size stays when "
-        "panes open or close.");
+        "Sets the render size to the size of the pane, or of the output window's display. It "
+        "doesn't change when panes open or close.");
     edits.mark("size:pane_once");
     for (const Extent& extent : picture_sizes) {
         if (ImGui::MenuItem(size_text(extent).c_str(), nullptr, present.is_exactly(extent)))
@@ -113,7 +115,7 @@ void draw_size_items(const Scene& scene, Edits& edits) {
     }
     ImGui::Separator();
     for (const double scale : picture_scales) {
-        const std::string label = "Scaled " + zoom_text(scale);
+        const std::string label = fmt::format("Scale {}", zoom_text(scale));
         if (ImGui::MenuItem(label.c_str(), nullptr, present.scale == scale)) {
             PictureSize size = present;
             size.scale = scale;
@@ -128,8 +130,8 @@ void draw_zoom_items(const Scene& scene, Edits& edits) {
         if (ImGui::MenuItem(label, key, present.fit == fit))
             edits.arrange([fit](WindowState& window) { window.large_view() = {fit}; });
     };
-    fit_item("Whole pixels, as large as fits", "", PictureView::Fit::whole);
-    fit_item("All of it", "F", PictureView::Fit::all);
+    fit_item("Largest integer zoom", "", PictureView::Fit::whole);
+    fit_item("Fit", "F", PictureView::Fit::all);
     ImGui::Separator();
     for (const double zoom : picture_zooms) {
         const bool is_chosen = present.fit == PictureView::Fit::free && present.zoom == zoom;

@@ -14,6 +14,8 @@
 #include "ui/scoped.h"
 #include "ui/wipe.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -70,11 +72,11 @@ void follow_pen(const CanvasInput& input, Edits& edits) {
 std::string other_words(const Scene& scene) {
     const PassSwitches& switches = scene.lab.pass_switches();
     if (scene.window.shows_pass_large)
-        return scene.window.inspected.label() + " · back to the picture";
+        return fmt::format("{} · Back to picture", scene.window.inspected.label());
     if (!switches.solo.empty())
-        return "Only " + switches.solo + " · back to the picture";
+        return fmt::format("Solo: {} · Back to picture", switches.solo);
     if (!switches.last.empty())
-        return "Stopped at " + switches.last + " · back to the picture";
+        return fmt::format("Stopped at {} · Back to picture", switches.last);
     return {};
 }
 

@@ -36,7 +36,7 @@ void draw_heads(const Scene& scene, Edits& edits) {
         ImGui::AlignTextToFramePadding();
         dim_text(fmt::format("{:>9}   {}, {}", i + 1, x, y));
         ImGui::SameLine();
-        if (icon_button("##remove", Icon::close, "Remove this pin", theme::dim))
+        if (icon_button("##remove", Icon::close, "Remove pin", theme::dim))
             remove(i, edits);
         edits.mark(fmt::format("unpin:{}", i + 1));
     }
@@ -56,7 +56,7 @@ void draw_pin_row(std::size_t index, const Scene& scene) {
             continue;
         ImGui::TextUnformatted(value_text(*value, pass.format).c_str());
         const auto [x, y] = scene.window.pins[i].texel(extent);
-        tooltip(fmt::format("{} at {}, {} of {}", pass.name, x, y, size_text(extent)));
+        tooltip(fmt::format("{}: pixel ({}, {}) of {}", pass.name, x, y, size_text(extent)));
     }
 }
 }  // namespace
@@ -65,7 +65,9 @@ void draw_pins_panel(const Scene& scene, Edits& edits) {
     if (!scene.lab.renderer() || scene.lab.renderer()->executor().plan().targets.empty())
         return;
     if (scene.window.pins.empty()) {
-        dim_text("K pins the pixel under the pointer: here stands what every pass holds there.");
+        dim_text(fmt::format(
+            "Press {} over the picture to pin a pixel. Its value in every pass is listed here.",
+            key_of(ActionId::pin)));
         return;
     }
     const ScopedFont font(scene.fonts.numbers);

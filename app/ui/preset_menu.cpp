@@ -1,6 +1,5 @@
 #include "ui/preset_menu.h"
 
-#include "lab/users_content.h"
 #include "ui/compare_dialog.h"
 
 #include <fmt/format.h>
@@ -8,7 +7,7 @@
 
 namespace {
 void draw_morph_items(const ListedPreset& preset, const Scene& scene, Edits& edits) {
-    if (ImGui::BeginMenu("Morph to it in")) {
+    if (ImGui::BeginMenu("Morph in")) {
         for (const int seconds : {1, 3, 10, 30, 60}) {
             const bool is_present = scene.window.presets.morph_seconds == seconds;
             if (ImGui::MenuItem(fmt::format("{} s", seconds).c_str(), nullptr, is_present)) {
@@ -71,13 +70,14 @@ void draw_preset_menu(const ListedPreset& preset, const Scene& scene, Edits& edi
     if (ImGui::MenuItem("Open"))
         open_listed(preset, scene, edits);
     if (scene.lab.document()->is_content_locked()) {
-        const std::string with = "Open with its own " + content_word(scene.lab.document()->look());
-        if (ImGui::MenuItem(with.c_str(), "Alt+click"))
+        const bool has_source = scene.lab.document()->look().driven_by == Driver::picture;
+        if (ImGui::MenuItem(has_source ? "Open with its source" : "Open with its signal",
+                            "Alt+click"))
             open_listed(preset, scene, edits, true);
         edits.mark("open_own:" + preset.preset.entry.id);
     }
     if (!preset.is_plain()) {
-        if (ImGui::MenuItem("Compare with what is open"))
+        if (ImGui::MenuItem("Compare with current settings"))
             compare_preset(preset.preset, scene, edits);
         edits.mark("compare:" + preset.preset.entry.id);
     }

@@ -1,7 +1,6 @@
 #include "ui/presets_panel.h"
 
 #include "lab/preset_choices.h"
-#include "lab/users_content.h"
 #include "ui/icons.h"
 #include "ui/preset_menu.h"
 #include "ui/scoped.h"
@@ -49,10 +48,11 @@ void draw_search(const PresetBrowsing& wanted, Edits& edits) {
 void draw_star_filter(const PresetBrowsing& wanted, Edits& edits) {
     const bool is_on = wanted.only_starred;
     if (icon_button("##only_starred", is_on ? Icon::star : Icon::star_outline,
-                    is_on ? "Favourites alone, also for the keys that go to the next and previous "
-                            "preset. A click shows all."
-                          : "Show favourites alone; the keys for the next and previous preset then "
-                            "go through these.",
+                    is_on
+                        ? "Only favourites are shown, also for the previous and next preset keys. "
+                          "Click to show all presets."
+                        : "Show only favourites. The previous and next preset keys then skip "
+                          "other presets.",
                     is_on ? theme::accent : theme::label))
         edits.arrange([is_on](WindowState& window) { window.presets.only_starred = !is_on; });
     edits.mark("only_starred");
@@ -60,7 +60,7 @@ void draw_star_filter(const PresetBrowsing& wanted, Edits& edits) {
 
 void draw_morph_time(const PresetBrowsing& wanted, Edits& edits) {
     ImGui::AlignTextToFramePadding();
-    dim_text("morph in");
+    dim_text("Morph in");
     ImGui::SameLine();
     const std::string present = fmt::format("{:g} s", wanted.morph_seconds);
     if (begin_combo("##morph_seconds", present, ImGui::GetFontSize() * 4.4f)) {
@@ -73,7 +73,7 @@ void draw_morph_time(const PresetBrowsing& wanted, Edits& edits) {
         }
         ImGui::EndCombo();
     } else {
-        tooltip("How long a morph takes: Shift and a click, or Ctrl+Shift+PageDown");
+        tooltip("Duration of a morph. Shift+click a preset or press Ctrl+Shift+PageDown to morph.");
         edits.mark("morph_seconds");
     }
 }
@@ -83,19 +83,21 @@ void draw_content_choice(const Scene& scene, Edits& edits) {
     if (look.driven_by == Driver::nothing)
         return;
     ImGui::SameLine();
-    const std::string word = content_word(look);
-    const std::array labels{"Preset's " + word, "My " + word};
+    const bool has_source = look.driven_by == Driver::picture;
+    const std::array labels = has_source ? std::array{"Preset's source", "My source"}
+                                         : std::array{"Preset's signal", "My signal"};
     const bool is_own = scene.window.presets.shows_own_content;
     if (begin_combo("##content", labels[is_own ? 1 : 0], ImGui::GetFontSize() * 8.5f)) {
         for (const bool choice : {false, true}) {
-            if (ImGui::Selectable(labels[choice ? 1 : 0].c_str(), choice == is_own))
+            if (ImGui::Selectable(labels[choice ? 1 : 0], choice == is_own))
                 edits.arrange(
                     [choice](WindowState& window) { window.presets.shows_own_content = choice; });
             edits.mark(choice ? "pictures_with:mine" : "pictures_with:preset");
         }
         ImGui::EndCombo();
     } else {
-        tooltip("Draw the thumbnails with each preset's " + word + " or with mine.");
+        tooltip(has_source ? "Source for the thumbnails: each preset's own or yours."
+                           : "Signal for the thumbnails: each preset's own or yours.");
         edits.mark("pictures_with");
     }
 }
@@ -108,7 +110,7 @@ void draw_count(const Scene& scene, const std::vector<ListedPreset>& listed) {
         return;
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
-    dim_text(fmt::format("{} to be drawn", due));
+    dim_text(fmt::format("{} left to render", due));
 }
 
 // Whole, in the middle, over a dark ground.
@@ -147,7 +149,8 @@ bool draw_star(const ListedPreset& preset, const ImVec2& low, const PresetCell& 
     const theme::Color color = is_hovered || preset.has_star ? theme::accent : theme::text;
     draw_icon(preset.has_star ? Icon::star : Icon::star_outline,
               {std::round(at.x + inset), std::round(at.y + inset)}, size, theme::packed(color));
-    tooltip(preset.has_star ? "A favourite. A click takes the star away." : "Make it a favourite");
+    tooltip(preset.has_star ? "Favourite. Click to remove it from the favourites."
+                            : "Add to favourites");
     return is_pressed;
 }
 
@@ -172,11 +175,11 @@ void draw_picture(const ListedPreset& preset, const Scene& scene, const ImVec2& 
 }
 
 std::string help_for(const ListedPreset& preset, const Scene& scene) {
-    std::string help = preset.preset.name;
-    if (!preset.preset.about.empty())
-        help += "\n" + preset.preset.about;
-    return help + fmt::format("\nShift and a click morphs to it in {:g} s.",
-                              scene.window.presets.morph_seconds);
+    const std::string& about = preset.preset.about;
+    return fmt::format(
+        "{}\nShift+click to morph to it in {:g} s.",
+        about.empty() ? preset.preset.name : fmt::format("{}\n{}", preset.preset.name, about),
+        scene.window.presets.morph_seconds);
 }
 
 void draw_preset(const ListedPreset& preset, const Scene& scene, const PresetCell& cell,
@@ -209,9 +212,8 @@ void draw_preset(const ListedPreset& preset, const Scene& scene, const PresetCel
 
 std::string why_no_preset(const PresetBrowsing& wanted) {
     if (!wanted.search.empty())
-        return "No preset has these words.";
-    return "No preset of this look has a star yet: it stands on a picture while the pointer is "
-           "there.";
+        return "No matches.";
+    return "No favourites yet. Hover over a preset and click its star.";
 }
 }  // namespace
 

@@ -32,7 +32,7 @@ void draw_place(const Diagnostic& diagnostic, const ImVec4& color, Edits& edits)
         const Location place{diagnostic.file, diagnostic.line};
         edits.add([place](Lab& lab) { lab.open_in_editor(place); });
     }
-    tooltip(diagnostic.file.string() + "\nA click opens it in your editor.");
+    editor_tooltip(diagnostic.file);
     ImGui::SameLine();
 }
 
@@ -60,7 +60,7 @@ void draw_problem(const Problem& problem, const Fonts& fonts, Edits& edits) {
 void draw_file_problems(const Scene& scene, Edits& edits) {
     for (const Diagnostic& problem : scene.lab.drive().problems()) {
         const ScopedColor color(ImGuiCol_Text, theme::warning);
-        ImGui::TextWrapped("%s %s", problem.file.filename().string().c_str(),
+        ImGui::TextWrapped("%s: %s", problem.file.filename().string().c_str(),
                            problem.message.c_str());
         edits.mark("media_problem");
     }

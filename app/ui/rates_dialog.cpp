@@ -38,9 +38,9 @@ void draw_pairs(const RateComparison& comparison, const Scene& scene, Edits& edi
     if (!ImGui::BeginTable("##pairs", 4))
         return;
     ImGui::TableSetupColumn("Hz");
-    ImGui::TableSetupColumn("largest");
-    ImGui::TableSetupColumn("at pixel");
-    ImGui::TableSetupColumn("mean");
+    ImGui::TableSetupColumn("Largest");
+    ImGui::TableSetupColumn("At pixel");
+    ImGui::TableSetupColumn("Mean");
     ImGui::TableHeadersRow();
     const ScopedFont font(scene.fonts.numbers);
     const auto& shown = scene.lab.rate_pictures().shown();
@@ -68,8 +68,8 @@ void draw_pictures(const RatePictures::Shown& shown, const RatePair& pair, Edits
     draw_seen(shown.second, fmt::format("{:.0f} Hz", pair.second), width);
     ImGui::SameLine();
     draw_seen(shown.difference,
-              shown.gain == 1.0 ? std::string("difference")
-                                : fmt::format("difference, {:g} times", shown.gain),
+              shown.gain == 1.0 ? std::string("Difference")
+                                : fmt::format("Difference, amplified {:g}×", shown.gain),
               width);
     edits.mark("rates_difference");
 }
@@ -77,8 +77,8 @@ void draw_pictures(const RatePictures::Shown& shown, const RatePair& pair, Edits
 void draw_comparison(const RateComparison& comparison, const Scene& scene, Edits& edits) {
     const RatePair& worst = comparison.worst();
     ImGui::TextUnformatted(
-        wrapped(fmt::format("The largest difference is {:.4g} of 255 levels, between {:.0f} and "
-                            "{:.0f} Hz at pixel {}, {}.",
+        wrapped(fmt::format("The largest difference is {:.4g} of 255 levels, between {:.0f} Hz and "
+                            "{:.0f} Hz at pixel ({}, {}).",
                             worst.difference.largest * most_levels, worst.first, worst.second,
                             worst.difference.largest_x, worst.difference.largest_y),
                 ImGui::GetContentRegionAvail().x)
@@ -92,18 +92,18 @@ void draw_comparison(const RateComparison& comparison, const Scene& scene, Edits
     draw_pairs(comparison, scene, edits);
     ImGui::Spacing();
     wrapped_dim_text(
-        fmt::format("Each rate was drawn from a fresh start to {:.3g} s at {}; differences are in "
-                    "levels of 255, of any colour.",
+        fmt::format("Each frame rate was rendered from 0 to {:.3g} s at {}. Differences are in "
+                    "8-bit levels: the largest of any channel, and the mean of all.",
                     comparison.seconds, size_text(comparison.size)));
 }
 }  // namespace
 
 void draw_rates_dialog(const Scene& scene, Edits& edits) {
-    const DialogFrame frame("The picture at 24, 30, 60 and 144 Hz", 60.0f, scene, edits);
+    const DialogFrame frame("Compare frame rates", 60.0f, scene, edits);
     if (!frame.is_open())
         return;
     const auto draw = [&](const auto& outcome) { draw_comparison(outcome, scene, edits); };
     draw_work(
-        scene.lab.rate_check(), "Drawing the same moment at every rate", draw,
+        scene.lab.rate_check(), "Rendering at 24, 30, 60 and 144 Hz…", draw,
         [](Lab& lab) { lab.cancel_rate_comparison(); }, edits);
 }

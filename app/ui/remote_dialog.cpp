@@ -29,12 +29,13 @@ void draw_port(const Scene& scene, Edits& edits) {
 
 void draw_what_came(const OscControl& osc) {
     if (!osc.is_listening()) {
-        dim_text("Nobody is listened to.");
+        dim_text("OSC is off.");
         return;
     }
-    dim_text(fmt::format("Listens at 127.0.0.1, port {}: {} taken, {} refused", osc.port(),
+    dim_text(fmt::format("Listening on 127.0.0.1, port {}: {} accepted, {} rejected", osc.port(),
                          osc.turned(), osc.refused()));
-    wrapped_dim_text("Refused last: " + (osc.problem().empty() ? "nothing" : osc.problem()));
+    wrapped_dim_text(osc.problem().empty() ? std::string("Last rejected: none")
+                                           : fmt::format("Last rejected: {}", osc.problem()));
 }
 }  // namespace
 
@@ -43,9 +44,9 @@ void draw_remote_dialog(const Scene& scene, Edits& edits) {
     if (!frame.is_open())
         return;
     ImGui::TextWrapped(
-        "Other programs on this machine turn parameters by OSC over UDP: the address "
-        "/afterglow/NAME with a number, as many as a vector has, or a text such as an item of a "
-        "list.");
+        "Set parameters from other programs on this computer by OSC over UDP. Send "
+        "/afterglow/NAME with one number, one per component for vectors, or text for list "
+        "items.");
     ImGui::Spacing();
     RemoteSettings settings = scene.lab.remote_settings();
     settings.listens_to_osc = scene.lab.osc().is_listening();

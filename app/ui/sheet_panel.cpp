@@ -20,7 +20,8 @@ void show_sheet(const SheetRequest& request, Edits& edits) {
 
 // "Bloom · Intensity": labels alone come more than once.
 std::string long_label(const Parameter& parameter) {
-    return parameter.group.empty() ? parameter.label : parameter.group + " · " + parameter.label;
+    return parameter.group.empty() ? parameter.label
+                                   : fmt::format("{} · {}", parameter.group, parameter.label);
 }
 
 std::string label_of(const Look& look, const std::string& name) {
@@ -32,10 +33,10 @@ std::string label_of(const Look& look, const std::string& name) {
 bool draw_parameter_choice(const char* id, const Look& look, std::string& chosen, Edits& edits) {
     const std::string before = chosen;
     const float width = ImGui::GetFontSize() * 11.0f;
-    const std::string label = chosen.empty() ? "none" : label_of(look, chosen);
+    const std::string label = chosen.empty() ? "None" : label_of(look, chosen);
     if (!begin_combo(id, label, width))
         return false;
-    if (ImGui::Selectable("none", chosen.empty()))
+    if (ImGui::Selectable("None", chosen.empty()))
         chosen.clear();
     for (const Parameter& parameter : look.parameters) {
         const ScopedId scope(parameter.name);
@@ -68,7 +69,8 @@ void draw_progress(const VariantSheet& sheet, Edits& edits) {
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
     const std::string count = fmt::format("{} of {}", sheet.drawn(), sheet.cells().size());
-    const std::string whole = count + " drawn · Esc stops";
+    const std::string whole =
+        fmt::format("{} of {} rendered · Esc to stop", sheet.drawn(), sheet.cells().size());
     const bool is_wide = ImGui::CalcTextSize(whole.c_str()).x <= ImGui::GetContentRegionAvail().x;
     dim_text(is_wide ? whole : count);
     edits.mark("sheet_progress");
@@ -80,7 +82,7 @@ void draw_head(const VariantSheet& sheet, const Look& look, Edits& edits) {
     SheetRequest request = sheet.request();
     bool is_changed = false;
     ImGui::AlignTextToFramePadding();
-    dim_text("across");
+    dim_text("Columns");
     ImGui::SameLine();
     is_changed |= draw_parameter_choice("##across", look, request.across, edits);
     edits.mark("sheet_across");
@@ -88,7 +90,7 @@ void draw_head(const VariantSheet& sheet, const Look& look, Edits& edits) {
     is_changed |= draw_count_choice("##columns", request.columns, edits);
     edits.mark("sheet_columns");
     ImGui::SameLine();
-    dim_text("down");
+    dim_text("Rows");
     ImGui::SameLine();
     is_changed |= draw_parameter_choice("##down", look, request.down, edits);
     edits.mark("sheet_down");
@@ -186,8 +188,8 @@ void draw_sheet_panel(const Scene& scene, Edits& edits) {
         edits.mark("sheet_problem");
     } else if (sheet.request().across.empty()) {
         wrapped_dim_text(
-            "Choose a parameter: the picture is drawn along its slider, and a click on one of the "
-            "small pictures takes it. A second parameter makes a sheet of all combinations.");
+            "Choose a parameter to render the picture at several values of its slider. Click a "
+            "picture to apply its values. A second parameter adds rows with all combinations.");
     } else {
         draw_cells(sheet, scene, edits);
     }
@@ -197,7 +199,7 @@ void draw_sheet_items(const Knob& knob, Edits& edits) {
     const std::string& name = knob.parameter.name;
     if (!can_be_varied(knob.parameter))
         return;
-    if (ImGui::MenuItem("Filmstrip along it"))
+    if (ImGui::MenuItem("Filmstrip of this parameter"))
         show_sheet({.across = name}, edits);
     edits.mark("filmstrip");
 }

@@ -15,6 +15,7 @@
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
+#include <fmt/format.h>
 #include <imgui/imgui_stdlib.h>
 
 #include <algorithm>
@@ -65,7 +66,8 @@ void draw_reset(const SettingFacts& setting, Spec& spec, const FormColumns& colu
                 const Scene& scene, Edits& edits) {
     const double value = std::get<double>(spec.settings[setting.key]);
     const SliderFacts facts = facts_of(setting, value, *scene.lab.document());
-    if (!form_reset("Back to " + short_number(*facts.initial), facts.is_changed, columns))
+    if (!form_reset(fmt::format("Reset to {}", short_number(*facts.initial)), facts.is_changed,
+                    columns))
         return;
     spec.settings[setting.key] = *facts.initial;
     set_signal(spec, edits);
@@ -132,8 +134,8 @@ void draw_setting(const SettingFacts& setting, const SignalKind& kind, Spec& spe
     const FormColumns columns = form_columns();
     form_label(setting.label, setting.unit, columns, false);
     tooltip(setting.type == SettingType::number
-                ? setting.help + "\n" +
-                      range_text(facts_of(setting, setting.initial, *scene.lab.document()))
+                ? fmt::format("{}\n{}", setting.help,
+                              range_text(facts_of(setting, setting.initial, *scene.lab.document())))
                 : setting.help);
     form_control(columns);
     ImGui::BeginGroup();
@@ -192,11 +194,11 @@ void draw_graticule_hint(const Document& document, Edits& edits) {
         scope_graticule(document.look(), document.values(), document.state().signal);
     if (wanted.empty())
         return;
-    wrapped_dim_text("The graticule's lines are not this scope's divisions.");
+    wrapped_dim_text("The graticule doesn't match this scope's divisions.");
     if (ImGui::Button("Show 10 × 8 divisions", {ImGui::GetContentRegionAvail().x, 0.0f}))
         edits.document([wanted](Document& changed) { changed.set_values(wanted, "Graticule"); });
     edits.mark("scope_graticule");
-    tooltip("Sets the look's graticule to 10 divisions across and 8 up, over the whole picture.");
+    tooltip("Sets the look's graticule to 10 × 8 divisions over the whole picture.");
 }
 
 void draw_signal(const Document& document, const Scene& scene, Edits& edits) {
@@ -225,5 +227,5 @@ void draw_signal_panel(const Scene& scene, Edits& edits) {
     else if (document->look().driven_by == Driver::picture)
         draw_source(scene, edits);
     else
-        wrapped_dim_text("This look needs neither a signal nor a picture.");
+        wrapped_dim_text("This look generates its own picture.");
 }

@@ -289,15 +289,18 @@ bool is_short(const std::string& unit) {
 }
 
 std::string range_text(const SliderFacts& facts) {
-    const std::string unit = facts.unit.empty() ? "" : " " + facts.unit;
-    std::string text = fmt::format("{} to {}", short_number(facts.low), short_number(facts.high));
+    const auto text_of = [&unit = facts.unit](double low, double high) {
+        return unit.empty()
+                   ? fmt::format("{} to {}", short_number(low), short_number(high))
+                   : fmt::format("{} to {} {}", short_number(low), short_number(high), unit);
+    };
     const auto& limit = facts.limit;
     constexpr double practically_none = 1e6;
     if (limit && limit->high - limit->low < practically_none &&
         (limit->low < facts.low || limit->high > facts.high))
-        text +=
-            fmt::format("; typed: {} to {}", short_number(limit->low), short_number(limit->high));
-    return text + unit;
+        return fmt::format("{} (typed: {})", text_of(facts.low, facts.high),
+                           text_of(limit->low, limit->high));
+    return text_of(facts.low, facts.high);
 }
 
 namespace {

@@ -72,7 +72,7 @@ Turned draw_number(const char* id, double& value, float width, const NumberFacts
 /// Whether a unit is short enough to stand behind its number.
 bool is_short(const std::string& unit);
 
-/// "0.1 to 16 px; typed: 0 to 64 px".
+/// "0.1 to 16 px (typed: 0 to 64 px)".
 std::string range_text(const SliderFacts& facts);
 
 /// A number as a control shows it: about four digits, no needless zeros.

@@ -20,19 +20,25 @@ constexpr std::array<SlotActions, 3> button_actions{
      {ActionId::keep_b, ActionId::recall_b, ActionId::with_b},
      {ActionId::keep_c, ActionId::recall_c, ActionId::with_c}}};
 
+std::string content_of(const Slot& slot, const std::string& name, bool is_current) {
+    if (slot.preset.empty())
+        return is_current ? fmt::format("Slot {} holds the current settings.", name)
+                          : fmt::format("Slot {} holds stored settings.", name);
+    return is_current
+               ? fmt::format("Slot {} holds the current settings of \"{}\".", name, slot.preset)
+               : fmt::format("Slot {} holds settings of \"{}\".", name, slot.preset);
+}
+
 std::string help_for(std::size_t number, const Scene& scene) {
     const std::optional<Slot>& slot = scene.lab.slots()[number];
     const std::string name = slot_name(number);
     if (!slot)
-        return fmt::format("Slot {} is empty. A click keeps the present values in it (Shift+F{}).",
+        return fmt::format("Slot {} is empty. Click to store the current settings (Shift+F{}).",
                            name, 5 + number);
-    const std::string from = slot->preset.empty() ? "" : " from '" + slot->preset + "'";
-    const std::string is_here =
-        scene.lab.is_in_slot(number) ? " They are the present ones." : std::string();
     return fmt::format(
-        "Slot {}: values{}.{} A click takes them (F{}), Shift+click keeps the present ones here, "
-        "Ctrl+click compares with it; the right button tells all.",
-        name, from, is_here, 5 + number);
+        "{}\nClick to recall it (F{}). Shift+click to store the current settings in it. Ctrl+click "
+        "to compare with it. Right-click for all commands.",
+        content_of(*slot, name, scene.lab.is_in_slot(number)), 5 + number);
 }
 
 void draw_menu(std::size_t number, const Scene& scene, Edits& edits) {
@@ -47,7 +53,8 @@ void draw_menu(std::size_t number, const Scene& scene, Edits& edits) {
             run(id, scene, edits);
         edits.mark(name + (id == of.keep ? ":keep" : id == of.recall ? ":recall" : ":compare"));
     }
-    if (ImGui::MenuItem("Empty it", nullptr, false, is_filled))
+    if (ImGui::MenuItem(fmt::format("Clear slot {}", slot_name(number)).c_str(), nullptr, false,
+                        is_filled))
         edits.add([number](Lab& lab) { lab.empty_slot(number); });
     edits.mark(name + ":empty");
     ImGui::EndPopup();

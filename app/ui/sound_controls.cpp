@@ -26,14 +26,14 @@ void draw_seek_bar(double time, double length, const Scene& scene, Edits& edits)
     if (turned.is_changed)
         edits.add([place](Lab& lab) { lab.transport().seek(place); });
     const ScopedFont font(scene.fonts.numbers);
-    dim_text(clock_text(place) + " / " + clock_text(length));
+    dim_text(fmt::format("{} / {}", clock_text(place), clock_text(length)));
 }
 
 void draw_volume(const Player& player, const Scene& scene, Edits& edits) {
     const ScopedId id(std::string("volume"));
     const FormColumns columns = form_columns();
     form_label("Volume", {}, columns, false);
-    tooltip("Of the loudspeaker; the trace stays as it is.");
+    tooltip("Playback volume. It doesn't change the trace.");
     form_control(columns);
     double level = player.level();
     if (form_slider(
@@ -62,12 +62,12 @@ void draw_device(Way way, const Scene& scene, Edits& edits) {
     const ScopedId id(std::string(is_out ? "output" : "input"));
     const FormColumns columns = form_columns(false);
     begin_line(is_out ? "Output" : "Input",
-               is_out ? "Where a sound is heard."
-                      : "Where a live sound comes in. A monitor is what other programs play.",
+               is_out ? "Audio device for playback."
+                      : "Audio device for live input. A monitor records what other programs play.",
                columns);
     SoundSettings settings = scene.lab.player().sound_settings();
     std::string& chosen = is_out ? settings.output : settings.input;
-    const bool is_open = begin_combo("##device", chosen.empty() ? "System's choice" : chosen,
+    const bool is_open = begin_combo("##device", chosen.empty() ? "System default" : chosen,
                                      columns.control_and_number());
     edits.mark(is_out ? "sound:output" : "sound:input");
     if (!is_open)
@@ -80,7 +80,7 @@ void draw_device(Way way, const Scene& scene, Edits& edits) {
         chosen = name;
         apply(settings, edits);
     };
-    offer("", "System's choice");
+    offer("", "System default");
     for (const SoundDevice& device : scene.lab.sound_devices())
         if (is_out ? device.has_output : device.has_input)
             offer(device.name, device.name);
@@ -99,7 +99,7 @@ void draw_number_choice(const char* label, const char* help, int SoundSettings::
     for (const int number : numbers) {
         if (number == settings.*setting)
             chosen = static_cast<int>(words.size());
-        words.push_back(number == 0 ? "Device's own" : std::to_string(number));
+        words.push_back(number == 0 ? "Device default" : std::to_string(number));
     }
     for (const std::string& word : words)
         labels.push_back(word.c_str());
@@ -115,7 +115,7 @@ void draw_delay(const Scene& scene, Edits& edits) {
     const ScopedId id(std::string("delay"));
     const FormColumns columns = form_columns(false);
     begin_line("Picture delay",
-               "How much later the picture comes, to meet what is heard from slow loudspeakers.",
+               "Delays the picture to match loudspeakers with latency, such as Bluetooth.",
                columns);
     SoundSettings settings = scene.lab.player().sound_settings();
     const Turned turned = form_slider("##value", settings.picture_delay_ms,
@@ -130,17 +130,18 @@ void draw_delay(const Scene& scene, Edits& edits) {
 
 void draw_beam_output(const Scene& scene, Edits& edits) {
     SoundSettings settings = scene.lab.player().sound_settings();
-    if (ImGui::Checkbox("Beam on the sound output", &settings.plays_beam))
+    if (ImGui::Checkbox("Send beam to audio output", &settings.plays_beam))
         apply(settings, edits);
     edits.mark("sound:beam");
     tooltip(
-        "Draws on a real scope in X-Y: left is x, right is y. Not meant for loudspeakers: it may "
-        "be loud. A sound file is not heard meanwhile.");
+        "Draws on a real oscilloscope in XY mode: left is x, right is y. It can be loud, so don't "
+        "use loudspeakers. Sound files are silent at the same time.");
     if (!settings.plays_beam)
         return;
     const ScopedId id(std::string("beam_level"));
     const FormColumns columns = form_columns(false);
-    begin_line("Beam level", "Full deflection, as a part of what the output can give.", columns);
+    begin_line("Beam level", "Output level at full deflection. 1 is the output's maximum.",
+               columns);
     const Turned turned =
         form_slider("##value", settings.beam_level,
                     {.low = 0.0, .high = 1.0, .limit = Limit{0.0, 1.0}}, columns, scene.fonts);
@@ -155,7 +156,7 @@ void draw_beam_output(const Scene& scene, Edits& edits) {
 void draw_sound_devices(bool is_live, const Scene& scene, Edits& edits) {
     {
         const ScopedFont strong(scene.fonts.strong);
-        const bool is_open = section("Sound devices", false);
+        const bool is_open = section("Audio devices", false);
         edits.mark("signal_group:Sound devices");
         if (!is_open)
             return;
@@ -169,11 +170,11 @@ void draw_sound_devices(bool is_live, const Scene& scene, Edits& edits) {
         draw_device(Way::out, scene, edits);
     if (!is_live && !is_heard)
         return;
-    draw_number_choice("Rate", "Samples a second.", &SoundSettings::rate,
+    draw_number_choice("Rate", "Sample rate in Hz.", &SoundSettings::rate,
                        {sound_rates.begin(), sound_rates.end()}, scene, edits);
-    draw_number_choice("Buffer", "Samples at once. Fewer come sooner, more never stutter.",
-                       &SoundSettings::buffer, {sound_buffers.begin(), sound_buffers.end()}, scene,
-                       edits);
+    draw_number_choice(
+        "Buffer", "Buffer size in samples. Smaller means lower latency, larger avoids dropouts.",
+        &SoundSettings::buffer, {sound_buffers.begin(), sound_buffers.end()}, scene, edits);
     if (is_live || player.sound().sound)
         draw_delay(scene, edits);
 }
@@ -185,7 +186,8 @@ void draw_sound_controls(bool is_live, const Scene& scene, Edits& edits) {
     if (player.sound().sound && player.beam_device().empty())
         draw_volume(player, scene, edits);
     else if (is_live && !player.live_device().empty())
-        fitted_text("From " + player.live_device(), ImGui::GetContentRegionAvail().x, theme::dim);
+        fitted_text(fmt::format("Input: {}", player.live_device()),
+                    ImGui::GetContentRegionAvail().x, theme::dim);
     draw_silence(scene);
 }
 

@@ -44,9 +44,9 @@ void draw_choice(const SourceSpec& source, const Scene& scene, Edits& edits) {
     }
     edits.mark("source");
     draw_file_problems(scene, edits);
-    if (ImGui::Button("Open a picture or video…"))
+    if (ImGui::Button("Open picture or video…"))
         edits.show({.kind = Dialog::Kind::open_file});
-    tooltip("For numbered pictures type their name with %04d for the number.");
+    tooltip("For an image sequence, type the file name with %04d for the number.");
 }
 
 struct NamedList {
@@ -82,13 +82,13 @@ std::string own_size(const SourceSpec& source) {
 }
 
 void draw_fit(SourceSpec source, Edits& edits) {
-    constexpr std::array labels{"Stretched", "Whole", "Cropped", "Whole pixels"};
+    constexpr std::array labels{"Stretch", "Fit", "Fill (crop)", "Integer scale"};
     const FormColumns columns = form_columns();
-    form_label("Fit", {}, columns, source.fit != Fit::stretch);
+    form_label("Scaling", {}, columns, source.fit != Fit::stretch);
     tooltip(
-        "How the source lies in the picture.\nStretched: over all of it. Whole: with black beside "
-        "it. Cropped: without black. Whole pixels: each pixel of the source the same whole number "
-        "of pixels.");
+        "How the source is scaled to the picture.\nStretch: fills the picture and changes the "
+        "aspect ratio.\nFit: shows all of the source, with black bars.\nFill (crop): fills the "
+        "picture and crops the source.\nInteger scale: scales by a whole number.");
     form_control(columns);
     int chosen = static_cast<int>(source.fit);
     if (form_list("##fit", labels.data(), static_cast<int>(labels.size()), chosen,
@@ -128,7 +128,7 @@ void draw_setting(const Setting& setting, const SourceSpec& present, const Scene
 
 void draw_loop(SourceSpec source, Edits& edits) {
     const FormColumns columns = form_columns();
-    form_label("At the end", {}, columns, !source.loops);
+    form_label("At end", {}, columns, !source.loops);
     form_control(columns);
     constexpr std::array labels{"Loop", "Hold"};
     int chosen = source.loops ? 0 : 1;
@@ -145,8 +145,8 @@ void draw_own_aspect(const SourceSpec& source, const Scene& scene, Edits& edits)
         return;
     draw_setting({.id = "source_aspect",
                   .label = "Pixel aspect",
-                  .help = "Width of a pixel of the source against its height: 1.143 (8:7) for 256 "
-                          "pixels a line on a television.",
+                  .help = "Width of a source pixel divided by its height. Use 1.143 (8:7) for 256 "
+                          "pixels per line on a television.",
                   .number = &SourceSpec::aspect,
                   .facts = {.low = 0.5,
                             .high = 2.0,
@@ -162,14 +162,14 @@ void draw_film_settings(const Source& open, const SourceSpec& source, const Scen
     SourceSpec with_rate = source;
     with_rate.rate = open.rate();
     draw_setting({.id = "source_rate",
-                  .label = "Rate",
-                  .help = "Pictures of the source in a second.",
+                  .label = "Frame rate",
+                  .help = "Frames of the source per second.",
                   .number = &SourceSpec::rate,
                   .facts = {.low = 1.0,
                             .high = 120.0,
                             .initial = open.own_rate(),
                             .is_changed = source.rate != 0.0,
-                            .unit = "/s",
+                            .unit = "fps",
                             .limit = Limit{0.125, 960.0}}},
                  with_rate, scene, edits);
     draw_loop(source, edits);
@@ -184,21 +184,22 @@ void draw_source(const Scene& scene, Edits& edits) {
     const OpenSource open = open_source(scene.lab.drive());
     draw_named({.mark = "source_size",
                 .label = "Size",
-                .help = "Pixels of the pattern: what a console or computer sent to its tube.",
+                .help = "Pixel size of the pattern, as consoles and computers sent it to a CRT.",
                 .other = own_size(source)},
                source_sizes(source), source, edits);
-    draw_named({.mark = "source_prescaled",
-                .label = "Pre-scaled",
-                .help = "How many times the file shows each pixel of the original along a side, as "
-                        "screenshots of emulators do. The look gets the original. Auto finds "
-                        "whole numbers up to 8."},
-               source_prescales(source, open.prescale), source, edits);
+    draw_named(
+        {.mark = "source_prescaled",
+         .label = "Pre-scaled",
+         .help = "Scale factor that is already in the file, as in emulator screenshots. The look "
+                 "gets the original pixels. Auto detects integer factors up to 8."},
+        source_prescales(source, open.prescale), source, edits);
     draw_fit(source, edits);
-    draw_named({.mark = "source_shape",
-                .label = "Shape",
-                .help = "Width to height of the source as it is seen. Consoles sent pixels that "
-                        "were not square to a 4:3 tube."},
-               source_shapes(source, open.extent), source, edits);
+    draw_named(
+        {.mark = "source_shape",
+         .label = "Shape",
+         .help = "Aspect ratio of the source on screen. Consoles sent non-square pixels to a "
+                 "4:3 CRT."},
+        source_shapes(source, open.extent), source, edits);
     draw_own_aspect(source, scene, edits);
     const auto& read = scene.lab.drive().source();
     if (read && read->is_film())

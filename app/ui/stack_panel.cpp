@@ -14,14 +14,14 @@ void draw_bypass(const StackPart& part, const std::string& key, const std::strin
     if (ImGui::Checkbox("##drawn", &is_drawn))
         run({bypass_part(part, name)}, edits);
     edits.mark("stack_bypass:" + key);
-    tooltip(is_drawn ? "Bypass: the picture goes past this look" : "Draw this look again");
+    tooltip(is_drawn ? "Bypass this look" : "Stop bypassing this look");
 }
 
 void draw_move(const char* id, int by, const StackPart& part, const std::string& name,
                bool is_possible, Edits& edits) {
     const ScopedDisabled disabled(!is_possible);
     const bool is_asked = icon_button(id, by < 0 ? Icon::up : Icon::down,
-                                      by < 0 ? "Draw it earlier" : "Draw it later",
+                                      by < 0 ? "Move this look earlier" : "Move this look later",
                                       is_possible ? theme::dim : theme::faint);
     if (is_asked && is_possible)
         run({move_part(part, name, by)}, edits);
@@ -45,13 +45,13 @@ void draw_part(const Stack& stack, std::size_t i, const std::string& name, Edits
     draw_move("##down", 1, part, name, i + 1 < stack.size(), edits);
     edits.mark("stack_down:" + key);
     ImGui::SameLine();
-    if (icon_button("##remove", Icon::close, "Take it out of the stack", theme::dim))
+    if (icon_button("##remove", Icon::close, "Remove from the stack", theme::dim))
         run({remove_part(part, name)}, edits);
     edits.mark("stack_remove:" + key);
 }
 
 void draw_add(const Scene& scene, Edits& edits) {
-    if (begin_combo("##add_look", "Add a look behind…", ImGui::GetContentRegionAvail().x)) {
+    if (begin_combo("##add_look", "Add a look after this one…", ImGui::GetContentRegionAvail().x)) {
         for (const ShelfLook& look : scene.shelf.looks()) {
             if (look.is_stack())
                 continue;
@@ -64,7 +64,7 @@ void draw_add(const Scene& scene, Edits& edits) {
         ImGui::EndCombo();
     }
     edits.mark("stack_add");
-    tooltip("A stack of looks: each one works on the picture of the one before it");
+    tooltip("In a stack, each look processes the picture of the previous one.");
 }
 }  // namespace
 

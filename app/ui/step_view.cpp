@@ -20,10 +20,10 @@ void follow_pointer(const Scene& scene, Edits& edits) {
 }
 
 void draw_step_items(const std::string& parameter, Edits& edits) {
-    if (ImGui::MenuItem("Show what a step up changes", "U"))
+    if (ImGui::MenuItem("Preview one step up", "U"))
         ask_for_step({parameter, 0}, true, edits);
     edits.mark("step_up_item");
-    if (ImGui::MenuItem("Show what a step down changes", "Shift+U"))
+    if (ImGui::MenuItem("Preview one step down", "Shift+U"))
         ask_for_step({parameter, 0}, false, edits);
     edits.mark("step_down_item");
 }

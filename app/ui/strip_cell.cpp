@@ -7,6 +7,7 @@
 #include "ui/theme.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -55,14 +56,19 @@ void draw_change(const PassChange& change, const ImVec2& low, const ImVec2& high
 
 std::string cell_help(const StripPass& pass) {
     const double mebibytes = static_cast<double>(memory_of(pass.target)) / (1024.0 * 1024.0);
-    return fmt::format(
-        "{}\n{}, {:.1f} MiB{}{}{}{}\nA double click shows it as large as the picture, the right "
-        "button switches it.",
-        pass.pass.name, strip_words::facts(pass.target), mebibytes,
-        pass.milliseconds > 0.0 ? "\n" + strip_words::time(pass.milliseconds) : "",
-        pass.milliseconds > heavy_pass_milliseconds ? ", so the window answers slowly" : "",
-        pass.gain ? strip_words::gain_help(*pass.gain) : "",
-        pass.state.empty() ? "" : "\n" + pass.state);
+    std::vector<std::string> lines{
+        pass.pass.name, fmt::format("{}, {:.1f} MiB", strip_words::facts(pass.target), mebibytes)};
+    const std::string time = strip_words::time(pass.milliseconds);
+    if (pass.milliseconds > heavy_pass_milliseconds)
+        lines.push_back(fmt::format("{}, slows down the window", time));
+    else if (!time.empty())
+        lines.push_back(time);
+    if (pass.gain)
+        lines.push_back(strip_words::gain_help(*pass.gain));
+    if (!pass.state.empty())
+        lines.push_back(pass.state);
+    lines.emplace_back("Double-click to view large. Right-click to bypass, solo or freeze.");
+    return fmt::format("{}", fmt::join(lines, "\n"));
 }
 
 // Where it is clicked; the whole height of the strip. Gives whether the pointer is over it.

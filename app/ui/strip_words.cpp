@@ -42,12 +42,12 @@ bool strip_words::is_clipped(const Gain& gain) {
 
 std::string strip_words::gain(const Gain& gain, bool is_narrow) {
     if (is_narrow && is_clipped(gain))
-        return percent_text(gain.clipped) + " clipped";
+        return fmt::format("{} clipped", percent_text(gain.clipped));
     if (is_clipped(gain))
         return fmt::format("peak {:.3g}, {} clipped", gain.peak, percent_text(gain.clipped));
     const auto headroom = headroom_stops(gain);
     if (!headroom)
-        return "no light";
+        return "black";
     if (is_narrow || *headroom > meter_stops)
         return fmt::format("peak {:.3g}", gain.peak);
     return fmt::format("peak {:.3g}, {} stops", gain.peak, stops_text(*headroom));
@@ -55,16 +55,19 @@ std::string strip_words::gain(const Gain& gain, bool is_narrow) {
 
 std::string strip_words::gain_help(const Gain& gain) {
     const auto headroom = headroom_stops(gain);
-    return fmt::format(
-        "\npeak {}, mean {}\n{} at the ceiling, {}\n{}", short_number(gain.peak),
-        short_number(gain.mean), percent_text(gain.clipped), short_number(gain.ceiling),
-        headroom ? stops_text(*headroom) + " stops of headroom" : std::string("no light"));
+    const std::string peak =
+        fmt::format("Peak {}, mean {}", short_number(gain.peak), short_number(gain.mean));
+    const std::string clipped =
+        fmt::format("{} clipped at {}", percent_text(gain.clipped), short_number(gain.ceiling));
+    return headroom
+               ? fmt::format("{}\n{}\n{} stops of headroom", peak, clipped, stops_text(*headroom))
+               : fmt::format("{}\n{}\nBlack", peak, clipped);
 }
 
 std::string strip_words::change(const PassChange& change, bool is_narrow) {
     if (!change.has_changed())
-        return "the same";
+        return "unchanged";
     const double percent = 100.0 * change_share(change);
     const std::string share = percent < 0.01 ? "< 0.01 %" : fmt::format("{:.2g} %", percent);
-    return is_narrow ? share : "changed " + share;
+    return is_narrow ? share : fmt::format("changed {}", share);
 }

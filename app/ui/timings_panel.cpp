@@ -92,7 +92,7 @@ void draw_budget_words(const Scene& scene, Edits& edits) {
     if (draw_number("##budget", budget, budget_width(budget), facts).is_changed)
         edits.arrange([budget](WindowState& window) { window.budget_milliseconds = budget; });
     edits.mark("budget");
-    tooltip("What all passes of a frame may take the GPU together. A click types.");
+    tooltip("GPU time budget for all passes of a frame. Click to type it.");
 }
 
 /// One line: the latest frames of a pass as a plot behind its name.
@@ -143,7 +143,7 @@ void draw_passes(const Scene& scene) {
     for (std::size_t pass = 0; pass < count; ++pass)
         draw_pass(pass, scene, static_cast<float>(most), height);
     const auto bytes = static_cast<double>(memory_of(renderer.executor().plan()));
-    const std::string sum = fmt::format("{:.1f} MiB in all", bytes / mebibyte);
+    const std::string sum = fmt::format("{:.1f} MiB total", bytes / mebibyte);
     ImGui::SetCursorPosX(ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(sum.c_str()).x);
     dim_text(sum);
 }
@@ -152,8 +152,8 @@ void draw_passes(const Scene& scene) {
 namespace {
 std::string wall_text(const Scene& scene) {
     const double pace = scene.pace.frames_a_second();
-    return pace > 0.0 ? fmt::format("{:.1f} ms a frame; lines at 60 and 30 Hz", 1000.0 / pace)
-                      : std::string("lines at 60 and 30 Hz");
+    return pace > 0.0 ? fmt::format("{:.1f} ms per frame (lines: 60 and 30 Hz)", 1000.0 / pace)
+                      : std::string("Lines: 60 and 30 Hz");
 }
 }  // namespace
 
@@ -175,8 +175,9 @@ void draw_timings_panel(const Scene& scene, Edits& edits) {
     draw_pace(scene.pace, width, height, scene.scale);
     ImGui::AlignTextToFramePadding();
     fitted_text(wall_text(scene), width, theme::dim);
-    tooltip(fmt::format("From frame to frame. The panels took {:.2f} ms of CPU of the last one.",
-                        scene.panel_milliseconds));
+    tooltip(fmt::format(
+        "Time from frame to frame. The panels took {:.2f} ms of CPU time in the last one.",
+        scene.panel_milliseconds));
     ImGui::EndGroup();
     ImGui::SameLine(0.0f, gap);
     ImGui::BeginGroup();

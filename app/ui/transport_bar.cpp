@@ -42,7 +42,7 @@ void draw_speed(const Scene& scene, Edits& edits) {
                             .limit = Limit{0.01, 4.0}};
     Turned turned = draw_slider("##speed", speed, facts, ImGui::GetFontSize() * 5.0f);
     edits.mark("speed");
-    tooltip("Speed, 0.01 to 4 times");
+    tooltip("Playback speed (0.01–4×)");
     ImGui::SameLine(0.0f, 2.0f);
     {
         const ScopedFont font(scene.fonts.numbers);
@@ -51,7 +51,7 @@ void draw_speed(const Scene& scene, Edits& edits) {
     }
     if (facts.is_changed) {
         ImGui::SameLine(0.0f, 0.0f);
-        if (icon_button("##speed_reset", Icon::reset, "Back to 1×", theme::dim)) {
+        if (icon_button("##speed_reset", Icon::reset, "Reset to 1×", theme::dim)) {
             speed = 1.0;
             turned.is_changed = true;
         }
@@ -62,28 +62,36 @@ void draw_speed(const Scene& scene, Edits& edits) {
 
 std::string samples_text(const Samples& samples) {
     const int enough = samples.enough.value_or(0);
-    if (enough > 0 && samples.held >= enough)
-        return fmt::format("{} samples, done", samples.held);
-    return enough > 0 ? fmt::format("{}/{} samples", samples.held, enough)
-                      : fmt::format("{} samples", samples.held);
+    if (enough > 0 && samples.held < enough)
+        return fmt::format("{}/{} samples", samples.held, enough);
+    const bool is_one = samples.held == 1;
+    if (enough > 0)
+        return is_one ? "1 sample, done" : fmt::format("{} samples, done", samples.held);
+    return is_one ? "1 sample" : fmt::format("{} samples", samples.held);
+}
+
+std::string points_text(std::size_t count) {
+    return count == 1 ? "1 point" : fmt::format("{} points", count);
 }
 
 // Left out from the end where the pane is narrow.
 void draw_facts(const Scene& scene, float room) {
     const ScopedFont font(scene.fonts.numbers);
     const Player& player = scene.lab.player();
-    std::vector<std::string> facts{clock_text(player.time()),
-                                   fmt::format("frame {}", player.frame_number())};
-    if (scene.lab.renderer() && scene.lab.document() &&
+    const Renderer* renderer = scene.lab.renderer();
+    std::vector<std::string> facts{clock_text(player.time())};
+    if (scene.lab.moves().is_running())
+        facts.emplace_back("recording automation");
+    if (renderer && renderer->replay().is_running())
+        facts.push_back(
+            fmt::format("replay {}/{}", renderer->replay().done, renderer->replay().total));
+    else
+        facts.push_back(fmt::format("frame {}", player.frame_number()));
+    if (renderer && scene.lab.document() &&
         scene.lab.document()->look().driven_by == Driver::signal)
-        facts.push_back(fmt::format("{} points", scene.lab.renderer()->point_count()));
+        facts.push_back(points_text(renderer->point_count()));
     if (const auto samples = scene.lab.samples())
         facts.push_back(samples_text(*samples));
-    if (scene.lab.renderer() && scene.lab.renderer()->replay().is_running())
-        facts[1] = fmt::format("replay {}/{}", scene.lab.renderer()->replay().done,
-                               scene.lab.renderer()->replay().total);
-    if (scene.lab.moves().is_running())
-        facts.insert(facts.begin() + 1, "records moves");
     const float gap = ImGui::GetFontSize();
     for (std::size_t i = 0; i < facts.size(); ++i) {
         const float width = ImGui::CalcTextSize(facts[i].c_str()).x;

@@ -31,7 +31,7 @@ template <bool is_up>
 void show_step(const Scene& scene, Edits& edits) {
     if (scene.window.pointed)
         return ask_for_step(*scene.window.pointed, is_up, edits);
-    edits.add([](Lab& lab) { lab.say("Hold U, or Shift+U, while the pointer is on a parameter"); });
+    edits.add([](Lab& lab) { lab.say("Point at a parameter and hold U or Shift+U"); });
 }
 
 void end_step(const Scene&, Edits& edits) {
@@ -41,14 +41,14 @@ void end_step(const Scene&, Edits& edits) {
 std::vector<Action> step_actions() {
     Action up{ActionId::step_up,
               Menu::edit,
-              "Show what a step up changes, while held over a parameter",
+              "Preview one step up (hold)",
               {'U'},
               true,
               show_step<true>,
               file_actions::has_document};
     Action down = up;
     down.id = ActionId::step_down;
-    down.label = "The same of a step down";
+    down.label = "Preview one step down (hold)";
     down.chord.shift = true;
     down.is_first = false;
     down.act = show_step<false>;
@@ -71,7 +71,7 @@ std::vector<Action> tuning_actions::list() {
                                  is_filtered<favourites>},
                                 {ActionId::show_of_pass,
                                  Menu::edit,
-                                 "Show only what this pass uses",
+                                 "Show this pass's parameters",
                                  {},
                                  false,
                                  toggle_filter<of_pass>,

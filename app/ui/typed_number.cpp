@@ -24,11 +24,10 @@ std::optional<double> number_in(std::string_view text) {
 }
 
 std::string limit_text(const Limit& limit, double number, const std::string& unit) {
-    const bool is_low = number < limit.low;
-    const double end = is_low ? limit.low : limit.high;
-    return fmt::format("{} {}{} is possible here; it was taken instead of {}",
-                       is_low ? "at least" : "at most", format_number(end),
-                       unit.empty() ? "" : " " + unit, format_number(number));
+    const std::string end = format_number(number < limit.low ? limit.low : limit.high);
+    const std::string typed = format_number(number);
+    return unit.empty() ? fmt::format("Limited to {} (you typed {})", end, typed)
+                        : fmt::format("Limited to {} {} (you typed {})", end, unit, typed);
 }
 }  // namespace
 
@@ -42,18 +41,22 @@ TypedNumber read_typed_number(std::string_view text, const NumberFacts& facts) {
     const auto number = time ? time : number_in(text);
     if (!number)
         return {{},
-                fmt::format("'{}' is no number{}; the old value stays", text,
-                            facts.is_decay ? " and no time as in 120 ms or 10% 0.4 s" : "")};
+                facts.is_decay
+                    ? fmt::format("\"{}\" is neither a number nor a time such as 120 ms or 10% "
+                                  "0.4 s. Value unchanged.",
+                                  text)
+                    : fmt::format("\"{}\" isn't a number. Value unchanged.", text)};
     if (!time && text.find(',') != std::string_view::npos && is_ambiguous(text))
         return {{},
-                fmt::format("'{}' may mean {} or {}; write it with a point or without the comma",
-                            text, format_number(*number), format_number(*number * 1000.0))};
+                fmt::format("\"{}\" is ambiguous: type {} or {}", text, format_number(*number),
+                            format_number(*number * 1000.0))};
     double value = *number;
     std::string complaint;
     if (facts.is_whole && value != std::round(value)) {
         value = std::round(value);
-        complaint = fmt::format("only whole numbers are possible here; {} was taken instead of {}",
-                                format_number(value), format_number(*number));
+        complaint =
+            fmt::format("Rounded to {}, because only whole numbers are allowed (you typed {})",
+                        format_number(value), format_number(*number));
     }
     if (facts.limit && (value < facts.limit->low || value > facts.limit->high)) {
         complaint = limit_text(*facts.limit, value, facts.unit);

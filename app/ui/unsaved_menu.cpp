@@ -24,6 +24,12 @@ double age_of(const KeptSession& kept) {
     return std::max(std::chrono::duration<double>(now - kept.time).count(), 0.0);
 }
 
+std::string changes_text(const KeptSession& kept) {
+    const std::string age = age_text(age_of(kept));
+    return kept.changes == 1 ? fmt::format("1 change · {}", age)
+                             : fmt::format("{} changes · {}", kept.changes, age);
+}
+
 void draw_entry(const KeptSession& kept, const Scene& scene, Edits& edits) {
     const float line = ImGui::GetTextLineHeightWithSpacing();
     const ImVec2 size(ImGui::GetFontSize() * 22.0f, line * 2.0f + 4.0f);
@@ -45,14 +51,12 @@ void draw_entry(const KeptSession& kept, const Scene& scene, Edits& edits) {
                       {middle.x + half.x, middle.y + half.y}, {0.0f, 1.0f}, {1.0f, 0.0f});
     }
     const float left = end.x + ImGui::GetFontSize() * 0.6f;
-    const std::string title =
-        look_name(kept.look, scene) + (kept.preset.empty() ? " – Default" : " – " + kept.preset);
+    const std::string title = fmt::format("{} – {}", look_name(kept.look, scene),
+                                          kept.preset.empty() ? "Default" : kept.preset);
     list.AddText({left, low.y + 1.0f}, theme::packed(theme::text),
                  cut_to_fit(title, low.x + size.x - left).c_str());
     list.AddText({left, low.y + line + 1.0f}, theme::packed(theme::dim),
-                 fmt::format("{} change{} · {}", kept.changes, kept.changes == 1 ? "" : "s",
-                             age_text(age_of(kept)))
-                     .c_str());
+                 changes_text(kept).c_str());
 }
 }  // namespace
 

@@ -124,8 +124,11 @@ void draw_scales(const WavePlot& plot) {
 void draw_readout(const std::optional<std::size_t>& index, const Scene& scene) {
     const Waveform& waveform = scene.views.closer().waveform();
     if (!index || *index >= waveform.numbers().size()) {
-        dim_text(fmt::format("{} texels of {}", waveform.numbers().size(), waveform.name()));
-        return wrapped_dim_text("Drag the line over the picture, or an end; Shift draws another.");
+        const std::size_t count = waveform.numbers().size();
+        dim_text(count == 1 ? fmt::format("1 texel of {}", waveform.name())
+                            : fmt::format("{} texels of {}", count, waveform.name()));
+        return wrapped_dim_text(
+            "Drag the line on the picture, or its ends. Shift-drag to draw a new one.");
     }
     const ScopedFont font(scene.fonts.numbers);
     const auto& rgba = waveform.numbers()[*index];
@@ -153,7 +156,7 @@ void draw_row(const Scene& scene, Edits& edits) {
     double row = scene.window.scan_line.row(picture).value_or(
         scene.window.scan_line.start.texel(picture)[1]);
     ImGui::AlignTextToFramePadding();
-    dim_text("row");
+    dim_text("Row");
     ImGui::SameLine();
     const ScopedFont font(scene.fonts.numbers);
     const NumberFacts facts{false, {}, Limit{0.0, static_cast<double>(last)}, true};
@@ -162,7 +165,7 @@ void draw_row(const Scene& scene, Edits& edits) {
             window.scan_line = ScanLine::along_row(row, height);
         });
     edits.mark("scan_row");
-    tooltip("A click types a row, from the top: the line then goes along all of it.");
+    tooltip("Click to type a row, counted from the top. The line then spans the whole row.");
 }
 
 void draw_controls(const std::optional<std::size_t>& index, const Scene& scene, Edits& edits) {

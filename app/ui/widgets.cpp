@@ -87,6 +87,10 @@ void tooltip(const std::string& text) {
     ImGui::EndTooltip();
 }
 
+void editor_tooltip(const std::filesystem::path& file) {
+    tooltip(fmt::format("{}\nClick to open it in your editor.", file.string()));
+}
+
 void heading(const std::string& text) {
     const ScopedColor color(ImGuiCol_Text, theme::dim);
     ImGui::TextUnformatted(text.c_str());

@@ -5,6 +5,7 @@
 
 #include <imgui/imgui.h>
 
+#include <filesystem>
 #include <string>
 
 /// A part of the window, in its coordinates from the top left corner.
@@ -45,6 +46,8 @@ std::string cut_to_fit(const std::string& text, float width);
 bool is_lingered_on();
 /// Shows a text, broken into lines, when the last item is hovered for a moment.
 void tooltip(const std::string& text);
+/// The same of a file that a click opens in the user's editor.
+void editor_tooltip(const std::filesystem::path& file);
 
 /// A quiet heading over a part of a pane.
 void heading(const std::string& text);

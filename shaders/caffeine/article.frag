@@ -1,5 +1,5 @@
 #version 410 core
-// The article's own method, mistakes included (docs/looks.md has the list). Linear light, added up;
+// The original article's method, mistakes included (docs/looks.md lists them). Linear light, summed;
 // alpha counts the samples.
 #include "article_scene.glsl"
 #include "camera.glsl"
@@ -35,8 +35,8 @@ vec2 circle_point() {
     return point;
 }
 
-// The article compares here (`randState == r3.xy`) where it means to move on, so the next number of
-// this kind is the same one.
+// The article compares here (`randState == r3.xy`) instead of adding, so the next number of this kind
+// is the same.
 vec3 sphere_point_as_written() {
     return numbers_here(sphere_points).xyz;
 }

@@ -1,6 +1,6 @@
 #version 410 core
-// The triangle of the article's passes; none of it is on the screen while its picture is not wanted.
-#include "molecule.glsl"  // its knobs come first in the panel: the first mention decides
+// The triangle of the article's passes. It lies off screen unless Original article is on.
+#include "molecule.glsl"  // first, as the panel lists parameters in the order of declaration
 #include "as_written.glsl"
 
 void main() {

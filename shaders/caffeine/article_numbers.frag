@@ -1,6 +1,6 @@
 #version 410 core
-// The article's textures of random numbers, drawn once while they are wanted: two even numbers in red and green, a point of
-// the circle in blue and alpha.
+// The article's textures of random numbers, drawn once when Original article is on: two uniform
+// numbers in red and green, a point on the circle in blue and alpha.
 #include "noise.glsl"
 
 out vec4 color;

@@ -1,4 +1,4 @@
-// The lamp as the article has it.
+// The lamp by the original article's formulas.
 #ifndef CAFFEINE_ARTICLE_SCENE
 #define CAFFEINE_ARTICLE_SCENE
 

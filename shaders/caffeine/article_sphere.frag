@@ -1,5 +1,6 @@
 #version 410 core
-// The article's third texture of random numbers, drawn once while they are wanted: points of the sphere.
+// The article's third texture of random numbers, drawn once when Original article is on: points on the
+// sphere.
 #include "noise.glsl"
 
 out vec4 color;

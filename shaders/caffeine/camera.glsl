@@ -1,4 +1,4 @@
-// The camera: a thin lens, moved by the mouse around what it looks at.
+// The camera: a thin lens that orbits its target with the mouse.
 #ifndef CAFFEINE_CAMERA
 #define CAFFEINE_CAMERA
 
@@ -7,17 +7,18 @@
 uniform vec2 u_resolution;
 uniform mat4 u_camera;
 
-uniform vec3 camera_place = vec3(0.0, 0.0, 10.0);  // @range -20 20  @limit -1000 1000  @label "Camera place"  @unit "Å"  @group "Camera"
-                                                   // @help "Where the camera rests: right, up, and towards you from the middle of the molecule. The right mouse button moves it from there."
-uniform vec3 camera_target = vec3(0.0, 0.0, 0.0);  // @range -5 5  @limit -1000 1000  @label "Looks at"  @unit "Å"  @group "Camera"
+uniform vec3 camera_place = vec3(0.0, 0.0, 10.0);  // @range -20 20  @limit -1000 1000  @label "Camera position"  @unit "Å"  @group "Camera"
+                                                   // @help "Position before orbiting: right, up and towards the viewer, from the centre of the molecule. Drag the picture with the right mouse button to orbit."
+uniform vec3 camera_target = vec3(0.0, 0.0, 0.0);  // @range -5 5  @limit -1000 1000  @label "Camera target"  @unit "Å"  @group "Camera"
+                                                   // @help "Point that the camera looks at and orbits."
 uniform float field_of_view = 60.0;  // @range 10 120  @limit 1 170  @label "Field of view"  @unit "°"  @group "Camera"
-                                     // @help "From the top to the bottom of the picture."
+                                     // @help "Vertical angle of view, from the top to the bottom of the picture."
 uniform float focal_plane = 3.0;     // @range -5 5  @limit -1000 1000  @label "Focal plane"  @unit "Å"  @group "Camera"
-                                     // @help "Where the picture is sharp: so far in front of what the camera looks at. Below 0 is behind it."
+                                     // @help "Distance of the plane in focus, in front of the camera target. Below 0, it is behind the target."
 uniform float aperture = 0.1;        // @range 0 1  @limit 0 100  @label "Aperture"  @unit "Å"  @group "Camera"  @identity 0  @was focal_length
-                                     // @help "Radius of the lens. The wider it is, the sooner things in front of and behind the focal plane blur. 0: everything is sharp."
-uniform bool antialias = true;       // @label "Antialias"  @group "Sampling"  @identity 0
-                                     // @help "Each sample goes through another place of its pixel, so that edges become smooth."
+                                     // @help "Radius of the lens. A wider lens blurs more in front of and behind the focal plane. At 0, everything is sharp."
+uniform bool antialias = true;       // @label "Anti-aliasing"  @group "Sampling"  @identity 0
+                                     // @help "Samples a different point of the pixel each time, which smooths edges."
 
 struct Camera {
     vec3 eye;

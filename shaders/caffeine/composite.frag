@@ -8,16 +8,16 @@
 uniform sampler2D sum;      // linear light; alpha: of how many samples
 uniform sampler2D article;  // the same, by the article's method
 
-uniform float exposure = 1.0;    // @range 0.1 10  @limit 0 1000  @scale log  @label "Exposure"  @group "Picture"  @identity 1
-                                 // @help "Brightness of the whole picture, like a camera's exposure. The samples stay."
-uniform int tone_map = 2;        // @items "Clamp" "Reinhard" "ACES"  @label "Tone map"  @group "Picture"
-                                 // @help "How light brighter than the screen can show is brought back to it. Clamp cuts it off, the others bend it softly."
-uniform float white = 0.0;       // @range 0 16  @limit 0 1000  @label "White"  @group "Picture"  @identity 0
-                                 // @help "The light that Reinhard turns to full white. 0 is without."
-uniform float article_gamma = 2.2;  // @range 1 3  @limit 0.1 10  @label "Article's gamma"  @group "Article"
-                                    // @help "The article's display curve, in place of the display's own. Only as the article wrote it."
-uniform bool dither = true;      // @label "Dither"  @group "Picture"  @identity 0
-                                 // @help "Noise of half a screen step, so that soft shadows show no bands."
+uniform float exposure = 1.0;    // @range 0.1 10  @limit 0 1000  @scale log  @label "Exposure"  @group "Tone mapping"  @identity 1
+                                 // @help "Brightness of the whole picture, before tone mapping. Changing it keeps the samples."
+uniform int tone_map = 2;        // @items "Clamp" "Reinhard" "ACES"  @label "Tone map"  @group "Tone mapping"
+                                 // @help "How light brighter than the display is mapped to its range. Clamp cuts it off. Reinhard and ACES compress it softly."
+uniform float white = 0.0;       // @range 0 16  @limit 0 1000  @label "White point"  @group "Tone mapping"  @identity 0
+                                 // @help "Light that Reinhard maps to full white. 0 turns it off, so everything stays slightly below white."
+uniform float article_gamma = 2.2;  // @range 1 3  @limit 0.1 10  @label "Article gamma"  @group "Article"
+                                    // @help "Gamma of the article's display curve, which replaces sRGB. Only used with Original article."
+uniform bool dither = true;      // @label "Dither"  @group "Tone mapping"  @identity 0
+                                 // @help "Adds noise of half an 8-bit level, so that soft shadows don't show bands."
 
 out vec4 color;
 

@@ -1,14 +1,14 @@
-// The lamp, a sphere: seen from a place it covers a cone of directions, and these are sampled. A
-// surface's mirror image of it is looked for both there and along the surface's own lobe, and what
-// both find is weighted so that the lamp counts once (balance heuristic: E. Veach and L. Guibas,
+// The lamp is a sphere: seen from a point it covers a cone of directions, which is sampled. Its
+// reflection in a surface is sampled both in that cone and in the surface's lobe, and the two are
+// weighted so that the lamp counts once (balance heuristic: E. Veach and L. Guibas,
 // "Optimally Combining Sampling Techniques for Monte Carlo Rendering", SIGGRAPH 1995).
 #ifndef CAFFEINE_LAMP
 #define CAFFEINE_LAMP
 
 #include "material.glsl"
 
-uniform float light_shown = 1.0;  // @range 0 8  @limit 0 10000  @label "Lamp as seen"  @group "Lamp"
-                                  // @help "How bright the lamp itself is in the picture, as if behind a dark glass. Its light on things stays; so do its mirror images."
+uniform float light_shown = 1.0;  // @range 0 8  @limit 0 10000  @label "Lamp visible brightness"  @group "Lamp"
+                                  // @help "Brightness of the lamp itself in the picture, as if behind dark glass. Its light on objects and its reflections stay unchanged."
 
 vec3 lamp_light() {
     return light_color * (light_intensity * light_radiance);
@@ -46,9 +46,9 @@ bool sees_lamp(Ray ray) {
     return sphere_entry(ray, lamp_center(), light_radius) > 0.0 && first_hit(ray).what == lamp;
 }
 
-// The lamp's light off a surface, before the surface's colour, all of it: a bounce that meets the lamp
-// by itself adds nothing. Each sample takes one direction of the lamp's cone and one of the lobe, so
-// that no choice between a matt and a mirroring surface adds to the noise.
+// All of the lamp's light reflected by a surface, before the surface's colour: a bounce that hits the
+// lamp adds nothing. Each sample takes one direction of the lamp's cone and one of the lobe, so that
+// the choice between diffuse and specular reflection adds no noise.
 vec3 lamp_off(Surface surface, vec2 cone_square, vec2 lobe_square) {
     float cone = lamp_cone(surface.place);
     if (cone <= 0.0)

@@ -1,5 +1,5 @@
-// The lens, cut where the edge of the lamp runs across it: the lamp is so bright that whether a ray
-// just meets it or just misses it would be most of the noise where it is out of focus.
+// The lens, split where the edge of the lamp runs across it. Where the lamp is out of focus, rays that
+// just hit or just miss it would otherwise cause most of the noise, as it is very bright.
 #ifndef CAFFEINE_LENS_CUT
 #define CAFFEINE_LENS_CUT
 
@@ -7,7 +7,7 @@
 #include "scene.glsl"
 
 struct LensCut {
-    float lamp_share;  // of the chord that was cut; 0: it was not
+    float lamp_share;  // of the chord; 0 if it was not split
     vec2 lamp;         // a point of that share
     vec2 beside;       // and one of the rest
 };
@@ -35,8 +35,8 @@ vec2 lamp_on_lens(Camera view, vec3 focus, vec2 from, vec2 along) {
     return (-half_b + sqrt(root_squared) * vec2(1.0, -1.0)) / a;
 }
 
-// Across the lamp's edge, on the lens: towards where the way from `focus` to the lamp's middle meets
-// it.
+// Across the lamp's edge, on the lens: towards the point where the line through `focus` and the lamp's
+// centre intersects the lens.
 vec2 across_edge(Camera view, vec3 focus) {
     vec3 onward = lamp_center() - focus;
     vec3 way = focus - view.eye;
@@ -46,7 +46,7 @@ vec2 across_edge(Camera view, vec3 focus) {
     return size > 0.0 ? direction / size : vec2(1.0, 0.0);
 }
 
-// An even point of the lens becomes one of each part of the chord through it.
+// Maps a uniform point of the lens to one point on each part of the chord through it.
 LensCut cut_by_lamp(Camera view, vec3 focus, vec2 on_lens) {
     vec2 along = across_edge(view, focus);
     vec2 side = vec2(-along.y, along.x);

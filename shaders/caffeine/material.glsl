@@ -1,18 +1,20 @@
-// Surfaces: where light goes that falls on them. A share of it is scattered evenly (Lambert), the
-// rest into a lobe about the mirrored ray that is the wider the rougher the surface is.
+// Materials: a fraction of the light is scattered diffusely (Lambert), the rest into a lobe around the
+// mirrored ray, which widens with roughness.
 #ifndef CAFFEINE_MATERIAL
 #define CAFFEINE_MATERIAL
 
 #include "scene.glsl"
 
-uniform float atom_roughness = 0.0;    // @range 0 1  @limit 0 1  @label "Atom roughness"  @group "Surfaces"
-                                       // @help "How blurred the atoms' mirror image is: 0 is polished, 1 is chalk."
-uniform float coffee_roughness = 0.0;  // @range 0 1  @limit 0 1  @label "Coffee roughness"  @group "Surfaces"
-uniform float atom_matt = 0.8;         // @range 0 1  @limit 0 1  @label "Atoms matt"  @group "Surfaces"
-                                       // @help "The share of the light that the atoms scatter in all directions. The rest is mirrored, as their roughness says: 0 is metal, 1 is chalk."
-uniform float coffee_matt = 0.8;       // @range 0 1  @limit 0 1  @label "Coffee matt"  @group "Surfaces"
+uniform float atom_roughness = 0.0;    // @range 0 1  @limit 0 1  @label "Atom roughness"  @group "Materials"
+                                       // @help "How blurred reflections on the atoms are. 0 is polished, 1 is like chalk."
+uniform float coffee_roughness = 0.0;  // @range 0 1  @limit 0 1  @label "Coffee roughness"  @group "Materials"
+                                       // @help "How blurred reflections on the coffee are. 0 is polished, 1 is like chalk."
+uniform float atom_matt = 0.8;         // @range 0 1  @limit 0 1  @label "Atom diffuse"  @group "Materials"
+                                       // @help "Fraction of the light that the atoms scatter in all directions. The rest is reflected, as set by Atom roughness. 0 is metal, 1 is chalk."
+uniform float coffee_matt = 0.8;       // @range 0 1  @limit 0 1  @label "Coffee diffuse"  @group "Materials"
+                                       // @help "Fraction of the light that the coffee scatters in all directions. The rest is reflected, as set by Coffee roughness. 0 is a mirror, 1 is chalk."
 uniform float ray_offset = 1e-4;       // @range 0.00001 0.1  @limit 0 1  @scale log  @label "Ray offset"  @unit "Å"  @group "Sampling"
-                                       // @help "How far above a surface its rays start, so as not to meet it again at once."
+                                       // @help "How far above a surface its rays start, so that they don't hit it again."
 
 const float pi = 3.14159265359;
 const float smoothest = 0.005;  // what is smoother is a mirror
@@ -86,8 +88,8 @@ vec3 mirrored_direction(Surface surface, vec2 square) {
                               : lobe_direction(surface, surface.roughness, sphere_point(square));
 }
 
-// Goes each way as densely as the surface scatters light there, so that what comes back only wants
-// the surface's colour.
+// Directions are as dense as the scattered light, so the light that returns is only multiplied by the
+// surface's colour.
 vec3 bounced_direction(Surface surface, vec2 square) {
     bool is_even = square.x < surface.matt;
     // The choice leaves an even number again.

@@ -6,16 +6,23 @@
 uniform mat4 u_view;  // the molecule, turned by the mouse
 
 uniform float atom_scale = 1.2;                      // @range 0.5 2.5  @limit 0.05 10  @label "Atom size"  @unit "× radius"  @group "Molecule"
-                                                     // @help "Size of the spheres against the atoms' covalent radii. From about 2 on they flow into one another."
+                                                     // @help "Size of the spheres relative to the covalent radii of the atoms. From about 2, they merge."
 uniform float carbon_radius = 0.73;    // @range 0 2  @limit 0 10  @label "Carbon radius"  @unit "Å"  @group "Molecule"
-                                       // @help "Covalent radius, before the size of all atoms. 0: there are none."
+                                       // @help "Covalent radius of carbon, before Atom size. 0 removes the carbon atoms."
 uniform float hydrogen_radius = 0.31;  // @range 0 2  @limit 0 10  @label "Hydrogen radius"  @unit "Å"  @group "Molecule"
+                                       // @help "Covalent radius of hydrogen, before Atom size. 0 removes the hydrogen atoms."
 uniform float nitrogen_radius = 0.71;  // @range 0 2  @limit 0 10  @label "Nitrogen radius"  @unit "Å"  @group "Molecule"
+                                       // @help "Covalent radius of nitrogen, before Atom size. 0 removes the nitrogen atoms."
 uniform float oxygen_radius = 0.66;    // @range 0 2  @limit 0 10  @label "Oxygen radius"  @unit "Å"  @group "Molecule"
-uniform vec3 carbon_color = vec3(0.565, 0.565, 0.565);    // @color  @label "Carbon"  @group "Molecule"
-uniform vec3 hydrogen_color = vec3(1.0, 1.0, 1.0);        // @color  @label "Hydrogen"  @group "Molecule"
-uniform vec3 nitrogen_color = vec3(0.188, 0.314, 0.973);  // @color  @label "Nitrogen"  @group "Molecule"
-uniform vec3 oxygen_color = vec3(1.0, 0.051, 0.051);      // @color  @label "Oxygen"  @group "Molecule"
+                                       // @help "Covalent radius of oxygen, before Atom size. 0 removes the oxygen atoms."
+uniform vec3 carbon_color = vec3(0.565, 0.565, 0.565);    // @color  @label "Carbon colour"  @group "Molecule"
+                                                          // @help "Colour of the carbon atoms."
+uniform vec3 hydrogen_color = vec3(1.0, 1.0, 1.0);        // @color  @label "Hydrogen colour"  @group "Molecule"
+                                                          // @help "Colour of the hydrogen atoms."
+uniform vec3 nitrogen_color = vec3(0.188, 0.314, 0.973);  // @color  @label "Nitrogen colour"  @group "Molecule"
+                                                          // @help "Colour of the nitrogen atoms."
+uniform vec3 oxygen_color = vec3(1.0, 0.051, 0.051);      // @color  @label "Oxygen colour"  @group "Molecule"
+                                                          // @help "Colour of the oxygen atoms."
 
 const int hydrogen = 0;
 const int carbon = 1;

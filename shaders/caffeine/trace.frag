@@ -1,6 +1,6 @@
 #version 410 core
-// One path of light through each pixel, added to those before. Linear light; alpha counts the paths.
-// Nothing in it leans to one side: the mean over ever more paths is the picture (path tracing: J. T.
+// One light path through each pixel, added to the previous ones. Linear light; alpha counts the paths.
+// The estimate is unbiased: the mean of the paths converges to the picture (path tracing: J. T.
 // Kajiya, "The Rendering Equation", SIGGRAPH 1986).
 #include "lamp.glsl"
 #include "lens_cut.glsl"
@@ -10,13 +10,13 @@ uniform sampler2D points;
 uniform int u_samples;
 
 uniform int bounces = 3;              // @range 0 10  @limit 0 32  @label "Bounces"  @group "Sampling"  @identity 0
-                                      // @help "How often light goes from thing to thing before it comes to the one that you see. 0 is direct light only."
-uniform int samples_per_frame = 1;    // @range 1 64  @limit 1 1024  @label "Samples a frame"  @group "Sampling"
-                                      // @help "In the window a frame takes no more than fit into a twentieth of a second."
-uniform int converge = 4096;          // @range 0 16384  @limit 0 16777216  @label "Enough samples"  @group "Sampling"
-                                      // @help "When there are so many the picture is done and rests. 0: it never converges, each frame shows its own samples alone."
+                                      // @help "Number of times light is reflected before it reaches the visible surface. 0 is direct light only."
+uniform int samples_per_frame = 1;    // @range 1 64  @limit 1 1024  @label "Samples per frame"  @group "Sampling"
+                                      // @help "Number of samples that each frame adds. In the window, only samples that fit into 1/20 s are added."
+uniform int converge = 4096;          // @range 0 16384  @limit 0 16777216  @label "Sample limit"  @group "Sampling"
+                                      // @help "Rendering stops at this number of samples. At 0 it never converges: each frame shows only its own samples."
 uniform int seed = 0;                 // @range 0 100 1  @limit 0 1000000  @label "Seed"  @group "Sampling"
-                                      // @help "Another one gives another noise, and the same picture in the end."
+                                      // @help "Seed of the random numbers. Another seed gives different noise, but converges to the same picture."
 
 out vec4 color;
 

@@ -1,5 +1,5 @@
 #version 410 core
-// The triangle of the path tracer; none of it is on the screen while the article's picture is wanted.
+// The triangle of the path tracer. It lies off screen while Original article is on.
 #include "as_written.glsl"
 
 void main() {

@@ -1,6 +1,6 @@
 #version 410 core
-// CRT: fringes, then one tone map, then scanlines. Reads linear light without an upper end and writes
-// display values.
+// CRT: colour fringes, then one tone map, then scanlines. Reads linear light without an upper limit and
+// writes display values.
 #include "color.glsl"
 #include "glass.glsl"
 #include "noise.glsl"
@@ -12,34 +12,34 @@ uniform vec3 u_source_lines;
 uniform float u_time;
 uniform int u_frame;
 
-uniform bool crt = true;  // @label "CRT"  @group "CRT"
-                          // @help "Off: the scene as it is, a plain copy."
-uniform bool as_written = false;  // @label "As the article wrote it"  @group "CRT"
-                                  // @help "Draws with the formulas of the article that this look comes from: display values are cut off at 1 and darkened where light should be, and the scanlines are sampled in the middle of each pixel, so that at 4 px they have two levels and lose 29 % of their depth."
-uniform float aberration = 1.0;   // @range 0 8  @limit -64 64  @label "Aberration"  @unit "px"  @group "Aberration"  @identity 0
-                                  // @help "Colour fringes: red is read this far to the right, blue this far to the left, green stays. (The article's formula for blue has lost its minus.)"
-uniform float exposure = 1.0;     // @range 0.1 16  @limit 0 1000  @scale log  @label "Exposure"  @group "Tone map"  @identity 1
-                                  // @help "Brightness before the tone map: twice as much doubles the light."
-uniform int tone_map = 0;         // @items "Clamp" "Reinhard" "ACES" "Extended Reinhard" "AgX" "Khronos neutral" "None"  @label "Tone map"  @group "Tone map"  @identity 6
-                                  // @help "How light brighter than the screen is brought back to it. Clamp cuts each channel off and leaves all else alone, which shifts the hue of what is too bright; Reinhard makes 1 into 1/2; Extended Reinhard makes the set white into 1; ACES and AgX bend as film does; Khronos neutral keeps colours up to 0.8. None hands the light on to the next look of a stack."
-uniform float white = 2.0;        // @range 0.5 16  @limit 0.001 1000  @scale log  @label "White"  @group "Tone map"
-                                  // @help "The light that Extended Reinhard turns to full white. At 1 it leaves a light of 1 as it is."
-uniform float keep_hue = 0.0;     // @range 0 1  @limit 0 1  @label "Keep hue"  @group "Tone map"  @identity 0
-                                  // @help "0: what is too bright turns white, channel by channel. 1: all three channels come down together, and the colour stays."
+uniform bool crt = true;  // @label "Enable CRT"  @group "CRT"
+                          // @help "Off passes the picture through unchanged."
+uniform bool as_written = false;  // @label "Original article"  @group "Article"
+                                  // @help "Uses the original article's formulas, mistakes included. Display values are clipped at 1 and darkened where light should be. Scanlines are sampled at pixel centres, so at 4 px they have two levels and lose 29 % of their depth."
+uniform float aberration = 1.0;   // @range 0 8  @limit -64 64  @label "Chromatic aberration"  @unit "px"  @group "Aberration"  @identity 0
+                                  // @help "Colour fringes. Red is sampled this far to the right, blue this far to the left. Green stays in place. 0 turns it off. The article's formula for blue lacks a minus sign."
+uniform float exposure = 1.0;     // @range 0.1 16  @limit 0 1000  @scale log  @label "Exposure"  @group "Tone mapping"  @identity 1
+                                  // @help "Brightness before tone mapping. Doubling it doubles the light."
+uniform int tone_map = 0;         // @items "Clamp" "Reinhard" "ACES" "Extended Reinhard" "AgX" "Khronos PBR Neutral" "None"  @items_was "" "" "" "" "" "Khronos neutral"  @label "Tone map"  @group "Tone mapping"  @identity 6
+                                  // @help "How light brighter than the display is mapped to its range. Clamp cuts off each channel, which shifts the hue of bright colours. Reinhard maps 1 to 1/2. Extended Reinhard maps the white point to 1. ACES and AgX compress light as film does. Khronos PBR Neutral preserves colours up to 0.8. None passes the light on to the next look of a stack."
+uniform float white = 2.0;        // @range 0.5 16  @limit 0.001 1000  @scale log  @label "White point"  @group "Tone mapping"
+                                  // @help "Light that Extended Reinhard maps to full white. At 1, a light of 1 stays unchanged."
+uniform float keep_hue = 0.0;     // @range 0 1  @limit 0 1  @label "Preserve hue"  @group "Tone mapping"  @identity 0
+                                  // @help "0 maps each channel separately, so bright colours turn white. 1 scales all three channels together and keeps the hue."
 uniform float scanline_strength = 0.3;  // @range 0 1  @limit 0 1  @label "Strength"  @group "Scanlines"  @identity 0
-                                        // @help "Depth of the stripes: between them this share of the light is lost."
-uniform int scanline_unit = 0;          // @items "Pixels" "Source lines"  @label "Period in"  @group "Scanlines"
-                                        // @help "What the period is counted in. With source lines each line of the source gets its own stripe, wherever the fit places it in the picture."
+                                        // @help "Depth of the scanlines: the fraction of the light that is lost between them. 0 turns them off."
+uniform int scanline_unit = 0;          // @items "Pixels" "Source lines"  @label "Period unit"  @group "Scanlines"
+                                        // @help "Unit of the scanline period. With Source lines, each line of the source gets its own scanline, wherever the source is placed in the picture."
 uniform float scanline_period = 4.0;    // @range 2 16  @limit 1 1000  @label "Period"  @unit "px a period"  @group "Scanlines"  @period "$scanline_unit == 0 ? $scanline_period : 0"
-                                        // @help "From stripe to stripe in pixels of the picture, whatever its size."
+                                        // @help "Distance between scanlines, in pixels. It doesn't scale with the render size."
 uniform float scanline_lines = 1.0;     // @range 0.5 4  @limit 0.25 64  @label "Lines per scanline"  @group "Scanlines"  @period "$scanline_unit == 0 ? 0 : $scanline_lines * $LINE * (1 + ($scanline_interlace == 2) + ($scanline_interlace == 1) * ($LINES > 288) * ($LINES <= 576))"
-                                        // @help "How many lines of the source a scanline covers, where the period is counted in them."
-uniform int scanline_interlace = 1;     // @items "Off" "Auto" "On"  @label "Interlace"  @group "Scanlines"
-                                        // @help "Draws even and odd lines of the source by turns, 60 fields a second, where the period is counted in source lines. Auto: for sources of 289 to 576 lines."
-uniform float scanline_brightness = 1.0;  // @range 0 1  @limit 0 1  @label "Brightness kept"  @group "Scanlines"
-                                          // @help "0: the mean falls to 1 - strength / 2, as in the article, which makes up for nothing. 1: the crests are raised until the mean is what it was, as far as the screen can show."
-uniform bool dither = true;       // @label "Dither"  @group "Tone map"  @identity 0
-                                  // @help "Noise of half a screen step, so that soft glows show no bands."
+                                        // @help "Number of source lines that each scanline covers. Only used when Period unit is Source lines."
+uniform int scanline_interlace = 1;     // @items "Off" "Auto" "On"  @label "Interlacing"  @group "Scanlines"
+                                        // @help "Draws even and odd source lines in alternating fields, 60 fields per second. Auto does this for sources of 289 to 576 lines. Only used when Period unit is Source lines."
+uniform float scanline_brightness = 1.0;  // @range 0 1  @limit 0 1  @label "Brightness compensation"  @group "Scanlines"
+                                          // @help "0 lets the mean brightness fall to 1 - strength / 2, as in the article. 1 raises the crests until the mean is unchanged, as far as the display allows."
+uniform bool dither = true;       // @label "Dither"  @group "Tone mapping"  @identity 0
+                                  // @help "Adds noise of half an 8-bit level, so that soft glows don't show bands."
 
 in vec2 uv;
 out vec4 color;

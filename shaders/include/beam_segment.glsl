@@ -111,8 +111,8 @@ vec2 beam_segment_reading(ivec2 reading, int n) {
     return (vec2(reading) + 0.5) / float(n) - 0.5;
 }
 
-// The next of n * n readings; false behind the last one. To be asked at the end of a do loop: software
-// GL computes what stands behind a loop's first condition once more than it is wanted.
+// The next of n * n readings; false after the last one. Call it at the end of a do loop: software GL
+// evaluates the code after a loop's first condition once too often.
 bool beam_segment_has_next(inout ivec2 reading, int n) {
     reading.x += 1;
     if (reading.x == n)

@@ -1,4 +1,4 @@
-// Colour: linear light, and the values that a display takes.
+// Colour: conversions between linear light and display values.
 #ifndef AFTERGLOW_COLOR
 #define AFTERGLOW_COLOR
 

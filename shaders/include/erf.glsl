@@ -1,4 +1,4 @@
-// The error function and its kin, for sums of Gaussians.
+// The error function and related functions, for sums of Gaussians.
 #ifndef AFTERGLOW_ERF
 #define AFTERGLOW_ERF
 

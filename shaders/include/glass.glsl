@@ -1,4 +1,4 @@
-// The glass of a tube: its curve, its edge, its dark corners, and lines across it.
+// The glass of a tube: its curvature, edge, vignette and scanlines.
 // Places on the glass are -1..1 in x and y, (0, 0) in the middle.
 #ifndef AFTERGLOW_GLASS
 #define AFTERGLOW_GLASS
@@ -42,8 +42,8 @@ const int interlace_off = 0;
 const int interlace_auto = 1;  // where the source has more lines than a field of television
 const int interlace_on = 2;
 
-// Whether a source of so many lines is drawn in two fields. Fields have up to 240 lines with 60 of
-// them a second and up to 288 with 50 (ITU-R BT.470), a frame twice as many.
+// Whether a source with this number of lines is drawn in two fields. Fields have up to 240 lines at
+// 60 per second and up to 288 at 50 (ITU-R BT.470), a frame has twice that number.
 bool is_interlaced(int interlace, float lines) {
     bool is_frame = lines > 288.0 && lines <= 576.0;
     return interlace == interlace_on || (interlace == interlace_auto && is_frame);

@@ -1,6 +1,6 @@
-// The masks of colour tubes: how much of the light of red, green and blue comes through at a place,
-// averaged over a pixel. Over whole cells the mean of each channel is 1, so that a mask moves light
-// and loses none; peaks lie above 1. All lengths are in px of the tube, from its bottom left.
+// The masks of colour tubes: transmission of red, green and blue at a point, averaged over a pixel.
+// Over whole cells the mean of each channel is 1, so a mask moves light and loses none. Peaks are
+// above 1. All lengths are in px of the tube, from its bottom left.
 #ifndef AFTERGLOW_MASK
 #define AFTERGLOW_MASK
 

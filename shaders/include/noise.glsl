@@ -2,7 +2,7 @@
 #ifndef AFTERGLOW_NOISE
 #define AFTERGLOW_NOISE
 
-// Each part takes in what the one before it has become.
+// Each component mixes in the new value of the previous one.
 uvec3 mixed(uvec3 key) {
     key.x += key.y * key.z;
     key.y += key.z * key.x;

@@ -1,5 +1,5 @@
 // A bloom whose cost does not depend on its width: light goes down a pyramid of pictures, each half
-// as large as the one before, and back up. Linear light. A look has a pass for each step:
+// the size of the previous one, and back up. Linear light. A look has a pass for each step:
 //   down: color = vec4(pyramid_reduced(larger, gl_FragCoord.xy), 1.0);
 //   up:   color = vec4(pyramid_widened(own, smaller, gl_FragCoord.xy, share), 1.0);
 // with share = pyramid_share(level, variance) and level 0 for the largest picture. Each picture is
@@ -27,14 +27,14 @@ vec3 pyramid_widened(sampler2D own, sampler2D smaller, vec2 fragment, float shar
     return mix(texelFetch(own, ivec2(fragment), 0).rgb, wide, share);
 }
 
-// What going down to a level and back spreads a spot by: its variance along one axis, in texels of
+// Variance that a spot gains on the way down to a level and back, along one axis, in texels of
 // level 0. Each step adds 3/4 of the square of a texel of the larger picture.
 float pyramid_variance(int level) {
     return 0.5 * (exp2(2.0 * float(level)) - 1.0);
 }
 
-// The share that makes the picture of level 0 as wide as wanted: all of what is narrower than that,
-// nothing of what is wider, and between two levels as much as gives the variance exactly.
+// The share that gives level 0 the wanted width: 1 for narrower levels, 0 for wider ones, and in between
+// the fraction that gives the variance exactly.
 float pyramid_share(int level, float variance) {
     float here = pyramid_variance(level);
     return clamp((variance - here) / (pyramid_variance(level + 1) - here), 0.0, 1.0);

@@ -1,4 +1,4 @@
-// Lengths that shall look the same in a picture of any size are given in px of one this high.
+// Lengths that look the same at any render size are given in px of a picture of this height.
 #ifndef AFTERGLOW_REFERENCE_HEIGHT
 #define AFTERGLOW_REFERENCE_HEIGHT
 

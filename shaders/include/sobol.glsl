@@ -7,7 +7,7 @@
 #include "noise.glsl"
 
 const int sobol_dimensions = 20;
-const int sobol_bits = 14;  // of an index: so many points before they are scrambled anew
+const int sobol_bits = 14;  // of an index: 2^14 points, then they are scrambled again
 
 // S. Joe and F. Y. Kuo, "Constructing Sobol sequences with better two-dimensional projections",
 // SIAM J. Sci. Comput. 30, 2008: for the dimensions after the first the degree of the primitive

@@ -1,4 +1,5 @@
-// Tone mapping: linear light without an upper end into 0..1, still linear. Once a picture, at the end.
+// Tone mapping: maps linear light without an upper limit to 0..1, still linear. Once per picture, at the
+// end.
 #ifndef AFTERGLOW_TONEMAP
 #define AFTERGLOW_TONEMAP
 

@@ -1,8 +1,8 @@
 #version 410 core
 // The beam: the light of one spot, added to that of all others in the frame. Linear light.
-// For a measured tube it is charge instead, without colour: red, green and blue are what the three
-// terms have given off of it by the frame's end, alpha is all of it.
-// Energy of a point, summed over all pixels (px^2), wherever it lies between them:
+// For a measured tube it is charge without colour: red, green and blue are the parts that the three
+// terms have emitted by the frame's end, alpha is all of it.
+// Energy of a point, summed over all pixels (px^2), for any position between them:
 //   beam_gain * intensity * width^2 * pi * (1 / core_sharpness + glow_weight / glow_sharpness)
 // with width = beam_width * height / 512 px, and times beam_color for each channel where the tube is custom.
 #include "spot.glsl"

@@ -1,5 +1,5 @@
 #version 410 core
-// The beam: one square for each instant at which the beam was somewhere, large enough for its spot.
+// The beam: one square for each sample of the signal, large enough for its spot.
 #include "spot.glsl"
 #include "tint.glsl"
 #include "tube.glsl"

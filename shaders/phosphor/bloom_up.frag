@@ -12,7 +12,7 @@ uniform vec2 u_output_resolution;
 out vec4 color;
 
 void main() {
-    float height = floor(u_output_resolution.y * bloom_size + 0.5);  // of what the pyramid stands on
+    float height = floor(u_output_resolution.y * bloom_size + 0.5);  // of the pyramid's largest picture
     float share = pyramid_share(level, bloom_variance(height));
     color = vec4(pyramid_widened(own, smaller, gl_FragCoord.xy, share), 1.0);
 }

@@ -1,4 +1,4 @@
-// How wide the bloom is, and by which blur.
+// The bloom's width and its kind of blur.
 #ifndef PHOSPHOR_BLOOM_WIDTH
 #define PHOSPHOR_BLOOM_WIDTH
 
@@ -6,17 +6,17 @@
 #include "reference_height.glsl"
 
 uniform int bloom_kind = 1;  // @items "Taps" "Pyramid"  @label "Blur"  @group "Bloom"
-                             // @help "Pyramid: by way of ever smaller pictures, as fast at any width. Taps: about the same glow, a Gaussian read tap by tap, which takes longer the wider it is and ends at the outermost tap; with the article's formulas it has the article's gaps."
+                             // @help "Pyramid blurs through a chain of half-size pictures and is equally fast at any width. Taps gives about the same glow: a Gaussian read tap by tap. It gets slower with the width and ends at the outermost tap. With the original article's formulas, it has the article's gaps."
 uniform float bloom_radius = 3.0;  // @range 0.5 12  @limit 0.05 64  @label "Radius"  @unit "half-size px at 512 lines"  @group "Bloom"
                                    // @help "How far the light spreads: the distance between two taps of the blur, in pixels of the half-size picture."
 uniform float bloom_sigma = 1.64;  // @range 0.5 4  @limit 0.1 16  @label "Sigma"  @unit "taps"  @group "Bloom"
-                                   // @help "Standard deviation of the blur, in taps. Together with the radius it says how wide the bloom is: sigma x radius x 2 pixels of a picture 512 pixels high."
+                                   // @help "Standard deviation of the blur, in taps. The bloom's standard deviation is sigma × radius × 2 pixels of a picture 512 pixels high."
 
 bool has_pyramid() {
     return bloom_kind == 1;
 }
 
-// From tap to tap, in texels of a bloom so many texels high.
+// Distance between taps, in texels of a bloom of this height.
 float tap_texels(float height) {
     return bloom_radius * height / (0.5 * reference_height);
 }

@@ -1,6 +1,6 @@
 #version 410 core
-// Composite: what the eye gets of the phosphor. Light and bloom are added in linear light, tone
-// mapped once, seen through the glass, and display-encoded at the end.
+// Composite: the picture on the screen. Light and bloom are added in linear light, tone mapped once,
+// seen through the glass, and display-encoded at the end.
 #include "as_written.glsl"
 #include "color.glsl"
 #include "composite_as_written.glsl"
@@ -18,33 +18,33 @@ uniform vec2 u_resolution;
 uniform int u_frame;
 
 uniform float bloom_intensity = 0.6;  // @range 0 3  @limit 0 100  @label "Intensity"  @group "Bloom"  @identity 0
-                                      // @help "How much of the spread light is added to the trace."
-uniform float exposure = 1.5;         // @range 0.1 16  @limit 0 1000  @scale log  @label "Exposure"  @group "Exposure"
-                                      // @help "Brightness of the whole trace, like a camera's exposure: twice as much doubles the light before the tone map."
-uniform int tone_map = 1;             // @items "Clamp" "Reinhard" "ACES"  @label "Tone map"  @group "Exposure"
-                                      // @help "How light brighter than the screen can show is brought back to it. Clamp cuts it off, the others bend it softly."
-uniform float white = 0.0;            // @range 0 16  @limit 0 1000  @label "White"  @group "Exposure"  @identity 0
-                                      // @help "The light that Reinhard turns to full white. 0 is without: everything stays a little below it."
-uniform float keep_hue = 0.8;         // @range 0 1  @limit 0 1  @label "Keep hue"  @group "Exposure"
-                                      // @help "0: a very bright trace turns white, as on film. 1: it stays as coloured as the phosphor, as to the eye."
-uniform bool display_encode = true;   // @label "Display encoding"  @group "Exposure"
-                                      // @help "Light becomes screen values by the sRGB curve, so that twice the light looks like it. Off shows the bare numbers: darker, with more contrast."
-uniform bool dither = true;           // @label "Dither"  @group "Exposure"  @identity 0
-                                      // @help "Noise of half a screen step, so that soft glows show no bands."
-uniform float aberration = 1.0;       // @range 0 8  @limit -64 64  @label "Aberration"  @unit "px"  @group "Glass"  @identity 0
-                                      // @help "Colour fringes of a cheap lens: red is read this far to the right and blue to the left, green stays."
-uniform float scanline_strength = 0.3;   // @range 0 1  @limit 0 1  @label "Scanlines"  @group "Glass"  @identity 0
-                                         // @help "Depth of the horizontal stripes. The mean brightness becomes 1 - strength / 2."
+                                      // @help "How much of the blurred light is added to the trace. 0 turns the bloom off."
+uniform float exposure = 1.5;         // @range 0.1 16  @limit 0 1000  @scale log  @label "Exposure"  @group "Tone mapping"
+                                      // @help "Brightness of the whole trace, before tone mapping. Doubling it doubles the light."
+uniform int tone_map = 1;             // @items "Clamp" "Reinhard" "ACES"  @label "Tone map"  @group "Tone mapping"
+                                      // @help "How light brighter than the display is mapped to its range. Clamp cuts it off. Reinhard and ACES compress it softly."
+uniform float white = 0.0;            // @range 0 16  @limit 0 1000  @label "White point"  @group "Tone mapping"  @identity 0
+                                      // @help "Light that Reinhard maps to full white. 0 turns it off, so everything stays slightly below white."
+uniform float keep_hue = 0.8;         // @range 0 1  @limit 0 1  @label "Preserve hue"  @group "Tone mapping"
+                                      // @help "0 lets a very bright trace turn white, as on film. 1 keeps the phosphor's hue, as the eye sees it."
+uniform bool display_encode = true;   // @label "sRGB encoding"  @group "Tone mapping"
+                                      // @help "Encodes linear light with the sRGB curve for the display. Off shows the linear values directly, which is darker with more contrast."
+uniform bool dither = true;           // @label "Dither"  @group "Tone mapping"  @identity 0
+                                      // @help "Adds noise of half an 8-bit level, so that soft glows don't show bands."
+uniform float aberration = 1.0;       // @range 0 8  @limit -64 64  @label "Chromatic aberration"  @unit "px"  @group "Glass"  @identity 0
+                                      // @help "Colour fringes of a cheap lens. Red is sampled this far to the right, blue this far to the left. Green stays in place. 0 turns it off."
+uniform float scanline_strength = 0.3;   // @range 0 1  @limit 0 1  @label "Scanline strength"  @group "Glass"  @identity 0
+                                         // @help "Depth of the horizontal scanlines. The mean brightness becomes 1 - strength / 2. 0 turns them off."
 uniform float scanline_period = 4.0;     // @range 2 16  @limit 1 1000  @label "Scanline period"  @unit "px a period"  @group "Glass"
-                                         // @help "Distance from stripe to stripe in pixels of the picture, whatever its size."
+                                         // @help "Distance between scanlines, in pixels. It doesn't scale with the render size."
 uniform float curvature = 0.04;          // @range 0 0.3  @limit 0 2  @label "Curvature"  @group "Glass"  @identity 0
-                                         // @help "How much the glass bulges towards you."
-uniform float corner_radius = 0.03;      // @range 0 0.5  @limit 0 1  @label "Corner radius"  @unit "half heights"  @group "Glass"  @identity 0
-                                         // @help "How round the corners of the glass are. 1 is as round as the picture is high."
+                                         // @help "How far the glass bulges towards the viewer. 0 is flat."
+uniform float corner_radius = 0.03;      // @range 0 0.5  @limit 0 1  @label "Corner radius"  @unit "× half height"  @group "Glass"  @identity 0
+                                         // @help "Corner radius of the glass. 0 gives square corners, 1 equals half the picture height."
 uniform float vignette = 0.3;            // @range 0 1  @limit 0 2  @label "Vignette"  @group "Glass"  @identity 0
-                                         // @help "How much of the light is lost in the corners."
-uniform vec3 ambient_glass = vec3(0.0, 0.003, 0.0);  // @color  @label "Ambient glass"  @group "Glass"
-                                                     // @help "Light of the room that the glass gives back, so that its black is not quite black."
+                                         // @help "How much light is lost in the corners. 0 turns the vignette off, 1 makes the corners black."
+uniform vec3 ambient_glass = vec3(0.0, 0.003, 0.0);  // @color  @label "Ambient light"  @group "Glass"
+                                                     // @help "Room light that the glass reflects. It lifts the black level. Black turns it off."
 
 in vec2 uv;
 out vec4 color;

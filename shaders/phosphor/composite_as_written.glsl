@@ -1,5 +1,5 @@
-// The article's composite: what it put on the screen was never display-encoded, its graticule only
-// darkens (and its lines lie half a division off), its scanlines are sampled and not averaged.
+// The article's composite. Its output is not display-encoded. Its graticule only darkens, with lines
+// half a division off. Its scanlines are sampled instead of averaged.
 #include "color.glsl"
 #include "glass.glsl"
 #include "tonemap.glsl"

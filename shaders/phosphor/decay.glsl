@@ -5,9 +5,9 @@
 #include "one_color.glsl"
 
 uniform float decay = 0.92;  // @range 0.5 0.999  @limit 0 1  @label "Decay"  @unit "per 1/60 s"  @group "Phosphor"
-                             // @help "How much of the light is left a sixtieth of a second later. 0.5 is gone at once, 0.92 leaves a short tail, 0.99 glows for seconds. For the tube 'Custom'; the others fade as they were measured."
-uniform vec3 fade_speed = vec3(1.0);  // @range 0.25 16  @limit 0 1000  @scale log  @label "Fade by colour"  @parts "Red" "Green" "Blue"  @group "Phosphor"
-                                      // @help "1 fades as Decay says, 4 is four times as fast. Blue that fades before green leaves a yellow-green afterglow, as the two layers of a radar tube do. For the tube 'Custom'."
+                             // @help "Fraction of the light that is left after 1/60 s. 0.5 fades almost at once, 0.92 leaves a short tail, 0.99 glows for seconds, 1 never fades. Only used by the tube phosphor Custom. Measured tubes have their own decay."
+uniform vec3 fade_speed = vec3(1.0);  // @range 0.25 16  @limit 0 1000  @scale log  @label "RGB decay speed"  @parts "Red" "Green" "Blue"  @group "Phosphor"
+                                      // @help "Decay speed of each channel. 1 follows Decay, 4 is four times as fast, 0 never fades. Blue that fades before green leaves a yellow-green afterglow, like the two layers of a radar tube. Only used by the tube phosphor Custom."
 
 vec3 fade_speeds() {
     return has_one_color() ? vec3(1.0) : fade_speed;

@@ -1,11 +1,11 @@
-// Where the signal's -1..1 lies in the picture.
+// Maps the signal's -1..1 to the picture.
 #ifndef PHOSPHOR_FIT
 #define PHOSPHOR_FIT
 
 uniform int fit = 0;  // @items "Fill the picture" "Keep circles round"  @label "Fit"  @group "Screen"
-                      // @help "Fill stretches the signal over the whole picture. Keep circles round draws both axes at the same scale, as a scope in X-Y does, and leaves the rest of a wide picture to the glass."
-uniform float screen_size = 1.0;  // @range 0.5 1  @limit 0.05 2  @label "Size"  @group "Screen"
-                                  // @help "How much of the glass the signal and the graticule take. 1 is all of it, a little less leaves a margin."
+                      // @help "Fill the picture stretches the signal over the whole picture. Keep circles round draws both axes at the same scale, as a scope in XY mode does. A wide picture then has margins."
+uniform float screen_size = 1.0;  // @range 0.5 1  @limit 0.05 2  @label "Size"  @unit "× picture size"  @group "Screen"
+                                  // @help "How much of the picture the signal and the graticule cover. 1 is all of it, less leaves a margin."
 
 // Width and height of the signal's -1..1, as shares of the picture's.
 vec2 signal_size(vec2 resolution) {

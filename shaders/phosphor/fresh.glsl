@@ -1,4 +1,4 @@
-// What the beam brought in this frame, from whichever pass draws it.
+// The beam's light of this frame, from the pass that draws it.
 #include "beam_kind.glsl"
 
 uniform sampler2D current;   // the beam as points

@@ -3,14 +3,14 @@
 #include "graticule.glsl"
 #include "reference_height.glsl"
 
-uniform float graticule = 0.15;  // @range 0 1  @limit 0 1  @label "Graticule"  @group "Graticule"  @identity 0
-                                 // @help "How strongly the measuring lines show."
-uniform ivec2 graticule_divisions = ivec2(10, 10);  // @range 1 20 1  @limit 1 100  @label "Divisions"  @parts "Across" "Up"  @group "Graticule"
-                                                    // @help "How many boxes the lines make, across and up. Most scopes have 10 by 8."
-uniform int graticule_lines = 0;  // @items "Lit" "Dark"  @label "Lines"  @group "Graticule"
-                                  // @help "Lit lines are engraved in the glass and shine in the light of small lamps at its edge. Dark lines are printed inside the tube and hide the trace behind them."
+uniform float graticule = 0.15;  // @range 0 1  @limit 0 1  @label "Strength"  @group "Graticule"  @identity 0
+                                 // @help "How strongly the graticule lines show. 0 hides them."
+uniform ivec2 graticule_divisions = ivec2(10, 10);  // @range 1 20 1  @limit 1 100  @label "Divisions"  @parts "Horizontal" "Vertical"  @group "Graticule"
+                                                    // @help "Number of divisions across and up. Most scopes have 10 by 8."
+uniform int graticule_lines = 0;  // @items "Lit" "Dark"  @label "Line type"  @group "Graticule"
+                                  // @help "Lit lines are engraved in the glass and glow in the light of lamps at its edge. Dark lines are printed inside the tube and hide the trace."
 uniform vec3 graticule_color = vec3(0.45, 0.8, 0.55);  // @color  @label "Line colour"  @group "Graticule"
-                                                       // @help "The colour of the lamps that light the lines."
+                                                       // @help "Colour of the lamps that light the graticule. Only used for lit lines."
 
 // 1 on a line, 0 between lines. `place` is -1..1 on the glass.
 float graticule_at(vec2 place, vec2 resolution) {

@@ -1,6 +1,6 @@
-// What persistence keeps of the custom tube's light, as whoever reads it gets it. Linear light.
-// It is kept as the beam left it, and meets the ceiling here: beams may be drawn straight onto it, and
-// between texels light is mixed first, as a phosphor saturates at each place and not in cells.
+// Reads the custom tube's stored light, which persistence keeps without a ceiling. Linear light.
+// The ceiling is applied here, as beams may be drawn straight onto the stored light. Between texels,
+// light is mixed first, as a phosphor saturates at each point and not in cells.
 #ifndef PHOSPHOR_KEPT_LIGHT
 #define PHOSPHOR_KEPT_LIGHT
 
@@ -9,14 +9,14 @@
 #include "color.glsl"
 #include "one_color.glsl"
 
-const float largest_half = 65504.0;  // where 16 bits are kept, more than that is no number
+const float largest_half = 65504.0;  // 16-bit storage overflows above it
 
 // The brightest channel reaches the ceiling and takes the others along: the hue stays.
 vec3 saturated(vec3 light, float most) {
     return light * min(1.0, most / max(brightest_channel(light), 1e-20));
 }
 
-// A measured tube's light has met it.
+// A measured tube's light is already limited.
 vec3 below_ceiling(vec3 light) {
     if (has_tube())
         return light;

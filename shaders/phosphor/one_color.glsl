@@ -1,4 +1,4 @@
-// A phosphor of one colour: its light is one number a pixel, and gets the colour where it is seen.
+// A monochrome phosphor: its light is one number per pixel, coloured when it is shown.
 #ifndef PHOSPHOR_ONE_COLOR
 #define PHOSPHOR_ONE_COLOR
 
@@ -6,15 +6,15 @@
 #include "spot.glsl"
 #include "tube.glsl"
 
-uniform bool one_color = false;  // @label "One colour"  @group "Phosphor"
-                                 // @help "For the tube 'Custom': all light has the beam's colour and fades alike, so that one number is kept for each pixel instead of four. The same picture with less work; a signal's own colours and Fade by colour are left out."
+uniform bool one_color = false;  // @label "Monochrome"  @group "Phosphor"
+                                 // @help "Stores one channel per pixel instead of four, for the same picture with less work. All light has the beam colour and fades alike. The signal's own colours and RGB decay speed are ignored. Only used by the tube phosphor Custom."
 
 bool has_one_color() {
     return one_color && !has_tube();
 }
 
-// What is kept of a light whose brightest channel ends at the ceiling; the article's channels end
-// each by itself, the weakest last.
+// Limit of the stored number, where the brightest channel reaches the ceiling. The article's channels
+// are limited separately, the weakest last.
 float one_color_ceiling() {
     float strongest = max(max(beam_color.r, beam_color.g), beam_color.b);
     float weakest = min(min(beam_color.r, beam_color.g), beam_color.b);
@@ -30,7 +30,7 @@ vec3 light_of(vec3 texel) {
     return has_one_color() && as_written ? min(colored(texel), vec3(ceiling)) : colored(texel);
 }
 
-// What the bloom is made of: as the strongest channel has it.
+// Input of the bloom, limited like the strongest channel.
 vec3 bloom_light_of(vec3 texel) {
     float strongest = max(max(beam_color.r, beam_color.g), beam_color.b);
     return has_one_color() && as_written ? min(texel, vec3(ceiling / max(strongest, 1e-3))) : texel;

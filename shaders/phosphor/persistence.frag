@@ -1,8 +1,8 @@
 #version 410 core
-// Persistence: the phosphor's light, linear. The custom tube's meets its ceiling where it is read.
-// Custom: what glowed a frame ago, faded, and what the beam adds now, unless it is drawn onto this
+// Persistence: the phosphor's light, linear. For the custom tube, the ceiling is applied on reading.
+// Custom: the previous frame's light, faded, plus the light of the beam, unless it is drawn onto this
 // pass's target. 32-bit floats, as half floats stop fading at slow decays; see light_bits. A measured
-// tube: the mean light of the frame, from what it held before and from what the beam brought.
+// tube: the mean light of the frame, from the charge held before and from the beam.
 #include "as_written.glsl"
 #include "ceiling.glsl"
 #include "decay.glsl"
@@ -17,8 +17,8 @@ uniform sampler2D previous;  // this pass, a frame ago
 uniform bool u_drawn_onto;
 uniform sampler2D held;      // the charge that a measured tube held a frame ago
 uniform float u_time_delta;
-uniform int light_bits = 0;  // @items "32" "16 where it fades as truly"  @label "Light kept in bits"  @group "Phosphor"
-                             // @help "16 bits a channel are half the memory, and half the work for a graphics card. Slow fading needs 32, as steps finer than one part in 2048 are lost. So 16 are taken while what fades slowest loses a 64th or more in 1/240 s: for Decay up to 0.939. Measured tubes have 32."
+uniform int light_bits = 0;  // @items "32 bit" "16 bit for fast decay"  @items_was "32" "16 where it fades as truly"  @label "Light precision"  @group "Phosphor"
+                             // @help "Bits per channel of the stored light. 16 bit halves the memory and the GPU work. Slow decay needs 32 bit, as 16 bit loses steps finer than 1/2048. So 16 bit applies only while the slowest channel loses at least 1/64 in 1/240 s: for Decay up to 0.939. Measured tubes always use 32 bit."
 
 in vec2 uv;
 out vec4 color;
@@ -32,8 +32,8 @@ vec3 custom_light() {
     return tone_map_every_frame ? below_ceiling(light) : min(light, largest_half);
 }
 
-// Conserves: what a term held and was given is held on or is light. In frames shorter than 1/60 s a
-// flash is brighter, as its light falls into less time, and so is the ceiling.
+// Conserves energy: the charge of a term is either kept or emitted as light. In frames shorter than
+// 1/60 s a flash is brighter, as its light is spread over less time, and so is the ceiling.
 vec3 tube_light() {
     vec3 spent = spent_after(u_time_delta / term_seconds());
     vec3 given_off = spent * texture(held, uv).rgb + fresh_at(uv).rgb;

@@ -1,5 +1,5 @@
 #version 410 core
-// What the bloom is made of: the phosphor's light at a smaller size, at first the half. Linear light.
+// Input of the bloom: the phosphor's light at a smaller size, half by default. Linear light.
 
 #include "bloom_size.glsl"
 #include "kept_light.glsl"
@@ -11,8 +11,8 @@ uniform vec2 u_resolution;
 in vec2 uv;
 out vec4 color;
 
-// Four texels, each below its own ceiling: what they do not give off does not spread. Beyond the sides
-// the last ones.
+// Mean of four texels, each limited to its own ceiling: light above it does not spread. Clamped to the
+// edge.
 vec3 mean_of_four(vec2 at) {
     if (has_tube())
         return texture(image, at).rgb;

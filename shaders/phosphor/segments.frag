@@ -1,7 +1,7 @@
 #version 410 core
-// The beam as segments: the light of its way from one point to the next, in the same form and of the
-// same energy as that of points. The current changes evenly on the way, and so does the age; light
-// fades inside the segment.
+// The beam as segments: the light along the path from one point to the next, in the same form and with
+// the same energy as that of points. Current and age change evenly along it, and light fades inside
+// the segment.
 #include "beam_segment.glsl"
 #include "decay.glsl"
 #include "one_color.glsl"

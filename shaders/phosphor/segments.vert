@@ -1,5 +1,5 @@
 #version 410 core
-// The beam as segments: one rectangle around the way from each point to the next, with room for the
+// The beam as segments: one rectangle around the path from each point to the next, with room for the
 // spot's width.
 #include "beam_kind.glsl"
 #include "beam_segment.glsl"

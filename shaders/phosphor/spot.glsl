@@ -3,18 +3,18 @@
 #ifndef PHOSPHOR_SPOT
 #define PHOSPHOR_SPOT
 
-uniform vec3 beam_color = vec3(0.2, 1.0, 0.3);  // @color  @label "Colour"  @group "Beam"
-                                                // @help "The colour in which the phosphor glows. A measured tube has a colour of its own unless Tube colour says otherwise."
-uniform float beam_gain = 0.7;                  // @range 0.01 4  @limit 0 1000  @scale log  @label "Beam strength"  @group "Beam"
-                                                // @help "How much light the beam leaves behind. More makes crowded and slow parts of the trace brighter, up to the ceiling."
+uniform vec3 beam_color = vec3(0.2, 1.0, 0.3);  // @color  @label "Beam colour"  @group "Beam"
+                                                // @help "Colour of the phosphor's light. Measured tubes have their own colour, unless Tube colour selects this one."
+uniform float beam_gain = 0.7;                  // @range 0.01 4  @limit 0 1000  @scale log  @label "Beam intensity"  @group "Beam"
+                                                // @help "How much light the beam leaves on the phosphor. Slow and crowded parts of the trace get brighter, up to the brightness limit."
 uniform float beam_width = 2.0;  // @range 0.5 12  @limit 0.05 64  @scale log  @label "Beam width"  @unit "px at 512 lines"  @group "Beam"
-                                 // @help "How wide the spot is that the beam makes, in pixels of a picture 512 pixels high; larger pictures scale it, so that every size looks the same."
+                                 // @help "Width of the beam's spot, in pixels of a picture 512 pixels high. It scales with the picture height, so every render size looks the same."
 uniform float core_sharpness = 28.0;  // @range 4 80  @limit 0.5 1000  @scale log  @label "Core sharpness"  @group "Beam"
-                                      // @help "How narrow the bright middle of the spot is: the core is exp(-sharpness r r), r in beam widths. 28 has a standard deviation of 0.13 widths."
+                                      // @help "Sharpness of the spot's bright core, exp(-sharpness r²) with r in beam widths. Higher is narrower. 28 has a standard deviation of 0.13 widths."
 uniform float glow_sharpness = 8.0;   // @range 1 40  @limit 0.25 1000  @scale log  @label "Glow sharpness"  @group "Beam"
-                                      // @help "How narrow the soft light around the core is. Smaller is wider; 8 has a standard deviation of 0.25 widths."
+                                      // @help "Sharpness of the soft glow around the core. Lower is wider. 8 has a standard deviation of 0.25 widths."
 uniform float glow_weight = 0.3;      // @range 0 2  @limit 0 100  @label "Glow weight"  @group "Beam"  @identity 0
-                                      // @help "How bright the soft light around the core is, next to the core. 0 leaves the core alone."
+                                      // @help "Brightness of the glow relative to the core. 0 leaves only the core."
 
 // Half the side of a square that holds more than 99.9 % of the spot: erf(2.7)^2 = 0.9997 of the wider
 // Gaussian, which has fallen to 7e-4 of its peak where the square ends.

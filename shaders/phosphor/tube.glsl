@@ -1,18 +1,18 @@
-// The tube: how its phosphor keeps and gives back what the beam leaves there. Linear light.
-// Each of three terms holds the charge that it was struck with and gives it off exponentially. A
-// picture shows the light of its whole frame, not of an instant: most of P31's is gone in 1 ms.
+// The tube: how its phosphor stores and emits the energy of the beam. Linear light.
+// Each of three terms holds a charge and emits it exponentially. A picture shows the light of its
+// whole frame, not of an instant: most of P31's is gone in 1 ms.
 #ifndef PHOSPHOR_TUBE
 #define PHOSPHOR_TUBE
 
 #include "as_written.glsl"
 #include "tubes.glsl"
 
-uniform int tube = 0;  // @items "Custom" "P1" "P2" "P3" "P4" "P7" "P11" "P14" "P28" "P31" "P32"  @label "Tube"  @group "Phosphor"
-                       // @help "The phosphor of the tube. Custom fades as Decay says. The others fade as they were measured: P1 green, P2 blue-green, P3 amber, P4 white, P7 blue with a long yellow afterglow (radar), P11 blue (photography), P14 blue with an orange afterglow, P28 yellow-green and long, P31 green (most scopes), P32 yellow-green and longest."
-uniform float time_scale = 1.0;  // @range 0.01 1000  @limit 0.0001 100000  @scale log  @label "Time scale"  @unit "×"  @group "Phosphor"
-                                 // @help "Stretches the fading of a measured tube: at 100 what takes a millisecond takes a tenth of a second. The light is the same in all, spread over more time."
-uniform float tail_gain = 1.0;   // @range 0 4  @limit 0 1000  @label "Tail gain"  @group "Phosphor"
-                                 // @help "Strength of what glows on after the first flash of a measured tube. 1 is as measured, 0 leaves the flash alone."
+uniform int tube = 0;  // @items "Custom" "P1" "P2" "P3" "P4" "P7" "P11" "P14" "P28" "P31" "P32"  @label "Tube phosphor"  @group "Phosphor"
+                       // @help "Phosphor of the tube. Custom fades as set by Decay, the others as measured. P1 is green, P2 blue-green, P3 amber, P4 white, P11 blue (photography). P7 is blue with a long yellow afterglow (radar). P14 is blue with an orange afterglow. P31 is green (most scopes). P28 and P32 are yellow-green with a long afterglow, P32 with the longest."
+uniform float time_scale = 1.0;  // @range 0.01 1000  @limit 0.0001 100000  @scale log  @label "Decay time scale"  @unit "×"  @group "Phosphor"
+                                 // @help "Stretches the decay of a measured tube. At 100, one millisecond becomes a tenth of a second. The total light stays the same, spread over more time. 1 is as measured."
+uniform float tail_gain = 1.0;   // @range 0 4  @limit 0 1000  @label "Afterglow gain"  @group "Phosphor"
+                                 // @help "Strength of a measured tube's afterglow. 1 is as measured, 0 leaves only the first flash."
 
 bool has_tube() {
     return tube != tube_custom && !as_written;

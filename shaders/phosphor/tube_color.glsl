@@ -2,10 +2,10 @@
 #include "spot.glsl"
 #include "tube.glsl"
 
-uniform int tube_color = 0;  // @items "The tube's own" "Beam colour" "Beam and afterglow colour"  @label "Tube colour"  @group "Phosphor"
-                             // @help "A measured tube glows in its own colour, and as bright as it was against the others. Or choose: the beam's colour for all of its light, or that for the flash and another one for what glows on."
+uniform int tube_color = 0;  // @items "Tube default" "Beam colour" "Beam and afterglow colour"  @items_was "The tube's own" "" ""  @label "Tube colour"  @group "Phosphor"
+                             // @help "Tube default uses the measured tube's own colour, and its brightness relative to other tubes. Beam colour replaces it for all light. Beam and afterglow colour uses the beam colour for the flash and Afterglow colour for the rest."
 uniform vec3 afterglow_color = vec3(0.418, 1.0, 0.034);  // @color  @label "Afterglow colour"  @group "Phosphor"
-                                                         // @help "What glows on after the flash of a measured tube, where Tube colour is 'Beam and afterglow colour'."
+                                                         // @help "Colour of a measured tube's afterglow. Only used when Tube colour is Beam and afterglow colour."
 
 // Columns: what the first, second and third term add to red, green and blue.
 mat3 term_colors() {

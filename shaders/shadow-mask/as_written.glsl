@@ -1,7 +1,7 @@
 #ifndef SHADOW_MASK_AS_WRITTEN
 #define SHADOW_MASK_AS_WRITTEN
 
-uniform bool as_written = false;  // @label "As the article wrote it"  @group "Article"
-                                  // @help "Draws with the formulas of the article that this look comes from, mistakes included: cells read at their edges, even columns half a cell too low; a mask of hard pixels that flickers on curved glass and darkens; display values where light should be; black at every side. What the text leaves undefined is read as docs/looks.md says."
+uniform bool as_written = false;  // @label "Original article"  @group "Article"
+                                  // @help "Uses the original article's formulas, mistakes included. Cells are read at their edges, even columns half a cell too low. The mask has hard pixels: it flickers on curved glass and darkens the picture. Display values replace light, and all edges are black. docs/looks.md explains how undefined parts of the text are read."
 
 #endif

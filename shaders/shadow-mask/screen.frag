@@ -14,19 +14,19 @@ uniform vec2 u_resolution;
 uniform int u_frame;
 
 uniform float bloom_intensity = 0.35;  // @range 0 2  @limit 0 100  @label "Intensity"  @group "Bloom"  @identity 0
-                                       // @help "How much of the spread light is added. It also fills what the mask leaves dark."
-uniform float exposure = 1.0;          // @range 0.1 16  @limit 0 1000  @scale log  @label "Exposure"  @group "Output"  @identity 1
-                                       // @help "Brightness before the tone map: twice as much doubles the light."
-uniform int tone_map = 0;              // @items "Clamp" "Reinhard" "ACES" "Extended Reinhard" "AgX" "Khronos neutral" "None"  @label "Tone map"  @group "Output"  @identity 6
-                                       // @help "How light brighter than the screen is brought back to it. A mask that keeps brightness has stripes five times as bright as the picture."
-uniform float white = 4.0;             // @range 0.5 16  @limit 0.001 1000  @scale log  @label "White"  @group "Output"
-                                       // @help "The light that Extended Reinhard turns to full white."
-uniform float corner_radius = 0.04;    // @range 0 0.5  @limit 0 1  @label "Corner radius"  @unit "half heights"  @group "Glass"  @identity 0
-                                       // @help "How round the corners of the glass are."
-uniform vec3 border_color = vec3(0.0); // @color  @label "Frame"  @group "Glass"
-                                       // @help "What is seen beyond the glass."
-uniform bool dither = true;            // @label "Dither"  @group "Output"  @identity 0
-                                       // @help "Noise of half a screen step, so that soft glows show no bands."
+                                       // @help "How much of the blurred light is added. It also fills the dark parts of the mask. 0 turns the bloom off."
+uniform float exposure = 1.0;          // @range 0.1 16  @limit 0 1000  @scale log  @label "Exposure"  @group "Tone mapping"  @identity 1
+                                       // @help "Brightness before tone mapping. Doubling it doubles the light."
+uniform int tone_map = 0;              // @items "Clamp" "Reinhard" "ACES" "Extended Reinhard" "AgX" "Khronos PBR Neutral" "None"  @items_was "" "" "" "" "" "Khronos neutral"  @label "Tone map"  @group "Tone mapping"  @identity 6
+                                       // @help "How light brighter than the display is mapped to its range. With full brightness compensation, mask stripes are five times as bright as the picture. None passes the light on to the next look of a stack."
+uniform float white = 4.0;             // @range 0.5 16  @limit 0.001 1000  @scale log  @label "White point"  @group "Tone mapping"
+                                       // @help "Light that Extended Reinhard maps to full white."
+uniform float corner_radius = 0.04;    // @range 0 0.5  @limit 0 1  @label "Corner radius"  @unit "× half height"  @group "Glass"  @identity 0
+                                       // @help "Corner radius of the glass. 0 gives square corners, 1 equals half the picture height."
+uniform vec3 border_color = vec3(0.0); // @color  @label "Frame colour"  @group "Glass"
+                                       // @help "Colour of the area outside the glass."
+uniform bool dither = true;            // @label "Dither"  @group "Tone mapping"  @identity 0
+                                       // @help "Adds noise of half an 8-bit level, so that soft glows don't show bands."
 
 in vec2 uv;
 out vec4 color;

@@ -1,6 +1,6 @@
 #version 410 core
-// Tube: what shines through the mask. Reads and writes linear light; as the article wrote it, display
-// values. Lengths in px of the tube, from its bottom left.
+// Tube: the light that passes the mask. Reads and writes linear light (with Original article: display
+// values). Lengths in px of the tube, from its bottom left.
 #include "barrel.glsl"
 #include "color.glsl"
 #include "glass.glsl"
@@ -15,71 +15,71 @@ uniform float u_time;
 uniform float u_time_delta;
 
 uniform int mask_type = 0;          // @items "Staggered cells" "Aperture grille" "Slot mask" "Dot triads"  @label "Type"  @group "Mask"
-                                    // @help "Staggered cells are the article's. An aperture grille has stripes from top to bottom, a slot mask cuts them with bridges, dot triads are what computer monitors had."
-uniform int mask_unit = 0;          // @items "Pixels" "Triads across"  @label "Size in"  @group "Mask"
-                                    // @help "What the size is set by: pixels from one red to the next, or how many triads of red, green and blue lie across the picture, whatever its size."
-uniform float mask_size = 6.0;      // @range 2 32  @limit 0.5 256  @label "Size"  @unit "px a period"  @group "Mask"  @period "$mask_unit == 0 ? ($mask_snap == 1 ? max(round($mask_size), 1) : $mask_size) : 0"
-                                    // @help "From one red stripe or dot to the next. What is finer than 3 px fades, and under 2 px is an even grey, as no screen could show it."
+                                    // @help "Staggered cells are the article's. An aperture grille has vertical stripes. A slot mask cuts the stripes with bridges. Dot triads are typical of computer monitors."
+uniform int mask_unit = 0;          // @items "Pixels" "Triads across"  @label "Pitch unit"  @group "Mask"
+                                    // @help "How the pitch is set: in pixels, or as the number of red, green and blue triads across the picture, independent of the render size."
+uniform float mask_size = 6.0;      // @range 2 32  @limit 0.5 256  @label "Pitch"  @unit "px a period"  @group "Mask"  @period "$mask_unit == 0 ? ($mask_snap == 1 ? max(round($mask_size), 1) : $mask_size) : 0"
+                                    // @help "Distance from one red stripe or dot to the next. Below 3 px the mask fades. Below 2 px it is an even grey, as no display could show it."
 uniform float mask_triads = 320.0;  // @range 60 1200  @limit 1 20000  @scale log  @label "Triads"  @unit "across"  @group "Mask"  @period "$mask_unit == 0 ? 0 : $mask_snap == 1 ? max(round($WIDTH / $mask_triads), 1) : $WIDTH / $mask_triads"
-                                    // @help "How many triads lie across the picture, where the size is set by them. A television of 21 inches had 500 to 800, an arcade monitor 300 to 400."
+                                    // @help "Number of triads across the picture. A 21-inch television had 500 to 800, an arcade monitor 300 to 400. Only used when Pitch unit is Triads across."
 uniform bool mask_snap = false;     // @label "Snap to whole pixels"  @group "Mask"
-                                    // @help "Rounds the size to a whole number of pixels, so that all cells are drawn alike."
-uniform float cell_height = 1.0;    // @range 0.5 4  @limit 0.1 20  @label "Cell height"  @unit "sizes"  @group "Mask"
-                                    // @help "Height of cells and slots, as a multiple of the size. Grilles have none, and dots their own."
-uniform float mask_stagger = 0.5;   // @range 0 0.5  @limit 0 1  @label "Stagger"  @unit "cell heights"  @group "Mask"
-                                    // @help "How much higher every other column of cells or slots lies. 0.5 breaks up rows as real tubes do, at 0 they lie side by side."
-uniform float mask_border = 0.8;    // @range 0 1  @limit 0 1  @label "Border"  @group "Mask"
-                                    // @help "How dark it is between stripes; of dots, how small they are."
+                                    // @help "Rounds the pitch to a whole number of pixels, so that all cells look alike."
+uniform float cell_height = 1.0;    // @range 0.5 4  @limit 0.1 20  @label "Cell height"  @unit "× pitch"  @group "Mask"
+                                    // @help "Height of cells and slots, as a multiple of the pitch. It has no effect on aperture grilles and dot triads."
+uniform float mask_stagger = 0.5;   // @range 0 0.5  @limit 0 1  @label "Stagger"  @unit "× cell height"  @group "Mask"
+                                    // @help "Vertical offset of every other column of cells or slots. 0.5 breaks up rows as real tubes do, 0 aligns them."
+uniform float mask_border = 0.8;    // @range 0 1  @limit 0 1  @label "Border darkness"  @group "Mask"
+                                    // @help "How dark the mask is between stripes. 0 removes the borders. In dot triads, higher values make the dots smaller."
 uniform float mask_strength = 1.0;  // @range 0 1  @limit 0 1  @label "Strength"  @group "Mask"  @identity 0
-                                    // @help "0: no mask. 1: each stripe shows its own colour and nothing of the others."
-uniform float brightness_kept = 1.0;  // @range 0 1  @limit 0 1  @label "Brightness kept"  @group "Mask"
-                                      // @help "1: stripes shine so much brighter that the mean is what it was; what is brighter than the screen is cut off. 0: the mask only takes light away. The article's factor 3 makes up for the stripes but not for their borders, which keep 54 % at 0.8."
-uniform int subpixel_order = 0;     // @items "Red, green, blue" "Blue, green, red"  @label "Order"  @group "Mask"
-                                    // @help "The colours of a cell from left to right."
-uniform int sampling = 1;           // @items "Middle of the cell" "Mean of the cell" "Unbroken"  @label "Picture"  @group "Mask"
-                                    // @help "Each cell shows one colour of the picture, that in its middle or the mean over it; or the picture goes on unbroken behind the mask, as in a real tube: its guns do not light one cell at a time."
+                                    // @help "0 turns the mask off. At 1, each stripe shows only its own colour."
+uniform float brightness_kept = 1.0;  // @range 0 1  @limit 0 1  @label "Brightness compensation"  @group "Mask"
+                                      // @help "1 brightens stripes and scanlines until the mean is unchanged. Light above white is clipped. 0 only removes light. The article's factor 3 makes up for the stripes but not for their borders, which keep 54 % at a border darkness of 0.8."
+uniform int subpixel_order = 0;     // @items "RGB" "BGR"  @items_was "Red, green, blue" "Blue, green, red"  @label "Subpixel order"  @group "Mask"
+                                    // @help "Order of the colours in a cell, from left to right."
+uniform int sampling = 1;           // @items "Cell centre" "Cell average" "Continuous"  @items_was "Middle of the cell" "Mean of the cell" "Unbroken"  @label "Sampling"  @group "Mask"
+                                    // @help "Cell centre and Cell average give each cell one colour of the picture. Continuous shows the unbroken picture behind the mask. Real tubes do the same, as their beams don't light one cell at a time."
 
-uniform vec2 red_offset = vec2(-2.0, 0.0);   // @range -8 8  @limit -64 64  @label "Red read at"  @unit "px"  @group "Convergence"  @identity 0
-                                             // @help "Where red is read from, to the right and up."
-uniform vec2 green_offset = vec2(2.0, 0.0);  // @range -8 8  @limit -64 64  @label "Green read at"  @unit "px"  @group "Convergence"  @identity 0
-                                             // @help "Where green is read from, to the right and up. Against the other two it gives green and magenta fringes."
-uniform vec2 blue_offset = vec2(-2.0, 0.0);  // @range -8 8  @limit -64 64  @label "Blue read at"  @unit "px"  @group "Convergence"  @identity 0
-                                             // @help "Where blue is read from, to the right and up."
+uniform vec2 red_offset = vec2(-2.0, 0.0);   // @range -8 8  @limit -64 64  @label "Red offset"  @unit "px"  @group "Convergence"  @identity 0
+                                             // @help "Where red is sampled, to the right and up. 0 leaves it in place."
+uniform vec2 green_offset = vec2(2.0, 0.0);  // @range -8 8  @limit -64 64  @label "Green offset"  @unit "px"  @group "Convergence"  @identity 0
+                                             // @help "Where green is sampled, to the right and up. An offset against red and blue gives green and magenta fringes."
+uniform vec2 blue_offset = vec2(-2.0, 0.0);  // @range -8 8  @limit -64 64  @label "Blue offset"  @unit "px"  @group "Convergence"  @identity 0
+                                             // @help "Where blue is sampled, to the right and up. 0 leaves it in place."
 
 uniform float monochrome = 0.0;              // @range 0 1  @limit 0 1  @label "Monochrome"  @group "Tint"  @identity 0
-                                             // @help "1: only brightness is left, and the mask no longer parts colours, as on a tube with one phosphor."
+                                             // @help "0 is full colour. At 1, only brightness is left and the mask no longer separates colours, as on a tube with one phosphor."
 uniform vec3 tint = vec3(1.0);               // @color  @label "Tint"  @group "Tint"  @identity 1
-                                             // @help "Colour of the phosphor: the light is multiplied by it."
+                                             // @help "Colour of the phosphor. The light is multiplied by it. White leaves it unchanged."
 
 uniform float scanline_strength = 0.0;  // @range 0 1  @limit 0 1  @label "Strength"  @group "Scanlines"  @identity 0
-                                        // @help "Depth of the stripes: between them this share of the light is lost."
-uniform int scanline_unit = 0;          // @items "Pixels" "Source lines"  @label "Period in"  @group "Scanlines"
-                                        // @help "What the period is counted in. With source lines each line of the source gets its own stripe, wherever the fit places it in the picture; up and down each column does."
+                                        // @help "Depth of the scanlines: the fraction of the light that is lost between them. 0 turns them off."
+uniform int scanline_unit = 0;          // @items "Pixels" "Source lines"  @label "Period unit"  @group "Scanlines"
+                                        // @help "Unit of the scanline period. With Source lines, each line of the source gets its own scanline, wherever the source is placed in the picture. Vertical scanlines follow its columns."
 uniform float scanline_period = 4.0;    // @range 2 16  @limit 1 1000  @label "Period"  @unit "px a period"  @group "Scanlines"  @period "$scanline_unit == 0 ? $scanline_period : 0"
-                                        // @help "From stripe to stripe."
+                                        // @help "Distance between scanlines, in pixels. It doesn't scale with the render size."
 uniform float scanline_lines = 1.0;     // @range 0.5 4  @limit 0.25 64  @label "Lines per scanline"  @group "Scanlines"  @period "$scanline_unit == 0 ? 0 : $picture_size * $scanline_lines * ($scanline_axis == 0 ? $LINE : $COLUMN) * (1 + ($scanline_interlace == 2) + ($scanline_interlace == 1) * (($scanline_axis == 0 ? $LINES : $COLUMNS) > 288) * (($scanline_axis == 0 ? $LINES : $COLUMNS) <= 576))"
-                                        // @help "How many lines of the source a scanline covers, where the period is counted in them."
-uniform int scanline_interlace = 1;     // @items "Off" "Auto" "On"  @label "Interlace"  @group "Scanlines"
-                                        // @help "Draws even and odd lines of the source by turns, 60 fields a second, where the period is counted in source lines. Auto: for sources of 289 to 576 lines."
-uniform int scanline_axis = 0;          // @items "Across" "Up and down"  @label "Direction"  @group "Scanlines"
-                                        // @help "Which way the lines run."
+                                        // @help "Number of source lines that each scanline covers. Only used when Period unit is Source lines."
+uniform int scanline_interlace = 1;     // @items "Off" "Auto" "On"  @label "Interlacing"  @group "Scanlines"
+                                        // @help "Draws even and odd source lines in alternating fields, 60 fields per second. Auto does this for sources of 289 to 576 lines. Only used when Period unit is Source lines."
+uniform int scanline_axis = 0;          // @items "Horizontal" "Vertical"  @items_was "Across" "Up and down"  @label "Direction"  @group "Scanlines"
+                                        // @help "Direction of the scanlines."
 
 uniform float vignette = 0.4;        // @range 0.05 2  @limit 0.01 10  @label "Exponent"  @group "Vignette"
-                                     // @help "Shape of the dark sides: small keeps all but the rim bright, large darkens far into the picture."
+                                     // @help "Shape of the dark edges. A small exponent darkens only the rim, a large one reaches far into the picture."
 uniform float vignette_depth = 0.6;  // @range 0 1  @limit 0 1  @label "Depth"  @group "Vignette"  @identity 0
-                                     // @help "How much light is lost at the very sides. 1 is the article's: black at every side."
+                                     // @help "How much light is lost at the very edges. 0 turns the vignette off. 1 is the article's, with black edges."
 
 uniform float pulse_intensity = 0.03;  // @range 0 0.05  @limit 0 0.05  @label "Intensity"  @group "Pulse"  @identity 0
-                                       // @help "Waves of brightness that run over the screen. Faster than three a second large ones can harm people who are sensitive to flicker, so they stay small."
-uniform float pulse_width = 60.0;      // @range 10 400  @limit 1 10000  @label "Width"  @unit "px a radian"  @group "Pulse"
-                                       // @help "A wave is 6.28 times as long."
-uniform float pulse_rate = 20.0;       // @range 0 40  @limit 0 200  @label "Rate"  @unit "radians/s"  @group "Pulse"
-                                       // @help "20 is 3.18 waves a second, just within what can harm people who are sensitive to flicker."
+                                       // @help "Strength of the brightness waves that move across the screen. 0 turns them off. The range is small, as strong waves above three per second can harm photosensitive viewers."
+uniform float pulse_width = 60.0;      // @range 10 400  @limit 1 10000  @label "Wave width"  @unit "px/rad"  @group "Pulse"
+                                       // @help "Width of one radian of the wave. A whole wave is 6.28 times as long."
+uniform float pulse_rate = 20.0;       // @range 0 40  @limit 0 200  @label "Rate"  @unit "rad/s"  @group "Pulse"
+                                       // @help "Speed of the waves. 20 is 3.18 waves per second, just fast enough to harm photosensitive viewers. 0 stops them."
 
 uniform float picture_size = 1.0;  // @range 0.8 1.1  @limit 0.1 10  @label "Picture size"  @group "Glass"  @identity 1
-                                   // @help "How large the picture is on the glass: below 1 a dark rim is left around it, above 1 its sides lie beyond the glass, as on television sets."
+                                   // @help "Size of the picture on the glass. Below 1, a dark rim surrounds it. Above 1, its edges are cut off, as on television sets (overscan)."
 
-// Included here, as controls come in the order of their declaration: the mask's are wanted first.
+// Included here, as the panel lists parameters in the order of declaration: the mask's come first.
 #include "glass_settings.glsl"
 #include "as_written.glsl"
 #include "tube_as_written.glsl"
@@ -120,7 +120,7 @@ vec3 picture_light(Mask mask, vec2 px) {
     return mix(light, vec3(luminance(light)), monochrome) * tint;
 }
 
-// The mask and what makes up for it. One phosphor has no stripes of its own, only their borders.
+// The mask and its brightness compensation. A single phosphor has no stripes, only borders.
 vec3 through_mask(Mask mask, vec2 px, float pixel) {
     vec3 open = mask_light(mask, px, pixel);
     if (subpixel_order == 1)

@@ -1,7 +1,7 @@
 #ifndef VECTOR_BEAM_AS_WRITTEN
 #define VECTOR_BEAM_AS_WRITTEN
 
-uniform bool as_written = false;  // @label "As the article wrote it"  @group "Article"
-                                  // @help "Draws with the article's own formulas, mistakes included: a wider spot is brighter, a resting spot does not fade within its frame, erf lacks a term, fading counts frames and not time. No glow, no tone map."
+uniform bool as_written = false;  // @label "Original article"  @group "Article"
+                                  // @help "Uses the original article's formulas, mistakes included. A wider spot is brighter, a resting spot doesn't fade within its frame, and erf lacks a term. Fading counts frames instead of time. Glow and tone mapping are off."
 
 #endif

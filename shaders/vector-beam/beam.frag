@@ -1,6 +1,6 @@
 #version 410 core
 // The beam: the light of one segment, added to that of all others in the frame. Linear light.
-// Red: what is still to come of it at the frame's end; green: all of it. Summed over all pixels green
+// Red: the part still to be emitted at the frame's end. Green: all of it. Summed over all pixels, green
 // is intensity * charge * (height / 512)^2, for any length, direction and width of the spot. Blue and
 // alpha: green times the hue (tint.glsl).
 #include "article.glsl"
@@ -10,8 +10,8 @@
 #include "reference_height.glsl"
 
 uniform vec2 u_resolution;
-uniform bool decay_by_place = false;  // @label "Approximate decay (f = 0)"  @group "Article"
-                                      // @help "The article's shortcut: light fades by where it lies along the segment and not by when the beam gave it. It looks the same unless segments are short or spots wide."
+uniform bool decay_by_place = false;  // @label "Approximate decay"  @group "Article"
+                                      // @help "The article's shortcut f = 0: light fades by its position along the segment instead of by its age. It looks the same unless segments are short or spots are wide."
 
 flat in vec4 ends;
 flat in vec2 charges;

@@ -5,26 +5,26 @@
 #include "tint.glsl"
 
 uniform vec2 u_resolution;
-uniform float intensity = 1.0;      // @range 0.05 10  @limit 0 1000  @scale log  @label "Intensity"  @group "Beam"
-                                    // @help "The beam's current. More is brighter, and with Growth with current wider too."
+uniform float intensity = 1.0;      // @range 0.05 10  @limit 0 1000  @scale log  @label "Beam intensity"  @group "Beam"
+                                    // @help "Beam current. A higher current is brighter and, with Spot growth, also wider."
 uniform float spot_sigma = 1.2;     // @range 0.3 6  @limit 0.05 100  @scale log  @label "Spot size"  @unit "px at 512 lines"  @group "Beam"
-                                    // @help "Standard deviation of the spot, in pixels of a picture 512 pixels high; the line looks about 2.4 times as wide. The light stays the same: a wider spot is dimmer."
-uniform float spot_growth = 0.4;    // @range 0 1.5  @limit 0 20  @label "Growth with current"  @group "Beam"  @identity 0
-                                    // @help "A stronger current makes a wider spot, as electrons push each other apart: at full current the spot is 1 + this times as large."
-uniform float growth_power = 0.5;   // @range 0.3 1  @limit 0.05 4  @label "Growth curve"  @group "Beam"
-                                    // @help "How the spot grows from no current to full current (1 x intensity): 1 evenly, 0.5 like the square root, so that most of it comes early."
-uniform float quad_sigmas = 5.0;    // @range 2 8  @limit 1 16  @label "Drawn out to"  @unit "sigmas"  @group "Beam"
-                                    // @help "How far from the beam light is still drawn. The article's 5 shows no edge; below 4 bright lines end visibly."
+                                    // @help "Standard deviation of the spot, in pixels of a picture 512 pixels high. The line looks about 2.4 times as wide. The total light stays the same, so a wider spot is dimmer."
+uniform float spot_growth = 0.4;    // @range 0 1.5  @limit 0 20  @label "Spot growth"  @group "Beam"  @identity 0
+                                    // @help "How much a stronger current widens the spot, as electrons repel each other. At full current, the spot is 1 + growth times as large. 0 turns it off."
+uniform float growth_power = 0.5;   // @range 0.3 1  @limit 0.05 4  @label "Growth exponent"  @group "Beam"
+                                    // @help "How the spot grows from no current to full current (1 × intensity). 1 is linear. 0.5 is the square root, so most of the growth comes early."
+uniform float quad_sigmas = 5.0;    // @range 2 8  @limit 1 16  @label "Beam cutoff"  @unit "σ"  @group "Beam"
+                                    // @help "Distance from the beam at which its light is cut off. The article's 5 shows no edge. Below 4, bright lines end visibly."
 uniform float dwell = 1.0;          // @range 0 8  @limit 0 1000  @label "Dwell dots"  @group "Beam"  @identity 1
-                                    // @help "How bright the dots are that the beam leaves where it rests or creeps. 1 is what its light makes by itself, more marks corners and ends, 0 hides them."
+                                    // @help "Brightness of the dots where the beam stops or slows down. 1 is physically correct, more emphasises corners and ends, 0 hides them."
 uniform float dwell_speed = 20.0;   // @range 1 1000  @limit 0.001 1000000  @scale log  @label "Dwell speed"  @unit "screen heights/s"  @group "Beam"
-                                    // @help "How slow the beam must be to count as resting, for Dwell dots."
-// Included here, as controls come in the order of their declaration: the beam's are wanted first.
+                                    // @help "Beam speed below which the beam counts as stopped, for Dwell dots."
+// Included here, as the panel lists parameters in the order of declaration: the beam's come first.
 #include "decay.glsl"
 uniform int fit = 0;                // @items "Keep circles round" "Fill the picture"  @label "Fit"  @group "Screen"
-                                    // @help "Keep circles round draws both axes at the same scale; a wide picture has room at its sides. Fill stretches the signal over the whole picture."
-uniform float screen_size = 0.9;    // @range 0.5 1  @limit 0.05 4  @label "Size"  @unit "of the picture"  @group "Screen"
-                                    // @help "How much of the picture the signal's -1 to 1 takes."
+                                    // @help "Keep circles round draws both axes at the same scale. A wide picture then has margins. Fill the picture stretches the signal over the whole picture."
+uniform float screen_size = 0.9;    // @range 0.5 1  @limit 0.05 4  @label "Size"  @unit "× picture size"  @group "Screen"
+                                    // @help "How much of the picture the signal's range of -1 to 1 covers. 1 is all of it, less leaves a margin."
 #include "as_written.glsl"
 
 in vec4 segment;        // -1..1, y up: start, end

@@ -3,7 +3,7 @@
 #define VECTOR_BEAM_DECAY
 
 uniform float decay_time = 30.0;  // @range 0.02 2000  @limit 0.001 1000000  @scale log  @label "Decay time"  @unit "ms"  @group "Phosphor"
-                                  // @help "How long the phosphor glows: after this time 37 % of its light is still to come, after 2.3 times as long 10 %. A longer time leaves longer trails; a still picture stays as bright."
+                                  // @help "Time after which 37 % of the phosphor's light is left. After 2.3 times as long, 10 % is left. A longer time leaves longer trails. A still picture stays as bright."
 
 const float default_decay_time = 30.0;  // ms
 

@@ -10,7 +10,7 @@ uniform vec2 direction;   // (1, 0) or (0, 1): the first one reads a coloured pi
 uniform float level;      // of the image's smaller pictures: the first reading averages 4 x 4
 uniform vec2 u_resolution;
 uniform float glow_radius = 5.0;  // @range 1 20  @limit 0.2 40  @scale log  @label "Radius"  @unit "px at 512 lines"  @group "Glow"
-                                  // @help "Standard deviation of the narrow glow around the lines; the wide one spreads four times as far."
+                                  // @help "Standard deviation of the narrow glow around the lines. The wide glow spreads four times as far."
 
 in vec2 uv;
 out vec4 color;

@@ -1,6 +1,6 @@
 #version 410 core
-// Light: how strongly the phosphor shone during the frame, per 1/60 s. Linear light, grey
-// but for the beam's own colour.
+// Light: mean brightness of the phosphor during the frame, per 1/60 s. Linear light, grey
+// except for the beam's own colour.
 #include "as_written.glsl"
 #include "tint.glsl"
 

@@ -1,8 +1,8 @@
 #version 410 core
-// The phosphor: red is the light that is still to come, green what it gave during this frame. What
-// was to come and what the beam added, less what is now to come, has been given: so no light is
-// missed, however short the decay time, and seconds of light add up to the same at any frame rate.
-// Blue and alpha: the hue of both (tint.glsl), of what was there and what came together.
+// The phosphor. Red: light still to be emitted. Green: light emitted during this frame, which is the
+// light stored before, plus the light added by the beam, minus the light stored now. So no light is
+// lost, however short the decay time, and its sum over time is the same at any frame rate.
+// Blue and alpha: the hue of old and new light together (tint.glsl).
 #include "as_written.glsl"
 #include "decay.glsl"
 #include "tint.glsl"

@@ -10,26 +10,26 @@ uniform sampler2D light;
 uniform sampler2D glow;  // red: narrow, green: wide, blue and alpha: their hue
 uniform int u_frame;
 
-uniform vec3 beam_color = vec3(0.25, 1.0, 0.4);  // @color  @label "Colour"  @group "Beam"
-                                                 // @help "The colour in which the phosphor glows."
-uniform float glow_amount = 0.35;      // @range 0 2  @limit 0 100  @label "Amount"  @group "Glow"  @identity 0
-                                       // @help "How much of the light is scattered around the lines, besides the light itself."
-uniform float glow_wide = 0.4;         // @range 0 1  @limit 0 1  @label "Wide part"  @group "Glow"
-                                       // @help "How much of the glow lies in the wide haze; the rest hugs the lines."
+uniform vec3 beam_color = vec3(0.25, 1.0, 0.4);  // @color  @label "Beam colour"  @group "Beam"
+                                                 // @help "Colour of the phosphor's light."
+uniform float glow_amount = 0.35;      // @range 0 2  @limit 0 100  @label "Intensity"  @group "Glow"  @identity 0
+                                       // @help "How much scattered light is added around the lines. 0 turns the glow off."
+uniform float glow_wide = 0.4;         // @range 0 1  @limit 0 1  @label "Wide mix"  @group "Glow"
+                                       // @help "Fraction of the glow in the wide haze. 0 keeps all of it near the lines, 1 puts all of it in the haze."
 uniform vec3 glow_color = vec3(1.0);   // @color  @label "Tint"  @group "Glow"
-                                       // @help "Tints the glow against the beam's colour; white leaves it."
-uniform float exposure = 3.0;          // @range 0.1 16  @limit 0 1000  @scale log  @label "Exposure"  @group "Exposure"  @identity 1
-                                       // @help "Brightness of everything, like a camera's exposure."
-uniform int tone_map = 2;              // @items "Clamp" "Reinhard" "ACES" "Extended Reinhard" "AgX" "Khronos neutral" "None"  @label "Tone map"  @group "Exposure"  @identity 6
-                                       // @help "How light brighter than the screen can show is brought back to it. Clamp cuts it off, the others bend it softly: Extended Reinhard makes the set white into 1, ACES and AgX bend as film does, Khronos neutral keeps colours up to 0.8. None hands the light on."
-uniform float white = 4.0;             // @range 0.5 16  @limit 0.001 1000  @scale log  @label "White"  @group "Exposure"
-                                       // @help "The light that Extended Reinhard turns to full white."
-uniform float keep_hue = 0.6;          // @range 0 1  @limit 0 1  @label "Keep hue"  @group "Exposure"  @identity 0
-                                       // @help "0: the brightest lines turn white, as on film. 1: they stay as coloured as the phosphor."
+                                       // @help "Tint of the glow, relative to the beam colour. White leaves it unchanged."
+uniform float exposure = 3.0;          // @range 0.1 16  @limit 0 1000  @scale log  @label "Exposure"  @group "Tone mapping"  @identity 1
+                                       // @help "Brightness of the whole picture, before tone mapping. Doubling it doubles the light."
+uniform int tone_map = 2;              // @items "Clamp" "Reinhard" "ACES" "Extended Reinhard" "AgX" "Khronos PBR Neutral" "None"  @items_was "" "" "" "" "" "Khronos neutral"  @label "Tone map"  @group "Tone mapping"  @identity 6
+                                       // @help "How light brighter than the display is mapped to its range. Clamp cuts it off, the others compress it softly. Extended Reinhard maps the white point to 1. ACES and AgX compress light as film does. Khronos PBR Neutral preserves colours up to 0.8. None passes the light on to the next look of a stack."
+uniform float white = 4.0;             // @range 0.5 16  @limit 0.001 1000  @scale log  @label "White point"  @group "Tone mapping"
+                                       // @help "Light that Extended Reinhard maps to full white."
+uniform float keep_hue = 0.6;          // @range 0 1  @limit 0 1  @label "Preserve hue"  @group "Tone mapping"  @identity 0
+                                       // @help "0 lets the brightest lines turn white, as on film. 1 keeps the phosphor's hue."
 uniform vec3 background = vec3(0.0, 0.001, 0.0005);  // @color  @label "Background"  @group "Screen"
-                                                     // @help "The dark screen's own light, so that its black is not quite black."
-uniform bool dither = true;            // @label "Dither"  @group "Exposure"  @identity 0
-                                       // @help "Noise of half a screen step, so that soft glows show no bands."
+                                                     // @help "Light of the dark screen. It lifts the black level. Black turns it off."
+uniform bool dither = true;            // @label "Dither"  @group "Tone mapping"  @identity 0
+                                       // @help "Adds noise of half an 8-bit level, so that soft glows don't show bands."
 
 in vec2 uv;
 out vec4 color;

@@ -1,6 +1,6 @@
-// Colour beside light: a strength, the mean of red, green and blue, and a hue, by how much red and blue
-// differ from it, as parts of it. White has the hue 0, so a look that keeps light as one number keeps
-// its colour in two more.
+// Colour as strength and hue. The strength is the mean of red, green and blue. The hue is the relative
+// difference of red and of blue from it, so white has the hue 0. A look that stores light as one number
+// stores its colour in two more.
 #ifndef VECTOR_BEAM_TINT
 #define VECTOR_BEAM_TINT
 

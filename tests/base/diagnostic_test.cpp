@@ -10,7 +10,7 @@ TEST_CASE("what is told twice is told once, and of very much the beginning") {
         add_new(all, {"a.frag", line, "again", Severity::warning});
     REQUIRE(all.size() == 2 + 256 + 1);
     CHECK(to_string(all.back()) ==
-          "a.frag: warning: there are more warnings: the first 256 are told");
+          "a.frag: warning: more than 256 warnings; only the first 256 are listed");
     add_new(all, {"a.frag", 5000, "an error behind many warnings"});
     CHECK(all.back().severity == Severity::error);
 }

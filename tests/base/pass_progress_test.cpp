@@ -17,7 +17,7 @@ TEST_CASE("a pass is done when the next one begins") {
     CHECK(progress.next("glow"));
     CHECK(words_of(progress.state()) == "Linking: 1 of 3 passes");
     progress.begin(Step::drawing, 2);
-    CHECK(words_of(progress.state()) == "First draws: 0 of 2 passes");
+    CHECK(words_of(progress.state()) == "First frame: 0 of 2 passes");
 }
 
 TEST_CASE("who listens is told of every pass, and cancelling ends the work at the next one") {
@@ -37,5 +37,5 @@ TEST_CASE("a pass that takes seconds is named, others are not") {
     PassProgress::State state{Step::linking, 2, 7, "blur", 2.9};
     CHECK(words_of(state) == "Linking: 2 of 7 passes");
     state.seconds = 3.1;
-    CHECK(words_of(state) == "Linking: 2 of 7 passes, 'blur' takes long");
+    CHECK(words_of(state) == "Linking: 2 of 7 passes (blur is slow)");
 }

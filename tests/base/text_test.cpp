@@ -38,6 +38,12 @@ TEST_CASE("a name is suggested only when it is near") {
     CHECK(did_you_mean("decay", names).empty());
 }
 
+TEST_CASE("a sentence that is added leaves each with one full stop") {
+    CHECK(with_sentence("file not found", "'noise' shows black.") ==
+          "file not found. 'noise' shows black.");
+    CHECK(with_sentence("Is too large.", "Use another.") == "Is too large. Use another.");
+}
+
 TEST_CASE("a diagnostic reads like a compiler's") {
     CHECK(to_string(Diagnostic{"mask.frag", 2, "unknown hint"}) ==
           "mask.frag:2: error: unknown hint");

@@ -1,6 +1,6 @@
-// What a beam costs by how finely it is cut: making its samples, merging, uploading and drawing
-// them, beside a plain GL program that draws each (bench/plain_beam.h). Pictures are compared
-// before times are.
+// Cost of a beam by its number of samples: making, merging, uploading and drawing them, compared
+// with a plain GL program that draws each sample (bench/plain_beam.h). Pictures are compared before
+// times.
 #include "bench/plain_beam.h"
 #include "bench/side_by_side.h"
 #include "bench/wanted.h"
@@ -16,7 +16,7 @@
 namespace {
 constexpr Extent screen{1280, 720};
 constexpr double spot_px = 1.0;
-const bench::Topic topic{"beam", "Beams of many samples, a Lissajous figure 5:4 at 1280 x 720"};
+const bench::Topic topic{"beam", "Vector beam with many samples, Lissajous figure 5:4, 1280 x 720"};
 using bench::Bound;
 using bench::Figure;
 using bench::wanted;
@@ -140,19 +140,20 @@ void compare_with_plain(int samples, std::optional<Bound> bound) {
     const double apart = root_mean_square(plain.picture(), ours.picture());
     const Parts parts = parts_of(ours);
     bench::tell(topic, {.key = fmt::format("apart-{}", samples),
-                        .what = fmt::format("{} samples merged, from all of them, RMS", samples),
+                        .what = fmt::format(
+                            "{} samples: RMS difference between merged and all samples", samples),
                         .value = 100.0 * apart,
                         .unit = "%",
                         .bound = bench::at_most(1.0),
                         .detail = fmt::format("{} segments", parts.segments)});
-    Figure cost =
-        bench::ratio_figure(fmt::format("merged-{}", samples),
-                            fmt::format("{} samples merged, beside a rectangle for each", samples),
-                            bench::side_by_side_for(
-                                seconds, [&] { plain.draw(ours.closed()); }, [&] { ours.draw(); }),
-                            bound);
+    Figure cost = bench::ratio_figure(
+        fmt::format("merged-{}", samples),
+        fmt::format("{} samples merged: CPU time relative to one rectangle per sample", samples),
+        bench::side_by_side_for(
+            seconds, [&] { plain.draw(ours.closed()); }, [&] { ours.draw(); }),
+        bound);
     cost.detail +=
-        fmt::format("; {:.3g} ms make samples, {:.3g} merge", parts.making, parts.merging);
+        fmt::format("; samples {:.3g} ms, merging {:.3g} ms", parts.making, parts.merging);
     bench::tell(topic, cost);
 }
 
@@ -160,12 +161,12 @@ void tell_growth(int few, int many, double most) {
     constexpr double seconds = 5.0;
     OurBeam yardstick(few);
     OurBeam ours(many);
-    bench::tell(topic,
-                bench::ratio_figure(fmt::format("growth-{}", many),
-                                    fmt::format("{} samples, beside {}", many, few),
-                                    bench::side_by_side_for(
-                                        seconds, [&] { yardstick.draw(); }, [&] { ours.draw(); }),
-                                    bench::at_most(most)));
+    bench::tell(topic, bench::ratio_figure(
+                           fmt::format("growth-{}", many),
+                           fmt::format("{} samples: CPU time relative to {} samples", many, few),
+                           bench::side_by_side_for(
+                               seconds, [&] { yardstick.draw(); }, [&] { ours.draw(); }),
+                           bench::at_most(most)));
 }
 }  // namespace
 

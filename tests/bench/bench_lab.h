@@ -10,7 +10,7 @@
 namespace bench {
 
 /// A lab without a window, with the looks of the source tree and a folder of its own for the rest.
-/// Ends the program where there is no GL.
+/// Ends the program if GL is missing.
 class BenchLab {
 public:
     BenchLab(const std::filesystem::path& folder, Extent picture) {
@@ -26,7 +26,8 @@ public:
     BenchLab& operator=(const BenchLab&) = delete;
 
 protected:
-    /// The lab gets ready for more behind its first picture, which is nothing that a frame costs.
+    /// Waits for the deferred work after the first picture, which is not part of the cost of a
+    /// frame.
     template <class Draw>
     static void until_ready(Draw draw) {
         constexpr auto patience = std::chrono::seconds(3);

@@ -1,5 +1,5 @@
-// What the bloom of Phosphor costs alone: its pyramid beside a plain blur of 49 taps each way, and
-// beside itself at twice the width. What it makes of a single point of light is told first.
+// Cost of Phosphor's bloom passes alone: the pyramid compared with a plain blur of 49 taps per
+// axis, and with itself at half the width. Its picture of a single point of light is checked first.
 #include "bench/article_engine.h"
 #include "bench/plain_blur.h"
 #include "bench/side_by_side.h"
@@ -17,7 +17,7 @@ using bench::wanted;
 
 constexpr Extent picture_extent{1280, 720};
 constexpr double seconds = 15.0;
-const bench::Topic topic{"bloom", "Bloom alone, Phosphor's at 1280 x 720"};
+const bench::Topic topic{"bloom", "Phosphor's bloom passes at 1280 x 720"};
 
 /// The passes of the bloom as the settled article has them, without those before and behind.
 class Bloom {
@@ -98,21 +98,22 @@ void tell_shape(const std::string& key, const std::string& whose, double wanted_
     const double energy = after.energy / before.energy;
     const double variance = after.variance - before.variance;
     bench::tell(topic, {.key = key + "-energy",
-                        .what = whose + ": energy lost or won",
+                        .what = fmt::format("{}: energy error", whose),
                         .value = 100.0 * std::abs(energy - 1.0),
                         .unit = "%",
                         .bound = bench::at_most(1.0)});
     bench::tell(topic, {.key = key + "-moment",
-                        .what = whose + ": second moment off",
+                        .what = fmt::format("{}: second moment error", whose),
                         .value = 100.0 * std::abs(variance / (wanted_sigma * wanted_sigma) - 1.0),
                         .unit = "%",
                         .bound = bench::at_most(5.0),
                         .detail = fmt::format("sigma {:.2f} px", std::sqrt(variance))});
-    bench::tell(topic, {.key = key + "-comb",
-                        .what = whose + ": largest rise on the way out, of the peak",
-                        .value = 100.0 * worst_rise(bloom.picture("bloom_y")),
-                        .unit = "%",
-                        .bound = bench::at_most(2.0)});
+    bench::tell(topic,
+                {.key = key + "-comb",
+                 .what = fmt::format("{}: largest rise away from the peak, relative to it", whose),
+                 .value = 100.0 * worst_rise(bloom.picture("bloom_y")),
+                 .unit = "%",
+                 .bound = bench::at_most(2.0)});
 }
 
 // `sigma` in px of the whole picture; the article's radius of 3 is 9.82 of them.
@@ -126,24 +127,25 @@ void compare_with_taps() {
     // Cut at 24 texels a Gaussian of 8.685 has 8.5, which are 17 px.
     const auto plain = wanted(
         bench::PlainBlur::make({picture_extent.width / 2, picture_extent.height / 2}, 49, 8.685));
-    tell_shape("sigma-17", "a pyramid of sigma 17 px", sigma, pyramid);
-    bench::tell(topic, bench::ratio_figure(
-                           "against-taps", "a pyramid of sigma 17 px, beside 49 taps each way",
-                           bench::side_by_side_for(
-                               seconds, [&] { plain.draw(); }, [&] { pyramid.draw(); }),
-                           bench::at_most(1.0 / 6.0)));
+    tell_shape("sigma-17", "pyramid, sigma 17 px", sigma, pyramid);
+    bench::tell(topic,
+                bench::ratio_figure("against-taps",
+                                    "pyramid, sigma 17 px: CPU time relative to 49 taps per axis",
+                                    bench::side_by_side_for(
+                                        seconds, [&] { plain.draw(); }, [&] { pyramid.draw(); }),
+                                    bench::at_most(1.0 / 6.0)));
 }
 
 void tell_width_cost() {
     Bloom narrow(radius_of(15.5));
     Bloom wide(radius_of(31.0));
-    tell_shape("sigma-15", "a pyramid of sigma 15.5 px", 15.5, narrow);
-    tell_shape("sigma-31", "a pyramid of sigma 31 px", 31.0, wide);
-    bench::tell(topic,
-                bench::ratio_figure("width", "a pyramid of sigma 31 px, beside 15.5 px",
-                                    bench::side_by_side_for(
-                                        seconds, [&] { narrow.draw(); }, [&] { wide.draw(); }),
-                                    bench::at_most(1.05)));
+    tell_shape("sigma-15", "pyramid, sigma 15.5 px", 15.5, narrow);
+    tell_shape("sigma-31", "pyramid, sigma 31 px", 31.0, wide);
+    bench::tell(topic, bench::ratio_figure(
+                           "width", "pyramid, sigma 31 px: CPU time relative to sigma 15.5 px",
+                           bench::side_by_side_for(
+                               seconds, [&] { narrow.draw(); }, [&] { wide.draw(); }),
+                           bench::at_most(1.05)));
 }
 }  // namespace
 

@@ -1,9 +1,8 @@
-// How much sooner "caffeine" is as clean as the article's own method. Errors: RMS over samples of
-// linear light and of what a display shows (clamped, gamma 2.2), each method against 8192 samples
-// of its own, taken with other numbers; of four runs together, as most of an error can lie in a few
-// pixels. The article's light is not ours: its darks are brighter, where a display's curve is
-// steep, which makes ours look worse on a display than the same errors of light would. Time: both
-// side by side.
+// How much faster Caffeine reaches the error of the article's method. Errors: RMS of linear light
+// and of displayed values (clamped, gamma 2.2), each method against 8192 samples of its own with
+// other random numbers, over four runs, as few pixels can hold most of an error. The article's dark
+// areas are brighter, and a display's curve is steep in the dark, so the same error of light is
+// larger on a display for ours. Times are measured in alternation.
 #include "bench/side_by_side.h"
 #include "bench/wanted.h"
 #include "looks/path_tracer.h"
@@ -19,7 +18,7 @@ constexpr int batch = 16;
 constexpr std::array<int, 5> sample_counts{16, 64, 256, 512, 1024};
 constexpr int runs = 4;
 
-const bench::Topic topic{"caffeine", "Path tracer, caffeine beside the article's own method"};
+const bench::Topic topic{"caffeine", "Path tracer: Caffeine compared with the article's method"};
 
 struct Method {
     const char* pass;
@@ -79,7 +78,7 @@ double samples_until(const Errors& errors, double error) {
     return std::exp(from + (to - from) * std::log(errors[i - 1] / error) / fall);
 }
 
-/// Ours to the article's, the article's own method being the yardstick.
+/// Ours relative to the article's method, which is the reference.
 Result<bench::Cost> cost_of(const Method& ours, const Method& articles) {
     auto plain = tracer_of(articles, 0, speed_size);
     auto own = tracer_of(ours, 0, speed_size);
@@ -94,7 +93,7 @@ Result<bench::Cost> cost_of(const Method& ours, const Method& articles) {
         seconds, [&] { plain->advance(); }, [&] { own->advance(); });
 }
 
-/// What is told of one roughness of both things.
+/// Reports the figures of one roughness of both materials.
 class Telling {
 public:
     Telling(std::string roughness, const bench::Cost& cost)
@@ -103,17 +102,17 @@ public:
     void tell_errors(const char* what, const Errors& ours, const Errors& articles,
                      std::size_t after, std::optional<bench::Bound> bound) const {
         tell(fmt::format("{}-{}", what, sample_counts[after]),
-             fmt::format("error of {} after {} samples, ours to the article's", what,
+             fmt::format("{} error after {} samples, relative to the article", what,
                          sample_counts[after]),
              ours[after] / articles[after], bound,
-             fmt::format("{:.4f} beside {:.4f}; after {} samples", fmt::join(ours, " "),
+             fmt::format("{:.4f}, article {:.4f}; after {} samples", fmt::join(ours, " "),
                          fmt::join(articles, " "), fmt::join(sample_counts, ", ")));
     }
     void tell_sooner(const char* what, const Errors& ours, const Errors& articles,
                      std::size_t after, std::optional<bench::Bound> bound) const {
         bench::Figure figure = figure_of(
             fmt::format("sooner-{}-{}", what, sample_counts[after]),
-            fmt::format("sooner at the article's error of {} after {} samples", what,
+            fmt::format("speed-up to reach the article's {} error after {} samples", what,
                         sample_counts[after]),
             sample_counts[after] / samples_until(ours, articles[after]) / m_cost.ratio, bound);
         figure.itself = m_cost.itself;
@@ -145,11 +144,14 @@ std::optional<bench::Bound> held(bool is_held, bench::Bound bound) {
 
 void tell_all(const std::string& roughness, const bench::Cost& cost, const Measured& ours,
               const Measured& articles) {
-    bench::tell(topic,
-                bench::ratio_figure(roughness + "-cost",
-                                    fmt::format("roughness {}: {} samples of {} x {} px", roughness,
-                                                batch, speed_size.width, speed_size.height),
-                                    cost));
+    bench::tell(
+        topic,
+        bench::ratio_figure(
+            roughness + "-cost",
+            fmt::format(
+                "roughness {}: CPU time of {} samples of {} x {} px, relative to the article",
+                roughness, batch, speed_size.width, speed_size.height),
+            cost));
     const Telling telling(roughness, cost);
     telling.tell_sooner("light", ours.light, articles.light, 1, bench::at_least(4.5));
     telling.tell_sooner("light", ours.light, articles.light, 2, bench::at_least(6.0));
@@ -158,7 +160,7 @@ void tell_all(const std::string& roughness, const bench::Cost& cost, const Measu
     telling.tell_errors("light", ours.light, articles.light, 2, bench::at_most(0.45));
     telling.tell_errors("display", ours.display, articles.display, 4,
                         held(roughness == "0.3", bench::at_most(0.5)));
-    telling.tell("fall", "error of light after 512 samples to that after 1024",
+    telling.tell("fall", "light error after 512 samples relative to 1024 samples",
                  ours.light[3] / ours.light[4], bench::at_least(1.35));
 }
 

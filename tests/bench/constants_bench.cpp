@@ -1,6 +1,6 @@
-// Turning a constant of a shader that is seen: how long until its picture is there, and while a
-// hand goes on turning how often a new one comes. The shader marches 48 steps, as many of
-// Shadertoy's do; nothing of it is kept, by us or by the driver.
+// Changing a constant of the shown shader: the time until its picture is drawn, and the number of
+// new pictures per second during continuous change. The shader marches 48 steps, like many of
+// Shadertoy's. Neither the program nor the driver caches any of it.
 #include "bench/bench_lab.h"
 #include "bench/side_by_side.h"
 
@@ -34,7 +34,7 @@ void mainImage(out vec4 color, in vec2 at) {
 }
 )";
 
-const bench::Topic topic{"constants", "Turning a constant of a text that marches 48 steps"};
+const bench::Topic topic{"constants", "Changing a constant of a shader with 48 ray-marching steps"};
 
 using Clock = std::chrono::steady_clock;
 
@@ -113,14 +113,14 @@ int main() {
         const std::string size = fmt::format("{} x {}", picture.width, picture.height);
         bench::tell(topic,
                     {.key = fmt::format("seen-{}", picture.height),
-                     .what = size + ": a turn is seen after",
+                     .what = fmt::format("{}: time from a change to its first frame", size),
                      .value = bench::median(times),
                      .unit = "ms",
-                     .detail = fmt::format("a frame {:.3g} ms", bench.frame_milliseconds())});
+                     .detail = fmt::format("frame time {:.3g} ms", bench.frame_milliseconds())});
         bench::tell(topic, {.key = fmt::format("turning-{}", picture.height),
-                            .what = size + ": new pictures while a hand turns",
+                            .what = fmt::format("{}: new pictures during continuous change", size),
                             .value = static_cast<double>(bench.pictures_in_a_second()),
-                            .unit = "a second"});
+                            .unit = "per second"});
     }
     fs::remove_all(folder);
     return EXIT_SUCCESS;

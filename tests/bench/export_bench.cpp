@@ -1,7 +1,7 @@
-// Writing a sequence: 60 frames of the Phosphor look, as the article has it, at 1280 x 720, its
-// picture in half floats for EXR and in bytes for PNG, into a file system in memory. Ideal is all
-// CPU time of the same run spread over all cores. A run counts where the machine was idle in the
-// second before. export_bench [TURNS [SECONDS TO WAIT FOR QUIET]]
+// Writes a sequence into a file system in memory: 60 frames of Phosphor with the original article's
+// formulas at 1280 x 720, in half floats for EXR and in bytes for PNG. Ideal is the CPU time of the
+// same run, spread over all cores. A run is valid if the machine was idle in the second before.
+// export_bench [RUNS [SECONDS TO WAIT FOR AN IDLE MACHINE]]
 #include "bench/plain_png.h"
 #include "bench/side_by_side.h"
 #include "bench/wanted.h"
@@ -28,7 +28,7 @@ constexpr Extent size{1280, 720};
 constexpr int frames = 60;
 constexpr double quiet = 0.92;
 constexpr double step_seconds = 4.0;
-const bench::Topic topic{"export", "Writing 60 frames at 1280 x 720"};
+const bench::Topic topic{"export", "Export of 60 frames at 1280 x 720"};
 using bench::wanted;
 
 using Clock = std::chrono::steady_clock;
@@ -37,7 +37,7 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// Of the cores' time within a second, how much nobody wants.
+// Idle share of the cores' time within a second.
 double idle_share() {
     const auto read = [] {
         std::ifstream file("/proc/stat");
@@ -57,7 +57,7 @@ double idle_share() {
     return (after[3] - before[3]) / all;
 }
 
-// Waits a while for a quiet machine.
+// Waits a while for an idle machine.
 double idle_before(int most_seconds) {
     double idle = idle_share();
     for (int i = 1; i < most_seconds && idle < quiet; ++i)
@@ -169,12 +169,12 @@ void tell_runs(const std::string& key, const std::string& what, const std::vecto
     };
     bench::tell(topic,
                 {.key = key,
-                 .what = what + ", wall time to ideal",
+                 .what = fmt::format("{}: wall time relative to ideal", what),
                  .value = middle([](const Run& run) { return run.ratio(); }),
                  .bound = bound,
                  .idle = std::ranges::min(runs, {}, &Run::idle).idle,
                  .detail = fmt::format(
-                     "{:.4g} ms a frame, {:.4g} of CPU time; {} of {} runs count",
+                     "{:.4g} ms per frame, {:.4g} ms of CPU time; {} of {} runs valid",
                      middle([](const Run& run) { return 1e3 * run.wall / frames; }),
                      middle([](const Run& run) { return 1e3 * run.cpu / frames; }),
                      std::ranges::count_if(all, [](const Run& run) { return run.idle >= quiet; }),
@@ -201,15 +201,16 @@ void measure_kind(const Kind& kind, const Measuring& measuring) {
     Offline offline = open_look(look_with(kind.texel, folder), folder);
     const auto names = parse_frame_names((folder / ("f_%04d" + kind.ending)).string());
     run(offline, *names, true, 0);  // all code and tables are there
-    tell_runs(kind.key + "-one-by-one", kind.ending + " of " + kind.texel + ", one by one",
+    tell_runs(kind.key + "-one-by-one",
+              fmt::format("{} of {}, sequential", kind.ending, kind.texel),
               {run(offline, *names, false, measuring.patience)}, {});
     std::vector<Run> runs;
     for (int turn = 0; turn < measuring.turns; ++turn)
         runs.push_back(run(offline, *names, true, measuring.patience));
-    tell_runs(kind.key, kind.ending + " of " + kind.texel + ", encoders beside", runs,
+    tell_runs(kind.key, fmt::format("{} of {}, parallel encoders", kind.ending, kind.texel), runs,
               bench::at_most(kind.most));
     bench::tell(topic, {.key = kind.key + "-memory",
-                        .what = kind.ending + ": memory beyond what drawing has",
+                        .what = fmt::format("{}: memory in addition to drawing", kind.ending),
                         .value = std::ranges::max(runs, {}, &Run::more_memory).more_memory *
                                  1024.0 / kind.frame_bytes,
                         .unit = "frames",
@@ -234,8 +235,9 @@ void measure_reading(const fs::path& folder) {
     const bench::Cost reading = bench::side_by_side_for(
         step_seconds, [&] { std::memcpy(copy.data(), halves.data(), 2 * halves.size()); },
         [&] { offline.read(last_pass(offline), raw); });
-    bench::tell(topic, bench::ratio_figure("readback", "reading half floats, beside a copy",
-                                           reading, bench::at_most(1.2)));
+    bench::tell(topic, bench::ratio_figure(
+                           "readback", "reading half floats: CPU time relative to a memory copy",
+                           reading, bench::at_most(1.2)));
 }
 
 void measure_encoding(const fs::path& folder) {
@@ -245,12 +247,12 @@ void measure_encoding(const fs::path& folder) {
     std::size_t plain_size = 0;
     std::size_t our_size = 0;
     bench::Figure figure = bench::ratio_figure(
-        "png", "a PNG of a picture that was read, beside libpng",
+        "png", "encoding a picture as PNG: CPU time relative to libpng",
         bench::side_by_side_for(
             step_seconds, [&] { plain_size = bench::plain_png(size, rgba).size(); },
             [&] { our_size = wanted(encode_png(size, display_bytes(raw))).size(); }),
         bench::at_most(1.1));
-    figure.detail += fmt::format("; {} bytes beside {}", our_size, plain_size);
+    figure.detail += fmt::format("; {} bytes, reference {} bytes", our_size, plain_size);
     bench::tell(topic, figure);
 }
 }  // namespace

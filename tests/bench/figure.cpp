@@ -14,13 +14,13 @@ constexpr double least_idle = 0.92;
 
 const char* words_of(Verdict verdict) {
     switch (verdict) {
-        case Verdict::kept:
-            return "kept";
-        case Verdict::missed:
-            return "missed";
-        case Verdict::does_not_count:
-            return "does not count";
-        case Verdict::told:
+        case Verdict::pass:
+            return "pass";
+        case Verdict::miss:
+            return "miss";
+        case Verdict::noise:
+            return "noise";
+        case Verdict::none:
             break;
     }
     return "";
@@ -54,18 +54,18 @@ void write_line(const nlohmann::ordered_json& line) {
 Verdict verdict_of(const Figure& figure) {
     if ((figure.itself && !is_itself(*figure.itself)) ||
         (figure.idle && !(*figure.idle >= least_idle)))
-        return Verdict::does_not_count;
+        return Verdict::noise;
     if (!figure.bound)
-        return Verdict::told;
-    const bool is_kept = figure.bound->side == Bound::Side::at_most
-                             ? figure.value <= figure.bound->value
-                             : figure.value >= figure.bound->value;
-    return is_kept ? Verdict::kept : Verdict::missed;
+        return Verdict::none;
+    const bool is_met = figure.bound->side == Bound::Side::at_most
+                            ? figure.value <= figure.bound->value
+                            : figure.value >= figure.bound->value;
+    return is_met ? Verdict::pass : Verdict::miss;
 }
 
 void tell(const Topic& topic, const Figure& figure) {
     if (!std::isfinite(figure.value)) {
-        fmt::print(stderr, "{}/{} is no number\n", topic.key, figure.key);
+        fmt::print(stderr, "{}/{}: not a finite number\n", topic.key, figure.key);
         std::exit(EXIT_FAILURE);
     }
     const char* verdict = words_of(verdict_of(figure));
@@ -73,9 +73,9 @@ void tell(const Topic& topic, const Figure& figure) {
         fmt::format("  {:<72} {:>8} {:<8} {:<17} {:<14}", figure.what, digits_of(figure.value),
                     figure.unit, figure.bound ? words_of(*figure.bound) : "", verdict);
     if (figure.itself)
-        line += fmt::format(" itself {:.3f}", *figure.itself);
+        line += fmt::format(" reference noise {:.3f}", *figure.itself);
     if (figure.idle)
-        line += fmt::format(" idle {:.0f} %", 100.0 * *figure.idle);
+        line += fmt::format(" {:.0f} % idle before", 100.0 * *figure.idle);
     if (!figure.detail.empty())
         line += " (" + figure.detail + ")";
     fmt::print("{}\n", line.substr(0, line.find_last_not_of(' ') + 1));

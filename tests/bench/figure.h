@@ -8,12 +8,12 @@
 
 namespace bench {
 
-/// Whether a run counts in which a yardstick came to so many times itself.
+/// Whether a run is valid, by the ratio of its reference to itself.
 inline bool is_itself(double ratio) {
     return std::abs(ratio - 1.0) <= 0.015;
 }
 
-/// What a figure is held to.
+/// The goal of a figure.
 struct Bound {
     enum class Side { at_most, at_least };
     Side side = Side::at_most;
@@ -26,33 +26,33 @@ constexpr Bound at_least(double value) {
     return {Bound::Side::at_least, value};
 }
 
-/// What several figures are about: a part of the table of docs/performance.md.
+/// A group of figures: a table of docs/performance.md.
 struct Topic {
     std::string key;
     std::string title;
 };
 
-/// One number that was measured.
+/// A measured number.
 struct Figure {
-    std::string key;  // within its topic; the same whatever the words are
+    std::string key;  // within its topic; stays the same if `what` is reworded
     std::string what;
     double value = 0.0;
     std::string unit = {};              // "": a ratio
-    std::optional<Bound> bound = {};    // none: it is only told
-    std::optional<double> itself = {};  // the ratio of the yardstick to itself
-    std::optional<double> idle = {};    // the machine's share that was idle before
-    std::string detail = {};            // what the number is made of
+    std::optional<Bound> bound = {};    // none: reported only
+    std::optional<double> itself = {};  // reference noise: the reference relative to itself
+    std::optional<double> idle = {};    // idle share of the machine before the run
+    std::string detail = {};            // the values behind the number
 };
 
-enum class Verdict { told, kept, missed, does_not_count };
+enum class Verdict { none, pass, miss, noise };
 Verdict verdict_of(const Figure& figure);
 
-/// Prints a line for a person; adds one of JSON to the file that AFTERGLOW_BENCH_FIGURES names,
-/// from which write_table.py makes the table. Ends the program where that file cannot be written,
-/// or the value is no number.
+/// Prints a line; adds a line of JSON to the file that AFTERGLOW_BENCH_FIGURES names, from which
+/// write_table.py makes the table. Ends the program if that file can't be written or the value is
+/// not finite.
 void tell(const Topic& topic, const Figure& figure);
 
-/// What draws, likewise.
+/// Adds the driver to the same file.
 void tell_driver(const gpu::Facts& facts);
 
 }  // namespace bench

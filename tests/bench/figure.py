@@ -1,4 +1,4 @@
-"""A figure of a bench that is a script, told as figure.h tells those of programs."""
+"""The figures of benches that are scripts, in the form of figure.h."""
 
 import json
 import os
@@ -10,7 +10,7 @@ def digits(value):
 
 
 def goal(figure):
-    """The words of what a figure is held to; "": it is only told."""
+    """The goal of a figure as text; "": reported only."""
     for side, words in (("at_most", "at most"), ("at_least", "at least")):
         if side in figure:
             return "%s %.4g" % (words, figure[side])
@@ -18,11 +18,11 @@ def goal(figure):
 
 
 def tell(topic, title, key, what, value, unit="", at_most=None, detail=""):
-    """Prints a line for a person, and adds one of JSON to the file that AFTERGLOW_BENCH_FIGURES names."""
+    """Prints a line, and adds a line of JSON to the file that AFTERGLOW_BENCH_FIGURES names."""
     figure = {"topic": topic, "title": title, "key": key, "what": what, "value": value, "unit": unit}
     if at_most is not None:
         figure["at_most"] = at_most
-    verdict = "" if at_most is None else "kept" if value <= at_most else "missed"
+    verdict = "" if at_most is None else "pass" if value <= at_most else "miss"
     figure.update(detail=detail, verdict=verdict)
     line = "  %-72s %8s %-8s %-17s %-14s%s" % (
         what, digits(value), unit, goal(figure), verdict, " (%s)" % detail if detail else "")

@@ -1,6 +1,6 @@
-// What a frame of Phosphor costs beside plain GL programs (bench/plain_article.h): drawn as the
-// article says, and the best that is known. Pictures are compared before times are. An argument is
-// a part of the keys of what is measured alone.
+// Cost of a Phosphor frame compared with plain GL programs (bench/plain_article.h): literally as in
+// the article, and as optimised as we know how. Pictures are compared before times. An argument
+// restricts the run to candidates whose key contains it.
 #include "bench/article_engine.h"
 #include "bench/plain_article.h"
 #include "bench/side_by_side.h"
@@ -22,7 +22,7 @@ using bench::wanted;
 using bench::Way;
 
 constexpr Extent picture_extent{1280, 720};
-const bench::Topic topic{"frame", "Phosphor's frame beside plain GL, the article's figure"};
+const bench::Topic topic{"frame", "Phosphor's frame compared with plain GL, the article's figure"};
 
 struct Candidate {
     std::string key;
@@ -54,14 +54,15 @@ void tell_pictures(const Candidate& candidate) {
         return std::min(wanted(difference_between(literal.picture(), picture, 0.0)).psnr_db, same);
     };
     bench::tell(topic, {.key = candidate.key + "-picture",
-                        .what = candidate.name + ": picture without bloom, against the literal one",
+                        .what = fmt::format("{}: PSNR without bloom, against literal plain GL",
+                                            candidate.name),
                         .value = decibels(engine.offline.picture()),
                         .unit = "dB",
                         .bound = bench::at_least(candidate.least),
-                        .detail = fmt::format("plain {:.1f}", decibels(plain.picture()))});
+                        .detail = fmt::format("plain GL {:.1f} dB", decibels(plain.picture()))});
 }
 
-// Of one point in one frame: what the bloom makes of it, beside what the literal one does.
+// The bloom of one point in one frame, compared with that of the literal program.
 void tell_bloom(const Candidate& candidate, const char* pass) {
     Beam point{{0.0f, 0.0f, 1.0f, 0.0f}};
     Engine engine(candidate.preset, candidate.values, picture_extent, {"persistence", pass});
@@ -80,16 +81,19 @@ void tell_bloom(const Candidate& candidate, const char* pass) {
                                   spread_of(literal.bloom(), picture_extent));
     const Spread ours = bloomed(seen("persistence"), seen(pass));
     bench::tell(topic, {.key = candidate.key + "-energy",
-                        .what = candidate.name + ": light of the bloom, off the literal one",
+                        .what = fmt::format("{}: bloom energy error against literal plain GL",
+                                            candidate.name),
                         .value = 100.0 * std::abs(ours.energy / should.energy - 1.0),
                         .unit = "%",
                         .bound = bench::at_most(1.0)});
-    bench::tell(topic, {.key = candidate.key + "-moment",
-                        .what = candidate.name + ": second moment of the bloom, likewise",
-                        .value = 100.0 * std::abs(ours.variance / should.variance - 1.0),
-                        .unit = "%",
-                        .bound = bench::at_most(5.0),
-                        .detail = fmt::format("sigma {:.2f} px", std::sqrt(ours.variance))});
+    bench::tell(topic,
+                {.key = candidate.key + "-moment",
+                 .what = fmt::format("{}: bloom second moment error against literal plain GL",
+                                     candidate.name),
+                 .value = 100.0 * std::abs(ours.variance / should.variance - 1.0),
+                 .unit = "%",
+                 .bound = bench::at_most(5.0),
+                 .detail = fmt::format("sigma {:.2f} px", std::sqrt(ours.variance))});
 }
 
 Cost cost_of(const Candidate& candidate, Extent extent) {
@@ -111,16 +115,18 @@ std::vector<Cost> costs_of_openings(const Candidate& candidate) {
 void compare(const Candidate& candidate) {
     tell_pictures(candidate);
     tell_bloom(candidate, "bloom_y");
-    bench::tell(topic,
-                bench::ratio_figure(candidate.key, candidate.name + ", beside plain GL",
-                                    costs_of_openings(candidate), bench::at_most(candidate.most)));
+    bench::tell(
+        topic, bench::ratio_figure(candidate.key,
+                                   fmt::format("{}: CPU time relative to plain GL", candidate.name),
+                                   costs_of_openings(candidate), bench::at_most(candidate.most)));
 }
 
-// Where hardly a pixel is drawn the calls are what is left.
+// With hardly any pixels, the cost of the calls is left.
 void tell_small_cost(const Candidate& candidate) {
-    bench::tell(topic, bench::more_figure(candidate.key + "-calls",
-                                          candidate.name + " at 64 x 64, over plain GL",
-                                          cost_of(candidate, {64, 64}), bench::at_most(1.5)));
+    bench::tell(topic, bench::more_figure(
+                           candidate.key + "-calls",
+                           fmt::format("{}, 64 x 64: CPU time minus plain GL", candidate.name),
+                           cost_of(candidate, {64, 64}), bench::at_most(1.5)));
 }
 }  // namespace
 
@@ -129,18 +135,18 @@ int main(int count, char** arguments) {
     const ValueTexts taps{{"bloom_kind", "Taps"}, {"light_bits", "1"}};
     const std::vector<Candidate> candidates{
         {"literal", "literal", "article", taps, Way::literal, GL_RGBA16F, 1.02, 50.0},
-        {"colour-16", "best in RGBA16F", "article", halves, Way::best_colour, GL_RGBA16F, 1.03,
+        {"colour-16", "optimised RGBA16F", "article", halves, Way::best_colour, GL_RGBA16F, 1.03,
          50.0},
-        {"colour-32", "best in RGBA32F", "article", {}, Way::best_colour, GL_RGBA32F, 1.03, 50.0},
+        {"colour-32", "optimised RGBA32F", "article", {}, Way::best_colour, GL_RGBA32F, 1.03, 50.0},
         {"mono-32",
-         "best in one colour, R32F",
+         "optimised monochrome R32F",
          "article-mono",
          {},
          Way::best_one_colour,
          GL_R32F,
          1.03,
          45.0},
-        {"mono-16", "best in one colour, R16F", "article-mono", halves, Way::best_one_colour,
+        {"mono-16", "optimised monochrome R16F", "article-mono", halves, Way::best_one_colour,
          GL_R16F, 1.03, 45.0},
     };
     const std::string only = count > 1 ? arguments[1] : "";

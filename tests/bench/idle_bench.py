@@ -1,5 +1,5 @@
-"""What the window costs while it rests: idle_bench.py PROGRAM. Phosphor at 1280 x 720 under Xvfb, paused;
-CPU time of the program and its turns over ten seconds, none of which anybody touches it."""
+"""Cost of the paused window: idle_bench.py PROGRAM. Phosphor at 1280 x 720 under Xvfb; CPU time of the
+program and its redraws over ten seconds without input."""
 
 import os
 import sys
@@ -24,14 +24,14 @@ def cpu_seconds(process):
 
 
 def fall_asleep(program):
-    """Waits until the program has drawn no turn for three seconds."""
+    """Waits until the program has not redrawn for three seconds."""
     seen = {"turn": None, "since": 0.0}
 
     def sleeps(state):
         if state["turn"] != seen["turn"]:
             seen.update(turn=state["turn"], since=time.monotonic())
         return time.monotonic() - seen["since"] > 3
-    program.wait("the program sleeps", sleeps)
+    program.wait("the window is idle", sleeps)
 
 
 def report(key, what, program):
@@ -39,8 +39,8 @@ def report(key, what, program):
     before, turn = cpu_seconds(program.process), program.state()["turn"]
     time.sleep(SECONDS)
     share = 100 * (cpu_seconds(program.process) - before) / SECONDS
-    tell("idle", "The paused window, Phosphor at %d x %d, over %d s" % (*WINDOW, SECONDS), key, what, share,
-         "% of a core", at_most=AT_MOST, detail="%d turns" % (program.state()["turn"] - turn))
+    tell("idle", "Paused window, Phosphor at %d x %d, over %d s" % (*WINDOW, SECONDS), key, what, share,
+         "% of a core", at_most=AT_MOST, detail="window redraws: %d" % (program.state()["turn"] - turn))
 
 
 def main():
@@ -50,12 +50,12 @@ def main():
         program.arrange(*WINDOW, [640, 360])
         program.start()
         program.key("space")
-        report("all", "all panes as at first", program)
+        report("all", "default panels", program)
         program.key("ctrl+3")
         program.wait("the inspector is closed", lambda s: "channels:RGB" not in s["widgets"])
         report("no-inspector", "inspector closed", program)
         program.key("F11")
-        report("picture", "only the picture", program)
+        report("picture", "full screen", program)
         program.stop()
 
 

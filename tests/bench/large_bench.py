@@ -1,5 +1,5 @@
-"""What a first frame of Phosphor takes as a large picture: large_bench.py PROGRAM. CPU time of the whole
-command and the most memory that it had."""
+"""Cost of a first frame of Phosphor as a large picture: large_bench.py PROGRAM. CPU time and peak memory of
+the whole command."""
 
 import os
 import subprocess
@@ -21,11 +21,11 @@ def main():
             _, status, usage = os.wait4(process.pid, 0)
             process.returncode = os.waitstatus_to_exitcode(status)
             if process.returncode:
-                sys.exit("afterglow render --size %s ended with %d" % (size, process.returncode))
-            about = ("large", "A first frame of Phosphor as a PNG, large")
+                sys.exit("afterglow render --size %s failed with exit code %d" % (size, process.returncode))
+            about = ("large", "First frame of Phosphor as a large PNG")
             words = size.replace("x", " x ")
-            tell(*about, size + "-time", words + ": CPU time", usage.ru_utime + usage.ru_stime, "s")
-            tell(*about, size + "-memory", words + ": most memory", usage.ru_maxrss / 1e6 * 1.024, "GB")
+            tell(*about, size + "-time", "%s: CPU time" % words, usage.ru_utime + usage.ru_stime, "s")
+            tell(*about, size + "-memory", "%s: peak memory" % words, usage.ru_maxrss / 1e6 * 1.024, "GB")
 
 
 main()

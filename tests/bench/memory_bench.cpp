@@ -1,5 +1,5 @@
-// What Phosphor's targets take and what a frame moves, reckoned from the plan of its settled look;
-// nobody looks at the passes.
+// Memory of Phosphor's targets and bytes that a frame moves, calculated from the plan with
+// specialised programs, while no pass is inspected.
 #include "bench/figure.h"
 #include "bench/wanted.h"
 #include "lab/offline.h"
@@ -10,13 +10,13 @@
 
 namespace {
 constexpr Extent picture_extent{1920, 1080};
-const bench::Topic topic{"memory", "Phosphor's memory at 1920 x 1080, reckoned"};
+const bench::Topic topic{"memory", "Phosphor's memory at 1920 x 1080, calculated"};
 using bench::wanted;
 
 struct Setting {
     std::string key;
     std::string name;
-    std::string preset;  // "": the look as it is at first
+    std::string preset;  // "": Default
     std::vector<std::pair<std::string, std::string>> values;
     std::optional<bench::Bound> megabytes;
     std::optional<bench::Bound> bytes;  // a pixel of the picture
@@ -41,12 +41,12 @@ void tell_memory(const Setting& setting) {
     bench::tell_driver(offline.context().facts());
     const Executor& executor = offline.executor();
     bench::tell(topic, {.key = setting.key,
-                        .what = setting.name + ": targets",
+                        .what = fmt::format("{}: all targets", setting.name),
                         .value = 1e-6 * static_cast<double>(memory_of(executor.plan())),
                         .unit = "MB",
                         .bound = setting.megabytes});
     bench::tell(topic, {.key = setting.key + "-bytes",
-                        .what = setting.name + ": written and read a pixel",
+                        .what = fmt::format("{}: written and read per pixel", setting.name),
                         .value = executor.bytes_per_pixel(),
                         .unit = "bytes",
                         .bound = setting.bytes});
@@ -57,24 +57,24 @@ int main() {
     constexpr bench::Bound most_of_32_bits = bench::at_most(115.0);
     constexpr bench::Bound most_of_16_bits = bench::at_most(80.0);
     const std::vector<Setting> settings{
-        {"tube", "a measured tube, P31", "green-p31", {}, {}, {}},
-        {"default", "as it is at first", "", {}, most_of_32_bits, {}},
-        {"article", "the article's preset", "article", {}, most_of_32_bits, {}},
+        {"tube", "measured tube P31", "green-p31", {}, {}, {}},
+        {"default", "Default", "", {}, most_of_32_bits, {}},
+        {"article", "Original article", "article", {}, most_of_32_bits, {}},
         {"article-16",
-         "the article's preset, 16 bits",
+         "Original article, 16 bit",
          "article",
          {{"light_bits", "1"}},
          most_of_16_bits,
          bench::at_most(48.0)},
-        {"taps", "the article's preset with taps", "article", {{"bloom_kind", "Taps"}}, {}, {}},
+        {"taps", "Original article, Blur Taps", "article", {{"bloom_kind", "Taps"}}, {}, {}},
         {"mono-32",
-         "in one colour, 32 bits",
+         "Original article, monochrome, 32 bit",
          "article-mono",
          {},
          most_of_32_bits,
          bench::at_most(26.0)},
         {"mono-16",
-         "in one colour, 16 bits",
+         "Original article, monochrome, 16 bit",
          "article-mono",
          {{"light_bits", "1"}},
          most_of_16_bits,

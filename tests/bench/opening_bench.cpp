@@ -1,6 +1,6 @@
-// Opening heavy looks of libretro's while a light one is seen: how long until each is there, with
-// nothing kept of it and again, and how long the drawing thread is busy in its longest turns until
-// then, which is how long the window would stop. Needs AFTERGLOW_SLANG_DIR.
+// Opens heavy libretro presets while a light look is shown: the time until each is open, with empty
+// caches and again, and the longest updates of the drawing thread until then. For that long, the
+// window would stop responding. Needs AFTERGLOW_SLANG_DIR.
 #include "bench/bench_lab.h"
 #include "gpu/draw.h"
 
@@ -15,7 +15,8 @@
 namespace fs = std::filesystem;
 
 namespace {
-const bench::Topic topic{"opening", "Opening libretro's looks at 640 x 480 while another is seen"};
+const bench::Topic topic{"opening",
+                         "Opening libretro presets at 640 x 480 while another look is shown"};
 
 double busy_milliseconds() {
     timespec now{};
@@ -28,6 +29,11 @@ struct Turn {
     std::string doing;
 };
 
+struct Attempt {
+    const char* key;
+    const char* name;
+};
+
 /// A lab of 640 x 480 px without a window, in a folder of its own.
 class OpeningBench : public bench::BenchLab {
 public:
@@ -37,8 +43,8 @@ public:
             turn();
     }
 
-    /// False where it does not open.
-    bool open(const fs::path& preset, const char* how) {
+    /// False if it does not open.
+    bool open(const fs::path& preset, const Attempt& attempt) {
         const auto start = std::chrono::steady_clock::now();
         std::vector<Turn> turns;
         m_lab->open(preset.string());
@@ -54,18 +60,18 @@ public:
         std::ranges::sort(turns, std::ranges::greater(), &Turn::milliseconds);
         const auto tell = [&](const std::string& key, const std::string& what, double value,
                               const char* unit, const std::string& detail = {}) {
-            bench::tell(topic,
-                        {.key = preset.stem().string() + "-" + how + "-" + key,
-                         .what = fmt::format("{}, {}: {}", preset.stem().string(), how, what),
-                         .value = value,
-                         .unit = unit,
-                         .detail = detail});
+            bench::tell(topic, {.key = preset.stem().string() + "-" + attempt.key + "-" + key,
+                                .what = fmt::format("{}, {}: {}", preset.stem().string(),
+                                                    attempt.name, what),
+                                .value = value,
+                                .unit = unit,
+                                .detail = detail});
         };
-        tell("open", "open after", seconds.count(), "s");
-        tell("turn", "the longest turn until then, CPU", turns.front().milliseconds, "ms",
+        tell("open", "time to open", seconds.count(), "s");
+        tell("turn", "longest update until then, CPU time", turns.front().milliseconds, "ms",
              turns.front().doing);
-        tell("later", "the longest turn of the first three frames, CPU", longest, "ms",
-             fmt::format("of {}", later.size()));
+        tell("later", "longest update of the first three frames, CPU time", longest, "ms",
+             fmt::format("of {} updates", later.size()));
         return true;
     }
 
@@ -74,7 +80,7 @@ private:
         const double start = busy_milliseconds();
         m_lab->update(1.0 / 60.0);
         gpu::finish();
-        Turn turn{busy_milliseconds() - start, "beginning"};
+        Turn turn{busy_milliseconds() - start, "start"};
         if (const auto opening = m_lab->opening())
             turn.doing = words_of(opening->progress);
         if (!m_lab->is_loading())
@@ -88,7 +94,9 @@ private:
 int main() {
     const char* corpus = std::getenv("AFTERGLOW_SLANG_DIR");
     if (!corpus) {
-        fmt::print("AFTERGLOW_SLANG_DIR names no copy of slang-shaders: nothing is measured\n");
+        fmt::print(
+            "AFTERGLOW_SLANG_DIR isn't set. Set it to a copy of slang-shaders to run this "
+            "bench.\n");
         return EXIT_SUCCESS;
     }
     std::string name = (fs::temp_directory_path() / "afterglow-bench-XXXXXX").string();
@@ -98,8 +106,8 @@ int main() {
     bool is_open = true;
     for (const char* preset : {"crt/crt-royale.slangp", "crt/crt-guest-advanced.slangp",
                                "bezel/Mega_Bezel/Presets/MBZ__3__STD.slangp"})
-        for (const char* how : {"new", "kept"})
-            is_open = is_open && OpeningBench(folder).open(fs::path(corpus) / preset, how);
+        for (const Attempt& attempt : {Attempt{"new", "first time"}, Attempt{"kept", "again"}})
+            is_open = is_open && OpeningBench(folder).open(fs::path(corpus) / preset, attempt);
     fs::remove_all(folder);
     return is_open ? EXIT_SUCCESS : EXIT_FAILURE;
 }

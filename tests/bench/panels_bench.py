@@ -1,5 +1,5 @@
-"""What the panels cost the CPU: panels_bench.py PROGRAM. The window at 1280 x 720 under Xvfb with the
-Phosphor look, and with one of 50 passes and 1,000 parameters; what GL makes of their triangles is not in it."""
+"""CPU time of the panels: panels_bench.py PROGRAM. The window at 1280 x 720 under Xvfb with Phosphor, and
+with a look of 50 passes and 1,000 parameters; without the drawing of their triangles by GL."""
 
 import json
 import statistics
@@ -18,19 +18,19 @@ TURNS = 80
 
 
 def costs(program):
-    """Milliseconds of the next turns of the window."""
+    """Milliseconds of the next redraws of the window."""
     seen = {}
 
     def is_enough(state):
         seen[state["turn"]] = state["panel_ms"]
         return len(seen) >= TURNS
-    program.wait("%d turns" % TURNS, is_enough)
+    program.wait("%d window redraws" % TURNS, is_enough)
     return sorted(seen.values())
 
 
 def report(key, what, program):
     times = costs(program)
-    tell("panels", "The panels, CPU time a frame at %d x %d" % WINDOW, key, what, statistics.median(times), "ms",
+    tell("panels", "Panels: CPU time per frame at %d x %d" % WINDOW, key, what, statistics.median(times), "ms",
          detail="p95 %.3g" % times[int(0.95 * len(times))])
 
 
@@ -55,10 +55,10 @@ def measure_large(executable, folder, screen):
     program.start(folder / "large")
     report("large", "50 passes, 1,000 parameters", program)
     program.click("parameter:knob_0_3")
-    report("large-turned", "50 passes, 1,000 parameters, one turned", program)
+    report("large-turned", "50 passes, 1,000 parameters, one changed", program)
     program.key("ctrl+f")
     program.type("knob")
-    report("large-search", "50 passes, 1,000 parameters, a search that finds all", program)
+    report("large-search", "50 passes, 1,000 parameters, search that matches all", program)
     program.stop()
 
 
@@ -68,12 +68,12 @@ def main():
         program = Program(executable, SOURCE, Path(folder), screen)
         program.arrange(*WINDOW, [64, 48])
         program.start()
-        report("all", "all panes, as at first", program)
+        report("all", "default panels", program)
         program.key("ctrl+3")
         program.wait("the inspector is closed", lambda s: "channels:RGB" not in s["widgets"])
         report("no-inspector", "inspector closed", program)
         program.key("F11")
-        report("picture", "only the picture", program)
+        report("picture", "full screen", program)
         program.stop()
         (Path(folder) / "large").mkdir()
         measure_large(executable, Path(folder) / "large", screen)

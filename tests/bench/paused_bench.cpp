@@ -1,7 +1,6 @@
-// What a paused lab costs a turn: while nothing changes, and while a knob of the last pass or of
-// the bloom is turned, beside an executor that draws these passes and nothing else. A picture that
-// takes long is drawn in slices; how many bands that makes is a matter of wall time, so of who else
-// works.
+// Cost of an update of a paused lab: without changes, and while a parameter of the last pass or of
+// the bloom changes, compared with an executor that draws only these passes. A slow picture is
+// drawn in slices. Their number depends on wall time, and so on the load of the machine.
 #include "bench/bench_lab.h"
 #include "bench/side_by_side.h"
 #include "gpu/counted_draws.h"
@@ -15,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 using bench::wanted;
 
-const bench::Topic topic{"paused", "Resting, Phosphor at 1280 x 720, paused"};
+const bench::Topic topic{"paused", "Paused lab without a window, Phosphor at 1280 x 720"};
 
 /// Phosphor in a lab without a window, paused after some frames.
 class PausedLab : public bench::BenchLab {
@@ -57,17 +56,17 @@ void tell_nothing(PausedLab& lab) {
     for (int i = 0; i < turns; ++i)
         lab.turn();
     bench::tell(topic, {.key = "turn",
-                        .what = "a turn while nothing changes",
+                        .what = "CPU time of one update without changes",
                         .value = 1e3 * (bench::busy_seconds() - start) / turns,
                         .unit = "ms",
                         .bound = bench::at_most(0.05)});
     bench::tell(topic, {.key = "draws",
-                        .what = fmt::format("draw calls in {} such turns", turns),
+                        .what = fmt::format("draw calls in {} updates without changes", turns),
                         .value = static_cast<double>(CountedDraws::take()),
                         .bound = bench::at_most(0.0)});
 }
 
-/// The same passes of the same frame, by nobody's asking.
+/// The same passes of the same frame, without a lab.
 class Alone {
 public:
     Alone(const PausedLab& lab, const std::vector<std::string>& passes)
@@ -116,11 +115,13 @@ void tell_knob(PausedLab& lab, const std::string& name, double from,
         ours();
         calls = CountedDraws::take();
     }
-    bench::Figure figure =
-        bench::ratio_figure(name, name + " turned, beside its passes alone",
-                            bench::side_by_side_for(seconds, plain, ours), bench::at_most(1.05));
-    figure.detail += fmt::format("; {} draw calls beside {}{}", calls, alone.draw_calls(),
-                                 lab.is_sliced() ? ", in slices" : "");
+    bench::Figure figure = bench::ratio_figure(
+        name, fmt::format("{} changed: CPU time relative to its passes alone", name),
+        bench::side_by_side_for(seconds, plain, ours), bench::at_most(1.05));
+    figure.detail +=
+        lab.is_sliced()
+            ? fmt::format("; {} draw calls in slices, reference {}", calls, alone.draw_calls())
+            : fmt::format("; {} draw calls, reference {}", calls, alone.draw_calls());
     bench::tell(topic, figure);
 }
 }  // namespace

@@ -84,7 +84,7 @@ GLuint PlainReload::build(const std::string& fragment) const {
     GLint is_linked = GL_FALSE;
     glGetProgramiv(program, GL_LINK_STATUS, &is_linked);
     if (is_linked == GL_FALSE) {
-        fmt::print(stderr, "the plain program does not link\n");
+        fmt::print(stderr, "The plain GL program doesn't link\n");
         std::exit(EXIT_FAILURE);
     }
     return program;

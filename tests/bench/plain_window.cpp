@@ -1,5 +1,5 @@
-// The yardstick of start_bench.py: a window of GLFW's with an OpenGL 4.1 context, cleared and
-// shown. Says so on stdout, and stays until its stdin is closed.
+// The reference of start_bench.py: a GLFW window with an OpenGL 4.1 context, cleared and shown.
+// Prints a line once it is shown, and stays open until its stdin is closed.
 #include <epoxy/gl.h>
 
 #define GLFW_INCLUDE_NONE

@@ -1,10 +1,11 @@
-// Hot reload of a composite at 1280 x 720, that of the article's look and Phosphor's: twenty texts
-// that no cache knows, saved in place and by rename while values rest and by rename while they are
-// turned, then texts that were seen before. Beside it a plain program that does what must be done:
-// glslang's parse, GL's compile and link, the first draw.
+// Hot reload of a composite at 1280 x 720, the article's and Phosphor's: twenty texts that no cache
+// has, saved in place and by rename while values are static, and by rename while they change; then
+// texts from before. The reference is a plain GL program that does the minimum: parse with glslang,
+// compile and link with GL, draw once.
 //
-// The driver draws on the calling thread (LP_NUM_THREADS=0), so that the drawing thread's CPU time
-// is a frame's cost. A wait is wall time; what one cannot see the machine's load in is CPU time.
+// The driver draws on the calling thread (LP_NUM_THREADS=0), so the drawing thread's CPU time is
+// the cost of a frame. Waiting is measured as wall time, everything else as CPU time, which does
+// not depend on the load of the machine.
 #include "bench/plain_reload.h"
 #include "bench/reload_looks.h"
 #include "bench/side_by_side.h"
@@ -100,7 +101,7 @@ public:
 
     const Lab& lab() const { return *m_lab; }
 
-    /// Values rest from now on, or one of them is turned.
+    /// Values are static from now on, or one of them changes.
     void rest(bool rests) {
         if (!rests)
             m_lab->edit([this](Document& document) {
@@ -239,16 +240,16 @@ void measure_links(const bench::Topic& topic, const fs::path& folder, const Fold
     std::vector<double> linked;
     for (int i = 0; i < edits; ++i)
         linked.push_back(links.saved_to_linked(folders.edited(first_text + i), i % 2 == 1));
-    tell(topic, "linked", "saved to linked, wall", linked, bench::at_most(5.0));
+    tell(topic, "linked", "save to linked programs: wall time", linked, bench::at_most(5.0));
     folders.save(folders.text, false);
     const std::vector<double> later(linked.begin() + 1, linked.end());
     bench::tell(topic, {.key = "first",
-                        .what = "the first edit, beside the others",
+                        .what = "save to linked programs: first edit relative to later edits",
                         .value = linked.front() / bench::median(later),
                         .bound = bench::at_most(1.3)});
 }
 
-/// How edits are saved, and what hands do meanwhile.
+/// How edits are saved, and whether values change meanwhile.
 struct Way {
     const char* key;
     const char* name;
@@ -283,16 +284,22 @@ void measure_way(const bench::Topic& topic, const Way& way, ReloadBench& reloads
         seen.push_back(reloads.over_a_frame(folders.edited(number - 1 - i % 5), way.by_rename));
     }
     seen.erase(seen.begin());
-    tell(topic, key + "plain", how + "a plain program, CPU over a steady frame", raw);
-    tell(topic, key + "frame", how + "to the first new frame, CPU over a steady one", ours);
+    tell(topic, key + "plain",
+         fmt::format("{}: plain GL program, CPU time above a steady frame", how), raw);
+    tell(topic, key + "frame",
+         fmt::format("{}: save to first new frame, CPU time above a steady frame", how), ours);
     bench::tell(topic, {.key = key + "ratio",
-                        .what = how + "that, beside the plain program",
+                        .what = fmt::format(
+                            "{}: save to first new frame, relative to the plain GL program", how),
                         .value = bench::median(ratios),
                         .bound = bench::at_most(1.10)});
-    tell(topic, key + "longest", how + "the longest frame over a steady one, CPU", longest);
-    tell(topic, key + "added", how + "that, over the longest of as many frames without an edit",
+    tell(topic, key + "longest",
+         fmt::format("{}: longest frame during reload minus steady frame, CPU time", how), longest);
+    tell(topic, key + "added",
+         fmt::format("{}: longest frame during reload minus longest frame without reload", how),
          added, bench::at_most(5.0));
-    tell(topic, key + "seen", how + "a text seen before, CPU over a steady frame", seen,
+    tell(topic, key + "seen",
+         fmt::format("{}: return to an earlier text, CPU time above a steady frame", how), seen,
          bench::at_most(3.0));
 }
 
@@ -303,10 +310,10 @@ void measure_frames(const bench::Topic& topic, const fs::path& folder, const Fol
     std::vector<double> linked;
     for (int i = 0; i < edits; ++i)
         linked.push_back(plain.until_linked(first_text++));
-    tell(topic, "plain-linked", "a plain program, parsed and linked, wall", linked);
-    for (const Way& way : {Way{"place", "values rest, saved in place: ", false, true},
-                           Way{"rename", "values rest, saved by rename: ", true, true},
-                           Way{"turned", "values are turned, saved by rename: ", true, false}})
+    tell(topic, "plain-linked", "plain GL program: wall time to parse and link", linked);
+    for (const Way& way : {Way{"place", "static values, in-place save", false, true},
+                           Way{"rename", "static values, rename", true, true},
+                           Way{"turned", "changing values, rename", true, false}})
         measure_way(topic, way, reloads, plain, folders, first_text);
 }
 }  // namespace
@@ -320,7 +327,8 @@ int main() {
     std::setvbuf(stdout, nullptr, _IOLBF, 0);
     bench::write_reload_looks(folder / "shaders");
     for (const bench::ReloadLook& look : bench::reload_looks()) {
-        const bench::Topic topic{look.key, "Hot reload, " + look.name + ", twenty edits"};
+        const bench::Topic topic{look.key,
+                                 fmt::format("Hot reload of {}, {} edits", look.name, edits)};
         const Folders folders(folder, look);
         measure_links(topic, folder, folders, 1000);
         measure_frames(topic, folder, folders, 2000);

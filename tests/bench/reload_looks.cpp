@@ -39,7 +39,7 @@ constexpr const char* article_manifest = R"({
 void write(const fs::path& file, const std::string& text) {
     std::ofstream stream(file);
     if (!(stream << text))
-        throw std::runtime_error("cannot write " + file.string());
+        throw std::runtime_error("Can't write " + file.string());
 }
 
 void write_article(const fs::path& folder) {
@@ -77,7 +77,7 @@ std::string with_factor(std::string text, const ReloadLook& look, int number) {
     const std::string line = look.before + look.after;
     const auto at = text.find(line);
     if (at == std::string::npos)
-        throw std::runtime_error("composite.frag has another text than this bench expects");
+        throw std::runtime_error("composite.frag doesn't contain the line that this bench edits");
     return text.replace(at, line.size(),
                         fmt::format("{}{:.7f} * {}", look.before, 1.0 + 1e-6 * number, look.after));
 }

@@ -1,7 +1,7 @@
-// What a large look costs beside the same draws by plain calls to GL: 50 passes of few pixels with
-// two targets each and 1,000 parameters, drawn by the executor alone and by the lab as a window has
-// it, while nothing is turned and while a knob is. An argument is a part of the keys of what is
-// measured alone.
+// Cost of a large look compared with the same draws in plain GL: 50 passes of few pixels with two
+// targets each and 1,000 parameters, drawn by the executor alone and by the lab as in a window,
+// without changes and while one parameter is dragged. An argument restricts the run to figures
+// whose key contains it.
 #include "bench/bench_lab.h"
 #include "bench/plain_scale.h"
 #include "bench/side_by_side.h"
@@ -20,7 +20,7 @@ using bench::wanted;
 
 const bench::Topic topic{"scale", "Large looks: 50 passes of 8 x 8 px, 1,000 parameters"};
 
-/// The knob that a hand drags, in the middle of the look.
+/// The parameter that is dragged, in the middle of the look.
 struct Knob {
     int pass = 0;
     int parameter = 0;
@@ -34,7 +34,7 @@ double place_of(int turn) {
     return 0.3 + 0.05 * (turn % 7);
 }
 
-/// No knob is where it is at first.
+/// No parameter has its default.
 Values all_turned(const ScaleSize& size) {
     Values values;
     for (int pass = 0; pass < size.passes; ++pass)
@@ -108,14 +108,14 @@ public:
     }
 };
 
-/// What is drawn beside it, and which measures are taken: those whose keys hold a text.
+/// The reference, and which figures are measured: those whose keys contain a text.
 struct Yardstick {
     PlainScale& plain;
     ScaleSize size;
     std::string only;
 };
 
-/// Both draw the same frames; where a hand is at work one knob is turned in each.
+/// Both draw the same frames; during a drag, one parameter changes in each.
 template <class Ours>
 void compare_costs(const std::string& name, const Yardstick& by, Ours& ours) {
     constexpr double seconds = 6.0;
@@ -137,13 +137,14 @@ void compare_costs(const std::string& name, const Yardstick& by, Ours& ours) {
                 ours.set(knob_name, place_of(++turns[1]));
             ours.draw(time);
         };
-        bench::tell(topic,
-                    bench::more_figure(
-                        key, fmt::format("{}: the {}, {}", by.size.format, name, words),
-                        bench::side_by_side_for(seconds, plain, draw_ours), bench::at_most(1.0)));
+        bench::tell(topic, bench::more_figure(key,
+                                              fmt::format("{}: {}, {}, CPU time minus plain GL",
+                                                          by.size.format, name, words),
+                                              bench::side_by_side_for(seconds, plain, draw_ours),
+                                              bench::at_most(1.0)));
     };
-    measure("still", "nothing turned", false);
-    measure("dragged", "a knob dragged", true);
+    measure("still", "no change", false);
+    measure("dragged", "one parameter dragged", true);
 }
 
 void tell_picture(const ScaleSize& size, PlainScale& plain, OwnExecutor& ours) {
@@ -161,12 +162,11 @@ void tell_picture(const ScaleSize& size, PlainScale& plain, OwnExecutor& ours) {
         largest = std::max(largest, static_cast<double>(
                                         std::abs(picture.pixels[i] - expected.pixels[from_below])));
     }
-    bench::tell(topic,
-                {.key = std::string(size.format) + "-picture",
-                 .what = fmt::format("{}: the picture after {} frames, from the plain one, at most",
-                                     size.format, frames),
-                 .value = largest,
-                 .bound = bench::at_most(1.0 / 255.0)});
+    bench::tell(topic, {.key = std::string(size.format) + "-picture",
+                        .what = fmt::format("{}: largest difference from plain GL after {} frames",
+                                            size.format, frames),
+                        .value = largest,
+                        .bound = bench::at_most(1.0 / 255.0)});
 }
 
 void measure(const TemporaryFolder& folder, const ScaleSize& size, const std::string& only) {

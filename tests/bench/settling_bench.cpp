@@ -1,6 +1,6 @@
-// What a frame of the window's picture costs while values rest and have become constants of the
-// programs, against the same look as it is while a hand turns something. CPU time of the process;
-// the yardstick is measured twice, and where the two differ a run says little.
+// Cost of a frame of the window's picture with specialised programs (static values as constants),
+// compared with the generic programs that draw while a value changes. CPU time of the process. The
+// reference is measured twice; if the two differ, the run is noise.
 #include "bench/bench_lab.h"
 #include "bench/side_by_side.h"
 #include "model/modulation.h"
@@ -13,7 +13,8 @@
 namespace fs = std::filesystem;
 
 namespace {
-const bench::Topic topic{"settling", "Values that rest, a frame at 1280 x 720"};
+const bench::Topic topic{"settling",
+                         "Specialised programs: a frame with static values at 1280 x 720"};
 
 class SettlingBench : public bench::BenchLab {
 public:
@@ -43,7 +44,7 @@ public:
         frame();
         return frames < most_frames;
     }
-    /// As the first turn of a knob does; nothing that one could see.
+    /// As the first change of a drag does; too small to see.
     void turn_a_knob() {
         const Look& look = m_lab->document()->look();
         const auto knob = std::ranges::find_if(look.parameters, [&](const Parameter& parameter) {
@@ -81,7 +82,7 @@ void measure(SettlingBench& bench, const std::string& look) {
     std::vector<double> turns;
     for (int i = 0; i < rounds; ++i) {
         if (!bench.settle()) {
-            fmt::print("  {} does not settle\n", look);
+            fmt::print("  {}: no specialised programs, so not measured\n", look);
             return;
         }
         const double settled = bench.frame_milliseconds();
@@ -93,11 +94,11 @@ void measure(SettlingBench& bench, const std::string& look) {
         itself.push_back(one / other);
     }
     bench::tell(topic, {.key = name,
-                        .what = name + ": settled, beside as written",
+                        .what = fmt::format("{}: CPU time relative to generic programs", name),
                         .value = bench::median(ratios),
                         .itself = bench::median(itself),
-                        .detail = fmt::format("as written {:.4g} ms, the first frame of a turn "
-                                              "{:.4g}",
+                        .detail = fmt::format("generic {:.4g} ms, first frame after a change "
+                                              "{:.4g} ms",
                                               bench::median(own), bench::median(turns))});
 }
 }  // namespace

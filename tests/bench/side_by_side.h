@@ -25,7 +25,7 @@ inline double median(std::vector<double> numbers) {
     return numbers[numbers.size() / 2];
 }
 
-/// Of so many frames, each ending in glFinish.
+/// CPU time of a number of frames, each ending in glFinish.
 template <class Draw>
 double seconds_of(int frames, Draw draw) {
     const double start = busy_seconds();
@@ -36,17 +36,17 @@ double seconds_of(int frames, Draw draw) {
     return busy_seconds() - start;
 }
 
-/// What a frame of ours costs beside a yardstick's: medians over rounds.
+/// Cost of our frame compared with the reference's: medians over rounds.
 struct Cost {
     double plain_milliseconds = 0.0;
     double our_milliseconds = 0.0;
     double ratio = 0.0;   // ours to plain
     double more = 0.0;    // ms, ours over plain
-    double itself = 0.0;  // the plain frames before ours to the same behind
+    double itself = 0.0;  // the reference before ours relative to the reference after
     bool counts() const { return is_itself(itself); }
 };
 
-/// Turns of the yardstick, each of so many seconds, and turns of ours between them.
+/// Rounds of the reference, with rounds of ours between them.
 class CostOfTurns {
 public:
     explicit CostOfTurns(int frames) : m_frames(frames) {}
@@ -76,8 +76,8 @@ private:
 
 constexpr int warm_up_frames = 5;
 
-/// Yardstick, ours, yardstick, ours and so on to a last yardstick; a round is a turn of ours with
-/// those beside it, so that every turn but the first follows one of the other.
+/// Alternates reference, ours, reference, ours and so on, ending with the reference. A round is
+/// ours with the reference before and after it.
 template <class Plain, class Ours>
 Cost side_by_side(int rounds, int frames, Plain plain, Ours ours) {
     seconds_of(warm_up_frames, plain);
@@ -93,8 +93,8 @@ Cost side_by_side(int rounds, int frames, Plain plain, Ours ours) {
     return turns.cost();
 }
 
-/// The same within some seconds of CPU time: turns are short, as a machine's clock may change
-/// within seconds, and as many as there is time for.
+/// The same within some seconds of CPU time, in many short rounds, as the clock of a machine may
+/// change within seconds.
 template <class Plain, class Ours>
 Cost side_by_side_for(double seconds, Plain plain, Ours ours) {
     constexpr double turn_seconds = 0.02;
@@ -111,7 +111,7 @@ Cost side_by_side_for(double seconds, Plain plain, Ours ours) {
         plain, ours);
 }
 
-/// Ours to plain.
+/// Ours relative to plain.
 inline Figure ratio_figure(std::string key, std::string what, const Cost& cost,
                            std::optional<Bound> bound = {}) {
     return {.key = std::move(key),
@@ -119,12 +119,12 @@ inline Figure ratio_figure(std::string key, std::string what, const Cost& cost,
             .value = cost.ratio,
             .bound = bound,
             .itself = cost.itself,
-            .detail = fmt::format("{:.4g} ms beside {:.4g}", cost.our_milliseconds,
+            .detail = fmt::format("{:.4g} ms, reference {:.4g} ms", cost.our_milliseconds,
                                   cost.plain_milliseconds)};
 }
 
-/// The same of several openings, of which those tell that count: where code and textures come to
-/// lie in memory makes either side faster or slower for as long as it is open.
+/// The same over the valid ones of several openings: the place of code and textures in memory makes
+/// either side faster or slower for as long as it is open.
 inline Figure ratio_figure(std::string key, std::string what, const std::vector<Cost>& openings,
                            std::optional<Bound> bound = {}) {
     std::vector<Cost> told;
@@ -142,12 +142,12 @@ inline Figure ratio_figure(std::string key, std::string what, const std::vector<
                     middle(&Cost::ratio), middle(&Cost::more), middle(&Cost::itself)};
     const auto [least, most] = std::ranges::minmax(told, {}, &Cost::ratio);
     Figure figure = ratio_figure(std::move(key), std::move(what), cost, bound);
-    figure.detail += fmt::format("; {:.3f} to {:.3f}, {} of {} openings count", least.ratio,
+    figure.detail += fmt::format("; {:.3f} to {:.3f}, {} of {} openings valid", least.ratio,
                                  most.ratio, counting, openings.size());
     return figure;
 }
 
-/// What ours takes longer than plain.
+/// Ours minus plain.
 inline Figure more_figure(std::string key, std::string what, const Cost& cost, Bound bound) {
     Figure figure = ratio_figure(std::move(key), std::move(what), cost, bound);
     figure.value = cost.more;

@@ -1,7 +1,7 @@
-// How presets of libretro are drawn, against a plain chain of the GL calls that RetroArch's rules
-// ask for (tests/parity/). `cost FILE...`, or presets of AFTERGLOW_SLANG_DIR where there are no
-// arguments: what a frame costs. `pictures FILE_OR_FOLDER...`: how far the pictures are apart, a
-// line of JSON a preset; a process each, as some drivers take shaders badly.
+// libretro presets compared with a plain chain of the GL calls that RetroArch's rules require
+// (tests/parity/). `cost FILE...`, or without arguments some presets of AFTERGLOW_SLANG_DIR: the
+// cost of a frame. `pictures FILE_OR_FOLDER...`: the difference of the pictures, one line of JSON
+// per preset, each in its own process, as shaders crash some drivers.
 #include "bench/side_by_side.h"
 #include "io/child_process.h"
 #include "lab/corpus.h"
@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 namespace {
 constexpr Extent original{320, 240};
 
-const bench::Topic topic{"slang", "Chains of libretro's, 320 x 240 px, beside the plain calls"};
+const bench::Topic topic{"slang", "libretro presets, source 320 x 240, compared with plain GL"};
 using bench::Cost;
 
 Cost cost_of(plain::Pair& pair) {
@@ -53,10 +53,10 @@ bool measure_cost(const fs::path& preset, Extent viewport) {
         costs.push_back(*cost);
     }
     const std::string name = preset.stem().string();
-    bench::tell(topic,
-                bench::ratio_figure(
-                    fmt::format("{}-{}", name, viewport.height),
-                    fmt::format("{} at {} x {}", name, viewport.width, viewport.height), costs));
+    bench::tell(topic, bench::ratio_figure(fmt::format("{}-{}", name, viewport.height),
+                                           fmt::format("{}, {} x {}: CPU time relative to plain GL",
+                                                       name, viewport.width, viewport.height),
+                                           costs));
     return true;
 }
 
@@ -71,7 +71,9 @@ int measure_costs(const std::vector<fs::path>& presets) {
 std::vector<fs::path> known_presets() {
     const char* corpus = std::getenv("AFTERGLOW_SLANG_DIR");
     if (!corpus) {
-        fmt::print("AFTERGLOW_SLANG_DIR names no copy of slang-shaders: nothing is measured\n");
+        fmt::print(
+            "AFTERGLOW_SLANG_DIR isn't set. Set it to a copy of slang-shaders to run this "
+            "bench.\n");
         return {};
     }
     std::vector<fs::path> presets;
@@ -107,7 +109,7 @@ void compare_alone(const fs::path& preset) {
     constexpr std::size_t most_bytes = 1 << 20;
     auto child = ChildProcess::start({"/proc/self/exe", "pictures", preset.string()});
     const auto told = child ? child->read_all_within(most_seconds, most_bytes) : std::nullopt;
-    const nlohmann::ordered_json lost{{"file", preset.string()}, {"why", "took too long"}};
+    const nlohmann::ordered_json lost{{"file", preset.string()}, {"why", "timed out"}};
     fmt::print("{}", told && !told->empty() ? *told : lost.dump() + "\n");
     std::fflush(stdout);
 }

@@ -1,6 +1,6 @@
-"""How long the window takes to its first picture: start_bench.py PROGRAM. Phosphor at 1280 x 720 under
-Xvfb, as a person left it, caches warm; in turn with a plain window, which has a context and nothing
-else. Wall time from the start of the process, and CPU time of all its threads until then."""
+"""Time from the start of the window to its first picture: start_bench.py PROGRAM. Phosphor at 1280 x 720
+under Xvfb with a saved session and warm caches; in alternation with a plain window that only has a
+context. Wall time from the start of the process, and CPU time of all its threads."""
 
 import os
 import statistics
@@ -50,7 +50,7 @@ class Start:
 
 def plain_start(plain, environment):
     start = Start([plain], environment)
-    assert start.process.stdout.readline() == b"shown\n", "no window can be opened"
+    assert start.process.stdout.readline() == b"shown\n", "can't open a window"
     times = start.shown()
     start.end()
     return times
@@ -60,8 +60,8 @@ def our_start(program, environment):
     program.state_file.unlink(missing_ok=True)
     start = Start([program.executable], environment)
     while b'"has_picture":true' not in state_of(program):
-        assert start.process.poll() is None, "the program ended"
-        assert time.monotonic() - start.begun < PATIENCE_SECONDS, "no picture comes"
+        assert start.process.poll() is None, "the program exited"
+        assert time.monotonic() - start.begun < PATIENCE_SECONDS, "no picture within %d s" % PATIENCE_SECONDS
         time.sleep(0.0005)
     times = start.shown()
     start.end()
@@ -92,9 +92,9 @@ def warm_up(program):
 
 def report(key, what, plain, ours, at_most=None):
     over = [b - a for a, b in zip(plain, ours)]
-    tell("start", "The window's start, Phosphor at %d x %d, medians of %d" % (*WINDOW, STARTS), key,
-         "first picture over a context, " + what, statistics.median(over), "ms", at_most=at_most,
-         detail="%.0f to %.0f; %.0f over %.0f" % (min(over), max(over), statistics.median(ours), statistics.median(plain)))
+    tell("start", "Window start, Phosphor at %d x %d, medians of %d" % (*WINDOW, STARTS), key,
+         "first picture: %s above a plain window" % what, statistics.median(over), "ms", at_most=at_most,
+         detail="%.0f to %.0f ms; %.0f ms, plain window %.0f ms" % (min(over), max(over), statistics.median(ours), statistics.median(plain)))
 
 
 def main():

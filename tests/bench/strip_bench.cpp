@@ -1,18 +1,18 @@
-// What the window's picture and its views cost with the strip of thumbnails and gains open, against
-// the same with the strip closed, values resting: two labs take turns. CPU time of the process. The
-// strip shows five passes a second by the clock on the wall: beside many other processes its share
-// is too high.
+// Cost of the window's picture and its views with the pass strip open, compared with the strip
+// closed, with static values: two labs alternate. CPU time of the process. The strip updates five
+// passes a second by wall time, so its share is too high on a busy machine.
 #include "bench/bench_lab.h"
 #include "bench/side_by_side.h"
 #include "lab/views.h"
+
+#include <fmt/format.h>
 
 #include <cstdlib>
 
 namespace fs = std::filesystem;
 
 namespace {
-const bench::Topic topic{"strip",
-                         "The strip of passes, a turn of the lab and its views at 1280 x 720"};
+const bench::Topic topic{"strip", "Pass strip: an update of the lab and its views at 1280 x 720"};
 
 /// A lab whose values rest, with what the window shows of it.
 class StripLab : public bench::BenchLab {
@@ -82,8 +82,10 @@ void measure(const fs::path& folder, const std::string& look) {
         cost.add(before, between, behind);
         before = behind;
     }
-    bench::tell(topic, bench::ratio_figure(name, name + ": open, beside closed", cost.cost(),
-                                           bench::at_most(1.10)));
+    bench::tell(topic,
+                bench::ratio_figure(
+                    name, fmt::format("{}: CPU time with the strip open, relative to closed", name),
+                    cost.cost(), bench::at_most(1.10)));
 }
 }  // namespace
 

@@ -16,7 +16,7 @@ namespace bench {
     std::exit(EXIT_FAILURE);
 }
 
-/// What a bench cannot go on without.
+/// The value; ends the program with the problems if it is missing.
 template <class T>
 T wanted(Result<T> result) {
     if (!result)

@@ -1,8 +1,8 @@
-"""Puts what the benches told into the table of the page about performance: write_table.py FIGURES DOCUMENT.
+"""Writes the figures of the benches into the tables of the performance page: write_table.py FIGURES DOCUMENT.
 
-FIGURES has a line of JSON for each figure (tests/bench/figure.h). DOCUMENT has the two marks below; what
-stands between them is written anew. Rows of figures that FIGURES does not have stay as they are, with
-the day of their run. Ends with "N kept, M missed, K do not count" of FIGURES, and with 1 where one missed.
+FIGURES has a line of JSON for each figure (tests/bench/figure.h). DOCUMENT has the two marks below; the
+text between them is replaced. Rows that are missing in FIGURES stay unchanged, with the date of their run.
+Prints "N pass, M miss, K noise", counted in FIGURES. The exit code is 1 if a figure missed its goal.
 """
 
 import datetime
@@ -14,13 +14,21 @@ from pathlib import Path
 
 from figure import digits, goal
 
-BEGIN = "<!-- figures: ./run bench writes what follows -->"
+BEGIN = "<!-- figures, written by ./run bench -->"
 END = "<!-- end of figures -->"
-HEAD = "| what | measured | goal | yardstick to itself | verdict |\n| --- | --- | --- | --- | --- |"
+HEAD = "| figure | measured | goal | reference noise | verdict |\n| --- | --- | --- | --- | --- |"
 ROW = re.compile(r"^\| <!-- (?P<topic>[^/ ]+)/(?P<key>[^ ]+) -->.*\|$")
-RULE = ("A figure is the median of the ratios of its turns, or what its row says. Where the yardstick, measured beside itself "
-        "in the same turns, leaves 0.985 to 1.015, or the machine was not idle before, the figure does not count. "
-        "A row that names a day is of an earlier run.")
+RULE = """\
+| verdict | meaning |
+| --- | --- |
+| pass | the figure meets its goal |
+| **miss** | the figure does not meet its goal |
+| noise | the measurement is invalid: the reference noise is outside 0.985 to 1.015, or the machine was not idle before |
+| empty | the figure has no goal |
+| with a date | the figure is from an earlier run |
+
+A ratio to a reference is the median over rounds that alternate both, unless its row states otherwise.
+*Reference noise* is the ratio of two measurements of the reference in the same rounds."""
 
 
 def row_of(figure):
@@ -30,14 +38,14 @@ def row_of(figure):
         measured += " (%s)" % figure["detail"]
     itself = "%.3f" % figure["itself"] if "itself" in figure else ""
     if "idle" in figure:
-        itself = "idle before: %.0f %%" % (100 * figure["idle"])
+        itself = "%.0f %% idle before" % (100 * figure["idle"])
     verdict = figure["verdict"]
-    cells = [measured, goal(figure), itself, "**missed**" if verdict == "missed" else verdict]
+    cells = [measured, goal(figure), itself, "**miss**" if verdict == "miss" else verdict]
     return "| <!-- %s/%s --> %s | %s |" % (figure["topic"], figure["key"], figure["what"], " | ".join(cells))
 
 
 def read_rows(section):
-    """Of each topic its title, and its rows by their keys."""
+    """The title of each topic, and its rows by key."""
     topics = {}
     title = ""
     for line in section.splitlines():
@@ -50,7 +58,7 @@ def read_rows(section):
 
 
 def dated(row, day):
-    """A row of an earlier run says of which."""
+    """A row of an earlier run, with its date."""
     cells = row[:-1].rstrip().rpartition("|")
     if not day or re.search(r"\d{4}-\d\d-\d\d", cells[2]):
         return row
@@ -58,11 +66,11 @@ def dated(row, day):
 
 
 def with_figures(document, figures, machine, today):
-    """The document with these figures; `machine` are words for what was measured on."""
+    """The document with these figures; `machine` describes the machine that measured them."""
     before, begin, rest = document.partition(BEGIN)
     section, end, behind = rest.partition(END)
     if not begin or not end:
-        raise ValueError("lacks the lines '%s' and '%s'" % (BEGIN, END))
+        raise ValueError("the lines '%s' and '%s' are missing" % (BEGIN, END))
     head = re.search(r"^Measured on (\S+) with (.*?)(?: and (.*))?\.$", section, re.MULTILINE)
     day, driver = (head[1], head[3]) if head else ("", "")
     topics = read_rows(section)
@@ -77,11 +85,11 @@ def with_figures(document, figures, machine, today):
             rows[line["key"]] = row_of(line)
     facts = "Measured on %s with %s%s." % (today, machine, " and " + driver if driver else "")
     tables = ["### %s\n%s\n%s" % (title, HEAD, "\n".join(rows.values())) for title, rows in topics.values()]
-    return before + begin + "\n" + "\n\n".join(["## Figures\n%s\n\n%s" % (facts, RULE), *tables]) + "\n" + end + behind
+    return before + begin + "\n" + "\n\n".join(["## Measurements\n%s\n\n%s" % (facts, RULE), *tables]) + "\n" + end + behind
 
 
 def machine():
-    """The cores that one may use, and what they are."""
+    """The number of available cores, and their model."""
     names = re.findall(r"^model name\s*: (.*)$", Path("/proc/cpuinfo").read_text(), re.MULTILINE)
     return "%d cores (%s)" % (len(os.sched_getaffinity(0)), names[0].strip() if names else os.uname().machine)
 
@@ -111,9 +119,8 @@ def main():
         sys.exit("%s: error: %s" % (path, problem))
     path.write_text(written, encoding="utf-8")
     verdicts = [figure.get("verdict") for figure in figures]
-    print("%d kept, %d missed, %d do not count" % tuple(
-        verdicts.count(verdict) for verdict in ("kept", "missed", "does not count")))
-    sys.exit(1 if "missed" in verdicts else 0)
+    print("%d pass, %d miss, %d noise" % tuple(verdicts.count(verdict) for verdict in ("pass", "miss", "noise")))
+    sys.exit(1 if "miss" in verdicts else 0)
 
 
 if __name__ == "__main__":

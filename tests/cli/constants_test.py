@@ -35,7 +35,7 @@ class Constants(ProgramTest):
         self.assertLessEqual({round(255 * level) for level in (0.2, 0.6, 1.0)}, shown)
         self.assert_done(run("bench", shader, "--set", "LEVEL=0.4", "--size", "4x4", "--json"))
         self.write("a.glsl", "#define LEVEL 0.2  // @range 1 0\nvoid mainImage(out vec4 c, in vec2 p) { c = vec4(LEVEL); }\n")
-        self.assert_refused(run("check", shader), f"{shader}:1: error: @range needs its low end first")
+        self.assert_refused(run("check", shader), f"{shader}:1: error: @range: the minimum must be below the maximum")
 
     def test_a_limit_that_was_raised_holds_for_each_value_of_a_constant(self):
         chain = "float f0() { return LEVEL; }\n" + "".join(

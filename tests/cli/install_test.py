@@ -36,7 +36,7 @@ class InstallTest(unittest.TestCase):
             next(prefix.glob("lib*/**/afterglow-pictures.so")).unlink()
             with self.assertRaises(subprocess.CalledProcessError) as refused:
                 run("compare", picture, picture)
-            self.assertRegex(refused.exception.stderr, "trace.png: error: .*installed anew")
+            self.assertRegex(refused.exception.stderr, "trace.png: error: .*Rebuild or reinstall")
 
 
 if __name__ == "__main__":

@@ -5,6 +5,7 @@ import json
 from program import SOURCE, ProgramTest, main, run
 
 PRESETS = SOURCE / "tests/inputs/presets"
+LABELS = SOURCE / "tests/inputs/labels"
 
 
 class OlderPresets(ProgramTest):
@@ -34,6 +35,29 @@ class OlderPresets(ProgramTest):
                 shapes[fit] = drawn.read_bytes()
             self.assertEqual(shapes[""], shapes[",fit=whole"], look)
             self.assertNotEqual(shapes[""], shapes[",fit=stretch"], look)
+
+    def test_presets_lines_and_automation_with_older_item_labels_open(self):
+        """Each list has its last item, or the one before where that is the default."""
+        looks = sorted(file.stem for file in LABELS.glob("*.line"))
+        self.assertEqual(len(looks), 5)
+        for look in looks:
+            expected = json.loads((LABELS / (look + ".expected.json")).read_text())
+            for saved in (LABELS / (look + ".json"), (LABELS / (look + ".line")).read_text().strip()):
+                with self.subTest(look=look, saved=str(saved)[:20]):
+                    described = run("describe", saved, "--json")
+                    self.assert_done(described)
+                    self.assertNotIn("warning", described.stderr)
+                    self.assertEqual(items_of(json.loads(described.stdout), expected), expected)
+            with self.subTest(look=look, saved="automation"):
+                self.assert_done(run("render", look, "--moves", LABELS / (look + ".moves"), "--size", "32x18",
+                                     "--frames", "1", "-o", self.folder / (look + ".png")))
+
+
+def items_of(described, names):
+    """The number of the item that each of these lists has in what `describe` prints."""
+    lists = {entry["name"]: entry for entry in described["parameters"] if entry["name"] in names}
+    return {name: next(item["value"] for item in entry["items"] if entry["value"] in (item["label"], item["value"]))
+            for name, entry in lists.items()}
 
 
 if __name__ == "__main__":

@@ -56,13 +56,13 @@ class Pipe(ProgramTest):
         self.assertEqual(told, "")
         self.assert_dot(good)
         bad, told = self.render("bad.png", b"0 nan 1\n" + DOT + b"x\n" * 1000, code=1)
-        self.assertIn("stdin:1: error: y is 'nan', not a number", told)
+        self.assertIn("stdin:1: error: 'y' must be a number, got 'nan'", told)
         self.assertEqual(told.count("error:"), 1)
         self.assertEqual(good.read_bytes(), bad.read_bytes())
 
     def test_a_program_that_sends_nothing_is_told(self):
         dark, told = self.render("dark.png", b"")
-        self.assertEqual(told, "stdin: warning: ended without a single point\n")
+        self.assertEqual(told, "stdin: warning: ended without sending a point\n")
         self.assertLess(max(max(row) for row in read_png(dark)[2]), 10)
 
     def test_raw_points_draw_the_same(self):
@@ -72,8 +72,8 @@ class Pipe(ProgramTest):
         self.assert_dot(raw)
 
     def test_bytes_that_are_no_text_and_a_line_without_end_are_told_and_the_rest_is_sound(self):
-        for sent, words in ((bytes(range(256)) * 40, "is not of the form: x y intensity"),
-                            (b"1" * 3000000, "is longer than 1000 characters")):
+        for sent, words in ((bytes(range(256)) * 40, "expected x y intensity"),
+                            (b"1" * 3000000, "the line is too long; the limit is 1000 characters")):
             file = self.folder / "rest.wav"
             done = subprocess.run([PROGRAM, "signal", "stdin", "--seconds", "0.1", "-o", file],
                                   input=sent + b"\n0.5 -0.5 1 0.001\n", capture_output=True, timeout=60)
@@ -86,7 +86,7 @@ class Pipe(ProgramTest):
         place = self.folder / "beam.sock"
         started = self.start(place)
         self.connect(place).sendall(DOT + b"0 0 0 10\n")  # enough: it need not be closed
-        self.assertRegex(self.finish(started), "^(Waits for a program at|Draws what comes from) %s. Ctrl.C ends it.\n$" % place)
+        self.assertRegex(self.finish(started), "^(Waiting for a program at|Receiving from) %s. Press Ctrl.C to stop.\n$" % place)
         self.assert_dot(self.folder / "out.png")
         self.assertFalse(place.exists())
 
@@ -114,10 +114,10 @@ class Pipe(ProgramTest):
     def test_a_sender_that_stays_silent_ends_the_picture_at_the_timeout(self):
         place = self.folder / "beam.sock"
         nobody = self.start(place, "--timeout", "0.5")
-        self.assertIn("beam.sock: error: sent no point within the timeout", self.finish(nobody, 1))
+        self.assertIn("beam.sock: error: sent no point before the timeout", self.finish(nobody, 1))
         silent = self.start(place, "--timeout", "0.5")
         self.connect(place).sendall(b"0.5 0.5 1 0.001\n")
-        self.assertIn("beam.sock: error: sent no point within the timeout", self.finish(silent, 1))
+        self.assertIn("beam.sock: error: sent no point before the timeout", self.finish(silent, 1))
         slow = self.start(place, "--timeout", "2")  # each point begins it again
         sender = self.connect(place)
         for _ in range(4):
@@ -130,7 +130,7 @@ class Pipe(ProgramTest):
         place = self.folder / "beam.sock"
         started = self.start(place)
         self.assert_refused(run("signal", f"socket:{place}", "-o", self.folder / "x.wav"),
-                            str(place), "is the socket of a program that is running")
+                            str(place), "another running program uses this socket")
         started.kill()
         started.communicate()
         self.assertTrue(place.exists())
@@ -145,8 +145,8 @@ class Pipe(ProgramTest):
 
     def test_places_where_no_socket_can_be_are_told(self):
         file = self.write("file.txt", "kept")
-        for place, words in ((file, "is there already and is no socket"),
-                             (self.folder / ("x" * 120), "is too long for a socket"),
+        for place, words in ((file, "the path exists and isn't a socket"),
+                             (self.folder / ("x" * 120), "the path is too long for a socket"),
                              (self.folder / "none/beam.sock", "No such file or directory")):
             done = run("signal", f"socket:{place}", "-o", self.folder / "x.wav")
             self.assert_refused(done, str(place), words)

@@ -34,7 +34,7 @@ class Stacks(ProgramTest):
         return read_png(self.folder / "x.png")[2][4][12] / 255
 
     def test_every_command_takes_a_stack(self):
-        self.assertIn("4 parameters", self.lab("check", "half+tone").stdout)
+        self.assertIn("parameters: 4)", self.lab("check", "half+tone").stdout)
         told = json.loads(self.lab("describe", "half+tone", "--json", "--set", "lift=0.25").stdout)
         self.assertEqual([one["name"] for one in told["passes"]], ["half/show", "tone/show"])
         self.assertEqual(told["passes"][1]["inputs"][0]["from"], "half/show")
@@ -69,7 +69,7 @@ class Stacks(ProgramTest):
         self.assertAlmostEqual(self.level("half+half", "--preset", "quiet"), 0.25, delta=0.002)
         self.assertIn('"bypass": ["half"]', self.again(file))
         file.write_text(json.dumps(dict(made, bypass=["half#3"]), indent=1))
-        self.assert_refused(self.lab("render", file, "-o", self.folder / "x.png"), "quiet.json:", "there is no 'half#3'")
+        self.assert_refused(self.lab("render", file, "-o", self.folder / "x.png"), "quiet.json:", "unknown look 'half#3'")
 
     def again(self, file):
         self.assert_done(self.lab("preset", file, "-o", self.folder / "again.json"))

@@ -71,20 +71,20 @@ TEST_CASE("every value knows its line and its bytes") {
 
 TEST_CASE("mistakes are told at their line, without the parser's own names") {
     CHECK(json_error("{\n  \"a\": 1,\n  \"b\" 2\n}") ==
-          "a.json:3: error: no JSON: unexpected number literal; expected ':'");
+          "a.json:3: error: invalid JSON: unexpected number literal; expected ':'");
     CHECK(json_error("{\n  \"a\": 1,\n}\n") ==
-          "a.json:3: error: no JSON: unexpected '}'; expected string literal");
+          "a.json:3: error: invalid JSON: unexpected '}'; expected string literal");
     CHECK(json_error("{\n  \"a\": 1\n\n\n")
-              .starts_with("a.json:2: error: no JSON: unexpected end of input"));
+              .starts_with("a.json:2: error: invalid JSON: unexpected end of input"));
     CHECK(json_error("[1]\n]") ==
-          "a.json:2: error: no JSON: unexpected ']'; expected end of input");
-    CHECK(json_error("[1,\nnan]").starts_with("a.json:2: error: no JSON: "));
-    CHECK(json_error("[\"\xff\"]").starts_with("a.json:1: error: no JSON: "));
+          "a.json:2: error: invalid JSON: unexpected ']'; expected end of input");
+    CHECK(json_error("[1,\nnan]").starts_with("a.json:2: error: invalid JSON: "));
+    CHECK(json_error("[\"\xff\"]").starts_with("a.json:1: error: invalid JSON: "));
     CHECK(json_error("[1,\n1e999]") == "a.json:2: error: the number is too large");
-    CHECK(json_error("") == "a.json:1: error: is empty");
-    CHECK(json_error(" \n ") == "a.json:1: error: is empty");
+    CHECK(json_error("") == "a.json:1: error: the file is empty");
+    CHECK(json_error(" \n ") == "a.json:1: error: the file is empty");
     CHECK(json_error("{\"a\": 1,\n\"b\": {\"a\": 2},\n\"a\": 3}") ==
-          "a.json:3: error: the key \"a\" is there twice");
+          "a.json:3: error: duplicate key 'a'");
 }
 
 TEST_CASE("of a key that is there twice the last one counts where that is asked for") {
@@ -101,14 +101,15 @@ TEST_CASE("depth, number of values and size are bounded") {
         return std::string(depth, '[') + std::string(depth, ']');
     };
     CHECK(parse_json(nested(128), "a.json").has_value());
-    CHECK(json_error(nested(129)) == "a.json:1: error: is nested more than 128 levels deep");
-    CHECK(json_error(nested(1000000)) == "a.json:1: error: is nested more than 128 levels deep");
+    CHECK(json_error(nested(129)) == "a.json:1: error: nested too deeply; the limit is 128 levels");
+    CHECK(json_error(nested(1000000)) ==
+          "a.json:1: error: nested too deeply; the limit is 128 levels");
     std::string many = "[0";
     for (int i = 0; i < 1000001; ++i)
         many += ",0";
-    CHECK(json_error(many + "]") == "a.json:1: error: holds more than 1000000 values");
+    CHECK(json_error(many + "]") == "a.json:1: error: too many values; the limit is 1000000");
     CHECK(json_error(std::string((std::size_t{16} << 20) + 1, ' '))
-              .starts_with("a.json: error: is too large"));
+              .starts_with("a.json: error: the text is too large"));
 }
 
 TEST_CASE(

@@ -38,15 +38,15 @@ TEST_CASE("a preset of too many looks is refused before its keys are compared") 
         message = refusal(preset_head + "\"" + looks + "a\", \"bypass\": [" +
                           times(20'000, "\"b\",") + "\"b\"]}");
     }));
-    CHECK(message == "a.json:2: error: a stack has at most 64 looks; this one has 20001");
+    CHECK(message == "a.json:2: error: the stack has 20001 looks; the limit is 64");
     CHECK(refusal(preset_head + "\"a+b\", \"bypass\": [\"a\", \"b\", \"a\"]}") ==
-          "a.json:2: error: bypasses 3 looks of 2");
+          "a.json:2: error: 'bypass' lists 3 looks, but the stack has only 2");
 }
 
 TEST_CASE("a preset holds at most 65,536 values") {
     CHECK(parse_preset(preset_head + "\"a\", " + values(65'536) + "}", "a.json").has_value());
     CHECK(refusal(preset_head + "\"a\", " + values(65'537) + "}") ==
-          "a.json:2: error: has 65537 values; a preset holds at most 65536");
+          "a.json:2: error: the preset has 65537 values; the limit is 65536");
 }
 
 TEST_CASE("a preset's file is read once for the lines of all values that do not fit") {
@@ -84,9 +84,11 @@ TEST_CASE("a scene of too many points ends at the item that is too much") {
                     "s.json");
     CHECK(good.has_value());
     CHECK(scene_refusal(times(20'000, grid) + dot) ==
-          fmt::format("s.json:{}: error: the scene has more than 400000 points up to here; remove "
-                      "items or simplify them",
-                      fitting + 3));
+          fmt::format(
+              "s.json:{}: error: too many points up to this item; the limit is 400000. Remove "
+              "or simplify items.",
+              fitting + 3));
     CHECK(scene_refusal("{\"shape\": \"text\", \"text\": \"" + times(16'385, "A") + "\"}") ==
-          "s.json:2: error: 'text' takes at most 16384 letters; split it");
+          "s.json:2: error: 'text' has 16385 bytes; the limit is 16384. Split it into several "
+          "items.");
 }

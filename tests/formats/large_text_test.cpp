@@ -63,14 +63,15 @@ TEST_CASE("an ISF header may have so many passes, inputs and values, and no more
     };
     CHECK(refusal("\"PASSES\": [" + times(63, "{},") + "{}]") == "");
     CHECK(refusal("\"PASSES\": [" + times(64, "{},") + "\n{}]") ==
-          "a.fs:3: error: more than 64 passes\n");
+          "a.fs:3: error: the header has 65 passes; the limit is 64\n");
     CHECK(refusal(inputs(1024)) == "");
-    CHECK(refusal(inputs(1025)) == "a.fs:2: error: more than 1024 inputs\n");
+    CHECK(refusal(inputs(1025)) ==
+          "a.fs:2: error: the header has 1025 inputs; the limit is 1024\n");
     CHECK(refusal("\"IMPORTED\": [" + times(64, "{},") + "{}]") ==
-          "a.fs:2: error: more than 64 imported pictures\n");
+          "a.fs:2: error: the header imports 65 pictures; the limit is 64\n");
     CHECK(refusal("\"INPUTS\": [{\"NAME\": \"a\", \"TYPE\": \"long\", \"VALUES\": [" +
                   times(1024, "0,") + "0]}]") ==
-          "a.fs:2: error: more than 1024 numbers in \"VALUES\"\n");
+          "a.fs:2: error: 'VALUES' has 1025 numbers; the limit is 1024\n");
 }
 
 TEST_CASE("a number that no shader can have is told at its line") {
@@ -81,10 +82,9 @@ TEST_CASE("a number that no shader can have is told at its line") {
         return header ? std::string() : to_string(header.error());
     };
     CHECK(refusal("float", "3e38") == "");
-    CHECK(refusal("float", "4e38") ==
-          "a.fs:2: error: 4e+38 is larger than a number of the shader can be\n");
+    CHECK(refusal("float", "4e38") == "a.fs:2: error: 4e+38 is out of range for a GLSL float\n");
     CHECK(refusal("float", "1e999") == "a.fs:2: error: the number is too large\n");
     CHECK(refusal("long", "2147483647") == "");
     CHECK(refusal("long", "2147483648") ==
-          "a.fs:2: error: 2147483648 is larger than a number of the shader can be\n");
+          "a.fs:2: error: 2147483648 is out of range for a GLSL int\n");
 }

@@ -112,8 +112,8 @@ TEST_CASE("a missing file is watched for, and named where it is asked for") {
 
     fs::remove(small.folder / "small/fill.frag");
     CHECK(small.errors() ==
-          "small/look.json:4: error: 'fill.frag' is missing in the look's folder\n"
-          "small/look.json:5: error: 'fill.frag' is missing in the look's folder\n");
+          "small/look.json:4: error: can't find 'fill.frag' in the look's folder\n"
+          "small/look.json:5: error: can't find 'fill.frag' in the look's folder\n");
     const LoadedLook none = small.load("none");
     REQUIRE_FALSE(none.look.has_value());
     CHECK(none.files == std::vector<fs::path>{small.folder / "none"});
@@ -168,7 +168,7 @@ TEST_CASE("parameters are listed by the look's own order of headings; one withou
     const LoadedLook loaded = small.load();
     REQUIRE(loaded.warnings.size() == 1);
     CHECK(loaded.warnings[0].line == 2);
-    CHECK(loaded.warnings[0].message == "no parameter is listed under \"Too\"");
+    CHECK(loaded.warnings[0].message == "the group 'Too' has no parameters");
 }
 
 TEST_CASE("every look that comes with the program is read without a word") {

@@ -166,15 +166,15 @@ TEST_CASE("a pass of segments may say how small its spot is") {
     CHECK(look->passes[0].spot[0] == "0.500000000000");
     CHECK(look->passes[0].spot[1] == "4 / $HEIGHT");
     CHECK(disk.errors_of(look_with(signal, segments + "\n\"spot\": [-1,\n\" \"]}")) ==
-          "look.json:3: error: a length of \"spot\" must be a number from 0 on or an expression "
-          "such as \"2 * $spot_px / $HEIGHT\"\n"
-          "look.json:4: error: a length of \"spot\" must be a number from 0 on or an expression "
-          "such as \"2 * $spot_px / $HEIGHT\"\n");
+          "look.json:3: error: each length of 'spot' must be 0 or more, or an expression such as "
+          "'2 * $spot_px / $HEIGHT'\n"
+          "look.json:4: error: each length of 'spot' must be 0 or more, or an expression such as "
+          "'2 * $spot_px / $HEIGHT'\n");
     CHECK(disk.errors_of(look_with(signal, segments + "\"spot\": 1}")) ==
-          "look.json:2: error: \"spot\" must be a list of two: [across, up]\n");
+          "look.json:2: error: 'spot' must be a list [across, up]\n");
     CHECK(disk.errors_of(
               look_with(signal, R"({"name": "a", "fragment": "blur.frag", "spot": [1, 1]})")) ==
-          "look.json:2: error: only a pass that draws segments has a \"spot\"\n");
+          "look.json:2: error: 'spot' needs 'draw': 'segments'\n");
 }
 
 TEST_CASE("unknown keys are told with their line and the nearest known one") {
@@ -183,9 +183,9 @@ TEST_CASE("unknown keys are told with their line and the nearest known one") {
               look_with("\"licence\": \"MIT\", ",
                         "{\"name\": \"a\",\n\"fragment\": \"blur.frag\",\n\"formt\": "
                         "\"rgba8\",\n\"inputs\": {\"i\": {\"from\": \"a@1\",\n\"filtre\": 1}}}")) ==
-          "look.json:1: error: unknown key \"licence\" (did you mean 'license'?)\n"
-          "look.json:4: error: unknown key \"formt\" (did you mean 'format'?)\n"
-          "look.json:6: error: unknown key \"filtre\" (did you mean 'filter'?)\n");
+          "look.json:1: error: unknown key 'licence' (did you mean 'license'?)\n"
+          "look.json:4: error: unknown key 'formt' (did you mean 'format'?)\n"
+          "look.json:6: error: unknown key 'filtre' (did you mean 'filter'?)\n");
 }
 
 TEST_CASE("inputs that read nothing, themselves or a later pass are told") {
@@ -200,33 +200,30 @@ TEST_CASE("inputs that read nothing, themselves or a later pass are told") {
 "g": "last@0",
 "h": "beam@1", "i": 3, "j": {}}},
 {"name": "last", "fragment": "blur.frag", "inputs": {"a": "beam"}})")) ==
-          "look.json:3: error: a pass cannot read what it is drawing; 'beam@1' is its own picture "
-          "of the "
-          "frame before\n"
-          "look.json:4: error: pass 'last' is drawn after this one; 'last@1' is its picture of the "
-          "frame "
-          "before\n"
-          "look.json:5: error: there is no pass or image 'baem_'\n"
-          "look.json:6: error: there is no source: the look is not driven by a picture\n"
-          "look.json:7: error: 'last@65': behind @ stands a number of frames, 0 to 64\n"
-          "look.json:8: error: 'last@x': behind @ stands a number of frames, 0 to 64\n"
-          "look.json:9: error: pass 'last' is drawn after this one; 'last@1' is its picture of the "
-          "frame "
-          "before\n"
-          "look.json:10: error: \"i\" must be an object, not a number\n"
-          "look.json:10: error: \"from\" is missing\n");
+          "look.json:3: error: a pass can't read its own target while it draws; use 'beam@1' for "
+          "the previous frame\n"
+          "look.json:4: error: pass 'last' is drawn after this one; use 'last@1' for its previous "
+          "frame\n"
+          "look.json:5: error: unknown pass or image 'baem_'\n"
+          "look.json:6: error: 'source' needs a look with 'driven_by': 'picture'\n"
+          "look.json:7: error: 'last@65': expected a number of frames from 0 to 64 after '@'\n"
+          "look.json:8: error: 'last@x': expected a number of frames from 0 to 64 after '@'\n"
+          "look.json:9: error: pass 'last' is drawn after this one; use 'last@1' for its previous "
+          "frame\n"
+          "look.json:10: error: 'i' must be an object {...}, got 3\n"
+          "look.json:10: error: 'from' is missing\n");
     CHECK(disk.errors_of(
                   look_with("",
                             "{\"name\": \"beam\", \"fragment\": \"blur.frag\"},\n{\"name\": "
                             "\"b\", \"fragment\": \"blur.frag\", \"inputs\": {\"i\": \"baem\"}}"))
-              .starts_with("look.json:3: error: there is no pass or image 'baem'"));
+              .starts_with("look.json:3: error: unknown pass or image 'baem'"));
 }
 
 TEST_CASE("names of passes are checked") {
     LookOnDisk disk;
     const std::string rule =
-        "a name is 1 to 64 letters, digits, _ and -, starts with a letter or _, and is not "
-        "'source'\n";
+        "Use 1 to 64 letters, digits, _ and -, start with a letter or _, and don't use "
+        "'source'.\n";
     CHECK(disk.errors_of(look_with("\"images\": {\"lut\": \"lut.png\"}, ",
                                    R"({"name": "a", "fragment": "blur.frag"},
 {"name": "a", "fragment": "blur.frag"},
@@ -235,22 +232,22 @@ TEST_CASE("names of passes are checked") {
 {"fragment": "blur.frag"},
 {"name": "", "fragment": "blur.frag"},
 {"name": "lut", "fragment": "blur.frag"}, 7)")) ==
-          "look.json:3: error: there is a pass 'a' already, on line 2\n"
-          "look.json:4: error: 'source' cannot be the name of a pass: " +
-              rule + "look.json:5: error: '../up' cannot be the name of a pass: " + rule +
-              "look.json:6: error: \"name\" is missing\n"
-              "look.json:7: error: '' cannot be the name of a pass: " +
+          "look.json:3: error: the name 'a' is already used by the pass on line 2\n"
+          "look.json:4: error: 'source' can't be the name of a pass. " +
+              rule + "look.json:5: error: '../up' can't be the name of a pass. " + rule +
+              "look.json:6: error: 'name' is missing\n"
+              "look.json:7: error: '' can't be the name of a pass. " +
               rule +
-              "look.json:8: error: this must be an object, not a number\n"
-              "look.json:8: error: there is an image 'lut' already\n");
+              "look.json:8: error: expected an object {...}, got 7\n"
+              "look.json:8: error: the name 'lut' is already used by an image\n");
 }
 
 TEST_CASE("points and segments need a vertex shader and a signal") {
     LookOnDisk disk;
     CHECK(disk.errors_of(
               look_with("", R"({"name": "a", "draw": "points", "fragment": "blur.frag"})")) ==
-          "look.json:2: error: a pass that draws points needs a \"vertex\" shader\n"
-          "look.json:2: error: only a look with \"driven_by\": \"signal\" can draw points\n");
+          "look.json:2: error: 'draw': 'points' needs a 'vertex' shader\n"
+          "look.json:2: error: 'draw': 'points' needs a look with 'driven_by': 'signal'\n");
 }
 
 TEST_CASE("files must lie in the look's folder") {
@@ -265,22 +262,19 @@ TEST_CASE("files must lie in the look's folder") {
 {"name": "g", "fragment": "x\u0000"},
 {"name": "h", "fragment": "folder/../blur.frag"},
 {"name": "i", "vertex": 3})")) ==
-          "look.json:2: error: '../outside.frag' leads out of the look's folder; files of a look "
-          "lie in its "
-          "own folder\n"
-          "look.json:3: error: '/etc/passwd' leads out of the look's folder; files of a look lie "
-          "in its own "
-          "folder\n"
-          "look.json:4: error: 'blur.fraq' is missing in the look's folder (did you mean "
+          "look.json:2: error: '../outside.frag' is outside the look's folder. Copy the file into "
+          "the look's folder.\n"
+          "look.json:3: error: '/etc/passwd' is outside the look's folder. Copy the file into the "
+          "look's folder.\n"
+          "look.json:4: error: can't find 'blur.fraq' in the look's folder (did you mean "
           "'blur.frag'?)\n"
-          "look.json:5: error: 'folder' is not a file\n"
-          "look.json:6: error: '' is no file name\n"
-          "look.json:7: error: 'x\\x00' is no file name\n"
-          "look.json:8: error: 'folder/../blur.frag' leads out of the look's folder; files of "
-          "a look lie in "
-          "its own folder\n"
-          "look.json:9: error: \"vertex\" must be a text, not a number\n"
-          "look.json:9: error: \"fragment\" is missing\n");
+          "look.json:5: error: 'folder' isn't a file\n"
+          "look.json:6: error: '' isn't a valid file name\n"
+          "look.json:7: error: 'x\\x00' isn't a valid file name\n"
+          "look.json:8: error: 'folder/../blur.frag' is outside the look's folder. Copy the file "
+          "into the look's folder.\n"
+          "look.json:9: error: 'vertex' must be a text in quotes, got 3\n"
+          "look.json:9: error: 'fragment' is missing\n");
     CHECK(std::find(disk.files.begin(), disk.files.end(), disk.folder / "phosphor/blur.fraq") !=
           disk.files.end());
 }
@@ -309,31 +303,29 @@ TEST_CASE("sizes, formats and counts are checked") {
 {"name": "j", "fragment": "blur.frag", "format": "r32ui", "blend": "add"},
 {"name": "k", "fragment": "blur.frag", "format": "r11f_g11f_b10f", "one_channel": " ", "inputs": {"a": {"from": "j", "filter": "linear", "mipmap": true}}},
 {"name": "l", "fragment": "blur.frag", "format": "rgba61f"})")) ==
-        "look.json:2: error: \"scale\" must be a number above 0 and at most 64, or a list of two: "
-        "[x, y]\n"
-        "look.json:3: error: \"scale\" must be a number above 0 and at most 64, or a list of two: "
-        "[x, y]\n"
-        "look.json:4: error: there is no source to measure by: the look is not driven by a "
-        "picture\n"
-        "look.json:5: error: a side of \"size\" must be 1 to 16384 pixels or an expression such as "
-        "\"$WIDTH/2\"\n"
-        "look.json:5: error: a side of \"size\" must be 1 to 16384 pixels or an expression such as "
-        "\"$WIDTH/2\"\n"
-        "look.json:6: error: \"size\" must be a list of two: [width, height]\n"
-        "look.json:7: error: a pass has a \"scale\" or a \"size\", not both\n"
-        "look.json:8: error: \"repeat\" must be a whole number from 1 to 1024\n"
-        "look.json:8: error: only a pass with \"accumulate\": true can converge\n"
-        "look.json:9: error: \"frame_modulo\" must be a whole number from 0 to 16777216\n"
-        "look.json:10: error: \"a\" must be numbers\n"
-        "look.json:10: error: '9' cannot be the name of a parameter: a name is 1 to 64 letters, "
-        "digits, _ "
-        "and -, starts with a letter or _, and is not 'source'\n"
-        "look.json:11: error: a target of whole numbers cannot be blended\n"
-        "look.json:12: error: \"one_channel\" must be an expression such as \"$mono\"\n"
-        "look.json:12: error: pass 'j' holds whole numbers, which cannot be filtered\n"
-        "look.json:12: error: pass 'j' holds whole numbers, which have no smaller levels\n"
-        "look.json:13: error: \"format\" cannot be 'rgba61f' (did you mean 'rgba16f'?); it is one "
-        "of: r8, "
+        "look.json:2: error: 'scale' must be a number above 0 and at most 64, or a list [x, y]\n"
+        "look.json:3: error: 'scale' must be a number above 0 and at most 64, or a list [x, y]\n"
+        "look.json:4: error: 'scale_of': 'source' needs a look with 'driven_by': 'picture'\n"
+        "look.json:5: error: each side of 'size' must be 1 to 16384 pixels or an expression such "
+        "as "
+        "'$WIDTH/2'\n"
+        "look.json:5: error: each side of 'size' must be 1 to 16384 pixels or an expression such "
+        "as "
+        "'$WIDTH/2'\n"
+        "look.json:6: error: 'size' must be a list [width, height]\n"
+        "look.json:7: error: a pass with 'size' can't have 'scale' or 'scale_of'\n"
+        "look.json:8: error: 'repeat' must be a whole number between 1 and 1024, got 0\n"
+        "look.json:8: error: 'converge' needs 'accumulate': true\n"
+        "look.json:9: error: 'frame_modulo' must be a whole number between 0 and 16777216, got -1\n"
+        "look.json:10: error: 'a' must be a number or a list of numbers, got 'text'\n"
+        "look.json:10: error: '9' can't be the name of a parameter. Use 1 to 64 letters, digits, _ "
+        "and -, start with a letter or _, and don't use 'source'.\n"
+        "look.json:11: error: a target with an integer format can't be blended\n"
+        "look.json:12: error: 'one_channel' must be an expression such as '$mono'\n"
+        "look.json:12: error: pass 'j' has an integer format; use 'filter': 'nearest'\n"
+        "look.json:12: error: pass 'j' has an integer format, which can't have mipmaps\n"
+        "look.json:13: error: unknown value 'rgba61f' for 'format' (did you mean 'rgba16f'?); use "
+        "one of: r8, "
         "rg8, rgba8, srgb8_alpha8, rgb10_a2, r11f_g11f_b10f, r16f, rg16f, rgba16f, r32f, rg32f, "
         "rgba32f, "
         "r32ui, r8ui, rg8ui, rgba8ui, rgb10_a2ui, r16ui, rg16ui, rgba16ui, rg32ui, rgba32ui, "
@@ -348,32 +340,30 @@ TEST_CASE("sizes, formats and counts are checked") {
 TEST_CASE("what drives a look is checked") {
     LookOnDisk disk;
     const std::string pass = R"({"name": "a", "fragment": "blur.frag"})";
-    CHECK(
-        disk.errors_of(look_with("\"driven_by\": \"picture\", ", pass)) ==
-        "look.json:1: error: a look that is driven by a picture needs a \"default_source\", as in "
-        "\"pattern:smpte\"\n");
+    CHECK(disk.errors_of(look_with("\"driven_by\": \"picture\", ", pass)) ==
+          "look.json:1: error: 'driven_by': 'picture' needs a 'default_source' such as "
+          "'pattern:smpte'\n");
     CHECK(disk.errors_of(look_with("\"default_source\": \"pattern:smpte\", ", pass)) ==
-          "look.json:1: error: \"default_source\" is for a look with \"driven_by\": \"picture\"\n");
+          "look.json:1: error: 'default_source' needs 'driven_by': 'picture'\n");
     CHECK(disk
               .errors_of(look_with(
                   "\"driven_by\": \"picture\", \"default_source\": \"pattern:smtpe\", ", pass))
-              .starts_with("look.json:1: error: there is no test pattern 'smtpe'"));
+              .starts_with("look.json:1: error: unknown pattern 'smtpe'"));
     CHECK(disk.errors_of(
                   look_with("\"driven_by\": \"picture\", \"default_source\": \"../a.png\", ", pass))
-              .starts_with("look.json:1: error: '../a.png' leads out"));
+              .starts_with("look.json:1: error: '../a.png' is outside the look's folder"));
     CHECK(disk.errors_of(look_with("\"default_signal\": {\"kind\": \"lissajous\"}, ", pass)) ==
-          "look.json:1: error: \"default_signal\" is for a look with \"driven_by\": \"signal\"\n");
+          "look.json:1: error: 'default_signal' needs 'driven_by': 'signal'\n");
     CHECK(disk
               .errors_of(look_with(
                   "\"driven_by\": \"signal\", \"default_signal\": {\"kind\": \"x\"}, ", pass))
               .starts_with("look.json:1: error: "));
     for (const char* key : {"path", ""})
-        CHECK(
-            disk.errors_of(look_with(std::string("\"driven_by\": \"signal\", \"default_signal\": "
-                                                 "{\"kind\": \"socket\", \"") +
-                                         key + "\": \"/any/where\"}, ",
-                                     pass)) ==
-            "look.json:1: error: a look does not say where a socket is made. Leave out \"path\"\n");
+        CHECK(disk.errors_of(look_with(std::string("\"driven_by\": \"signal\", \"default_signal\": "
+                                                   "{\"kind\": \"socket\", \"") +
+                                           key + "\": \"/any/where\"}, ",
+                                       pass)) ==
+              "look.json:1: error: a look can't set the path of a socket; remove 'path'\n");
     const auto own =
         disk.load(look_with("\"driven_by\": \"picture\", \"default_source\": \"lut.png\", ", pass));
     REQUIRE(own.has_value());
@@ -382,30 +372,31 @@ TEST_CASE("what drives a look is checked") {
 
 TEST_CASE("a look without passes, or with too many, is refused") {
     LookOnDisk disk;
-    CHECK(disk.errors_of(look_with("", "")) == "look.json:1: error: a look has 1 to 256 passes\n");
+    CHECK(disk.errors_of(look_with("", "")) ==
+          "look.json:1: error: a look must have 1 to 256 passes, got 0\n");
     std::string many = R"({"name": "p0", "fragment": "blur.frag"})";
     for (int i = 1; i < 257; ++i)
         many += ",{\"name\": \"p" + std::to_string(i) + "\", \"fragment\": \"blur.frag\"}";
     CHECK(disk.errors_of(look_with("", many)) ==
-          "look.json:1: error: a look has 1 to 256 passes\n");
+          "look.json:1: error: a look must have 1 to 256 passes, got 257\n");
     CHECK(disk.errors_of(R"({"format": "afterglow-look", "version": 1})") ==
-          "look.json:1: error: \"passes\" is missing\n");
+          "look.json:1: error: 'passes' is missing\n");
 }
 
 TEST_CASE("what is no manifest is refused with its file, and a line where there is one") {
     LookOnDisk disk;
-    CHECK(disk.errors_of("") == "look.json:1: error: is empty\n");
+    CHECK(disk.errors_of("") == "look.json:1: error: the file is empty\n");
     CHECK(disk.errors_of(std::string("{\n\0", 3)) ==
-          "look.json:2: error: is not a text file: it holds a NUL byte\n");
-    CHECK(disk.errors_of("[]") == "look.json:1: error: this must be an object, not a list\n");
+          "look.json:2: error: this is not a text file: it contains a NUL byte\n");
+    CHECK(disk.errors_of("[]") == "look.json:1: error: expected an object {...}, got []\n");
     CHECK(disk.errors_of("{\"format\": \"afterglow-look\",\n\"version\": 9, \"new\": 1}") ==
-          "look.json:2: error: was written by a newer version of the program: version 9 of its "
-          "format, 1 is "
-          "the newest that is read\n");
+          "look.json:2: error: format version 9 is too new; this version of Afterglow reads up to "
+          "1. Update "
+          "Afterglow to open it.\n");
     std::vector<fs::path> files;
     const auto missing = load_manifest(disk.folder / "none/look.json", files);
     REQUIRE_FALSE(missing.has_value());
-    CHECK(missing.error().front().message == "there is no such file");
+    CHECK(missing.error().front().message == "file not found");
     CHECK(files == std::vector<fs::path>{disk.folder / "none/look.json"});
 }
 
@@ -447,18 +438,17 @@ TEST_CASE("a pass says onto which one it may be drawn, and where") {
     CHECK_FALSE(look->passes[1].onto.has_value());
 
     const std::string once =
-        "look.json:2: error: only a pass with \"blend\": \"add\" that is drawn once a frame can be "
-        "drawn onto another\n";
+        "look.json:2: error: 'onto' needs 'blend': 'add' and no 'accumulate' or 'repeat'\n";
     CHECK(disk.errors_of(with_onto(onto)) == once);
     CHECK(disk.errors_of(with_onto(onto, adds + R"("repeat": 2, )")) == once);
     CHECK(disk.errors_of(with_onto(onto, adds, R"("accumulate": true, )")) ==
-          "look.json:2: error: 'glow' accumulates, blends or is drawn onto another, so nothing can "
-          "be drawn onto it\n");
+          "look.json:2: error: can't draw onto 'glow' because it has 'accumulate', 'blend' or "
+          "'onto'\n");
     CHECK(disk.errors_of(with_onto(R"({"pass": "show", "where": "1"})", adds)) ==
-          "look.json:2: error: 'show' does not read 'light'\n");
+          "look.json:2: error: can't draw onto 'show' because it doesn't read 'light'\n");
     CHECK(disk.errors_of(with_onto(R"({"pass": "glos", "where": "1"})", adds)) ==
-          "look.json:2: error: there is no pass 'glos' (did you mean 'glow'?)\n");
+          "look.json:2: error: unknown pass 'glos' (did you mean 'glow'?)\n");
     CHECK(disk.errors_of(with_onto(R"({"pass": "glow", "where": " ", "wher": 1})", adds)) ==
-          "look.json:2: error: \"where\" must be an expression such as \"1 - $is_squared\"\n"
-          "look.json:2: error: unknown key \"wher\" (did you mean 'where'?)\n");
+          "look.json:2: error: 'where' must be an expression such as '1 - $is_squared'\n"
+          "look.json:2: error: unknown key 'wher' (did you mean 'where'?)\n");
 }

@@ -92,9 +92,10 @@ TEST_CASE("what cannot be written into is refused and left alone") {
         return to_string(result.error().front());
     };
     CHECK(error_of(edited_manifest, {{"baem", {Format::r8, {}, {}}}}) ==
-          "look.json:2: error: has no pass 'baem' to write into");
-    CHECK(error_of("{}", {}) == "look.json: error: has no list of passes to write into");
-    CHECK(error_of("{", {}).starts_with("look.json:1: error: no JSON"));
+          "look.json:2: error: can't save the pass settings: pass 'baem' is missing");
+    CHECK(error_of("{}", {}) ==
+          "look.json: error: can't save the pass settings: the list 'passes' is missing");
+    CHECK(error_of("{", {}).starts_with("look.json:1: error: invalid JSON"));
     CHECK(with_overrides_written(R"({"passes": [1, {"name": 2, "inputs": 3}, {"inputs": [4]}]})",
                                  {}, "look.json")
               .has_value());
@@ -118,7 +119,6 @@ TEST_CASE("a manifest that is a link out of the look's folder is not written") {
     std::filesystem::create_symlink(outside, folder / "look/look.json");
     const auto written = write_overrides(folder / "look/look.json", {{"a", {Format::r8, {}, {}}}});
     REQUIRE_FALSE(written.has_value());
-    CHECK(written.error().front().message.find("leads out of the look's folder") !=
-          std::string::npos);
+    CHECK(written.error().front().message.find("outside the look's folder") != std::string::npos);
     CHECK(content_of(outside) == text);
 }

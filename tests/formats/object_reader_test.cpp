@@ -42,22 +42,23 @@ TEST_CASE("every mistake is noted at its line") {
     reader.require("missing");
     reader.boolean("true", false);
     reader.refuse_unknown();
-    CHECK(to_string(reading.problems) ==
-          "a.json:2: error: \"t\" must be a text, not a number\n"
-          "a.json:3: error: \"b\" must be true or false, not a number\n"
-          "a.json:4: error: \"n\" must be a number, not a text\n"
-          "a.json:5: error: \"w\" must be a whole number from 1 to 9\n"
-          "a.json:6: error: \"v\" must be a whole number from 1 to 9\n"
-          "a.json:7: error: \"c\" cannot be 'tvo' (did you mean 'two'?); it is one of: one, two\n"
-          "a.json:1: error: \"missing\" is missing\n"
-          "a.json:8: error: unknown key \"tru\" (did you mean 'true'?)\n");
+    CHECK(
+        to_string(reading.problems) ==
+        "a.json:2: error: 't' must be a text in quotes, got 1\n"
+        "a.json:3: error: 'b' must be true or false, got 0\n"
+        "a.json:4: error: 'n' must be a number, got '2'\n"
+        "a.json:5: error: 'w' must be a whole number between 1 and 9, got 2.5\n"
+        "a.json:6: error: 'v' must be a whole number between 1 and 9, got 10\n"
+        "a.json:7: error: unknown value 'tvo' for 'c' (did you mean 'two'?); use one of: one, two\n"
+        "a.json:1: error: 'missing' is missing\n"
+        "a.json:8: error: unknown key 'tru' (did you mean 'true'?)\n");
 }
 
 TEST_CASE("what is no object is said once") {
     Reading reading("[1]");
     CHECK(reading.reader.require("format") == nullptr);
     reading.reader.refuse_unknown();
-    CHECK(to_string(reading.problems) == "a.json:1: error: this must be an object, not a list\n");
+    CHECK(to_string(reading.problems) == "a.json:1: error: expected an object {...}, got [...]\n");
 }
 
 TEST_CASE("documents of another format or a newer version are refused") {
@@ -70,12 +71,12 @@ TEST_CASE("documents of another format or a newer version are refused") {
     CHECK(refusal(R"({"format": "afterglow-look", "version": 1})").empty());
     CHECK(refusal(R"({"format": "afterglow-look", "version": 2})").empty());
     CHECK(refusal("{\"format\": \"afterglow-look\",\n\"version\": 3}") ==
-          "a.json:2: error: was written by a newer version of the program: version 3 of its "
-          "format, 2 "
-          "is the newest that is read\n");
+          "a.json:2: error: format version 3 is too new; this version of Afterglow reads up to 2. "
+          "Update "
+          "Afterglow to open it.\n");
     CHECK(refusal(R"({"format": "tar", "version": 1})") ==
-          "a.json:1: error: \"format\" must be \"afterglow-look\", not \"tar\"\n");
+          "a.json:1: error: 'format' must be 'afterglow-look', got 'tar'\n");
     CHECK(refusal(R"({"version": 0.5})") ==
-          "a.json:1: error: \"format\" is missing\n"
-          "a.json:1: error: \"version\" must be a whole number from 1 to 1000000\n");
+          "a.json:1: error: 'format' is missing\n"
+          "a.json:1: error: 'version' must be a whole number between 1 and 1000000, got 0.5\n");
 }

@@ -75,33 +75,32 @@ TEST_CASE("a bare first setting of a signal is written under its own key") {
 
 TEST_CASE("mistakes in a preset are told at their lines") {
     CHECK(preset_errors("{\n\"format\": \"afterglow-preset\",\n\"version\": 2, \"values\": 3}") ==
-          "a.json:3: error: was written by a newer version of the program: version 2 of its "
-          "format, 1 "
-          "is the newest that is read\n");
+          "a.json:3: error: format version 2 is too new; this version of Afterglow reads up to 1. "
+          "Update "
+          "Afterglow to open it.\n");
     CHECK(preset_errors(
               "{\"format\": \"afterglow-preset\", \"version\": 1,\n\"look\": \"\",\n\"nane\": "
               "\"x\",\n\"values\": {\"a\": 1,\n\"b\": null, \"c\": [],\n\"d\": [\"x\"], \"e\": "
               "{}}}") ==
-          "a.json:2: error: \"look\" must name a look\n"
-          "a.json:5: error: \"b\" must be a number, a list of 1 to 16 numbers, true, false or a "
-          "text\n"
-          "a.json:5: error: \"c\" must be a number, a list of 1 to 16 numbers, true, false or a "
-          "text\n"
-          "a.json:6: error: \"d\" must be a number, a list of 1 to 16 numbers, true, false or a "
-          "text\n"
-          "a.json:6: error: \"e\" must be a number, a list of 1 to 16 numbers, true, false or a "
-          "text\n"
-          "a.json:3: error: unknown key \"nane\" (did you mean 'name'?)\n");
+          "a.json:2: error: 'look' is empty; set it to the name of a look\n"
+          "a.json:5: error: 'b' must be a number, a list of 1 to 16 numbers, true, false or a "
+          "text in quotes, got null\n"
+          "a.json:5: error: 'c' must be a number, a list of 1 to 16 numbers, true, false or a "
+          "text in quotes, got []\n"
+          "a.json:6: error: 'd' must be a number, a list of 1 to 16 numbers, true, false or a "
+          "text in quotes, got [...]\n"
+          "a.json:6: error: 'e' must be a number, a list of 1 to 16 numbers, true, false or a "
+          "text in quotes, got {}\n"
+          "a.json:3: error: unknown key 'nane' (did you mean 'name'?)\n");
     const std::string head = "{\"format\": \"afterglow-preset\", \"version\": 1,\n";
-    CHECK(preset_errors(head + "\"values\": {}}") == "a.json:1: error: \"look\" is missing\n");
+    CHECK(preset_errors(head + "\"values\": {}}") == "a.json:1: error: 'look' is missing\n");
     CHECK(preset_errors(head + "\"look\": \"a\",\n\"signal\": {\"kind\": \"lisajous\"}}")
               .starts_with("a.json:3: error: "));
-    CHECK(
-        preset_errors(head + "\"look\": \"a\",\n\"signal\": {\n\"x\": true}}") ==
-        "a.json:3: error: \"kind\" is missing\na.json:4: error: \"x\" must be a text, not true or "
-        "false\n");
+    CHECK(preset_errors(head + "\"look\": \"a\",\n\"signal\": {\n\"x\": true}}") ==
+          "a.json:3: error: 'kind' is missing\na.json:4: error: 'x' must be a text in quotes, got "
+          "true\n");
     CHECK(preset_errors(head + "\"look\": \"a\", \"values\": [1]}") ==
-          "a.json:2: error: \"values\" must be an object, not a list\n");
+          "a.json:2: error: 'values' must be an object {...}, got [...]\n");
 }
 
 TEST_CASE("a preset is loaded from JSON and from a text that holds a share line") {
@@ -122,16 +121,16 @@ TEST_CASE("what is no preset is refused with its file, and a line where there is
         CHECK(preset.error().front().file == file);
         return preset.error().front().message;
     };
-    CHECK(error_of(folder / "none.json") == "there is no such file");
-    CHECK(error_of(folder.path()) == "is a folder, not a file");
-    CHECK(error_of(folder.write("a.json", "")) == "is empty");
+    CHECK(error_of(folder / "none.json") == "file not found");
+    CHECK(error_of(folder.path()) == "this is a folder, not a file");
+    CHECK(error_of(folder.write("a.json", "")) == "the file is empty");
     CHECK(error_of(folder.write("a.json", std::string("\0\1\2", 3)))
-              .starts_with("is not a text file"));
+              .starts_with("this is not a text file"));
     CHECK(error_of(folder.write("a.json", std::string((16 << 20) + 1, ' ')))
-              .starts_with("is too large"));
-    CHECK(error_of(folder.write("a.json", std::string(1000, '[')))
-              .starts_with("is nested more than"));
-    CHECK(error_of(folder.write("a.json", "{}")) == "\"format\" is missing");
+              .starts_with("the file is too large"));
+    CHECK(
+        error_of(folder.write("a.json", std::string(1000, '['))).starts_with("nested too deeply"));
+    CHECK(error_of(folder.write("a.json", "{}")) == "'format' is missing");
 }
 
 TEST_CASE("cut at every byte or changed at random, a preset is read or refused, never half read") {
@@ -215,10 +214,10 @@ TEST_CASE("values that do not fit are told at their lines of the preset") {
     REQUIRE_FALSE(values.has_value());
     const std::string place = file.string();
     CHECK(to_string(values.error()) ==
-          place + ":3: error: 'beam_color' takes 3 numbers, not 2\n" + place +
-              ":5: error: 'bloom_intensity' takes 1 number, not 2\n" + place +
-              ":2: error: 'decay' takes a number, not 'much'\n" + place +
-              ":4: error: 'noise' takes the path of a file, not numbers\n");
+          place + ":3: error: 'beam_color' must have 3 numbers, got 2\n" + place +
+              ":5: error: 'bloom_intensity' must be a single number, got 2 numbers\n" + place +
+              ":2: error: 'decay' must be a number, got 'much'\n" + place +
+              ":4: error: 'noise' must be the path of a file, got numbers\n");
 }
 
 TEST_CASE("a preset to share holds every value of its look") {

@@ -67,10 +67,10 @@ TEST_CASE("every kind of text chunk is read") {
 }
 
 TEST_CASE("pictures without a preset and damaged presets are refused by name") {
-    CHECK(png_error(sample_png()) == "is a picture that holds no preset");
-    CHECK(png_error("text") == "is no PNG picture");
-    CHECK(png_error(with_chunk("tEXt", "afterglow-preset")) == "is a picture that holds no preset");
-    const std::string damaged = "holds a preset that is damaged";
+    CHECK(png_error(sample_png()) == "the PNG doesn't contain a preset");
+    CHECK(png_error("text") == "not a PNG file");
+    CHECK(png_error(with_chunk("tEXt", "afterglow-preset")) == "the PNG doesn't contain a preset");
+    const std::string damaged = "the preset in the PNG is damaged";
     CHECK(png_error(with_chunk("iTXt", keyword)) == damaged);
     CHECK(png_error(with_chunk("iTXt", keyword + std::string("\1\0", 2))) == damaged);
     CHECK(png_error(with_chunk("iTXt", keyword + std::string("\1\0en", 4))) == damaged);
@@ -80,7 +80,7 @@ TEST_CASE("pictures without a preset and damaged presets are refused by name") {
     CHECK(png_error(with_chunk("zTXt", keyword + '\0' + deflated(std::string(5000000, ' ')))) ==
           damaged);
     CHECK(png_error(with_chunk("tEXt", keyword + "{}")) ==
-          "holds a preset with a mistake: \"format\" is missing");
+          "the preset in the PNG is invalid: 'format' is missing");
     CHECK_FALSE(with_preset("text", sample_preset()).has_value());
 }
 

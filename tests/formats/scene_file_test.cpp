@@ -62,22 +62,24 @@ TEST_CASE("mistakes in a scene are told with their lines, all at once") {
     CHECK(told.find("radus") != std::string::npos);
     CHECK(told.find("s.json:3: error: ") != std::string::npos);
     CHECK(told.find("circle") != std::string::npos);
-    CHECK(told.find("s.json:4: error: 'from' takes a list of 2 or 3 numbers") != std::string::npos);
-    CHECK(told.find("s.json:5: error: 'radius' must lie between") != std::string::npos);
+    CHECK(told.find("s.json:4: error: 'from' must be a list of 2 or 3 numbers") !=
+          std::string::npos);
+    CHECK(told.find("s.json:5: error: 'radius' must be between") != std::string::npos);
     CHECK(scene_refusal("{ \"format\": \"afterglow-look\" }").find("afterglow-scene") !=
           std::string::npos);
     CHECK(scene_refusal(scene_text("")).find("nothing to draw") != std::string::npos);
     CHECK(scene_refusal("{ \"format\": \"afterglow-scene\", \"version\": 1,\n\"beam_speed\": 0,"
                         " \"items\": [{ \"shape\": \"dot\" }] }")
-              .find("s.json:2: error: 'beam_speed' must be above 0") != std::string::npos);
+              .find("s.json:2: error: 'beam_speed' must be above 0, got 0") != std::string::npos);
     CHECK(scene_refusal("{ \"x\": NaN }").find("s.json:1") != std::string::npos);
     CHECK(scene_refusal(scene_text("{ \"shape\": \"svg\", \"file\": \"../a.svg\" }"))
-              .find("beside the scene") != std::string::npos);
+              .find("'file' must be in the scene's folder") != std::string::npos);
     CHECK(scene_refusal(scene_text("{ \"shape\": \"svg\", \"file\": \"no-such.svg\" }"))
-              .find("scenes/s.json:2: error: 'no-such.svg': there is no such file") !=
+              .find("scenes/s.json:2: error: can't read 'no-such.svg': file not found") !=
           std::string::npos);
     CHECK(scene_refusal(scene_text("{ \"shape\": \"dot\", \"spin\": \"fast\" }"))
-              .find("'spin' takes degrees: a number, or a list of 3") != std::string::npos);
+              .find("'spin' must be an angle in degrees or a list of 3 angles") !=
+          std::string::npos);
 }
 
 TEST_CASE("an OBJ's edges are drawn once, by faces and lines, counted from either end") {
@@ -94,14 +96,14 @@ TEST_CASE("an OBJ's edges are drawn once, by faces and lines, counted from eithe
 
 TEST_CASE("an OBJ with bad corners is told, with its lines") {
     const std::string told = obj_refusal("v 0 0 0\nv 1 0 0\nv 1 nan 0\nf 1 2 9\nf 1 0 2\n");
-    CHECK(told.find("m.obj:3: error: a corner is") != std::string::npos);
-    CHECK(told.find("m.obj:4: error: there is no corner 9") != std::string::npos);
-    CHECK(told.find("m.obj:5: error: there is no corner 0") != std::string::npos);
+    CHECK(told.find("m.obj:3: error: expected 'v' and three numbers") != std::string::npos);
+    CHECK(told.find("m.obj:4: error: unknown vertex 9") != std::string::npos);
+    CHECK(told.find("m.obj:5: error: unknown vertex 0") != std::string::npos);
     CHECK(obj_refusal("v 0 0 0\n").find("no edges") != std::string::npos);
     std::string huge = "v 0 0 0\n";
     for (int i = 2; i < 100010; ++i)
         huge += "v " + std::to_string(i) + " 0 0\nl -1 -2\n";
-    CHECK(obj_refusal(huge).find("more than 100000 edges") != std::string::npos);
+    CHECK(obj_refusal(huge).find("too many edges; the limit is 100000") != std::string::npos);
 }
 
 namespace {
@@ -128,9 +130,9 @@ TEST_CASE("an OBJ's lines go on behind a backslash, and end with CR, LF or both"
     const auto dos = parse_obj("v 0 0 0\r\nv 1 0 0\r\nv 1 1 0\r\nf 1 \\\r\n 2 3\r\n", "m.obj");
     REQUIRE(dos.has_value());
     CHECK(edges_of(*dos) == 3);
-    CHECK(obj_refusal("v 0 0 0\nv 1 0 0\nl 1 \\\n\\\n7\n")
-              .find("m.obj:5: error: there is no "
-                    "corner 7") != std::string::npos);
+    CHECK(
+        obj_refusal("v 0 0 0\nv 1 0 0\nl 1 \\\n\\\n7\n").find("m.obj:5: error: unknown vertex 7") !=
+        std::string::npos);
 }
 
 TEST_CASE("an OBJ's faces without an area are passed over") {

@@ -51,21 +51,23 @@ TEST_CASE("what a chat does to a line does no harm") {
 
 TEST_CASE("garbage, cut lines, other versions and bombs are refused with clear words") {
     CHECK_FALSE(is_share_line("phosphor"));
-    CHECK(line_error("") == "is no shared preset: that starts with 'afterglow:1:'");
-    CHECK(line_error("afterglow:2:AAAA") ==
-          "the shared preset was made by a newer version of the program");
+    CHECK(line_error("") ==
+          "the clipboard doesn't contain an Afterglow preset. Copy a line that starts with "
+          "'afterglow:1:'.");
+    CHECK(line_error("afterglow:2:AAAA") == "the shared preset needs a newer version of Afterglow");
     CHECK(line_error("afterglow:") ==
-          "the shared preset is damaged: it starts with 'afterglow:1:'");
-    const std::string damaged = "the shared preset is damaged or not complete; copy the whole line";
+          "the shared preset is damaged: it must start with 'afterglow:1:'");
+    const std::string damaged = "the shared preset is damaged or incomplete. Copy the whole line.";
     CHECK(line_error("afterglow:1:") == damaged);
     CHECK(line_error("afterglow:1:!!!") == damaged);
     const std::string line = share_line(sample_preset());
     for (std::size_t size = 12; size < line.size(); ++size)
         CHECK(line_error(line.substr(0, size)) == damaged);
     CHECK(line_error(line_with(std::string(std::size_t{5} << 20, ' '))) == damaged);
-    CHECK(line_error(line_with("[]")) == "the shared preset: this must be an object, not a list");
+    CHECK(line_error(line_with("[]")) ==
+          "the shared preset is invalid: expected an object {...}, got []");
     CHECK(line_error("afterglow:1:" + std::string(std::size_t{9} << 20, 'A')) ==
-          "the shared preset is too large");
+          "the shared preset is too large: 9437196 bytes; the limit is 8388608");
 }
 
 TEST_CASE("a line that is changed at random is read or refused") {

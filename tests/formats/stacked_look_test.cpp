@@ -174,7 +174,7 @@ TEST_CASE("what lies before a look that reads no picture is not drawn, and that 
     CHECK(look.driven_by == Driver::signal);
     REQUIRE(warnings.size() == 1);
     CHECK(warnings[0].message ==
-          "'crt' is not seen: 'scope', which comes after it, does not work on a picture");
+          "'crt' isn't drawn because the later look 'scope' doesn't use a picture");
 }
 
 TEST_CASE("in a stack a pass is drawn onto one of its own look") {

@@ -76,18 +76,20 @@ TEST_CASE("an SVG of another program is one keyframe, which is not to scale") {
 
 TEST_CASE("an SVG that holds nothing to draw, too much or a mistake is told") {
     CHECK(drawing_refusal("<svg data-afterglow-drawing='1'><g data-keyframe='1'></g></svg>")
-              .find("d.svg:1: error: has no paths") != std::string::npos);
-    CHECK(drawing_refusal("<svg></svg>").find("has no paths") != std::string::npos);
-    CHECK(drawing_refusal("\x89PNG\r\n\x1a\n").find("is not") != std::string::npos);
+              .find("d.svg:1: error: the drawing is empty") != std::string::npos);
+    CHECK(drawing_refusal("<svg></svg>").find("the SVG has nothing to draw") != std::string::npos);
+    CHECK(drawing_refusal("\x89PNG\r\n\x1a\n").find("not well-formed XML") != std::string::npos);
     CHECK(drawing_refusal("<svg data-afterglow-drawing='1'>\n<path d='M0 0 L1'/></svg>")
               .find("d.svg:2: error: ") != std::string::npos);
     std::string many = "<svg data-afterglow-drawing='1'>\n";
     for (std::size_t i = 0; i <= most_keyframes; ++i)
         many += "<g data-keyframe='1'><path d='M0 0L1 1'/></g>";
-    CHECK(drawing_refusal(many + "</svg>").find("more than 100 keyframes") != std::string::npos);
+    CHECK(drawing_refusal(many + "</svg>").find("too many keyframes; the limit is 100") !=
+          std::string::npos);
     std::string huge = "<svg data-afterglow-drawing='1'><path d='M0 0";
     for (std::size_t i = 0; i <= most_scene_points; ++i)
         huge += i % 2 == 0 ? "H1" : "H0";
-    CHECK(drawing_refusal(huge + "'/></svg>").find("too many points") != std::string::npos);
+    CHECK(drawing_refusal(huge + "'/></svg>").find("too many points; the limit is 400000") !=
+          std::string::npos);
     CHECK_FALSE(load_svg_drawing("no-such.svg").has_value());
 }

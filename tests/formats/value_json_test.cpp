@@ -33,5 +33,5 @@ TEST_CASE("what is no value is noted at its line") {
     CHECK(read_value(*reader.find("l"), reader) == Value({1.0, 0.0}));
     CHECK(read_value(*reader.find("t"), reader) == Value::of_path("x"));
     CHECK_FALSE(read_value(*reader.find("bad"), reader).has_value());
-    CHECK(to_string(problems).starts_with("a.json:2: error: \"bad\" must be a number"));
+    CHECK(to_string(problems).starts_with("a.json:2: error: 'bad' must be a number"));
 }

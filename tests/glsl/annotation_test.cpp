@@ -140,59 +140,58 @@ TEST_CASE("every mistake in an annotation is told on its own line") {
     const auto error = [](const std::string& uniform, const std::string& message) {
         CHECK(error_of("\nuniform " + uniform) == "a.frag:3: error: " + message + "\n");
     };
-    error("float a; // @rnage 0 1", "unknown hint '@rnage' (did you mean '@range'?)");
-    error("float a; // @", "unknown hint '@'");
-    error("float a; // @range 0 1 @range 0 1", "@range is given twice");
-    error("float a; // @range 0",
-          "@range takes two numbers, its low and its high end, and may take a step");
-    error("float a; // @range 0 x", "@range: 'x' is not a number");
-    error("float a; // @range 0 1e39", "@range: 1e39 does not fit a float");
-    error("float a; // @range 0 nan", "@range: 'nan' is not a number");
-    error("float a; // @range 4 1", "@range needs its low end first, then a higher one, not 4 1");
-    error("float a; // @range 1 1", "@range needs its low end first, then a higher one, not 1 1");
-    error("float a; // @range 0 1 -1", "@range needs a step above 0, not -1");
-    error("int a; // @range 0 1.5", "@range: 1.5 does not fit an int");
-    error("int a; // @range 0 2147483648", "@range: 2147483648 does not fit an int");
-    error("uint a; // @limit -1 5", "@limit: -1 does not fit a uint");
-    error("bool a; // @range 0 1", "@range is for numbers; 'a' is a bool");
-    error("float a = 2.0; // @limit 0 1", "@limit keeps out the default, 2");
-    error("float a; // @limit 0 1 @range 0 2", "@range goes beyond @limit");
-    error("float a; // @scale log @range 0 1",
-          "@scale log needs a @range whose low end is above 0");
-    error("float a; // @scale log", "@scale log needs a @range whose low end is above 0");
-    error("float a; // @scale cubic", "@scale is 'linear' or 'log'");
-    error("float a; // @label", "@label takes one text: @label \"...\"");
-    error("float a; // @label Beam strength", "@label takes one text: @label \"...\"");
+    error("float a; // @rnage 0 1", "unknown annotation '@rnage' (did you mean '@range'?)");
+    error("float a; // @", "unknown annotation '@'");
+    error("float a; // @range 0 1 @range 0 1", "@range is used twice");
+    error("float a; // @range 0", "@range takes a minimum, a maximum and an optional step");
+    error("float a; // @range 0 x", "@range: expected a number, got 'x'");
+    error("float a; // @range 0 1e39", "@range: 1e39 is not a valid float");
+    error("float a; // @range 0 nan", "@range: expected a number, got 'nan'");
+    error("float a; // @range 4 1", "@range: the minimum must be below the maximum, got 4 and 1");
+    error("float a; // @range 1 1", "@range: the minimum must be below the maximum, got 1 and 1");
+    error("float a; // @range 0 1 -1", "@range: the step must be above 0, got -1");
+    error("int a; // @range 0 1.5", "@range: 1.5 is not a valid int");
+    error("int a; // @range 0 2147483648", "@range: 2147483648 is not a valid int");
+    error("uint a; // @limit -1 5", "@limit: -1 is not a valid uint");
+    error("bool a; // @range 0 1", "@range is only for numbers; 'a' is a bool");
+    error("float a = 2.0; // @limit 0 1", "the default 2 is outside @limit");
+    error("float a; // @limit 0 1 @range 0 2", "@range must lie within @limit");
+    error("float a; // @scale log @range 0 1", "@scale log needs a @range with a minimum above 0");
+    error("float a; // @scale log", "@scale log needs a @range with a minimum above 0");
+    error("float a; // @scale cubic", "@scale must be 'linear' or 'log'");
+    error("float a; // @label", "@label takes one text in quotes: @label \"...\"");
+    error("float a; // @label Beam strength", "@label takes one text in quotes: @label \"...\"");
     error("float a; // @label \"Beam", "the string that starts here has no closing '\"'");
-    error("int a; // @items \"one\"", "@items takes two names or more, for the values 0, 1, ...");
+    error("int a; // @items \"one\"", "@items takes at least two labels, for the values 0, 1, ...");
     error("int a = 2; // @items \"one\" \"two\"",
-          "@items: the default 2 is none of the 2 items, which are 0 to 1");
-    error("bool a; // @items A B C", "@items of a bool takes two names, for false and for true");
-    error("int a; // @items A B @items_was X Y Z",
-          "@items_was takes up to 2 names, one for each item; \"\" for an item that had no other");
-    error("int a; // @items A B @items_was B", "@items_was: 'B' is the name of an item now");
-    error("int a; // @items A B @items_was X X", "@items_was has 'X' twice");
-    error("int a; // @items_was X", "@items_was needs @items, in the same order");
-    error("vec2 a; // @items A B", "@items is for a single value; 'a' is a vec2");
-    error("float a; // @color", "@color is for vec3 and vec4; 'a' is a float");
-    error("vec3 a; // @color red", "@color takes no words");
-    error("ivec2 a; // @point", "@point is for vec2; 'a' is an ivec2");
-    error("vec2 a; // @angle", "@angle is for float; 'a' is a vec2");
+          "@items: the default must be a whole number from 0 to 1, got 2");
+    error("bool a; // @items A B C", "@items of a bool takes two labels, for false and true");
+    error(
+        "int a; // @items A B @items_was X Y Z",
+        "@items_was takes up to 2 labels, one per item; use \"\" for an item that was not renamed");
+    error("int a; // @items A B @items_was B", "@items_was: 'B' is also in @items");
+    error("int a; // @items A B @items_was X X", "@items_was lists 'X' twice");
+    error("int a; // @items_was X", "@items_was needs @items in the same order");
+    error("vec2 a; // @items A B", "@items is only for single values; 'a' is a vec2");
+    error("float a; // @color", "@color is only for vec3 and vec4; 'a' is a float");
+    error("vec3 a; // @color red", "@color takes no arguments");
+    error("ivec2 a; // @point", "@point is only for vec2; 'a' is an ivec2");
+    error("vec2 a; // @angle", "@angle is only for float; 'a' is a vec2");
     error("vec3 a; // @identity 1 2", "@identity takes one number or 3");
-    error("float a; // @was", "@was takes one name, the uniform's former one");
-    error("float a; // @was a", "@was names the uniform itself");
-    error("float a; // @hidden yes", "@hidden takes no words");
-    error("float a; // @angle @items A B", "@items does not go with another kind of control");
-    error("float a; // @parts A", "@parts is for vectors; 'a' is a float");
-    error("mat2 a; // @parts A B", "@parts is for vectors; 'a' is a mat2");
-    error("ivec2 a; // @parts A", "@parts of an ivec2 takes 2 names");
-    error("vec3 a; // @color @parts A B C", "@parts does not go with another kind of control");
-    error("sampler2D a; // @range 0 1", "@range is for numbers; 'a' is a sampler");
+    error("float a; // @was", "@was takes one name, the previous name of the parameter");
+    error("float a; // @was a", "@was must be a previous name, not the current one");
+    error("float a; // @hidden yes", "@hidden takes no arguments");
+    error("float a; // @angle @items A B", "@items can't be combined with @angle");
+    error("float a; // @parts A", "@parts is only for vectors; 'a' is a float");
+    error("mat2 a; // @parts A B", "@parts is only for vectors; 'a' is a mat2");
+    error("ivec2 a; // @parts A", "@parts of an ivec2 takes 2 labels");
+    error("vec3 a; // @color @parts A B C", "@parts can't be combined with @color");
+    error("sampler2D a; // @range 0 1", "@range is only for numbers; 'a' is a sampler");
 }
 
 TEST_CASE("a mistake in a line that goes on is told on that line") {
     CHECK(error_of("uniform float a;  // @range 0 1\n// @label \"x\"\n// @unt px") ==
-          "a.frag:4: error: unknown hint '@unt' (did you mean '@unit'?)\n");
+          "a.frag:4: error: unknown annotation '@unt' (did you mean '@unit'?)\n");
 }
 
 TEST_CASE("a uniform without hints gets a range from type, name and default") {

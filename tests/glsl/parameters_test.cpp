@@ -78,7 +78,7 @@ TEST_CASE("declarations that disagree are told on the second one's line") {
           "two.frag:2: error: 'gain' is 2 here but 1 in another pass (at one.frag:2)\n");
     CHECK(errors_of(two_passes("uniform float gain; // @range 0 1",
                                "uniform float gain; // @range 0 2")) ==
-          "two.frag:2: error: @range of 'gain' is not what another declaration says (at "
+          "two.frag:2: error: @range of 'gain' differs from another declaration (at "
           "one.frag:2)\n");
     CHECK(names_of(parameters_of(two_passes("uniform float gain; // @range 0 1",
                                             "uniform float gain; // @range 0.0 1.0"))) ==
@@ -91,9 +91,9 @@ TEST_CASE("built-in uniforms are no parameters, and must have their type") {
               "uniform vec2 u_resolution, u_output_resolution, u_source_resolution, u_mouse;\n"
               "uniform mat4 u_view;\nuniform float mine;"))) == Names{"mine"});
     CHECK(errors_of(look_with("\nuniform int u_time;")) ==
-          "a.frag:3: error: 'u_time' is set by the program as a float; here it is an int\n");
+          "a.frag:3: error: Afterglow sets 'u_time', so it must be a float, got an int\n");
     CHECK(errors_of(look_with("uniform vec2 u_mouse[2];")) ==
-          "a.frag:2: error: 'u_mouse' is set by the program as a vec2; here it is a vec2[2]\n");
+          "a.frag:2: error: Afterglow sets 'u_mouse', so it must be a vec2, got a vec2[2]\n");
 }
 
 TEST_CASE("what a pass sets has no slider there, but keeps it elsewhere") {
@@ -122,40 +122,41 @@ TEST_CASE("look.json cannot name what no shader of the pass declares") {
     const Pass good = pass;
     pass.set["dacay"] = Value(1.0);
     CHECK(errors_of(look) ==
-          "look.json:7: error: pass 'main': \"set\" names 'dacay', which no shader of "
+          "look.json:7: error: pass 'main': 'set' names 'dacay', which no shader of "
           "the pass declares (did you mean 'decay'?)\n");
     pass = good;
     pass.rename["nothing"] = "x";
     CHECK(errors_of(look) ==
-          "look.json:7: error: pass 'main': \"rename\" names 'nothing', which no "
+          "look.json:7: error: pass 'main': 'rename' names 'nothing', which no "
           "shader of the pass declares\n");
     pass = good;
     pass.inputs.push_back(input_of("picture"));
     CHECK(errors_of(look) ==
-          "look.json:7: error: pass 'main': \"inputs\" names 'picture', which no "
+          "look.json:7: error: pass 'main': 'inputs' names 'picture', which no "
           "shader of the pass declares\n");
     pass = good;
     pass.inputs.push_back(input_of("decay"));
     CHECK(errors_of(look) ==
-          "look.json:7: error: pass 'main': the input 'decay' is a float, not a sampler\n");
+          "look.json:7: error: pass 'main': input 'decay' must be a sampler, got a float\n");
     pass = good;
     pass.set["decay"] = Value({1.0, 2.0});
     CHECK(errors_of(look) ==
-          "look.json:7: error: pass 'main': \"set\" gives 'decay' 2 numbers; a float takes 1\n");
+          "look.json:7: error: pass 'main': wrong number of values for 'decay' in 'set'; a float "
+          "needs 1, got 2\n");
     pass = good;
     pass.set["u_time"] = Value(1.0);
     CHECK(errors_of(look) ==
-          "look.json:7: error: pass 'main': \"set\" names 'u_time', which the program "
-          "sets itself\n");
+          "look.json:7: error: pass 'main': 'set' names 'u_time', which Afterglow sets "
+          "automatically\n");
     pass = good;
     pass.repeat = "tims";
     CHECK(errors_of(look) ==
-          "look.json:7: error: pass 'main' repeats 'tims' times, which no shader declares\n");
+          "look.json:7: error: pass 'main' repeats 'tims' times, but no shader declares 'tims'\n");
     pass = good;
     pass.converge = Count("enogh");
     CHECK(errors_of(look) ==
-          "look.json:7: error: pass 'main' converges after 'enogh' samples, which no shader "
-          "declares\n");
+          "look.json:7: error: pass 'main' converges after 'enogh' samples, but no shader declares "
+          "'enogh'\n");
 }
 
 TEST_CASE("the orbit is parameters of the matrices that shaders declare") {
@@ -166,12 +167,13 @@ TEST_CASE("the orbit is parameters of the matrices that shaders declare") {
           Names{"mine", "orbit_turn", "orbit_azimuth", "orbit_elevation", "orbit_distance"});
     look = look_with("uniform mat4 u_view;\nuniform float orbit_turn;");
     look.has_orbit = true;
-    CHECK(errors_of(look) == "a.frag:3: error: 'orbit_turn' is a parameter of the orbit\n");
+    CHECK(errors_of(look) ==
+          "a.frag:3: error: 'orbit_turn' is reserved for a parameter of the orbit\n");
     look = look_with("uniform float mine;");
     look.has_orbit = true;
     look.manifest = "look.json";
     CHECK(errors_of(look) ==
-          "look.json: error: the look has an \"orbit\", but no shader declares 'uniform mat4 "
+          "look.json: error: the look has an 'orbit', but no shader declares 'uniform mat4 "
           "u_view' or 'uniform mat4 u_camera'\n");
 }
 
@@ -183,8 +185,8 @@ TEST_CASE("a sampler2D without an input is a picture to choose, any other sample
     CHECK(parameters->front().label == "Paper");
     CHECK(parameters->front().initial == Value::of_path(""));
     CHECK(errors_of(look_with("uniform samplerCube sky;")) ==
-          "a.frag:2: error: 'sky' has no input in pass 'main', and only a sampler2D can be given a "
-          "picture by hand\n");
+          "a.frag:2: error: 'sky' has no input in pass 'main'; only a sampler2D can be a picture "
+          "parameter\n");
 }
 
 TEST_CASE("a uniform that cannot have a control is a warning with the reason, once") {
@@ -195,7 +197,7 @@ TEST_CASE("a uniform that cannot have a control is a warning with the reason, on
     CHECK(names_of(find_parameters(look, nullptr, warnings)) == Names{"ok"});
     CHECK(to_string(warnings) ==
           "a.frag:2: warning: 'table' (float[3]) is an array; only single values have controls\n"
-          "a.frag:3: warning: 'd' (double) is a double; float has a control\n");
+          "a.frag:3: warning: 'd' (double) is a double; use float to get a control\n");
 }
 
 TEST_CASE("a uniform in a branch that does not count has no control") {
@@ -213,7 +215,7 @@ TEST_CASE("errors of all passes come together, each once") {
     look.passes.push_back(look.passes.back());
     CHECK(errors_of(look) ==
           "one.frag:2: error: 'y' : undeclared identifier\n"
-          "two.frag:2: error: unknown hint '@rnage' (did you mean '@range'?)\n");
+          "two.frag:2: error: unknown annotation '@rnage' (did you mean '@range'?)\n");
 }
 
 TEST_CASE("a pass of points needs a vertex shader") {

@@ -33,7 +33,7 @@ TEST_CASE("a file is the same throughout one reading, and read again in the next
 
     fs::remove(file);
     files.begin_reading();
-    CHECK(text_of(files, file) == "there is no such file");
+    CHECK(text_of(files, file) == "file not found");
     CHECK(files.place_of(file).empty());
 }
 

@@ -74,31 +74,32 @@ TEST_CASE("a value becomes one of the constant's type, and is found under its fo
 
 TEST_CASE("mistakes in the annotations of constants are told as those of uniforms") {
     CHECK(mistakes_of(look_of_texts("#define N 3  // @range 9 1\n")) ==
-          "one.frag:2: error: @range needs its low end first, then a higher one, not 9 1\n");
+          "one.frag:2: error: @range: the minimum must be below the maximum, got 9 and 1\n");
     CHECK(mistakes_of(look_of_texts("#define N 3  // @range 0.5 9\n")) ==
-          "one.frag:2: error: @range: 0.5 does not fit an int\n");
+          "one.frag:2: error: @range: 0.5 is not a valid int\n");
     CHECK(mistakes_of(look_of_texts("#define N 3  // @range 4 9 @limit 4 9\n")) ==
-          "one.frag:2: error: @limit keeps out the default, 3\n");
+          "one.frag:2: error: the default 3 is outside @limit\n");
     CHECK(mistakes_of(look_of_texts("#define N 3  // @range 1 9 @lable \"N\"\n")) ==
-          "one.frag:2: error: unknown hint '@lable' (did you mean '@label'?)\n");
+          "one.frag:2: error: unknown annotation '@lable' (did you mean '@label'?)\n");
     CHECK(mistakes_of(look_of_texts("#define N true  // @range 0 1\n")) ==
-          "one.frag:2: error: @range is for numbers; 'N' is a bool\n");
+          "one.frag:2: error: @range is only for numbers; 'N' is a bool\n");
     CHECK(mistakes_of(look_of_texts("const vec3 C = vec3(1.0);  // @range 0 1\n")) ==
-          "one.frag:2: error: @range and @items are for numbers; 'C' is not written as one plain "
-          "number\n");
+          "one.frag:2: error: @range and @items are only for constants with one plain number; 'C' "
+          "has another value\n");
 }
 
 TEST_CASE("one name is one number: definitions that disagree are told at the second one's line") {
-    CHECK(mistakes_of(
-              look_of_texts("#define N 3  // @range 1 9\n", "#define N 4  // @range 1 9\n")) ==
-          "two.frag:2: error: 'N' is 4 here but 3 in another place (at one.frag:2): one name is "
-          "one number to turn\n");
+    CHECK(
+        mistakes_of(
+            look_of_texts("#define N 3  // @range 1 9\n", "#define N 4  // @range 1 9\n")) ==
+        "two.frag:2: error: 'N' is 4 here but 3 elsewhere (at one.frag:2); an adjustable constant "
+        "needs the same value everywhere\n");
     CHECK(
         mistakes_of(look_of_texts("#define N 3  // @range 1 9\n", "#define N 3.0  // @range 1 9\n"))
-            .starts_with("two.frag:2: error: 'N' is 3.0 here but 3 in another place"));
+            .starts_with("two.frag:2: error: 'N' is 3.0 here but 3 elsewhere"));
     CHECK(mistakes_of(look_of_texts("#define N 3  // @range 1 9\n", "#define N 4\n")).empty());
     CHECK(mistakes_of(
               look_of_texts("#define N 3  // @range 1 9\n", "#define N 3  // @range 1 8\n")) ==
-          "two.frag:2: error: @range of 'N' is not what another declaration says (at "
+          "two.frag:2: error: @range of 'N' differs from another declaration (at "
           "one.frag:2)\n");
 }

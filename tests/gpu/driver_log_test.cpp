@@ -18,7 +18,7 @@ TEST_CASE("every driver's way to name a line ends at the author's file and line"
         const Diagnostics found = gpu::parse_driver_log(log, stage());
         REQUIRE(found.size() == 1);
         CHECK(to_string(found.front()) ==
-              "include/blur.glsl:40: error: the graphics driver: `lihgt' undeclared");
+              "include/blur.glsl:40: error: graphics driver: `lihgt' undeclared");
     }
 }
 
@@ -40,7 +40,7 @@ TEST_CASE("a log without a place is kept whole, on the stage's file") {
         gpu::parse_driver_log("error: fragment shader input `x' has no matching output\n", stage());
     REQUIRE(found.size() == 1);
     CHECK(to_string(found.front()) ==
-          "glow.frag: error: the graphics driver: error: fragment shader input `x' has no matching "
+          "glow.frag: error: graphics driver: error: fragment shader input `x' has no matching "
           "output");
 }
 
@@ -53,5 +53,5 @@ TEST_CASE("a driver that only warns and yet refuses, or says nothing, still make
 TEST_CASE("a line past the end is the last one, and a stage without a map keeps its numbers") {
     CHECK(gpu::parse_driver_log("0:99(1): error: eof", stage()).front().line == 4);
     const Diagnostics own = gpu::parse_driver_log("0:7(1): error: x", {"own.vert", "", {}});
-    CHECK(to_string(own.front()) == "own.vert:7: error: the graphics driver: x");
+    CHECK(to_string(own.front()) == "own.vert:7: error: graphics driver: x");
 }

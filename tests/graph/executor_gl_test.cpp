@@ -229,7 +229,7 @@ TEST_CASE_FIXTURE(Headless, "targets that would take all memory are refused befo
     Executor executor(look, programs_of(look));
     const auto sized = executor.resize({8192, 8192}, {});  // 40 of 1 GiB
     REQUIRE_FALSE(sized.has_value());
-    CHECK(sized.error().front().message == "the targets would take 40.0 GiB; 8 GiB is the most");
+    CHECK(sized.error().front().message == "the targets need 40.0 GiB; the limit is 8 GiB");
 }
 
 TEST_CASE_FIXTURE(Headless,

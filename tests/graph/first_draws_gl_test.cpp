@@ -77,7 +77,7 @@ TEST_CASE_FIXTURE(Headless, "linking is counted pass by pass, and ends when nobo
     progress.cancel();
     const auto none = build_programs(look, nullptr, nullptr, &progress);
     REQUIRE_FALSE(none.has_value());
-    CHECK(to_string(none.error().front()) == "look.json: error: was not opened to its end");
+    CHECK(to_string(none.error().front()) == "look.json: error: opening was cancelled");
 }
 
 TEST_CASE_FIXTURE(Headless, "an image that was made beforehand reads as one that is set") {

@@ -27,7 +27,7 @@ TEST_CASE_FIXTURE(Headless, "a pass cannot read what it is drawing, and a look n
     const auto programs = build_programs(look);
     REQUIRE_FALSE(programs.has_value());
     CHECK(to_string(programs.error().front())
-              .starts_with("look.json:5: error: pass 'counter' cannot read"));
+              .starts_with("look.json:5: error: pass 'counter' can't read its own output"));
     const auto none = build_programs(look_of({}));
     REQUIRE_FALSE(none.has_value());
     CHECK(to_string(none.error().front()) == "look.json: error: the look has no passes");

@@ -84,14 +84,14 @@ TEST_CASE("what cannot be a file is refused by name and reason, and nothing is l
         CHECK(written.error().front().file == file);
         return written.error().front().message;
     };
-    CHECK(message(folder / "folder") == "cannot be written: it is a folder");
-    CHECK(message(folder / "pipe") == "cannot be written: it is not a regular file");
-    CHECK(message(folder / "circle") == "cannot be written: its links go round in a circle");
-    CHECK(message(folder / "file/inside") == "its folder cannot be made: Not a directory");
-    CHECK(message("/proc/afterglow/file").starts_with("its folder cannot be made: "));
-    CHECK(message(folder / std::string(300, 'n')).starts_with("cannot be written: "));
-    CHECK(message(folder.path() / "") == "cannot be written: it has no file name");
-    CHECK(message("") == "cannot be written: it has no file name");
+    CHECK(message(folder / "folder") == "can't write the file: it is a folder");
+    CHECK(message(folder / "pipe") == "can't write the file: it isn't a regular file");
+    CHECK(message(folder / "circle") == "can't write the file: its symbolic links form a loop");
+    CHECK(message(folder / "file/inside") == "can't create its folder: Not a directory");
+    CHECK(message("/proc/afterglow/file").starts_with("can't create its folder: "));
+    CHECK(message(folder / std::string(300, 'n')).starts_with("can't write the file: "));
+    CHECK(message(folder.path() / "") == "can't write the file: the path has no file name");
+    CHECK(message("") == "can't write the file: the path has no file name");
     CHECK(content_of(folder / "file") == "kept");
     CHECK(count_of(folder.path()) == 4);
 }

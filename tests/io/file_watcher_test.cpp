@@ -209,8 +209,8 @@ TEST_CASE("a system that has no watch left says so") {
     const auto watcher = FileWatcher::start();
     REQUIRE(::setrlimit(RLIMIT_NOFILE, &most) == 0);
     REQUIRE_FALSE(watcher.has_value());
-    CHECK(watcher.error().front().message.find("cannot be watched: Too many open files") !=
-          std::string::npos);
+    CHECK(watcher.error().front().message.find(
+              "can't watch files for changes: Too many open files") != std::string::npos);
 }
 
 TEST_CASE("names that lead nowhere do no harm") {

@@ -56,11 +56,11 @@ TEST_CASE("a gap, another size and a damaged picture are told, and the others ar
         return read.error().front().message;
     };
     CHECK(value_at(**reader, 0) == 1.0f);
-    CHECK(problem(1) == "number 2 is missing; the sequence has 4 of the numbers 1 to 5");
+    CHECK(problem(1) == "picture 2 is missing. The sequence has 4 pictures, numbered 1 to 5.");
     CHECK(value_at(**reader, 2) == 3.0f);
-    CHECK(problem(3) == "has 4 x 1 px; the sequence began with 2 x 1 px");
+    CHECK(problem(3) == "expected 2 x 1 px like the start of the sequence, got 4 x 1 px");
     CHECK_FALSE(problem(4).empty());
     CHECK(open_sequence(folder / "none_%d.png").error().front().message ==
-          "there is no picture with such a number");
+          "no numbered pictures match this name");
     CHECK_FALSE(open_sequence(folder / "nowhere" / "f_%d.png").has_value());
 }

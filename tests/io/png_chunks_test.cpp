@@ -39,8 +39,8 @@ TEST_CASE("a chunk is written with length and check sum") {
 }
 
 TEST_CASE("a PNG cut anywhere or changed in any byte is refused") {
-    CHECK(chunk_error("") == "is no PNG picture");
-    CHECK(chunk_error("GIF89a") == "is no PNG picture");
+    CHECK(chunk_error("") == "not a PNG file");
+    CHECK(chunk_error("GIF89a") == "not a PNG file");
     for (std::size_t size = 0; size < smallest.size(); ++size)
         CHECK_FALSE(chunk_error(smallest.substr(0, size)).empty());
     for (std::size_t at = 0; at < smallest.size(); ++at) {
@@ -50,7 +50,7 @@ TEST_CASE("a PNG cut anywhere or changed in any byte is refused") {
     }
     CHECK(chunk_error(std::string(png_signature()) +
                       std::string("\xff\xff\xff\xffIHDR\0\0\0\0", 12)) ==
-          "is damaged: the PNG ends too early");
+          "the PNG is damaged: it ends early");
     CHECK(chunk_error(std::string(png_signature()) + png_chunk("IEND", "")) ==
-          "is damaged: the PNG does not start with its size");
+          "the PNG is damaged: it doesn't start with its header");
 }

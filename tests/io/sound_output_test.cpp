@@ -13,6 +13,6 @@ TEST_CASE("opening the sound device gives a device or one plain reason, and noth
         CHECK((*output)->position_seconds() == 0.0);
     } else {
         REQUIRE(output.error().size() == 1);
-        CHECK(output.error().front().message.find("sound device") != std::string::npos);
+        CHECK(output.error().front().message.find("audio device") != std::string::npos);
     }
 }

@@ -61,9 +61,9 @@ TEST_CASE("what is no video, is empty, missing or breaks off is told with its fi
         CHECK(reader.error().front().file == file);
         return reader.error().front().message;
     };
-    CHECK(refused(folder.write("text.mp4", "no video")).starts_with("cannot be read as a video: "));
-    CHECK(refused(folder.write("empty.mp4", "")) == "is empty");
-    CHECK(refused(folder / "none.mp4") == "there is no such file");
+    CHECK(refused(folder.write("text.mp4", "no video")).starts_with("can't read the video: "));
+    CHECK(refused(folder.write("empty.mp4", "")) == "the file is empty");
+    CHECK(refused(folder / "none.mp4") == "file not found");
     const std::string whole = steps(3, "25:1");
     const auto cut = opened(folder.write("cut.y4m", whole.substr(0, whole.size() - 100)));
     CHECK(std::abs(step_at(*cut, 1) - 1.0) < 0.06);
@@ -80,8 +80,8 @@ TEST_CASE("without the programs that read videos their package is named") {
     REQUIRE_FALSE(reader.has_value());
     CHECK(to_string(reader.error().front()) ==
           file.string() +
-              ": error: videos are read with the programs of the package ffmpeg: the program "
-              "'ffprobe' is not installed");
+              ": error: reading videos needs the Debian package ffmpeg: the program "
+              "'ffprobe' isn't installed");
 }
 
 TEST_CASE("another program gives its output and its complaint, and ends with its owner") {

@@ -68,21 +68,20 @@ TEST_CASE("one program after the other draws over a socket, and what each does i
     const auto place = folder.path() / "beam";
     Player player = live_player();
     REQUIRE(player.set_signal(socket_at(place)).has_value());
-    CHECK(player.sent_state() == "Waits for a program at " + place.string());
+    CHECK(player.sent_state() == "Waiting for a program at " + place.string());
     CHECK(player.silence().empty());
     {
         const Sender first(place);
         first.send("0.5 0 1 0.01\nnothing\n");
         CHECK(play_until(player, is_lit).back().x == 0.5f);
         play_until(player, [&](const Beam&) { return !player.silence().empty(); });
-        CHECK(player.silence().find("beam:2: error: 'nothing' is not of the form") !=
-              std::string::npos);
+        CHECK(player.silence().find("beam:2: error: expected x y intensity") != std::string::npos);
     }
     const Sender second(place);
     second.send("-0.25 0 1 0.01\n");
     play_until(player, [](const Beam& beam) { return is_lit(beam) && beam.back().x == -0.25f; });
     CHECK(player.silence().empty());
-    CHECK(player.sent_state() == "Draws what comes from " + place.string());
+    CHECK(player.sent_state() == "Receiving from " + place.string());
 }
 
 TEST_CASE("after the last program has gone the beam rests, and it is told") {
@@ -92,8 +91,7 @@ TEST_CASE("after the last program has gone the beam rests, and it is told") {
     { const Sender silent(folder.path() / "beam"); }  // is no sender
     Sender(folder.path() / "beam").send("0 0 1 0.01\n");
     play_until(player, [&](const Beam&) { return !player.silence().empty(); });
-    CHECK(player.silence() ==
-          "'" + (folder.path() / "beam").string() + "' sends nothing more; the beam rests");
+    CHECK(player.silence() == "\"" + (folder.path() / "beam").string() + "\" stopped sending");
 }
 
 TEST_CASE("a place that cannot be had leaves the socket that is open") {

@@ -172,7 +172,8 @@ TEST_CASE("a scope's device that is gone is told, and switching off lets go of i
     CHECK(bench.player.beam_device() == "Scope");
     bench.scope.has_stalled = true;
     bench.run(0.1);
-    CHECK(bench.player.silence() == "'Scope' plays the beam no longer");
+    CHECK(bench.player.silence() ==
+          "Audio device \"Scope\" stopped. The beam isn't sent any more.");
     REQUIRE(bench.player.set_sound_settings(beam_switched(false)).has_value());
     CHECK(bench.scope.opened == 0);
     CHECK(bench.player.silence().empty());
@@ -189,7 +190,7 @@ TEST_CASE("without a device the switch goes back, it is told, and the picture go
         const bool is_sound = spec.kind == "audio";
         REQUIRE(player.set_signal(spec, is_sound ? PlayedSound{"a.wav", sound} : PlayedSound{})
                     .has_value());
-        CHECK(player.silence() == (is_sound ? "no sound device was found" : ""));
+        CHECK(player.silence() == (is_sound ? "no audio device found" : ""));
         REQUIRE(player.set_sound_settings(beam_switched(true)).has_value());
         CHECK(player.silence() == "no device for a beam");
         CHECK_FALSE(player.sound_settings().plays_beam);

@@ -64,7 +64,8 @@ TEST_CASE("a signal's settings are compared as they are in force") {
     DocumentState after = before;
     before.signal = Spec{"lissajous", {{"x", 3.0}, {"y", 2.0}}};
     after.signal = Spec{"lissajous", {{"x", 5.0}, {"y", 2.0}}};
-    CHECK(lines(changes_between(look, before, after)) == Lines{"Signal: Across: 3 | 5 per 1/60 s"});
+    CHECK(lines(changes_between(look, before, after)) ==
+          Lines{"Signal: X frequency: 3 | 5 per 1/60 s"});
     after.signal = Spec{"text", {{"text", std::string("HELLO")}}};
     const std::vector<Change> kinds = changes_between(look, before, after);
     REQUIRE(kinds.size() == 1);
@@ -80,9 +81,8 @@ TEST_CASE("source, bypass and passes that were set are listed too") {
     after.source = "/home/me/cat.png";
     after.stack[1].is_bypassed = true;
     after.overrides["bloom"].scale = 0.5;
-    CHECK(lines(changes_between(look, before, after)) == Lines{"Source: none | cat.png",
-                                                               "Looks: a + b | a + (b)",
-                                                               "Pass bloom: as written | 0.5×"});
+    CHECK(lines(changes_between(look, before, after)) ==
+          Lines{"Source: none | cat.png", "Stack: a + b | a + (b)", "Pass bloom: default | 0.5×"});
 }
 
 TEST_CASE("a step is told in short") {
@@ -103,7 +103,7 @@ TEST_CASE("the history lists what was done and undone, and goes there in any num
     document.undo();
     REQUIRE(history_size(document) == 4);
     CHECK(history_place(document) == 2);
-    CHECK(history_step(document, 0).name == "At first");
+    CHECK(history_step(document, 0).name == "Start");
     CHECK(history_step(document, 1).change == "0.92 → 0.8 per 1/60 s");
     CHECK(history_step(document, 2).distance == 0);
     CHECK(history_step(document, 2).details == "Decay 0.8 → 0.7 per 1/60 s");

@@ -132,19 +132,18 @@ TEST_CASE("patterns, sizes, fit and pixel aspect of a source are chosen by name"
     CHECK(document.state().source == "pattern:" + last.name + ",size=256x224");
     CHECK(choice_of(source_choices(document, {}), "Source: Size: 256 × 224").is_present);
     CHECK(choice_of(source_choices(document, {}), "Source: " + last.label).is_present);
-    take(choice_of(source_choices(document, {}), "Source: Size: As the pattern has it").deeds,
-         document);
+    take(choice_of(source_choices(document, {}), "Source: Size: Native size").deeds, document);
     CHECK(document.state().source == "pattern:" + last.name);
-    take(choice_of(source_choices(document, {}), "Source: Fit: Whole").deeds, document);
+    take(choice_of(source_choices(document, {}), "Source: Scaling: Fit").deeds, document);
     CHECK_FALSE(find_choice(source_choices(document, {}), "Source: Pre-scaled: Auto"));
     const auto lists = source_choices(document, {});
-    CHECK(choice_of(lists, "Source: Fit: Whole").is_present);
+    CHECK(choice_of(lists, "Source: Scaling: Fit").is_present);
     take(choice_of(lists, "Source: Pixel aspect…").number->answer(1.5), document);
     CHECK(document.state().source == "pattern:" + last.name + ",fit=whole,aspect=1.5");
-    CHECK_FALSE(find_choice(lists, "Source: Rate…"));
+    CHECK_FALSE(find_choice(lists, "Source: Frame rate…"));
     const auto film = source_choices(document, {.film_rate = 25.0});
-    CHECK(choice_of(film, "Source: Rate…").number->present == 25.0);
-    take(choice_of(film, "Source: At the end: Hold").deeds, document);
+    CHECK(choice_of(film, "Source: Frame rate…").number->present == 25.0);
+    take(choice_of(film, "Source: At end: Hold").deeds, document);
     CHECK_FALSE(parse_source(document.state().source)->loops);
 }
 
@@ -181,12 +180,12 @@ TEST_CASE("looks are added, moved, bypassed and taken out by name") {
         take(choice_of({stack_choices(stack(), looks)}, "Stack: " + label).deeds, document);
     };
     CHECK_FALSE(find_choice({stack_choices(stack(), looks)}, "Stack: Remove Phosphor"));
-    choose("Add CRT behind");
-    choose("Add CRT behind");
+    choose("Add CRT");
+    choose("Add CRT");
     CHECK(stack_id(stack()) == "phosphor+crt+crt");
     CHECK(document.history().undo_name() == "Add CRT");
-    choose("Draw CRT 2 earlier");
-    choose("Draw Phosphor later");
+    choose("Move CRT 2 earlier");
+    choose("Move Phosphor later");
     CHECK(stack_id(stack()) == "crt+phosphor+crt");
     choose("Bypass Phosphor");
     CHECK(stack()[1].is_bypassed);
@@ -244,15 +243,15 @@ TEST_CASE("panes grow and shrink by name, within what they may") {
     WindowState window;
     const auto lists = window_choices(window, {{}, ViewShape::view, {320, 180}});
     const double before = window.panes.left;
-    take(choice_of(lists, "Pane: Left pane wider").deeds, window);
+    take(choice_of(lists, "Pane: Widen left pane").deeds, window);
     CHECK(window.panes.left == before + 40.0);
     for (int i = 0; i < 20; ++i)
-        take(choice_of(lists, "Pane: Left pane wider").deeds, window);
+        take(choice_of(lists, "Pane: Widen left pane").deeds, window);
     CHECK(window.panes.left == 520.0);
     take(choice_of(lists, "Waveform: Row…").number->answer(20.0), window);
     CHECK(window.scan_line.row({320, 180}) == 20);
     CHECK(window.sees(BottomPart::waveform));
-    take(choice_of(lists, "Pins: Pin the middle of the picture").deeds, window);
+    take(choice_of(lists, "Pins: Pin picture centre").deeds, window);
     CHECK(window.pins == std::vector<Pin>{{0.5, 0.5}});
 }
 
@@ -266,7 +265,7 @@ TEST_CASE("two words find a choice, and an action comes first where both fit as 
         lists.push_back(list);
     for (const ChoiceList& list : window_choices(window, {{}, ViewShape::view, {320, 180}}))
         lists.push_back(list);
-    lists.push_back({"Presets", ChoiceList::Place::palette, {{.name = "Favourites alone"}}});
+    lists.push_back({"Presets", ChoiceList::Place::palette, {{.name = "Favourites only"}}});
     std::vector<PaletteEntry> entries{
         {PaletteEntry::Kind::action, "Zoom in", "Zoom in", "View", {}, {}, {}},
         {PaletteEntry::Kind::action, "Inspector", "Inspector", "View", {}, {}, {}},
@@ -274,14 +273,14 @@ TEST_CASE("two words find a choice, and an action comes first where both fit as 
     for (PaletteEntry& entry : choice_entries(lists))
         entries.push_back(std::move(entry));
     CHECK(first_found(entries, "signal wave") == "Signal: " + find_kind("waveform")->label);
-    CHECK(first_found(entries, "add shadow") == "Stack: Add Shadow mask behind");
+    CHECK(first_found(entries, "add shadow") == "Stack: Add Shadow mask");
     CHECK(first_found(entries, "red green") == "Channels: Red, green and blue");
     CHECK(first_found(entries, "red grey") == "Channels: Red as grey");
     CHECK(first_found(entries, "insp source") == "Inspect: source");
     CHECK(first_found(entries, "inspector") == "Inspector");
     CHECK(first_found(entries, "zoom") == "Zoom in");
     CHECK(first_found(entries, "favourites") == "Show only favourites");
-    CHECK(first_found(entries, "left wider") == "Pane: Left pane wider");
+    CHECK(first_found(entries, "widen left") == "Pane: Widen left pane");
     std::vector<std::string> labels;
     for (const PaletteEntry& entry : entries)
         labels.push_back(entry.label);
@@ -294,7 +293,7 @@ TEST_CASE("sound and remote control are set by name") {
     facts.devices = {{.name = "Scope"}};
     facts.devices.front().has_output = true;
     const ChoiceList sound = sound_choices(facts);
-    CHECK(choice_of({sound}, "Sound: Output: System's choice").is_present);
+    CHECK(choice_of({sound}, "Sound: Output: System default").is_present);
     CHECK(find_choice({sound}, "Sound: Output: Scope"));
     CHECK_FALSE(find_choice({sound}, "Sound: Input: Scope"));
     CHECK_FALSE(find_choice({sound}, "Sound: Volume…"));
@@ -304,7 +303,7 @@ TEST_CASE("sound and remote control are set by name") {
     settings.bind({.goal = {"decay"}, .channel = 1, .controller = 21});
     const ChoiceList remote = remote_choices(settings, true, false);
     CHECK(choice_of({remote}, "Remote: Listen to OSC").is_present);
-    CHECK(find_choice({remote}, "Remote: Let go of decay (CC 21, channel 1)"));
+    CHECK(find_choice({remote}, "Remote: Unmap decay (CC 21, channel 1)"));
 }
 
 TEST_CASE("presets are morphed to, starred and searched by name") {
@@ -316,7 +315,7 @@ TEST_CASE("presets are morphed to, starred and searched by name") {
     amber.has_star = true;
     const auto lists = preset_choices({plain, amber}, {});
     CHECK(find_choice(lists, "Morph: To Amber"));
-    CHECK(choice_of(lists, "Morph: Takes 3 s").is_present);
+    CHECK(choice_of(lists, "Morph: Duration 3 s").is_present);
     CHECK(choice_of(lists, "Star: Amber").is_present);
     CHECK_FALSE(find_choice(lists, "Star: Phosphor"));  // the look as it is
     WindowState window;

@@ -239,7 +239,8 @@ TEST_CASE("a panorama that is chosen for a cube is seen all round, and what is n
     choose({{5, 3}, 1, Encoding::display, std::vector<float>(15, 1.0f)}, "neither.png");
     CHECK(small.turn_until([&] { return small.lab().problems().size() == 1; }));
     CHECK(small.lab().problems().front().diagnostic.file.filename() == "neither.png");
-    CHECK(small.lab().problems().front().diagnostic.message.starts_with("is 5 x 3: a cube is"));
+    CHECK(small.lab().problems().front().diagnostic.message.starts_with(
+        "can't be a cube map at 5 x 3 px."));
     CHECK(small.turn_until([&] { return red() == 0.0f; }));
 }
 
@@ -260,8 +261,8 @@ TEST_CASE("a picture outside of a preset's folder is shown when the user agrees,
     open_with(outside.string());
     CHECK(small.shown() == 0.0f);
     REQUIRE(small.lab().notice().has_value());
-    CHECK(small.lab().notice()->text == "The preset names the file '" + outside.string() +
-                                            "', which lies outside its folder. It is not used.");
+    CHECK(small.lab().notice()->text == "The preset uses content outside its folder: file \"" +
+                                            outside.string() + "\". It was not loaded.");
     const Choice use = small.lab().notice()->choices.front();
     CHECK(use.name == "Use it");
     std::get<std::function<void(Lab&)>>(use.deeds.front())(small.lab());

@@ -89,13 +89,13 @@ TEST_CASE("a slot keeps values and gives them back as one step of undo") {
     CHECK_FALSE(small.lab().is_in_slot(1));
     small.lab().recall_slot(1);
     CHECK(small.document().values() == Values{{"level", Value(0.25)}});
-    CHECK(small.document().history().undo_name() == "Slot B");
+    CHECK(small.document().history().undo_name() == "Recall slot B");
     small.lab().edit([](Document& document) { document.undo(); });
     CHECK(small.document().values() == Values{{"level", Value(0.75)}, {"unseen", Value(0.125)}});
 
     small.lab().recall_slot(2);
     CHECK(small.lab().notice()->text == "Slot C is empty");
-    CHECK(small.document().history().redo_name() == "Slot B");
+    CHECK(small.document().history().redo_name() == "Recall slot B");
 }
 
 TEST_CASE("slots and what is compared with come back at the next start") {
@@ -193,9 +193,8 @@ TEST_CASE("a picture from a file is compared with, and followed on the disk") {
 TEST_CASE("a picture of another size is shown fitted, which is said") {
     Grey small;
     small.lab().compare_with_file(small.picture_file("wide.png", {32, 16}, {1.0f, 1.0f, 1.0f}));
-    CHECK(small.lab().notice()->text ==
-          "Compared with 'wide.png': 32 × 16, shown fitted into 8 × 8");
-    CHECK(small.lab().sides()->other == "wide.png · 32 × 16, fitted");
+    CHECK(small.lab().notice()->text == "Comparing with \"wide.png\" (32 × 16, scaled to 8 × 8)");
+    CHECK(small.lab().sides()->other == "wide.png · 32 × 16, scaled");
     small.rest();
     const Picture seen = small.views().read_picture();
     CHECK(seen.pixels[seen.index(1, 4)] == 1.0f);

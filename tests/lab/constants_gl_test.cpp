@@ -137,7 +137,7 @@ TEST_CASE("a constant cannot move by itself, and says why") {
     const Look& look = small.document().look();
     CHECK(why_unmodulated(look, *find_parameter(look, "more")).empty());
     CHECK(why_unmodulated(look, *find_parameter(look, "LEVEL")) ==
-          "is no uniform: the look is made anew for each value");
+          "'LEVEL' can't be modulated: changing it recompiles the look");
 }
 
 TEST_CASE("what is compared has its own constants") {

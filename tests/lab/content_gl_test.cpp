@@ -140,7 +140,7 @@ TEST_CASE("a morph and its end leave the user's sound playing") {
     small.turn(3);
     CHECK(small.document().preset_name() == "wave");
     CHECK(small.plays_song());
-    CHECK(small.lab().notice()->text == "Arrived at 'wave' · Kept song.wav");
+    CHECK(small.lab().notice()->text == "Morphed to \"wave\" · Kept song.wav");
 }
 
 TEST_CASE("another look of the same kind plays the user's sound, one of the other kind keeps it") {

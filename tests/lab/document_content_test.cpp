@@ -192,8 +192,8 @@ TEST_CASE("content is named by its file, else by its kind") {
     CHECK(content_name({song, {}, {}}, beam) == "song.wav");
     CHECK(content_name({Spec{"microphone", {}}, {}, {}}, beam) == "Live sound");
     CHECK(content_name({{}, "/pictures/game.png,fit=whole", {}}, tube) == "game.png");
-    CHECK(content_word(beam) == "signal");
-    CHECK(content_word(tube) == "source");
+    CHECK(keep_content_words(beam) == "Keep my signal");
+    CHECK(use_content_words(tube) == "Use the preset's source");
 }
 
 TEST_CASE("the user's own signal in x and y keeps circles round unless it says otherwise") {

@@ -155,7 +155,7 @@ TEST_CASE("a sound that breaks off draws as far as it goes, and keeps a mark") {
     CHECK(small.lab().player().sound_seconds() == doctest::Approx(0.25));
     REQUIRE(small.lab().problems().size() == 1);
     CHECK(small.lab().problems().front().diagnostic.message ==
-          "breaks off: 0.25 of 1.00 s are there, the rest is missing");
+          "the file ends early: only 0.25 of 1.00 s were read");
     CHECK(small.lab().notice()->is_problem);
 }
 
@@ -259,10 +259,10 @@ TEST_CASE("a video, a drawing or a model that cannot be read is told, and the la
         const char* words;
     };
     for (const Case& bad :
-         {Case{on_a_picture, "noise.mp4", "no video at all", "cannot be read as a video"},
+         {Case{on_a_picture, "noise.mp4", "no video at all", "can't read the video"},
           Case{on_a_signal, "blank.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"></svg>",
-               "has no paths"},
-          Case{on_a_signal, "model.obj", "v 0 0 0\nv 1 0 0\nf 1 2 3\n", "there is no corner 3"}}) {
+               "the SVG has nothing to draw"},
+          Case{on_a_signal, "model.obj", "v 0 0 0\nv 1 0 0\nf 1 2 3\n", "unknown vertex 3"}}) {
         CAPTURE(bad.file);
         SmallLab small(bad.manifest);
         const fs::path file = small.folder() / bad.file;
@@ -367,7 +367,7 @@ TEST_CASE("numbered pictures follow each other; a gap is told and the lab goes o
     for (const float number : {1.0f, 2.0f, 4.0f, 1.0f})
         CHECK(small.turn_until([&] { return small.shown() == 1.0f + number; }));
     REQUIRE(small.lab().notice().has_value());
-    CHECK(small.lab().notice()->text.find("number 3 is missing") != std::string::npos);
+    CHECK(small.lab().notice()->text.find("picture 3 is missing") != std::string::npos);
 }
 
 TEST_CASE("a replay shows a pattern that moves as it was at each frame") {

@@ -75,7 +75,7 @@ TEST_CASE("an editor whose quote never ends is told") {
         setenv("VISUAL", wrong, 1);
         const auto command = editor_command(place);
         REQUIRE_FALSE(command.has_value());
-        CHECK(command.error().front().message.find("$VISUAL is not a command") == 0);
+        CHECK(command.error().front().message.find("$VISUAL is not a valid command") == 0);
     }
 }
 

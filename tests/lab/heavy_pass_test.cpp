@@ -60,12 +60,13 @@ void take(const Choice& choice, Lab& lab) {
 }  // namespace
 
 TEST_CASE("a heavy pass that reads a picture may be bypassed, and the picture halved down to 1/4") {
-    const std::vector<std::string> both{"Bypass glow", "Half size"};
+    const std::vector<std::string> both{"Bypass glow", "Halve render size"};
     CHECK(names_of(heavy_pass_choices(glow_of_source(), {})) == both);
     CHECK(names_of(heavy_pass_choices(glow_of_source(), scaled_by(0.5))) == both);
     CHECK(names_of(heavy_pass_choices(glow_of_source(), scaled_by(0.25))) ==
           std::vector<std::string>{"Bypass glow"});
-    CHECK(names_of(heavy_pass_choices(glow(), {})) == std::vector<std::string>{"Half size"});
+    CHECK(names_of(heavy_pass_choices(glow(), {})) ==
+          std::vector<std::string>{"Halve render size"});
 }
 
 TEST_CASE("what may be done about a heavy pass does what the strip and the menu do") {

@@ -63,10 +63,10 @@ TEST_CASE("an SVG that is opened becomes the drawing; what is wrong with one is 
     Lab& lab = small.lab();
     lab.take_pen(true);
     lab.save_drawing(small.folder() / "empty.svg");
-    CHECK(lab.notice()->text == "There is nothing drawn that could be saved");
+    CHECK(lab.notice()->text == "The drawing is empty. Draw something first.");
     pull(lab, {-0.5, -0.5}, {0.5, -0.5});
     lab.save_drawing(small.folder() / "mine");
-    CHECK(lab.notice()->text == "Saved 'mine.svg'");
+    CHECK(lab.notice()->text == "Saved \"mine.svg\"");
     const std::string drawn = strokes_of(lab);
     lab.draw([](DrawingBoard& board, Document& document) { board.clear_keyframe(document); });
     write(small.folder() / "broken.svg", "<svg>\n<path d='M0 0 L'");
@@ -82,7 +82,7 @@ TEST_CASE("an SVG that is opened becomes the drawing; what is wrong with one is 
         hatching += "M" + std::to_string(i) + " 0v10000";
     write(small.folder() / "long.svg", hatching + "'/></svg>");
     lab.open_file(small.folder() / "long.svg");
-    CHECK(lab.notice()->text.find("plays from its file: 20002 points") != std::string::npos);
+    CHECK(lab.notice()->text.find("plays from its file. Its 20002 points") != std::string::npos);
     CHECK(strokes_of(lab).empty());
     REQUIRE(small.turn_until([&] { return lab.player().sound().drawing != nullptr; }));
     CHECK(std::abs(lit_heights(lab, 0.0)[1] - 0.8f) < 0.01f);  // 1.6 from end to end

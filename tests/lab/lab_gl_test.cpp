@@ -105,7 +105,7 @@ TEST_CASE("the output window offers its display's size to a picture of another f
     CHECK_FALSE(small.lab().notice());
     offer_display_size(small.lab(), {40, 20});
     REQUIRE(small.lab().notice());
-    CHECK(small.lab().notice()->text == "The picture has 8 × 8 px, the display 40 × 20 px");
+    CHECK(small.lab().notice()->text == "The render size is 8 × 8 px, the display 40 × 20 px");
     const Choice match = small.lab().notice()->choices.front();
     std::get<std::function<void(Lab&)>>(match.deeds.front())(small.lab());
     CHECK(small.lab().picture_extent() == Extent{40, 20});

@@ -42,7 +42,7 @@ TEST_CASE("a bypass of nothing is a notice, and nothing is switched") {
     CHECK(small.lab().pass_switches().is_empty());
     REQUIRE(small.lab().notice());
     CHECK(small.lab().notice()->is_problem);
-    CHECK(small.lab().notice()->text.find("only its own past") != std::string::npos);
+    CHECK(small.lab().notice()->text.find("only its own output") != std::string::npos);
 }
 
 TEST_CASE("a frozen pass stays through edits, values and a replay, and comes back with the past") {

@@ -72,7 +72,7 @@ TEST_CASE("no preset of the user is saved over another, unless that is asked") {
     REQUIRE(file.has_value());
     const auto again = library.save_preset(night(), "Night");
     REQUIRE_FALSE(again.has_value());
-    CHECK(again.error().front().message.find("'Night' already") != std::string::npos);
+    CHECK(again.error().front().message.find("'Night' already exists") != std::string::npos);
     CHECK_FALSE(library.new_preset_path("phosphor", "Night").has_value());
     CHECK(library.preset_path("phosphor", "Night") == *file);
 }

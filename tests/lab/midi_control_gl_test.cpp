@@ -20,7 +20,7 @@ public:
     explicit FakeMidi(FakeDevice& device) : m_device(device) {}
     Result<void> open() override {
         m_names = m_device.plugged;
-        return m_names.empty() ? fail({{}, 0, "no device was found"}) : Result<void>();
+        return m_names.empty() ? fail({{}, 0, "no device found"}) : Result<void>();
     }
     void close() override { m_names.clear(); }
     std::vector<std::string> names() const override { return m_names; }
@@ -70,7 +70,7 @@ TEST_CASE("a knob is learnt, turns the parameter over its range as one step, and
     small.device.messages.push_back({0x90, 60, 100});  // a key of it is no knob
     small.knob(21, 10);
     CHECK_FALSE(small.lab().midi().learning());
-    CHECK(small.lab().notice()->text == "CC 21, channel 1 turns 'Gain' from now on");
+    CHECK(small.lab().notice()->text == "CC 21, channel 1 now controls \"Gain\"");
     CHECK(small.gain() == 1.0);  // learning turns nothing
     // The range is 0 to 8, so 1 is at 15.875 of 127: there the knob takes hold.
     small.knob(21, 12);
@@ -176,12 +176,12 @@ TEST_CASE("without a device one message says so, and one that is plugged in late
     small.device.plugged.clear();
     small.lab().learn_midi({"gain"});
     CHECK_FALSE(small.lab().midi().learning());
-    CHECK(small.lab().notice()->text == "MIDI: no device was found");
+    CHECK(small.lab().notice()->text == "MIDI: no device found");
     CHECK_FALSE(small.lab().notice()->is_problem);
     CHECK_FALSE(small.lab().remote_settings().listens_to_midi);
     small.device.plugged = {"Faders"};
     small.lab().look_for_midi_devices();
-    CHECK(small.lab().notice()->text == "MIDI: listens to Faders");
+    CHECK(small.lab().notice()->text == "Listening to MIDI: Faders");
     small.device.plugged = {"Faders", "Knobs"};
     small.lab().learn_midi({"gain"});
     CHECK(small.lab().midi().devices().size() == 2);

@@ -115,7 +115,7 @@ TEST_CASE("a modulation comes back with the session, and is read in the history"
     const auto changes = changes_between(small.document().look(), before, small.document().state());
     REQUIRE(changes.size() == 1);
     CHECK(line_of(changes.front()) ==
-          "Modulation of Gain rests → LFO, sine, rate 1 Hz, phase 0 turns, depth 0.125");
+          "Modulation of Gain none → LFO, sine, rate 1 Hz, phase 0 turns, depth 0.125");
     const Session session = session_of(small.lab(), {});
     CHECK(has_unsaved(session));
     small.start();

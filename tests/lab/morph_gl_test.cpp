@@ -90,7 +90,8 @@ TEST_CASE("a morph can be left half way, and goes to presets of the same look al
     CHECK_FALSE(small.document().is_modified());
     small.lab().morph_to(small.preset("other", {{"gain", Value(3.0)}}), 1.0);
     CHECK_FALSE(small.lab().morphing());
-    CHECK(small.lab().notice()->text == "'Far' is a preset of another look: it can only be opened");
+    CHECK(small.lab().notice()->text ==
+          "\"Far\" belongs to another look. It can be opened, but not morphed to.");
 }
 
 TEST_CASE("what lies on no way between two presets changes when a morph has arrived") {

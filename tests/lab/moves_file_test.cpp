@@ -19,7 +19,7 @@ TEST_CASE("moves are lines of seconds, name and a value as a person types it") {
                       {0.25, "tone_map", Value(2.0)},
                       {1.5, "as_written", Value(1.0)}};
     const std::string text =
-        "# Moves of phosphor: seconds name value\n"
+        "# Automation of phosphor: seconds name value\n"
         "0.000000 decay 0.5\n"
         "0.250000 beam_color 0.1,0.2,0.3\n"
         "0.250000 tone_map ACES\n"
@@ -42,13 +42,13 @@ TEST_CASE("mistakes in moves are told at their lines, all of them") {
                     "-1 decay 0\n"
                     "5 noise a.png\n") ==
           "a.txt:2: error: 'phosphor' has no parameter 'decai' (did you mean 'decay'?)\n"
-          "a.txt:3: error: is not of the form 'seconds name value'\n"
-          "a.txt:4: error: is not of the form 'seconds name value'\n"
-          "a.txt:5: error: 'decay' must lie between 0 and 1, and is 1.5\n"
-          "a.txt:7: error: 2 s is before 2.5 s of the line above\n"
-          "a.txt:8: error: 'tone_map' takes \"Clamp\", \"Reinhard\", \"ACES\", not 'Wild'\n"
-          "a.txt:9: error: is not of the form 'seconds name value'\n"
-          "a.txt:10: error: 'noise' is a file, which no move turns\n");
+          "a.txt:3: error: expected 'seconds name value'\n"
+          "a.txt:4: error: expected 'seconds name value'\n"
+          "a.txt:5: error: 'decay' must be between 0 and 1, got 1.5\n"
+          "a.txt:7: error: 2 s is earlier than 2.5 s on the line above\n"
+          "a.txt:8: error: 'tone_map' must be one of 'Clamp', 'Reinhard', 'ACES', got 'Wild'\n"
+          "a.txt:9: error: expected 'seconds name value'\n"
+          "a.txt:10: error: 'noise' is a file and can't be automated\n");
     const TemporaryFolder folder;
     CHECK_FALSE(load_moves(folder / "none.txt", sample_look()).has_value());
 }

@@ -37,7 +37,7 @@ TEST_CASE("what is being opened can be cancelled at any time, and what was open 
         CHECK(open_look(small) == "small");
         CHECK(small.frames() > frames);
         CHECK(small.lab().problems().empty());
-        CHECK(small.lab().notice()->text == "'other' was not opened");
+        CHECK(small.lab().notice()->text == "Cancelled opening \"other\"");
         small.lab().open("small");
         REQUIRE(small.turn_until([&] { return !small.lab().is_loading(); }));
     }

@@ -79,13 +79,14 @@ TEST_CASE("an address names a parameter, its arguments are the value within its 
     CHECK(asked("as_written", {1.0}) == Value(1.0));
     CHECK(asked("beam_color", {0.1, 0.2, 0.3}) == Value({0.1, 0.2, 0.3}));
     CHECK(asked("tone_map", {std::string("ACES")}) == Value(2.0));
-    CHECK(refusal_of({"/decay", {0.5}}) == "'/decay' is not of the form /afterglow/NAME");
+    CHECK(refusal_of({"/decay", {0.5}}) == "expected /afterglow/NAME, got '/decay'");
     CHECK(refusal_of(message("decai", {0.5})) ==
           "'phosphor' has no parameter 'decai' (did you mean 'decay'?)");
-    CHECK(refusal_of(message("decay", {})) == "'/afterglow/decay' takes 1 number, not 0");
+    CHECK(refusal_of(message("decay", {})) ==
+          "'/afterglow/decay' must be a single number, got 0 numbers");
     CHECK(refusal_of(message("beam_color", {0.5})) ==
-          "'/afterglow/beam_color' takes 3 numbers, not 1");
-    CHECK(refusal_of(message("noise", {0.5})) == "'/afterglow/noise' takes a text");
+          "'/afterglow/beam_color' must have 3 numbers, got 1");
+    CHECK(refusal_of(message("noise", {0.5})) == "'/afterglow/noise' must be a text");
 }
 
 TEST_CASE("half a second without a turn ends a step; two knobs that are turned at once share one") {

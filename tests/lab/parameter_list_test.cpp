@@ -64,10 +64,11 @@ TEST_CASE("the list is cut to what is changed, starred or used by a pass") {
 }
 
 TEST_CASE("an empty list says why") {
-    CHECK(why_nothing_is_listed({.words = "x"}) == "No parameter matches.");
-    CHECK(why_nothing_is_listed({.filter = ParameterFilter::changed}) == "Nothing is changed.");
+    CHECK(why_nothing_is_listed({.words = "x"}) == "No matches.");
+    CHECK(why_nothing_is_listed({.filter = ParameterFilter::changed}) ==
+          "No parameters are changed.");
     CHECK(why_nothing_is_listed({.filter = ParameterFilter::of_pass, .pass = "beam"}) ==
-          "The pass 'beam' uses no parameter.");
+          "The pass \"beam\" uses no parameters.");
 }
 
 TEST_CASE(

@@ -31,15 +31,15 @@ class FakeDevices : public SoundDevices {
 public:
     std::vector<SoundDevice> list() override { return {{.name = "Line in", .has_input = true}}; }
     Result<std::unique_ptr<SoundOutput>> open_output(const SoundSettings&) override {
-        return fail({{}, 0, "no sound device was found"});
+        return fail({{}, 0, "no audio device found"});
     }
     Result<std::unique_ptr<BeamOutput>> open_beam_output(const SoundSettings&) override {
-        return fail({{}, 0, "no sound device was found"});
+        return fail({{}, 0, "no audio device found"});
     }
     Result<std::unique_ptr<SoundCapture>> open_capture(const SoundSettings& settings,
                                                        int) override {
         if (settings.input == "Gone")
-            return fail({{}, 0, "the sound input cannot be opened: 'Gone' is not there"});
+            return fail({{}, 0, "can't open the audio input: 'Gone' isn't connected"});
         ++captures;
         asked = settings;
         auto capture = std::make_unique<FakeCapture>(position, has_stalled);
@@ -261,7 +261,7 @@ TEST_CASE("an input that is not there is told, and the last signal goes on") {
     REQUIRE(live.player.set_sound_settings(gone).has_value());
     const auto set = live.player.set_signal(Spec{"microphone", {}});
     REQUIRE_FALSE(set.has_value());
-    CHECK(live.player.silence() == "the sound input cannot be opened: 'Gone' is not there");
+    CHECK(live.player.silence() == "can't open the audio input: 'Gone' isn't connected");
     CHECK_FALSE(live.player.trace(live.player.advance(0.1)->span).empty());
 }
 
@@ -270,7 +270,7 @@ TEST_CASE("an input that goes away is told, and time goes on") {
     REQUIRE(live.player.set_signal(Spec{"microphone", {}}).has_value());
     live.devices.has_stalled = true;
     CHECK(live.player.advance(0.1)->span.seconds() == doctest::Approx(0.1));
-    CHECK(live.player.silence() == "nothing comes in from 'Line in' any more");
+    CHECK(live.player.silence() == "No input from \"Line in\"");
 }
 
 TEST_CASE("a muted live sound draws a resting beam, and its device stays closed") {
@@ -279,7 +279,7 @@ TEST_CASE("a muted live sound draws a resting beam, and its device stays closed"
     REQUIRE(live.player.set_signal(Spec{"microphone", {{"upsample", 1.0}}}).has_value());
     CHECK(live.devices.captures == 0);
     CHECK(live.player.draws_muted_input());
-    CHECK(live.player.silence() == "Live sound is muted.");
+    CHECK(live.player.silence() == "Live sound is muted");
     const auto frame = live.player.advance(0.1);  // the machine's clock goes on
     REQUIRE(frame.has_value());
     for (const BeamPoint& point : live.player.trace(frame->span)) {
@@ -351,7 +351,7 @@ TEST_CASE("a sound that is heard is the clock; when its device goes, it is told 
     CHECK(player.silence().empty());
     loudspeaker.has_stalled = true;
     CHECK(player.advance(0.1)->span.end == doctest::Approx(0.12));
-    CHECK(player.silence() == "'Line out' plays no longer; the picture runs without sound");
+    CHECK(player.silence() == "Audio device \"Line out\" stopped. Playing silently.");
 }
 
 TEST_CASE("who comes back to a moment finds the frames before it, as if they had been shown") {

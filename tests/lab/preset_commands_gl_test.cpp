@@ -101,7 +101,7 @@ TEST_CASE("a deleted preset is in the trash, and undo brings it back as it was o
     CHECK(fs::exists(small.folder() / "data/Trash/files/Mine.json"));
     CHECK(small.document().preset_file().empty());
     CHECK(small.presets().stars().empty());
-    CHECK(small.presets().undo_name() == "Delete 'Mine'");
+    CHECK(small.presets().undo_name() == "Delete \"Mine\"");
     REQUIRE(small.lab().notice()->choices.size() == 1);
     CHECK(small.lab().notice()->choices.front().name == "Undo");
 
@@ -122,7 +122,7 @@ TEST_CASE("a preset that is deleted while it opens does not open") {
     REQUIRE(small.lab().is_opening_preset(file));
     small.presets().remove(file);
     CHECK_FALSE(small.lab().is_opening_preset(file));
-    CHECK(small.lab().notice()->text == "Deleted 'Mine'");
+    CHECK(small.lab().notice()->text == "Deleted \"Mine\"");
     CHECK(small.document().preset_file() == small.shipped_file());
     small.lab().undo();
     CHECK(fs::exists(file));
@@ -159,7 +159,7 @@ TEST_CASE("presets of the user in the program's folder are offered to be moved, 
     small.open_and_wait(small.old_file().string());
     small.presets().offer_move();
     REQUIRE(small.lab().notice().has_value());
-    CHECK(small.lab().notice()->text == "1 preset of yours is in the program's folder");
+    CHECK(small.lab().notice()->text == "1 of your presets is in the program folder");
     small.presets().move_to_user_folder();
     CHECK_FALSE(fs::exists(small.old_file()));
     CHECK(read_text(small.users_file("old")) == PresetLab::text("Old"));

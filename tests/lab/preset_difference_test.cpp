@@ -34,7 +34,7 @@ TEST_CASE("a preset is compared with what is open, its missing values being the 
     CHECK(difference_from(preset, document) ==
           std::vector<Change>{{"decay", "Decay", "0.61", "0.92", ""},
                               {"exposure", "Exposure", "1.5", "4", ""},
-                              {{}, "Signal: Across", "5", "3", "per 1/60 s"}});
+                              {{}, "Signal: X frequency", "5", "3", "per 1/60 s"}});
     CHECK(document.history().undo_name() == "Exposure");  // what is open stays as it is
 }
 

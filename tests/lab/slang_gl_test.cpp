@@ -347,12 +347,13 @@ TEST_CASE("what is changed is saved as a .slangp that refers to the open one") {
     REQUIRE(slang.lab().can_save_slang_preset());
     slang.lab().edit([](Document& document) { document.set_value("level", Value(0.75)); });
     slang.lab().save_slang_preset(slang.file("a.slangp"));
-    CHECK(slang.lab().notice()->text == "a .slangp cannot refer to itself: give it another name");
+    CHECK(slang.lab().notice()->text ==
+          "A .slangp file can't reference itself. Choose another name.");
     slang.lab().save_slang_preset(slang.file("mine"));
     slang.open_preset("mine.slangp");
     CHECK(slang.level() == 0.75);
     slang.lab().save_slang_preset(slang.file("a.slangp"));  // would go round in a circle
-    CHECK(slang.lab().notice()->text == "the open look is made of that file: give it another name");
+    CHECK(slang.lab().notice()->text == "The open look uses this file. Choose another name.");
     CHECK_FALSE(slang.document().is_modified());
     slang.lab().open("small");
     REQUIRE(slang.turn_until([&] { return slang.document().look().id == "small"; }));

@@ -26,7 +26,7 @@ TEST_CASE("a pass is saved with its numbers as EXR, as it is seen as PNG") {
     const float frames = gpu::read_pixel(small.lab().renderer()->executor().target(0), 0, 0)[0];
     PassView view = view_of("sum");
     CHECK(saved(small, view, "sum.exr").pixels == std::vector<float>(8 * 8 * 4, frames));
-    CHECK(small.lab().notice()->text == "Saved 'sum' as 'sum.exr'");
+    CHECK(small.lab().notice()->text == "Saved \"sum\" to \"sum.exr\"");
 
     // Of what is linear, sRGB's half lies at 0.214041.
     view.levels = {frames - 0.214041, frames + 1 - 0.214041};

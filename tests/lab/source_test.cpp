@@ -75,7 +75,8 @@ TEST_CASE("a picture that is missing leaves the one before it, and is told once"
     CHECK(shown(source, 6, 10) == std::vector<float>{5, 5, 7, 5, 5, 7});
     const Diagnostics problems = source.take_problems();
     REQUIRE(problems.size() == 1);
-    CHECK(problems[0].message == "number 6 is missing; the sequence has 2 of the numbers 5 to 7");
+    CHECK(problems[0].message ==
+          "picture 6 is missing. The sequence has 2 pictures, numbered 5 to 7.");
     CHECK(source.take_problems().empty());
 }
 
@@ -92,8 +93,8 @@ TEST_CASE("what is no number in a picture is made one and told; light above 1 st
     const Diagnostics problems = source.take_problems();
     REQUIRE(problems.size() == 1);
     CHECK(to_string(problems[0]) == file.string() +
-                                        ": warning: 2 values are no numbers or infinite; they are "
-                                        "read as 0 and 65504");
+                                        ": warning: contains 2 NaN or Inf values, read as 0 or "
+                                        "±65504");
     CHECK_FALSE(source.moves());
 }
 
@@ -115,11 +116,11 @@ TEST_CASE("what is no source is told") {
         REQUIRE_FALSE(source.has_value());
         return to_string(source.error().front());
     };
-    CHECK(refused((folder / "f_%04d.png").string()).ends_with("no picture with such a number"));
-    CHECK(refused("pattern:smpte,fit=tall").find("there is no such fit") != std::string::npos);
+    CHECK(refused((folder / "f_%04d.png").string())
+              .ends_with("no numbered pictures match this name"));
+    CHECK(refused("pattern:smpte,fit=tall").find("unknown fit 'tall'") != std::string::npos);
     const auto video = folder.write("v.mp4", "no video");
-    CHECK(
-        refused(video.string()).starts_with(video.string() + ": error: cannot be read as a video"));
+    CHECK(refused(video.string()).starts_with(video.string() + ": error: can't read the video"));
 }
 
 TEST_CASE("a pattern that moves is drawn as it is at each time") {

@@ -81,7 +81,7 @@ TEST_CASE("two copies of a look draw one after the other, each with its own valu
     const auto ambiguous = drawn(folder, {.look = "gain+gain", .values = {{"gain", "3"}}});
     REQUIRE_FALSE(ambiguous.has_value());
     CHECK(ambiguous.error().front().message ==
-          "'gain' is a parameter of several looks; write one of: gain/gain, gain#2/gain");
+          "several looks have a parameter 'gain'; use one of: gain/gain, gain#2/gain");
 }
 
 TEST_CASE("between looks display values become light and light display values") {
@@ -144,7 +144,7 @@ TEST_CASE("a preset of a stack says its looks, what is bypassed and each value")
     REQUIRE_FALSE(unknown.has_value());
     CHECK(to_string(unknown.error()) ==
           "error: there is no look called 'gains' (did you mean 'gain'?)\n"
-          "error: a stack is written as LOOK+LOOK, without blanks\n");
+          "error: write a stack as LOOK+LOOK, without spaces\n");
 }
 
 namespace {

@@ -66,7 +66,7 @@ TEST_CASE("a step is shown as what it adds to the picture, and each pass by what
     CHECK(is_near_step(small.seen(), 0.5 + 32.0 * 0.01, 1e-5));
     CHECK(up.words() ==
           "Level 0.25 → 0.26: changes the picture by up to 3 of 255 levels, 3 on "
-          "average · shown 32 times as large");
+          "average · amplified 32×");
 
     small.ask("level", false);
     CHECK(is_near_step(small.seen(), 0.5 - 32.0 * 0.01, 1e-5));
@@ -93,7 +93,7 @@ TEST_CASE("a slider that changes nothing says so, and in which pass its effect e
     CHECK(hidden.changes()[0]->has_changed());
     const StepProbe& dead = small.ask("dead");
     CHECK(dead.effect()->kind == StepEffect::Kind::none);
-    CHECK(dead.words().ends_with("changes nothing: 'show' uses it, and draws the same"));
+    CHECK(dead.words().ends_with("has no effect: the output of \"show\" stays the same"));
     CHECK(is_near_step(small.seen(), 0.5, 1e-6));
 
     small.lab().edit([](Document& document) { document.set_value("opens", Value(1.0)); });
@@ -123,7 +123,7 @@ TEST_CASE("at a slider's end the answer says so, and it follows what is turned m
     small.lab().edit([](Document& document) { document.set_value("level", Value(1.0)); });
     const StepProbe& end = small.ask("level");
     CHECK(end.has_failed());
-    CHECK(end.words() == "Level is at its upper end");
+    CHECK(end.words() == "Level is at its maximum");
     small.lab().edit([](Document& document) { document.set_value("level", Value(0.5)); });
     small.turn(1);
     REQUIRE(small.turn_until([&] { return !small.probe().is_busy(); }));

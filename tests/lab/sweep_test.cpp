@@ -66,17 +66,16 @@ TEST_CASE("a list is taken as it is, items by their names") {
 }
 
 TEST_CASE("what cannot be varied is refused in plain words") {
-    CHECK(sweep_refusal("decay") == "'decay' is not of the form name=low:high:count or name=a,b,c");
+    CHECK(sweep_refusal("decay") == "expected name=low:high:count or name=a,b,c, got 'decay'");
     CHECK(sweep_refusal("dekay=0:1:2") ==
           "'test' has no parameter 'dekay' (did you mean 'decay'?)");
     CHECK(sweep_refusal("decay=0:1") ==
-          "'decay=0:1' is not of the form name=low:high:count, with a count from 2 to 100");
+          "expected name=low:high:count with a count from 2 to 100, got 'decay=0:1'");
     CHECK(sweep_refusal("decay=0:1:101") ==
-          "'decay=0:1:101' is not of the form name=low:high:count, with a count from 2 to 100");
-    CHECK(sweep_refusal("decay=0:2:3").find("'decay' must lie between 0 and 1") == 0);
-    CHECK(sweep_refusal("color=0:1:3") ==
-          "'color' is not a single number; only such can be varied");
-    CHECK(sweep_refusal("tone_map=Clamp,Acid").find("'tone_map' takes") == 0);
+          "expected name=low:high:count with a count from 2 to 100, got 'decay=0:1:101'");
+    CHECK(sweep_refusal("decay=0:2:3").find("'decay' must be between 0 and 1") == 0);
+    CHECK(sweep_refusal("color=0:1:3") == "'color' is not a single number and can't be swept");
+    CHECK(sweep_refusal("tone_map=Clamp,Acid").find("'tone_map' must be one of") == 0);
 }
 
 TEST_CASE("every combination comes once, the first parameter fastest") {

@@ -99,7 +99,7 @@ TEST_CASE("where nobody can be asked it is clamped and told once") {
     lab.lab().set_unattended(true);
     REQUIRE(lab.turn_until([&] { return lab.lab().notice() && lab.lab().notice()->is_problem; }));
     CHECK(lab.lab().notice()->text.find("pass 'sum'") != std::string::npos);
-    CHECK(lab.lab().notice()->text.find("pixel 3, 3 in frame 40") != std::string::npos);
+    CHECK(lab.lab().notice()->text.find("pixel (3, 3), frame 40") != std::string::npos);
     CHECK_FALSE(lab.lab().trip());
     CHECK(lab.lab().player().is_playing());
     CHECK(std::isfinite(lab.sum(3)));

@@ -58,7 +58,7 @@ TEST_CASE("a filmstrip shows the look along a slider; a click takes one of its v
     CHECK(strip.present(small.document()) == 2);
     small.lab().take_from_sheet(3);
     CHECK(small.document().value(*find_parameter(small.document().look(), "red")) == Value(0.75));
-    CHECK(small.document().history().undo_name() == "Take Red 0.75");
+    CHECK(small.document().history().undo_name() == "Apply Red 0.75");
     CHECK(strip.present(small.document()) == 3);
     small.turn(2);
     CHECK_FALSE(small.sheet().is_running());  // what a cell turned needs no new sheet
@@ -96,8 +96,8 @@ TEST_CASE("the stops of an axis lie along its slider, and what has none says so"
     CHECK(axis->stops[1].value == Value(1.0));
     CHECK(axis->stops[2].value == Value(10.0));
     const VariantSheet& none = small.lay_out({.across = "place"});
-    CHECK(none.problem() == "Place: 'place' is not a single number; only such can be varied");
-    CHECK(small.lay_out({.across = "gone"}).problem() == "This look has no parameter 'gone'");
+    CHECK(none.problem() == "Place: 'place' is not a single number and can't be swept");
+    CHECK(small.lay_out({.across = "gone"}).problem() == "This look has no parameter \"gone\"");
     small.lab().end_sheet();
     CHECK(small.sheet().cells().empty());
     CHECK(small.sheet().problem().empty());

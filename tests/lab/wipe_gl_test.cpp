@@ -67,7 +67,7 @@ TEST_CASE("the article's picture is drawn beside ours, from the frames that led 
     CHECK(small.shown() == shown);
     CHECK(small.shown_beside() == 3 * std::min(frames, 20.0f));  // the look settles in 20 frames
     CHECK(small.frames() == frames);
-    CHECK(small.lab().sides()->left_name() == "The article's own");
+    CHECK(small.lab().sides()->left_name() == "Original article");
     CHECK(small.document().values().empty());
     CHECK_FALSE(small.document().history().can_undo());
 
@@ -132,7 +132,7 @@ TEST_CASE("what is turned, edited or resized is so on both sides") {
         small.turn(1);
         small.rest();
         CHECK(small.shown() == 3 * small.shown_beside());
-        CHECK(small.lab().sides()->left_name() == "The article's own");
+        CHECK(small.lab().sides()->left_name() == "Original article");
         CHECK_FALSE(small.lab().sides()->is_other_left);
     }
     SUBCASE("a shader") {
@@ -166,7 +166,7 @@ TEST_CASE("a look without the switch says that there is nothing to wipe to") {
     small.turn(1);
     CHECK_FALSE(small.lab().sides());
     REQUIRE(small.lab().notice());
-    CHECK(small.lab().notice()->text.find("no switch 'as_written'") != std::string::npos);
+    CHECK(small.lab().notice()->text.find("no switch as_written") != std::string::npos);
 }
 
 TEST_CASE("both sides of an accumulating look take all their samples, then rest") {

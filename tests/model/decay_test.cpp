@@ -30,7 +30,7 @@ TEST_CASE("a time to a tenth says the factor, and back") {
 TEST_CASE("a light that is gone at once, and one that never fades") {
     CHECK(half_life(0.0) == 0.0);
     CHECK(half_life(1.0) == std::numeric_limits<double>::infinity());
-    CHECK(duration_text(half_life(1.0)) == "for ever");
+    CHECK(duration_text(half_life(1.0)) == "forever");
 }
 
 TEST_CASE("a decay is typed as a half-life, or as what is left and when") {

@@ -43,26 +43,26 @@ TEST_CASE("a choice takes one of two by a comparison, and each may be a choice")
     CHECK(value("max($WIDTH > 1 ? 7 : 8, 2)") == 7.0);
     CHECK(value("$WIDTH > 0 ? 640 / $WIDTH : 1 / 0") == 1.0);
     CHECK(value("pow(2, floor(log2($WIDTH)))") == 512.0);
-    CHECK(problem("1 ? 2") == "':' is missing");
+    CHECK(problem("1 ? 2") == "missing ':'");
     std::string chain;
     for (int i = 0; i < 10000; ++i)
         chain += "1 ? ";
-    CHECK(problem(chain) == "too many choices");
+    CHECK(problem(chain) == "the '? :' conditions are nested too deeply");
 }
 
 TEST_CASE("what cannot be read is said in words") {
     CHECK(problem("$HEIGHT") == "unknown name '$HEIGHT'");
     CHECK(problem("sin(1)") == "unknown function 'sin'");
-    CHECK(problem("(1 + 2") == "')' is missing");
-    CHECK(problem("max(1)") == "',' is missing");
+    CHECK(problem("(1 + 2") == "missing ')'");
+    CHECK(problem("max(1)") == "missing ','");
     CHECK(problem("1 2") == "unexpected '2'");
-    CHECK(problem("") == "a number, a name or a bracket is missing");
+    CHECK(problem("") == "expected a number, a name or '('");
     CHECK(problem("1 / 0") == "'1 / 0' is not a finite number");
     CHECK(problem("$") == "unknown name '$'");
-    CHECK(problem("\xff\x01") == "a number, a name or a bracket is missing");
+    CHECK(problem("\xff\x01") == "expected a number, a name or '('");
 }
 
 TEST_CASE("a text that only opens brackets ends in words, however long it is") {
-    CHECK(problem(std::string(100000, '(')) == "too many brackets");
-    CHECK(problem(std::string(100000, '-')) == "too many brackets");
+    CHECK(problem(std::string(100000, '(')) == "the expression is nested too deeply");
+    CHECK(problem(std::string(100000, '-')) == "the expression is nested too deeply");
 }

@@ -132,7 +132,8 @@ TEST_CASE("a run of pictures that flashes beyond the limit is told, with how oft
     REQUIRE(six.warning());
     // changes in frames 5, 10, .. from 0: the eighth, so the fourth flash, is in frame 40
     CHECK(six.warning()->find("up to 6 times a second (0 in red)") != std::string::npos);
-    CHECK(six.warning()->find("50 frames from 0.68 s to 1.50 s") != std::string::npos);
+    CHECK(six.warning()->find("50 frames from 0.68 s to 1.50 s are above it.") !=
+          std::string::npos);
 }
 
 TEST_CASE("cells are means of light, not of display values, and what is no number is dark") {

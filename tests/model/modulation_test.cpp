@@ -157,11 +157,11 @@ TEST_CASE("what is no number, or says how large a pass is, does not move") {
     CHECK(why_unmodulated(look, look.parameters[0]).empty());
     CHECK(why_unmodulated(look, look.parameters[2]).empty());
     CHECK(why_unmodulated(look, look.parameters[1]) ==
-          "says how large a pass is or how often it draws");
+          "'taps' can't be modulated: it sets the size or repeat count of a pass");
     look.parameters[0].type.scalar = Scalar::boolean;
-    CHECK(why_unmodulated(look, look.parameters[0]) == "is a switch");
+    CHECK(why_unmodulated(look, look.parameters[0]) == "'gain' can't be modulated: it is a switch");
     look.parameters[0].control = Control::list;
-    CHECK(why_unmodulated(look, look.parameters[0]) == "is a list");
+    CHECK(why_unmodulated(look, look.parameters[0]) == "'gain' can't be modulated: it is a list");
     const Values values{{"taps", Value(3.0)}};
     CHECK(modulated(look, values, {{"taps", {}}, {"gone", {}}, {"gain", {}}}, 0.3, nullptr) ==
           values);

@@ -10,6 +10,7 @@ namespace {
 Parameter slider(double low, double high, double step = 0.0) {
     Parameter made;
     made.name = "knob";
+    made.label = "Knob";
     made.range = {low, high, step};
     return made;
 }
@@ -52,8 +53,8 @@ TEST_CASE("a number counts on, a list goes to the next item, a switch is turned"
     list.items = {{0, "none"}, {3, "some"}, {7, "all"}};
     CHECK(stepped(list, 3, true) == 7.0);
     CHECK(stepped(list, 3, false) == 0.0);
-    CHECK(why_not(list, Value(7.0)) == "is at its last item");
-    CHECK(why_not(list, Value(0.0), false) == "is at its first item");
+    CHECK(why_not(list, Value(7.0)) == "Knob is at its last item");
+    CHECK(why_not(list, Value(0.0), false) == "Knob is at its first item");
 
     Parameter toggle = slider(0, 1);
     toggle.type.scalar = Scalar::boolean;
@@ -75,7 +76,7 @@ TEST_CASE("of a vector one number is stepped, a colour as a whole, a point upwar
     REQUIRE(lighter.has_value());
     for (const std::size_t i : {0U, 1U, 2U})  // a tenth of a stop: 2^(1/10) = 1.0717734625
         CHECK(std::abs(lighter->numbers[i] - std::array{0.2, 0.4, 0.0}[i] * 1.0717734625) < 1e-9);
-    CHECK(why_not(vector, Value({0.0, 0.0, 0.0})).starts_with("cannot be made brighter"));
+    CHECK(why_not(vector, Value({0.0, 0.0, 0.0})) == "Knob is black or at its limit");
 
     vector.control = Control::point;
     vector.type.rows = 2;
@@ -98,13 +99,13 @@ TEST_CASE("a point is stepped over the range of its upward axis") {
 }
 
 TEST_CASE("at its end, and without steps, a parameter says why it takes none") {
-    CHECK(why_not(slider(0, 1), Value(1.0)) == "is at its upper end");
-    CHECK(why_not(slider(0, 1), Value(0.0), false) == "is at its lower end");
-    CHECK(why_not(slider(0, 1, 0.25), Value(1.0)) == "is at its upper end");
+    CHECK(why_not(slider(0, 1), Value(1.0)) == "Knob is at its maximum");
+    CHECK(why_not(slider(0, 1), Value(0.0), false) == "Knob is at its minimum");
+    CHECK(why_not(slider(0, 1, 0.25), Value(1.0)) == "Knob is at its maximum");
     Parameter image = slider(0, 1);
     image.control = Control::image;
-    CHECK(why_not(image, Value::of_path("a.png")) == "has no steps");
+    CHECK(why_not(image, Value::of_path("a.png")) == "Knob can't be changed in steps");
     Parameter matrix = slider(0, 1);
     matrix.type = {Scalar::floating, 2, 2};
-    CHECK(why_not(matrix, Value({1.0, 0.0, 0.0, 1.0})) == "has no steps");
+    CHECK(why_not(matrix, Value({1.0, 0.0, 0.0, 1.0})) == "Knob can't be changed in steps");
 }

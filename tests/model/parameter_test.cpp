@@ -70,10 +70,10 @@ TEST_CASE("a typed value is numbers between commas") {
     CHECK(parse_value(knob, " 0.5 , -1e2 ").value() == Value({0.5, -100}));
     const auto short_one = parse_value(knob, "1");
     REQUIRE_FALSE(short_one.has_value());
-    CHECK(short_one.error().front().message == "'knob' takes 2 numbers, not 1");
+    CHECK(short_one.error().front().message == "'knob' must have 2 numbers, got 1");
     const auto words = parse_value(knob, "1,much");
     REQUIRE_FALSE(words.has_value());
-    CHECK(words.error().front().message == "'knob' takes 2 numbers, not 'much'");
+    CHECK(words.error().front().message == "'knob' must be 2 numbers, got 'much'");
     CHECK_FALSE(parse_value(knob, "").has_value());
     CHECK_FALSE(parse_value(knob, "nan,1").has_value());
 }

@@ -60,9 +60,9 @@ TEST_CASE("a pass without anything to hand on says why it cannot be bypassed") {
     Look look = four_passes();
     look.passes.push_back(switched_pass("count", {from(From::pass, "count", 1)}));
     CHECK(reason(switched(look, {}, PassSwitch::bypass, "beam")) ==
-          "'beam' reads no picture, so there is nothing that a bypass could hand on");
+          "'beam' can't be bypassed: it has no inputs");
     CHECK(reason(switched(look, {}, PassSwitch::bypass, "count")) ==
-          "'count' reads only its own past, so there is nothing that a bypass could hand on");
+          "'count' can't be bypassed: it reads only its own output");
 }
 
 TEST_CASE("one pass is seen in the picture's place: alone, or as the last that is drawn") {

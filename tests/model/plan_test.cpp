@@ -79,7 +79,7 @@ TEST_CASE("a size that no texture can have is refused at the pass's line") {
     CHECK(plan_targets(look, {1, 1}, {}, {}, {.largest_side = 1000}).has_value());
     look.passes[0].size[1].factor = 1001;
     CHECK(problem(look) ==
-          "look.json:7: error: pass 'big' would be 1000 x 1001 px; a side is 1 to 1000 px");
+          "look.json:7: error: pass 'big' would be 1000 x 1001 px; each side must be 1 to 1000 px");
     look.passes[0].size[1].factor = 0;
     CHECK(problem(look).find("1000 x 0 px") != std::string::npos);
     look.passes[0].size[1].factor = -1e300;
@@ -132,7 +132,7 @@ TEST_CASE("a target keeps red alone where its look says so and nobody overrides 
     CHECK(format(1.0, {{"light", {Format::rgba16f, {}, {}}}}) == Format::rgba16f);
     CHECK(is_used_by(look, 0, look.parameters[0]));
     look.passes[0].one_channel = "$mono +";
-    CHECK(problem(look).starts_with("look.json:7: error: \"one_channel\" of pass 'light': "));
+    CHECK(problem(look).starts_with("look.json:7: error: 'one_channel' of pass 'light': "));
 }
 
 TEST_CASE("the smallest spot is what the look says of it, else half a texel") {
@@ -150,7 +150,7 @@ TEST_CASE("the smallest spot is what the look says of it, else half a texel") {
     CHECK(spot({{"scope/width", Value(-1.0)}}) == BeamSpot{});
     CHECK(is_used_by(look, 0, look.parameters[0]));
     look.passes[0].spot[1] = "$widht";
-    CHECK(problem(look) == "look.json:7: error: \"spot\" of pass 'beam': unknown name '$widht'");
+    CHECK(problem(look) == "look.json:7: error: 'spot' of pass 'beam': unknown name '$widht'");
 }
 
 TEST_CASE("a knob reaches the passes behind its own") {
@@ -312,7 +312,7 @@ TEST_CASE("whether passes share targets is told of the parameter that decides it
     CHECK_FALSE(decides_sharing(look, look.parameters.front()));
     CHECK(is_used_by(look, 0, look.parameters.back()));
     look.passes[0].onto->where = "$plan";
-    CHECK(problem(look) == "look.json:7: error: \"onto\" of pass 'beam': unknown name '$plan'");
+    CHECK(problem(look) == "look.json:7: error: 'onto' of pass 'beam': unknown name '$plan'");
 }
 
 TEST_CASE("floats have half their bits where the look says so, by any component of a value") {
@@ -334,5 +334,5 @@ TEST_CASE("floats have half their bits where the look says so, by any component 
     CHECK(is_used_by(look, 0, look.parameters[0]));
     look.passes[0].half_floats = "$speed.w";
     CHECK(problem(look) ==
-          "look.json:7: error: \"half_floats\" of pass 'light': unknown name '$speed.w'");
+          "look.json:7: error: 'half_floats' of pass 'light': unknown name '$speed.w'");
 }

@@ -27,9 +27,10 @@ TEST_CASE("a value without a parameter is named, with a likely new name") {
     preset.values = {{"dekay", 0.5}};
     const Diagnostics notes = compare_with_look(preset, phosphor(), "p.json");
     REQUIRE(notes.size() == 1);
-    CHECK(to_string(notes.front()) ==
-          "p.json: warning: 'Phosphor' has no parameter 'dekay' any more; its value 0.5 is kept "
-          "(did you mean 'decay'?)");
+    CHECK(
+        to_string(notes.front()) ==
+        "p.json: warning: 'Phosphor' no longer has the parameter 'dekay' (did you mean 'decay'?). "
+        "Its value 0.5 is kept.");
 }
 
 TEST_CASE("changed defaults are noted even when every name still fits") {

@@ -11,7 +11,7 @@ TEST_CASE("a source keeps its own commas, its settings stand behind") {
     CHECK(parse_source("x,fit=whole.png")
               .error()
               .front()
-              .message.starts_with("'fit=whole.png': there is no such fit; there are: stretch, "));
+              .message.starts_with("unknown fit 'whole.png'; use one of: stretch, "));
     for (const char* text :
          {"a.png,aspect=0", "a.png,aspect=wide", "a.png,rate=-1", "a.png,loop=yes",
           "a.png,fit=", "", "a.png,shape=wide", "a.png,shape=4:0", "a.png,shape=100:1",

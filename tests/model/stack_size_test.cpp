@@ -8,6 +8,6 @@ TEST_CASE("a stack has at most 64 looks") {
     for (int i = 1; i < 64; ++i)
         looks += "+crt";
     CHECK(fault_of_stack_size(looks).empty());
-    CHECK(fault_of_stack_size(looks + "+crt") == "a stack has at most 64 looks; this one has 65");
+    CHECK(fault_of_stack_size(looks + "+crt") == "the stack has 65 looks; the limit is 64");
     CHECK_FALSE(fault_of_stack_size(std::string(20'000, '+')).empty());
 }

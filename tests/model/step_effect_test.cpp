@@ -47,8 +47,7 @@ TEST_CASE("a change that reaches the picture is told in levels of a display") {
     const PassChange little{0.0, 0.4 / 255.0, 0.3};
     const auto faint = effect_of(look, used_by(0), {other, other, other, little});
     CHECK(faint.kind == Kind::faint);
-    CHECK(effect_text(faint, little) ==
-          "cannot be seen: it changes the picture by 0.4 of 255 levels at most");
+    CHECK(effect_text(faint, little) == "too small to see: at most 0.4 of 255 levels");
 }
 
 TEST_CASE("a change that does not reach the picture names where it ends") {
@@ -57,32 +56,30 @@ TEST_CASE("a change that does not reach the picture names where it ends") {
     CHECK(effect.kind == Kind::lost);
     CHECK(effect.last_changed == "bloom");
     CHECK(effect.ends == std::vector<std::string>{"show"});
-    CHECK(effect_text(effect, same) ==
-          "changes nothing in the picture: its effect ends in 'show', which draws the same");
+    CHECK(effect_text(effect, same) == "doesn't change the picture: its effect ends in \"show\"");
 
     const auto earlier = effect_of(look, used_by(0), {other, other, same, same});
     CHECK(earlier.ends == std::vector<std::string>{"bloom", "show"});
     CHECK(effect_text(earlier, same) ==
-          "changes nothing in the picture: its effect ends in "
-          "'bloom' and 'show', which draw the same");
+          "doesn't change the picture: its effect ends in \"bloom\", \"show\"");
 
     Look unread = look;
     unread.passes.back().inputs.pop_back();
     const auto dead = effect_of(unread, used_by(1), {same, same, other, same});
     CHECK(dead.ends == std::vector<std::string>{"kept"});  // uses it itself
     CHECK(effect_text(effect_of(unread, used_by(2), {same, same, other, same}), same) ==
-          "changes nothing in the picture: no pass reads what 'bloom' draws");
+          "doesn't change the picture: no pass reads \"bloom\"");
 }
 
 TEST_CASE("where no pass changes, those that use the parameter are named") {
     const Look look = scope_look();
     const auto effect = effect_of(look, used_by(3), {same, same, same, same});
     CHECK(effect.kind == Kind::none);
-    CHECK(effect_text(effect, same) == "changes nothing: 'show' uses it, and draws the same");
+    CHECK(effect_text(effect, same) == "has no effect: the output of \"show\" stays the same");
     Parameter unused;
     unused.name = "knob";
     CHECK(effect_text(effect_of(look, unused, {same, same, same, same}), same) ==
-          "changes nothing: no pass uses it");
+          "has no effect: no pass uses it");
 }
 
 TEST_CASE("a pass's bar is as long as its share of change, in equal ratios") {

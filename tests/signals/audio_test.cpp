@@ -189,5 +189,5 @@ TEST_CASE("a missing or useless sound is refused") {
                                   {std::make_shared<Sound>(Sound{10, 1, std::vector<float>(20)})});
     REQUIRE_FALSE(late.has_value());
     CHECK(to_string(late.error()) ==
-          "error: audio: start is 5 s, but the sound is only 2 s long\n");
+          "error: audio: 'start' is 5 s, but the sound is only 2 s long\n");
 }

@@ -114,10 +114,10 @@ TEST_CASE("any cut of time gives the same colours, also in a loop and where a so
 TEST_CASE("a channel that the sound does not have is told; one channel alone is x and y") {
     const auto stereo = channels_of(2, 600, stair);
     CHECK(channels_refusal("audio:a.wav,r=5", stereo) ==
-          "r is channel 5, but the sound has 2 channels");
+          "'r' is channel 5, but the sound has only 2 channels");
     const auto mono = channels_of(1, 600, stair);
     CHECK(channels_refusal("audio:a.wav,x=2", mono) ==
-          "x is channel 2, but the sound has 1 channel");
+          "'x' is channel 2, but the sound has only 1 channel");
     const Beam diagonal = second_frame("mode=xy", mono);
     CHECK(diagonal.back().x == diagonal.back().y);
     CHECK(make_signal(parse_spec("audio:a.wav,mode=spectrum,r=5").value(), {stereo}).has_value());

@@ -62,21 +62,21 @@ TEST_CASE("a drawing's text reads back as the same drawing") {
 }
 
 TEST_CASE("a drawing's text with a mistake is told, with its place") {
-    CHECK(drawing_refusal("") == "there is no keyframe: [] is an empty one");
-    CHECK(drawing_refusal("L0 0 1 1") == "each keyframe stands between [ and ]");
-    CHECK(drawing_refusal("[L0 0 1 1") == "each keyframe stands between [ and ]");
-    CHECK(drawing_refusal("[][L0 0 1 1;Q0 0]").starts_with("stroke 2 of keyframe 2 begins with L"));
-    CHECK(drawing_refusal("[L0 0 1]").starts_with("stroke 1 of keyframe 1 takes pairs"));
-    CHECK(drawing_refusal("[L]").starts_with("stroke 1 of keyframe 1 takes pairs"));
-    CHECK(drawing_refusal("[L0 nan]").starts_with("stroke 1 of keyframe 1 takes pairs"));
-    CHECK(drawing_refusal("[L0 1e9]").starts_with("stroke 1 of keyframe 1 takes pairs"));
+    CHECK(drawing_refusal("") == "expected at least one keyframe, such as the empty one []");
+    CHECK(drawing_refusal("L0 0 1 1") == "each keyframe must be enclosed in [ and ]");
+    CHECK(drawing_refusal("[L0 0 1 1") == "each keyframe must be enclosed in [ and ]");
+    CHECK(drawing_refusal("[][L0 0 1 1;Q0 0]").starts_with("stroke 2 of keyframe 2: expected L"));
+    CHECK(drawing_refusal("[L0 0 1]").starts_with("stroke 1 of keyframe 1: expected pairs"));
+    CHECK(drawing_refusal("[L]").starts_with("stroke 1 of keyframe 1: expected pairs"));
+    CHECK(drawing_refusal("[L0 nan]").starts_with("stroke 1 of keyframe 1: expected pairs"));
+    CHECK(drawing_refusal("[L0 1e9]").starts_with("stroke 1 of keyframe 1: expected pairs"));
     std::string keyframes;
     for (std::size_t i = 0; i <= most_keyframes; ++i)
         keyframes += "[]";
-    CHECK(drawing_refusal(keyframes) == "there are more than 100 keyframes");
+    CHECK(drawing_refusal(keyframes) == "too many keyframes; the limit is 100");
     Drawing huge{{{{}}}};
     huge.keyframes[0][0].points.resize(most_drawing_points + 1);
-    CHECK(drawing_refusal(to_text(huge)) == "there are more than 20000 points");
+    CHECK(drawing_refusal(to_text(huge)) == "too many points; the limit is 20000");
 }
 
 TEST_CASE("another program's drawing is fitted, one to scale stays") {
@@ -262,8 +262,9 @@ TEST_CASE("a long drawing is drawn less often, to its end") {
 }
 
 TEST_CASE("a drawing without strokes or a file, or with both, is told") {
-    CHECK(refused_signal("drawing").find("takes a file") != std::string::npos);
-    CHECK(refused_signal("drawing:a.svg,strokes=[]") == "drawing: takes either a file or strokes");
+    CHECK(refused_signal("drawing").find("expected a file") != std::string::npos);
+    CHECK(refused_signal("drawing:a.svg,strokes=[]") ==
+          "drawing: 'file' and 'strokes' can't be used together");
     CHECK(refused_signal("drawing:a.svg").find("nothing to draw") != std::string::npos);
     CHECK(refused_signal("drawing:strokes=[L0 0 1]").find("stroke 1 of keyframe 1") !=
           std::string::npos);

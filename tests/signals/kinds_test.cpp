@@ -54,23 +54,23 @@ TEST_CASE("a bare word is the file, also when it looks like a number") {
 
 TEST_CASE("a misspelt kind, key or word is refused with a suggestion") {
     CHECK(spec_refusal("lisajous") ==
-          "error: there is no signal 'lisajous' (did you mean 'lissajous'?)\n");
+          "error: unknown signal 'lisajous' (did you mean 'lissajous'?)\n");
     CHECK(spec_refusal("lissajous:phse=0") ==
-          "error: lissajous has no setting 'phse' (did you mean 'phase'?)\n");
+          "error: lissajous: unknown setting 'phse' (did you mean 'phase'?)\n");
     CHECK(spec_refusal("waveform:ch1=sin") ==
-          "error: waveform: ch1 takes sine, triangle, square, saw, noise, off, not 'sin' "
-          "(did you mean 'sine'?)\n");
-    CHECK(spec_refusal("theremin").find("known are lissajous, waveform") != std::string::npos);
+          "error: waveform: 'ch1' must be one of 'sine', 'triangle', 'square', 'saw', 'noise', "
+          "'off', got 'sin' (did you mean 'sine'?)\n");
+    CHECK(spec_refusal("theremin").find("use one of: lissajous, waveform") != std::string::npos);
 }
 
 TEST_CASE("numbers that cannot be meant are refused, all at once") {
     CHECK(spec_refusal("lissajous:points=4096.5").find("whole number") != std::string::npos);
     CHECK(spec_refusal("lissajous:points=1e12").find("between 16 and 262144") != std::string::npos);
     CHECK(spec_refusal("audio:a.wav,upsample=0").find("between 1 and 16") != std::string::npos);
-    CHECK(spec_refusal("lissajous:x=nan") == "error: lissajous: x takes a number, not 'nan'\n");
-    CHECK(spec_refusal("lissajous:3") == "error: lissajous: '3' is not of the form key=value\n");
-    CHECK(spec_refusal("audio") == "error: audio: file must be given\n");
-    CHECK(spec_refusal("audio:a.wav,file=b.wav") == "error: audio: file is given twice\n");
+    CHECK(spec_refusal("lissajous:x=nan") == "error: lissajous: 'x' must be a number, got 'nan'\n");
+    CHECK(spec_refusal("lissajous:3") == "error: lissajous: expected key=value, got '3'\n");
+    CHECK(spec_refusal("audio") == "error: audio: 'file' is required\n");
+    CHECK(spec_refusal("audio:a.wav,file=b.wav") == "error: audio: 'file' is given twice\n");
     const std::string both = spec_refusal("am:depth=2,mode=zz");
     CHECK(std::count(both.begin(), both.end(), '\n') == 2);
 

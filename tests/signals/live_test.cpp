@@ -50,5 +50,6 @@ TEST_CASE("without a device a microphone says what to do") {
     const auto made = make_signal(parse_spec("microphone:mode=xy").value(), {});
     REQUIRE_FALSE(made.has_value());
     CHECK(to_string(made.error()) ==
-          "error: microphone: there is no live sound here; audio:FILE shows a sound file\n");
+          "error: microphone: live sound only works in the window. Use audio:FILE for a sound "
+          "file.\n");
 }

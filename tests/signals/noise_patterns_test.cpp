@@ -66,5 +66,6 @@ TEST_CASE("solids have the rows of their faces or slices, and others are refused
     CHECK(volume->extent == Extent{32, 32 * 32});
     CHECK(volume->pixels[0] == volume->pixels[1]);
     CHECK(make_solid("noise-volume")->pixels[0] != make_solid("noise-volume")->pixels[1]);
-    CHECK(make_solid("ball").error().front().message == "there is no cube or volume 'ball'");
+    CHECK(make_solid("ball").error().front().message ==
+          "unknown cube or volume 'ball'; use sky, grey-volume or noise-volume");
 }

@@ -58,7 +58,7 @@ TEST_CASE("the checkerboard is half white") {
 
 TEST_CASE("a pattern's mistakes are named") {
     CHECK(make_pattern("smpt").error().front().message ==
-          "there is no pattern 'smpt' (did you mean 'smpte'?)");
+          "unknown pattern 'smpt' (did you mean 'smpte'?)");
     for (const char* text :
          {"", "smpte,size=", "smpte,size=0x5", "smpte,size=99999x9", "smpte,color=1"})
         CHECK_FALSE(make_pattern(text).has_value());

@@ -41,7 +41,7 @@ TEST_CASE("the first bad line is told with its number, and the rest is read") {
         reader.take(line + "\n", points);
     CHECK(points.size() == 2);
     CHECK(reader.bad_count() == 5);
-    CHECK(to_string(*reader.problem()) == "stdin:2: error: y is 'nan', not a number");
+    CHECK(to_string(*reader.problem()) == "stdin:2: error: 'y' must be a number, got 'nan'");
 }
 
 TEST_CASE("raw points are read the same however they are cut, and those that are NaN passed over") {

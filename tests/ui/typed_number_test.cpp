@@ -32,9 +32,9 @@ TEST_CASE("what is no number, or may be two, changes nothing and is told") {
 TEST_CASE("a typed number stops at the hard limit, and that is told with the limit") {
     const NumberFacts facts{.unit = "s", .limit = Limit{0.0, 10.0}};
     CHECK(read_typed_number("11", facts).value == 10.0);
-    CHECK(read_typed_number("11", facts).complaint.find("at most 10 s") != std::string::npos);
+    CHECK(read_typed_number("11", facts).complaint.find("Limited to 10 s") != std::string::npos);
     CHECK(read_typed_number("-1", facts).value == 0.0);
-    CHECK(read_typed_number("-1", facts).complaint.find("at least 0 s") != std::string::npos);
+    CHECK(read_typed_number("-1", facts).complaint.find("Limited to 0 s") != std::string::npos);
     CHECK(read_typed_number("10", facts).complaint.empty());
 }
 

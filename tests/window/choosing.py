@@ -34,7 +34,7 @@ class Choosing(Person):
         program.wait("and redo the waves", lambda s: s["signal"].startswith("waveform:"))
         self.ask("look crt", "Look: CRT")
         program.wait("the look opens at once", lambda s: s["look"] == "crt" and s["dialog"] == 0)
-        program.wait("the other signal is kept", lambda s: s["notice"].startswith("Unsaved changes are kept"))
+        program.wait("the other signal is kept", lambda s: s["notice"].startswith("Your unsaved changes are kept"))
         self.ask("unsaved phosphor", "Unsaved changes: phosphor")
         program.wait("and comes back", lambda s: s["look"] == "phosphor" and s["signal"].startswith("waveform:"))
 
@@ -69,7 +69,7 @@ class Choosing(Person):
         program.wait("white is four", lambda s: s["levels"][1] == 4 and s["channels"] == 0)
         program.key("shift+a")
         self.ask("pass persist", "Pass: persistence")
-        self.ask("add crt", "Stack: Add CRT behind")
+        self.ask("add crt", "Stack: Add CRT")
         program.wait("both looks draw", lambda s: s["look"] == "phosphor+crt" and s["undo"] == "Add CRT")
         self.ask("remove phos", "Stack: Remove Phosphor")
         program.wait("the look behind works on a picture alone", lambda s: s["look"] == "crt")
@@ -83,7 +83,7 @@ class Choosing(Person):
         program.click("preset:overdriven")
         program.wait("it is open, and can be renamed", lambda s: s["preset"])
         for menu, item in {"File": "Quit", "Edit": "Undo", "View": "Zoom 1:1", "Compare": "Wipe",
-                           "Pass": "Next pass", "Playback": "Restart", "Help": "Keys"}.items():
+                           "Pass": "Next pass", "Playback": "Restart", "Help": "Keyboard shortcuts"}.items():
             program.click("menu:" + menu)
             program.wait("the menu is open", lambda s: "menu:" + item in s["widgets"])
             program.key("Escape")
@@ -91,8 +91,8 @@ class Choosing(Person):
         for key in ("ctrl+o", "ctrl+n", "ctrl+shift+s", "ctrl+p", "F1", "shift+F1", "i"):
             program.key(key)
             self.leave_dialog()
-        for menu, action in (("File", "Duplicate this look…"), ("File", "Save the picture…"),
-                             ("Edit", "Remote control…"), ("Playback", "Compare at 24, 30, 60 and 144 Hz…")):
+        for menu, action in (("File", "Duplicate look…"), ("File", "Save picture…"),
+                             ("Edit", "Remote control…"), ("Playback", "Compare frame rates…")):
             program.choose(menu, action)
             self.leave_dialog()
 

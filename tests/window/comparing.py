@@ -41,7 +41,7 @@ class Comparing(Person):
         program.wait("ours is alone", lambda s: s["compare"]["mode"] == "off")
         program.key("F5")
         state = program.wait("the slot's values are here", lambda s: s["slots"][0])
-        self.assertEqual(state["undo"], "Slot A")
+        self.assertEqual(state["undo"], "Recall slot A")
         program.key("ctrl+z")
 
     def test_while_a_key_is_held_the_other_picture_is_shown(self):
@@ -73,6 +73,6 @@ class Comparing(Person):
         self.drop(file)
         program.wait("it is on the other side", lambda s: s["wipe"] and
                      s["compare"]["other"].startswith("screen.png") and
-                     "fitted" in s["compare"]["other"])
+                     "scaled" in s["compare"]["other"])
         program.key("w")
         program.wait("ours is alone", lambda s: s["compare"]["mode"] == "off")

@@ -71,13 +71,13 @@ class Drawing(Person):
         drawn = self.strokes()
         file = program.folder / "mine.svg"
         self.ask_file("save_drawing", file)
-        program.wait("it is saved", lambda s: "Saved 'mine.svg'" in s["notice"])
+        program.wait("it is saved", lambda s: 'Saved "mine.svg"' in s["notice"])
         self.assertEqual(file.read_text().count("data-keyframe"), 2)
         program.click("keyframe_clear")
         program.wait("the keyframe is empty", lambda s: s["signal"].endswith("[]"))
         (program.folder / "none.svg").write_text("<svg><desc>nothing</desc></svg>")
         self.ask_file("load_drawing", program.folder / "none.svg")
-        program.wait("one without lines is told", lambda s: "has no paths" in s["notice"])
+        program.wait("one without lines is told", lambda s: "nothing to draw" in s["notice"])
         self.ask_file("load_drawing", file)
         program.wait("it comes back with its keyframes",
                      lambda s: s["undo"] == "Load drawing" and self.strokes() == drawn)

@@ -57,7 +57,7 @@ class Driving(Person):
         program.click("signal_group:Sound devices")
         program.click("sound:beam")
         before = program.state()["frame"]
-        missing = "the beam is shown and goes nowhere else"
+        missing = "The beam is only shown on the screen."
         state = program.wait("it is on, or there is no device, which is told", lambda s:
                              missing in s["notice"] or
                              ("sound:beam_level" in s["widgets"] and s["frame"] > before + 5))
@@ -93,7 +93,7 @@ class Driving(Person):
         os.truncate(cut, 8044)
         self.open_by_name(cut)
         program.wait("what is there draws, and how much that is is told", lambda s: not s["reading"] and
-                     ["breaks off: 0.25 of 4.00 s are there, the rest is missing"] ==
+                     ["the file ends early: only 0.25 of 4.00 s were read"] ==
                      [problem["message"] for problem in s["problems"]])
         program.key("ctrl+z", "ctrl+z")
         program.wait("without the file there is no mark", lambda s: not s["problems"] and
@@ -129,7 +129,7 @@ class Driving(Person):
         program.wait_for("the picture is there", lambda: screen.brightness(middle) > 1)
         self.snapshot("output")
         program.wait("the display's size is offered", lambda s: s["notice"] ==
-                     "The picture has 240 × 180 px, the display 1280 × 860 px")
+                     "The render size is 240 × 180 px, the display 1280 × 860 px")
         program.key("ctrl+Next")
         program.wait("its keys are the panels'", lambda s: s["preset"] and s["output"] == "on")
         program.key("ctrl+b")

@@ -51,7 +51,7 @@ class Editing(Person):
         state = program.wait("the include is not found", lambda s: s["problems"])
         self.assertIn("outside.glsl", state["problems"][0]["message"])
         program.choose("Edit", "Includes")
-        program.click("menu:Includes: Folders, with ':' between…")
+        program.click("menu:Includes: Folders, separated by ':'…")
         program.place("asked")
         program.type(str(library))
         program.key("Return")
@@ -91,7 +91,7 @@ class Editing(Person):
         program.click(other)
         program.wait("the change can be taken back", lambda s: s["undo"] == "Pass bloom_down_1")
         program.click("write_overrides")
-        program.wait("it is written", lambda s: "Written" in s["notice"])
+        program.wait("it is written", lambda s: "Saved to look.json" in s["notice"])
         after = json.loads(manifest.read_text())
         bloom = [one["name"] for one in before["passes"]].index("bloom_down_1")
         self.assertEqual(after["passes"][bloom]["format"], other.removeprefix("format:"))
@@ -114,7 +114,7 @@ class Editing(Person):
     def test_a_new_look_and_a_copy_of_one_are_the_persons_own(self):
         program = self.program
         program.set("decay", "0.61")
-        program.choose("File", "Duplicate this look…")
+        program.choose("File", "Duplicate look…")
         program.answer("my-phosphor")
         state = program.wait("the copy is open", lambda s: s["look"] == "my-phosphor")
         self.assertEqual(state["values"]["decay"], [0.61])
@@ -125,7 +125,7 @@ class Editing(Person):
                              lambda s: s["look"] == "fresh" and s["frame"] > 2)
         self.assertEqual(state["problems"], [])
         self.snapshot("new_look")
-        program.choose("File", "Back to unsaved changes")
+        program.choose("File", "Restore unsaved changes")
         program.wait("what was not saved comes back",
                      lambda s: s["look"] == "my-phosphor" and s["values"]["decay"] == [0.61])
         program.click("look:phosphor")

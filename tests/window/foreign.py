@@ -191,25 +191,25 @@ class Foreign(Person):
         program = self.program
         self.open_text("seconds.fs", TAKES_SECONDS)
         steps = 4000
-        while not program.state()["notice"].startswith("Pass 'picture' takes"):
+        while not program.state()["notice"].startswith('Pass "picture" takes'):
             steps *= 4  # until this machine needs a second
             program.set("steps", str(steps))
             for frame in range(6):
                 before = program.state()["frame"]
                 program.wait("frame %d is drawn" % frame, lambda s: s["frame"] > before)
         program.place("offer:Bypass picture")
-        program.place("offer:Half size")
+        program.place("offer:Halve render size")
         self.snapshot("heavy_pass")
         program.key("ctrl+p")
         program.place("palette_query")
         program.type("heavy half")
-        program.wait("keys reach it, too", lambda s: "palette:Heavy pass: Half size" in s["widgets"])
+        program.wait("keys reach it, too", lambda s: "palette:Heavy pass: Halve render size" in s["widgets"])
         program.key("Escape")
         program.wait("the palette is closed", lambda s: s["dialog"] == 0)
         program.click("offer:Bypass picture")
         program.wait("it is bypassed, and all is quick again", lambda s:
                      s["switches"]["bypassed"] == ["picture"] and "offer_leave" not in s["widgets"] and
-                     "is bypassed" in s["notice"])
+                     "Bypassed" in s["notice"])
 
     def test_a_look_that_the_driver_is_stuck_with_is_left_and_the_program_ends(self):
         program = self.program
@@ -226,7 +226,7 @@ class Foreign(Person):
         self.snapshot("stuck")
         program.key("Escape")
         state = program.wait("it is opened no more", lambda s:
-                             s["opening"] == "" and s["notice"] == "'stuck.frag' was not opened")
+                             s["opening"] == "" and s["notice"] == 'Cancelled opening "stuck.frag"')
         program.wait("what is open goes on", lambda s: s["frame"] > state["frame"] + 5)
         program.quit()
         program.start()

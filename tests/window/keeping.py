@@ -66,7 +66,7 @@ class Keeping(Person):
         program.choose("File", "Delete preset")
         state = program.wait("it is gone, its values stay",
                              lambda s: s["preset"] == "" and s["values"]["decay"][0] == 0.62)
-        self.assertIn("Deleted 'Second 2'", state["notice"])
+        self.assertIn('Deleted "Second 2"', state["notice"])
         self.assertEqual([file.name for file in folder.glob("Second*")], ["Second.json"])
         self.snapshot("deleted")
         program.click("offer:Undo")
@@ -119,7 +119,7 @@ class Keeping(Person):
 
     def ask_for_export(self, name, seconds):
         program = self.program
-        program.choose("File", "Export a film or sequence…")
+        program.choose("File", "Export video or image sequence…")
         program.click("export_seconds")
         program.key("ctrl+a")
         program.type(seconds)

@@ -119,7 +119,7 @@ class Looking(Person):
                          lambda: "beam.frag" in program.edited_files())
         self.snapshot("text")
         program.key("ctrl+9")
-        program.wait("the pane is closed", lambda s: "bottom:Text" not in s["widgets"])
+        program.wait("the pane is closed", lambda s: "bottom:Compiled" not in s["widgets"])
 
     def test_every_pass_of_the_strip_tells_how_loud_it_is(self):
         program = self.program
@@ -166,12 +166,12 @@ class Looking(Person):
         program.wait("so does one in the strip", lambda s: s["inspected"] == "beam")
         program.key("shift+b")
         program.wait("a bypass of what reads nothing says why",
-                     lambda s: "reads no picture" in s["notice"])
+                     lambda s: "it has no inputs" in s["notice"])
         program.click("back_to_picture")
         program.wait("all are drawn again", lambda s: not s["switches"]["last"])
         program.key("ctrl+p")
         program.place("palette_query")
-        program.type("passes as usual")
+        program.type("clear solo")
         program.key("Return")
         program.wait("nothing is switched", lambda s: not any(s["switches"].values()))
         program.click("pass:persistence")
@@ -287,7 +287,7 @@ class Looking(Person):
         program.place("comfort_rate")
         self.snapshot("flashes")
         program.key("Escape")
-        program.choose("View", "Comfort clamp")
+        program.choose("View", "Flash limiter")
         program.wait("the clamp is off", lambda s: not s["comfort"])
 
     def test_everything_fits_a_small_window(self):

@@ -36,17 +36,17 @@ class Moving(Person):
 
     def test_moves_are_recorded_to_a_file(self):
         program = self.program
-        program.choose("Playback", "Record moves")
+        program.choose("Playback", "Record automation")
         program.set("exposure", "0.75")
         program.set("decay", "0.5")
         self.snapshot("recording")
-        program.choose("Playback", "Record moves")
+        program.choose("Playback", "Record automation")
         program.place("dialog_file")
-        file = program.folder / "moves.txt"
+        file = program.folder / "automation.txt"
         program.key("ctrl+a")
         program.type(str(file))
         program.key("Return")
-        program.wait("it is saved", lambda s: "Saved 2 moves" in s["notice"])
+        program.wait("it is saved", lambda s: "Saved 2 parameter changes" in s["notice"])
         lines = [line.split() for line in file.read_text().splitlines()[1:]]
         self.assertEqual([line[1:] for line in lines], [["exposure", "0.75"], ["decay", "0.5"]])
         self.assertLess(float(lines[0][0]), float(lines[1][0]))

@@ -134,7 +134,7 @@ class Owning(Person):
         program.set("decay", "0.61")
         program.click("look:crt")
         program.wait("another look opens", lambda s: s["look"] == "crt" and not s["is_loading"] and
-                     s["notice"].startswith("Unsaved changes are kept"))
+                     s["notice"].startswith("Your unsaved changes are kept"))
         program.click("menu:File")
         program.click("menu:Unsaved changes")
         kept = program.wait("they are listed", lambda s: any(w.startswith("kept:") for w in s["widgets"]))

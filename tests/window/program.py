@@ -125,10 +125,10 @@ class Program:
         number = self.place("number:" + name)
         return left + 2, number[0] - 8, (top + bottom) // 2
 
-    def reveal(self, name):
-        """Brings a parameter into view with the search box."""
+    def reveal(self, name, search=None):
+        """Brings a parameter into view with the search box: by its name, or as the first match."""
         self.key("ctrl+f", "ctrl+a")
-        self.type(name)
+        self.type(search or name)
         self.wait("the parameter '%s' is shown" % name,
                   lambda s: "parameter:" + name in s["widgets"])
         self.key("Return")

@@ -69,8 +69,8 @@ class SafeStartTest(unittest.TestCase):
         for _ in range(2):  # it stays so until something is chosen
             self.program.begin()
             state = self.program.wait_for_offer()
-            self.assertEqual(state["notice"], "Afterglow ended while it compiled 'phosphor'. "
-                                              "The look was not opened again.")
+            self.assertEqual(state["notice"], "Afterglow quit while compiling \"phosphor\". "
+                                              "The look was not reopened.")
             self.assertFalse(state.get("look"))
             self.program.quit()
         self.program.begin()
@@ -94,8 +94,8 @@ class SafeStartTest(unittest.TestCase):
     def test_after_a_reset_of_the_driver_the_window_comes_back_without_the_look(self):
         self.program.begin(fault="reset")
         state = self.program.wait_for_offer()
-        self.assertEqual(state["notice"], "The graphics driver was reset while it drew 'phosphor'. "
-                                          "The look was not opened again.")
+        self.assertEqual(state["notice"], "The graphics driver was reset while drawing \"phosphor\". "
+                                          "The look was not reopened.")
         self.check_that_it_opens_again()
 
     def test_another_look_that_crashed_leaves_the_session_as_it_was(self):
@@ -103,7 +103,7 @@ class SafeStartTest(unittest.TestCase):
         self.program.begin()
         state = self.program.wait("the session is back", lambda s: s.get("look") == "phosphor" and s["frame"] > 2)
         self.assertEqual(state["values"], self.values)
-        self.assertIn("'crt'", state["notice"])
+        self.assertIn('"crt"', state["notice"])
         self.program.click("offer:Try again")
         self.program.wait("it is open", lambda s: s["look"] == "crt" and s["frame"] > 2)
 
@@ -119,7 +119,7 @@ class SafeStartTest(unittest.TestCase):
             str(self.folder / "data/shaders/phosphor/look.json"), str(gone)))
         self.program.begin()
         state = self.program.wait("Phosphor is open", lambda s: s.get("look") == "phosphor" and s["frame"] > 2)
-        self.assertIn("The look of the last session is missing: %s." % gone, state["notice"])
+        self.assertIn("The look of the last session was not found: %s." % gone, state["notice"])
         self.assertFalse(state["is_modified"])
         self.assertEqual(len(list((self.folder / "state/afterglow/unsaved").glob("*.json"))), 1)
 

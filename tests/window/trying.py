@@ -45,7 +45,7 @@ class Trying(Person):
         self.snapshot("filmstrip")
         program.click("cell:5")
         state = program.wait("the value is taken", lambda s: s["sheet"]["present"] == 5)
-        self.assertTrue(state["undo"].startswith("Take Exposure"))
+        self.assertTrue(state["undo"].startswith("Apply Exposure"))
         self.assertNotEqual(state["values"]["exposure"], sheet["values"]["exposure"])
         program.key("ctrl+z")
         program.wait("one step takes it back",

@@ -91,7 +91,8 @@ private:
         if (varyings.size() > most_varyings) {
             const Location at = place_in(pass.fragment, varyings[most_varyings].line);
             return {{at.file, at.line,
-                     fmt::format("more than {} values come from a vertex shader", most_varyings)}};
+                     fmt::format("the shader has {} varyings; the limit is {}", varyings.size(),
+                                 most_varyings)}};
         }
         pass.vertex = vertex_stage_for(varyings, pass.fragment, m_warnings);
         const auto checked = m_help.cache ? m_help.cache->check(pass.vertex, pass.fragment)
@@ -124,8 +125,8 @@ private:
         } else if (is_drawn_by_viewer(uniform.name)) {
             const Location& at = uniform.declared.front();
             add_new(m_warnings, {at.file, at.line,
-                                 fmt::format("'{}' is what glslViewer draws of a scene or buffer "
-                                             "that is not here: it is a picture to be chosen",
+                                 fmt::format("'{}' is a scene or buffer of glslViewer, which isn't "
+                                             "available here. Choose a picture for it.",
                                              uniform.name),
                                  Severity::warning});
         }

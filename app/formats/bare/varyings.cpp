@@ -238,8 +238,11 @@ void warn_of_guess(const BareVarying& varying, const std::string& value, const L
                    Diagnostics& warnings) {
     add_new(warnings,
             {at.file, at.line,
-             fmt::format("'{}' comes from a vertex shader, which is not here: it is {}",
-                         varying.name, value == "place" ? "the place in the picture" : value),
+             value == "place"
+                 ? fmt::format("no vertex shader sets '{}'; the texture coordinates are used",
+                               varying.name)
+                 : fmt::format("no vertex shader sets '{}'; {} is used", varying.name,
+                               with_each(value, "place", "uv")),
              Severity::warning});
 }
 /// Puts a vertex stage together, and knows where each of its lines was written.

@@ -162,9 +162,11 @@ public:
     Result<IsfHeader> read(const JsonValue& json) {
         m_header.about = text_of(find_member(json, "DESCRIPTION"));
         m_header.credit = text_of(find_member(json, "CREDIT"));
-        for (const JsonValue& input : few(list(json, "INPUTS"), most_inputs, "inputs"))
+        for (const JsonValue& input :
+             few(list(json, "INPUTS"), most_inputs, "the header has {} inputs; the limit is {}"))
             read_input(input);
-        for (const JsonValue& pass : few(list(json, "PASSES"), most_passes, "passes"))
+        for (const JsonValue& pass :
+             few(list(json, "PASSES"), most_passes, "the header has {} passes; the limit is {}"))
             read_pass(pass);
         if (m_header.passes.empty())
             m_header.passes.push_back({{}, {}, {}, false, false, {m_file, 1}});
@@ -181,12 +183,13 @@ private:
         add_new(m_problems, {m_file, at.line, message + column_note(m_json, at.begin)});
     }
 
-    // All of them where there are no more than may be; else none, which is told.
+    // All of them where there are no more than may be; else none, which is told: `refusal` has a {}
+    // for the number and one for the limit.
     std::span<const JsonValue> few(const std::vector<JsonValue>& all, std::size_t most,
-                                   std::string_view what) {
+                                   std::string_view refusal) {
         if (all.size() <= most)
             return all;
-        problem(all[most], fmt::format("more than {} {}", most, what));
+        problem(all[most], fmt::format(fmt::runtime(refusal), all.size(), most));
         return {};
     }
 
@@ -194,7 +197,7 @@ private:
         static const std::vector<JsonValue> none;
         const JsonValue* member = find_member(json, key);
         if (member && !member->is(JsonKind::array) && !member->is(JsonKind::null))
-            problem(*member, fmt::format("\"{}\" is a list, not {}", key, kind_name(member->kind)));
+            problem(*member, fmt::format("'{}' must be a list, got {}", key, shown_json(*member)));
         return member && member->is(JsonKind::array) ? member->children : none;
     }
 
@@ -229,11 +232,11 @@ private:
         const bool is_word = tokens.all.size() == 1 && tokens.all[0].text == name &&
                              tokens.all[0].kind == Token::Kind::word;
         if (name.empty())
-            problem(at, "has no \"NAME\"");
+            problem(at, "'NAME' is missing");
         else if (!is_word || name.starts_with("gl_") || keywords.contains(name))
-            problem(at, fmt::format("'{}' cannot be a name in a shader", name));
+            problem(at, fmt::format("'{}' isn't a valid GLSL identifier", name));
         else if (taken.contains(name))
-            problem(at, fmt::format("'{}' is a name of the format itself", name));
+            problem(at, fmt::format("'{}' is a reserved name in ISF", name));
         else
             return true;
         return false;
@@ -244,7 +247,7 @@ private:
             return false;
         const bool is_new = m_names.insert(name).second;
         if (!is_new)
-            problem(at, fmt::format("there are two inputs called '{}'", name));
+            problem(at, fmt::format("the name '{}' is used twice", name));
         return is_new;
     }
 
@@ -256,8 +259,9 @@ private:
         input.name = text_of(find_member(json, "NAME"));
         if (known == input_types().end()) {
             problem(type ? *type : json,
-                    fmt::format("the input '{}' is of no type that there is: '{}'", input.name,
-                                text_of(type)));
+                    fmt::format("input '{}' has unknown type '{}'; use float, bool, long, event, "
+                                "point2D, color, image, cube, audio or audioFFT",
+                                input.name, text_of(type)));
             return;
         }
         if (!accept_name(input.name, json))
@@ -266,27 +270,30 @@ private:
         input.label = text_of(find_member(json, "LABEL"));
         read_numbers(json, input);
         if (const JsonValue* labels = find_member(json, "LABELS"))
-            for (const JsonValue& label : few(labels->children, most_values, "labels of an input"))
+            for (const JsonValue& label :
+                 few(labels->children, most_values, "the input has {} labels; the limit is {}"))
                 input.labels.push_back(text_of(&label));
         m_header.inputs.push_back(std::move(input));
     }
 
     void read_numbers(const JsonValue& json, IsfInput& input) {
-        const double most = input.type == IsfInput::Type::integer
-                                ? double{std::numeric_limits<int>::max()}
-                                : double{std::numeric_limits<float>::max()};
+        const bool is_integer = input.type == IsfInput::Type::integer;
+        const double most = is_integer ? double{std::numeric_limits<int>::max()}
+                                       : double{std::numeric_limits<float>::max()};
         const auto read = [&](std::string_view key, std::vector<double>& numbers) {
             const JsonValue* value = find_member(json, key);
             numbers = numbers_of(value);
             if (value && numbers.empty() && trim(value->text).starts_with('#'))
-                problem(*value, fmt::format("'{}' is not a colour: write #rrggbb or four numbers",
+                problem(*value, fmt::format("'{}' isn't a colour; use #rrggbb or four numbers",
                                             value->text));
             if (numbers.size() > most_values)
-                problem(*value, fmt::format("more than {} numbers in \"{}\"", most_values, key));
+                problem(*value, fmt::format("'{}' has {} numbers; the limit is {}", key,
+                                            numbers.size(), most_values));
             for (const double number : numbers)
                 if (std::abs(number) > most)
-                    problem(*value, fmt::format("{} is larger than a number of the shader can be",
-                                                format_number(number)));
+                    problem(*value,
+                            fmt::format("{} is out of range for a GLSL {}", format_number(number),
+                                        is_integer ? "int" : "float"));
         };
         read("DEFAULT", input.initial);
         read("MIN", input.low);
@@ -317,9 +324,10 @@ private:
                 import.faces.push_back(text_of(&face));
             import.is_cube = import.is_cube || import.faces.size() == 6;
             if (import.faces.size() != (import.is_cube ? 6 : 1))
-                return problem(*path,
-                               fmt::format("\"PATH\" of '{}' names {} pictures: a cube has 6", name,
-                                           import.faces.size()));
+                return problem(
+                    *path,
+                    fmt::format("'PATH' of '{}' lists {} pictures; use 1, or 6 for a cube map",
+                                name, import.faces.size()));
             import.path = import.faces.front();
         }
         if (!import.is_cube)
@@ -331,7 +339,8 @@ private:
         const JsonValue* imports = find_member(json, "IMPORTED");
         if (!imports)
             return;
-        for (const JsonValue& import : few(imports->children, most_imports, "imported pictures"))
+        for (const JsonValue& import : few(imports->children, most_imports,
+                                           "the header imports {} pictures; the limit is {}"))
             read_import(
                 imports->is(JsonKind::object) ? import.key : text_of(find_member(import, "NAME")),
                 import);
@@ -412,9 +421,9 @@ bool has_isf_header(std::string_view text) {
 Result<IsfHeader> read_isf_header(std::string_view text, const std::filesystem::path& file) {
     const auto comment = find_comment(text);
     if (!comment || !has_isf_header(text))
-        return fail({file, 1,
-                     "does not begin with the comment that makes it an ISF shader: /*{ ... }*/ "
-                     "with its inputs"});
+        return fail(
+            {file, 1,
+             "not an ISF shader: the header comment /*{ ... }*/ with the inputs is missing"});
     const std::string json_text = json_of(text, *comment);
     const auto json = parse_json(json_text, file, DoubleKeys::last_counts);
     if (!json)

@@ -11,7 +11,7 @@ Result<std::string> read_code(const fs::path& file) {
     constexpr std::size_t most_bytes = std::size_t{4} << 20;
     auto text = read_text(file);
     if (text && text->size() > most_bytes)
-        return fail({file, 0, "is too large: a shader has at most 4 MiB"});
+        return fail({file, 0, "the shader is larger than the limit of 4 MiB"});
     return text;
 }
 

@@ -188,7 +188,7 @@ private:
             std::error_code error;
             if (!fs::is_regular_file(file, error)) {
                 m_warnings.push_back({import.declared.file, import.declared.line,
-                                      fmt::format("the picture '{}' is missing: '{}' reads black",
+                                      fmt::format("can't find the picture '{}'; '{}' is black",
                                                   import.path, import.name),
                                       Severity::warning});
                 continue;
@@ -291,7 +291,7 @@ private:
             if (!at.file.empty())
                 add_new(m_warnings,
                         {at.file, at.line,
-                         fmt::format("'{}' is no input of the header: it stays 0", uniform.name),
+                         fmt::format("'{}' isn't an input in the header; it stays 0", uniform.name),
                          Severity::warning});
         }
     }
@@ -327,7 +327,7 @@ private:
                 if (!side.empty() && !evaluate(side, names))
                     add_new(m_warnings,
                             {pass.declared.file, pass.declared.line,
-                             fmt::format("size of pass '{}': '{}' is not a finite number: it is 1",
+                             fmt::format("size of pass '{}': '{}' isn't a finite number; 1 is used",
                                          m_names[i], side),
                              Severity::warning});
         }

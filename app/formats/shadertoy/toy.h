@@ -21,9 +21,6 @@ enum class ToyKind {
     microphone
 };
 
-/// "a texture", "the keyboard": a kind in a sentence.
-std::string_view words_for(ToyKind kind);
-
 constexpr int toy_channels = 4;
 
 /// A channel of a pass as it is wired.

@@ -87,7 +87,7 @@ private:
     // `rest` is behind "#iChannel": "0 "file://a.png"", "0::WrapMode "Repeat"".
     void read_channel(std::string_view rest) {
         if (rest.empty() || rest[0] < '0' || rest[0] >= '0' + toy_channels)
-            return warn("a channel is #iChannel0 to #iChannel3");
+            return warn("expected a channel from #iChannel0 to #iChannel3");
         ToyInput& input = channel(rest[0] - '0');
         rest.remove_prefix(1);
         const std::string value = between_quotes(rest);
@@ -104,7 +104,10 @@ private:
         } else if (setting == "Type") {
             input.kind = value == "CubeMap" ? ToyKind::cubemap : input.kind;
         } else {
-            warn(fmt::format("'{}' of a channel is not known, and passed over", setting));
+            warn(
+                fmt::format("unknown channel setting '{}' is ignored; use MinFilter, MagFilter, "
+                            "WrapMode or Type",
+                            setting));
         }
     }
 
@@ -117,10 +120,10 @@ private:
             input.kind = ToyKind::keyboard;
         } else if (value.starts_with("http://") || value.starts_with("https://")) {
             input.kind = ToyKind::texture;
-            warn(
-                fmt::format("'{}' is not loaded: nothing is read from the network. Save it next to "
-                            "the shader; another picture is used until then",
-                            value));
+            warn(fmt::format(
+                "Afterglow doesn't download '{}'. Save it next to the shader and use its file name "
+                "here. A built-in picture replaces it.",
+                value));
         } else if (const std::string path = path_of(value); is_shader_code(path)) {
             input.kind = ToyKind::buffer;
             input.buffer = m_place_of(m_pass.code.file.parent_path() / path);

@@ -2,6 +2,8 @@
 
 #include "formats/object_reader.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <map>
@@ -88,17 +90,16 @@ public:
 
     Result<Toy> read(const JsonValue& document) {
         if (const JsonValue* refusal = find_member(document, error_key))
-            return fail(
-                {m_file, refusal->line,
-                 fmt::format("Shadertoy answered with no shader but '{}'", text_of(refusal))});
-        if (const std::string names = names_of_several(document); !names.empty())
-            return fail(
-                {m_file, document.line,
-                 "holds several shaders; save the one to open as a file of its own: " + names});
+            return fail({m_file, refusal->line,
+                         fmt::format("Shadertoy sent an error instead of a shader: '{}'",
+                                     text_of(refusal))});
+        if (const JsonValue& list = list_in(document); has_several(list))
+            return fail({m_file, document.line, told_several(list.children)});
         const JsonValue* shader = shader_of(document);
         const JsonValue* passes = shader ? find_member(*shader, "renderpass") : nullptr;
         if (!passes || !passes->is(JsonValue::Kind::array))
-            return fail({m_file, document.line, "has no \"renderpass\" list of a shader"});
+            return fail({m_file, document.line,
+                         "not a Shadertoy shader: the list 'renderpass' is missing"});
         Toy toy;
         if (const JsonValue* info = find_member(*shader, "info")) {
             toy.name = text_of(find_member(*info, "name"));
@@ -120,21 +121,27 @@ private:
         return shaders && shaders->is(JsonValue::Kind::array) ? *shaders : document;
     }
 
-    static std::string names_of_several(const JsonValue& document) {
-        const JsonValue& list = list_in(document);
-        if (!list.is(JsonValue::Kind::array) || list.children.size() < 2)
-            return {};
+    static bool has_several(const JsonValue& list) {
+        return list.is(JsonValue::Kind::array) && list.children.size() > 1;
+    }
+
+    static std::string told_several(const std::vector<JsonValue>& shaders) {
         constexpr std::size_t most_names = 20;
-        std::string names;
-        for (std::size_t i = 0; i < list.children.size() && i < most_names; ++i) {
-            const JsonValue* shader = shader_of(list.children[i]);
+        std::vector<std::string> names;
+        for (std::size_t i = 0; i < shaders.size() && i < most_names; ++i) {
+            const JsonValue* shader = shader_of(shaders[i]);
             const JsonValue* info = shader ? find_member(*shader, "info") : nullptr;
             const std::string name = info ? text_of(find_member(*info, "name")) : std::string();
-            names += fmt::format("{}'{}'", names.empty() ? "" : ", ", name);
+            names.push_back(fmt::format("'{}'", name));
         }
-        if (list.children.size() > most_names)
-            names += fmt::format(" and {} more", list.children.size() - most_names);
-        return names;
+        if (shaders.size() <= most_names)
+            return fmt::format(
+                "the file contains {} shaders: {}. Save the one that you want in a separate file.",
+                shaders.size(), fmt::join(names, ", "));
+        return fmt::format(
+            "the file contains {} shaders: {} and {} more. Save the one that you want in a "
+            "separate file.",
+            shaders.size(), fmt::join(names, ", "), shaders.size() - most_names);
     }
 
     static const JsonValue* shader_of(const JsonValue& document) {
@@ -183,7 +190,7 @@ private:
         const std::string type = text_of(find_member(value, "type"));
         const auto kind = find_named(pass_words, type);
         if (!kind)
-            return warn(value, fmt::format("a pass of the unknown type '{}' is left out", type));
+            return warn(value, fmt::format("unknown pass type '{}'; the pass is ignored", type));
         ToyPass pass;
         pass.kind = *kind;
         pass.place = *kind == Kind::buffer ? place_of(output_of(value)).value_or(-1)
@@ -193,17 +200,19 @@ private:
         const bool is_double =
             std::ranges::find(toy.passes, pass.name, &ToyPass::name) != toy.passes.end();
         if (is_double || pass.place < 0)
-            return warn(value, fmt::format("there is a '{}' already: this one is left out",
-                                           is_double ? pass.name : "Buffer A to D"));
+            return warn(value, is_double ? fmt::format("'{}' already exists; this pass is ignored",
+                                                       pass.name)
+                                         : "Buffer A to D already exist; this buffer is ignored");
         const JsonValue* code = find_member(value, "code");
         if (!code || !code->is(JsonValue::Kind::text)) {
-            add_new(m_errors, {m_file, value.line, fmt::format("'{}' has no code", pass.name)});
+            add_new(m_errors,
+                    {m_file, value.line, fmt::format("pass '{}' has no code", pass.name)});
             return;
         }
         if (code->text.size() > most_code_bytes) {
             add_new(m_errors,
                     {m_file, value.line,
-                     fmt::format("'{}' is too large: a shader has at most 4 MiB", pass.name)});
+                     fmt::format("pass '{}' is larger than the limit of 4 MiB", pass.name)});
             return;
         }
         pass.code = code_in(pass.name, code->text);
@@ -230,12 +239,11 @@ private:
         ToyInput input;
         const auto channel = parse_integer(text_of(find_member(value, "channel")));
         if (!channel || *channel < 0 || *channel >= toy_channels)
-            return warn(value, fmt::format("an input of '{}' has no channel from 0 to 3: it is "
-                                           "left out",
+            return warn(value, fmt::format("an input of '{}' is ignored because its channel isn't "
+                                           "a number from 0 to 3",
                                            pass.name));
         if (!kind)
-            return warn(value, fmt::format("iChannel{} of '{}' reads the unknown kind '{}': it is "
-                                           "black",
+            return warn(value, fmt::format("iChannel{} of '{}' has unknown type '{}'; it is black",
                                            *channel, pass.name, type));
         input.channel = *channel;
         input.kind = *kind;
@@ -290,8 +298,8 @@ bool is_toy_json(std::string_view text) {
 Result<Toy> parse_toy_json(std::string_view text, const fs::path& file, Diagnostics& warnings) {
     if (trim(text).starts_with('<'))
         return fail({file, 1,
-                     "is a web page, not Shadertoy's JSON: the site sent it instead of the "
-                     "shader. Download the shader again in a browser"});
+                     "the file is a web page, not Shadertoy's JSON. Download the shader again in a "
+                     "browser."});
     const auto document = parse_json(text, file);
     if (!document)
         return fail(document.error());

@@ -72,7 +72,7 @@ void ToyLook::order_passes() {
         if (pass.kind == Kind::common)
             m_common = &pass;
         else if (pass.kind == Kind::sound)
-            warn({pass.code.file, 1}, "a pass that makes sound is not played here");
+            warn({pass.code.file, 1}, "Sound passes aren't supported; this pass is ignored");
         else
             m_drawn.push_back(&pass);
     }
@@ -131,7 +131,8 @@ std::string ToyLook::add_picture(const ToyInput& wired) {
     const bool is_there = !wired.asset.empty() && fs::is_regular_file(beside, error);
     if (wired.is_file && !is_there)
         warn(wired.declared,
-             fmt::format("the picture '{}' is missing: another picture is used", wired.asset));
+             fmt::format("can't find the picture '{}'; a built-in picture replaces it",
+                         wired.asset));
     parameter.initial = Value::of_path(is_there ? beside.string() : asset.made);
     if (!is_turned) {
         Image rows;
@@ -152,12 +153,13 @@ Input ToyLook::texture_of(const ToyInput& wired) {
 std::optional<Input> ToyLook::buffer_of(const ToyPass& toy_pass, const ToyInput& wired) {
     const auto read = find_drawn(wired.buffer);
     if (!read) {
-        const std::string name = wired.buffer == toy_cube_place ? "Cube A"
-                                 : wired.buffer < 0             ? "a buffer"
-                                                    : toy_pass_name(Kind::buffer, wired.buffer);
-        warn(wired.declared, fmt::format("iChannel{} of '{}' reads {}, which is not there: it is "
-                                         "black",
-                                         wired.channel, toy_pass.name, name));
+        const Kind kind = wired.buffer == toy_cube_place ? Kind::cube : Kind::buffer;
+        warn(wired.declared,
+             wired.buffer < 0
+                 ? fmt::format("iChannel{} of '{}' reads a missing buffer; it is black",
+                               wired.channel, toy_pass.name)
+                 : fmt::format("iChannel{} of '{}' reads {}, which is missing; it is black",
+                               wired.channel, toy_pass.name, toy_pass_name(kind, wired.buffer)));
         return std::nullopt;
     }
     const auto reader = std::ranges::find(m_drawn, &toy_pass) - m_drawn.begin();
@@ -179,7 +181,7 @@ Input ToyLook::source_of(const ToyInput& wired) {
     const RowOrder rows = wired.is_flipped ? RowOrder::bottom_first : RowOrder::top_first;
     if (m_sees && rows != m_look.source_rows)
         warn(wired.declared,
-             "a video is read with and without vflip: its rows lie as the first says");
+             "the video is used with and without vflip; the first setting is used for both");
     else
         m_look.source_rows = rows;
     m_sees = true;
@@ -282,7 +284,7 @@ void ToyLook::choose_driver() {
     }
     if (m_hears && m_sees)
         warn({m_drawn.back()->code.file, 1},
-             "music and a video are read, and one thing alone drives a look: the video is black");
+             "a look can't use both sound and video; the video is black");
 }
 
 // A chosen picture knows who reads it.
@@ -309,7 +311,7 @@ Result<Look> ToyLook::make() {
     order_passes();
     if (m_drawn.empty() || m_drawn.back()->kind != Kind::image) {
         const fs::path file = m_toy.passes.empty() ? m_folder : m_toy.passes.front().code.file;
-        return fail({file, 0, "there is no Image pass"});
+        return fail({file, 0, "the shader has no Image pass"});
     }
     for (const ToyPass* pass : m_drawn)
         make_pass(*pass);

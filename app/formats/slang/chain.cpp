@@ -30,14 +30,15 @@ public:
         if (own->references.empty() && are_passes_wanted && !shaders)
             return fail(without_passes(file));
         if (shaders && !are_passes_wanted)
-            return fail({shaders->declared.file, shaders->declared.line,
-                         "this file is referred to for its values, so it cannot have passes: only "
-                         "the first #reference of a preset leads to passes"});
+            return fail(
+                {shaders->declared.file, shaders->declared.line,
+                 "this file has passes, but only the first #reference of a preset may lead to "
+                 "passes"});
         if (shaders && !own->references.empty())
-            m_warnings.push_back({shaders->declared.file, shaders->declared.line,
-                                  "the passes of this file are not used: its #reference leads to "
-                                  "other ones",
-                                  Severity::warning});
+            m_warnings.push_back(
+                {shaders->declared.file, shaders->declared.line,
+                 "the passes of this file are ignored; those of its #reference are used",
+                 Severity::warning});
         std::vector<SlangSettings> all;
         m_open.push_back(real_path(file));
         for (std::size_t i = 0; i < own->references.size(); ++i) {
@@ -63,14 +64,16 @@ private:
         const fs::path file = find_slang_file(reference.value, at.file, m_opened, m_files);
         const auto text = m_files.read(file);
         if (!text) {
-            std::string message =
-                fmt::format("'{}' cannot be read: {} ({}){}", reference.value,
-                            text.error().front().message, file.string(), near_file(file, at.file));
+            const std::string& reason = text.error().front().message;
+            const std::string hint = near_file(file, at.file);
             if (are_passes_wanted)
-                return refuse(std::move(message));
+                return refuse(fmt::format("can't read '{}' ({}): {}{}", reference.value,
+                                          file.string(), reason, hint));
             // RetroArch goes on without a file of values.
-            m_warnings.push_back(
-                {at.file, at.line, message + "; its values are left out", Severity::warning});
+            m_warnings.push_back({at.file, at.line,
+                                  fmt::format("can't read '{}' ({}): {}{}; its values are ignored",
+                                              reference.value, file.string(), reason, hint),
+                                  Severity::warning});
             return std::vector<SlangSettings>();
         }
         if (std::string fault = m_files.count_settings(**text); !fault.empty())
@@ -79,13 +82,15 @@ private:
             std::string chain;
             for (auto link = open; link != m_open.end(); ++link)
                 chain += link->filename().string() + " -> ";
-            return refuse("references go round in a circle: " + chain + open->filename().string());
+            return refuse(
+                fmt::format("circular #reference: {}{}", chain, open->filename().string()));
         }
         if (m_open.size() >= most_open_presets)
-            return refuse(
-                fmt::format("references are nested more than {} deep", most_open_presets));
+            return refuse(fmt::format("references are nested deeper than the limit of {} levels",
+                                      most_open_presets));
         if (++m_followed > most_references)
-            return refuse(fmt::format("more than {} references in one preset", most_references));
+            return refuse(fmt::format("the preset has more references than the limit of {}",
+                                      most_references));
         return read(file, are_passes_wanted);
     }
 
@@ -98,12 +103,13 @@ private:
     Diagnostic without_passes(const fs::path& file) const {
         if (m_open.empty())
             return {file, 1,
-                    "holds values only, no passes ('shaders'): open a preset that refers to it"};
-        return {
-            file, 1,
-            fmt::format("holds values only, no passes ('shaders'), so '{}', which refers to it, "
-                        "has nothing to draw",
-                        m_opened.filename().string())};
+                    "this preset contains values but no passes ('shaders'). Open a preset that "
+                    "references it."};
+        return {file, 1,
+                fmt::format(
+                    "this preset contains values but no passes ('shaders'), so '{}' has nothing "
+                    "to draw",
+                    m_opened.filename().string())};
     }
 
     const fs::path& m_opened;

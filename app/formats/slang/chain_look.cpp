@@ -148,7 +148,7 @@ private:
     void add_images();
     void add_stretch();
     void add_parameters();
-    void problem(const Pass& pass, Severity severity, const std::string& message);
+    void problem(const Pass& pass, Severity severity, std::string message);
 
     const WholeChain& m_chain;
     std::vector<std::string> m_aliases;
@@ -163,9 +163,8 @@ private:
     Diagnostics& m_warnings;
 };
 
-void ChainLook::problem(const Pass& pass, Severity severity, const std::string& message) {
-    Diagnostic found{pass.declared.file, pass.declared.line,
-                     fmt::format("pass '{}' {}", pass.name, message), severity};
+void ChainLook::problem(const Pass& pass, Severity severity, std::string message) {
+    Diagnostic found{pass.declared.file, pass.declared.line, std::move(message), severity};
     add_new(severity == Severity::error ? m_problems : m_warnings, std::move(found));
 }
 
@@ -173,10 +172,9 @@ void ChainLook::check_aliases() {
     for (std::size_t i = 0; i < m_aliases.size(); ++i)
         for (std::size_t before = 0; before < i; ++before)
             if (!m_aliases[i].empty() && m_aliases[i] == m_aliases[before])
-                m_problems.push_back({m_chain.preset.passes[i].declared.file,
-                                      m_chain.preset.passes[i].declared.line,
-                                      fmt::format("passes {} and {} are both called '{}'", before,
-                                                  i, m_aliases[i])});
+                m_problems.push_back(
+                    {m_chain.preset.passes[i].declared.file, m_chain.preset.passes[i].declared.line,
+                     fmt::format("passes {} and {} are both named '{}'", before, i, m_aliases[i])});
 }
 
 // What feedback of the last pass reads would be gone once it is on the screen.
@@ -204,7 +202,7 @@ Format ChainLook::format_of(std::size_t index) {
     if (found != format_names.end())
         return found->format;
     m_problems.push_back({shader.format_declared.file, shader.format_declared.line,
-                          fmt::format("there are no targets of the format {}", shader.format)});
+                          fmt::format("unknown target format '{}'", shader.format)});
     return Format::rgba8;
 }
 
@@ -276,10 +274,10 @@ std::optional<Input> ChainLook::input_of(const SlangPicture& picture, std::size_
 void ChainLook::check_image(const Pass& pass, const NamedSampler& sampler, int texture) {
     const SlangTexture& read = m_chain.preset.textures[static_cast<std::size_t>(texture)];
     if (is_missing(read))
-        problem(
-            pass, Severity::warning,
-            fmt::format("reads '{}', whose picture '{}' is missing: it is black{}", sampler.name,
-                        read.file.string(), near_file(read.file, read.declared.file)));
+        problem(pass, Severity::warning,
+                fmt::format("pass '{}' reads '{}', but its picture '{}' is missing{}; it is black",
+                            pass.name, sampler.name, read.file.string(),
+                            near_file(read.file, read.declared.file)));
 }
 
 void ChainLook::read_samplers(Pass& pass, std::size_t index) {
@@ -288,13 +286,14 @@ void ChainLook::read_samplers(Pass& pass, std::size_t index) {
         if (meant && meant->of == Of::output && meant->number >= static_cast<int>(index) &&
             meant->number < static_cast<int>(m_pass_names.size())) {
             problem(pass, Severity::error,
-                    fmt::format("reads '{}', which is not drawn before it", sampler.name));
+                    fmt::format("pass '{}' reads '{}', which is not an earlier pass", pass.name,
+                                sampler.name));
             continue;
         }
         auto input = meant ? input_of(*meant, index) : std::nullopt;
         if (!input) {
             problem(pass, Severity::warning,
-                    fmt::format("reads '{}', which is no picture of this chain: it is black",
+                    fmt::format("pass '{}' reads the unknown texture '{}'; it is black", pass.name,
                                 sampler.name));
             continue;
         }
@@ -310,7 +309,7 @@ bool ChainLook::has_type(const BlockMember& member, const NumberType& type, cons
     if (member.type == type)
         return true;
     problem(pass, Severity::error,
-            fmt::format("declares '{}' as {}; it is {}", member.name,
+            fmt::format("pass '{}' declares '{}' as {}, but it must be {}", pass.name, member.name,
                         member.type ? with_article(glsl_name(*member.type)) : "an array",
                         with_article(glsl_name(type))));
     return false;
@@ -342,7 +341,8 @@ void ChainLook::read_members(Pass& pass, std::size_t index) {
         auto input = measured ? input_of(*measured, index) : std::nullopt;
         if (!input)
             problem(pass, Severity::warning,
-                    fmt::format("reads '{}', which means nothing here: it is 0", member.name));
+                    fmt::format("pass '{}' reads the unknown uniform '{}'; it is 0", pass.name,
+                                member.name));
         else if (has_type(member, four_floats, pass))
             pass.built_ins.push_back({member.uniform, BuiltIn::input_extent, std::move(input)});
     }

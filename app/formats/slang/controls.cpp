@@ -181,7 +181,7 @@ private:
         if (parameter.minimum > parameter.maximum)
             add_new(m_controls.warnings,
                     {parameter.declared.file, parameter.declared.line,
-                     fmt::format("parameter '{}' has its minimum {} above its maximum {}; swapped",
+                     fmt::format("parameter '{}': minimum {} is above maximum {}; they are swapped",
                                  parameter.id, parameter.minimum, parameter.maximum),
                      Severity::warning});
         const auto [low, high] = std::minmax(parameter.minimum, parameter.maximum);

@@ -14,7 +14,8 @@ constexpr std::size_t most_open_texts = 64;
 constexpr int most_includes_in_all = 16384;
 constexpr std::size_t most_expanded_bytes = std::size_t{8} << 20;
 constexpr std::size_t most_expansion_errors = 32;
-constexpr const char* too_large_expanded = "the shader with its includes is larger than 8 MiB";
+constexpr const char* too_large_expanded =
+    "the shader with its includes is larger than the limit of 8 MiB";
 
 class Expander {
 public:
@@ -73,7 +74,7 @@ private:
     void obey(const SlangText& text, const SlangDirective& directive) {
         using Kind = SlangDirective::Kind;
         if (directive.kind == Kind::damaged_include)
-            return error(text, directive.line, "an include is written #include \"file\"");
+            return error(text, directive.line, "expected #include \"file\"");
         if (directive.kind == Kind::include || directive.kind == Kind::include_optional)
             return include(text, directive);
         m_bytes += directive.end - directive.begin;
@@ -98,14 +99,15 @@ private:
             return;
         }
         if (std::string circle = circle_through(**found); !circle.empty())
-            return error(text, directive.line, "includes go round in a circle: " + circle);
+            return error(text, directive.line, fmt::format("circular #include: {}", circle));
         if (m_open.size() >= most_open_texts)
             return error(text, directive.line,
-                         fmt::format("includes are nested more than {} deep", most_open_texts));
+                         fmt::format("includes are nested deeper than the limit of {} levels",
+                                     most_open_texts));
         if (++m_included > most_includes_in_all)
-            return end_with(
-                text, directive.line,
-                fmt::format("more than {} includes in one shader", most_includes_in_all));
+            return end_with(text, directive.line,
+                            fmt::format("the shader has more includes than the limit of {}",
+                                        most_includes_in_all));
         add(**found);
     }
 
@@ -116,8 +118,8 @@ private:
             return;
         }
         error(text, directive.line,
-              fmt::format("'{}' cannot be included: {} ({}){}", directive.argument, reason.message,
-                          reason.file.string(), near_file(reason.file, text.file)));
+              fmt::format("can't include '{}' ({}): {}{}", directive.argument, reason.file.string(),
+                          reason.message, near_file(reason.file, text.file)));
     }
 
     // "a.inc -> b.inc -> a.inc", or nothing.

@@ -3,8 +3,6 @@
 #include "base/file.h"
 #include "base/text.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace fs = std::filesystem;
@@ -58,7 +56,7 @@ Result<const SlangText*> SlangFiles::read_anew(const fs::path& file) {
     if (!text)
         return fail(text.error());
     if (text->size() > most_text_bytes)
-        return fail({file, 0, fmt::format("is too large: a text has at most 4 MiB")});
+        return fail({file, 0, "the file is larger than the limit of 4 MiB"});
     auto made = std::make_unique<SlangText>();
     made->file = file;
     made->real = real;
@@ -74,7 +72,7 @@ std::string SlangFiles::count_settings(const SlangText& text) {
     m_settings_bytes += text.text.size();
     return m_settings_bytes <= most_settings_bytes
                ? std::string()
-               : "the preset with all that it refers to is larger than 8 MiB";
+               : "the preset with its references and includes is larger than the limit of 8 MiB";
 }
 
 void SlangFiles::note(const fs::path& file) {

@@ -50,7 +50,7 @@ std::string near_file(const fs::path& wanted, const fs::path& from) {
         if (!found || !fs::is_regular_file(*found, error))
             continue;
         const fs::path shown = folder.empty() ? *found : found->lexically_relative(folder);
-        return fmt::format("; '{}' is there", shown.string());
+        return fmt::format(" (did you mean '{}'?)", shown.string());
     }
     return {};
 }

@@ -44,12 +44,11 @@ Result<SlangParameter> parse_slang_parameter(std::string_view text, const Locati
     const std::string_view id = trim(text.substr(0, std::min(open, text.size())));
     if (close == std::string_view::npos || id.empty() || id.find_first_of(" \t") != id.npos)
         return fail({declared.file, declared.line,
-                     "a parameter is written #pragma parameter NAME \"Text\" initial minimum "
-                     "maximum step"});
+                     "expected #pragma parameter NAME \"Label\" initial minimum maximum step"});
     const std::vector<double> numbers = leading_numbers(text.substr(close + 1));
     if (numbers.size() < 3)
         return fail({declared.file, declared.line,
-                     fmt::format("parameter '{}' needs three numbers behind its text: initial, "
+                     fmt::format("parameter '{}' needs three numbers after its label: initial, "
                                  "minimum and maximum",
                                  readable_text(id))});
     SlangParameter parameter;
@@ -79,10 +78,10 @@ SlangParameters unique_slang_parameters(const SlangParameters& declared, Diagnos
             continue;
         add_new(warnings,
                 {parameter->declared.file, parameter->declared.line,
-                 fmt::format("parameter '{}' has other numbers here ({}) than at {}:{} "
-                             "({}), which count",
-                             parameter->id, numbers_of(*parameter), first.declared.file.string(),
-                             first.declared.line, numbers_of(first)),
+                 fmt::format("parameter '{}' has the numbers {} here but {} at {}:{}; the first "
+                             "declaration is used",
+                             parameter->id, numbers_of(*parameter), numbers_of(first),
+                             first.declared.file.string(), first.declared.line),
                  Severity::warning});
     }
     return unique;

@@ -108,7 +108,7 @@ private:
         const double count = leading_number(shaders.value).value_or(0.0);
         if (count < 1.0 || count >= most_slang_passes + 1.0)
             return error(shaders,
-                         fmt::format("'shaders' is the number of passes, 1 to {}, not '{}'",
+                         fmt::format("'shaders' must be a number of passes from 1 to {}, got '{}'",
                                      most_slang_passes, shaders.value));
         for (int i = 0; i < static_cast<int>(count); ++i)
             read_pass(std::to_string(i), shaders);
@@ -119,7 +119,7 @@ private:
         const SlangSetting* shader = m_owner->find("shader" + number);
         if (!shader || shader->value.empty()) {
             const SlangSetting& at = shader ? *shader : shaders;
-            return error(at, fmt::format("pass {} of {} has no shader: 'shader{}' is missing",
+            return error(at, fmt::format("pass {} of {} has no shader; 'shader{}' is missing",
                                          number, shaders.value, number));
         }
         pass.shader = file_of(*shader);
@@ -149,9 +149,10 @@ private:
         if (found != words.end())
             return found->second;
         warn(setting->declared,
-             fmt::format("unknown '{}' '{}' is read as clamp_to_border (clamp_to_border, "
-                         "clamp_to_edge, repeat, mirrored_repeat)",
-                         setting->key, setting->value));
+             fmt::format(
+                 "'{}' must be clamp_to_border, clamp_to_edge, repeat or mirrored_repeat, got "
+                 "'{}'; clamp_to_border is used",
+                 setting->key, setting->value));
         return Wrap::border;
     }
 
@@ -189,7 +190,7 @@ private:
         if (word == "original")
             return SlangScale::By::original;
         if (word != "source")
-            error(type, fmt::format("unknown '{}' '{}': source, viewport, absolute or original",
+            error(type, fmt::format("'{}' must be source, viewport, absolute or original, got '{}'",
                                     type.key, type.value));
         return SlangScale::By::source;
     }
@@ -200,8 +201,8 @@ private:
         std::erase_if(
             names, [&](const std::string& name) { return !m_texture_names.insert(name).second; });
         if (names.size() > most_slang_textures)
-            return error(*list, fmt::format("{} textures: a preset has at most {}", names.size(),
-                                            most_slang_textures));
+            return error(*list, fmt::format("the preset has {} textures; the limit is {}",
+                                            names.size(), most_slang_textures));
         for (const std::string& name : names) {
             SlangTexture& texture = m_preset.textures.emplace_back();
             texture.name = name;
@@ -234,10 +235,11 @@ private:
                 continue;
             if (const auto number = leading_number(setting.value)) {
                 m_preset.values[setting.key] = {*number, setting.declared};
-                if (const std::string note = decimal_comma_note(setting.value); !note.empty())
-                    warn(setting.declared, fmt::format("'{}': {}", setting.key, note));
+                if (std::string note = decimal_comma_note(setting.key, setting.value);
+                    !note.empty())
+                    warn(setting.declared, std::move(note));
             } else if (setting.value.find_first_of("/\\") == std::string::npos)
-                warn(setting.declared, fmt::format("'{}' is not set: '{}' is not a number",
+                warn(setting.declared, fmt::format("'{}' must be a number, got '{}'; it is ignored",
                                                    setting.key, setting.value));
         }
     }
@@ -255,7 +257,7 @@ private:
         for (const SlangTexture& texture : m_preset.textures)
             if (texture.file.empty())
                 warn(texture.declared,
-                     fmt::format("texture '{}' has no path: '{} = file' is missing", texture.name,
+                     fmt::format("texture '{}' has no path; '{} = file' is missing", texture.name,
                                  texture.name));
     }
 

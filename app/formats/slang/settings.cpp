@@ -105,15 +105,15 @@ private:
         else if (const auto pair = key_and_value(without_comment(line)))
             add_setting(*pair, at);
         else if (!is_in_block)
-            warn(at, "this line is not 'key = value' and says nothing");
+            warn(at, "expected 'key = value'; this line is ignored");
     }
 
     void add_reference(std::string_view path, const Location& at) {
         if (m_read.references.size() < most_settings_references)
             m_read.references.push_back({{}, readable_text(path), at});
         else if (!std::exchange(m_has_too_many_references, true))
-            refuse(at,
-                   fmt::format("more than {} references in one preset", most_settings_references));
+            refuse(at, fmt::format("the preset has more references than the limit of {}",
+                                   most_settings_references));
     }
 
     void add_setting(const Line& line, const Location& at) {
@@ -125,7 +125,7 @@ private:
         }
         const SlangSetting& first = m_read.settings[place->second];
         if (first.value != setting.value)
-            warn(at, fmt::format("'{}' is set already, to '{}' on line {}; that counts",
+            warn(at, fmt::format("'{}' is already set to '{}' on line {}; this line is ignored",
                                  setting.key, first.value, first.declared.line));
     }
 
@@ -135,14 +135,16 @@ private:
         const fs::path wanted = path_beside(at.file, path);
         const auto text = m_files.read(wanted);
         if (!text)
-            refuse(at, fmt::format("'{}' cannot be included: {}", readable_text(path),
+            refuse(at, fmt::format("can't include '{}': {}", readable_text(path),
                                    text.error().front().message));
         else if (std::ranges::find(m_open, *text) != m_open.end())
-            refuse(at, "includes go round in a circle");
+            refuse(at, "circular #include");
         else if (m_open.size() >= most_open_settings)
-            refuse(at, fmt::format("includes are nested more than {} deep", most_open_settings));
+            refuse(at, fmt::format("includes are nested deeper than the limit of {} levels",
+                                   most_open_settings));
         else if (++m_included > most_settings_includes)
-            refuse(at, fmt::format("more than {} includes in one preset", most_settings_includes));
+            refuse(at, fmt::format("the preset has more includes than the limit of {}",
+                                   most_settings_includes));
         else if (std::string fault = m_files.count_settings(**text); !fault.empty())
             refuse(at, std::move(fault));
         else if (m_errors.empty())
@@ -185,21 +187,23 @@ std::optional<bool> read_slang_boolean(const SlangSetting& setting, Diagnostics&
         return true;
     if (word == "false" || word == "0")
         return false;
-    add_new(warnings, {setting.declared.file, setting.declared.line,
-                       fmt::format("'{}' is true or false, not '{}'", setting.key, setting.value),
-                       Severity::warning});
+    add_new(warnings,
+            {setting.declared.file, setting.declared.line,
+             fmt::format("'{}' must be true or false, got '{}'", setting.key, setting.value),
+             Severity::warning});
     return std::nullopt;
 }
 
 double read_slang_number(const SlangSetting& setting, Diagnostics& warnings) {
     const auto number = leading_number(setting.value);
     if (!number)
-        add_new(warnings,
-                {setting.declared.file, setting.declared.line,
-                 fmt::format("'{}' is a number, not '{}'; read as 0", setting.key, setting.value),
-                 Severity::warning});
-    if (const std::string note = decimal_comma_note(setting.value); number && !note.empty())
         add_new(warnings, {setting.declared.file, setting.declared.line,
-                           fmt::format("'{}': {}", setting.key, note), Severity::warning});
+                           fmt::format("'{}' must be a number, got '{}'; 0 is used", setting.key,
+                                       setting.value),
+                           Severity::warning});
+    std::string note = decimal_comma_note(setting.key, setting.value);
+    if (number && !note.empty())
+        add_new(warnings,
+                {setting.declared.file, setting.declared.line, std::move(note), Severity::warning});
     return number.value_or(0.0);
 }

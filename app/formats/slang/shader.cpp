@@ -35,7 +35,7 @@ public:
         const bool is_shader =
             !pieces.empty() && pieces[0].lines.starts_with("#version") && pieces[0].first_line == 1;
         if (!is_shader)
-            return fail({m_shader.vertex.file, 1, "a shader's first line must be #version"});
+            return fail({m_shader.vertex.file, 1, "the shader's first line must be #version"});
         add_version(pieces[0]);
         for (std::size_t i = 1; i < pieces.size(); ++i)
             pieces[i].directive ? obey(pieces[i]) : add(pieces[i]);
@@ -46,7 +46,8 @@ public:
         if (m_shader.parameters.size() > most_parameters) {
             const Location& at = m_shader.parameters[most_parameters]->declared;
             return fail({at.file, at.line,
-                         fmt::format("more than {} parameters in one shader", most_parameters)});
+                         fmt::format("the shader has {} parameters; the limit is {}",
+                                     m_shader.parameters.size(), most_parameters)});
         }
         return std::move(m_shader);
     }
@@ -110,11 +111,11 @@ private:
         else if (word == "fragment")
             m_only = &m_shader.fragment;
         else
-            add_new(
-                m_errors,
-                {piece.text->file, piece.first_line,
-                 fmt::format("unknown stage '{}': #pragma stage vertex or #pragma stage fragment",
-                             readable_text(word))});
+            add_new(m_errors,
+                    {piece.text->file, piece.first_line,
+                     fmt::format(
+                         "unknown stage '{}'; use #pragma stage vertex or #pragma stage fragment",
+                         readable_text(word))});
     }
 
     void set_once(std::string& value, Location& declared, const SlangPiece& piece,
@@ -124,11 +125,12 @@ private:
             value = word;
             declared = place_of(piece);
         } else if (value != word) {
-            add_new(m_shader.warnings,
-                    {piece.text->file, piece.first_line,
-                     fmt::format("a second #pragma {} '{}': '{}' of line {} counts", pragma, word,
-                                 value, declared.line),
-                     Severity::warning});
+            add_new(
+                m_shader.warnings,
+                {piece.text->file, piece.first_line,
+                 fmt::format("#pragma {0} '{1}' is ignored because line {3} has #pragma {0} '{2}'",
+                             pragma, word, value, declared.line),
+                 Severity::warning});
         }
     }
 

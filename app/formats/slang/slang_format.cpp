@@ -62,8 +62,9 @@ private:
         std::error_code error;
         if (fs::exists(pass.shader, error))
             return fmt::format("'{}': {}", pass.shader.filename().string(), message);
-        return fmt::format("'{}': {}; looked for '{}'{}", pass.shader.filename().string(), message,
-                           pass.shader.string(), near_file(pass.shader, pass.declared.file));
+        return fmt::format("can't read '{}' ({}): {}{}", pass.shader.filename().string(),
+                           pass.shader.string(), message,
+                           near_file(pass.shader, pass.declared.file));
     }
 
     std::optional<Read> read_anew(const SlangPass& pass) {
@@ -106,7 +107,7 @@ Result<WholeChain> read_chain(const fs::path& file, SlangFiles& files, const Rea
         help.progress->begin(PassProgress::Step::reading, chain.preset.passes.size());
     for (const SlangPass& pass : chain.preset.passes) {
         if (help.progress && !help.progress->next(pass.shader.stem().string()))
-            return fail({file, 0, "was not read to its end"});
+            return fail({file, 0, "loading was cancelled"});
         reader.read(pass, chain);
     }
     is_parsed = reader.is_parsed;
@@ -142,13 +143,14 @@ void add_filter(const WholeChain& chain, Filter chosen, Look& look) {
     if (filter.bindings.empty())
         return;
     filter.name = filter_name;
-    filter.label = "Filter where none is said";
+    filter.label = "Default filter";
     filter.group = "Sampling";
     filter.help =
-        "How passes read what their preset gives no filter_linear: RetroArch's bilinear setting.";
+        "Texture filter of passes that don't set filter_linear in the preset. It corresponds to "
+        "RetroArch's setting Bilinear Filtering.";
     filter.type = {Scalar::integer, 1, 1};
     filter.control = Control::list;
-    filter.items = {{0.0, "nearest"}, {1.0, "linear"}};
+    filter.items = {{0.0, "Nearest"}, {1.0, "Linear"}};
     filter.range = {0.0, 1.0, 1.0};
     filter.initial = 0.0;
     filter.is_constant = true;

@@ -48,7 +48,7 @@ std::optional<double> leading_number(std::string_view text) {
     return number;
 }
 
-std::string decimal_comma_note(std::string_view text) {
+std::string decimal_comma_note(std::string_view key, std::string_view text) {
     text = trim(text);
     const auto is_digit = [&](std::size_t at) {
         return at < text.size() && text[at] >= '0' && text[at] <= '9';
@@ -61,14 +61,15 @@ std::string decimal_comma_note(std::string_view text) {
         return {};
     std::string with_point(text);
     with_point[comma] = '.';
-    return fmt::format("'{}' is read as {}, up to its comma; write '{}'", text,
-                       text.substr(0, comma), with_point);
+    return fmt::format("'{}' is {} because '{}' has a decimal comma; use '{}'", key,
+                       text.substr(0, comma), text, with_point);
 }
 
 std::string fault_of_slang_path(std::string_view written) {
     constexpr std::size_t longest_path = 4096;  // of Linux
-    return written.size() > longest_path ? fmt::format("a path has at most {} bytes", longest_path)
-                                         : std::string();
+    return written.size() > longest_path
+               ? fmt::format("the path is longer than the limit of {} bytes", longest_path)
+               : std::string();
 }
 
 std::string readable_text(std::string_view bytes) {

@@ -82,8 +82,7 @@ TEST_CASE("other uniforms are parameters with their hints, other samplers pictur
 TEST_CASE("a varying that only a vertex shader could know is named with its line") {
     bare_look(
         "uniform float a;\nvarying float fog;\nvoid main() { gl_FragColor = vec4(fog * a); }\n",
-        "a.frag:2: warning: 'fog' comes from a vertex shader, which is not here: it is "
-        "float(0)");
+        "a.frag:2: warning: no vertex shader sets 'fog'; float(0) is used");
 }
 
 TEST_CASE("varyings are found in every way to write them") {
@@ -109,7 +108,7 @@ TEST_CASE("more varyings than a driver takes are refused at the line of the firs
     const LoadedLook loaded = load_bare_look(file, {}, {});
     REQUIRE_FALSE(loaded.look.has_value());
     CHECK(to_string(loaded.look.error()) ==
-          file.string() + ":258: error: more than 256 values come from a vertex shader\n");
+          file.string() + ":258: error: the shader has 257 varyings; the limit is 256\n");
 }
 
 TEST_CASE("what GameMaker declares for an author need not be declared") {
@@ -153,7 +152,7 @@ TEST_CASE("a piece of three.js that is not here is named at its line") {
     REQUIRE_FALSE(loaded.look.has_value());
     CHECK(to_string(loaded.look.error()) ==
           file.string() +
-              ":2: error: there is no '<lights_pars_begin>' here; a file is included by #include "
+              ":2: error: unknown include <lights_pars_begin>; to include a file, use #include "
               "\"file.glsl\"\n");
 }
 
@@ -273,8 +272,8 @@ TEST_CASE("what glslViewer draws of a scene is named as not being here") {
     bare_look(
         "uniform float a;\nuniform sampler2D u_scene;\n"
         "void main() { gl_FragColor = texture2D(u_scene, vec2(0.5)) * a; }\n",
-        "a.frag:2: warning: 'u_scene' is what glslViewer draws of a scene or buffer that is not "
-        "here: it is a picture to be chosen");
+        "a.frag:2: warning: 'u_scene' is a scene or buffer of glslViewer, which isn't available "
+        "here. Choose a picture for it.");
 }
 
 TEST_CASE("glslang's errors are at the author's line") {

@@ -146,7 +146,7 @@ TEST_CASE("an import of six pictures is a cube, of another number a mistake") {
     CHECK(one.imports[0].faces.empty());
     CHECK(refusal_of(
               "/*{\n\"IMPORTED\": [{\"NAME\": \"a\", \"TYPE\": \"cube\", \"PATH\": [\"0\"]}]}*/") ==
-          "a.fs:2: error: \"PATH\" of 'a' names 1 pictures: a cube has 6\n");
+          "a.fs:2: error: 'PATH' of 'a' lists 1 pictures; use 1, or 6 for a cube map\n");
 }
 
 TEST_CASE("a colour may be written as text") {
@@ -160,7 +160,7 @@ TEST_CASE("a colour may be written as text") {
     CHECK(color("#0f08") == std::vector<double>{0.0, 1.0, 0.0, 136 / 255.0});
     CHECK(refusal_of("/*{\n\"INPUTS\": [{\"NAME\": \"c\", \"TYPE\": \"color\", \"DEFAULT\": "
                      "\"#ggg\"}]}*/")
-              .starts_with("a.fs:2: error: '#ggg' is not a colour"));
+              .starts_with("a.fs:2: error: '#ggg' isn't a colour"));
 }
 
 TEST_CASE("what an ISF shader does follows from its inputs") {
@@ -178,19 +178,20 @@ TEST_CASE("what an ISF shader does follows from its inputs") {
 
 TEST_CASE("what is wrong with a header is told at its line") {
     CHECK(refusal_of("/*{\n\"A\": 1,\n\"B\" 2}*/").starts_with("a.fs:3: error: "));
-    CHECK(refusal_of("void main() {}").starts_with("a.fs:1: error: does not begin with"));
+    CHECK(refusal_of("void main() {}").starts_with("a.fs:1: error: not an ISF shader: "));
     CHECK(refusal_of("/*{\"INPUTS\": [\n{\"NAME\": \"a\", \"TYPE\": \"volume\"},\n"
                      "{\"NAME\": \"b c\", \"TYPE\": \"float\"},\n{\"TYPE\": \"float\"},\n"
                      "{\"NAME\": \"d\", \"TYPE\": \"float\"},\n"
                      "{\"NAME\": \"d\", \"TYPE\": \"bool\"}]}*/") ==
-          "a.fs:2: error: the input 'a' is of no type that there is: 'volume'\n"
-          "a.fs:3: error: 'b c' cannot be a name in a shader\n"
-          "a.fs:4: error: has no \"NAME\"\n"
-          "a.fs:6: error: there are two inputs called 'd'\n");
+          "a.fs:2: error: input 'a' has unknown type 'volume'; use float, bool, long, event, "
+          "point2D, color, image, cube, audio or audioFFT\n"
+          "a.fs:3: error: 'b c' isn't a valid GLSL identifier\n"
+          "a.fs:4: error: 'NAME' is missing\n"
+          "a.fs:6: error: the name 'd' is used twice\n");
     CHECK(refusal_of("/*{\"INPUTS\": [{\"NAME\": \"TIME\", \"TYPE\": \"float\"}],\n"
                      "\"PASSES\": [{\"TARGET\": \"a b\"}]}*/") ==
-          "a.fs:1: error: 'TIME' is a name of the format itself\n"
-          "a.fs:2: error: 'a b' cannot be a name in a shader\n");
-    CHECK(refusal_of("/*{\"INPUTS\": {}}*/").find("\"INPUTS\" is a list, not") !=
+          "a.fs:1: error: 'TIME' is a reserved name in ISF\n"
+          "a.fs:2: error: 'a b' isn't a valid GLSL identifier\n");
+    CHECK(refusal_of("/*{\"INPUTS\": {}}*/").find("'INPUTS' must be a list, got") !=
           std::string::npos);
 }

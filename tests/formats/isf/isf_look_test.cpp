@@ -132,9 +132,9 @@ TEST_CASE("inputs may be called as functions and keywords of the language that t
 TEST_CASE("a name that no shader can have is told at its line") {
     const IsfFolder folder;
     CHECK(folder.refusal("\"INPUTS\": [\n{\"NAME\": \"while\", \"TYPE\": \"float\"}]", draws_red) ==
-          "a.fs:2: error: 'while' cannot be a name in a shader");
+          "a.fs:2: error: 'while' isn't a valid GLSL identifier");
     CHECK(folder.refusal("\"PASSES\": [\n{\"TARGET\": \"IMG_SIZE\"}, {}]", draws_red) ==
-          "a.fs:2: error: 'IMG_SIZE' is a name of the format itself");
+          "a.fs:2: error: 'IMG_SIZE' is a reserved name in ISF");
 }
 
 TEST_CASE("alpha of every pass means transparency, and persistent targets outlast another size") {
@@ -200,8 +200,8 @@ TEST_CASE("a size that is no finite number is one texel, as in other hosts, and 
     const auto halved = plan_targets(*loaded.look, {640, 480}, {640, 480}, {{"n", Value(2.0)}});
     CHECK(halved->targets[0].extent == Extent{320, 1});
     CHECK(folder.told(loaded.warnings) ==
-          "a.fs:2: warning: size of pass 'a': '$WIDTH / $n' is not a finite number: it is 1\n"
-          "a.fs:2: warning: size of pass 'a': 'sqrt(0 - 1)' is not a finite number: it is 1");
+          "a.fs:2: warning: size of pass 'a': '$WIDTH / $n' isn't a finite number; 1 is used\n"
+          "a.fs:2: warning: size of pass 'a': 'sqrt(0 - 1)' isn't a finite number; 1 is used");
 }
 
 TEST_CASE("mistakes in a shader are told at the author's lines, once however many passes it has") {
@@ -293,8 +293,8 @@ TEST_CASE("a missing import reads black and is told; one that is there is an ima
         "\"gone.png\"}}",
         "void main() { gl_FragColor = IMG_THIS_PIXEL(there) + IMG_THIS_PIXEL(gone); }\n");
     CHECK(folder.told(loaded.warnings) ==
-          "a.fs:2: warning: the picture 'there.png' is missing: 'there' reads black\n"
-          "a.fs:3: warning: the picture 'gone.png' is missing: 'gone' reads black");
+          "a.fs:2: warning: can't find the picture 'there.png'; 'there' is black\n"
+          "a.fs:3: warning: can't find the picture 'gone.png'; 'gone' is black");
     folder.write("there.png", "any");
     const LoadedLook again = folder.load();
     REQUIRE(again.look.has_value());
@@ -309,7 +309,7 @@ TEST_CASE("a uniform of the author's own that no input sets is told") {
         folder.load("", "uniform float own;\nvoid main() { gl_FragColor = vec4(own); }\n");
     REQUIRE(loaded.look.has_value());
     CHECK(folder.told(loaded.warnings) ==
-          "a.fs:2: warning: 'own' is no input of the header: it stays 0");
+          "a.fs:2: warning: 'own' isn't an input in the header; it stays 0");
 }
 
 TEST_CASE("a .fs file without ISF's header is no ISF shader, and says so") {
@@ -321,7 +321,7 @@ TEST_CASE("a .fs file without ISF's header is no ISF shader, and says so") {
     CHECK_FALSE(is_isf_file(folder / "none.fs"));
     const LoadedLook loaded = folder.load();
     REQUIRE_FALSE(loaded.look.has_value());
-    CHECK(folder.told(loaded.look.error()).starts_with("a.fs:1: error: does not begin with"));
+    CHECK(folder.told(loaded.look.error()).starts_with("a.fs:1: error: not an ISF shader: "));
 }
 
 TEST_CASE("an empty, a binary and a cut off file are refused with a reason") {
@@ -351,7 +351,7 @@ TEST_CASE("a constant with a range is a parameter beside the inputs") {
     REQUIRE(turned.look.has_value());
     CHECK(turned.look->passes[0].fragment.text->find("#define STEPS 12 ") != std::string::npos);
     CHECK(folder.refusal(input, "#define level 8  // @range 1 9\n" + code)
-              .find("'level' is the name of another parameter") != std::string::npos);
+              .find("'level' is already the name of another parameter") != std::string::npos);
 }
 
 TEST_CASE("a cube is a picture that a person chooses and the shader reads by direction") {

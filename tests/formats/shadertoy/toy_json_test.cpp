@@ -86,24 +86,25 @@ TEST_CASE(
 
 TEST_CASE("what a shader of the site cannot have is named and left out") {
     CHECK(warnings_of(R"({"type": "dance", "code": ""})") ==
-          "a.json:1: warning: a pass of the unknown type 'dance' is left out\n");
+          "a.json:1: warning: unknown pass type 'dance'; the pass is ignored\n");
     CHECK(warnings_of(R"({"type": "image", "code": "", "inputs": [
 {"type": "smell", "channel": 1}]})") ==
-          "a.json:2: warning: iChannel1 of 'Image' reads the unknown kind 'smell': it is black\n");
+          "a.json:2: warning: iChannel1 of 'Image' has unknown type 'smell'; it is black\n");
     CHECK(warnings_of(R"({"type": "image", "code": "", "inputs": [
 {"type": "texture", "channel": 4}]})") ==
-          "a.json:2: warning: an input of 'Image' has no channel from 0 to 3: it is left out\n");
+          "a.json:2: warning: an input of 'Image' is ignored because its channel isn't a "
+          "number from 0 to 3\n");
     CHECK(warnings_of(
               "{\"type\": \"image\", \"code\": \"\"},\n{\"type\": \"image\", \"code\": \"\"}") ==
-          "a.json:2: warning: there is a 'Image' already: this one is left out\n");
+          "a.json:2: warning: 'Image' already exists; this pass is ignored\n");
 }
 
 TEST_CASE("JSON that is no shader, or whose pass has no code, is refused with its line") {
     Diagnostics warnings;
     CHECK(to_string(parse_toy_json("\n[]", "a.json", warnings).error()) ==
-          "a.json:2: error: has no \"renderpass\" list of a shader\n");
+          "a.json:2: error: not a Shadertoy shader: the list 'renderpass' is missing\n");
     CHECK(to_string(parse_toy_json("{\"renderpass\":\n[{\"type\": \"image\"}]}", "a.json", warnings)
-                        .error()) == "a.json:2: error: 'Image' has no code\n");
+                        .error()) == "a.json:2: error: pass 'Image' has no code\n");
     CHECK_FALSE(parse_toy_json("{\"renderpass\": [", "a.json", warnings).has_value());
 }
 
@@ -115,5 +116,5 @@ TEST_CASE("what Shadertoy answers instead of a shader is told in its words") {
     const auto toy = parse_toy_json(answer, "a.json", warnings);
     REQUIRE_FALSE(toy.has_value());
     CHECK(to_string(toy.error()) ==
-          "a.json:2: error: Shadertoy answered with no shader but 'Shader not found'\n");
+          "a.json:2: error: Shadertoy sent an error instead of a shader: 'Shader not found'\n");
 }

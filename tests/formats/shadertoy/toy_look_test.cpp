@@ -245,10 +245,10 @@ TEST_CASE("what cannot be had is named, and the rest goes on") {
         json_pass("image", "4dfGRr", reads_0, json_input(0, "buffer", "4dXGR8")) + ",\n" +
         json_pass("sound", "", "vec2 mainSound(float t) { return vec2(0.0); }"));
     CHECK(loaded.look.has_value());
-    CHECK(files.told(loaded.warnings) ==
-          "a.json/Sound:1: warning: a pass that makes sound is not played here\n"
-          "a.json:1: warning: iChannel0 of 'Image' reads Buffer A, which is not there: it is "
-          "black\n");
+    CHECK(
+        files.told(loaded.warnings) ==
+        "a.json/Sound:1: warning: Sound passes aren't supported; this pass is ignored\n"
+        "a.json:1: warning: iChannel0 of 'Image' reads Buffer A, which is missing; it is black\n");
 }
 
 TEST_CASE("a folder of files is one shader: passes by name, channels by the buffers' order") {
@@ -324,6 +324,6 @@ TEST_CASE("a constant and a uniform of one name are told at the uniform's line")
     const LoadedLook loaded = load_toy_look(image, {}, {});
     REQUIRE_FALSE(loaded.look.has_value());
     CHECK(files.told(loaded.look.error())
-              .starts_with("Image.glsl:1: error: 'GAIN' is a uniform here but a constant in "
-                           "another place (at Buffer A.glsl:1)"));
+              .starts_with("Image.glsl:1: error: 'GAIN' is a uniform here but a constant "
+                           "elsewhere (at Buffer A.glsl:1)"));
 }

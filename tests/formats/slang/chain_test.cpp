@@ -54,12 +54,12 @@ TEST_CASE("values and texture paths are applied deepest first, the opened file l
 TEST_CASE("a preset of values only says that it has nothing to draw") {
     SlangFolder folder;
     CHECK(folder.refusal(folder.preset_of("glow = 1\n")) ==
-          "a.slangp:1: error: holds values only, no passes ('shaders'): open a preset that refers "
-          "to it");
+          "a.slangp:1: error: this preset contains values but no passes ('shaders'). Open a preset "
+          "that references it.");
     folder.write("values.params", "glow = 1\n");
     CHECK(folder.refusal(folder.preset_of("#reference \"values.params\"\n")) ==
-          "values.params:1: error: holds values only, no passes ('shaders'), so 'a.slangp', which "
-          "refers to it, has nothing to draw");
+          "values.params:1: error: this preset contains values but no passes ('shaders'), so "
+          "'a.slangp' has nothing to draw");
 }
 
 TEST_CASE("only the first reference may have passes") {
@@ -67,8 +67,8 @@ TEST_CASE("only the first reference may have passes") {
     folder.write("base.slangp", owner_text);
     folder.write("other.slangp", "\nshaders = 1\nshader0 = a.slang\n");
     CHECK(folder.refusal(folder.preset_of("#reference base.slangp\n#reference other.slangp\n")) ==
-          "other.slangp:2: error: this file is referred to for its values, so it cannot have "
-          "passes: only the first #reference of a preset leads to passes");
+          "other.slangp:2: error: this file has passes, but only the first #reference of a "
+          "preset may lead to passes");
 }
 
 TEST_CASE("passes beside a reference are not used, which is told") {
@@ -78,16 +78,16 @@ TEST_CASE("passes beside a reference are not used, which is told") {
     REQUIRE(preset.has_value());
     CHECK(preset->passes.size() == 1);
     CHECK(folder.told(preset->warnings) ==
-          "a.slangp:2: warning: the passes of this file are not used: its #reference leads to "
-          "other ones");
+          "a.slangp:2: warning: the passes of this file are ignored; those of its #reference are "
+          "used");
 }
 
 TEST_CASE("a missing reference is told where it is referred to, and looked out for") {
     SlangFolder folder;
     folder.write("deep/base.slangp", "\n#reference \"gone.slangp\"\n");
     CHECK(folder.refusal(folder.preset_of("#reference \"deep/base.slangp\"\n")) ==
-          "deep/base.slangp:2: error: 'gone.slangp' cannot be read: there is no such file "
-          "(deep/gone.slangp)");
+          "deep/base.slangp:2: error: can't read 'gone.slangp' (deep/gone.slangp): file not "
+          "found");
     CHECK(folder.has_seen("deep/gone.slangp"));
 }
 
@@ -104,22 +104,23 @@ TEST_CASE("a missing file of values is a warning, wherever it is referred to") {
     CHECK(preset->values.at("a").number == 2.0);
     CHECK(preset->values.at("b").number == 3.0);
     CHECK(folder.told(preset->warnings) ==
-          "second.params:2: warning: 'gone.params' cannot be read: there is no such file "
-          "(gone.params); its values are left out\n"
-          "first.params:1: warning: 'gone.params' cannot be read: there is no such file "
-          "(gone.params); its values are left out\n"
-          "a.slangp:4: warning: 'Gone.params' cannot be read: there is no such file "
-          "(Gone.params); its values are left out");
+          "second.params:2: warning: can't read 'gone.params' (gone.params): file not found; "
+          "its values are ignored\n"
+          "first.params:1: warning: can't read 'gone.params' (gone.params): file not found; "
+          "its values are ignored\n"
+          "a.slangp:4: warning: can't read 'Gone.params' (Gone.params): file not found; "
+          "its values are ignored");
 }
 
 TEST_CASE("references in a circle are told, also by way of a link") {
     SlangFolder folder;
     folder.write("b.slangp", "x = 1\n#reference \"a.slangp\"\n");
     CHECK(folder.refusal(folder.preset_of("#reference \"b.slangp\"\n")) ==
-          "b.slangp:2: error: references go round in a circle: a.slangp -> b.slangp -> a.slangp");
+          "b.slangp:2: error: circular #reference: a.slangp -> b.slangp -> a.slangp");
     std::filesystem::create_symlink(folder / "a.slangp", folder / "link.slangp");
     folder.write("b.slangp", "#reference \"link.slangp\"\n");
-    CHECK(folder.refusal(folder.preset("a.slangp")).find("circle") != std::string::npos);
+    CHECK(folder.refusal(folder.preset("a.slangp")).find("circular #reference") !=
+          std::string::npos);
 }
 
 TEST_CASE("references may be 16 files deep and not 17") {
@@ -132,7 +133,7 @@ TEST_CASE("references may be 16 files deep and not 17") {
     folder.write("14.slangp", "#reference 15.slangp\n");
     folder.write("15.slangp", owner_text);
     CHECK(folder.refusal(folder.preset("a.slangp")) ==
-          "14.slangp:1: error: references are nested more than 16 deep");
+          "14.slangp:1: error: references are nested deeper than the limit of 16 levels");
 }
 
 TEST_CASE("references that double with every file end at their limit") {
@@ -143,7 +144,7 @@ TEST_CASE("references that double with every file end at their limit") {
     folder.write("12.params", "a = 1\n");
     folder.write("base.slangp", owner_text);
     CHECK(folder.refusal(folder.preset_of("#reference base.slangp\n#reference 0.params\n"))
-              .find("more than 256 references in one preset") != std::string::npos);
+              .find("the preset has more references than the limit of 256") != std::string::npos);
 }
 
 TEST_CASE("a reference's wildcards are replaced where there is such a file") {

@@ -102,7 +102,7 @@ TEST_CASE("a minimum above the maximum is swapped, with a warning") {
     const SlangControls controls = controls_of({"a \"A\" 1 2 -2 0.5"});
     CHECK(controls.parameters[0].range == Range{-2.0, 2.0, 0.5});
     CHECK(to_string(controls.warnings.front()) ==
-          "a.slang:1: warning: parameter 'a' has its minimum 2 above its maximum -2; swapped");
+          "a.slang:1: warning: parameter 'a': minimum 2 is above maximum -2; they are swapped");
 }
 
 TEST_CASE("a default outside of the range widens it, the preset's value too") {

@@ -86,7 +86,8 @@ void count(const fs::path& file, Counts& counts) {
     const auto preset = read_slang_preset(file, files);
     if (!preset) {
         const std::string& said = preset.error().front().message;
-        CHECK_MESSAGE(said.starts_with("holds values only"), to_string(preset.error()));
+        CHECK_MESSAGE(said.starts_with("this preset contains values but no passes"),
+                      to_string(preset.error()));
         ++counts.values_only;
         return;
     }

@@ -11,17 +11,18 @@ TEST_CASE("a preset may have 8 MiB with all that it refers to, counted each time
     const std::string text = "#reference owner.slangp\n" + times(7, "#reference big.params\n");
     CHECK(folder.preset_of(text).has_value());
     CHECK(folder.refusal(folder.preset_of(text + "#reference big.params\n")) ==
-          "a.slangp:9: error: the preset with all that it refers to is larger than 8 MiB");
+          "a.slangp:9: error: the preset with its references and includes is larger than the limit "
+          "of 8 MiB");
     folder.write("more.params", times(9, "#include \"big.params\"\n"));
     CHECK(folder.refusal(folder.preset_of("#reference owner.slangp\n#reference more.params\n"))
-              .find("more.params:8: error: the preset with all that it refers to is larger than "
-                    "8 MiB") != std::string::npos);
+              .find("more.params:8: error: the preset with its references and includes is larger "
+                    "than the limit of 8 MiB") != std::string::npos);
 }
 
 TEST_CASE("a preset has at most 256 references, told at the line of the next") {
     SlangFolder folder;
     CHECK(folder.refusal(folder.preset_of(times(300, "#reference owner.slangp\n"))) ==
-          "a.slangp:257: error: more than 256 references in one preset");
+          "a.slangp:257: error: the preset has more references than the limit of 256");
 }
 
 TEST_CASE("what a preset does not understand is told for its first lines") {
@@ -39,13 +40,13 @@ TEST_CASE("very many textures are refused at once") {
         list += fmt::format("t{};", i);
     CHECK(folder.refusal(
               folder.preset_of("shaders = 1\nshader0 = a.slang\ntextures = \"" + list + "\"\n")) ==
-          "a.slangp:3: error: 100000 textures: a preset has at most 64");
+          "a.slangp:3: error: the preset has 100000 textures; the limit is 64");
 }
 
 TEST_CASE("a path of more bytes than a file's can have is told at its line") {
     SlangFolder folder;
     const std::string path = times(2000, "../") + "x";
-    const std::string told = "error: a path has at most 4096 bytes";
+    const std::string told = "error: the path is longer than the limit of 4096 bytes";
     CHECK(folder.refusal(folder.preset_of("shaders = 1\nshader0 = " + path + "\n")) ==
           "a.slangp:2: " + told);
     CHECK(folder.refusal(folder.preset_of("#reference " + path + "\n")) == "a.slangp:1: " + told);
@@ -61,7 +62,7 @@ TEST_CASE("a shader has at most 16384 parameters, and tells its first mistakes")
         many += fmt::format("#pragma parameter p{} \"\" 0 0 1\n", i);
     CHECK(folder.shader_of(many).has_value());
     CHECK(folder.refusal(folder.shader_of(many + "#pragma parameter q \"\" 0 0 1\n")) ==
-          "a.slang:16386: error: more than 16384 parameters in one shader");
+          "a.slang:16386: error: the shader has 16385 parameters; the limit is 16384");
     const auto wrong = folder.shader_of("#version 450\n" + times(10'000, "#pragma parameter\n"));
     REQUIRE_FALSE(wrong.has_value());
     CHECK(wrong.error().size() == 257);
@@ -72,7 +73,7 @@ TEST_CASE("directives count for the size of a shader as its other lines do") {
     folder.write("pragmas.inc", times(40'000, "#pragma name the_name_of_a_pass\n"));
     const auto shader =
         folder.shader_of("#version 450\n" + times(100, "#include \"pragmas.inc\"\n"));
-    CHECK(folder.refusal(shader).find("larger than 8 MiB") != std::string::npos);
+    CHECK(folder.refusal(shader).find("larger than the limit of 8 MiB") != std::string::npos);
 }
 
 TEST_CASE("numbers that no 32-bit float holds are told, in presets and parameters") {
@@ -83,12 +84,12 @@ TEST_CASE("numbers that no 32-bit float holds are told, in presets and parameter
             number));
         REQUIRE(preset.has_value());
         CHECK(folder.told(preset->warnings) ==
-              fmt::format("a.slangp:4: warning: 'scale0' is a number, not '{0}'; read as 0\n"
-                          "a.slangp:5: warning: 'x' is not set: '{0}' is not a number",
+              fmt::format("a.slangp:4: warning: 'scale0' must be a number, got '{0}'; 0 is used\n"
+                          "a.slangp:5: warning: 'x' must be a number, got '{0}'; it is ignored",
                           number));
         CHECK(folder.refusal(folder.shader_of(
                   fmt::format("#version 450\n#pragma parameter a \"A\" 0 0 {}\n", number))) ==
-              "a.slang:2: error: parameter 'a' needs three numbers behind its text: initial, "
+              "a.slang:2: error: parameter 'a' needs three numbers after its label: initial, "
               "minimum and maximum");
     }
 }
@@ -97,8 +98,8 @@ TEST_CASE("counts that make no sense are refused or brought into their limits") 
     SlangFolder folder;
     for (const char* count : {"0", "-1", "65", "1e30", "nan", "x"})
         CHECK(folder.refusal(folder.preset_of(fmt::format("shaders = {}\n", count))) ==
-              fmt::format("a.slangp:1: error: 'shaders' is the number of passes, 1 to 64, not "
-                          "'{}'",
+              fmt::format("a.slangp:1: error: 'shaders' must be a number of passes from 1 to 64, "
+                          "got '{}'",
                           count));
     const auto preset = folder.preset_of(
         "shaders = 1\nshader0 = a.slang\nframe_count_mod0 = 1e30\nscale_type0 = absolute\n"

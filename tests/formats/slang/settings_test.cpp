@@ -80,7 +80,8 @@ TEST_CASE("of equal keys in a file the first counts, and one that differs is tol
     const Read read("a = 1\nb = 2\na = 1\nb = 3\n");
     CHECK(read.said() == "a=1|b=2|");
     CHECK(read.warned_lines() == std::vector{4});
-    CHECK(read.warnings().front().message == "'b' is set already, to '2' on line 2; that counts");
+    CHECK(read.warnings().front().message ==
+          "'b' is already set to '2' on line 2; this line is ignored");
     CHECK(read.warnings().front().severity == Severity::warning);
 }
 
@@ -90,6 +91,7 @@ TEST_CASE("a line that says nothing is told, but not within /* */") {
         "two words = 3\n= 4\n");
     CHECK(read.said() == "key=is|");
     CHECK(read.warned_lines() == std::vector{4, 5, 6});
+    CHECK(read.warnings().front().message == "expected 'key = value'; this line is ignored");
 }
 
 TEST_CASE("references are lines of their own kind, quoted or not") {
@@ -120,8 +122,8 @@ TEST_CASE("an #include stands for the lines of its file") {
     REQUIRE_FALSE(refused.has_value());
     CHECK(refused.error().size() == 2);
     CHECK(refused.error()[0].line == 1);
-    CHECK(refused.error()[0].message == "includes go round in a circle");
-    CHECK(refused.error()[1].message == "'gone.inc' cannot be included: there is no such file");
+    CHECK(refused.error()[0].message == "circular #include");
+    CHECK(refused.error()[1].message == "can't include 'gone.inc': file not found");
 }
 
 TEST_CASE("yes and no are read forgivingly, anything else is told") {
@@ -137,13 +139,14 @@ TEST_CASE("yes and no are read forgivingly, anything else is told") {
     CHECK(warnings.empty());
     CHECK_FALSE(read("maybe").has_value());
     CHECK(to_string(warnings.front()) ==
-          "a.slangp:9: warning: 'srgb_framebuffer0' is true or false, not 'maybe'");
+          "a.slangp:9: warning: 'srgb_framebuffer0' must be true or false, got 'maybe'");
 }
 
 TEST_CASE("a decimal comma is told, with what is read and what to write") {
-    CHECK(decimal_comma_note("0,5") == "'0,5' is read as 0, up to its comma; write '0.5'");
-    CHECK(decimal_comma_note("-12,25") ==
-          "'-12,25' is read as -12, up to its comma; write '-12.25'");
+    CHECK(decimal_comma_note("a", "0,5") ==
+          "'a' is 0 because '0,5' has a decimal comma; use '0.5'");
+    CHECK(decimal_comma_note("b", "-12,25") ==
+          "'b' is -12 because '-12,25' has a decimal comma; use '-12.25'");
     for (const char* plain : {"0.5", "1", "", ",5", "1,", "a,5", "1.0,2.0", "x"})
-        CHECK(decimal_comma_note(plain).empty());
+        CHECK(decimal_comma_note("a", plain).empty());
 }

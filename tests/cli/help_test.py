@@ -1,0 +1,91 @@
+"""What --help prints, and that its examples work."""
+
+import shlex
+import shutil
+
+from program import SOURCE, ProgramTest, main, run
+
+SLANG = """#version 450
+layout(binding = 0, std140) uniform UBO { mat4 MVP; } global;
+#pragma stage vertex
+layout(location = 0) in vec4 Position;
+layout(location = 1) in vec2 TexCoord;
+void main() { gl_Position = global.MVP * Position; }
+#pragma stage fragment
+layout(location = 0) out vec4 FragColor;
+void main() { FragColor = vec4(1.0, 0.0, 0.0, 1.0); }
+"""
+
+
+class Help(ProgramTest):
+    DRAWS = ("render", "bench", "sheet", "sweep", "impulse")
+
+    def commands(self):
+        listed = run("--help").stdout.partition("\nCommands:\n")[2].partition("\n\n")[0]
+        return [line.split()[0] for line in listed.splitlines() if line[2:3].strip()]
+
+    def examples(self, *command):
+        """What stands under the last heading of a help."""
+        return [line.strip() for line in run(*command, "--help").stdout.partition("\nExamples:\n")[2].splitlines()]
+
+    def test_each_help_fits_80_columns_and_ends_with_its_own_examples(self):
+        commands = self.commands()
+        self.assertEqual(len(commands), 12, commands)
+        for command in ((), *((name,) for name in commands)):
+            with self.subTest(command):
+                done = run(*command, "--help")
+                self.assert_done(done)
+                self.assertLessEqual(max(map(len, done.stdout.splitlines())), 80)
+                examples = self.examples(*command)
+                self.assertTrue(2 <= len(examples) <= 4, examples)
+                for example in examples:
+                    self.assertEqual(example.split()[:1 + len(command)], ["afterglow", *command])
+
+    def make_inputs(self):
+        """The files that the examples name."""
+        self.assert_done(run("render", "crt", "--size", "64x36", "-o", self.folder / "picture.png"))
+        for name in ("before.png", "after.png", "screenshot.png"):
+            shutil.copy(self.folder / "picture.png", self.folder / name)
+        self.assert_done(run("render", "crt", "--size", "64x36", "-o", self.folder / "before.exr"))
+        shutil.copy(self.folder / "before.exr", self.folder / "after.exr")
+        self.assert_done(run("signal", "text:HI", "--seconds", "0.1", "-o", self.folder / "song.flac"))
+        for name in ("mine.json", "yours.json"):
+            self.assert_done(run("preset", "crt", "-o", self.folder / name))
+        shutil.copytree(SOURCE / "shaders/crt", self.folder / "my-look")
+        self.write("logo.svg", "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'><path d='M0 0L9 9'/></svg>")
+        self.write("crt-geom.slangp", "shaders = 1\nshader0 = slang-shaders/crt/a.slang\n")
+        self.write("slang-shaders/crt/a.slang", SLANG)
+        self.write("slang-shaders/crt/a.slangp", "shaders = 1\nshader0 = a.slang\n")
+        self.write("shadertoy/a.glsl", "void mainImage(out vec4 c, in vec2 p) { c = vec4(iTime); }")
+
+    def test_the_examples_work(self):
+        self.make_inputs()
+        for command in self.commands():
+            for example in self.examples(command):
+                words = shlex.split(example.partition(" > ")[0])[1:]
+                if words[-1].endswith(".mp4") and not shutil.which("ffmpeg"):
+                    continue
+                if command in self.DRAWS and "--size" not in words:
+                    words += ["--size", "64x36"]  # as an example, but sooner
+                with self.subTest(example):
+                    self.assert_done(run(*words, cwd=self.folder))
+
+    def test_wrong_usage_says_what_to_do(self):
+        for arguments, words in ((("render", "crt", "-o", "x.png", "--sett", "a=1"), "unknown option '--sett' (did you mean '--set'?)"),
+                                 (("render", "crt", "-o", "x.png", "--size"), "--size needs a value\n"),
+                                 (("render", "crt", "-o", "x.png", "--fps", "1", "--fps", "2"), "--fps can be given only once\n"),
+                                 (("render", "crt", "-o", "x.png", "--frames", "x"),
+                                  "--frames: expected a whole number from 1 to 10000000, got 'x'\n"),
+                                 (("render", "crt", "-o", "x.png", "--frames", "1", "--seconds", "1"), "can't be used together\n"),
+                                 (("render", "crt", "more", "-o", "x.png"), "unexpected argument 'more'\n"),
+                                 (("render", "crt", "-o", "x.png", "--set", "1"), "--set: expected NAME=VALUE, got '1'\n"),
+                                 (("list", "sounds"), "unknown word 'sounds'; use looks, presets, signals or patterns\n"),
+                                 (("preset", "crt", "--name", ""), "--name: the value is empty\n"),
+                                 (("check",), "LOOK is required\n")):
+            with self.subTest(arguments):
+                self.assert_refused(run(*arguments, cwd=self.folder), words,
+                                    f"\nRun 'afterglow {arguments[0]} --help' for help.\n", code=2)
+
+
+if __name__ == "__main__":
+    main()
