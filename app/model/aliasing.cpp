@@ -12,7 +12,7 @@
 
 bool is_period(const Parameter& parameter) {
     return parameter.control == Control::slider && parameter.type == NumberType{} &&
-           parameter.unit == "px a period";
+           (parameter.unit == "px per period" || parameter.unit == "px a period");  // older looks
 }
 
 std::string_view shown_unit(const Parameter& parameter) {

@@ -13,7 +13,7 @@
 // (I. Amidror, The Theory of the Moire Phenomenon, 2nd ed., section 2.4: the difference of the
 // two).
 
-/// Whether a parameter is such a period: a number with the unit "px a period".
+/// Whether a parameter is such a period: a number with the unit "px per period".
 bool is_period(const Parameter& parameter);
 
 /// The unit as it stands behind a number: "px" of a period.

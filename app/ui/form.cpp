@@ -40,8 +40,7 @@ FormColumns check_box_columns() {
     return columns;
 }
 
-bool form_label(const std::string& label, const std::string& unit, const FormColumns& columns,
-                bool is_changed) {
+bool form_label(const std::string& label, const FormColumns& columns, bool is_changed) {
     const float height = ImGui::GetFrameHeight();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const bool is_clicked = ImGui::InvisibleButton(
@@ -51,11 +50,6 @@ bool form_label(const std::string& label, const std::string& unit, const FormCol
     const std::string cut = cut_to_fit(label, columns.label);
     const float top = at.y + (height - ImGui::GetFontSize()) * 0.5f;
     ImGui::GetWindowDrawList()->AddText({at.x, top}, theme::packed(color), cut.c_str());
-    const float end = at.x + ImGui::CalcTextSize((label + " ").c_str()).x;
-    const bool has_room = columns.label > ImGui::GetFontSize() * 6.5f;  // for most of the units
-    if (has_room && !unit.empty() && !is_short(unit) &&
-        end + ImGui::CalcTextSize(unit.c_str()).x <= at.x + columns.label)
-        ImGui::GetWindowDrawList()->AddText({end, top}, theme::packed(theme::dim), unit.c_str());
     return is_clicked;
 }
 

@@ -21,11 +21,9 @@ FormColumns form_columns(bool has_button = true);
 /// A line with a check box where numbers end; the rest is left to its label.
 FormColumns check_box_columns();
 
-/// Begins a line of a form with its label; the control is drawn next. A unit too long to stand
-/// behind the number stands here where there is room. Gives whether the label was clicked, and
-/// leaves it the last item, for a tooltip.
-bool form_label(const std::string& label, const std::string& unit, const FormColumns& columns,
-                bool is_changed);
+/// Begins a line of a form with its label; the control is drawn next. Gives whether the label was
+/// clicked, and leaves it the last item, for a tooltip.
+bool form_label(const std::string& label, const FormColumns& columns, bool is_changed);
 /// Moves to the control's column of the present line.
 void form_control(const FormColumns& columns);
 

@@ -40,7 +40,7 @@ void draw_kinds(const Knob& knob, const FormColumns& columns, Edits& edits) {
             ->label;
     };
     const std::string present = knob.modulation ? kind_of() : "None";
-    form_label("Modulation", {}, columns, false);
+    form_label("Modulation", columns, false);
     form_control(columns);
     const bool is_open = begin_combo("##moves", present.c_str(), columns.control_and_number());
     edits.mark("modulation");
@@ -67,7 +67,7 @@ void draw_shapes(const Knob& knob, const FormColumns& columns, Edits& edits) {
             chosen = static_cast<int>(labels.size());
         labels.push_back(shape.label.c_str());
     }
-    form_label("Shape", {}, columns, false);
+    form_label("Shape", columns, false);
     form_control(columns);
     if (form_list("##shape", labels.data(), static_cast<int>(labels.size()), chosen,
                   columns.control_and_number())) {
@@ -81,7 +81,7 @@ void draw_shapes(const Knob& knob, const FormColumns& columns, Edits& edits) {
 void draw_figure(const Knob& knob, const ModulationFigure& figure, const FormColumns& columns,
                  const Fonts& fonts, Edits& edits) {
     const ScopedId id(figure.key);
-    form_label(figure.label, {}, columns, false);
+    form_label(figure.label, columns, false);
     tooltip(figure.help);
     form_control(columns);
     double number = knob.modulation->*figure.number;

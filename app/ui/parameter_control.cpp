@@ -87,7 +87,7 @@ Turned draw_parts(const Knob& knob, Value& value, const FormColumns& columns, co
     for (std::size_t i = 0; i < value.numbers.size(); ++i) {
         const ScopedId id(std::to_string(i));
         ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMin().x + indent);
-        form_label(part_label(knob.parameter, i), {}, indented, false);
+        form_label(part_label(knob.parameter, i), indented, false);
         form_control(columns);
         turned |= draw_component(knob, i, value, columns, fonts, edits);
     }
@@ -240,8 +240,7 @@ bool draw_parameter(const Knob& knob, const Fonts& fonts, Edits& edits) {
     const float top = ImGui::GetCursorScreenPos().y;
     const FormColumns columns = is_check_box(parameter) ? check_box_columns() : form_columns();
     const KnobMarks marks = knob_marks(knob.setting, columns);
-    if (form_label(parameter.label, std::string(shown_unit(parameter)), marks.beside(columns),
-                   knob.is_changed))
+    if (form_label(parameter.label, marks.beside(columns), knob.is_changed))
         ImGui::OpenPopup("about");
     edits.mark("label:" + parameter.name);
     draw_parameter_help(knob, fonts, edits);

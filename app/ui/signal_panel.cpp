@@ -132,7 +132,7 @@ void draw_setting(const SettingFacts& setting, const SignalKind& kind, Spec& spe
                   const Scene& scene, Edits& edits) {
     const ScopedId id(setting.key);
     const FormColumns columns = form_columns();
-    form_label(setting.label, setting.unit, columns, false);
+    form_label(setting.label, columns, false);
     tooltip(setting.type == SettingType::number
                 ? fmt::format("{}\n{}", setting.help,
                               range_text(facts_of(setting, setting.initial, *scene.lab.document())))

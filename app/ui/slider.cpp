@@ -281,13 +281,6 @@ Turned draw_slider(const char* id_text, double& value, const SliderFacts& facts,
     return turned;
 }
 
-bool is_short(const std::string& unit) {
-    constexpr std::ptrdiff_t most_letters = 4;
-    return std::count_if(unit.begin(), unit.end(), [](char c) {
-               return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-           }) <= most_letters;
-}
-
 std::string range_text(const SliderFacts& facts) {
     const auto text_of = [&unit = facts.unit](double low, double high) {
         return unit.empty()
@@ -298,8 +291,8 @@ std::string range_text(const SliderFacts& facts) {
     constexpr double practically_none = 1e6;
     if (limit && limit->high - limit->low < practically_none &&
         (limit->low < facts.low || limit->high > facts.high))
-        return fmt::format("{} (typed: {})", text_of(facts.low, facts.high),
-                           text_of(limit->low, limit->high));
+        return fmt::format("{} (typed: {} to {})", text_of(facts.low, facts.high),
+                           short_number(limit->low), short_number(limit->high));
     return text_of(facts.low, facts.high);
 }
 
@@ -307,8 +300,7 @@ namespace {
 void draw_number_text(const ImRect& box, double value, const NumberFacts& facts) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const std::string text = short_number(value);
-    const std::string unit =
-        facts.unit.empty() || !is_short(facts.unit) ? std::string() : " " + facts.unit;
+    const std::string unit = facts.unit.empty() ? std::string() : " " + facts.unit;
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     const float unit_width = ImGui::CalcTextSize(unit.c_str()).x;
     const float end = box.Max.x - 3.0f;

@@ -65,12 +65,9 @@ std::vector<double> safe_places(const SliderFacts& facts, double width);
 /// Ctrl+click or a double click types.
 Turned draw_slider(const char* id, double& value, const SliderFacts& facts, float width);
 
-/// The number itself, with its unit where that is short; a click types, also beyond the slider's
+/// The number itself, with its unit where that fits; a click types, also beyond the slider's
 /// ends. What was typed is read when the field is left.
 Turned draw_number(const char* id, double& value, float width, const NumberFacts& facts);
-
-/// Whether a unit is short enough to stand behind its number.
-bool is_short(const std::string& unit);
 
 /// "0.1 to 16 px (typed: 0 to 64 px)".
 std::string range_text(const SliderFacts& facts);

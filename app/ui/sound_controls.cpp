@@ -32,7 +32,7 @@ void draw_seek_bar(double time, double length, const Scene& scene, Edits& edits)
 void draw_volume(const Player& player, const Scene& scene, Edits& edits) {
     const ScopedId id(std::string("volume"));
     const FormColumns columns = form_columns();
-    form_label("Volume", {}, columns, false);
+    form_label("Volume", columns, false);
     tooltip("Playback volume. It doesn't change the trace.");
     form_control(columns);
     double level = player.level();
@@ -49,7 +49,7 @@ void apply(const SoundSettings& settings, Edits& edits) {
 }
 
 void begin_line(const std::string& label, const std::string& help, const FormColumns& columns) {
-    form_label(label, {}, columns, false);
+    form_label(label, columns, false);
     tooltip(help);
     form_control(columns);
 }

@@ -62,7 +62,7 @@ void draw_named(const NamedList& list, const std::vector<NamedSource>& choices,
         return;
     const FormColumns columns = form_columns();
     const auto present = std::ranges::find(choices, source, &NamedSource::source);
-    form_label(list.label, {}, columns, present != choices.begin());
+    form_label(list.label, columns, present != choices.begin());
     tooltip(list.help);
     form_control(columns);
     std::vector<const char*> labels;
@@ -84,7 +84,7 @@ std::string own_size(const SourceSpec& source) {
 void draw_fit(SourceSpec source, Edits& edits) {
     constexpr std::array labels{"Stretch", "Fit", "Fill (crop)", "Integer scale"};
     const FormColumns columns = form_columns();
-    form_label("Scaling", {}, columns, source.fit != Fit::stretch);
+    form_label("Scaling", columns, source.fit != Fit::stretch);
     tooltip(
         "How the source is scaled to the picture.\nStretch: fills the picture and changes the "
         "aspect ratio.\nFit: shows all of the source, with black bars.\nFill (crop): fills the "
@@ -111,7 +111,7 @@ void draw_setting(const Setting& setting, const SourceSpec& present, const Scene
                   Edits& edits) {
     const ScopedId id{std::string(setting.id)};
     const FormColumns columns = form_columns();
-    form_label(setting.label, {}, columns, setting.facts.is_changed);
+    form_label(setting.label, columns, setting.facts.is_changed);
     tooltip(setting.help);
     form_control(columns);
     double value = present.*setting.number;
@@ -128,7 +128,7 @@ void draw_setting(const Setting& setting, const SourceSpec& present, const Scene
 
 void draw_loop(SourceSpec source, Edits& edits) {
     const FormColumns columns = form_columns();
-    form_label("At end", {}, columns, !source.loops);
+    form_label("At end", columns, !source.loops);
     form_control(columns);
     constexpr std::array labels{"Loop", "Hold"};
     int chosen = source.loops ? 0 : 1;

@@ -81,7 +81,8 @@ bool is_lingered_on() {
 void tooltip(const std::string& text) {
     if (text.empty() || !is_lingered_on())
         return;
-    const ScopedColor color(ImGuiCol_Text, theme::text);  // whatever the item's own is
+    const ScopedColor color(ImGuiCol_Text, theme::text);         // whatever the item's own is
+    const ScopedFont font(ImGui::GetIO().Fonts->Fonts.front());  // likewise: the one for text
     ImGui::BeginTooltip();
     ImGui::TextUnformatted(wrapped(text, ImGui::GetFontSize() * 24.0f).c_str());
     ImGui::EndTooltip();

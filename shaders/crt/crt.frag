@@ -30,7 +30,7 @@ uniform float scanline_strength = 0.3;  // @range 0 1  @limit 0 1  @label "Stren
                                         // @help "Depth of the scanlines: the fraction of the light that is lost between them. 0 turns them off."
 uniform int scanline_unit = 0;          // @items "Pixels" "Source lines"  @label "Period unit"  @group "Scanlines"
                                         // @help "Unit of the scanline period. With Source lines, each line of the source gets its own scanline, wherever the source is placed in the picture."
-uniform float scanline_period = 4.0;    // @range 2 16  @limit 1 1000  @label "Period"  @unit "px a period"  @group "Scanlines"  @period "$scanline_unit == 0 ? $scanline_period : 0"
+uniform float scanline_period = 4.0;    // @range 2 16  @limit 1 1000  @label "Period"  @unit "px per period"  @group "Scanlines"  @period "$scanline_unit == 0 ? $scanline_period : 0"
                                         // @help "Distance between scanlines, in pixels. It doesn't scale with the render size."
 uniform float scanline_lines = 1.0;     // @range 0.5 4  @limit 0.25 64  @label "Lines per scanline"  @group "Scanlines"  @period "$scanline_unit == 0 ? 0 : $scanline_lines * $LINE * (1 + ($scanline_interlace == 2) + ($scanline_interlace == 1) * ($LINES > 288) * ($LINES <= 576))"
                                         // @help "Number of source lines that each scanline covers. Only used when Period unit is Source lines."

@@ -35,7 +35,7 @@ uniform float aberration = 1.0;       // @range 0 8  @limit -64 64  @label "Chro
                                       // @help "Colour fringes of a cheap lens. Red is sampled this far to the right, blue this far to the left. Green stays in place. 0 turns it off."
 uniform float scanline_strength = 0.3;   // @range 0 1  @limit 0 1  @label "Scanline strength"  @group "Glass"  @identity 0
                                          // @help "Depth of the horizontal scanlines. The mean brightness becomes 1 - strength / 2. 0 turns them off."
-uniform float scanline_period = 4.0;     // @range 2 16  @limit 1 1000  @label "Scanline period"  @unit "px a period"  @group "Glass"
+uniform float scanline_period = 4.0;     // @range 2 16  @limit 1 1000  @label "Scanline period"  @unit "px per period"  @group "Glass"
                                          // @help "Distance between scanlines, in pixels. It doesn't scale with the render size."
 uniform float curvature = 0.04;          // @range 0 0.3  @limit 0 2  @label "Curvature"  @group "Glass"  @identity 0
                                          // @help "How far the glass bulges towards the viewer. 0 is flat."

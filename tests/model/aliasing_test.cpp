@@ -50,6 +50,8 @@ TEST_CASE("a period is a number of px a period, and px behind a number") {
     CHECK_FALSE(is_period(parameter));
     parameter.unit = "px a period";
     CHECK(is_period(parameter));
+    parameter.unit = "px per period";
+    CHECK(is_period(parameter));
     CHECK(shown_unit(parameter) == "px");
     parameter.type.rows = 2;
     CHECK_FALSE(is_period(parameter));

@@ -202,7 +202,7 @@ class Foreign(Person):
         self.snapshot("heavy_pass")
         program.key("ctrl+p")
         program.place("palette_query")
-        program.type("heavy half")
+        program.type("heavy halve")
         program.wait("keys reach it, too", lambda s: "palette:Heavy pass: Halve render size" in s["widgets"])
         program.key("Escape")
         program.wait("the palette is closed", lambda s: s["dialog"] == 0)
