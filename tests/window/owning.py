@@ -4,7 +4,7 @@ import json
 import struct
 import zlib
 
-from person import PICTURE, Person, write_tones
+from person import PICTURE, SOURCE, Person, write_tones
 
 
 def write_png(file):
@@ -95,6 +95,23 @@ class Owning(Person):
         program.start()
         program.wait("all is as it was left", lambda s:
                      s["signal"].startswith("audio:") and s["is_content_locked"] and not s["reading"])
+
+    def test_a_session_of_an_older_version_opens_unchanged(self):
+        program = self.program
+        program.stop()
+        present = program.session().read_text()
+        older = json.loads((SOURCE / "tests/inputs/labels/session.json").read_text()
+                           .replace("DATA", str(program.folder / "data")))
+        older["window"].update({key: json.loads(present)["window"][key] for key in ("width", "height")})
+        program.session().write_text(json.dumps(older))
+        state = program.start()
+        self.assertEqual(state["look"], "shadow-mask")
+        expected = json.loads((SOURCE / "tests/inputs/labels/shadow-mask.expected.json").read_text())
+        self.assertEqual({name: state["values"][name][0] for name in expected}, expected)
+        self.assertEqual((state["undo"], state["picture"]), ("Open shadow-mask", [240, 180]))
+        program.stop()
+        program.session().write_text(present)
+        program.start()
 
     def test_thumbnails_show_the_presets_signal_or_mine(self):
         program = self.program
