@@ -1,8 +1,8 @@
 """The rules of the tree that a program can read off the text.
 
 layers.py ROOT prints one "file:line: error: message" for every breach and exits 1 if there is one:
-a layer includes only what its USES line in app/CMakeLists.txt names; GL, EGL and GLFW stay in gpu/,
-Dear ImGui in ui/; no file is over 500 lines and no function over 60; nothing depends on one place
+a layer includes only what its USES line in app/CMakeLists.txt names, a room of a layer only the
+rooms before it in the layer's ROOMS line; GL, EGL and GLFW stay in gpu/, Dear ImGui in ui/; no file is over 500 lines and no function over 60; nothing depends on one place
 from which packages come.
 """
 
@@ -36,14 +36,24 @@ NOT_CODE = re.compile(
 NOT_A_FUNCTION = re.compile(r"^(if|else|for|while|switch|do|try|catch|namespace|class|struct|enum|union|extern)\b")
 
 
+def read_keyword(cmake_text, keyword):
+    """The words after a keyword of each add_layer line: {"model": ["base"], ...}."""
+    cmake_text = re.sub(r"#[^\n]*", "", cmake_text)
+    found = {}
+    for name, rest in re.findall(r"^add_layer\(\s*(\w+)([^)]*)\)", cmake_text, re.MULTILINE):
+        words = re.search(rf"\b{keyword}\b(.*?)(\b(USES|ROOMS|LINKS|PRECOMPILES)\b|$)", rest, re.DOTALL)
+        found[name] = words.group(1).split() if words else []
+    return found
+
+
 def read_layers(cmake_text):
     """The layers that may be included by each layer: {"model": {"base"}, ...}."""
-    layers = {}
-    cmake_text = re.sub(r"#[^\n]*", "", cmake_text)
-    for name, rest in re.findall(r"^add_layer\(\s*(\w+)([^)]*)\)", cmake_text, re.MULTILINE):
-        uses = re.search(r"\bUSES\b(.*?)(\b(LINKS|PRECOMPILES)\b|$)", rest, re.DOTALL)
-        layers[name] = set(uses.group(1).split()) if uses else set()
-    return layers
+    return {name: set(uses) for name, uses in read_keyword(cmake_text, "USES").items()}
+
+
+def read_rooms(cmake_text):
+    """The rooms of each layer from the lowest to the highest; "." is the layer's own folder."""
+    return read_keyword(cmake_text, "ROOMS")
 
 
 def line_of(text, position):
@@ -71,6 +81,20 @@ def check_includes(layer, code, layers):
             yield line, f'#include "{match.group(1)}" does not name a layer and a file'
         elif folder not in allowed:
             yield line, f"{layer} may not include {folder}: it is not in its USES"
+
+
+def check_rooms(layer, room, code, order):
+    """A room includes itself and what comes before it in the order of its layer."""
+    if not order and room == ".":
+        return
+    if room not in order:
+        yield 0, f"{layer}/{room} is not in the ROOMS of {layer} in app/CMakeLists.txt"
+        return
+    for match in INCLUDE.finditer(code):
+        folder, *rooms, _ = match.group(1).split("/") if "/" in match.group(1) else ("", "")
+        other = "/".join(rooms) or "."
+        if folder == layer and other in order and order.index(other) > order.index(room):
+            yield line_of(code, match.start(1)), f"{layer}/{room} may not include {layer}/{other}: it is above it"
 
 
 def check_owned(layer, code):
@@ -120,7 +144,7 @@ def check_python_functions(text):
                 yield node.lineno, f"a function of {length} lines; {MOST_FUNCTION_LINES} are the most"
 
 
-def check_file(path, text, layers):
+def check_file(path, text, layers, rooms):
     """The breaches in one file, path relative to the root: pairs of a line and a message."""
     lines = text.count("\n")
     if path.suffix != ".md" and lines > MOST_FILE_LINES:
@@ -135,6 +159,7 @@ def check_file(path, text, layers):
             yield from check_owned(layer, code)
             if layer in layers:
                 yield from check_includes(layer, code, layers)
+                yield from check_rooms(layer, "/".join(path.parts[2:-1]) or ".", code, rooms[layer])
     elif path.suffix == ".py":
         yield from check_python_functions(text)
 
@@ -156,13 +181,14 @@ def folders_without_a_layer(root, layers):
 
 def check_tree(root):
     """Every breach in the tree, as "file:line: error: message"."""
-    layers = read_layers(Path(root, "app", "CMakeLists.txt").read_text(encoding="utf-8"))
+    build_text = Path(root, "app", "CMakeLists.txt").read_text(encoding="utf-8")
+    layers, rooms = read_layers(build_text), read_rooms(build_text)
     breaches = [] if layers else ["app/CMakeLists.txt: error: has no add_layer lines"]
     breaches += folders_without_a_layer(root, layers)
     for file in files_of(root):
         path = file.relative_to(root)
         text = file.read_text(encoding="utf-8", errors="replace")
-        for line, message in check_file(path, text, layers):
+        for line, message in check_file(path, text, layers, rooms):
             breaches.append(f"{path}:{line}: error: {message}" if line else f"{path}: error: {message}")
     return breaches
 

@@ -13,6 +13,8 @@ add_layer(model USES base
     LINKS fmt)
 add_layer(gpu USES base model)
 add_layer(ui USES gpu)
+add_layer(lab USES base ROOMS media .
+    window LINKS fmt)
 """
 
 
@@ -39,7 +41,37 @@ class LayersTest(unittest.TestCase):
     def test_the_uses_of_each_layer_are_read_from_cmake(self):
         self.assertEqual(
             layers.read_layers(CMAKE),
-            {"base": set(), "model": {"base"}, "gpu": {"base", "model"}, "ui": {"gpu"}},
+            {"base": set(), "model": {"base"}, "gpu": {"base", "model"}, "ui": {"gpu"}, "lab": {"base"}},
+        )
+
+    def test_the_rooms_of_each_layer_are_read_from_cmake(self):
+        self.assertEqual(layers.read_rooms(CMAKE)["lab"], ["media", ".", "window"])
+        self.assertEqual(layers.read_rooms(CMAKE)["model"], [])
+
+    def test_a_room_includes_itself_and_the_rooms_below_it(self):
+        self.assert_none("app/lab/window/panes.h", '#include "lab/lab.h"\n#include "lab/media/source.h"\n')
+        self.assert_none("app/lab/lab.h", '#include "lab/media/source.h"\n#include "lab/lab_state.h"\n')
+        self.assert_breach(
+            "app/lab/media/source.h",
+            '#include "base/text.h"\n#include "lab/window/panes.h"\n',
+            "app/lab/media/source.h:2: error: lab/media may not include lab/window: it is above it",
+        )
+        self.assert_breach(
+            "app/lab/media/source.h",
+            '#include "lab/lab.h"\n',
+            "app/lab/media/source.h:1: error: lab/media may not include lab/.: it is above it",
+        )
+
+    def test_every_room_is_in_the_order_of_its_layer(self):
+        self.assert_breach(
+            "app/lab/attic/box.h",
+            "int box;\n",
+            "app/lab/attic/box.h: error: lab/attic is not in the ROOMS of lab in app/CMakeLists.txt",
+        )
+        self.assert_breach(
+            "app/model/attic/box.h",
+            "int box;\n",
+            "app/model/attic/box.h: error: model/attic is not in the ROOMS of model in app/CMakeLists.txt",
         )
 
     def test_a_layer_may_include_itself_and_what_it_uses(self):

@@ -47,7 +47,7 @@ std::string complaint_of_extra(const CLI::App& app) {
 
 /// CLI11's own complaints in the words of ours, which pass as they are.
 std::string complaint_of(const CLI::App& app, const CLI::Error& error) {
-    const std::string text = error.what();
+    std::string text = error.what();
     switch (static_cast<CLI::ExitCodes>(error.get_exit_code())) {
         case CLI::ExitCodes::ArgumentMismatch: {
             const std::string option = text.substr(0, text.find(':'));

@@ -1,7 +1,7 @@
 #include "base/text.h"
 #include "cli/common.h"
-#include "io/picture_file.h"
-#include "model/difference.h"
+#include "io/pictures/picture_file.h"
+#include "model/picture/difference.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 
 #include "cli/common.h"
 #include "cli/progress.h"
-#include "io/child_process.h"
+#include "io/files/child_process.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,9 +1,9 @@
 #include "base/text.h"
 #include "cli/common.h"
 #include "cli/progress.h"
-#include "io/atomic_file.h"
-#include "io/frame_names.h"
-#include "io/picture_file.h"
+#include "io/files/atomic_file.h"
+#include "io/pictures/frame_names.h"
+#include "io/pictures/picture_file.h"
 #include "lab/export.h"
 #include "lab/sharing.h"
 

@@ -3,7 +3,7 @@
 #include "base/text.h"
 #include "cli/common.h"
 #include "cli/progress.h"
-#include "io/picture_file.h"
+#include "io/pictures/picture_file.h"
 
 #include <array>
 

@@ -1,5 +1,5 @@
 #include "cli/common.h"
-#include "io/sound_save.h"
+#include "io/sound/sound_save.h"
 #include "lab/play_beam.h"
 
 #include <array>

@@ -2,8 +2,8 @@
 
 #include "cli/common.h"
 #include "cli/progress.h"
-#include "io/atomic_file.h"
-#include "io/picture_file.h"
+#include "io/files/atomic_file.h"
+#include "io/pictures/picture_file.h"
 #include "lab/sheet.h"
 
 #include <fmt/format.h>

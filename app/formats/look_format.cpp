@@ -3,14 +3,14 @@
 #include "base/text.h"
 #include "formats/bare/bare_format.h"
 #include "formats/isf/isf_format.h"
-#include "formats/look_manifest.h"
+#include "formats/look/look_manifest.h"
 #include "formats/shadertoy/toy_format.h"
 #include "formats/slang/slang_format.h"
 #include "glsl/include.h"
 #include "glsl/parameters.h"
 #include "glsl/shader_files.h"
 #include "glsl/turned_constants.h"
-#include "model/plan.h"
+#include "model/plan/plan.h"
 
 #include <fmt/format.h>
 
@@ -151,14 +151,6 @@ LoadedLook load_look(const fs::path& folder_or_manifest, const IncludeFolders& i
 
 bool is_foreign_look(const fs::path& file) {
     return is_slang_file(file) || is_fs_file(file) || is_toy_file(file) || is_bare_file(file);
-}
-
-std::string foreign_look_id(const fs::path& file) {
-    return with_each(with_each(file.filename().string(), "+", "%2B"), "#", "%23");
-}
-
-std::string foreign_file_name(std::string_view id) {
-    return with_each(with_each(id, "%2B", "+"), "%23", "#");
 }
 
 std::string look_id_at(const fs::path& place) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "glsl/declarations.h"
-#include "model/parameter.h"
+#include "model/look/parameter.h"
 
 #include <cstddef>
 #include <optional>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "glsl/declarations.h"
-#include "model/look.h"
+#include "model/look/look.h"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "model/include_folders.h"
-#include "model/look.h"
+#include "model/look/include_folders.h"
+#include "model/look/look.h"
 
 #include <filesystem>
 #include <span>

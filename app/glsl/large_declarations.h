@@ -1,7 +1,7 @@
 #pragma once
 
 #include "glsl/bounds.h"
-#include "model/shader_limits.h"
+#include "model/look/shader_limits.h"
 
 #include <string>
 

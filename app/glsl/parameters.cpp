@@ -5,8 +5,8 @@
 #include "glsl/include.h"
 #include "glsl/interface.h"
 #include "glsl/pass_uniforms.h"
-#include "model/aliasing.h"
-#include "model/orbit.h"
+#include "model/look/orbit.h"
+#include "model/picture/aliasing.h"
 
 #include <fmt/format.h>
 

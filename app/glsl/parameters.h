@@ -2,7 +2,7 @@
 
 #include "glsl/check.h"
 #include "glsl/check_cache.h"
-#include "model/look.h"
+#include "model/look/look.h"
 
 #include <vector>
 

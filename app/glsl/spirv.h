@@ -1,7 +1,7 @@
 #pragma once
 
-#include "model/look.h"
-#include "model/shader_limits.h"
+#include "model/look/look.h"
+#include "model/look/shader_limits.h"
 
 #include <cstdint>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/shader_limits.h"
+#include "model/look/shader_limits.h"
 
 #include <optional>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/look.h"
+#include "model/look/look.h"
 
 #include <array>
 

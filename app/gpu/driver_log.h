@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/diagnostic.h"
-#include "model/look.h"
+#include "model/look/look.h"
 
 #include <string_view>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/format.h"
+#include "model/look/format.h"
 
 #include <epoxy/gl.h>
 

@@ -5,7 +5,7 @@
 #include "gpu/context.h"
 #include "gpu/name.h"
 #include "gpu/uniform.h"
-#include "model/look.h"
+#include "model/look/look.h"
 
 #include <memory>
 #include <span>

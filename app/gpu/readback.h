@@ -1,8 +1,8 @@
 #pragma once
 
 #include "gpu/texture.h"
-#include "model/picture.h"
-#include "model/raw_picture.h"
+#include "model/look/picture.h"
+#include "model/picture/raw_picture.h"
 
 #include <array>
 

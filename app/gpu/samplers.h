@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gpu/texture.h"
-#include "model/look.h"
+#include "model/look/look.h"
 
 #include <optional>
 #include <vector>

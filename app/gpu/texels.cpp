@@ -2,7 +2,7 @@
 
 #include "gpu/gl_format.h"
 #include "gpu/upload_rows.h"
-#include "model/encoding_curve.h"
+#include "model/picture/encoding_curve.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gpu/texture.h"
-#include "model/picture.h"
+#include "model/look/picture.h"
 
 #include <vector>
 

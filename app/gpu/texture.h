@@ -2,9 +2,9 @@
 
 #include "base/diagnostic.h"
 #include "gpu/name.h"
-#include "model/extent.h"
-#include "model/format.h"
-#include "model/picture.h"
+#include "model/look/extent.h"
+#include "model/look/format.h"
+#include "model/look/picture.h"
 
 #include <cstdint>
 #include <span>

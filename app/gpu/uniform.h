@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gpu/name.h"
-#include "model/parameter.h"
+#include "model/look/parameter.h"
 
 #include <optional>
 #include <span>

@@ -4,7 +4,7 @@
 #include "gpu/glx_context.h"
 #include "gpu/input_event.h"
 #include "gpu/texture.h"
-#include "model/extent.h"
+#include "model/look/extent.h"
 
 #include <array>
 #include <chrono>

@@ -1,8 +1,8 @@
 #include "lab/beam_feed.h"
 
 #include "base/user_folders.h"
-#include "signals/sent.h"
-#include "signals/settings.h"
+#include "signals/beam/sent.h"
+#include "signals/signal/settings.h"
 
 #include <fmt/format.h>
 

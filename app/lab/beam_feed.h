@@ -1,8 +1,8 @@
 #pragma once
 
-#include "io/byte_reader.h"
-#include "model/spec.h"
-#include "signals/sent_beam.h"
+#include "io/control/byte_reader.h"
+#include "model/look/spec.h"
+#include "signals/beam/sent_beam.h"
 
 #include <memory>
 #include <mutex>

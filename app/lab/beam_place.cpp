@@ -1,6 +1,6 @@
 #include "lab/beam_place.h"
 
-#include "model/beam_fit.h"
+#include "model/picture/beam_fit.h"
 
 #include <algorithm>
 #include <cmath>

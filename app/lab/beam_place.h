@@ -1,9 +1,9 @@
 #pragma once
 
-#include "model/look.h"
-#include "model/parameter.h"
-#include "model/source_spec.h"
-#include "signals/drawing.h"
+#include "model/look/look.h"
+#include "model/look/parameter.h"
+#include "model/picture/source_spec.h"
+#include "signals/drawing/drawing.h"
 
 #include <array>
 #include <optional>

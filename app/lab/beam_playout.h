@@ -1,8 +1,8 @@
 #pragma once
 
-#include "io/sound_devices.h"
-#include "signals/beam_sampler.h"
-#include "signals/signal.h"
+#include "io/sound/sound_devices.h"
+#include "signals/beam/beam_sampler.h"
+#include "signals/signal/signal.h"
 
 /// Plays the beam of a signal on a sound device while time goes by, for a real scope: x is left, y
 /// right.

@@ -2,10 +2,10 @@
 
 #include "base/text.h"
 #include "formats/look_format.h"
-#include "formats/preset_format.h"
+#include "formats/preset/preset_format.h"
 #include "glsl/check_cache.h"
-#include "signals/kinds.h"
-#include "signals/patterns.h"
+#include "signals/patterns/patterns.h"
+#include "signals/signal_table.h"
 
 #include <algorithm>
 

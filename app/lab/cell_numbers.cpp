@@ -1,6 +1,6 @@
 #include "lab/cell_numbers.h"
 
-#include "graph/seen_light.h"
+#include "graph/inspect/seen_light.h"
 
 #include <algorithm>
 #include <cmath>

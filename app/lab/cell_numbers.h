@@ -1,7 +1,7 @@
 #pragma once
 
-#include "graph/texel_reader.h"
-#include "graph/viewer.h"
+#include "graph/inspect/texel_reader.h"
+#include "graph/inspect/viewer.h"
 #include "lab/window_state.h"
 
 #include <cstdint>

@@ -1,9 +1,9 @@
 #include "lab/changes.h"
 
 #include "base/text.h"
-#include "model/source_spec.h"
-#include "model/value_text.h"
-#include "signals/kinds.h"
+#include "model/look/value_text.h"
+#include "model/picture/source_spec.h"
+#include "signals/signal_table.h"
 
 #include <fmt/format.h>
 

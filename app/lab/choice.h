@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/parameter.h"
+#include "model/look/parameter.h"
 
 #include <functional>
 #include <optional>

@@ -1,9 +1,9 @@
 #include "lab/chosen_images.h"
 
-#include "io/picture_file.h"
+#include "io/pictures/picture_file.h"
 #include "lab/look_media.h"
 #include "lab/mend.h"
-#include "model/solid_picture.h"
+#include "model/picture/solid_picture.h"
 
 #include <algorithm>
 #include <chrono>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "graph/level_copy.h"
+#include "graph/inspect/level_copy.h"
 #include "lab/cell_numbers.h"
 #include "lab/inspected_texture.h"
 #include "lab/waveform.h"

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "graph/light_cells.h"
-#include "graph/light_limiter.h"
-#include "model/comfort_clamp.h"
+#include "graph/inspect/light_cells.h"
+#include "graph/view/light_limiter.h"
+#include "model/picture/comfort_clamp.h"
 
 #include <array>
 #include <optional>

@@ -2,7 +2,7 @@
 
 #include "base/elapsed.h"
 #include "gpu/texels.h"
-#include "graph/measuring.h"
+#include "graph/inspect/measuring.h"
 
 #include <algorithm>
 #include <chrono>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "graph/comparer.h"
-#include "graph/pair_meter.h"
-#include "model/comparison.h"
+#include "graph/compare/comparer.h"
+#include "graph/compare/pair_meter.h"
+#include "model/preset/comparison.h"
 
 #include <memory>
 #include <optional>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lab/library.h"
-#include "model/extent.h"
+#include "model/look/extent.h"
 
 #include <filesystem>
 #include <string>

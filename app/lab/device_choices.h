@@ -1,9 +1,9 @@
 #pragma once
 
-#include "io/sound_devices.h"
+#include "io/sound/sound_devices.h"
 #include "lab/choice.h"
-#include "model/remote_settings.h"
-#include "model/sound_settings.h"
+#include "model/devices/remote_settings.h"
+#include "model/devices/sound_settings.h"
 
 /// The sound that is played or taken in. `sound_seconds`: of a file that is heard; 0: none.
 struct SoundFacts {

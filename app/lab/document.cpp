@@ -1,8 +1,8 @@
 #include "lab/document.h"
 
 #include "lab/users_content.h"
-#include "model/randomised.h"
-#include "model/renamed.h"
+#include "model/look/renamed.h"
+#include "model/tuning/randomised.h"
 
 #include <fmt/format.h>
 

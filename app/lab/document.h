@@ -1,11 +1,11 @@
 #pragma once
 
-#include "model/content.h"
-#include "model/knob_settings.h"
-#include "model/orbit.h"
-#include "model/plan.h"
-#include "model/preset.h"
-#include "model/undo.h"
+#include "model/look/orbit.h"
+#include "model/plan/plan.h"
+#include "model/preset/content.h"
+#include "model/preset/preset.h"
+#include "model/preset/undo.h"
+#include "model/tuning/knob_settings.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -60,7 +60,7 @@ public:
     /// What is locked stays where it is, here and below where many values change at once.
     void reset_group(const std::vector<std::string>& names);
     void reset_all();
-    /// Everything that is not locked somewhere within its range; see model/randomised.h.
+    /// Everything that is not locked somewhere within its range; see model/tuning/randomised.h.
     void randomise(std::uint64_t seed);
     /// What the person keeps about the knobs of look(); no part of the state, nor of undo.
     const KnobSettings& knobs() const { return m_knobs; }

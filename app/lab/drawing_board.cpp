@@ -1,7 +1,7 @@
 #include "lab/drawing_board.h"
 
 #include "lab/users_content.h"
-#include "signals/stroke_line.h"
+#include "signals/drawing/stroke_line.h"
 
 #include <algorithm>
 

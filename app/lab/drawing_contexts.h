@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gpu/context.h"
-#include "graph/first_views.h"
+#include "graph/warm_up/first_views.h"
 
 #include <future>
 #include <memory>

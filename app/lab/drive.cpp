@@ -1,8 +1,8 @@
 #include "lab/drive.h"
 
 #include "base/text.h"
-#include "model/placing.h"
-#include "signals/kinds.h"
+#include "model/picture/placing.h"
+#include "signals/signal_table.h"
 
 #include <utility>
 

@@ -1,12 +1,12 @@
 #include "lab/export.h"
 
 #include "base/text.h"
-#include "io/picture_file.h"
-#include "io/png_encoder.h"
-#include "io/y4m.h"
+#include "io/pictures/picture_file.h"
+#include "io/pictures/png_encoder.h"
+#include "io/video/y4m.h"
 #include "lab/frame_export.h"
 #include "lab/offline.h"
-#include "model/display_bytes.h"
+#include "model/picture/display_bytes.h"
 
 #include <fmt/format.h>
 

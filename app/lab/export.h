@@ -1,9 +1,9 @@
 #pragma once
 
-#include "io/film_file.h"
-#include "io/frame_names.h"
-#include "io/frame_pipeline.h"
-#include "model/flash_log.h"
+#include "io/pictures/frame_names.h"
+#include "io/video/film_file.h"
+#include "io/video/frame_pipeline.h"
+#include "model/picture/flash_log.h"
 
 #include <cstdint>
 #include <functional>

@@ -1,6 +1,6 @@
 #include "lab/file_stamp.h"
 
-#include "io/picture_sequence.h"
+#include "io/pictures/picture_sequence.h"
 
 namespace fs = std::filesystem;
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "graph/light_cells.h"
+#include "graph/inspect/light_cells.h"
 
 #include <cstdint>
 #include <deque>

@@ -1,10 +1,10 @@
 #include "lab/frame_export.h"
 
 #include "base/text.h"
-#include "io/atomic_file.h"
+#include "io/files/atomic_file.h"
 #include "lab/export.h"
 #include "lab/offline.h"
-#include "signals/kinds.h"
+#include "signals/signal_table.h"
 
 namespace {
 Result<void> check_export(const Document& document, const std::filesystem::path& file) {

@@ -1,7 +1,7 @@
 #include "lab/frame_stream.h"
 
 #include "lab/mend.h"
-#include "model/encoding_curve.h"
+#include "model/picture/encoding_curve.h"
 
 #include <algorithm>
 #include <utility>

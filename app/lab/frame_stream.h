@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/picture_reader.h"
+#include "io/pictures/picture_reader.h"
 
 #include <atomic>
 #include <condition_variable>

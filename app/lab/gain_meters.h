@@ -1,9 +1,9 @@
 #pragma once
 
-#include "graph/executor.h"
-#include "graph/meter.h"
+#include "graph/executor/executor.h"
+#include "graph/inspect/meter.h"
 #include "lab/rota.h"
-#include "model/gain.h"
+#include "model/picture/gain.h"
 
 #include <memory>
 #include <optional>

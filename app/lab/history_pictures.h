@@ -1,6 +1,6 @@
 #pragma once
 
-#include "graph/viewer.h"
+#include "graph/inspect/viewer.h"
 #include "lab/document.h"
 #include "lab/views.h"
 

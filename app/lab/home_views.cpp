@@ -1,6 +1,6 @@
 #include "lab/home_views.h"
 
-#include "graph/view_programs.h"
+#include "graph/view/view_programs.h"
 
 HomeViews::HomeViews(const Programs& drawn)
     : programs(drawn.views),

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "gpu/canvas.h"
-#include "graph/programs.h"
-#include "graph/viewer.h"
+#include "graph/inspect/viewer.h"
+#include "graph/programs/programs.h"
 #include "lab/flash_meter.h"
 #include "lab/gain_meters.h"
 #include "lab/inspection.h"

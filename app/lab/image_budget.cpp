@@ -1,6 +1,6 @@
 #include "lab/image_budget.h"
 
-#include "model/format.h"
+#include "model/look/format.h"
 
 Result<void> ImageBudget::take(const Image& image, const Picture& picture) {
     constexpr std::int64_t most_bytes = std::int64_t{1} << 30;

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "base/diagnostic.h"
-#include "model/look.h"
-#include "model/picture.h"
+#include "model/look/look.h"
+#include "model/look/picture.h"
 
 #include <cstdint>
 

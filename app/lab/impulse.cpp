@@ -5,7 +5,7 @@
 #include "lab/offline.h"
 #include "lab/rate_comparison.h"
 #include "lab/users_content.h"
-#include "model/color.h"
+#include "model/look/color.h"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 #include "base/work.h"
 #include "lab/document.h"
 #include "lab/window_state.h"
-#include "model/fall.h"
+#include "model/picture/fall.h"
 
 #include <string>
 #include <vector>

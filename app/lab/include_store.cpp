@@ -2,7 +2,7 @@
 
 #include "base/file.h"
 #include "base/text.h"
-#include "io/atomic_file.h"
+#include "io/files/atomic_file.h"
 
 #include <cstdlib>
 

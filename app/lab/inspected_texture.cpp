@@ -1,6 +1,6 @@
 #include "lab/inspected_texture.h"
 
-#include "graph/level_copy.h"
+#include "graph/inspect/level_copy.h"
 
 #include <algorithm>
 

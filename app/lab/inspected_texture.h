@@ -1,6 +1,6 @@
 #pragma once
 
-#include "graph/executor.h"
+#include "graph/executor/executor.h"
 #include "lab/window_state.h"
 
 #include <optional>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "graph/meter.h"
+#include "graph/inspect/meter.h"
 
 #include <memory>
 #include <optional>

@@ -1,7 +1,7 @@
 #include "lab/kept_pictures.h"
 
 #include "gpu/texels.h"
-#include "io/picture_file.h"
+#include "io/pictures/picture_file.h"
 
 Views::Image KeptPictures::of(const std::filesystem::path& file) const {
     const auto known = m_textures.find(file);

@@ -1,8 +1,8 @@
 #include "lab/kept_sessions.h"
 
 #include "base/file.h"
-#include "io/atomic_file.h"
-#include "io/picture_file.h"
+#include "io/files/atomic_file.h"
+#include "io/pictures/picture_file.h"
 
 #include <fmt/format.h>
 

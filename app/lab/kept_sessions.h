@@ -1,8 +1,8 @@
 #pragma once
 
-#include "formats/session_format.h"
+#include "formats/settings/session_format.h"
 #include "lab/roots.h"
-#include "model/picture.h"
+#include "model/look/picture.h"
 
 #include <filesystem>
 #include <functional>

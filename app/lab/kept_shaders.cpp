@@ -1,6 +1,6 @@
 #include "lab/kept_shaders.h"
 
-#include "io/kept_files.h"
+#include "io/cache/kept_files.h"
 #include "lab/file_stamp.h"
 #include "lab/roots.h"
 

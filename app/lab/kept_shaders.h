@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/kept_later.h"
+#include "io/cache/kept_later.h"
 
 #include <memory>
 

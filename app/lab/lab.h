@@ -26,10 +26,10 @@
 #include "lab/seen_passes.h"
 #include "lab/settling.h"
 #include "lab/trip_state.h"
-#include "model/moves.h"
-#include "model/pass_switches.h"
-#include "model/placing.h"
-#include "model/remote_settings.h"
+#include "model/devices/remote_settings.h"
+#include "model/picture/placing.h"
+#include "model/plan/pass_switches.h"
+#include "model/tuning/moves.h"
 
 #include <chrono>
 #include <functional>

@@ -1,6 +1,6 @@
 // The part of Lab that shows another picture beside the present one, and keeps values in slots.
 #include "lab/lab.h"
-#include "model/value_changes.h"
+#include "model/look/value_changes.h"
 
 #include <fmt/format.h>
 

@@ -1,11 +1,11 @@
 // The part of Lab that draws by hand.
-#include "formats/svg_file.h"
-#include "io/atomic_file.h"
+#include "formats/svg/svg_file.h"
+#include "io/files/atomic_file.h"
 #include "lab/lab.h"
 #include "lab/told_name.h"
 #include "lab/users_content.h"
-#include "signals/kinds.h"
-#include "signals/stroke_line.h"
+#include "signals/drawing/stroke_line.h"
+#include "signals/signal_table.h"
 
 #include <fmt/format.h>
 

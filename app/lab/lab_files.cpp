@@ -1,5 +1,5 @@
 // The part of Lab that follows the files of a person besides the look's own.
-#include "formats/preset_format.h"
+#include "formats/preset/preset_format.h"
 #include "lab/include_store.h"
 #include "lab/lab.h"
 #include "lab/media.h"

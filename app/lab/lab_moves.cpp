@@ -1,5 +1,5 @@
 // The part of Lab that writes down what is turned.
-#include "io/atomic_file.h"
+#include "io/files/atomic_file.h"
 #include "lab/lab.h"
 #include "lab/moves_file.h"
 

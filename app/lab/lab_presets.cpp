@@ -1,9 +1,9 @@
 // The part of Lab that goes from one preset to the next, at once or over some time.
-#include "formats/modulation_format.h"
-#include "formats/preset_format.h"
+#include "formats/preset/modulation_format.h"
+#include "formats/preset/preset_format.h"
 #include "formats/slang/slang_format.h"
 #include "formats/slang/write.h"
-#include "io/atomic_file.h"
+#include "io/files/atomic_file.h"
 #include "lab/lab.h"
 #include "lab/morphing.h"
 #include "lab/shelf.h"

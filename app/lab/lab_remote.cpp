@@ -1,7 +1,7 @@
 // The part of Lab that lets other programs and devices turn parameters.
 #include "lab/lab.h"
 #include "lab/remote_store.h"
-#include "model/knob_turn.h"
+#include "model/tuning/knob_turn.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

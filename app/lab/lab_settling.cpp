@@ -3,7 +3,7 @@
 #include "lab/lab.h"
 #include "lab/morphing.h"
 #include "lab/tryouts.h"
-#include "model/value_changes.h"
+#include "model/look/value_changes.h"
 
 #include <algorithm>
 

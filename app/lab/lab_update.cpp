@@ -1,8 +1,8 @@
 // The part of Lab that runs every turn: reloads in, time on, picture drawn.
 #include "base/elapsed.h"
 #include "base/printable.h"
-#include "formats/modulation_format.h"
-#include "formats/preset_format.h"
+#include "formats/preset/modulation_format.h"
+#include "formats/preset/preset_format.h"
 #include "lab/lab.h"
 #include "lab/morphing.h"
 #include "lab/session.h"
@@ -10,7 +10,8 @@
 #include "lab/source_lines.h"
 #include "lab/tryouts.h"
 #include "lab/users_content.h"
-#include "model/value_changes.h"
+#include "model/look/value_changes.h"
+#include "signals/signal_table.h"
 
 #include <algorithm>
 #include <cassert>

@@ -2,9 +2,9 @@
 
 #include "base/file.h"
 #include "base/text.h"
-#include "formats/preset_format.h"
-#include "formats/preset_update.h"
-#include "io/atomic_file.h"
+#include "formats/preset/preset_format.h"
+#include "formats/preset/preset_update.h"
+#include "io/files/atomic_file.h"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 #include "base/diagnostic.h"
 #include "lab/roots.h"
 #include "lab/shipped_files.h"
-#include "model/preset.h"
+#include "model/preset/preset.h"
 
 #include <memory>
 #include <optional>

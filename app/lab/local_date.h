@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/date.h"
+#include "model/devices/date.h"
 
 /// Now, where this machine is.
 Date local_date();

@@ -1,13 +1,13 @@
 #include "lab/look_media.h"
 
 #include "base/text.h"
-#include "io/picture_file.h"
+#include "io/pictures/picture_file.h"
 #include "lab/mend.h"
 #include "lab/signal_file.h"
 #include "lab/source.h"
-#include "signals/kinds.h"
-#include "signals/patterns.h"
-#include "signals/solids.h"
+#include "signals/patterns/patterns.h"
+#include "signals/patterns/solids.h"
+#include "signals/signal_table.h"
 
 #include <fmt/format.h>
 

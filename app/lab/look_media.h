@@ -2,7 +2,7 @@
 
 #include "base/diagnostic.h"
 #include "lab/document.h"
-#include "model/look.h"
+#include "model/look/look.h"
 
 #include <optional>
 #include <string_view>

@@ -2,14 +2,14 @@
 
 #include "base/file.h"
 #include "base/text.h"
-#include "io/atomic_file.h"
-#include "io/file_digest.h"
-#include "io/picture_sequence.h"
-#include "io/video_file.h"
+#include "io/files/atomic_file.h"
+#include "io/files/file_digest.h"
+#include "io/pictures/picture_sequence.h"
+#include "io/video/video_file.h"
 #include "lab/file_stamp.h"
 #include "lab/look_media.h"
-#include "model/source_spec.h"
-#include "signals/kinds.h"
+#include "model/picture/source_spec.h"
+#include "signals/signal_table.h"
 
 #include <algorithm>
 #include <array>

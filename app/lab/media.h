@@ -1,8 +1,8 @@
 #pragma once
 
-#include "formats/media_format.h"
+#include "formats/preset/media_format.h"
 #include "lab/roots.h"
-#include "model/preset.h"
+#include "model/preset/preset.h"
 
 #include <filesystem>
 #include <optional>

@@ -1,6 +1,6 @@
 #include "lab/media_loader.h"
 
-#include "io/file_digest.h"
+#include "io/files/file_digest.h"
 #include "lab/signal_file.h"
 
 #include <utility>

@@ -3,9 +3,9 @@
 #include "base/diagnostic.h"
 #include "base/work.h"
 #include "lab/source.h"
-#include "model/sound.h"
-#include "signals/drawing.h"
-#include "signals/scene.h"
+#include "model/devices/sound.h"
+#include "signals/drawing/drawing.h"
+#include "signals/drawing/scene.h"
 
 #include <condition_variable>
 #include <filesystem>

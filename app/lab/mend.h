@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/diagnostic.h"
-#include "model/picture.h"
+#include "model/look/picture.h"
 
 #include <optional>
 

@@ -1,7 +1,7 @@
 #include "lab/midi_control.h"
 
 #include "lab/naming.h"
-#include "model/knob_turn.h"
+#include "model/tuning/knob_turn.h"
 
 Result<void> MidiControl::listen(bool listens) {
     m_inputs->close();

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "io/midi_inputs.h"
+#include "io/control/midi_inputs.h"
 #include "lab/remote_hand.h"
-#include "model/remote_settings.h"
+#include "model/devices/remote_settings.h"
 
 #include <cstddef>
 #include <map>

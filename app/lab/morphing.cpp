@@ -1,6 +1,6 @@
 #include "lab/morphing.h"
 
-#include "model/morph.h"
+#include "model/tuning/morph.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/moves.h"
+#include "model/tuning/moves.h"
 
 #include <filesystem>
 #include <string_view>

@@ -1,7 +1,7 @@
 #include "lab/naming.h"
 
 #include "base/text.h"
-#include "model/stack.h"
+#include "model/look/stack.h"
 
 #include <fmt/format.h>
 

@@ -1,13 +1,13 @@
 #include "lab/offline.h"
 
 #include "base/text.h"
-#include "formats/describe.h"
-#include "formats/modulation_format.h"
-#include "formats/preset_format.h"
-#include "formats/stack_format.h"
+#include "formats/look/describe.h"
+#include "formats/preset/modulation_format.h"
+#include "formats/preset/preset_format.h"
+#include "formats/stack/stack_format.h"
 #include "glsl/check_cache.h"
 #include "gpu/readback.h"
-#include "graph/settled_look.h"
+#include "graph/programs/settled_look.h"
 #include "lab/image_budget.h"
 #include "lab/kept_shaders.h"
 #include "lab/look_media.h"
@@ -17,10 +17,10 @@
 #include "lab/signal_file.h"
 #include "lab/trip_words.h"
 #include "lab/users_content.h"
-#include "model/parameter_use.h"
-#include "model/placing.h"
-#include "model/plan_memory.h"
-#include "signals/kinds.h"
+#include "model/picture/placing.h"
+#include "model/plan/parameter_use.h"
+#include "model/plan/plan_memory.h"
+#include "signals/signal_table.h"
 
 #include <fmt/format.h>
 

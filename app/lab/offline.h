@@ -10,8 +10,8 @@
 #include "lab/preset_content.h"
 #include "lab/renderer.h"
 #include "lab/source.h"
-#include "model/moves.h"
-#include "model/raw_picture.h"
+#include "model/picture/raw_picture.h"
+#include "model/tuning/moves.h"
 
 #include <cstdint>
 #include <functional>

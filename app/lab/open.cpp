@@ -2,14 +2,14 @@
 
 #include "base/file.h"
 #include "base/text.h"
-#include "formats/json_document.h"
-#include "formats/preset_format.h"
+#include "formats/json/json_document.h"
+#include "formats/preset/preset_format.h"
+#include "formats/preset/share_line.h"
 #include "formats/shadertoy/toy_files.h"
-#include "formats/share_line.h"
-#include "formats/stack_format.h"
+#include "formats/stack/stack_format.h"
 #include "glsl/check_cache.h"
 #include "lab/media.h"
-#include "model/stack_size.h"
+#include "model/look/stack_size.h"
 
 #include <fmt/format.h>
 

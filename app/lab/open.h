@@ -2,7 +2,7 @@
 
 #include "formats/look_format.h"
 #include "lab/library.h"
-#include "model/preset.h"
+#include "model/preset/preset.h"
 
 #include <optional>
 #include <string>

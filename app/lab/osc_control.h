@@ -1,7 +1,7 @@
 #pragma once
 
-#include "io/osc_packet.h"
-#include "io/udp_port.h"
+#include "io/control/osc_packet.h"
+#include "io/control/udp_port.h"
 #include "lab/remote_hand.h"
 
 #include <optional>

@@ -2,7 +2,7 @@
 
 #include "lab/choice.h"
 #include "lab/shelf.h"
-#include "model/look.h"
+#include "model/look/look.h"
 
 #include <string>
 #include <string_view>

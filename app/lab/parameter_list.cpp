@@ -1,8 +1,8 @@
 #include "lab/parameter_list.h"
 
 #include "base/text.h"
-#include "model/parameter_use.h"
-#include "model/slider_range.h"
+#include "model/plan/parameter_use.h"
+#include "model/tuning/slider_range.h"
 
 #include <fmt/format.h>
 

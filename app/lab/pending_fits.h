@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lab/views.h"
-#include "model/comparison.h"
+#include "model/preset/comparison.h"
 
 #include <optional>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/aliasing.h"
+#include "model/picture/aliasing.h"
 
 class Document;
 class Renderer;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/placing.h"
+#include "model/picture/placing.h"
 
 #include <optional>
 

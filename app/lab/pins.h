@@ -1,7 +1,7 @@
 #pragma once
 
-#include "graph/executor.h"
-#include "graph/gatherer.h"
+#include "graph/executor/executor.h"
+#include "graph/inspect/gatherer.h"
 #include "lab/window_state.h"
 
 /// The numbers that every pass has at the pinned points, looked up at most five times a second.

@@ -2,7 +2,7 @@
 
 #include "lab/beam_feed.h"
 #include "lab/signal_file.h"
-#include "signals/kinds.h"
+#include "signals/signal_table.h"
 
 Result<Sound> play_beam(const std::string& text, const BeamSoundFormat& format,
                         Diagnostics& problems) {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "model/sound.h"
-#include "signals/beam_sound.h"
+#include "model/devices/sound.h"
+#include "signals/beam/beam_sound.h"
 
 #include <string>
 

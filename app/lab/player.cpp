@@ -1,12 +1,12 @@
 #include "lab/player.h"
 
-#include "model/live_sound.h"
-#include "signals/beam_stream.h"
-#include "signals/channel_map.h"
-#include "signals/kinds.h"
-#include "signals/loudness.h"
-#include "signals/settings.h"
-#include "signals/sound_texels.h"
+#include "model/devices/live_sound.h"
+#include "signals/audio/channel_map.h"
+#include "signals/audio/loudness.h"
+#include "signals/audio/sound_texels.h"
+#include "signals/beam/beam_stream.h"
+#include "signals/signal/settings.h"
+#include "signals/signal_table.h"
 
 #include <fmt/format.h>
 

@@ -1,16 +1,16 @@
 #pragma once
 
 #include "base/diagnostic.h"
-#include "io/sound_devices.h"
+#include "io/sound/sound_devices.h"
 #include "lab/beam_feed.h"
 #include "lab/beam_playout.h"
-#include "model/beam.h"
-#include "model/modulation.h"
-#include "model/sound_texture.h"
-#include "model/spec.h"
-#include "signals/clock.h"
-#include "signals/sample_stream.h"
-#include "signals/signal.h"
+#include "model/look/sound_texture.h"
+#include "model/look/spec.h"
+#include "model/plan/beam.h"
+#include "model/tuning/modulation.h"
+#include "signals/audio/sample_stream.h"
+#include "signals/signal/clock.h"
+#include "signals/signal/signal.h"
 
 #include <cstdint>
 #include <deque>

@@ -1,7 +1,7 @@
 #include "lab/preset_commands.h"
 
 #include "base/text.h"
-#include "formats/preset_format.h"
+#include "formats/preset/preset_format.h"
 #include "lab/editor.h"
 #include "lab/lab.h"
 #include "lab/preset_list.h"

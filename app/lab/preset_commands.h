@@ -1,9 +1,9 @@
 #pragma once
 
-#include "io/trash.h"
+#include "io/files/trash.h"
 #include "lab/document.h"
 #include "lab/library.h"
-#include "model/preset_stars.h"
+#include "model/preset/preset_stars.h"
 
 #include <optional>
 #include <string>

@@ -1,9 +1,9 @@
 #include "lab/preset_content.h"
 
 #include "base/user_folders.h"
-#include "model/source_spec.h"
-#include "signals/kinds.h"
-#include "signals/settings.h"
+#include "model/picture/source_spec.h"
+#include "signals/signal/settings.h"
+#include "signals/signal_table.h"
 
 #include <fmt/format.h>
 

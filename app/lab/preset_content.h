@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lab/media.h"
-#include "model/preset.h"
+#include "model/preset/preset.h"
 
 #include <optional>
 #include <string>

@@ -1,7 +1,7 @@
 #include "lab/preset_difference.h"
 
-#include "formats/modulation_format.h"
-#include "formats/preset_format.h"
+#include "formats/preset/modulation_format.h"
+#include "formats/preset/preset_format.h"
 #include "lab/lab.h"
 
 std::vector<Change> difference_from(const Preset& preset, const Document& open) {

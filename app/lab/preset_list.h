@@ -3,7 +3,7 @@
 #include "lab/document.h"
 #include "lab/shelf.h"
 #include "lab/window_state.h"
-#include "model/preset_stars.h"
+#include "model/preset/preset_stars.h"
 
 #include <filesystem>
 #include <string>

@@ -3,14 +3,14 @@
 #include "base/elapsed.h"
 #include "base/file.h"
 #include "base/text.h"
-#include "formats/preset_format.h"
+#include "formats/preset/preset_format.h"
 #include "gpu/readback.h"
-#include "io/picture_file.h"
+#include "io/pictures/picture_file.h"
 #include "lab/drive.h"
 #include "lab/file_stamp.h"
 #include "lab/kept_shaders.h"
 #include "lab/small_picture.h"
-#include "signals/kinds.h"
+#include "signals/signal_table.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/work.h"
-#include "graph/viewer.h"
+#include "graph/inspect/viewer.h"
 #include "lab/offline.h"
 
 #include <filesystem>

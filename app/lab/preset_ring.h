@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lab/library.h"
-#include "model/preset_stars.h"
+#include "model/preset/preset_stars.h"
 
 /// A place in a look's list of presets. The first is the look as it is, without one.
 struct PresetPlace {

@@ -1,8 +1,8 @@
 #include "lab/rate_comparison.h"
 
 #include "lab/offline.h"
-#include "model/color.h"
-#include "signals/kinds.h"
+#include "model/look/color.h"
+#include "signals/signal_table.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "base/work.h"
 #include "lab/document.h"
-#include "model/difference.h"
+#include "model/picture/difference.h"
 
 #include <array>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "lab/reference_picture.h"
 
-#include "io/picture_file.h"
+#include "io/pictures/picture_file.h"
 
 #include <utility>
 

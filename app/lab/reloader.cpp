@@ -1,6 +1,6 @@
 #include "lab/reloader.h"
 
-#include "formats/stack_format.h"
+#include "formats/stack/stack_format.h"
 #include "lab/kept_shaders.h"
 
 #include <fmt/format.h>

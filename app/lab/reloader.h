@@ -1,21 +1,21 @@
 #pragma once
 
 #include "base/pass_progress.h"
-#include "formats/former_readings.h"
+#include "formats/stack/former_readings.h"
 #include "glsl/check_cache.h"
 #include "glsl/shader_files.h"
 #include "gpu/context.h"
-#include "graph/programs.h"
-#include "graph/recent_programs.h"
-#include "graph/settled_look.h"
-#include "graph/warm_up.h"
-#include "io/file_watcher.h"
-#include "io/kept_later.h"
+#include "graph/programs/programs.h"
+#include "graph/programs/recent_programs.h"
+#include "graph/programs/settled_look.h"
+#include "graph/warm_up/warm_up.h"
+#include "io/cache/kept_later.h"
+#include "io/files/file_watcher.h"
 #include "lab/drawing_contexts.h"
 #include "lab/open.h"
 #include "lab/opening_mark.h"
 #include "lab/seen_passes.h"
-#include "model/picture.h"
+#include "model/look/picture.h"
 
 #include <atomic>
 #include <condition_variable>

@@ -1,5 +1,5 @@
 // The part of Reloader that reads the images of a look.
-#include "graph/image_texture.h"
+#include "graph/targets/image_texture.h"
 #include "lab/image_budget.h"
 #include "lab/look_media.h"
 #include "lab/reloader.h"

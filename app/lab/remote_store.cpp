@@ -1,8 +1,8 @@
 #include "lab/remote_store.h"
 
 #include "base/file.h"
-#include "formats/remote_settings_format.h"
-#include "io/atomic_file.h"
+#include "formats/settings/remote_settings_format.h"
+#include "io/files/atomic_file.h"
 
 namespace {
 std::filesystem::path remote_file_in(const Roots& roots) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lab/roots.h"
-#include "model/remote_settings.h"
+#include "model/devices/remote_settings.h"
 
 /// What the user said about remote control at the last use; the defaults at the first.
 Result<RemoteSettings> load_remote_settings(const Roots& roots);

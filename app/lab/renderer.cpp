@@ -1,7 +1,7 @@
 #include "lab/renderer.h"
 
 #include "base/elapsed.h"
-#include "model/value_changes.h"
+#include "model/look/value_changes.h"
 
 #include <algorithm>
 #include <chrono>

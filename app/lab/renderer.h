@@ -1,6 +1,6 @@
 #pragma once
 
-#include "graph/executor.h"
+#include "graph/executor/executor.h"
 #include "lab/pass_times.h"
 #include "lab/player.h"
 #include "lab/slicing.h"

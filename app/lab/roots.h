@@ -1,8 +1,8 @@
 #pragma once
 
 #include "base/diagnostic.h"
-#include "model/include_folders.h"
-#include "model/shader_limits.h"
+#include "model/look/include_folders.h"
+#include "model/look/shader_limits.h"
 
 #include <filesystem>
 #include <optional>

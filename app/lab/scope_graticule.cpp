@@ -1,7 +1,7 @@
 #include "lab/scope_graticule.h"
 
-#include "signals/kinds.h"
-#include "signals/settings.h"
+#include "signals/signal/settings.h"
+#include "signals/signal_table.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "model/look.h"
-#include "model/spec.h"
+#include "model/look/look.h"
+#include "model/look/spec.h"
 
 /// What a look's graticule must be set to so that its lines are the divisions of the scope that
 /// `signal` shows traces over time on: 10 across and 8 up, over the whole signal. Empty where they

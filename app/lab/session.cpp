@@ -1,8 +1,8 @@
 #include "lab/session.h"
 
 #include "base/file.h"
-#include "io/atomic_file.h"
-#include "model/stack_size.h"
+#include "io/files/atomic_file.h"
+#include "model/look/stack_size.h"
 
 #include <fmt/format.h>
 

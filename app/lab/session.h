@@ -1,6 +1,6 @@
 #pragma once
 
-#include "formats/session_format.h"
+#include "formats/settings/session_format.h"
 #include "lab/lab.h"
 
 /// The session of the last use; an empty one at the first. A damaged file is set aside, and the

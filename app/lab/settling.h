@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lab/arrival.h"
-#include "model/modulation.h"
+#include "model/tuning/modulation.h"
 
 #include <chrono>
 #include <memory>

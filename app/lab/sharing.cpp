@@ -2,13 +2,13 @@
 
 #include "base/text.h"
 #include "formats/look_format.h"
-#include "formats/preset_format.h"
-#include "formats/preset_png.h"
-#include "formats/share_line.h"
-#include "io/atomic_file.h"
-#include "io/picture_file.h"
-#include "io/png_encoder.h"
-#include "model/display_bytes.h"
+#include "formats/preset/preset_format.h"
+#include "formats/preset/preset_png.h"
+#include "formats/preset/share_line.h"
+#include "io/files/atomic_file.h"
+#include "io/pictures/picture_file.h"
+#include "io/pictures/png_encoder.h"
+#include "model/picture/display_bytes.h"
 
 namespace fs = std::filesystem;
 

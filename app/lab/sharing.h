@@ -2,7 +2,7 @@
 
 #include "lab/document.h"
 #include "lab/media.h"
-#include "model/picture.h"
+#include "model/look/picture.h"
 
 #include <filesystem>
 #include <string>

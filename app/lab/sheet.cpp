@@ -1,7 +1,7 @@
 #include "lab/sheet.h"
 
-#include "io/caption.h"
-#include "model/color.h"
+#include "io/pictures/caption.h"
+#include "model/look/color.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #include "lab/shelf.h"
 
-#include "formats/look_manifest.h"
-#include "formats/preset_format.h"
-#include "model/stack.h"
+#include "formats/look/look_manifest.h"
+#include "formats/preset/preset_format.h"
+#include "model/look/stack.h"
 
 #include <algorithm>
 #include <map>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lab/library.h"
-#include "model/look.h"
+#include "model/look/look.h"
 
 #include <filesystem>
 #include <map>

@@ -5,7 +5,7 @@
 #include "lab/scope_graticule.h"
 #include "lab/users_content.h"
 #include "lab/window_state.h"
-#include "signals/kinds.h"
+#include "signals/signal_table.h"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 #include "lab/signal_file.h"
 
 #include "base/text.h"
-#include "formats/scene_file.h"
-#include "formats/svg_file.h"
-#include "io/sound_file.h"
+#include "formats/scene/scene_file.h"
+#include "formats/svg/svg_file.h"
+#include "io/sound/sound_file.h"
 #include "lab/media.h"
 
 Result<SignalMedia> load_signal_media(const std::filesystem::path& file, Work* work,

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/work.h"
-#include "signals/signal.h"
+#include "signals/signal/signal.h"
 
 #include <filesystem>
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "gpu/canvas.h"
-#include "graph/executor.h"
-#include "graph/viewer.h"
+#include "graph/executor/executor.h"
+#include "graph/inspect/viewer.h"
 
 /// A copy of what the last pass holds, as a display shows it and at most `height` lines high. Fails
 /// where there is no memory.

@@ -2,7 +2,7 @@
 
 #include "base/text.h"
 #include "gpu/readback.h"
-#include "io/picture_file.h"
+#include "io/pictures/picture_file.h"
 #include "lab/sharing.h"
 #include "lab/told_name.h"
 #include "lab/views.h"

@@ -1,8 +1,8 @@
 #include "lab/sound_store.h"
 
 #include "base/file.h"
-#include "formats/sound_settings_format.h"
-#include "io/atomic_file.h"
+#include "formats/settings/sound_settings_format.h"
+#include "io/files/atomic_file.h"
 
 namespace {
 std::filesystem::path sound_file_in(const Roots& roots) {

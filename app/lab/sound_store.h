@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lab/roots.h"
-#include "model/sound_settings.h"
+#include "model/devices/sound_settings.h"
 
 /// The sound devices that the person has chosen; at first the system's own. A damaged file is an
 /// error, and left as it is until other devices are chosen.

@@ -1,14 +1,14 @@
 #include "lab/source.h"
 
-#include "io/picture_file.h"
-#include "io/picture_sequence.h"
-#include "io/video_file.h"
+#include "io/pictures/picture_file.h"
+#include "io/pictures/picture_sequence.h"
+#include "io/video/video_file.h"
 #include "lab/media.h"
 #include "lab/mend.h"
 #include "lab/renderer.h"
-#include "model/placing.h"
-#include "model/prescaled.h"
-#include "signals/patterns.h"
+#include "model/picture/placing.h"
+#include "model/picture/prescaled.h"
+#include "signals/patterns/patterns.h"
 
 #include <algorithm>
 #include <cmath>

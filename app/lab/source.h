@@ -2,8 +2,8 @@
 
 #include "base/diagnostic.h"
 #include "lab/frame_stream.h"
-#include "model/picture.h"
-#include "model/source_spec.h"
+#include "model/look/picture.h"
+#include "model/picture/source_spec.h"
 
 #include <memory>
 #include <string>

@@ -3,8 +3,8 @@
 #include "lab/drive.h"
 #include "lab/signal_choices.h"
 #include "lab/window_state.h"
-#include "model/source_spec.h"
-#include "signals/patterns.h"
+#include "model/picture/source_spec.h"
+#include "signals/patterns/patterns.h"
 
 #include <fmt/format.h>
 

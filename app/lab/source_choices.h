@@ -2,7 +2,7 @@
 
 #include "lab/choice.h"
 #include "lab/document.h"
-#include "model/source_spec.h"
+#include "model/picture/source_spec.h"
 
 class Drive;
 

@@ -1,10 +1,10 @@
 #include "lab/step_probe.h"
 
 #include "gpu/readback.h"
-#include "graph/measuring.h"
+#include "graph/inspect/measuring.h"
 #include "lab/changes.h"
-#include "model/knob_settings.h"
-#include "model/one_step.h"
+#include "model/tuning/knob_settings.h"
+#include "model/tuning/one_step.h"
 
 #include <fmt/format.h>
 

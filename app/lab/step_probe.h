@@ -1,9 +1,9 @@
 #pragma once
 
-#include "graph/pair_meter.h"
-#include "graph/signed_difference.h"
+#include "graph/compare/pair_meter.h"
+#include "graph/compare/signed_difference.h"
 #include "lab/trial.h"
-#include "model/step_effect.h"
+#include "model/plan/step_effect.h"
 
 #include <optional>
 #include <string>

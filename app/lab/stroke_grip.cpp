@@ -1,6 +1,6 @@
 #include "lab/stroke_grip.h"
 
-#include "signals/stroke_line.h"
+#include "signals/drawing/stroke_line.h"
 
 std::optional<std::size_t> stroke_near(const Keyframe& strokes, const BeamPlace& place,
                                        double reach) {

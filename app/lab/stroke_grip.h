@@ -1,6 +1,6 @@
 #pragma once
 
-#include "signals/drawing.h"
+#include "signals/drawing/drawing.h"
 
 #include <optional>
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "gpu/canvas.h"
-#include "graph/executor.h"
-#include "graph/viewer.h"
+#include "graph/executor/executor.h"
+#include "graph/inspect/viewer.h"
 #include "lab/rota.h"
 
 #include <optional>

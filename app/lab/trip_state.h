@@ -1,6 +1,6 @@
 #pragma once
 
-#include "graph/tripwire.h"
+#include "graph/inspect/tripwire.h"
 
 #include <optional>
 

@@ -2,8 +2,8 @@
 
 #include "lab/lab.h"
 #include "lab/parameter_list.h"
-#include "model/aliasing.h"
-#include "model/knob_turn.h"
+#include "model/look/value_text.h"
+#include "model/tuning/knob_turn.h"
 
 #include <fmt/format.h>
 

@@ -2,9 +2,9 @@
 
 #include "formats/look_format.h"
 #include "lab/source_choices.h"
-#include "model/source_spec.h"
-#include "signals/kinds.h"
-#include "signals/patterns.h"
+#include "model/picture/source_spec.h"
+#include "signals/patterns/patterns.h"
+#include "signals/signal_table.h"
 
 #include <algorithm>
 #include <filesystem>

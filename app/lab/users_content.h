@@ -1,8 +1,8 @@
 #pragma once
 
-#include "model/content.h"
-#include "model/look.h"
-#include "model/source_spec.h"
+#include "model/look/look.h"
+#include "model/picture/source_spec.h"
+#include "model/preset/content.h"
 
 #include <optional>
 #include <string>

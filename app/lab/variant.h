@@ -1,7 +1,7 @@
 #pragma once
 
-#include "model/comparison.h"
-#include "model/look.h"
+#include "model/look/look.h"
+#include "model/preset/comparison.h"
 
 #include <optional>
 #include <string>

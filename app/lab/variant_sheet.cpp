@@ -1,7 +1,7 @@
 #include "lab/variant_sheet.h"
 
 #include "lab/small_picture.h"
-#include "model/slider_range.h"
+#include "model/tuning/slider_range.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/descriptor.h"
+#include "io/files/descriptor.h"
 
 #include <functional>
 #include <thread>

@@ -1,6 +1,6 @@
 #include "lab/waveform.h"
 
-#include "model/format.h"
+#include "model/look/format.h"
 
 #include <algorithm>
 #include <cmath>

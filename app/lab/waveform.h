@@ -1,8 +1,8 @@
 #pragma once
 
-#include "graph/texel_reader.h"
+#include "graph/inspect/texel_reader.h"
 #include "lab/window_state.h"
-#include "model/plot_scale.h"
+#include "model/picture/plot_scale.h"
 
 #include <cstdint>
 #include <string>

@@ -2,10 +2,10 @@
 
 #include "lab/changes.h"
 #include "lab/folder.h"
-#include "model/comfort_clamp.h"
-#include "model/extent.h"
-#include "model/levels.h"
-#include "model/texture_choice.h"
+#include "model/look/extent.h"
+#include "model/look/texture_choice.h"
+#include "model/picture/comfort_clamp.h"
+#include "model/picture/levels.h"
 
 #include <array>
 #include <filesystem>

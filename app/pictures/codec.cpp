@@ -1,5 +1,5 @@
 #include "base/text.h"
-#include "io/picture_codec.h"
+#include "io/pictures/picture_codec.h"
 #include "pictures/svg_paths.h"
 
 #include <OpenImageIO/filesystem.h>

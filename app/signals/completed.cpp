@@ -1,5 +1,5 @@
 #include "base/text.h"
-#include "signals/kinds.h"
+#include "signals/signal_table.h"
 
 #include <fmt/format.h>
 

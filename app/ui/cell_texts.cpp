@@ -2,7 +2,7 @@
 
 #include "base/fitted_number.h"
 #include "lab/waveform.h"
-#include "model/format.h"
+#include "model/look/format.h"
 #include "ui/scoped.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "ui/color_control.h"
 
-#include "model/color.h"
+#include "model/look/color.h"
 #include "ui/scoped.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"

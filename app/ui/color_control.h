@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/parameter.h"
+#include "model/look/parameter.h"
 #include "ui/form.h"
 
 /// A swatch that opens a picker. The parameter is linear light; a person sees and picks the

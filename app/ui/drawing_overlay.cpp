@@ -1,6 +1,6 @@
 #include "ui/drawing_overlay.h"
 
-#include "signals/stroke_line.h"
+#include "signals/drawing/stroke_line.h"
 #include "ui/theme.h"
 
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lab/window_state.h"
-#include "model/value.h"
+#include "model/look/value.h"
 
 #include <functional>
 #include <map>

@@ -2,7 +2,7 @@
 
 #include "gpu/input_event.h"
 #include "lab/parameter_list.h"
-#include "model/one_step.h"
+#include "model/tuning/one_step.h"
 #include "ui/file_actions.h"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "ui/midi_items.h"
 
 #include "lab/naming.h"
-#include "model/knob_turn.h"
+#include "model/tuning/knob_turn.h"
 #include "ui/icons.h"
 #include "ui/scoped.h"
 #include "ui/theme.h"

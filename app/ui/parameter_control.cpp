@@ -1,9 +1,10 @@
 #include "ui/parameter_control.h"
 
 #include "lab/look_media.h"
-#include "model/aliasing.h"
-#include "model/decay.h"
-#include "model/slider_range.h"
+#include "model/look/decay.h"
+#include "model/look/value_text.h"
+#include "model/picture/aliasing.h"
+#include "model/tuning/slider_range.h"
 #include "ui/color_control.h"
 #include "ui/form.h"
 #include "ui/knob_marks.h"

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "lab/period_terms.h"
-#include "model/knob_settings.h"
-#include "model/midi.h"
-#include "model/modulation.h"
+#include "model/devices/midi.h"
+#include "model/tuning/knob_settings.h"
+#include "model/tuning/modulation.h"
 #include "ui/edits.h"
 #include "ui/fonts.h"
 

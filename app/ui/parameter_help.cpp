@@ -1,8 +1,9 @@
 #include "ui/parameter_help.h"
 
 #include "lab/lab.h"
-#include "model/aliasing.h"
-#include "model/decay.h"
+#include "model/look/decay.h"
+#include "model/look/value_text.h"
+#include "model/picture/aliasing.h"
 #include "ui/icons.h"
 #include "ui/knob_marks.h"
 #include "ui/midi_items.h"

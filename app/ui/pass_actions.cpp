@@ -2,7 +2,7 @@
 
 #include "gpu/input_event.h"
 #include "lab/looking_choices.h"
-#include "model/parameter_use.h"
+#include "model/plan/parameter_use.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 #include "ui/pass_graph_panel.h"
 
-#include "model/own_name.h"
-#include "model/parameter_use.h"
-#include "model/pass_graph.h"
+#include "model/look/own_name.h"
+#include "model/plan/parameter_use.h"
+#include "model/plan/pass_graph.h"
 #include "ui/pass_switch_actions.h"
 #include "ui/scoped.h"
 #include "ui/theme.h"

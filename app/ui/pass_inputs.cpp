@@ -1,7 +1,7 @@
 #include "ui/pass_inputs.h"
 
 #include "lab/views.h"
-#include "model/format.h"
+#include "model/look/format.h"
 #include "ui/scoped.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"

@@ -2,7 +2,7 @@
 
 #include "lab/views.h"
 #include "lab/window_state.h"
-#include "model/orbit.h"
+#include "model/look/orbit.h"
 #include "ui/scene.h"
 
 #include <imgui/imgui.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/parameter.h"
+#include "model/look/parameter.h"
 #include "ui/form.h"
 
 /// A pad for a point (x to the right, y up) with its numbers below. `now`: where it is while it

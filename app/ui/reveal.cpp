@@ -1,6 +1,6 @@
 #include "ui/reveal.h"
 
-#include "model/slider_range.h"
+#include "model/tuning/slider_range.h"
 #include "ui/theme.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lab/window_state.h"
-#include "model/parameter.h"
+#include "model/look/parameter.h"
 #include "ui/edits.h"
 
 #include <vector>

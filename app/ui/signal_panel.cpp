@@ -3,7 +3,7 @@
 #include "base/text.h"
 #include "lab/scope_graticule.h"
 #include "lab/signal_choices.h"
-#include "signals/kinds.h"
+#include "signals/signal_table.h"
 #include "ui/choice_items.h"
 #include "ui/content_lock.h"
 #include "ui/drawing_panel.h"

@@ -1,7 +1,7 @@
 #include "ui/slider.h"
 
 #include "gpu/input_event.h"
-#include "model/slider_range.h"
+#include "model/tuning/slider_range.h"
 #include "ui/theme.h"
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 #include "ui/source_panel.h"
 
 #include "lab/source_choices.h"
-#include "model/source_spec.h"
-#include "signals/patterns.h"
+#include "model/picture/source_spec.h"
+#include "signals/patterns/patterns.h"
 #include "ui/content_lock.h"
 #include "ui/form.h"
 #include "ui/problem_list.h"

@@ -1,9 +1,9 @@
 #include "ui/strip_blocks.h"
 
 #include "lab/tryouts.h"
-#include "model/own_name.h"
-#include "model/parameter_use.h"
-#include "model/pass_levels.h"
+#include "model/look/own_name.h"
+#include "model/look/pass_levels.h"
+#include "model/plan/parameter_use.h"
 #include "ui/pass_switch_actions.h"
 #include "ui/scoped.h"
 #include "ui/strip_room.h"

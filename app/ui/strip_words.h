@@ -1,8 +1,8 @@
 #pragma once
 
-#include "model/gain.h"
-#include "model/plan.h"
-#include "model/step_effect.h"
+#include "model/picture/gain.h"
+#include "model/plan/plan.h"
+#include "model/plan/step_effect.h"
 
 #include <string>
 

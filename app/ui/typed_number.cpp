@@ -1,7 +1,7 @@
 #include "ui/typed_number.h"
 
 #include "base/text.h"
-#include "model/decay.h"
+#include "model/look/decay.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/parameter.h"
+#include "model/look/parameter.h"
 
 #include <optional>
 #include <string>
@@ -12,7 +12,7 @@ struct NumberFacts {
     std::string unit = {};
     std::optional<Limit> limit = {};  // what is typed beyond it stops there
     bool is_whole = false;
-    bool is_decay = false;        // may be typed as a time, see model/decay.h
+    bool is_decay = false;        // may be typed as a time, see model/look/decay.h
     bool is_to_be_typed = false;  // has the keyboard from now on
 };
 
@@ -23,8 +23,8 @@ struct TypedNumber {
 };
 
 /// Reads what a person types: a point or a comma before the decimals, and the unit behind if they
-/// like; for a decay also a time, see model/decay.h. "4,096" is refused: it may mean four or four
-/// thousand. An empty text changes nothing.
+/// like; for a decay also a time, see model/look/decay.h. "4,096" is refused: it may mean four or
+/// four thousand. An empty text changes nothing.
 TypedNumber read_typed_number(std::string_view text, const NumberFacts& facts);
 
 /// A field that is, or a moment ago was, typed into.

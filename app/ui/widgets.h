@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/extent.h"
+#include "model/look/extent.h"
 #include "ui/edits.h"
 
 #include <imgui/imgui.h>

@@ -5,8 +5,8 @@
 #include "bench/side_by_side.h"
 #include "bench/wanted.h"
 #include "gpu/readback.h"
-#include "graph/merge_segments.h"
-#include "graph/settled_look.h"
+#include "graph/beam/merge_segments.h"
+#include "graph/programs/settled_look.h"
 #include "lab/offline.h"
 
 #include <fmt/format.h>

@@ -5,11 +5,11 @@
 #include "bench/plain_png.h"
 #include "bench/side_by_side.h"
 #include "bench/wanted.h"
-#include "io/png_encoder.h"
+#include "io/pictures/png_encoder.h"
 #include "lab/export.h"
 #include "lab/library.h"
 #include "lab/offline.h"
-#include "model/display_bytes.h"
+#include "model/picture/display_bytes.h"
 
 #include <fmt/format.h>
 

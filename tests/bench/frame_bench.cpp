@@ -4,7 +4,7 @@
 #include "bench/article_engine.h"
 #include "bench/plain_article.h"
 #include "bench/side_by_side.h"
-#include "model/difference.h"
+#include "model/picture/difference.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "model/beam.h"
-#include "model/picture.h"
+#include "model/look/picture.h"
+#include "model/plan/beam.h"
 #include "parity/plain_chain.h"
 
 #include <map>

@@ -2,7 +2,7 @@
 
 #include "bench/reload_looks.h"
 #include "gpu/context.h"
-#include "graph/executor.h"
+#include "graph/executor/executor.h"
 
 #include <epoxy/gl.h>
 

@@ -9,7 +9,7 @@
 #include "bench/plain_reload.h"
 #include "bench/reload_looks.h"
 #include "bench/side_by_side.h"
-#include "io/atomic_file.h"
+#include "io/files/atomic_file.h"
 #include "lab/lab.h"
 
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 // reference is measured twice; if the two differ, the run is noise.
 #include "bench/bench_lab.h"
 #include "bench/side_by_side.h"
-#include "model/modulation.h"
+#include "model/tuning/modulation.h"
 
 #include <fmt/format.h>
 

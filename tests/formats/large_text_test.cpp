@@ -1,7 +1,7 @@
 #include "formats/bare/varyings.h"
+#include "formats/glsl/modern_glsl.h"
 #include "formats/isf/header.h"
-#include "formats/json_document.h"
-#include "formats/modern_glsl.h"
+#include "formats/json/json_document.h"
 #include "glsl/include.h"
 #include "in_a_moment.h"
 

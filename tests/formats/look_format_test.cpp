@@ -1,7 +1,7 @@
 #include "formats/look_format.h"
 
-#include "formats/preset_format.h"
-#include "formats/stack_format.h"
+#include "formats/preset/preset_format.h"
+#include "formats/stack/stack_format.h"
 #include "glsl/check_cache.h"
 #include "io/temporary_folder.h"
 #include "problems_of.h"

@@ -1,7 +1,7 @@
 // Fragment shaders alone: what is read of a text before a compiler sees it.
 
 #include "formats/bare/varyings.h"
-#include "formats/modern_glsl.h"
+#include "formats/glsl/modern_glsl.h"
 #include "fuzz/fuzz_files.h"
 #include "glsl/bounds.h"
 #include "glsl/declarations.h"

@@ -1,4 +1,4 @@
-#include "model/shader_limits.h"
+#include "model/look/shader_limits.h"
 
 #include "glsl/check.h"
 #include "glsl/check_cache.h"

@@ -2,7 +2,7 @@
 
 #include "glsl/check.h"
 #include "glsl/include.h"
-#include "model/look.h"
+#include "model/look/look.h"
 
 #include <filesystem>
 #include <string>

@@ -1,9 +1,9 @@
 #include "golden/golden.h"
 
 #include "base/text.h"
-#include "io/picture_file.h"
+#include "io/pictures/picture_file.h"
 #include "lab/offline.h"
-#include "model/difference.h"
+#include "model/picture/difference.h"
 #include "problems_of.h"
 
 #include <doctest/doctest.h>

@@ -1,6 +1,6 @@
 #include "gpu/texels.h"
 
-#include "model/color.h"
+#include "model/look/color.h"
 
 #include <doctest/doctest.h>
 

@@ -2,7 +2,7 @@
 
 #include "gpu/headless.h"
 #include "gpu/readback.h"
-#include "graph/executor.h"
+#include "graph/executor/executor.h"
 
 #include <string>
 #include <utility>

@@ -8,9 +8,9 @@
 #include "lab/source_choices.h"
 #include "lab/stack_choices.h"
 #include "lab/tuning_choices.h"
-#include "model/source_spec.h"
-#include "signals/kinds.h"
-#include "signals/patterns.h"
+#include "model/picture/source_spec.h"
+#include "signals/patterns/patterns.h"
+#include "signals/signal_table.h"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 #include "formats/look_format.h"
-#include "io/picture_file.h"
+#include "io/pictures/picture_file.h"
 #include "lab/chosen_images.h"
 #include "lab/small_lab.h"
 

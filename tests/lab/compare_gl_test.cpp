@@ -1,10 +1,10 @@
 // What a person compares the picture with: slots, a picture from a file, the difference.
 #include "about.h"
-#include "io/picture_file.h"
+#include "io/pictures/picture_file.h"
 #include "lab/session.h"
 #include "lab/small_lab.h"
 #include "lab/views.h"
-#include "model/color.h"
+#include "model/look/color.h"
 
 namespace fs = std::filesystem;
 

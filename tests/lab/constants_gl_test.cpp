@@ -1,9 +1,9 @@
 // Numbers in the texts of a look that a person turns: programs are made anew beside the picture.
-#include "formats/session_format.h"
+#include "formats/settings/session_format.h"
 #include "lab/offline.h"
 #include "lab/session.h"
 #include "lab/small_lab.h"
-#include "model/modulation.h"
+#include "model/tuning/modulation.h"
 #include "problems_of.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // The user's signal or source through presets, looks, reloads and sessions.
-#include "io/picture_file.h"
-#include "io/sound_save.h"
+#include "io/pictures/picture_file.h"
+#include "io/sound/sound_save.h"
 #include "lab/session.h"
 #include "lab/small_lab.h"
 

@@ -1,6 +1,6 @@
 #include "lab/drawing_board.h"
 
-#include "signals/kinds.h"
+#include "signals/signal_table.h"
 
 #include <doctest/doctest.h>
 

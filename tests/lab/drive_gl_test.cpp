@@ -1,7 +1,7 @@
 #include "about.h"
-#include "io/picture_file.h"
+#include "io/pictures/picture_file.h"
 #include "lab/small_lab.h"
-#include "signals/patterns.h"
+#include "signals/patterns/patterns.h"
 
 namespace fs = std::filesystem;
 

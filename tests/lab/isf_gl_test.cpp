@@ -1,5 +1,5 @@
 // What ISF shaders draw, rule by rule.
-#include "io/picture_file.h"
+#include "io/pictures/picture_file.h"
 #include "io/temporary_folder.h"
 #include "lab/export.h"
 #include "lab/offline.h"

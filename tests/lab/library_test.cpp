@@ -2,7 +2,7 @@
 
 #include "base/file.h"
 #include "base/text.h"
-#include "formats/preset_format.h"
+#include "formats/preset/preset_format.h"
 #include "lab/shelf.h"
 
 #include <doctest/doctest.h>

@@ -1,7 +1,7 @@
 #include "lab/media.h"
 
 #include "base/file.h"
-#include "io/file_digest.h"
+#include "io/files/file_digest.h"
 #include "io/temporary_folder.h"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,5 @@
 // Knobs of MIDI devices, from the bytes that come on.
-#include "io/midi_inputs.h"
+#include "io/control/midi_inputs.h"
 #include "lab/midi_control.h"
 #include "lab/small_lab.h"
 

@@ -1,4 +1,4 @@
-#include "formats/preset_format.h"
+#include "formats/preset/preset_format.h"
 #include "lab/changes.h"
 #include "lab/offline.h"
 #include "lab/session.h"

@@ -1,5 +1,5 @@
 // From one preset to another over some time.
-#include "formats/preset_format.h"
+#include "formats/preset/preset_format.h"
 #include "lab/morphing.h"
 #include "lab/small_lab.h"
 

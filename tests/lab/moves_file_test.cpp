@@ -1,6 +1,6 @@
 #include "lab/moves_file.h"
 
-#include "formats/sample_preset.h"
+#include "formats/preset/sample_preset.h"
 #include "io/temporary_folder.h"
 
 #include <doctest/doctest.h>

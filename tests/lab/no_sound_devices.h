@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/sound_devices.h"
+#include "io/sound/sound_devices.h"
 
 /// A machine without sound.
 class NoSoundDevices : public SoundDevices {

@@ -1,5 +1,5 @@
 // Where a look is drawn, the driver has met all that is looked at before it is seen.
-#include "graph/first_views.h"
+#include "graph/warm_up/first_views.h"
 #include "lab/small_lab.h"
 
 namespace {

@@ -1,7 +1,7 @@
 #include "lab/osc_control.h"
 
-#include "formats/remote_settings_format.h"
-#include "formats/sample_preset.h"
+#include "formats/preset/sample_preset.h"
+#include "formats/settings/remote_settings_format.h"
 
 #include <doctest/doctest.h>
 

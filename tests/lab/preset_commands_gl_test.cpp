@@ -1,7 +1,7 @@
 // Presets as files: whose they are, and what is done with them.
 #include "base/file.h"
 #include "base/text.h"
-#include "formats/preset_format.h"
+#include "formats/preset/preset_format.h"
 #include "lab/small_lab.h"
 
 #include <cstdlib>

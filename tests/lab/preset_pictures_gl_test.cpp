@@ -1,6 +1,6 @@
 // Small pictures of presets, drawn beside the window and kept.
-#include "formats/preset_format.h"
-#include "io/picture_file.h"
+#include "formats/preset/preset_format.h"
+#include "io/pictures/picture_file.h"
 #include "lab/preset_painter.h"
 #include "lab/preset_pictures.h"
 #include "lab/small_lab.h"

@@ -2,7 +2,7 @@
 #include "io/temporary_folder.h"
 #include "lab/offline.h"
 #include "lab/small_lab.h"
-#include "model/difference.h"
+#include "model/picture/difference.h"
 #include "problems_of.h"
 
 #include <doctest/doctest.h>

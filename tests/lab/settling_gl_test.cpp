@@ -1,6 +1,6 @@
 // While values rest the picture is drawn by programs that hold them as constants; nobody sees it.
 #include "lab/small_lab.h"
-#include "model/modulation.h"
+#include "model/tuning/modulation.h"
 
 #include <atomic>
 #include <cmath>

@@ -1,5 +1,5 @@
 // What chains of libretro's shaders draw, rule by rule.
-#include "io/picture_file.h"
+#include "io/pictures/picture_file.h"
 #include "io/temporary_folder.h"
 #include "lab/offline.h"
 #include "lab/small_lab.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gpu/readback.h"
-#include "io/atomic_file.h"
+#include "io/files/atomic_file.h"
 #include "io/temporary_folder.h"
 #include "lab/lab.h"
 

@@ -1,4 +1,4 @@
-#include "io/picture_file.h"
+#include "io/pictures/picture_file.h"
 #include "lab/small_lab.h"
 #include "lab/snapshot.h"
 

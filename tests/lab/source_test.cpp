@@ -1,10 +1,10 @@
 #include "lab/source.h"
 
-#include "io/picture_file.h"
+#include "io/pictures/picture_file.h"
 #include "io/temporary_folder.h"
-#include "model/color.h"
+#include "model/look/color.h"
 #include "problems_of.h"
-#include "signals/patterns.h"
+#include "signals/patterns/patterns.h"
 
 #include <doctest/doctest.h>
 

@@ -1,8 +1,8 @@
 // The crt look against closed forms: each stage alone, and all of them off.
 #include "lab/offline.h"
 #include "looks/drawn_picture.h"
-#include "model/color.h"
-#include "signals/patterns.h"
+#include "model/look/color.h"
+#include "signals/patterns/patterns.h"
 
 #include <doctest/doctest.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "model/look.h"
-#include "model/picture.h"
+#include "model/look/look.h"
+#include "model/look/picture.h"
 
 #include <string>
 

@@ -1,7 +1,7 @@
 // The shared GLSL against closed forms and published tables, run on software GL.
 #include "about.h"
 #include "looks/glsl_function.h"
-#include "model/color.h"
+#include "model/look/color.h"
 
 #include <doctest/doctest.h>
 

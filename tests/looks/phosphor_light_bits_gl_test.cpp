@@ -1,7 +1,7 @@
 // Where the beam is drawn straight onto the phosphor, and how many bits its light has.
 #include "about.h"
 #include "looks/tube.h"
-#include "model/difference.h"
+#include "model/picture/difference.h"
 #include "problems_of.h"
 
 namespace {

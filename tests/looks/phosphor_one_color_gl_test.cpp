@@ -1,6 +1,6 @@
 // A phosphor of one colour: one number a pixel, and the same picture.
 #include "looks/tube.h"
-#include "model/difference.h"
+#include "model/picture/difference.h"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 // The shadow mask as its article wrote it: what it loses, and where it reads.
 #include "looks/shadow_mask.h"
-#include "model/color.h"
+#include "model/look/color.h"
 
 #include <cmath>
 

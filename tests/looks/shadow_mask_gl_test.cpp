@@ -1,8 +1,8 @@
 // The shadow mask against closed forms: what comes through, where it is read, and what is lost.
 #include "lab/offline.h"
 #include "looks/shadow_mask.h"
-#include "model/color.h"
-#include "signals/patterns.h"
+#include "model/look/color.h"
+#include "signals/patterns/patterns.h"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 // Vector beam against closed forms: what its passes hold, in numbers.
 #include "looks/drawn_look.h"
-#include "model/color.h"
+#include "model/look/color.h"
 
 #include <algorithm>
 #include <cmath>

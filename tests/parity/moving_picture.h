@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/picture.h"
+#include "model/look/picture.h"
 #include "parity/plain_chain.h"
 
 namespace plain {

@@ -1,6 +1,6 @@
 // Chains of libretro's shaders as the program draws them against a plain chain of the GL calls that
 // RetroArch's rules ask for, rule by rule.
-#include "io/picture_file.h"
+#include "io/pictures/picture_file.h"
 #include "io/temporary_folder.h"
 #include "lab/corpus.h"
 #include "parity/moving_picture.h"

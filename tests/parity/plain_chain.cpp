@@ -1,6 +1,6 @@
 #include "parity/plain_chain.h"
 
-#include "io/picture_file.h"
+#include "io/pictures/picture_file.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "signals/signal.h"
+#include "signals/signal_table.h"
 
 #include <doctest/doctest.h>
 

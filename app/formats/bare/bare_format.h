@@ -1,6 +1,6 @@
 #pragma once
 
-#include "formats/look_format.h"
+#include "formats/look/loaded_look.h"
 
 /// Whether a file is a fragment shader alone: a text with main() and no other program's marks. One
 /// that is not there is told by its name.

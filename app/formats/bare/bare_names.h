@@ -1,7 +1,7 @@
 #pragma once
 
-#include "formats/modern_glsl.h"
-#include "model/look.h"
+#include "formats/glsl/modern_glsl.h"
+#include "model/look/look.h"
 
 #include <string>
 #include <string_view>

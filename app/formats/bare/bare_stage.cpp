@@ -1,7 +1,7 @@
 #include "formats/bare/bare_stage.h"
 
 #include "formats/bare/host_names.h"
-#include "formats/modern_glsl.h"
+#include "formats/glsl/modern_glsl.h"
 #include "glsl/tokens.h"
 
 #include <fmt/format.h>

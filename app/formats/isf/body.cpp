@@ -1,6 +1,6 @@
 #include "formats/isf/body.h"
 
-#include "formats/later_words.h"
+#include "formats/glsl/later_words.h"
 #include "glsl/tokens.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "formats/isf/controls.h"
 
 #include "base/text.h"
-#include "model/color.h"
+#include "model/look/color.h"
 
 #include <algorithm>
 

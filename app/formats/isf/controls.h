@@ -1,7 +1,7 @@
 #pragma once
 
 #include "formats/isf/header.h"
-#include "model/parameter.h"
+#include "model/look/parameter.h"
 
 /// What a person turns for an input that is no sound, by the rules of the format: without a range
 /// 0..1, without a default the middle of the range, a default outside brought into it, a minimum

@@ -1,7 +1,7 @@
 #include "formats/isf/header.h"
 
 #include "base/text.h"
-#include "formats/json_document.h"
+#include "formats/json/json_document.h"
 #include "glsl/tokens.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "formats/look_format.h"
+#include "formats/look/loaded_look.h"
 
 /// Reads a shader of the Interactive Shader Format as a look: a .fs file, and the .vs or .vert file
 /// of the same name beside it. Errors are the header's and glslang's, each at its file and line.

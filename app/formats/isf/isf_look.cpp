@@ -5,9 +5,9 @@
 #include "formats/isf/controls.h"
 #include "glsl/check_cache.h"
 #include "glsl/turned_constants.h"
-#include "model/expression.h"
-#include "model/parameter_use.h"
-#include "model/plan.h"
+#include "model/plan/expression.h"
+#include "model/plan/parameter_use.h"
+#include "model/plan/plan.h"
 
 #include <fmt/format.h>
 

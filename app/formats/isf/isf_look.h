@@ -1,7 +1,7 @@
 #pragma once
 
 #include "formats/isf/stages.h"
-#include "formats/look_format.h"
+#include "formats/look/loaded_look.h"
 
 /// The look that draws an ISF shader. `inputImage` of a filter and `startImage` of a transition are
 /// the source; other images are a person's choice, a test pattern while there is none. Where a

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "formats/isf/header.h"
-#include "model/look.h"
+#include "model/look/look.h"
 
 #include <string>
 

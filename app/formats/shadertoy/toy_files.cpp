@@ -1,7 +1,7 @@
 #include "formats/shadertoy/toy_files.h"
 
 #include "base/text.h"
-#include "formats/modern_glsl.h"
+#include "formats/glsl/modern_glsl.h"
 #include "formats/shadertoy/toy_directives.h"
 #include "glsl/include.h"
 #include "glsl/tokens.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "formats/look_format.h"
+#include "formats/look/loaded_look.h"
 
 /// Whether a file is a shader of Shadertoy: JSON, told by what it holds (one that is not there by
 /// its name), or a text with mainImage().

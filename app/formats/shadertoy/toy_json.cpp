@@ -1,6 +1,6 @@
 #include "formats/shadertoy/toy_json.h"
 
-#include "formats/object_reader.h"
+#include "formats/json/object_reader.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "formats/modern_glsl.h"
+#include "formats/glsl/modern_glsl.h"
 #include "formats/shadertoy/toy.h"
 
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "model/built_in.h"
-#include "model/parameter.h"
+#include "model/look/built_in.h"
+#include "model/look/parameter.h"
 
 #include <optional>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "formats/slang/files.h"
-#include "model/look.h"
+#include "model/look/look.h"
 
 #include <array>
 #include <map>

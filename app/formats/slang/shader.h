@@ -2,7 +2,7 @@
 
 #include "formats/slang/files.h"
 #include "formats/slang/parameters.h"
-#include "model/look.h"
+#include "model/look/look.h"
 
 /// A .slang file as its reader understands it: two stages for the compiler, and what the pragmas
 /// say.

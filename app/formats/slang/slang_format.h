@@ -1,6 +1,6 @@
 #pragma once
 
-#include "formats/look_format.h"
+#include "formats/look/loaded_look.h"
 
 /// Reads a chain of libretro's shaders as a look: a .slangp preset with all that it refers to, or
 /// one .slang shader. Errors are the files' and glslang's, each at its line; a

@@ -1,6 +1,7 @@
 #include "formats/bare/bare_format.h"
 
 #include "formats/bare/varyings.h"
+#include "formats/look_format.h"
 #include "io/temporary_folder.h"
 #include "problems_of.h"
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "formats/isf/isf_format.h"
+#include "formats/look_format.h"
 #include "formats/told.h"
 #include "io/temporary_folder.h"
 

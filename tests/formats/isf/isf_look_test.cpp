@@ -1,5 +1,5 @@
 #include "formats/isf/isf_folder.h"
-#include "model/plan.h"
+#include "model/plan/plan.h"
 
 #include <algorithm>
 

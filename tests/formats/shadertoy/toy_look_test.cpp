@@ -1,3 +1,4 @@
+#include "formats/look_format.h"
 #include "formats/shadertoy/toy_format.h"
 #include "io/temporary_folder.h"
 #include "problems_of.h"

@@ -1,0 +1,133 @@
+#include "formats/look/describe.h"
+
+#include "formats/json/json_text.h"
+#include "formats/json/value_json.h"
+#include "formats/look/look_words.h"
+#include "formats/preset/modulation_format.h"
+#include "model/look/orbit.h"
+
+#include <nlohmann/json.hpp>
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+Json described(const Input& input) {
+    return {{"name", input.uniform},
+            {"from", input.reference()},
+            {"filter", word_of(filter_words(), input.sampler.filter)},
+            {"wrap", word_of(wrap_words(), input.sampler.wrap)},
+            {"mipmap", input.sampler.mipmap}};
+}
+
+Json described(const Pass& pass, const PlannedTarget& target) {
+    Json json{{"name", pass.name},
+              {"draw", pass.draw == Draw::quad ? "quad" : word_of(draw_words(), pass.draw)},
+              {"vertex", pass.vertex.text},
+              {"fragment", pass.fragment.text},
+              {"format", word_of(format_words(), target.format)},
+              {"width", target.extent.width},
+              {"height", target.extent.height},
+              {"blend", word_of(blend_words(), pass.blend)},
+              {"inputs", Json::array()},
+              {"set", Json::object()}};
+    for (const Input& input : pass.inputs)
+        json["inputs"].push_back(described(input));
+    for (const auto& [uniform, value] : pass.set)
+        json["set"][uniform] = json_of(value);
+    return json;
+}
+
+// What most passes do not have is only there where a pass has it.
+void add_rarities(const Pass& pass, const Values& values, const Look& look, Json& json) {
+    if (!pass.rename.empty())
+        json["rename"] = pass.rename;
+    if (pass.accumulate)
+        json["accumulate"] = true;
+    if (pass.frame_modulo > 0)
+        json["frame_modulo"] = pass.frame_modulo;
+    if (pass.repeat != Count(1))
+        json["repeat"] = count_of(pass.repeat, look, values);
+    if (pass.converge)
+        json["converge"] = count_of(*pass.converge, look, values);
+}
+
+bool is_given(const Look& look, int pass, const char* uniform) {
+    return std::ranges::any_of(look.parameters, [&](const Parameter& parameter) {
+        return std::ranges::find(parameter.bindings, Binding{pass, uniform}) !=
+               parameter.bindings.end();
+    });
+}
+
+// What the orbit's parameters come to for the pass.
+void add_orbit(const Look& look, const Values& values, int pass, Json& set) {
+    const Orbit orbit = orbit_of(look, values, pass);
+    if (is_given(look, pass, "u_view"))
+        set["u_view"] = view_matrix(orbit);
+    if (is_given(look, pass, "u_camera"))
+        set["u_camera"] = camera_matrix(orbit);
+}
+
+Json described(const Image& image) {
+    return {{"name", image.name},
+            {"file", image.file.string()},
+            {"filter", word_of(filter_words(), image.sampler.filter)},
+            {"wrap", word_of(wrap_words(), image.sampler.wrap)},
+            {"mipmap", image.sampler.mipmap},
+            {"linear", image.is_linear}};
+}
+
+Json described(const Parameter& parameter, const Look& look, const Values& values) {
+    Json json{{"name", parameter.name},
+              {"type", type_name(parameter)},
+              {"default", json_of(parameter.initial, &parameter)},
+              {"value", json_of(value_of(parameter, values), &parameter)},
+              {"min", parameter.range.low},
+              {"max", parameter.range.high},
+              {"step", parameter.range.step},
+              {"scale", parameter.scale == Scale::logarithmic ? "log" : "linear"},
+              {"label", parameter.label},
+              {"unit", parameter.unit},
+              {"group", parameter.group},
+              {"help", parameter.help},
+              {"items", Json::array()},
+              {"passes", Json::array()}};
+    if (parameter.control == Control::color && parameter.encoding == Encoding::display)
+        json["encoding"] = "display";
+    if (parameter.is_constant)
+        json["constant"] = true;
+    for (const Range& axis : parameter.axes)
+        json["axes"].push_back({{"min", axis.low}, {"max", axis.high}});
+    for (const Item& item : parameter.items)
+        json["items"].push_back({{"value", item.value}, {"label", item.label}});
+    for (const Binding& binding : parameter.bindings) {
+        const std::string& pass = look.passes[static_cast<std::size_t>(binding.pass)].name;
+        if (json["passes"].empty() || json["passes"].back() != pass)
+            json["passes"].push_back(pass);
+    }
+    return json;
+}
+}  // namespace
+
+std::string describe_json(const Look& look, const Plan& plan, const Values& values,
+                          const Modulations& modulations) {
+    Json json{{"name", look.name},
+              {"license", look.license},
+              {"passes", Json::array()},
+              {"images", Json::array()},
+              {"parameters", Json::array()}};
+    for (std::size_t i = 0; i < look.passes.size(); ++i) {
+        Json pass = described(look.passes[i], plan.targets[i]);
+        add_rarities(look.passes[i], values, look, pass);
+        add_orbit(look, values, static_cast<int>(i), pass["set"]);
+        json["passes"].push_back(std::move(pass));
+    }
+    for (const Image& image : look.images)
+        json["images"].push_back(described(image));
+    for (const Parameter& parameter : look.parameters) {
+        Json described_one = described(parameter, look, values);
+        if (const auto moving = modulations.find(parameter.name); moving != modulations.end())
+            described_one["modulation"] = json_of(moving->second);
+        json["parameters"].push_back(std::move(described_one));
+    }
+    return json_text(json);
+}

@@ -1,0 +1,160 @@
+#include "formats/look/manifest_edit.h"
+
+#include "base/file.h"
+#include "base/text.h"
+#include "formats/json/json_document.h"
+#include "formats/look/look_words.h"
+#include "io/files/atomic_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace {
+// Replacements in a text, told by its own bytes, made all at once.
+class TextEdit {
+public:
+    explicit TextEdit(std::string_view text) : m_text(text) {}
+
+    void replace(std::size_t begin, std::size_t end, std::string text) {
+        m_changes.push_back({begin, end, std::move(text)});
+    }
+
+    // Gives an object's member a value, written as JSON; a new member comes last, set off as the
+    // one before it is.
+    void set(const JsonValue& object, std::string_view key, const std::string& value) {
+        if (const JsonValue* member = find_member(object, key))
+            return replace(member->begin, member->end, value);
+        const std::string written = fmt::format("\"{}\": {}", key, value);
+        if (object.children.empty())
+            return replace(object.begin, object.end, "{ " + written + " }");
+        const std::size_t end = object.children.back().end;
+        // Several new members of one object stand in the order of their setting.
+        replace(end, end, separator_of(object) + written);
+    }
+
+    std::string written(const JsonValue& value) const {
+        return std::string(m_text.substr(value.begin, value.end - value.begin));
+    }
+
+    std::string made() {
+        std::stable_sort(m_changes.begin(), m_changes.end(),
+                         [](const Change& a, const Change& b) { return a.begin < b.begin; });
+        std::string text;
+        std::size_t done = 0;
+        for (const Change& change : m_changes) {
+            text.append(m_text.substr(done, change.begin - done)).append(change.text);
+            done = change.end;
+        }
+        return text.append(m_text.substr(done));
+    }
+
+private:
+    struct Change {
+        std::size_t begin;
+        std::size_t end;
+        std::string text;
+    };
+
+    std::string separator_of(const JsonValue& object) const {
+        const auto& members = object.children;
+        if (members.size() < 2)
+            return ", ";
+        const std::size_t begin = members[members.size() - 2].end;
+        return std::string(m_text.substr(begin, members.back().key_begin - begin));
+    }
+
+    std::string_view m_text;
+    std::vector<Change> m_changes;
+};
+
+std::string quoted(std::string_view word) {
+    return fmt::format("\"{}\"", word);
+}
+
+// What an input reads: "persistence" for "persistence@1".
+std::string_view name_of(const JsonValue& reference) {
+    return std::string_view(reference.text).substr(0, reference.text.find('@'));
+}
+
+void write_scale(TextEdit& edit, const JsonValue& pass, double scale) {
+    if (const JsonValue* size = find_member(pass, "size"))
+        return edit.replace(size->key_begin, size->end, "\"scale\": " + format_number(scale));
+    edit.set(pass, "scale", format_number(scale));
+    if (find_member(pass, "scale_of"))
+        edit.set(pass, "scale_of", quoted("viewport"));
+}
+
+void write_filters(TextEdit& edit, const JsonValue& pass, const PassOverrides& overrides) {
+    const JsonValue* inputs = find_member(pass, "inputs");
+    if (!inputs)
+        return;
+    for (const JsonValue& input : inputs->children) {
+        const JsonValue* from =
+            input.is(JsonValue::Kind::object) ? find_member(input, "from") : &input;
+        const auto read = from ? overrides.find(std::string(name_of(*from))) : overrides.end();
+        if (read == overrides.end() || !read->second.filter)
+            continue;
+        const std::string filter = quoted(word_of(filter_words(), *read->second.filter));
+        if (from == &input)
+            edit.replace(
+                input.begin, input.end,
+                fmt::format("{{ \"from\": {}, \"filter\": {} }}", edit.written(input), filter));
+        else
+            edit.set(input, "filter", filter);
+    }
+}
+
+void write_pass(TextEdit& edit, const JsonValue& pass, const PassOverrides& overrides) {
+    const JsonValue* name = find_member(pass, "name");
+    const auto own = name ? overrides.find(name->text) : overrides.end();
+    if (own != overrides.end() && own->second.format)
+        edit.set(pass, "format", quoted(word_of(format_words(), *own->second.format)));
+    if (own != overrides.end() && own->second.scale)
+        write_scale(edit, pass, *own->second.scale);
+    write_filters(edit, pass, overrides);
+}
+
+bool has_pass(const JsonValue& passes, const std::string& name) {
+    return std::any_of(passes.children.begin(), passes.children.end(), [&](const JsonValue& pass) {
+        const JsonValue* own = find_member(pass, "name");
+        return own && own->text == name;
+    });
+}
+}  // namespace
+
+Result<std::string> with_overrides_written(std::string_view text, const PassOverrides& overrides,
+                                           const std::filesystem::path& file) {
+    const auto document = parse_json(text, file);
+    if (!document)
+        return fail(document.error());
+    const JsonValue* passes = find_member(*document, "passes");
+    if (!passes || !passes->is(JsonValue::Kind::array))
+        return fail({file, 0, "can't save the pass settings: the list 'passes' is missing"});
+    for (const auto& [name, override] : overrides)
+        if (!override.is_empty() && !has_pass(*passes, name))
+            return fail({file, passes->line,
+                         fmt::format("can't save the pass settings: pass '{}' is missing", name)});
+    TextEdit edit(text);
+    for (const JsonValue& pass : passes->children)
+        write_pass(edit, pass, overrides);
+    return edit.made();
+}
+
+Result<void> write_overrides(const std::filesystem::path& manifest,
+                             const PassOverrides& overrides) {
+    if (!is_inside(manifest, manifest.has_parent_path() ? manifest.parent_path() : "."))
+        return fail({manifest, 0,
+                     "can't save through a link to a file outside the look's folder. Replace the "
+                     "link with a copy of the file, or edit that file yourself."});
+    const auto bytes = read_bytes(manifest);
+    const auto text = read_text(manifest);
+    if (!bytes || !text)
+        return fail(text ? bytes.error() : text.error());
+    // A byte order mark, which is no part of the text, stays too.
+    const std::size_t mark = bytes->size() - std::min(bytes->size(), text->size());
+    const auto edited = with_overrides_written(*text, overrides, manifest);
+    if (!edited)
+        return fail(edited.error());
+    return write_atomically(manifest, bytes->substr(0, mark) + *edited);
+}

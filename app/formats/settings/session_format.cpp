@@ -1,0 +1,310 @@
+#include "formats/settings/session_format.h"
+
+#include "formats/json/json_text.h"
+#include "formats/json/object_reader.h"
+#include "formats/preset/preset_format.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace {
+constexpr FileFormat session_file{"afterglow-session", 1};
+constexpr std::size_t most_steps = 200;
+
+const Choices<Filter> filters{{"nearest", Filter::nearest}, {"linear", Filter::linear}};
+
+nlohmann::ordered_json json_of(const PassOverrides& overrides) {
+    nlohmann::ordered_json document = nlohmann::ordered_json::object();
+    for (const auto& [pass, override] : overrides) {
+        nlohmann::ordered_json& entry = document[pass] = nlohmann::ordered_json::object();
+        if (override.format)
+            entry["format"] = facts_of(*override.format).name;
+        if (override.scale)
+            entry["scale"] = *override.scale;
+        if (override.filter)
+            entry["filter"] = *override.filter == Filter::nearest ? "nearest" : "linear";
+    }
+    return document;
+}
+
+nlohmann::ordered_json json_of(const SessionState& state) {
+    nlohmann::ordered_json json{{"step", state.step},
+                                {"preset", preset_json(state.preset, nullptr, Digits::all)},
+                                {"overrides", json_of(state.overrides)}};
+    if (state.locks.signal)
+        json["keeps_signal"] = true;
+    if (state.locks.source)
+        json["keeps_source"] = true;
+    if (state.chose_content)
+        json["chose_content"] = true;
+    return json;
+}
+
+nlohmann::ordered_json json_of(const std::vector<SessionState>& states, std::size_t first) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (std::size_t i = first; i < states.size(); ++i)
+        list.push_back(json_of(states[i]));
+    return list;
+}
+
+nlohmann::ordered_json json_of(const KnobSetting& setting) {
+    nlohmann::ordered_json entry = nlohmann::ordered_json::object();
+    if (setting.is_favourite)
+        entry["favourite"] = true;
+    if (setting.is_locked)
+        entry["locked"] = true;
+    if (setting.ends) {
+        entry["low"] = setting.ends->low;
+        entry["high"] = setting.ends->high;
+    }
+    return entry;
+}
+
+const Choices<CompareMode> modes{{"off", CompareMode::off},
+                                 {"wipe", CompareMode::wipe},
+                                 {"side by side", CompareMode::side_by_side},
+                                 {"difference", CompareMode::difference}};
+
+const Choices<DifferenceMeasure> measures{{"absolute", DifferenceMeasure::absolute},
+                                          {"relative", DifferenceMeasure::relative},
+                                          {"squared", DifferenceMeasure::squared}};
+
+const Choices<Other> other_words{{"article", {}},
+                                 {"file", {Other::Kind::file}},
+                                 {"A", {Other::Kind::slot, 0}},
+                                 {"B", {Other::Kind::slot, 1}},
+                                 {"C", {Other::Kind::slot, 2}}};
+
+template <class T>
+std::string_view word_or_first(const Choices<T>& choices, const T& chosen) {
+    const auto found =
+        std::ranges::find(choices, chosen, [](const auto& each) { return each.second; });
+    return found == choices.end() ? choices.front().first : found->first;
+}
+
+nlohmann::ordered_json json_of(const Comparison& comparison) {
+    Other other = comparison.other;
+    other.file.clear();
+    return {{"mode", word_or_first(modes, comparison.mode)},
+            {"with", word_or_first(other_words, other)},
+            {"file", comparison.other.file.string()},
+            {"measure", word_or_first(measures, comparison.measure)},
+            {"gain", comparison.gain_stops},
+            {"equal_brightness", comparison.has_equal_brightness}};
+}
+
+// Each as a preset, by the slot's name.
+nlohmann::ordered_json json_of(const LookSlots& looks) {
+    nlohmann::ordered_json document = nlohmann::ordered_json::object();
+    for (const auto& [look, slots] : looks)
+        for (std::size_t i = 0; i < slots.size(); ++i)
+            if (slots[i]) {
+                Preset preset;
+                preset.look = look;
+                preset.name = slots[i]->preset;
+                preset.values = slots[i]->values;
+                document[look][slot_name(i)] = preset_json(preset, nullptr, Digits::all);
+            }
+    return document;
+}
+
+nlohmann::ordered_json json_of(const LookKnobs& looks) {
+    nlohmann::ordered_json document = nlohmann::ordered_json::object();
+    for (const auto& [look, knobs] : looks)
+        for (const auto& [name, setting] : knobs)
+            document[look][name] = json_of(setting);
+    return document;
+}
+
+KnobSetting read_knob(const JsonValue& value, const std::filesystem::path& file,
+                      Diagnostics& problems) {
+    ObjectReader reader(value, file, problems);
+    KnobSetting setting;
+    setting.is_favourite = reader.boolean("favourite", false);
+    setting.is_locked = reader.boolean("locked", false);
+    if (reader.find("low")) {
+        reader.require("high");
+        setting.ends = Limit{reader.number("low", 0.0), reader.number("high", 0.0)};
+    }
+    reader.refuse_unknown();
+    return setting;
+}
+
+Comparison read_comparison(const JsonValue& value, const std::filesystem::path& file,
+                           Diagnostics& problems) {
+    constexpr double most_stops = 16.0;
+    ObjectReader reader(value, file, problems);
+    Comparison comparison;
+    comparison.mode = reader.choice("mode", modes, comparison.mode);
+    comparison.other = reader.choice("with", other_words, comparison.other);
+    comparison.other.file = reader.text("file");
+    comparison.measure = reader.choice("measure", measures, comparison.measure);
+    comparison.gain_stops = std::clamp(reader.number("gain", 0.0), -most_stops, most_stops);
+    comparison.has_equal_brightness = reader.boolean("equal_brightness", false);
+    reader.refuse_unknown();
+    return comparison;
+}
+
+PassOverride read_override(const JsonValue& value, const std::filesystem::path& file,
+                           Diagnostics& problems) {
+    ObjectReader reader(value, file, problems);
+    PassOverride override;
+    if (const std::string format = reader.text("format"); !format.empty())
+        override.format = parse_format(format);
+    if (reader.find("scale"))
+        override.scale = reader.number("scale", 1.0);
+    if (reader.find("filter"))
+        override.filter = reader.choice("filter", filters, Filter::linear);
+    reader.refuse_unknown();
+    return override;
+}
+
+/// Reads sessions out of their JSON; a preset inside is read by its own reader.
+class SessionReader {
+public:
+    SessionReader(std::string_view text, const std::filesystem::path& file)
+        : m_text(text), m_file(file) {}
+
+    Result<Session> read() {
+        const auto document = parse_json(m_text, m_file);
+        if (!document)
+            return fail(document.error());
+        Session session;
+        ObjectReader reader(*document, m_file, m_problems);
+        if (accept_header(reader, session_file))
+            read_session(reader, session);
+        if (!m_problems.empty())
+            return fail(m_problems);
+        return session;
+    }
+
+private:
+    void read_session(ObjectReader& reader, Session& session) {
+        session.look = reader.text("look");
+        if (const JsonValue* looks = reader.find("looks"))
+            for (const JsonValue& place : looks->children)
+                session.looks[place.key] = place.text;
+        session.preset_file = reader.text("preset_file");
+        session.saved = state(reader.find("saved"));
+        session.current = state(reader.find("current"));
+        session.past = states(reader.find("past"));
+        session.future = states(reader.find("future"));
+        session.time = reader.number("time", session.time);
+        session.speed = reader.number("speed", session.speed);
+        session.level = reader.number("level", session.level);
+        session.is_playing = reader.boolean("is_playing", session.is_playing);
+        if (reader.boolean("is_wiping", false))  // older programs wrote no more than that
+            session.comparison.mode = CompareMode::wipe;
+        if (const JsonValue* comparison = reader.find("comparison"))
+            session.comparison = read_comparison(*comparison, m_file, m_problems);
+        session.follows_view = reader.boolean("follows_view", true);
+        session.fits_shape = reader.boolean("fits_shape", false);
+        constexpr int largest = 16384;
+        session.fixed_size.width = reader.whole("width", session.fixed_size.width, 0, largest);
+        session.fixed_size.height = reader.whole("height", session.fixed_size.height, 0, largest);
+        session.picture_scale = reader.number("picture_scale", session.picture_scale);
+        session.picture_shape = reader.text("picture_shape", session.picture_shape);
+        if (const JsonValue* looks = reader.find("knobs"))
+            for (const JsonValue& look : looks->children)
+                for (const JsonValue& knob : look.children)
+                    session.knobs[look.key][knob.key] = read_knob(knob, m_file, m_problems);
+        if (const JsonValue* looks = reader.find("slots"))
+            read_slots(*looks, session.slots);
+        if (const JsonValue* stars = reader.find("preset_stars"))
+            for (const JsonValue& star : stars->children)
+                session.preset_stars.insert(star.text);
+        if (const JsonValue* window = reader.find("window"))
+            for (const JsonValue& number : window->children)
+                session.window[number.key] = number.number;
+        reader.refuse_unknown();
+    }
+
+    SessionState state(const JsonValue* value) {
+        SessionState state;
+        if (!value)
+            return state;
+        ObjectReader reader(*value, m_file, m_problems);
+        state.step = reader.text("step");
+        if (const JsonValue* preset = reader.require("preset"))
+            state.preset = this->preset(*preset);
+        if (const JsonValue* overrides = reader.find("overrides"))
+            for (const JsonValue& pass : overrides->children)
+                state.overrides[pass.key] = read_override(pass, m_file, m_problems);
+        state.locks.signal = reader.boolean("keeps_signal", false);
+        state.locks.source = reader.boolean("keeps_source", false);
+        state.chose_content = reader.boolean("chose_content", false);
+        reader.refuse_unknown();
+        return state;
+    }
+
+    Preset preset(const JsonValue& value) {
+        auto read = parse_preset(m_text.substr(value.begin, value.end - value.begin), m_file);
+        if (read)
+            return std::move(*read);
+        m_problems.insert(m_problems.end(), read.error().begin(), read.error().end());
+        return {};
+    }
+
+    void read_slots(const JsonValue& looks, LookSlots& all) {
+        for (const JsonValue& look : looks.children) {
+            ObjectReader reader(look, m_file, m_problems);
+            Slots& slots = all[look.key];
+            for (std::size_t i = 0; i < slots.size(); ++i)
+                if (const JsonValue* slot = reader.find(slot_name(i))) {
+                    const Preset kept = preset(*slot);
+                    slots[i] = Slot{kept.name, kept.values};
+                }
+            reader.refuse_unknown();
+        }
+    }
+
+    std::vector<SessionState> states(const JsonValue* list) {
+        std::vector<SessionState> all;
+        if (list)
+            for (const JsonValue& value : list->children)
+                all.push_back(state(&value));
+        return all;
+    }
+
+    std::string_view m_text;
+    const std::filesystem::path& m_file;
+    Diagnostics m_problems;
+};
+}  // namespace
+
+std::string session_to_json(const Session& session) {
+    const std::size_t first =
+        session.past.size() > most_steps ? session.past.size() - most_steps : 0;
+    nlohmann::ordered_json window = nlohmann::ordered_json::object();
+    for (const auto& [name, number] : session.window)
+        window[name] = number;
+    return json_text({{"format", session_file.name},
+                      {"version", session_file.newest_version},
+                      {"look", session.look},
+                      {"looks", session.looks},
+                      {"preset_file", session.preset_file},
+                      {"saved", json_of(session.saved)},
+                      {"current", json_of(session.current)},
+                      {"past", json_of(session.past, first)},
+                      {"future", json_of(session.future, 0)},
+                      {"time", session.time},
+                      {"speed", session.speed},
+                      {"level", session.level},
+                      {"is_playing", session.is_playing},
+                      {"comparison", json_of(session.comparison)},
+                      {"follows_view", session.follows_view},
+                      {"fits_shape", session.fits_shape},
+                      {"width", session.fixed_size.width},
+                      {"height", session.fixed_size.height},
+                      {"picture_scale", session.picture_scale},
+                      {"picture_shape", session.picture_shape},
+                      {"knobs", json_of(session.knobs)},
+                      {"slots", json_of(session.slots)},
+                      {"preset_stars", session.preset_stars},
+                      {"window", std::move(window)}});
+}
+
+Result<Session> parse_session(std::string_view text, const std::filesystem::path& file) {
+    return SessionReader(text, file).read();
+}

@@ -1,0 +1,273 @@
+#include "formats/stack/stacked_look.h"
+
+#include "base/text.h"
+#include "glsl/include.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace {
+
+// IEC 61966-2-1 between two looks. Light below black and above white goes on by the same curve, as
+// where a source picture is read.
+constexpr const char* conversion = R"(#version 410 core
+// {0}
+uniform sampler2D image;
+in vec2 uv;
+out vec4 color;
+
+vec3 converted(vec3 given) {{
+    vec3 value = abs(given);
+    {1}
+    return sign(given) * result;
+}}
+
+void main() {{
+    vec4 texel = texelFetch(image, ivec2(gl_FragCoord.xy), 0);
+    color = vec4(converted(texel.rgb), texel.a);
+}}
+)";
+constexpr const char* decode =
+    "vec3 result = mix(value / 12.92, pow((value + 0.055) / 1.055, vec3(2.4)), "
+    "vec3(greaterThan(value, vec3(0.04045))));";
+constexpr const char* encode =
+    "vec3 result = mix(value * 12.92, 1.055 * pow(value, vec3(1.0 / 2.4)) - 0.055, "
+    "vec3(greaterThan(value, vec3(0.0031308))));";
+constexpr const char* keep = "vec3 result = value;";
+
+Stage conversion_stage(Encoding from, Encoding to) {
+    const bool is_same = from == to;
+    const bool encodes = to == Encoding::display;
+    return builtin_stage(
+        fmt::format(fmt::runtime(conversion),
+                    is_same   ? "Between two looks of a stack: copies the picture."
+                    : encodes ? "Between two looks of a stack: converts linear light to sRGB."
+                              : "Between two looks of a stack: converts sRGB to linear light.",
+                    is_same ? keep : (encodes ? encode : decode)));
+}
+
+Format format_after(const Pass& pass) {
+    const FormatFacts& facts = facts_of(pass.format);
+    const bool is_fine = facts.is_float && facts.bytes / facts.channels >= 4;
+    return is_fine ? Format::rgba32f : Format::rgba16f;
+}
+
+// Looks are added from the first that is drawn to the last.
+class Stacking {
+public:
+    Stacking(const std::vector<Look>& looks, const Stack& stack)
+        : m_looks(looks), m_stack(stack), m_keys(stack_keys(stack)) {}
+
+    Look stacked(Diagnostics& warnings) {
+        const std::size_t first = first_drawn(warnings);
+        add_words();
+        for (std::size_t i = 0; i < m_looks.size(); ++i) {
+            const bool is_drawn = i >= first && !m_stack[i].is_bypassed;
+            if (is_drawn)
+                add_passes(i);
+            add_parameters(i, is_drawn);
+        }
+        if (m_look.passes.empty())
+            add_nothing();
+        return std::move(m_look);
+    }
+
+private:
+    const Look& driving() const { return m_looks[m_driving]; }
+
+    // The picture begins at the last look that reads no picture, else at the first.
+    std::size_t first_drawn(Diagnostics& warnings) {
+        std::vector<std::size_t> drawn;
+        for (std::size_t i = 0; i < m_looks.size(); ++i)
+            if (!m_stack[i].is_bypassed)
+                drawn.push_back(i);
+        std::size_t first = drawn.empty() ? 0 : drawn.front();
+        for (const std::size_t i : drawn)
+            if (m_looks[i].driven_by != Driver::picture)
+                first = i;
+        m_driving = first;
+        for (const std::size_t i : drawn)
+            if (i < first)
+                warnings.push_back({m_looks[first].manifest, 0,
+                                    fmt::format("'{}' isn't drawn because the later look '{}' "
+                                                "doesn't use a picture",
+                                                m_keys[i], m_keys[first]),
+                                    Severity::warning});
+        return first;
+    }
+
+    void add_words() {
+        std::vector<std::string> names;
+        std::vector<std::string> licenses;
+        for (const Look& look : m_looks) {
+            names.push_back(look.name);
+            if (!look.license.empty() &&
+                std::ranges::find(licenses, look.license) == licenses.end())
+                licenses.push_back(look.license);
+            if (m_look.author.find(look.author) == std::string::npos)
+                m_look.author += (m_look.author.empty() ? "" : ", ") + look.author;
+            m_look.has_orbit = m_look.has_orbit || look.has_orbit;
+            for (const auto& file : look.files)
+                if (std::ranges::find(m_look.files, file) == m_look.files.end())
+                    m_look.files.push_back(file);
+        }
+        m_look.id = stack_id(m_stack);
+        m_look.name = fmt::format("{}", fmt::join(names, " + "));
+        m_look.license = fmt::format("{}", fmt::join(licenses, " AND "));
+        m_look.manifest = m_looks.front().manifest;
+        m_look.stack = m_stack;
+        m_look.driven_by = driving().driven_by;
+        m_look.default_signal = driving().default_signal;
+        m_look.default_source = driving().default_source;
+        m_look.source_encoding = driving().source_encoding;
+        m_look.source_format = driving().source_format;
+        m_look.settle_frames = 1;
+    }
+
+    // Each look settles on a source that has settled.
+    void add_settling(const Look& look) {
+        m_look.settle_frames =
+            std::min(m_look.settle_frames + look.settle_frames - 1, most_settle_frames);
+    }
+
+    void add_passes(std::size_t part) {
+        const Look& look = m_looks[part];
+        const std::string scope = scope_of(m_stack, part);
+        m_source.clear();
+        if (!m_look.passes.empty()) {
+            keep_light(m_look.passes.back());
+            m_source = add_conversion(look, scope);
+        }
+        m_first_pass = static_cast<int>(m_look.passes.size());
+        for (const Pass& pass : look.passes)
+            m_look.passes.push_back(in_scope(pass, scope));
+        for (Image image : look.images) {
+            image.name = scope + image.name;
+            image.encoding = look.source_encoding;
+            m_look.images.push_back(std::move(image));
+        }
+        m_look.passes.back().output = m_look.output = look.output;
+        add_settling(look);
+    }
+
+    // Only a screen takes 8 bits: what another look reads keeps its light above 1 and its fine
+    // steps.
+    static void keep_light(Pass& last) {
+        if (last.format == Format::rgba8)
+            last.format = Format::rgba16f;
+    }
+
+    // The pass that stands for the source of the next look.
+    std::string add_conversion(const Look& look, const std::string& scope) {
+        const Pass& before = m_look.passes.back();
+        // Repetitions that read themselves turn the ring of pictures that "source@1" is read from.
+        const bool is_once = before.repeat == std::variant<int, std::string>(1);
+        if (m_look.output == look.source_encoding && is_once)
+            return before.name;
+        Pass pass;
+        pass.name = scope + "source";
+        pass.vertex = fullscreen_vertex_stage();
+        pass.fragment = conversion_stage(m_look.output, look.source_encoding);
+        pass.format = format_after(before);
+        pass.size = before.size;
+        pass.scope = before.scope;
+        pass.source = before.source;
+        pass.output = look.source_encoding;
+        pass.inputs = {{"image", Input::From::pass, before.name, 0, {Filter::nearest}}};
+        pass.declared = look.passes.front().declared;
+        m_look.passes.push_back(pass);
+        return pass.name;
+    }
+
+    Pass in_scope(Pass pass, const std::string& scope) const {
+        pass.name = scope + pass.name;
+        pass.scope = scope;
+        pass.source = m_source;
+        for (Input& input : pass.inputs) {
+            if (input.from == Input::From::sound || input.from == Input::From::keyboard)
+                continue;
+            if (input.from != Input::From::source) {
+                input.name = scope + input.name;
+            } else if (!m_source.empty()) {
+                input.from = Input::From::pass;
+                input.name = m_source;
+            }
+        }
+        for (auto& [uniform, parameter] : pass.rename)
+            parameter.insert(0, scope);
+        if (pass.onto)
+            pass.onto->pass.insert(0, scope);
+        if (auto* repeat = std::get_if<std::string>(&pass.repeat))
+            *repeat = scope + *repeat;
+        if (pass.converge)
+            if (auto* converge = std::get_if<std::string>(&*pass.converge))
+                *converge = scope + *converge;
+        return pass;
+    }
+
+    void add_parameters(std::size_t part, bool is_drawn) {
+        const Look& look = m_looks[part];
+        const std::string scope = scope_of(m_stack, part);
+        for (Parameter parameter : look.parameters) {
+            parameter.group = group_of(part, parameter);
+            parameter.name = scope + parameter.name;
+            if (!parameter.was.empty())
+                parameter.was = scope + parameter.was;
+            for (Binding& binding : parameter.bindings) {
+                binding.pass += m_first_pass;
+                if (is_drawn && !parameter.is_constant)
+                    m_look.passes[static_cast<std::size_t>(binding.pass)].rename[binding.uniform] =
+                        parameter.name;
+            }
+            if (!is_drawn)
+                parameter.bindings.clear();
+            m_look.parameters.push_back(std::move(parameter));
+        }
+        for (const auto& [name, value] : look.constants)
+            m_look.constants[scope + name] = value;
+    }
+
+    std::string group_of(std::size_t part, const Parameter& parameter) const {
+        std::string group = heading_of(m_looks[part], parameter);
+        if (m_stack.size() < 2)
+            return group;
+        const std::size_t copy = m_keys[part].find('#');
+        const std::string name =
+            m_looks[part].name +
+            (copy == std::string::npos ? "" : ' ' + m_keys[part].substr(copy + 1));
+        return group.empty() ? name : name + ": " + group;
+    }
+
+    // Every part is bypassed: the source goes through, or there is nothing to see.
+    void add_nothing() {
+        Pass pass;
+        pass.name = "bypass";
+        pass.vertex = fullscreen_vertex_stage();
+        pass.fragment = builtin_stage(
+            "#version 410 core\n"
+            "// Every look of the stack is bypassed: shows the source. Display-encoded.\n"
+            "uniform sampler2D image;\n"
+            "in vec2 uv;\n"
+            "out vec4 color;\n"
+            "void main() { color = vec4(texture(image, uv).rgb, 1.0); }\n");
+        pass.format = Format::rgba8;
+        pass.inputs = {{"image", Input::From::source, "", 0, {}}};
+        pass.declared = {m_look.manifest, 0};
+        m_look.passes.push_back(std::move(pass));
+        m_look.source_encoding = m_look.output = Encoding::display;
+    }
+
+    const std::vector<Look>& m_looks;
+    const Stack& m_stack;
+    std::vector<std::string> m_keys;
+    std::size_t m_driving = 0;
+    Look m_look;
+    std::string m_source;  // of the look that is being added; "": the source itself
+    int m_first_pass = 0;  // of that look
+};
+}  // namespace
+
+Look stacked_look(const std::vector<Look>& looks, const Stack& stack, Diagnostics& warnings) {
+    return Stacking(looks, stack).stacked(warnings);
+}

@@ -1,0 +1,267 @@
+#include "formats/svg/svg_file.h"
+
+#include "base/file.h"
+#include "base/text.h"
+#include "formats/svg/painted_svg.h"
+#include "formats/svg/svg_path.h"
+#include "formats/svg/svg_transform.h"
+#include "formats/svg/xml_tags.h"
+#include "signals/drawing/shapes.h"
+#include "signals/drawing/stroke_line.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+constexpr std::size_t most_svg_bytes = std::size_t{16} << 20;
+
+/// A path of a drawing of ours.
+struct SvgOutline {
+    ScenePath path;
+    std::size_t keyframe = 0;  // that it stands in
+    bool is_smooth = false;    // the path holds only the points of its curve
+};
+
+struct SvgOutlines {
+    std::vector<SvgOutline> outlines;
+    std::size_t keyframes = 0;  // groups that say to be one
+};
+
+/// Reads a drawing of ours, which may have been edited by another program since.
+class DrawingReader {
+public:
+    explicit DrawingReader(const std::filesystem::path& file) : m_file(file) {}
+
+    Result<SvgOutlines> read(const std::vector<XmlTag>& tags) {
+        for (const XmlTag& tag : tags)
+            tag.is_closing ? leave(tag) : enter(tag);
+        if (m_problems.empty() && m_found.outlines.empty())
+            m_problems.push_back({m_file, 1, "the drawing is empty: no paths, lines or shapes"});
+        if (m_count > most_scene_points)
+            m_problems.push_back(
+                {m_file, 0, fmt::format("too many points; the limit is {}", most_scene_points)});
+        if (!m_problems.empty())
+            return fail(std::move(m_problems));
+        return std::move(m_found);
+    }
+
+private:
+    struct Level {
+        std::string name;
+        SvgTransform transform;
+        bool is_hidden = false;
+        std::size_t keyframe = 0;
+    };
+
+    void problem(const XmlTag& tag, const std::string& message) {
+        constexpr std::size_t most_problems = 20;
+        if (m_problems.size() < most_problems)
+            m_problems.push_back({m_file, tag.line, message});
+    }
+
+    void leave(const XmlTag& tag) {
+        const auto open = std::find_if(m_levels.rbegin(), m_levels.rend(),
+                                       [&](const Level& level) { return level.name == tag.name; });
+        if (open != m_levels.rend())
+            m_levels.erase(std::prev(open.base()), m_levels.end());
+    }
+
+    static std::string attribute(const XmlTag& tag, const char* name) {
+        const auto found = tag.attributes.find(name);
+        return found == tag.attributes.end() ? std::string() : found->second;
+    }
+
+    static bool is_displayed(const XmlTag& tag) {
+        std::string style = attribute(tag, "style");
+        std::erase(style, ' ');
+        return attribute(tag, "display") != "none" &&
+               style.find("display:none") == std::string::npos;
+    }
+
+    // A keyframe that other programs are not to display is one all the same.
+    void enter_keyframe(const XmlTag& tag, Level& level) {
+        const bool is_keyframe = tag.attributes.count("data-keyframe") != 0;
+        if (is_keyframe)
+            level.keyframe = m_found.keyframes++;
+        else if (!is_displayed(tag))
+            level.is_hidden = true;
+        if (is_keyframe && m_found.keyframes == most_keyframes + 1)
+            problem(tag, fmt::format("too many keyframes; the limit is {}", most_keyframes));
+    }
+
+    void enter(const XmlTag& tag) {
+        constexpr std::string_view hidden[] = {"defs",   "clipPath", "mask",  "symbol",
+                                               "marker", "pattern",  "style", "script"};
+        Level level = m_levels.empty() ? Level{} : m_levels.back();
+        level.name = tag.name;
+        level.is_hidden = level.is_hidden || std::find(std::begin(hidden), std::end(hidden),
+                                                       tag.name) != std::end(hidden);
+        if (const auto found = tag.attributes.find("transform"); found != tag.attributes.end()) {
+            const auto transform = parse_svg_transform(found->second);
+            if (!transform)
+                problem(tag, transform.error().front().message);
+            else
+                level.transform = level.transform * *transform;
+        }
+        enter_keyframe(tag, level);
+        if (!level.is_hidden)
+            for (ScenePath& path : outline_of(tag))
+                add({std::move(path), level.keyframe, is_smooth(tag)}, level.transform);
+        if (!tag.is_empty)
+            m_levels.push_back(std::move(level));
+    }
+
+    static bool is_smooth(const XmlTag& tag) { return attribute(tag, "data-line") == "smooth"; }
+
+    void add(SvgOutline outline, const SvgTransform& transform) {
+        for (ScenePoint& point : outline.path.points) {
+            point = transform(point);
+            point.y = -point.y;
+        }
+        m_count += outline.path.points.size();
+        if (m_count <= most_scene_points)
+            m_found.outlines.push_back(std::move(outline));
+    }
+
+    double number(const XmlTag& tag, const char* name, double fallback = 0.0) {
+        const auto found = tag.attributes.find(name);
+        if (found == tag.attributes.end())
+            return fallback;
+        std::string_view text = trim(found->second);
+        if (text.ends_with("px"))
+            text.remove_suffix(2);
+        const auto value = parse_number(text);
+        if (!value)
+            problem(tag, fmt::format("'{}' must be a number, got '{}'", name, found->second));
+        return value.value_or(fallback);
+    }
+
+    std::vector<ScenePath> outline_of(const XmlTag& tag) {
+        if (tag.name == "path")
+            return path_of(tag);
+        if (tag.name == "polyline" || tag.name == "polygon")
+            return corners_of(tag, tag.name == "polygon");
+        if (tag.name == "line")
+            return {
+                {{{number(tag, "x1"), number(tag, "y1")}, {number(tag, "x2"), number(tag, "y2")}}}};
+        if (tag.name == "rect")
+            return box_of(tag);
+        if (tag.name == "circle")
+            return oval_of(tag, number(tag, "r"), number(tag, "r"));
+        if (tag.name == "ellipse")
+            return oval_of(tag, number(tag, "rx"), number(tag, "ry"));
+        return {};
+    }
+
+    std::vector<ScenePath> path_of(const XmlTag& tag) {
+        const auto found = tag.attributes.find("d");
+        if (found == tag.attributes.end())
+            return {};
+        constexpr int steps_a_curve = 16;
+        auto paths = parse_svg_path(found->second, is_smooth(tag) ? 1 : steps_a_curve);
+        if (paths)
+            return std::move(*paths);
+        problem(tag, paths.error().front().message);
+        return {};
+    }
+
+    std::vector<ScenePath> corners_of(const XmlTag& tag, bool is_closed) {
+        const auto found = tag.attributes.find("points");
+        const auto numbers = parse_svg_numbers(found == tag.attributes.end() ? "" : found->second);
+        if (!numbers || numbers->size() < 4 || numbers->size() % 2 != 0) {
+            problem(tag, "'points' must have at least two pairs of numbers");
+            return {};
+        }
+        ScenePath path;
+        for (std::size_t i = 0; i < numbers->size(); i += 2)
+            path.points.push_back({(*numbers)[i], (*numbers)[i + 1]});
+        if (is_closed)
+            path.points.push_back(path.points.front());
+        return {path};
+    }
+
+    std::vector<ScenePath> box_of(const XmlTag& tag) {
+        const double x = number(tag, "x");
+        const double y = number(tag, "y");
+        const double w = number(tag, "width");
+        const double h = number(tag, "height");
+        return {{{{x, y}, {x + w, y}, {x + w, y + h}, {x, y + h}, {x, y}}}};
+    }
+
+    std::vector<ScenePath> oval_of(const XmlTag& tag, double rx, double ry) {
+        ScenePath path = arc_path(1.0, 0.0, 360.0);
+        for (ScenePoint& point : path.points)
+            point = {number(tag, "cx") + rx * point.x, number(tag, "cy") + ry * point.y};
+        return {path};
+    }
+
+    const std::filesystem::path& m_file;
+    std::vector<Level> m_levels;
+    SvgOutlines m_found;
+    std::size_t m_count = 0;
+    Diagnostics m_problems;
+};
+
+bool are_same(const BeamPlace& a, const BeamPlace& b) {
+    return distance(a, b) <= 1e-9 * (1.0 + std::abs(a[0]) + std::abs(a[1]));
+}
+
+// A path that ends where it began is closed.
+Stroke stroke_of(const ScenePath& path, bool is_smooth) {
+    Stroke stroke{.points = {}, .is_smooth = is_smooth};
+    for (const ScenePoint& point : path.points)
+        if (stroke.points.empty() || !are_same(stroke.points.back(), {point.x, point.y}))
+            stroke.points.push_back({point.x, point.y});
+    stroke.is_closed =
+        stroke.points.size() > 3 && are_same(stroke.points.front(), stroke.points.back());
+    if (stroke.is_closed)
+        stroke.points.pop_back();
+    return stroke;
+}
+
+bool is_own_drawing(std::string_view text) {
+    return text.find("data-afterglow-drawing") != std::string_view::npos;
+}
+
+Result<Drawing> own_drawing(std::string_view text, const std::filesystem::path& file) {
+    const auto tags = parse_xml_tags(text, file);
+    if (!tags)
+        return fail(tags.error());
+    const auto found = DrawingReader(file).read(*tags);
+    if (!found)
+        return fail(found.error());
+    Drawing drawing{.keyframes = {}, .is_to_scale = true};
+    drawing.keyframes.resize(std::max<std::size_t>(found->keyframes, 1));
+    for (const SvgOutline& outline : found->outlines)
+        drawing.keyframes[outline.keyframe].push_back(stroke_of(outline.path, outline.is_smooth));
+    return drawing;
+}
+}  // namespace
+
+Result<std::vector<ScenePath>> load_svg(const std::filesystem::path& file) {
+    const auto bytes = read_bytes(file, most_svg_bytes);
+    if (!bytes)
+        return fail(bytes.error());
+    return painted_outlines(*bytes, file);
+}
+
+Result<Drawing> parse_svg_drawing(std::string_view bytes, const std::filesystem::path& file) {
+    if (is_own_drawing(bytes))
+        return own_drawing(bytes, file);
+    const auto painted = painted_outlines(bytes, file);
+    if (!painted)
+        return fail(painted.error());
+    Drawing drawing{.keyframes = {{}}, .is_to_scale = false};
+    for (const ScenePath& path : *painted)
+        drawing.keyframes.front().push_back(stroke_of(path, false));
+    return drawing;
+}
+
+Result<Drawing> load_svg_drawing(const std::filesystem::path& file) {
+    const auto bytes = read_bytes(file, most_svg_bytes);
+    if (!bytes)
+        return fail(bytes.error());
+    return parse_svg_drawing(*bytes, file);
+}

@@ -1,0 +1,150 @@
+#include "graph/beam/merge_segments.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace {
+using Axes = std::array<double, 2>;  // across, up; half screens
+
+/// How far from its way the beam may be seen, on each axis: squares around the joints, that lie in
+/// circles of 0.01 and 0.05 of the spot.
+struct Freedom {
+    static constexpr double least = 2e-6;
+
+    explicit Freedom(const BeamSpot& spot)
+        : of_long{std::max(0.007 * spot.across, least), std::max(0.007 * spot.up, least)},
+          of_short{std::max(0.035 * spot.across, least), std::max(0.035 * spot.up, least)},
+          longest_short{0.5 * spot.across, 0.5 * spot.up},
+          current(spot.across > 0.0 && spot.up > 0.0 ? 0.005 : 0.0) {}
+
+    Axes of_long;
+    Axes of_short;
+    Axes longest_short;
+    double current;  // of the run's, either way
+};
+
+/// Paces, in half screens for a charge of 1, that bring the beam near enough past all joints.
+struct Paces {
+    Axes slowest{-HUGE_VAL, -HUGE_VAL};
+    Axes fastest{HUGE_VAL, HUGE_VAL};
+
+    bool hold(const Axes& pace) const {
+        return pace[0] >= slowest[0] && pace[0] <= fastest[0] && pace[1] >= slowest[1] &&
+               pace[1] <= fastest[1];
+    }
+    void pass(const Axes& joint, double charge, const Axes& freedom) {
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            slowest[axis] = std::max(slowest[axis], (joint[axis] - freedom[axis]) / charge);
+            fastest[axis] = std::min(fastest[axis], (joint[axis] + freedom[axis]) / charge);
+        }
+    }
+};
+
+double charge_of(const Segment& segment) {
+    return 0.5 * (static_cast<double>(segment.start_intensity) +
+                  static_cast<double>(segment.end_intensity));
+}
+
+double seconds_of(const Segment& segment) {
+    return static_cast<double>(segment.start_age) - static_cast<double>(segment.end_age);
+}
+
+/// Segments that may become one: evenly lit, each beginning where and when the last one ended. The
+/// beam's way goes by the charge, which is exact, as by the time.
+class SegmentRun {
+public:
+    SegmentRun(const Segment& first, BeamTint tint, const Freedom& freedom)
+        : m_freedom(freedom), m_joined(first), m_tint(tint), m_charge(charge_of(first)) {
+        m_is_even = is_even(first);
+        leave_joint({way(first, 0), way(first, 1)});
+    }
+
+    const Segment& joined() const { return m_joined; }
+    const BeamTint& tint() const { return m_tint; }
+
+    /// Whether it was taken in.
+    bool take(const Segment& next, const BeamTint& tint) {
+        if (!m_is_even || !is_even(next) || !follows(next) || !(tint == m_tint))
+            return false;
+        const double charge = m_charge + charge_of(next);
+        const Axes way_to_end{way(next, 0), way(next, 1)};
+        const Axes pace{way_to_end[0] / charge, way_to_end[1] / charge};
+        if (!m_long.hold(pace) && !(is_short(way_to_end) && m_short.hold(pace)))
+            return false;
+        m_charge = charge;
+        m_joined.x1 = next.x1;
+        m_joined.y1 = next.y1;
+        m_joined.end_age = next.end_age;
+        m_joined.start_intensity = m_joined.end_intensity = static_cast<float>(charge);
+        leave_joint(way_to_end);
+        return true;
+    }
+
+private:
+    bool is_even(const Segment& segment) const {
+        const auto start = static_cast<double>(segment.start_intensity);
+        const auto end = static_cast<double>(segment.end_intensity);
+        return std::abs(start - end) <= m_freedom.current * (start + end) && start > 0.0 &&
+               end > 0.0;
+    }
+
+    // The same place, instant and current.
+    bool follows(const Segment& next) const {
+        if (next.x0 != m_joined.x1 || next.y0 != m_joined.y1 || next.start_age != m_joined.end_age)
+            return false;
+        const double seconds = seconds_of(next);
+        const double expected = seconds_of(m_joined) * charge_of(next) / m_charge;
+        return std::abs(seconds - expected) <=
+               static_cast<double>(age_rounding * m_joined.start_age) + m_freedom.current * seconds;
+    }
+
+    double way(const Segment& to, std::size_t axis) const {
+        return axis == 0 ? static_cast<double>(to.x1) - static_cast<double>(m_joined.x0)
+                         : static_cast<double>(to.y1) - static_cast<double>(m_joined.y0);
+    }
+
+    bool is_short(const Axes& way_to_end) const {
+        return std::hypot(way_to_end[0] / m_freedom.longest_short[0],
+                          way_to_end[1] / m_freedom.longest_short[1]) <= 1.0;
+    }
+
+    void leave_joint(const Axes& joint) {
+        m_long.pass(joint, m_charge, m_freedom.of_long);
+        m_short.pass(joint, m_charge, m_freedom.of_short);
+    }
+
+    Freedom m_freedom;
+    Segment m_joined;
+    BeamTint m_tint;
+    double m_charge;
+    bool m_is_even = false;
+    Paces m_long;
+    Paces m_short;
+};
+}  // namespace
+
+void merge_segments(std::vector<Segment>& segments, SegmentTints& tints, const BeamSpot& spot) {
+    if (segments.empty())
+        return;
+    const Freedom freedom(spot);
+    const bool has_tints = !tints.of_segments.empty();
+    const auto tint = [&](std::size_t i) { return has_tints ? tints.of_segments[i] : BeamTint{}; };
+    std::size_t count = 0;
+    const auto keep = [&](const SegmentRun& run) {
+        segments[count] = run.joined();
+        if (has_tints)
+            tints.of_segments[count] = run.tint();
+        ++count;
+    };
+    SegmentRun run(segments.front(), tint(0), freedom);
+    for (std::size_t i = 1; i < segments.size(); ++i)
+        if (!run.take(segments[i], tint(i))) {
+            keep(run);
+            run = SegmentRun(segments[i], tint(i), freedom);
+        }
+    keep(run);
+    segments.resize(count);
+    if (has_tints)
+        tints.of_segments.resize(count);
+}

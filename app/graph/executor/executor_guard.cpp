@@ -1,0 +1,106 @@
+// The part of Executor that looks for numbers that are not finite.
+#include "graph/executor/executor.h"
+
+#include <algorithm>
+
+Result<void> Executor::set_guard(Guard guard) {
+    const gpu::ContextScope scope(m_home.get());
+    const auto holds_floats = [](const PlannedTarget& target) {
+        return facts_of(target.format).is_float;
+    };
+    if (guard != Guard::off && !m_tripwire && std::ranges::any_of(m_plan.targets, holds_floats)) {
+        auto programs = m_programs.tripwire;
+        if (!programs) {
+            auto built = build_tripwire();
+            if (!built)
+                return fail(built.error());
+            programs = std::move(*built);
+        }
+        m_tripwire.emplace(std::move(programs));
+    }
+    if (guard != m_guard && m_tripwire)
+        m_tripwire->clear();
+    m_guard = guard;
+    return {};
+}
+
+bool Executor::is_remembered(std::size_t pass) const {
+    return m_plan.targets[pass].slots > 1 || m_look.passes[pass].accumulate;
+}
+
+bool Executor::is_watched(std::size_t pass) const {
+    if (m_guard == Guard::off || !m_tripwire || host_of(pass) != pass ||
+        !facts_of(m_plan.targets[pass].format).is_float)
+        return false;
+    const bool is_next = static_cast<std::size_t>(m_drawn.number) % m_passes.size() == pass;
+    switch (m_guard) {
+        case Guard::watch:
+            return is_remembered(pass) || is_next;
+        case Guard::clamp:
+            return is_remembered(pass) || m_draws_whole;
+        default:
+            return true;
+    }
+}
+
+// Its picture of this frame may be another's now.
+bool Executor::is_handed_back(std::size_t pass) const {
+    const PlannedTarget& target = m_plan.targets[pass];
+    return target.common && target.slots == 1 && target.held_until != m_order.back();
+}
+
+// Right after it was drawn, where nobody may read it before, or it will not be there later.
+void Executor::guard_pass(std::size_t pass) {
+    if (!is_watched(pass))
+        return;
+    const Tripwire::Drawn drawn{pass, &m_targets[pass].canvas()};
+    if (m_guard == Guard::clamp)
+        m_tripwire->look_and_mend(drawn, m_drawn.number);
+    else if (is_handed_back(pass))
+        m_tripwire->look_at({&drawn, 1}, m_drawn.number);
+}
+
+// All others together, behind the frame.
+void Executor::guard_frame() {
+    if (m_guard == Guard::clamp)
+        return look_behind(m_work.passes);
+    std::vector<Tripwire::Drawn> all;
+    for (std::size_t pass = 0; pass < m_passes.size(); ++pass)
+        if (m_work.passes[pass] && is_watched(pass) && !is_handed_back(pass))
+            all.push_back({pass, &m_targets[pass].canvas()});
+    if (!all.empty())
+        m_tripwire->look_at(all, m_drawn.number);
+}
+
+// Where what is kept was put right, the pass that began it is one of those before.
+void Executor::look_behind(const std::vector<bool>& drawn) {
+    if (m_draws_whole || !m_tripwire)
+        return;
+    for (std::size_t cause = 0; cause < m_passes.size(); ++cause)
+        for (std::size_t pass = 0; pass < cause; ++pass)
+            if (drawn[pass] && drawn[cause] && is_watched(cause) && !is_watched(pass) &&
+                !is_handed_back(pass) && facts_of(m_plan.targets[pass].format).is_float)
+                m_tripwire->look_behind(cause, pass, m_targets[pass].canvas(), m_drawn.number);
+}
+
+std::optional<Trip> Executor::take_trip(bool waits) {
+    const gpu::ContextScope scope(m_home.get());
+    std::optional<Trip> trip = m_tripwire ? m_tripwire->take(waits) : std::nullopt;
+    if (trip && m_look.passes[trip->pass].rows == RowOrder::top_first)
+        trip->y = m_plan.targets[trip->pass].extent.height - 1 - trip->y;
+    return trip;
+}
+
+void Executor::mend() {
+    const gpu::ContextScope scope(m_home.get());
+    if (!m_tripwire)
+        return;
+    for (std::size_t pass = 0; pass < m_targets.size(); ++pass) {
+        if (!facts_of(m_plan.targets[pass].format).is_float)
+            continue;
+        for (int ago = 0; ago < m_plan.targets[pass].slots; ++ago) {
+            m_tripwire->mend(m_targets[pass].canvas(ago));
+            m_targets[pass].canvas(ago).texture().generate_mipmaps();
+        }
+    }
+}

@@ -1,0 +1,55 @@
+#include "graph/inspect/gatherer.h"
+
+#include "gpu/draw.h"
+#include "graph/inspect/measuring.h"
+
+#include <algorithm>
+
+namespace {
+constexpr const char* gather_start = R"(#version 410 core
+out vec4 color;
+uniform ivec2 place;  // texel, from the bottom left
+)";
+
+constexpr const char* gather_end = R"(
+void main() { color = texel_at(place); }
+)";
+}  // namespace
+
+Result<Gatherer> Gatherer::make() {
+    auto programs = build_texel_programs(gather_start, gather_end);
+    if (!programs)
+        return fail(programs.error());
+    return Gatherer(std::move(*programs));
+}
+
+void Gatherer::start(const std::vector<TexelPlace>& places) {
+    stop();
+    const Extent row{static_cast<int>(places.size()), 1};
+    const bool can_read = std::ranges::all_of(places, [this](const TexelPlace& one) {
+        return m_programs.find(one.target.format()) != nullptr;
+    });
+    if (places.empty() || !can_read || !fit_floats(m_canvas, row))
+        return;
+    const gpu::DrawScope scope;
+    m_vertices.bind();
+    for (int i = 0; i < row.width; ++i) {
+        const TexelPlace& one = places[static_cast<std::size_t>(i)];
+        const Extent extent = one.target.extent();
+        const gpu::Program& program = *m_programs.find(one.target.format());
+        program.write("place",
+                      std::array<double, 2>{static_cast<double>(one.x),
+                                            static_cast<double>(extent.height - 1 - one.y)});
+        program.use();
+        m_samplers.bind(0, one.target, {Filter::nearest, Wrap::edge, false});
+        m_canvas->bind();
+        gpu::limit_columns(i, i + 1);
+        gpu::draw_triangle();
+    }
+    m_samplers.release();
+    m_to_come.emplace(*m_canvas);
+}
+
+std::optional<std::vector<std::array<float, 4>>> Gatherer::take() {
+    return take_texels(m_to_come);
+}

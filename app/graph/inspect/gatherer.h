@@ -1,0 +1,41 @@
+#pragma once
+
+#include "gpu/download.h"
+#include "gpu/samplers.h"
+#include "gpu/vertex_array.h"
+#include "graph/programs/sample_programs.h"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+/// A texel of a target, `y` down from the top.
+struct TexelPlace {
+    const gpu::Texture& target;
+    int x = 0;
+    int y = 0;
+};
+
+/// Fetches the stored numbers of a few texels out of any targets without waiting: they come in a
+/// later frame.
+class Gatherer {
+public:
+    static Result<Gatherer> make();
+
+    /// Whether an answer is under way.
+    bool is_busy() const { return m_to_come.has_value(); }
+    /// Asks; what was under way is dropped.
+    void start(const std::vector<TexelPlace>& places);
+    /// RGBA of each place, once, when they have come; channels that a format lacks are 0, alpha 1.
+    std::optional<std::vector<std::array<float, 4>>> take();
+    void stop() { m_to_come.reset(); }
+
+private:
+    explicit Gatherer(SamplePrograms programs) : m_programs(std::move(programs)) {}
+
+    SamplePrograms m_programs;
+    gpu::VertexArray m_vertices;
+    gpu::Samplers m_samplers;
+    std::optional<gpu::Canvas> m_canvas;  // one row
+    std::optional<gpu::Download> m_to_come;
+};

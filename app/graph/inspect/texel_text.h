@@ -1,0 +1,28 @@
+#pragma once
+
+#include "graph/programs/sample_programs.h"
+
+#include <fmt/format.h>
+
+#include <string>
+
+// GLSL for stages that read the texels of any target: `shown`, a sampler; `texel_at(place)`, RGBA;
+// `channels`, a ChannelChoice; `chosen(rgba)`, those numbers, a lone one three times.
+
+inline const std::string choosing_text = R"(
+uniform int channels;
+float luminance(vec3 rgb) { return dot(rgb, vec3(0.2126, 0.7152, 0.0722)); }  // ITU-R BT.709
+vec3 chosen(vec4 rgba) {
+    if (channels == 0) return rgba.rgb;
+    if (channels < 5) return vec3(rgba[channels - 1]);
+    return vec3(luminance(rgba.rgb));
+}
+)";
+
+/// Of targets that hold this kind of numbers.
+inline std::string texel_text(SampleKind kind) {
+    return fmt::format(
+        "{}uniform {}sampler2D shown;\n"
+        "vec4 texel_at(ivec2 texel) {{ return vec4(texelFetch(shown, texel, 0)); }}\n",
+        choosing_text, glsl_prefix(kind));
+}

@@ -1,0 +1,303 @@
+#include "graph/inspect/tripwire.h"
+
+#include "gpu/draw.h"
+#include "gpu/readback.h"
+#include "graph/inspect/measuring.h"
+#include "model/picture/gain.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace {
+constexpr int trip_block_side = 16;
+constexpr int block_texels = trip_block_side * trip_block_side;
+constexpr std::int64_t most_frames = 65535;  // codes stay below 2^24, exact in a float
+
+// One fragment a block. The code is the greater the earlier the frame and the texel, and GL_MAX
+// keeps the greatest: what came first is not overwritten by what came of it.
+constexpr const char* finder_text = R"(#version 410 core
+uniform sampler2D shown;
+uniform ivec2 corner;
+uniform float frames_left;
+out vec4 color;
+void main() {
+    const int side = 16;
+    ivec2 low = (ivec2(gl_FragCoord.xy) - corner) * side;
+    ivec2 end = min(low + side, textureSize(shown, 0));
+    const uint not_finite = 0x7f800000u;  // an infinity's bits; those of NaN are greater
+    uvec4 greatest = uvec4(0u);
+    for (int y = low.y; y < end.y; ++y)
+        for (int x = low.x; x < end.x; ++x)
+            greatest = max(greatest, floatBitsToUint(abs(texelFetch(shown, ivec2(x, y), 0))));
+    if (all(lessThan(greatest, uvec4(not_finite))))
+        discard;
+    int found = side * side - 1;
+    for (int y = end.y - 1; y >= low.y; --y)
+        for (int x = end.x - 1; x >= low.x; --x)
+            if (any(greaterThanEqual(floatBitsToUint(abs(texelFetch(shown, ivec2(x, y), 0))),
+                                     uvec4(not_finite))))
+                found = (y - low.y) * side + x - low.x;
+    color = vec4(frames_left * 256.0 + float(side * side - 1 - found));
+}
+)";
+
+constexpr const char* mender_text = R"(#version 410 core
+uniform sampler2D shown;
+uniform float most;
+out vec4 color;
+void main() {
+    vec4 texel = texelFetch(shown, ivec2(gl_FragCoord.xy), 0);
+    for (int i = 0; i < 4; ++i)
+        texel[i] = isnan(texel[i]) ? 0.0 : clamp(texel[i], -most, most);
+    color = texel;
+}
+)";
+
+Extent trip_blocks_of(Extent extent) {
+    return {(extent.width + trip_block_side - 1) / trip_block_side,
+            (extent.height + trip_block_side - 1) / trip_block_side};
+}
+
+constexpr Sampler trip_sampler{Filter::nearest, Wrap::edge, false};
+}  // namespace
+
+Result<std::shared_ptr<const TripwirePrograms>> build_tripwire(
+    const std::shared_ptr<gpu::Context>& home) {
+    auto finder = build_measuring_program(finder_text);
+    if (!finder)
+        return fail(finder.error());
+    auto mender = build_measuring_program(mender_text);
+    if (!mender)
+        return fail(mender.error());
+    return std::make_shared<const TripwirePrograms>(TripwirePrograms{
+        gpu::ending_in(home, std::move(*finder)), gpu::ending_in(home, std::move(*mender))});
+}
+
+Tripwire::Mending Tripwire::best_mending() {
+    return gpu::can_read_own_target() ? Mending::in_place : Mending::there_and_back;
+}
+
+Tripwire::Look& Tripwire::Looks::open_next() {
+    latest = (latest + 1) % looks.size();
+    looks[latest].is_open = true;
+    return looks[latest];
+}
+
+bool Tripwire::Sheet::find_room(Extent part, int& left, int& bottom) {
+    const Extent whole = blocks.texture().extent();
+    if (x + part.width > whole.width) {
+        x = 0;
+        y += std::exchange(shelf_height, 0);
+    }
+    if (part.width > whole.width || y + part.height > whole.height)
+        return false;
+    left = std::exchange(x, x + part.width);
+    bottom = y;
+    shelf_height = std::max(shelf_height, part.height);
+    return true;
+}
+
+bool Tripwire::place(Watch& watch) {
+    constexpr int usual_side = 256;
+    const Extent part = trip_blocks_of(watch.target);
+    if (m_sheets.empty() || !m_sheets.back().find_room(part, watch.x, watch.y)) {
+        const int side = std::max({usual_side, part.width, part.height});
+        auto blocks = gpu::Canvas::make({side, side}, Format::r32f);
+        if (!blocks)
+            return false;
+        m_sheets.push_back({std::move(*blocks)});
+        m_sheets.back().find_room(part, watch.x, watch.y);
+    }
+    watch.sheet = m_sheets.size() - 1;
+    return true;
+}
+
+// Where there is no memory nothing is found; the passes themselves are what needs it.
+Tripwire::Watch* Tripwire::watch_for(std::size_t pass, const gpu::Texture& target) {
+    const auto found = m_watches.find(pass);
+    if (found != m_watches.end() && found->second.target == target.extent())
+        return &found->second;
+    if (found != m_watches.end()) {  // the picture has another size: so have the others
+        m_watches.clear();
+        m_sheets.clear();
+        m_spares.clear();
+    }
+    Watch watch{target.extent()};
+    return place(watch) ? &m_watches.emplace(pass, std::move(watch)).first->second : nullptr;
+}
+
+// The codes of the blocks reach only so many frames.
+void Tripwire::begin(std::int64_t frame) {
+    if (m_first_frame && (frame < *m_first_frame || frame - *m_first_frame > most_frames)) {
+        const auto found = take(true);
+        clear();
+        m_found = found;
+    }
+    if (!m_first_frame)
+        m_first_frame = frame;
+}
+
+void Tripwire::draw_found(const Watch& watch, const gpu::Texture& target, std::int64_t frame) {
+    m_programs->finder->write(
+        "frames_left", std::array{static_cast<double>(most_frames - (frame - *m_first_frame))});
+    m_programs->finder->write("corner", std::array{double(watch.x), double(watch.y)});
+    m_samplers.bind(0, target, trip_sampler);
+    m_sheets[watch.sheet].blocks.bind_part(watch.x, watch.y, trip_blocks_of(watch.target));
+    gpu::set_blend(Blend::maximum);
+    m_programs->finder->use();
+    m_vertices.bind();
+    gpu::draw_triangle();
+}
+
+void Tripwire::look_at(std::span<const Drawn> all, std::int64_t frame) {
+    begin(frame);
+    gpu::PixelQuery& query = m_gathered.open_next().query;
+    query.begin();
+    for (const Drawn& drawn : all)
+        if (const Watch* watch = watch_for(drawn.pass, drawn.target->texture()))
+            draw_found(*watch, drawn.target->texture(), frame);
+    query.end();
+    m_samplers.release();
+}
+
+void Tripwire::look_and_mend(const Drawn& drawn, std::int64_t frame) {
+    begin(frame);
+    Watch* watch = watch_for(drawn.pass, drawn.target->texture());
+    if (!watch)
+        return;
+    gpu::PixelQuery& query = watch->looks.open_next().query;
+    query.begin();
+    draw_found(*watch, drawn.target->texture(), frame);
+    query.end();
+    query.begin_condition();
+    draw_mended(*drawn.target);
+    gpu::PixelQuery::end_condition();
+    m_samplers.release();
+}
+
+void Tripwire::look_behind(std::size_t cause, std::size_t pass, const gpu::Canvas& target,
+                           std::int64_t frame) {
+    Watch* watch = watch_for(pass, target.texture());
+    const auto known = m_watches.find(cause);
+    if (!watch || known == m_watches.end() || !m_first_frame)
+        return;
+    const Looks& causes = known->second.looks;
+    causes.looks[causes.latest].query.begin_condition();
+    draw_found(*watch, target.texture(), frame);
+    gpu::PixelQuery::end_condition();
+    m_samplers.release();
+}
+
+void Tripwire::mend(const gpu::Canvas& target) {
+    const gpu::DrawScope scope;
+    draw_mended(target);
+    m_samplers.release();
+}
+
+const gpu::Canvas* Tripwire::spare_for(const gpu::Texture& target) {
+    const auto is_like = [&target](const gpu::Canvas& spare) {
+        return spare.texture().extent() == target.extent() &&
+               spare.texture().format() == target.format();
+    };
+    if (const auto found = std::ranges::find_if(m_spares, is_like); found != m_spares.end())
+        return &*found;
+    auto made = gpu::Canvas::make(target.extent(), target.format());
+    return made ? &m_spares.emplace_back(std::move(*made)) : nullptr;
+}
+
+void Tripwire::draw_mender(const gpu::Canvas& from, const gpu::Canvas& to) {
+    m_samplers.bind(0, from.texture(), trip_sampler);
+    to.bind();
+    gpu::draw_triangle();
+}
+
+void Tripwire::draw_mended(const gpu::Canvas& target) {
+    gpu::set_blend(Blend::replace);
+    m_programs->mender->write("most", std::array{format_limit(target.texture().format())});
+    m_programs->mender->use();
+    m_vertices.bind();
+    if (m_mending == Mending::in_place) {
+        gpu::make_own_target_readable();
+        draw_mender(target, target);
+    } else if (const gpu::Canvas* spare = spare_for(target.texture())) {
+        draw_mender(target, *spare);
+        draw_mender(*spare, target);
+    }
+}
+
+std::optional<Trip> Tripwire::first_in(std::size_t pass, const Watch& watch,
+                                       const Picture& sheet) const {
+    const Extent part = trip_blocks_of(watch.target);
+    float greatest = 0.0f;
+    int column = 0;
+    int row = 0;  // from the bottom
+    for (int y = part.height - 1; y >= 0; --y)
+        for (int x = 0; x < part.width; ++x) {
+            const float code =
+                sheet.pixels[sheet.index(watch.x + x, sheet.extent.height - 1 - (watch.y + y))];
+            if (code <= greatest)
+                continue;
+            greatest = code;
+            column = x;
+            row = y;
+        }
+    if (greatest <= 0.0f)
+        return std::nullopt;
+    const auto code = static_cast<std::int64_t>(greatest);
+    const auto texel = block_texels - 1 - static_cast<int>(code % block_texels);
+    return Trip{pass, column * trip_block_side + texel % trip_block_side,
+                watch.target.height - 1 - (row * trip_block_side + texel / trip_block_side),
+                *m_first_frame + most_frames - code / block_texels};
+}
+
+// Whether any look that has its answer found something.
+bool Tripwire::take_answers(bool waits) {
+    bool is_any = false;
+    const auto take_from = [&](Looks& looks) {
+        for (Look& look : looks.looks)
+            if (look.is_open && (waits || look.query.has_come())) {
+                look.is_open = false;
+                is_any = look.query.is_any() || is_any;
+            }
+    };
+    take_from(m_gathered);
+    for (auto& [pass, watch] : m_watches)
+        take_from(watch.looks);
+    return is_any;
+}
+
+// Reading where it was waits for the GPU; it is seldom.
+std::optional<Trip> Tripwire::take(bool waits) {
+    const bool is_any = take_answers(waits) || (waits && m_first_frame);
+    std::optional<Trip> first = std::exchange(m_found, std::nullopt);
+    if (!is_any)
+        return first;
+    std::vector<Picture> sheets;
+    for (const Sheet& sheet : m_sheets)
+        sheets.push_back(gpu::read_picture(sheet.blocks.texture()));
+    for (const auto& [pass, watch] : m_watches)
+        if (const auto trip = first_in(pass, watch, sheets[watch.sheet]);
+            trip && (!first || trip->frame < first->frame))
+            first = trip;
+    if (first)
+        clear();
+    return first;
+}
+
+bool Tripwire::is_waiting() const {
+    const auto waits = [](const Looks& looks) {
+        return std::ranges::any_of(looks.looks, &Look::is_open);
+    };
+    return waits(m_gathered) || std::ranges::any_of(m_watches, [&waits](const auto& watch) {
+               return waits(watch.second.looks);
+           });
+}
+
+void Tripwire::clear() {
+    m_watches.clear();
+    m_sheets.clear();
+    m_spares.clear();
+    m_gathered = {};
+    m_first_frame.reset();
+    m_found.reset();
+}

@@ -1,0 +1,163 @@
+#include "graph/programs/built_in_uniforms.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+BuiltInUniforms::BuiltInUniforms(const Look& look, int pass, const gpu::Program& program) {
+    for (const BuiltInUniform& built_in : look.passes[static_cast<std::size_t>(pass)].built_ins) {
+        const gpu::Uniform* uniform = program.find_uniform(built_in.name);
+        const bool is_turned = built_in.says == BuiltIn::view || built_in.says == BuiltIn::camera;
+        if (!uniform || is_turned)  // what is turned belongs to the parameters
+            continue;
+        if (built_in.says == BuiltIn::samples)
+            m_samples = uniform;
+        else
+            m_places.push_back(
+                {uniform, built_in.says,
+                 built_in.of ? bound_input(look, pass, *built_in.of) : BoundInput{}});
+    }
+}
+
+namespace {
+using Sixteen = std::array<double, 16>;
+
+double width_of(Extent extent) {
+    return extent.width;
+}
+
+double height_of(Extent extent) {
+    return extent.height;
+}
+
+Sixteen with_reciprocals(Extent extent) {
+    const double width = std::max(extent.width, 1);
+    const double height = std::max(extent.height, 1);
+    return {width, height, 1.0 / width, 1.0 / height};
+}
+
+Sixteen resolution(Extent extent) {
+    return {width_of(extent), height_of(extent), 1.0};
+}
+
+Sixteen pair(Extent extent) {
+    return {width_of(extent), height_of(extent)};
+}
+
+Sixteen lines(const RasterAxis& axis) {
+    return {axis.start, axis.pitch, axis.count * 1.0};
+}
+
+Sixteen widened(const std::array<double, 4>& numbers) {
+    return {numbers[0], numbers[1], numbers[2], numbers[3]};
+}
+
+Sixteen date_numbers(const Date& date, int first_month) {
+    return {date.year * 1.0, date.month - 1.0 + first_month, date.day * 1.0, date.seconds};
+}
+
+// From 0..1 to clip space, by column. The quad's y goes from the top of a picture down, which is up
+// in a target whose first row is its top.
+Sixteen quad_to_clip(RowOrder rows) {
+    const double down = rows == RowOrder::top_first ? 1.0 : -1.0;
+    return {2.0, 0.0, 0.0, 0.0, 0.0,  2.0 * down, 0.0, 0.0,
+            0.0, 0.0, 1.0, 0.0, -1.0, -down,      0.0, 1.0};
+}
+}  // namespace
+
+BuiltInUniforms::Numbers BuiltInUniforms::numbers_of(const Place& place, const Frame& frame,
+                                                     const PassFacts& facts) {
+    switch (place.says) {
+        case BuiltIn::time:
+            return {{frame.time}, 1};
+        case BuiltIn::time_delta:
+            return {{frame.time_delta}, 1};
+        case BuiltIn::frame_rate:
+            return {{frame.time_delta > 0.0 ? 1.0 / frame.time_delta : 0.0}, 1};
+        case BuiltIn::frame:
+            return {{facts.number}, 1};
+        case BuiltIn::frame_before:
+            return {{facts.number_before}, 1};
+        case BuiltIn::microseconds:
+            return {{std::round(frame.time_delta * 1e6)}, 1};
+        case BuiltIn::time_before:
+            return {{frame.time - frame.time_delta}, 1};
+        case BuiltIn::delta_before:
+            return {{frame.number > 1 ? frame.time_delta : 0.0}, 1};
+        case BuiltIn::date:
+            return {date_numbers(frame.date, 1), 4};
+        case BuiltIn::date_from_0:
+            return {date_numbers(frame.date, 0), 4};
+        case BuiltIn::target_size:
+            return {pair(facts.target), 2};
+        case BuiltIn::output_size:
+            return {pair(facts.output), 2};
+        case BuiltIn::source_size:
+            return {pair(facts.source), 2};
+        case BuiltIn::source_aspect:
+            return {{width_of(facts.source) * frame.pixel_aspect /
+                     std::max(height_of(facts.source), 1.0)},
+                    1};
+        case BuiltIn::source_lines:
+            return {lines(facts.raster.rows), 3};
+        case BuiltIn::source_columns:
+            return {lines(facts.raster.columns), 3};
+        case BuiltIn::mouse:
+            return {{frame.mouse[0], frame.mouse[1]}, 2};
+        case BuiltIn::quad_to_clip:
+            return {quad_to_clip(facts.rows), 16};
+        case BuiltIn::target_extent:
+            return {with_reciprocals(facts.target), 4};
+        case BuiltIn::output_extent:
+            return {with_reciprocals(facts.output), 4};
+        case BuiltIn::input_extent:
+            return {with_reciprocals(facts.extent_of(place.of)), 4};
+        case BuiltIn::target_resolution:
+            return {resolution(facts.target), 3};
+        case BuiltIn::input_resolution:
+            return {resolution(facts.extent_of(place.of)), 3};
+        case BuiltIn::press:
+            return {widened(frame.press.numbers()), 4};
+        case BuiltIn::drawn_onto:
+            return {{facts.meets_drawn_onto ? 1.0 : 0.0}, 1};
+        default:  // samples are written draw by draw, turns with the parameters
+            break;
+    }
+    return {{}, 0};
+}
+
+void BuiltInUniforms::write(const gpu::Program& program, const Frame& frame,
+                            const PassFacts& facts) const {
+    for (const Place& place : m_places) {
+        const Numbers told = numbers_of(place, frame, facts);
+        program.write(*place.uniform, std::span(told.numbers).first(told.count));
+    }
+}
+
+void BuiltInUniforms::write_samples(const gpu::Program& program, int samples) const {
+    if (m_samples)
+        program.write(*m_samples, std::array{static_cast<double>(samples)});
+}
+
+std::vector<BuiltInReport> BuiltInUniforms::report(const Frame& frame, const PassFacts& facts,
+                                                   int samples) const {
+    std::vector<BuiltInReport> all;
+    for (const Place& place : m_places) {
+        const Numbers told = numbers_of(place, frame, facts);
+        const auto end = told.numbers.begin() + static_cast<std::ptrdiff_t>(told.count);
+        all.push_back({place.uniform->name, {told.numbers.begin(), end}});
+    }
+    if (m_samples)
+        all.push_back({m_samples->name, {static_cast<double>(samples)}});
+    return all;
+}
+
+bool BuiltInUniforms::tell_time() const {
+    return std::ranges::any_of(m_places, tells_time, &Place::says);
+}
+
+bool BuiltInUniforms::tell_mouse() const {
+    return std::ranges::any_of(m_places, [](const Place& place) {
+        return place.says == BuiltIn::mouse || place.says == BuiltIn::press;
+    });
+}

@@ -1,0 +1,114 @@
+#include "graph/programs/parameter_uniforms.h"
+
+#include "model/look/color.h"
+
+#include <algorithm>
+
+namespace {
+const gpu::Program* program_of(const Programs& programs, int pass) {
+    if (pass < 0 || static_cast<std::size_t>(pass) >= programs.passes.size())
+        return nullptr;
+    return programs.passes[static_cast<std::size_t>(pass)].program.get();
+}
+}  // namespace
+
+Value value_for_shaders(const Parameter& parameter, const Value& value) {
+    Value usable = clamped(parameter, value);
+    if (parameter.control == Control::color && parameter.encoding == Encoding::display)
+        for (std::size_t i = 0; i < std::min<std::size_t>(usable.numbers.size(), 3); ++i)
+            usable.numbers[i] = srgb_encode(usable.numbers[i]);
+    return usable;
+}
+
+ParameterUniforms::ParameterUniforms(const Look& look, const Programs& programs) {
+    for (std::size_t i = 0; i < look.passes.size(); ++i)
+        for (const auto& [uniform, value] : look.passes[i].set)
+            programs.passes[i].program->write(uniform, value.numbers);
+
+    for (std::size_t i = 0; i < programs.passes.size(); ++i)
+        find_turned(look, static_cast<int>(i), *programs.passes[i].program);
+    for (std::size_t i = 0; i < look.parameters.size(); ++i) {
+        if (look.parameters[i].orbit != OrbitPart::none)
+            continue;
+        Driven driven{i, {}, {}, look.parameters[i].control == Control::event};
+        for (const Binding& binding : look.parameters[i].bindings) {
+            const gpu::Program* program = program_of(programs, binding.pass);
+            const gpu::Uniform* uniform =
+                program ? program->find_uniform(binding.uniform) : nullptr;
+            if (uniform && uniform->number)
+                driven.places.push_back({program, uniform});
+        }
+        if (!driven.places.empty())
+            m_driven.push_back(std::move(driven));
+    }
+}
+
+void ParameterUniforms::find_turned(const Look& look, int pass, const gpu::Program& program) {
+    for (const BuiltInUniform& built_in : look.passes[static_cast<std::size_t>(pass)].built_ins) {
+        if (built_in.says != BuiltIn::view && built_in.says != BuiltIn::camera)
+            continue;
+        if (const gpu::Uniform* uniform = program.find_uniform(built_in.name))
+            m_turned.push_back({pass,
+                                {&program, uniform},
+                                built_in.says == BuiltIn::view ? view_matrix : camera_matrix,
+                                {}});
+    }
+}
+
+void ParameterUniforms::write_to(const Driven& driven, const Value& usable) {
+    for (const Place& place : driven.places)
+        place.program->write(*place.uniform, usable.numbers);
+}
+
+void ParameterUniforms::end_events() {
+    for (Driven& driven : m_driven) {
+        if (!driven.is_event || driven.written.number() == 0.0)
+            continue;
+        driven.is_over = true;
+        driven.written = Value(0.0);
+        write_to(driven, driven.written);
+    }
+}
+
+void ParameterUniforms::forget_written() {
+    for (Turned& turned : m_turned)
+        turned.written.reset();
+    for (Driven& driven : m_driven)
+        driven.written = {};
+}
+
+void ParameterUniforms::write_turned(const Look& look, const Values& values) {
+    for (Turned& turned : m_turned) {
+        const Orbit orbit = orbit_of(look, values, turned.pass);
+        if (turned.written != orbit)
+            turned.place.program->write(*turned.place.uniform, turned.matrix(orbit));
+        turned.written = orbit;
+    }
+}
+
+void ParameterUniforms::write(Driven& driven, const Parameter& parameter, const Values& values) {
+    Value value = value_of(parameter, values);
+    driven.is_over = driven.is_over && value.number() != 0.0;
+    if (driven.is_over)
+        value = Value(0.0);
+    if (value == driven.written && !driven.written.numbers.empty())
+        return;
+    write_to(driven, value_for_shaders(parameter, value));
+    driven.written = value;
+}
+
+void ParameterUniforms::write(const Look& look, const Values& values) {
+    write_turned(look, values);
+    for (Driven& driven : m_driven)
+        write(driven, look.parameters[driven.parameter], values);
+}
+
+void ParameterUniforms::write(const Look& look, const Values& values,
+                              const std::vector<std::string>& changed) {
+    write_turned(look, values);
+    for (Driven& driven : m_driven) {
+        const Parameter& parameter = look.parameters[driven.parameter];
+        if (driven.written.numbers.empty() || std::ranges::binary_search(changed, parameter.name))
+            write(driven, parameter, values);
+    }
+}

@@ -1,0 +1,90 @@
+#include "graph/targets/target_set.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace {
+// A look that asks for more would bring a machine to its knees before the driver says no.
+constexpr std::size_t most_bytes = std::size_t{8} << 30;
+
+Diagnostics at_pass(Diagnostics problems, const Pass& pass) {
+    for (Diagnostic& problem : problems) {
+        problem.file = pass.declared.file;
+        problem.line = pass.declared.line;
+        problem.message = fmt::format("target of pass '{}': {}", pass.name, problem.message);
+    }
+    return problems;
+}
+
+// Where only its size has changed; numbers that count things cannot be filtered.
+bool is_stretched(const Pass& pass, const PlannedTarget& former, const PlannedTarget& now) {
+    return pass.keeps_when_resized && former.format == now.format && now.slots > 1 &&
+           !facts_of(now.format).is_integer;
+}
+// None where those there were go on.
+Result<std::optional<std::vector<gpu::Canvas>>> make_common(
+    const Look& look, const std::vector<CommonPicture>& planned,
+    const std::vector<CommonPicture>& former) {
+    if (planned == former)
+        return std::nullopt;
+    std::vector<gpu::Canvas> made;
+    for (const CommonPicture& picture : planned) {
+        auto canvas = gpu::Canvas::make(picture.extent, picture.format, picture.mipmapped);
+        if (!canvas)
+            return fail({{look.manifest, 0,
+                          fmt::format("shared targets: {}", canvas.error().front().message)}});
+        made.push_back(std::move(*canvas));
+    }
+    return made;
+}
+}  // namespace
+
+Target* TargetSet::find(const std::string& pass) {
+    const auto found = std::ranges::find(m_targets, pass, &Named::pass);
+    return found == m_targets.end() ? nullptr : &found->target;
+}
+
+Result<TargetSet> TargetSet::make(const Look& look, const Plan& plan, TargetSet& former) {
+    if (memory_of(plan) > most_bytes)
+        return fail(
+            {look.manifest, 0,
+             fmt::format("the targets need {:.1f} GiB; the limit is {} GiB",
+                         static_cast<double>(memory_of(plan)) / (1 << 30), most_bytes >> 30)});
+    // First all that is new, as that may fail; what goes on is moved last.
+    std::vector<std::optional<Target>> made(plan.targets.size());
+    for (std::size_t i = 0; i < made.size(); ++i) {
+        const Target* had = former.find(look.passes[i].name);
+        if (had && had->planned() == plan.targets[i])
+            continue;
+        auto target = Target::make(plan.targets[i]);
+        if (!target)
+            return fail(at_pass(target.error(), look.passes[i]));
+        made[i] = std::move(*target);
+    }
+    auto common = make_common(look, plan.common, former.m_planned_common);
+    if (!common)
+        return fail(common.error());
+    TargetSet set;
+    set.m_planned_common = plan.common;
+    set.m_common = *common ? std::move(**common) : std::move(former.m_common);
+    for (std::size_t i = 0; i < made.size(); ++i) {
+        const std::string& name = look.passes[i].name;
+        Target* had = former.find(name);
+        if (made[i] && had && is_compatible(had->planned(), plan.targets[i]))
+            made[i]->adopt(std::move(*had));
+        else if (made[i] && had && is_stretched(look.passes[i], had->planned(), plan.targets[i]))
+            made[i]->adopt_stretched(*had);
+        set.m_targets.push_back({name, made[i] ? std::move(*made[i]) : std::move(*had)});
+    }
+    set.lend_common();
+    return set;
+}
+
+void TargetSet::lend_common() {
+    for (Named& named : m_targets) {
+        const std::optional<std::size_t> common = named.target.planned().common;
+        named.target.lend(common ? &m_common[*common] : nullptr);
+    }
+}

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "graph/targets/target.h"
+#include "model/look/look.h"
+
+#include <string>
+#include <vector>
+
+/// The targets of a look's passes, in their order.
+class TargetSet {
+public:
+    /// What `plan` asks for. Targets of `former` with the same pass, size and format go on with
+    /// what they hold, and of another size where the pass keeps it; on failure `former` is as it
+    /// was.
+    static Result<TargetSet> make(const Look& look, const Plan& plan, TargetSet& former);
+
+    std::size_t size() const { return m_targets.size(); }
+    Target& operator[](std::size_t pass) { return m_targets[pass].target; }
+    const Target& operator[](std::size_t pass) const { return m_targets[pass].target; }
+
+private:
+    struct Named {
+        std::string pass;
+        Target target;
+    };
+
+    Target* find(const std::string& pass);
+    void lend_common();
+
+    std::vector<Named> m_targets;
+    std::vector<gpu::Canvas> m_common;  // as the plan has them
+    std::vector<CommonPicture> m_planned_common;
+};

@@ -1,0 +1,51 @@
+#include "graph/targets/upright.h"
+
+#include "gpu/draw.h"
+
+namespace {
+constexpr std::uint64_t most_pictures_unseen = 120;
+}  // namespace
+
+bool Upright::holds(const gpu::Texture& stored, std::uint64_t number) const {
+    const auto found = m_copies.find(stored.handle());
+    return found != m_copies.end() && found->second.number == number;
+}
+
+Upright::Copy* Upright::copy_for(const gpu::Texture& stored, std::uint64_t number) {
+    const auto found = m_copies.find(stored.handle());
+    if (found != m_copies.end() && found->second.canvas.texture().extent() == stored.extent() &&
+        found->second.canvas.texture().format() == stored.format())
+        return &found->second;
+    std::erase_if(m_copies, [&](const auto& entry) {
+        return entry.first == stored.handle() ||
+               entry.second.number + most_pictures_unseen < number;
+    });
+    auto canvas = gpu::Canvas::make(stored.extent(), stored.format(), stored.is_mipmapped());
+    if (!canvas)
+        return nullptr;
+    return &m_copies.emplace(stored.handle(), Copy{std::move(*canvas), number - 1}).first->second;
+}
+
+// Where the machine has no room for a copy, upside down is better than nothing.
+const gpu::Texture& Upright::view(const gpu::Texture& stored, RowOrder rows, std::uint64_t number) {
+    if (rows == RowOrder::bottom_first)
+        return stored;
+    if (!m_pass_through) {
+        auto made = PassThrough::make();
+        if (!made)
+            return stored;
+        m_pass_through.emplace(std::move(*made));
+    }
+    Copy* copy = copy_for(stored, number);
+    if (!copy)
+        return stored;
+    if (copy->number != number) {
+        const gpu::DrawScope scope;
+        m_pass_through->draw(stored, {Filter::nearest, Wrap::edge, false}, copy->canvas, m_samplers,
+                             true);
+        m_samplers.release();
+        copy->canvas.texture().generate_mipmaps();
+        copy->number = number;
+    }
+    return copy->canvas.texture();
+}

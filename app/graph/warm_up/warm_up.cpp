@@ -1,0 +1,36 @@
+#include "graph/warm_up/warm_up.h"
+
+#include "gpu/draw.h"
+
+WarmUp::WarmUp(PassProgram first, PassProgram last, gpu::Canvas canvas)
+    : m_first(std::move(first)), m_last(std::move(last)), m_canvas(std::move(canvas)) {}
+
+Result<WarmUp> WarmUp::make() {
+    auto first = idle_program();
+    auto last = idle_program();
+    auto canvas = gpu::Canvas::make({1, 1}, Format::rgba8);
+    for (const auto* program : {&first, &last})
+        if (!*program)
+            return fail(program->error());
+    if (!canvas)
+        return fail(canvas.error());
+    return WarmUp(std::move(*first), std::move(*last), std::move(*canvas));
+}
+
+void WarmUp::draw_with(const PassProgram& program) const {
+    const gpu::DrawScope scope;
+    m_canvas.bind();
+    program.program->use();
+    m_vertices.bind();
+    gpu::draw_triangle();
+}
+
+void WarmUp::draw(const FirstDrawsOf& of, PassProgress& progress) const {
+    FirstDraws draws(of, m_first);
+    if (draws.is_done())
+        return;
+    draw_with(m_first);
+    draws.draw_all(progress);
+    draw_with(m_last);
+    gpu::finish();
+}

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "base/diagnostic.h"
+#include "io/files/descriptor.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+/// A port of this machine that packets come to from programs on this machine alone (127.0.0.1).
+class UdpPort {
+public:
+    /// 1 .. 65535; 0: any that is free.
+    static Result<UdpPort> open(int port);
+
+    int number() const { return m_number; }
+    /// Becomes readable when a packet has come.
+    int descriptor() const { return m_socket.get(); }
+    /// The next packet that has come; none when there is none. Never waits.
+    std::optional<std::vector<std::uint8_t>> take() const;
+
+private:
+    UdpPort(Descriptor socket, int number) : m_socket(std::move(socket)), m_number(number) {}
+
+    Descriptor m_socket;
+    int m_number;
+};

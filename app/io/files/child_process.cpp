@@ -1,0 +1,213 @@
+#include "io/files/child_process.h"
+
+#include "base/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <utility>
+
+extern char** environ;
+
+namespace {
+// What is given to posix_spawn, and taken back.
+class FileActions {
+public:
+    FileActions() { posix_spawn_file_actions_init(&m_actions); }
+    ~FileActions() { posix_spawn_file_actions_destroy(&m_actions); }
+    FileActions(const FileActions&) = delete;
+    FileActions& operator=(const FileActions&) = delete;
+
+    void use(int descriptor, int as) {
+        posix_spawn_file_actions_adddup2(&m_actions, descriptor, as);
+    }
+    const posix_spawn_file_actions_t* get() const { return &m_actions; }
+
+private:
+    posix_spawn_file_actions_t m_actions{};
+};
+
+tl::unexpected<Diagnostics> no_pipe() {
+    return fail({{}, 0, fmt::format("can't create a pipe: {}", std::strerror(errno))});
+}
+
+struct InputLink {
+    Descriptor ours;
+    Descriptor theirs;
+};
+
+Result<InputLink> make_input() {
+    std::array<int, 2> ends{};
+    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
+        return no_pipe();
+    ::shutdown(ends[0], SHUT_RD);
+    return InputLink{Descriptor(ends[0]), Descriptor(ends[1])};
+}
+
+// The same file by a number that none of what a program is given takes.
+Descriptor out_of_the_way(int descriptor) {
+    constexpr int first_free = ChildProcess::given_output + 1;
+    return Descriptor(descriptor < 0 ? -1 : ::fcntl(descriptor, F_DUPFD_CLOEXEC, first_free));
+}
+
+int wait_for(pid_t process) {
+    int status = 0;
+    while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
+    }
+    return status;
+}
+}  // namespace
+
+Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& command, Files files) {
+    Inputs fed;
+    Inputs read;
+    for (int i = 0; i < files.inputs; ++i) {
+        auto made = make_input();
+        if (!made)
+            return fail(made.error());
+        fed[static_cast<std::size_t>(i)] = std::move(made->ours);
+        read[static_cast<std::size_t>(i)] = std::move(made->theirs);
+    }
+    std::array<int, 2> ends{};
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0)
+        return no_pipe();
+    Descriptor output(ends[0]);
+    const Descriptor input(ends[1]);
+    Descriptor complaints(::memfd_create("complaints", MFD_CLOEXEC));
+    const Descriptor nothing(::open("/dev/null", O_RDWR | O_CLOEXEC));
+    FileActions actions;
+    actions.use(read[0].is_open() ? read[0].get() : nothing.get(), STDIN_FILENO);
+    actions.use(input.get(), STDOUT_FILENO);
+    actions.use(complaints.is_open() ? complaints.get() : nothing.get(), STDERR_FILENO);
+    const Descriptor second = out_of_the_way(read[1].get());
+    const Descriptor given = out_of_the_way(files.output);
+    if (second.is_open())
+        actions.use(second.get(), second_input);
+    if (given.is_open())
+        actions.use(given.get(), given_output);
+    std::vector<std::string> words = command;
+    std::vector<char*> arguments;
+    for (std::string& word : words)
+        arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    pid_t process = -1;
+    const int error = ::posix_spawnp(&process, arguments.front(), actions.get(), nullptr,
+                                     arguments.data(), environ);
+    if (error == ENOENT)
+        return fail({{}, 0, fmt::format("the program '{}' isn't installed", command.front())});
+    if (error != 0)
+        return fail(
+            {{}, 0, fmt::format("can't start '{}': {}", command.front(), std::strerror(error))});
+    return ChildProcess(process, std::move(fed), std::move(output), std::move(complaints));
+}
+
+ChildProcess::ChildProcess(ChildProcess&& other) noexcept
+    : m_process(std::exchange(other.m_process, -1)),
+      m_inputs(std::move(other.m_inputs)),
+      m_output(std::move(other.m_output)),
+      m_complaints(std::move(other.m_complaints)) {}
+
+ChildProcess& ChildProcess::operator=(ChildProcess&& other) noexcept {
+    std::swap(m_process, other.m_process);
+    m_inputs = std::move(other.m_inputs);
+    m_output = std::move(other.m_output);
+    m_complaints = std::move(other.m_complaints);
+    return *this;
+}
+
+ChildProcess::~ChildProcess() {
+    end();
+}
+
+void ChildProcess::end() {
+    if (m_process < 0)
+        return;
+    ::kill(m_process, SIGKILL);
+    wait_for(std::exchange(m_process, -1));
+}
+
+std::size_t ChildProcess::read(char* bytes, std::size_t size) {
+    std::size_t done = 0;
+    while (done < size) {
+        const ssize_t got = ::read(m_output.get(), bytes + done, size - done);
+        if (got < 0 && errno == EINTR)
+            continue;
+        if (got <= 0)
+            break;
+        done += static_cast<std::size_t>(got);
+    }
+    return done;
+}
+
+std::string ChildProcess::read_all(std::size_t most) {
+    std::string text(most, '\0');
+    text.resize(read(text.data(), most));
+    return text;
+}
+
+std::optional<std::string> ChildProcess::read_all_within(double seconds, std::size_t most) {
+    using Clock = std::chrono::steady_clock;
+    const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+    std::string text;
+    std::array<char, 4096> piece{};
+    for (;;) {
+        const auto left =
+            std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
+        pollfd waits{m_output.get(), POLLIN, 0};
+        const int ready = ::poll(&waits, 1, static_cast<int>(std::clamp<long>(left, 0, 1 << 30)));
+        if (ready < 0 && errno == EINTR)
+            continue;
+        if (ready <= 0)
+            return std::nullopt;
+        const ssize_t got =
+            ::read(m_output.get(), piece.data(), std::min(piece.size(), most - text.size()));
+        if (got < 0 && errno == EINTR)
+            continue;
+        if (got <= 0)
+            return text;
+        text.append(piece.data(), static_cast<std::size_t>(got));
+    }
+}
+
+bool ChildProcess::feed(int input, std::string_view bytes) const {
+    const int descriptor = m_inputs[static_cast<std::size_t>(input)].get();
+    while (!bytes.empty()) {
+        const ssize_t sent = ::send(descriptor, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+        if (sent < 0 && errno == EINTR)
+            continue;
+        if (sent <= 0)
+            return false;
+        bytes.remove_prefix(static_cast<std::size_t>(sent));
+    }
+    return true;
+}
+
+bool ChildProcess::finish() {
+    if (m_process < 0)
+        return false;
+    const int status = wait_for(std::exchange(m_process, -1));
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+std::string ChildProcess::complaint() const {
+    std::array<char, 512> start{};
+    const ssize_t got = ::pread(m_complaints.get(), start.data(), start.size(), 0);
+    const std::string_view text(start.data(), got > 0 ? static_cast<std::size_t>(got) : 0);
+    const auto lines = split_lines(text);
+    std::string line(lines.empty() ? std::string_view() : trim(lines.front()));
+    for (char& letter : line)
+        if (static_cast<unsigned char>(letter) < ' ')
+            letter = ' ';
+    return line;
+}

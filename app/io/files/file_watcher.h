@@ -1,0 +1,71 @@
+#pragma once
+
+#include "base/diagnostic.h"
+#include "io/files/descriptor.h"
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+/// Tells which files were saved. It watches their folders, so that a save in place, a save by
+/// rename (vim, emacs), a file or folder that appears later and a file that goes away are all seen.
+/// A file is reported when it is closed or moved into place, so never half-written.
+class FileWatcher {
+public:
+    static Result<FileWatcher> start();
+    FileWatcher(FileWatcher&& other) noexcept;
+    FileWatcher& operator=(FileWatcher&& other) noexcept;
+    ~FileWatcher();
+
+    /// Watches these files, which need not exist, in place of those before. Changes that were seen
+    /// but not yet taken are kept for files that stay. Fails for files that the system cannot
+    /// watch.
+    Result<void> watch(const std::vector<std::filesystem::path>& files);
+
+    /// The files that changed since last asked, each once, named as in watch(). Never waits.
+    std::vector<std::filesystem::path> take_changed();
+
+    /// Becomes readable (poll, epoll) when take_changed() may have something to tell.
+    int descriptor() const { return m_poll.get(); }
+
+private:
+    // Of a file's content, to see a change that no event told of.
+    struct Stamp {
+        std::int64_t seconds = 0;
+        std::int64_t nanoseconds = 0;
+        std::int64_t size = 0;
+        std::uint64_t number = 0;
+        bool operator==(const Stamp&) const = default;
+    };
+    using Folder = std::multimap<std::string, std::filesystem::path>;  // name in it -> watched file
+    using Folders = std::map<int, Folder>;                             // by inotify's number
+
+    FileWatcher(Descriptor events, Descriptor timer, Descriptor poll);
+
+    static std::optional<Stamp> stamp_of(const std::filesystem::path& file);
+    Diagnostics place_watches();
+    bool place_watch(const std::filesystem::path& place, const std::filesystem::path& file,
+                     Folders& folders) const;
+    void read_events();
+    void handle_event(int folder, std::uint32_t mask, const char* name);
+    void handle_file_event(const std::filesystem::path& file, std::uint32_t mask);
+    void expect_back(const std::filesystem::path& file);
+    void note_differences();
+    void settle_missing();
+
+    Descriptor m_events;  // inotify
+    Descriptor m_timer;   // ends the wait for a file that went away
+    Descriptor m_poll;    // both of them
+    std::map<std::filesystem::path, std::optional<Stamp>> m_files;  // no stamp: not there
+    Folders m_folders;
+    std::set<std::filesystem::path> m_changed;
+    std::set<std::filesystem::path> m_missing;  // may come back within moments (save by rename)
+    std::chrono::steady_clock::time_point m_missing_until;
+    bool m_is_placed = false;  // all of m_files could be watched
+    bool m_is_moved = false;   // a folder or link on the way to a file came or went
+};

@@ -1,0 +1,84 @@
+#include "io/pictures/png_encoder.h"
+
+#include "model/picture/display_bytes.h"
+
+#include <fmt/format.h>
+
+#include <cassert>
+#include <csetjmp>
+#include <cstring>
+#include <png.h>
+
+namespace {
+/// What libpng's calls back find.
+struct PngTarget {
+    std::string bytes;
+    std::string error;
+};
+
+void append_png(png_structp png, png_bytep data, std::size_t size) {
+    static_cast<PngTarget*>(png_get_io_ptr(png))
+        ->bytes.append(reinterpret_cast<const char*>(data), size);
+}
+
+void flush_nothing(png_structp) {}
+
+[[noreturn]] void leave_png(png_structp png, png_const_charp message) {
+    static_cast<PngTarget*>(png_get_error_ptr(png))->error = message;
+    png_longjmp(png, 1);
+}
+
+void ignore_warning(png_structp, png_const_charp) {}
+
+// libpng leaves by a long jump, so nothing here has a destructor.
+bool write_png(png_structp png, png_infop info, Extent extent, int channels,
+               const std::uint8_t* bytes) {
+    if (setjmp(png_jmpbuf(png)))
+        return false;
+    const auto width = static_cast<png_uint_32>(extent.width);
+    png_set_IHDR(png, info, width, static_cast<png_uint_32>(extent.height), 8,
+                 channels == 4 ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
+    png_set_compression_level(png, 1);
+    png_write_info(png, info);
+    for (int y = 0; y < extent.height; ++y)
+        png_write_row(
+            png, bytes + static_cast<std::size_t>(y) * width * static_cast<std::size_t>(channels));
+    png_write_end(png, info);
+    return true;
+}
+
+Result<std::string> encode_bytes(Extent extent, int channels, std::span<const std::uint8_t> bytes) {
+    assert(bytes.size() == static_cast<std::size_t>(extent.width) *
+                               static_cast<std::size_t>(extent.height) *
+                               static_cast<std::size_t>(channels));
+    PngTarget target;
+    png_structp png =
+        png_create_write_struct(PNG_LIBPNG_VER_STRING, &target, leave_png, ignore_warning);
+    png_infop info = png ? png_create_info_struct(png) : nullptr;
+    bool is_good = false;
+    if (info) {
+        png_set_write_fn(png, &target, append_png, flush_nothing);
+        is_good = write_png(png, info, extent, channels, bytes.data());
+    }
+    png_destroy_write_struct(&png, &info);
+    if (!is_good)
+        return fail({{}, 0, fmt::format("can't encode the PNG: {}", target.error)});
+    return std::move(target.bytes);
+}
+}  // namespace
+
+Result<std::string> encode_png(Extent extent, std::span<const std::uint8_t> rgb) {
+    return encode_bytes(extent, 3, rgb);
+}
+
+Result<std::string> encode_png_with_alpha(Extent extent, std::span<const std::uint8_t> rgba) {
+    return encode_bytes(extent, 4, rgba);
+}
+
+Result<std::string> encode_png(const Picture& picture) {
+    assert(picture.pixels.size() == picture.index(0, picture.extent.height));
+    return encode_png(picture.extent, display_bytes(picture));
+}

@@ -1,0 +1,211 @@
+#include "io/sound/sound_file.h"
+
+#include "base/file.h"
+#include "base/text.h"
+#include "io/files/descriptor.h"
+#include "io/files/memory_file.h"
+
+#include <fmt/format.h>
+#include <sndfile.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <fcntl.h>
+#include <memory>
+#include <new>
+
+namespace {
+constexpr int most_channels = 32;
+constexpr int most_rate = 768000;
+
+struct CloseFile {
+    void operator()(SNDFILE* file) const { sf_close(file); }
+};
+using SoundFile = std::unique_ptr<SNDFILE, CloseFile>;
+
+Result<void> check(const std::filesystem::path& file, const SF_INFO& info) {
+    if (info.samplerate <= 0 || info.samplerate > most_rate)
+        return fail({file, 0,
+                     fmt::format("the sample rate must be between 1 and {} Hz, got {} Hz",
+                                 most_rate, info.samplerate)});
+    if (info.channels <= 0 || info.channels > most_channels)
+        return fail({file, 0,
+                     fmt::format("the number of channels must be between 1 and {}, got {}",
+                                 most_channels, info.channels)});
+    return {};
+}
+
+// A float file may hold anything; far beyond full scale nothing can be heard or seen.
+float sane(float sample) {
+    constexpr float most = 1000.0f;
+    if (std::isnan(sample))
+        return 0.0f;
+    return std::min(std::max(sample, -most), most);
+}
+
+// Block by block until nothing more comes: the length that a header claims is never believed.
+// `claimed` is only for telling how far it has come.
+Result<void> read_samples(const std::filesystem::path& file, SNDFILE* source, double claimed,
+                          Sound& sound, Work* work) {
+    std::array<float, 8192> block;
+    const auto channels = static_cast<std::size_t>(sound.channels);
+    const auto frames = static_cast<sf_count_t>(block.size() / channels);
+    const std::size_t longest =
+        std::size_t{most_sound_seconds} * static_cast<std::size_t>(sound.rate) * channels;
+    for (;;) {
+        const sf_count_t got = sf_readf_float(source, block.data(), frames);
+        if (got <= 0)
+            return {};
+        const auto count = static_cast<std::size_t>(got) * channels;
+        if (sound.samples.size() + count > longest)
+            return fail({file, 0, "the sound is too long; the limit is 1 hour"});
+        if (sound.samples.size() + count > most_sound_samples)
+            return fail({file, 0, "the sound needs too much memory; the limit is 2 GiB"});
+        for (std::size_t i = 0; i < count; ++i)
+            sound.samples.push_back(sane(block[i]));
+        if (!work)
+            continue;
+        if (work->is_cancelled)
+            return fail({file, 0, "reading was cancelled"});
+        const auto done = static_cast<double>(sound.frame_count());
+        work->share = claimed > 0.0 ? std::min(done / claimed, 1.0) : 0.0;
+    }
+}
+// The library cuts what a WAV or AIFF file announces to what is there, and tells only in its log:
+// "data : 320000 (should be 99956)". A header that was written before the length was known holds
+// none, or the largest number that fits.
+double announced_share(std::string_view log) {
+    constexpr double unknown = 2147483647.0;
+    for (const std::string_view line : split_lines(log)) {
+        const bool is_data = line.starts_with("data :") || line.starts_with(" SSND :");
+        const auto mark = line.find("(should be ");
+        if (!is_data || mark == std::string_view::npos)
+            continue;
+        const auto start = line.find(':') + 1;
+        const auto announced = parse_number(trim(line.substr(start, mark - start)));
+        const std::string_view rest = line.substr(mark + std::strlen("(should be "));
+        const auto there = parse_number(rest.substr(0, rest.find(')')));
+        if (announced && there && *there > 0.0 && *announced > *there && *announced < unknown)
+            return *announced / *there;
+    }
+    return 1.0;
+}
+
+// What a file that breaks off holds of what it announces; nothing for one that is whole.
+std::optional<Diagnostic> find_break(const std::filesystem::path& file, SNDFILE* source,
+                                     sf_count_t announced, const Sound& sound) {
+    std::array<char, 16384> text{};
+    sf_command(source, SFC_GET_LOG_INFO, text.data(), static_cast<int>(text.size()) - 1);
+    const std::string_view log(text.data());
+    const auto read = static_cast<double>(sound.frame_count());
+    const auto note = [&file](std::string message) {
+        return Diagnostic{file, 0, std::move(message), Severity::warning};
+    };
+    constexpr double slack = 1.01;  // encoders pad
+    if (announced == SF_COUNT_MAX)  // of an OGG, which tells its length in its last page
+        return note(fmt::format("the file ends early: only {:.2f} s were read", sound.seconds()));
+    const double whole =
+        std::max(static_cast<double>(announced), read * announced_share(log)) / sound.rate;
+    if (whole > slack * sound.seconds())
+        return note(fmt::format("the file ends early: only {:.2f} of {:.2f} s were read",
+                                sound.seconds(), whole));
+    return std::nullopt;
+}
+// Where the data of a WAV begins whose header tells no length, as programs leave it that die while
+// they record: 0 in the header and sound, no further chunks, behind it. Nothing: no such file.
+std::optional<std::size_t> unfinished_data(std::string_view wav) {
+    constexpr std::size_t head = 8;  // of a chunk: its name and its length
+    if (!wav.starts_with("RIFF") || wav.substr(head, 4) != "WAVE")
+        return std::nullopt;
+    const auto length_at = [&](std::size_t at) {
+        std::size_t length = 0;
+        for (std::size_t i = 0; i < 4; ++i)
+            length |= std::size_t{static_cast<unsigned char>(wav[at + 4 + i])} << (8 * i);
+        return length;
+    };
+    std::optional<std::size_t> data;
+    std::size_t at = 12;
+    while (at + head <= wav.size()) {
+        const std::size_t length = length_at(at);
+        if (!data && wav.substr(at, 4) == "data" && length == 0)
+            data = at + head;
+        at += head + length + length % 2;
+    }
+    const bool has_chunks_behind = at == wav.size() && data != wav.size();
+    return data && *data < wav.size() && !has_chunks_behind ? data : std::nullopt;
+}
+
+std::string with_length(std::string wav, std::size_t data) {
+    const auto write = [&](std::size_t at, std::size_t length) {
+        for (std::size_t i = 0; i < 4; ++i)
+            wav[at + i] = static_cast<char>(length >> (8 * i) & 0xffu);
+    };
+    write(4, wav.size() - 8);
+    write(data - 4, wav.size() - data);
+    return wav;
+}
+
+// What such a WAV holds; nothing where the file is no such WAV or cannot be read.
+std::optional<Sound> load_unfinished_wav(const std::filesystem::path& file, Work* work) {
+    const auto bytes = read_bytes(file);
+    const auto data = bytes ? unfinished_data(*bytes) : std::nullopt;
+    if (!data)
+        return std::nullopt;
+    MemoryFile memory{with_length(*bytes, *data)};
+    SF_VIRTUAL_IO reader = memory_file_calls();
+    SF_INFO info{};
+    const SoundFile source(sf_open_virtual(&reader, SFM_READ, &info, &memory));
+    if (!source || !check(file, info))
+        return std::nullopt;
+    Sound sound{.rate = info.samplerate, .channels = info.channels, .samples = {}};
+    if (!read_samples(file, source.get(), static_cast<double>(info.frames), sound, work) ||
+        sound.samples.empty())
+        return std::nullopt;
+    return sound;
+}
+}  // namespace
+
+Result<Sound> load_sound(const std::filesystem::path& file, Work* work, Diagnostics* notes) {
+    // Also says what is not there or no file; opening a pipe would wait forever.
+    const auto start = read_start(file, 1);
+    if (!start)
+        return fail(start.error());
+    if (start->empty())
+        return fail({file, 0, "the file is empty"});
+
+    // By its content alone: told a name, libsndfile takes any bytes called .mp3 for MPEG frames,
+    // and the decoder then complains on stderr.
+    const Descriptor descriptor(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+    SF_INFO info{};
+    const SoundFile source(sf_open_fd(descriptor.get(), SFM_READ, &info, SF_FALSE));
+    if (!source)
+        return fail({file, 0, fmt::format("can't read the sound: {}", sf_strerror(nullptr))});
+    if (const auto good = check(file, info); !good)
+        return fail(good.error());
+
+    Sound sound{.rate = info.samplerate, .channels = info.channels, .samples = {}};
+    try {
+        const auto claimed = static_cast<double>(info.frames);
+        if (const auto read = read_samples(file, source.get(), claimed, sound, work); !read)
+            return fail(read.error());
+    } catch (const std::bad_alloc&) {
+        return fail({file, 0, "not enough memory for this sound"});
+    }
+    if (sound.samples.empty()) {
+        auto unfinished = load_unfinished_wav(file, work);
+        if (!unfinished)
+            return fail({file, 0, "the file has a header but no sound data"});
+        if (notes)
+            notes->push_back({file, 0,
+                              fmt::format("the recording is unfinished: its header has no length. "
+                                          "{:.2f} s were read.",
+                                          unfinished->seconds()),
+                              Severity::warning});
+        return std::move(*unfinished);
+    }
+    if (const auto broken = find_break(file, source.get(), info.frames, sound); broken && notes)
+        notes->push_back(*broken);
+    return sound;
+}

@@ -1,0 +1,79 @@
+#pragma once
+
+#include "io/sound/level_ramp.h"
+#include "model/devices/sound.h"
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+/// Plays one sound into buffers for a device: what a SoundOutput does, without the device. One
+/// thread controls it and one other calls mix(), which neither waits nor allocates nor frees.
+class SoundPlayer {
+public:
+    explicit SoundPlayer(int device_rate) : m_device_rate(device_rate) {}
+
+    /// The part from `start_seconds` on: its time 0, and where it loops to. Null is silence. The
+    /// sound has a rate and a channel.
+    void play(std::shared_ptr<const Sound> sound, double start_seconds = 0.0);
+    void set_paused(bool paused) { m_is_paused = paused; }
+    /// Goes on at this time of the sound; when it loops, also one beyond its end.
+    void seek(double seconds);
+    void set_loop(bool loops) { m_loops = loops; }
+    /// 0 .. 2; reached over the length of a buffer, so that nothing clicks.
+    void set_level(double level);
+    /// 0.01 .. 4; the pitch follows.
+    void set_speed(double speed);
+
+    /// What a buffer holds.
+    struct Mixed {
+        double begin_seconds = 0.0;       // in the sound; goes on counting from loop to loop
+        double seconds_per_second = 0.0;  // 0 paused or at the end, else the speed
+        std::uint64_t jump = 0;           // the last seek that it follows
+    };
+    /// Fills in left and right in turn, within -1 .. 1; straight lines between the sound's own
+    /// samples, of which the first two channels are heard. For the device's thread.
+    Mixed mix(std::span<float> stereo) noexcept;
+
+    /// The number of the last seek that was asked for; a new sound is one too.
+    std::uint64_t jump() const { return m_jump; }
+
+private:
+    struct Track {
+        std::shared_ptr<const Sound> sound;  // shared with the signal that draws it
+        std::size_t first = 0;               // frame that it starts with
+
+        std::size_t frame_count() const { return sound->frame_count() - first; }
+        const float* samples() const {
+            return sound->samples.data() + first * static_cast<std::size_t>(sound->channels);
+        }
+    };
+
+    struct Pace {
+        double step = 1.0;  // samples of the sound a sample of the device
+        bool loops = false;
+    };
+
+    const Track* begin_reading() noexcept;
+    void follow_seek(const Sound& sound) noexcept;
+    void add_sound(const Track& track, const Pace& pace, std::span<float> stereo) noexcept;
+    void drop_unused_tracks();
+
+    int m_device_rate;
+    std::vector<std::unique_ptr<const Track>> m_tracks;  // kept while mix() may read them
+    std::atomic<const Track*> m_track = nullptr;
+    std::atomic<const Track*> m_in_use = nullptr;
+
+    std::atomic<bool> m_is_paused = false;
+    std::atomic<bool> m_loops = false;
+    LevelRamp m_level{1.0, 1.0};
+    std::atomic<double> m_speed = 1.0;
+    std::atomic<double> m_seek_seconds = 0.0;
+    std::atomic<std::uint64_t> m_jump = 0;
+
+    // Of the device's thread.
+    std::uint64_t m_jump_followed = 0;
+    double m_position = 0.0;  // samples of the sound
+};

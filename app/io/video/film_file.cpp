@@ -1,0 +1,190 @@
+#include "io/video/film_file.h"
+
+#include "base/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace fs = std::filesystem;
+
+namespace {
+using Words = std::vector<std::string>;
+
+constexpr double most_gif_rate = 50.0;  // browsers take what is faster for a mistake
+
+std::string ending_of(const fs::path& file) {
+    return to_lower(file.extension().string());
+}
+
+// Of how many pictures one is kept.
+int step_of(const fs::path& file, const FilmRate& rate) {
+    if (ending_of(file) != ".gif")
+        return 1;
+    return std::max(1, static_cast<int>(std::ceil(rate.number() / most_gif_rate - 1e-9)));
+}
+
+void add_words(Words& words, const Words& more) {
+    words.insert(words.end(), more.begin(), more.end());
+}
+
+// H.264 with a quarter of the colours has even sides: the last row and column are there twice.
+std::string evened(Extent extent) {
+    const int right = extent.width % 2;
+    const int below = extent.height % 2;
+    if (right + below == 0)
+        return "";
+    return fmt::format("pad={}:{},fillborders=right={}:bottom={}:mode=smear,", extent.width + right,
+                       extent.height + below, right, below);
+}
+
+Words picture_words(const std::string& ending, Extent extent) {
+    if (ending == ".gif")  // a palette a picture: none has to wait for the last
+        return {"-vf",
+                "split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1:dither="
+                "bayer:bayer_scale=3",
+                "-f", "gif"};
+    Words words{"-vf",
+                (ending == ".mp4" ? evened(extent) : std::string()) +
+                    "scale=out_color_matrix=bt709:out_range=tv:flags=bicubic+accurate_rnd+"
+                    "full_chroma_int+full_chroma_inp,format=yuv420p",
+                "-colorspace",
+                "bt709",
+                "-color_primaries",
+                "bt709",
+                "-color_trc",
+                "bt709",
+                "-color_range",
+                "tv"};
+    if (ending == ".mp4")
+        add_words(words, {"-c:v", "libx264", "-preset", "medium", "-crf", "18", "-movflags",
+                          "+faststart", "-f", "mp4"});
+    else
+        add_words(words, {"-c:v", "libvpx-vp9", "-crf", "24", "-b:v", "0", "-row-mt", "1",
+                          "-deadline", "good", "-cpu-used", "4", "-f", "webm"});
+    return words;
+}
+
+Words sound_words(const std::string& ending) {
+    if (ending == ".mp4")
+        return {"-c:a", "aac", "-b:a", "256k"};
+    // Opus begins before the sound does. WebM has a word for that; with times below 0 beside it
+    // ffmpeg 5 shows the pictures as much too late.
+    return {"-c:a", "libopus", "-b:a", "256k", "-bsf:a", "setts=pts=PTS-STARTPTS:dts=DTS-STARTDTS"};
+}
+
+Words command_of(const std::string& ending, const FilmFormat& format, int step) {
+    const FilmRate kept = film_rate_of(format.rate.number() / step);
+    Words words{"ffmpeg",
+                "-v",
+                "error",
+                "-nostdin",
+                "-y",
+                "-f",
+                "rawvideo",
+                "-pixel_format",
+                "rgb24",
+                "-video_size",
+                fmt::format("{}x{}", format.extent.width, format.extent.height),
+                "-framerate",
+                kept.text('/'),
+                "-i",
+                "pipe:0"};
+    const bool has_sound = format.sound.rate > 0;
+    if (has_sound)
+        add_words(words, {"-f", "f32le", "-ar", std::to_string(format.sound.rate), "-ac", "2", "-i",
+                          fmt::format("pipe:{}", ChildProcess::second_input)});
+    add_words(words, {"-map", "0:v"});
+    if (has_sound)
+        add_words(words, {"-map", "1:a"});
+    if (has_sound)
+        add_words(words, sound_words(ending));
+    add_words(words, picture_words(ending, format.extent));
+    // Already open: nothing comes to be where the film was cancelled meanwhile.
+    words.push_back(fmt::format("file:/dev/fd/{}", ChildProcess::given_output));
+    return words;
+}
+}  // namespace
+
+bool is_film_name(const fs::path& file) {
+    constexpr std::array<std::string_view, 3> endings{".mp4", ".webm", ".gif"};
+    return std::ranges::find(endings, ending_of(file)) != endings.end();
+}
+
+Result<std::unique_ptr<FilmFile>> FilmFile::create(const fs::path& file, FilmFormat format) {
+    const std::string ending = ending_of(file);
+    if (ending == ".gif")
+        format.sound = {};
+    auto target = AtomicFile::create(file);
+    if (!target)
+        return fail(target.error());
+    auto process = ChildProcess::start(
+        command_of(ending, format, step_of(file, format.rate)),
+        {.inputs = format.sound.rate > 0 ? 2 : 1, .output = target->descriptor()});
+    if (!process)
+        return fail({file, 0,
+                     fmt::format("writing videos needs the Debian package ffmpeg: {}",
+                                 process.error().front().message)});
+    return std::unique_ptr<FilmFile>(
+        new FilmFile(file, std::move(format), std::move(*target), std::move(*process)));
+}
+
+FilmFile::FilmFile(fs::path file, FilmFormat format, AtomicFile target, ChildProcess process)
+    : m_file(std::move(file)),
+      m_format(std::move(format)),
+      m_target(std::move(target)),
+      m_process(std::move(process)) {
+    if (m_format.sound.rate > 0)
+        m_sound = std::thread([this] { feed_sound(); });
+}
+
+FilmFile::~FilmFile() {
+    m_process.end_input(0);
+    m_process.end();  // then nobody reads the sound
+    if (m_sound.joinable())
+        m_sound.join();
+}
+
+void FilmFile::feed_sound() {
+    constexpr std::int64_t piece = 16384;
+    std::vector<float> samples;
+    for (std::int64_t first = 0; first < m_format.sound.count; first += piece) {
+        const std::int64_t count = std::min(piece, m_format.sound.count - first);
+        samples.resize(static_cast<std::size_t>(2 * count));
+        m_format.sound.read(first, samples);
+        const std::string_view bytes(reinterpret_cast<const char*>(samples.data()),
+                                     samples.size() * sizeof(float));
+        if (!m_process.feed(1, bytes))
+            break;  // ffmpeg has ended: the pictures' side tells why
+    }
+    m_process.end_input(1);
+}
+
+tl::unexpected<Diagnostics> FilmFile::failed() {
+    const std::string complaint = m_process.complaint();
+    return fail({m_file, 0,
+                 complaint.empty() ? "can't write the video: ffmpeg stopped without a message"
+                                   : fmt::format("can't write the video: ffmpeg: {}", complaint)});
+}
+
+Result<void> FilmFile::add(std::span<const std::uint8_t> rgb) {
+    if (m_count++ % step_of(m_file, m_format.rate) != 0)
+        return {};
+    const std::string_view bytes(reinterpret_cast<const char*>(rgb.data()), rgb.size());
+    if (m_process.feed(0, bytes))
+        return {};
+    m_process.finish();
+    return failed();
+}
+
+Result<void> FilmFile::finish() {
+    m_process.end_input(0);
+    if (m_sound.joinable())
+        m_sound.join();
+    const bool is_good = m_process.finish();
+    if (!is_good || !m_process.complaint().empty())  // on a full disk it complains and is satisfied
+        return failed();
+    return m_target.finish();
+}

@@ -1,0 +1,240 @@
+#include "io/video/video_file.h"
+
+#include "base/file.h"
+#include "base/text.h"
+#include "io/files/child_process.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace fs = std::filesystem;
+
+namespace {
+constexpr int largest_frame_side = 8192;
+
+// FFmpeg's names of what is_video_file() lists. A playlist under such a name would open other files
+// (hls, concat, dash, imf), and so would an image sequence.
+constexpr const char* read_formats =
+    "mov,matroska,avi,mpeg,mpegvideo,mpegts,m4v,ogg,gif,yuv4mpegpipe";
+
+struct Facts {
+    Extent extent;     // upright
+    std::string rate;  // pictures a second, "30000/1001"
+    double rate_number = 0.0;
+    bool is_deep = false;  // more than 8 bits a channel
+};
+
+// The file, whatever its name begins with.
+std::string as_input(const fs::path& file) {
+    return "file:" + file.string();
+}
+
+std::string without_name(const std::string& complaint, const fs::path& file) {
+    const std::string name = as_input(file) + ": ";
+    return complaint.starts_with(name) ? complaint.substr(name.size()) : complaint;
+}
+
+std::map<std::string, std::string> pairs_in(const std::string& text) {
+    std::map<std::string, std::string> pairs;
+    for (const std::string_view line : split_lines(text))
+        if (const std::size_t equals = line.find('='); equals != std::string_view::npos)
+            pairs.emplace(line.substr(0, equals), line.substr(equals + 1));
+    return pairs;
+}
+
+double ratio(const std::string& text) {
+    const std::size_t slash = text.find('/');
+    const auto above = parse_number(std::string_view(text).substr(0, slash));
+    const auto below = slash == std::string::npos
+                           ? std::optional(1.0)
+                           : parse_number(std::string_view(text).substr(slash + 1));
+    return above && below && *below > 0.0 ? *above / *below : 0.0;
+}
+
+// The first is the finest that all times are a multiple of; where pictures come at uneven times
+// that can be thousands a second.
+std::string rate_of(const std::string& finest, const std::string& mean) {
+    constexpr double as_good_as_even = 0.01;
+    const double difference = ratio(finest) - ratio(mean);
+    const bool is_even = std::abs(difference) <= as_good_as_even * ratio(mean);
+    return is_even || ratio(mean) <= 0.0 ? finest : mean;
+}
+
+bool has_deep_channels(const std::string& pixels) {
+    constexpr std::array<std::string_view, 4> depths{"10", "12", "14", "16"};
+    return std::ranges::any_of(depths, [&](std::string_view depth) {
+        return pixels.find(std::string("p") + std::string(depth)) != std::string::npos ||
+               pixels.find(std::string(depth) + "le") != std::string::npos;
+    });
+}
+
+tl::unexpected<Diagnostics> not_installed(const fs::path& file, const Diagnostics& reasons) {
+    return fail({file, 0,
+                 fmt::format("reading videos needs the Debian package ffmpeg: {}",
+                             reasons.front().message)});
+}
+
+Result<Facts> facts_in(const std::string& text, const fs::path& file) {
+    const auto pairs = pairs_in(text);
+    const auto said = [&](const char* key) {
+        const auto found = pairs.find(key);
+        return found == pairs.end() ? std::string() : found->second;
+    };
+    Facts facts;
+    facts.extent = {parse_integer(said("width")).value_or(0),
+                    parse_integer(said("height")).value_or(0)};
+    facts.rate = rate_of(said("r_frame_rate"), said("avg_frame_rate"));
+    facts.rate_number = ratio(facts.rate);
+    facts.is_deep = has_deep_channels(said("pix_fmt"));
+    if (parse_integer(said("rotation")).value_or(0) % 180 != 0)
+        std::swap(facts.extent.width, facts.extent.height);
+    if (facts.extent.is_empty() || facts.rate_number <= 0.0)
+        return fail({file, 0, "the file contains no readable video"});
+    if (facts.extent.width > largest_frame_side || facts.extent.height > largest_frame_side)
+        return fail({file, 0,
+                     fmt::format("the video is too large: {} x {} px; the limit is {} px per side",
+                                 facts.extent.width, facts.extent.height, largest_frame_side)});
+    return facts;
+}
+
+Result<Facts> probe(const fs::path& file) {
+    auto process = ChildProcess::start(
+        {"ffprobe", "-v", "error", "-protocol_whitelist", "file", "-format_whitelist", read_formats,
+         "-select_streams", "v:0", "-show_entries",
+         "stream=width,height,r_frame_rate,avg_frame_rate,pix_fmt:stream_side_data=rotation", "-of",
+         "default=noprint_wrappers=1", as_input(file)});
+    if (!process)
+        return not_installed(file, process.error());
+    constexpr std::size_t most = std::size_t{64} * 1024;
+    const std::string text = process->read_all(most);
+    if (!process->finish()) {
+        const std::string reason = without_name(process->complaint(), file);
+        return fail({file, 0,
+                     reason.empty() ? "can't read the video"
+                                    : fmt::format("can't read the video: {}", reason)});
+    }
+    return facts_in(text, file);
+}
+
+class Video : public PictureReader {
+public:
+    Video(fs::path file, Facts facts) : m_file(std::move(file)), m_facts(std::move(facts)) {}
+
+    Result<std::optional<Picture>> read(std::int64_t number) override {
+        if (m_count && number >= *m_count)
+            return std::nullopt;
+        if (!m_process || number < m_next)
+            if (auto begun = begin(); !begun)
+                return fail(begun.error());
+        while (m_next <= number) {
+            if (m_process->read(m_bytes.data(), m_bytes.size()) < m_bytes.size())
+                return at_end();
+            ++m_next;
+        }
+        return std::optional(decoded());
+    }
+
+    std::optional<std::int64_t> count() const override { return m_count; }
+    double rate() const override { return m_facts.rate_number; }
+
+private:
+    std::size_t channel_bytes() const { return m_facts.is_deep ? 2 : 1; }
+
+    Result<void> begin() {
+        m_process.reset();
+        auto process = ChildProcess::start({"ffmpeg",
+                                            "-v",
+                                            "error",
+                                            "-nostdin",
+                                            "-format_whitelist",
+                                            read_formats,
+                                            "-protocol_whitelist",
+                                            "file,pipe",
+                                            "-i",
+                                            as_input(m_file),
+                                            "-map",
+                                            "0:v:0",
+                                            "-r",
+                                            m_facts.rate,
+                                            "-vsync",
+                                            "cfr",
+                                            "-sws_flags",
+                                            "bicubic+accurate_rnd+full_chroma_int",
+                                            "-f",
+                                            "rawvideo",
+                                            "-pix_fmt",
+                                            m_facts.is_deep ? "rgb48le" : "rgb24",
+                                            "pipe:1"});
+        if (!process)
+            return not_installed(m_file, process.error());
+        m_process.emplace(std::move(*process));
+        m_next = 0;
+        m_bytes.resize(static_cast<std::size_t>(m_facts.extent.width) *
+                       static_cast<std::size_t>(m_facts.extent.height) * 3 * channel_bytes());
+        return {};
+    }
+
+    // A video that breaks off is shown as far as it goes; what is wrong is told once.
+    Result<std::optional<Picture>> at_end() {
+        m_count = m_next;
+        const bool is_good = m_process->finish();
+        const std::string complaint = without_name(m_process->complaint(), m_file);
+        m_process.reset();
+        if (is_good && complaint.empty() && m_next > 0)
+            return std::nullopt;
+        if (is_good && complaint.empty())
+            return fail({m_file, 0, "the video has no pictures"});
+        return fail(
+            {m_file, 0,
+             complaint.empty()
+                 ? fmt::format("the video is damaged (pictures read: {})", m_next)
+                 : fmt::format("the video is damaged (pictures read: {}): {}", m_next, complaint)});
+    }
+
+    Picture decoded() const {
+        Picture picture{m_facts.extent, 3, Encoding::display, {}};
+        const std::size_t count = m_bytes.size() / channel_bytes();
+        picture.pixels.resize(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            if (!m_facts.is_deep) {
+                picture.pixels[i] = static_cast<float>(byte(i)) / 255.0f;
+                continue;
+            }
+            const unsigned value = byte(2 * i) + 256u * byte(2 * i + 1);
+            picture.pixels[i] = static_cast<float>(value) / 65535.0f;
+        }
+        return picture;
+    }
+
+    unsigned byte(std::size_t place) const { return static_cast<unsigned char>(m_bytes[place]); }
+
+    fs::path m_file;
+    Facts m_facts;
+    std::optional<ChildProcess> m_process;
+    std::int64_t m_next = 0;  // number of the picture that the process gives next
+    std::string m_bytes;      // of the latest
+    std::optional<std::int64_t> m_count;
+};
+}  // namespace
+
+bool is_video_file(const fs::path& file) {
+    constexpr std::array<std::string_view, 11> endings{
+        ".mp4", ".m4v", ".mkv", ".webm", ".mov", ".avi", ".mpg", ".mpeg", ".ogv", ".gif", ".y4m"};
+    return std::ranges::find(endings, to_lower(file.extension().string())) != endings.end();
+}
+
+Result<std::unique_ptr<PictureReader>> open_video(const fs::path& file) {
+    const auto start = read_start(file, 1);
+    if (!start)
+        return fail(start.error());
+    if (start->empty())
+        return fail({file, 0, "the file is empty"});
+    auto facts = probe(file);
+    if (!facts)
+        return fail(facts.error());
+    return std::make_unique<Video>(file, std::move(*facts));
+}

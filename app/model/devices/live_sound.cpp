@@ -1,0 +1,38 @@
+#include "model/devices/live_sound.h"
+
+#include <algorithm>
+
+LiveSound::LiveSound(int rate, int channels)
+    : m_rate(rate),
+      m_channels(channels),
+      m_samples(static_cast<std::size_t>(seconds_kept) * static_cast<std::size_t>(rate) *
+                static_cast<std::size_t>(channels)) {}
+
+void LiveSound::write(std::span<const float> samples, int channels) noexcept {
+    const auto step = static_cast<std::size_t>(channels);
+    const auto kept = static_cast<std::size_t>(m_channels);
+    const auto frames = static_cast<std::int64_t>(m_samples.size() / kept);
+    std::int64_t frame = m_count.load(std::memory_order_relaxed);
+    for (std::size_t i = 0; i + step <= samples.size(); i += step, ++frame) {
+        const auto place = kept * static_cast<std::size_t>(frame % frames);
+        for (std::size_t channel = 0; channel < kept; ++channel)
+            m_samples[place + channel].store(samples[i + std::min(channel, step - 1)],
+                                             std::memory_order_relaxed);
+    }
+    m_count.store(frame, std::memory_order_release);
+}
+
+void LiveSound::read(std::int64_t first, std::span<float> samples) const {
+    const auto kept = static_cast<std::size_t>(m_channels);
+    const auto frames = static_cast<std::int64_t>(m_samples.size() / kept);
+    const std::int64_t end = frame_count();
+    // The oldest second may be written over meanwhile.
+    const std::int64_t begin = end - frames + m_rate;
+    for (std::size_t i = 0; i + kept <= samples.size(); i += kept, ++first) {
+        const bool is_there = first >= 0 && first >= begin && first < end;
+        const auto place = is_there ? kept * static_cast<std::size_t>(first % frames) : 0;
+        for (std::size_t channel = 0; channel < kept; ++channel)
+            samples[i + channel] =
+                is_there ? m_samples[place + channel].load(std::memory_order_relaxed) : 0.0f;
+    }
+}

@@ -1,0 +1,59 @@
+#include "model/devices/midi.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace {
+constexpr int lower_half =
+    32;  // controllers 0 .. 31 have theirs so much higher (MIDI 1.0, table 3)
+}
+
+std::optional<MidiTurn> parse_midi(std::span<const std::uint8_t> bytes) {
+    constexpr unsigned control_change = 0xb0;
+    constexpr unsigned most = 127;
+    if (bytes.size() != 3 || (bytes[0] & 0xf0u) != control_change || bytes[1] > most ||
+        bytes[2] > most)
+        return std::nullopt;
+    return MidiTurn{static_cast<int>(bytes[0] & 0x0fu) + 1, bytes[1], bytes[2]};
+}
+
+std::string words_of(const MidiBinding& binding) {
+    if (binding.is_fine)
+        return fmt::format("CC {} and {}, channel {}", binding.controller,
+                           binding.controller + lower_half, binding.channel);
+    return fmt::format("CC {}, channel {}", binding.controller, binding.channel);
+}
+
+bool is_lower_half(const MidiTurn& turn, const MidiBinding& binding) {
+    return binding.controller < lower_half && turn.channel == binding.channel &&
+           turn.controller == binding.controller + lower_half;
+}
+
+std::optional<double> MidiPairs::share(const MidiBinding& binding, const MidiTurn& turn) const {
+    if (!binding.is_fine) {
+        const bool is_it = turn.channel == binding.channel && turn.controller == binding.controller;
+        return is_it ? std::optional(turn.value / 127.0) : std::nullopt;
+    }
+    const auto upper = m_upper.find({binding.channel, binding.controller});
+    if (!is_lower_half(turn, binding) || upper == m_upper.end())
+        return std::nullopt;
+    return (upper->second * 128 + turn.value) / 16383.0;
+}
+
+void MidiPairs::note(const MidiTurn& turn) {
+    if (turn.controller < lower_half)
+        m_upper[{turn.channel, turn.controller}] = turn.value;
+}
+
+bool PickUp::takes(double share, double present) {
+    constexpr double close = 1.0 / 127.0 + 1e-9;  // a step of a plain controller
+    constexpr double same = 1e-9;
+    const bool is_in_hand = m_given && std::abs(*m_given - present) <= same;
+    const bool comes_by = m_last && (*m_last - present) * (share - present) <= 0.0;
+    const bool takes = is_in_hand || comes_by || std::abs(share - present) <= close;
+    m_last = share;
+    if (!takes)
+        m_given.reset();
+    return takes;
+}

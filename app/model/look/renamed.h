@@ -1,0 +1,22 @@
+#pragma once
+
+#include "model/look/look.h"
+
+#include <map>
+#include <string>
+#include <utility>
+
+/// What is kept by parameter, under the names that the look's parameters have now (`@was`).
+template <class T>
+std::map<std::string, T> renamed(const Look& look, std::map<std::string, T> named) {
+    for (const Parameter& parameter : look.parameters) {
+        if (parameter.was.empty() || find_parameter(look, parameter.was) ||
+            named.contains(parameter.name))
+            continue;
+        if (auto former = named.extract(parameter.was)) {
+            former.key() = parameter.name;
+            named.insert(std::move(former));
+        }
+    }
+    return named;
+}

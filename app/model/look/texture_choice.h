@@ -1,0 +1,22 @@
+#pragma once
+
+#include "model/look/look.h"
+
+/// A picture that a look holds: what a pass drew so many frames ago, the source, an image; or one
+/// of its smaller levels.
+struct TextureChoice {
+    Input::From from = Input::From::pass;
+    std::string name;  // of the pass or image
+    int frames_ago = 0;
+    int level = 0;            // 0: the largest
+    SoundTexture sound = {};  // sound only
+
+    bool operator==(const TextureChoice&) const = default;
+    bool is_present_pass() const {
+        return from == Input::From::pass && frames_ago == 0 && level == 0;
+    }
+    /// The same of this frame, and its largest level.
+    TextureChoice present() const { return {from, name, 0, 0, sound}; }
+    /// "persistence@1", "source", "noise mip 2".
+    std::string label() const;
+};

@@ -1,0 +1,172 @@
+#include "model/picture/placing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace {
+constexpr int most_side = 16384;
+
+// How the pixels of the picture become those of what is made.
+struct Placing {
+    Extent made;
+    int repeat_x = 1;
+    int repeat_y = 1;
+    int shrink = 1;  // so many pixels along each side become one, before all else
+};
+
+int side_of(double length) {
+    return std::clamp(static_cast<int>(std::lround(length)), 1, most_side);
+}
+
+// Only one side differs from the picture's own.
+Placing fitted(Extent picture, double shape, bool is_whole) {
+    const double wide = picture.height * shape;  // the width that has the viewport's shape
+    const bool adds_width = wide > picture.width;
+    if (adds_width == is_whole)
+        return {{side_of(wide), picture.height}};
+    return {{picture.width, side_of(picture.width / shape)}};
+}
+
+Extent shrunk(Extent extent, int times) {
+    return {std::max(extent.width / times, 1), std::max(extent.height / times, 1)};
+}
+
+// A strip of 16384 x 1 pixels in a square would take a gigabyte of black.
+Placing fitted_in_memory(Extent picture, double shape, bool is_whole) {
+    constexpr double most_pixels = 1 << 25;
+    Placing placing = fitted(picture, shape, is_whole);
+    const double pixels = static_cast<double>(placing.made.width) * placing.made.height;
+    const int shrink = static_cast<int>(std::ceil(std::sqrt(pixels / most_pixels)));
+    if (shrink <= 1)
+        return placing;
+    placing = fitted(shrunk(picture, shrink), shape, is_whole);
+    placing.shrink = shrink;
+    return placing;
+}
+
+Placing placing_of(Extent picture, const SourceSpec& source, Extent viewport) {
+    if (source.fit == Fit::stretch || viewport.is_empty())
+        return {picture};
+    const double aspect = pixel_aspect(source, picture);
+    if (source.fit == Fit::integer) {
+        const double times = std::min(viewport.width / (picture.width * aspect),
+                                      static_cast<double>(viewport.height) / picture.height);
+        const int tall = std::max(1, static_cast<int>(times));
+        return {viewport, std::max(1, static_cast<int>(std::lround(tall * aspect))), tall};
+    }
+    const double shape =
+        static_cast<double>(viewport.width) / viewport.height / aspect;  // in pixels
+    return fitted_in_memory(picture, shape, source.fit == Fit::whole);
+}
+
+// Of what is made, px.
+Extent shown_extent(Extent picture, const Placing& placing) {
+    const Extent smaller = placing.shrink > 1 ? shrunk(picture, placing.shrink) : picture;
+    return {smaller.width * placing.repeat_x, smaller.height * placing.repeat_y};
+}
+
+// From the left and from the top; below 0 where the picture is cut.
+std::pair<int, int> first_pixel(Extent made, Extent shown) {
+    return {static_cast<int>(std::floor((made.width - shown.width) / 2.0)),
+            static_cast<int>(std::floor((made.height - shown.height) / 2.0))};
+}
+
+// Each pixel is the mean of `times` x `times` pixels, as they are stored; fewer at the last edges.
+Picture averaged(const Picture& picture, int times) {
+    Picture made{shrunk(picture.extent, times), picture.channels, picture.encoding, {}};
+    const auto channels = static_cast<std::size_t>(picture.channels);
+    made.pixels.assign(made.index(0, made.extent.height), 0.0f);
+    for (int y = 0; y < made.extent.height; ++y)
+        for (int x = 0; x < made.extent.width; ++x) {
+            const int end_x = std::min((x + 1) * times, picture.extent.width);
+            const int end_y = std::min((y + 1) * times, picture.extent.height);
+            const auto count = static_cast<float>((end_x - x * times) * (end_y - y * times));
+            float* const mean = made.pixels.data() + made.index(x, y);
+            for (int from_y = y * times; from_y < end_y; ++from_y)
+                for (int from_x = x * times; from_x < end_x; ++from_x)
+                    for (std::size_t i = 0; i < channels; ++i)
+                        mean[i] += picture.pixels[picture.index(from_x, from_y) + i] / count;
+        }
+    return made;
+}
+}  // namespace
+
+Extent placed_extent(Extent picture, const SourceSpec& source, Extent viewport) {
+    return placing_of(picture, source, viewport).made;
+}
+
+Picture placed(const Picture& given, const SourceSpec& source, Extent viewport) {
+    const Placing placing = placing_of(given.extent, source, viewport);
+    Picture smaller;
+    if (placing.shrink > 1)
+        smaller = averaged(given, placing.shrink);
+    const Picture& picture = placing.shrink > 1 ? smaller : given;
+    Picture made{placing.made, picture.channels, picture.encoding, {}};
+    made.pixels.resize(made.index(0, made.extent.height));
+    const auto channels = static_cast<std::size_t>(picture.channels);
+    if (channels == 4)
+        for (std::size_t i = 3; i < made.pixels.size(); i += 4)
+            made.pixels[i] = 1.0f;
+    const Extent shown = shown_extent(given.extent, placing);
+    const auto [left, top] = first_pixel(made.extent, shown);
+    const int first = std::max(left, 0);
+    const int end = std::min(left + shown.width, made.extent.width);
+    for (int y = std::max(top, 0); y < std::min(top + shown.height, made.extent.height); ++y) {
+        const int from_y = (y - top) / placing.repeat_y;
+        for (int x = first; x < end; ++x)
+            std::copy_n(picture.pixels.begin() + static_cast<std::ptrdiff_t>(picture.index(
+                                                     (x - left) / placing.repeat_x, from_y)),
+                        channels,
+                        made.pixels.begin() + static_cast<std::ptrdiff_t>(made.index(x, y)));
+    }
+    return made;
+}
+
+double placed_aspect(const SourceSpec& source, Extent picture) {
+    return source.fit == Fit::integer ? 1.0 : pixel_aspect(source, picture);
+}
+
+namespace {
+// `shown`: as many pixels of what is made as the source's lines take; `first` of them.
+RasterAxis lines_of(int count, int shown, int first, int made) {
+    return {static_cast<double>(first) / made, static_cast<double>(shown) / count / made, count};
+}
+}  // namespace
+
+SourceRaster placed_raster(Extent picture, const SourceSpec& source, Extent viewport) {
+    const Placing placing = placing_of(picture, source, viewport);
+    const Extent shown = shown_extent(picture, placing);
+    const auto [left, top] = first_pixel(placing.made, shown);
+    return {.rows = lines_of(picture.height, shown.height, top, placing.made.height),
+            .columns = lines_of(picture.width, shown.width, left, placing.made.width)};
+}
+
+namespace {
+constexpr std::array shape_names{
+    std::pair{ViewShape::view, std::string_view("view")},
+    std::pair{ViewShape::source, std::string_view("source")},
+    std::pair{ViewShape::whole_pixels, std::string_view("whole pixels")}};
+}
+
+std::string_view shape_name(ViewShape shape) {
+    return shape_names.at(static_cast<std::size_t>(shape)).second;
+}
+
+std::optional<ViewShape> find_shape(std::string_view name) {
+    for (const auto& [shape, known] : shape_names)
+        if (known == name)
+            return shape;
+    return std::nullopt;
+}
+
+Extent shaped(Extent view, ViewShape shape, Extent source, double pixel_aspect) {
+    if (shape == ViewShape::view || source.is_empty() || view.is_empty())
+        return view;
+    const double width = source.width * pixel_aspect;
+    double times = std::min(view.width / width, static_cast<double>(view.height) / source.height);
+    if (shape == ViewShape::whole_pixels && times >= 1.0)
+        times = std::floor(times);
+    return {side_of(width * times), side_of(source.height * times)};
+}

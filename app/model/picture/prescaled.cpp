@@ -1,0 +1,86 @@
+#include "model/picture/prescaled.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace {
+// Where neighbouring columns or rows differ: the greatest common divisor of their places, and how
+// many there are.
+struct Changes {
+    int divisor = 0;
+    int count = 0;
+
+    void add(int place) {
+        divisor = std::gcd(divisor, place);
+        ++count;
+    }
+};
+
+bool is_row_new(const Picture& picture, int y) {
+    const auto row = picture.pixels.begin() + static_cast<std::ptrdiff_t>(picture.index(0, y));
+    const auto length = static_cast<std::ptrdiff_t>(picture.index(0, 1));
+    return !std::equal(row, row + length, row - length);
+}
+
+bool is_column_new(const Picture& picture, int x) {
+    const auto channels = static_cast<std::ptrdiff_t>(picture.channels);
+    for (int y = 0; y < picture.extent.height; ++y) {
+        const auto pixel =
+            picture.pixels.begin() + static_cast<std::ptrdiff_t>(picture.index(x, y));
+        if (!std::equal(pixel, pixel + channels, pixel - channels))
+            return true;
+    }
+    return false;
+}
+
+// Ends at the first change that leaves no divisor but 1.
+template <class IsNew>
+Changes changes_along(int length, const IsNew& is_new) {
+    Changes changes{length};
+    for (int place = 1; place < length && changes.divisor > 1; ++place)
+        if (is_new(place))
+            changes.add(place);
+    return changes;
+}
+}  // namespace
+
+int found_prescale(const Picture& picture) {
+    constexpr int largest = 8;
+    constexpr int least_changes = 8;
+    const Changes rows =
+        changes_along(picture.extent.height, [&](int y) { return is_row_new(picture, y); });
+    if (rows.divisor <= 1 || rows.count < least_changes)
+        return 1;
+    const Changes columns =
+        changes_along(picture.extent.width, [&](int x) { return is_column_new(picture, x); });
+    if (columns.count < least_changes)
+        return 1;
+    const int common = std::gcd(rows.divisor, columns.divisor);
+    for (int times = largest; times > 1; --times)
+        if (common % times == 0)
+            return times;
+    return 1;
+}
+
+Extent extent_without_prescale(Extent extent, int times) {
+    return {std::max(extent.width / times, 1), std::max(extent.height / times, 1)};
+}
+
+Picture without_prescale(const Picture& picture, int times) {
+    Picture original = {extent_without_prescale(picture.extent, times),
+                        picture.channels,
+                        picture.encoding,
+                        {},
+                        picture.shape,
+                        picture.note};
+    original.pixels.reserve(original.index(0, original.extent.height));
+    for (int y = 0; y < original.extent.height; ++y)
+        for (int x = 0; x < original.extent.width; ++x) {
+            const int from_x = std::min(x * times + times / 2, picture.extent.width - 1);
+            const int from_y = std::min(y * times + times / 2, picture.extent.height - 1);
+            const auto pixel =
+                picture.pixels.begin() + static_cast<std::ptrdiff_t>(picture.index(from_x, from_y));
+            original.pixels.insert(original.pixels.end(), pixel, pixel + picture.channels);
+        }
+    return original;
+}

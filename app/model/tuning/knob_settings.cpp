@@ -1,0 +1,76 @@
+#include "model/tuning/knob_settings.h"
+
+#include "base/text.h"
+#include "model/look/renamed.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+const KnobSetting& setting_of(const std::string& name, const KnobSettings& knobs) {
+    static const KnobSetting none;
+    const auto found = knobs.find(name);
+    return found == knobs.end() ? none : found->second;
+}
+
+KnobSettings renamed_knobs(const Look& look, KnobSettings knobs) {
+    return renamed(look, std::move(knobs));
+}
+
+Parameter with_ends(Parameter parameter, const KnobSetting& setting) {
+    if (setting.ends && has_ends(parameter))
+        if (const auto ends = fitted_ends(parameter, *setting.ends)) {
+            parameter.range.low = ends->low;
+            parameter.range.high = ends->high;
+            parameter.axes.clear();
+        }
+    return parameter;
+}
+
+Result<Limit> fitted_ends(const Parameter& parameter, Limit ends) {
+    const auto fitted = [&](double end) {
+        if (parameter.limit)
+            end = std::clamp(end, parameter.limit->low, parameter.limit->high);
+        return parameter.type.scalar == Scalar::floating ? end : std::round(end);
+    };
+    const Limit inside{fitted(ends.low), fitted(ends.high)};
+    if (!(inside.low < inside.high) || !std::isfinite(inside.high - inside.low))
+        return fail(
+            {{},
+             0,
+             fmt::format("the slider minimum of '{}' must be below its maximum, got {} "
+                         "and {}",
+                         parameter.label, format_number(ends.low), format_number(ends.high))});
+    return inside;
+}
+
+bool has_ends(const Parameter& parameter) {
+    const bool is_turned = parameter.control == Control::slider ||
+                           parameter.control == Control::angle ||
+                           parameter.control == Control::point;
+    return is_turned && parameter.type.scalar != Scalar::boolean && parameter.type.columns == 1;
+}
+
+KnobSettings knobs_in(const Stack& stack, const LookKnobs& looks) {
+    KnobSettings knobs;
+    for (std::size_t i = 0; i < stack.size(); ++i)
+        if (const auto own = looks.find(stack[i].look); own != looks.end())
+            for (const auto& [name, setting] : own->second)
+                knobs.emplace(scope_of(stack, i) + name, setting);
+    return knobs;
+}
+
+void keep_knobs(LookKnobs& looks, const Stack& stack, const KnobSettings& knobs) {
+    for (std::size_t i = stack.size(); i-- > 0;) {
+        const std::string scope = scope_of(stack, i);
+        KnobSettings own;
+        for (const auto& [name, setting] : knobs)
+            if (name.starts_with(scope))
+                own.emplace(name.substr(scope.size()), setting);
+        if (own.empty())
+            looks.erase(stack[i].look);
+        else
+            looks[stack[i].look] = std::move(own);
+    }
+}

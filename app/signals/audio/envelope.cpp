@@ -1,0 +1,44 @@
+#include "signals/audio/envelope.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+constexpr std::int64_t stretches_in_block = 100;
+constexpr double memory = 12.0;          // time constants: what was before is 6e-6 of it
+constexpr std::size_t most_states = 64;  // while a time constant is being turned
+
+// The share of the way that is gone in a stretch.
+double pull_of(double time_constant) {
+    return -std::expm1(-1.0 / (Envelopes::stretches_a_second * time_constant));
+}
+}  // namespace
+
+double Envelopes::peak_of(std::int64_t stretch) const {
+    Known& known = m_peaks[static_cast<std::size_t>(stretch) % m_peaks.size()];
+    if (known.stretch != stretch)
+        known = {stretch, m_peak(stretch)};
+    return known.peak;
+}
+
+double Envelopes::at(double seconds, double attack, double release) const {
+    const auto end = static_cast<std::int64_t>(std::floor(seconds * stretches_a_second + 1e-6));
+    if (end <= 0)
+        return 0.0;
+    if (m_states.size() >= most_states)
+        m_states.clear();
+    State& state = m_states[{attack, release}];
+    const std::int64_t block = (end - 1) / stretches_in_block;
+    if (state.next > end || (state.next - 1) / stretches_in_block != block || state.next <= 0) {
+        const double before = memory * std::max(attack, release) * stretches_a_second;
+        const auto first = block * stretches_in_block - static_cast<std::int64_t>(before);
+        state = {std::max<std::int64_t>(first, 0), 0.0};
+    }
+    const double up = pull_of(attack);
+    const double down = pull_of(release);
+    for (; state.next < end; ++state.next) {
+        const double way = peak_of(state.next) - state.level;
+        state.level += way * (way > 0.0 ? up : down);
+    }
+    return state.level;
+}

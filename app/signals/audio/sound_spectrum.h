@@ -1,0 +1,54 @@
+#pragma once
+
+#include "signals/audio/beat_finder.h"
+#include "signals/audio/spectrum.h"
+#include "signals/signal/signal.h"
+
+/// How a spectrum is drawn.
+struct SpectrumKnobs {
+    int size = 2048;  // samples a transform
+    double smoothing_seconds = 0.1;
+    double low_hertz = 20.0;
+    double high_hertz = 20000.0;
+    double floor_decibels = -80.0;  // at the bottom of the screen, or on the ring
+    double ceiling_decibels = 0.0;
+    bool is_radial = false;
+    double radius = 0.4;  // of the ring
+    double pulse = 0.3;   // how far a beat moves the ring, in radii
+    double beat_threshold = 1.5;
+    double beat_decay_seconds = 0.3;
+};
+
+/// The spectrum of a sound, 60 times a second: low frequencies left, or on a ring on top and high
+/// ones at the bottom of both its sides. The frequency scale is logarithmic.
+class SoundSpectrum : public Signal {
+public:
+    SoundSpectrum(std::shared_ptr<const SampleStream> sound, const SoundPlug& plug,
+                  const SpectrumKnobs& knobs);
+
+    void trace(const TimeSpan& span, Beam& beam) const override;
+    double seconds() const override { return m_input.seconds(); }
+
+private:
+    static constexpr std::int64_t points = 4096;  // a hop
+
+    /// The part of a column's frequencies, in bins.
+    struct Column {
+        double low = 0.0;
+        double high = 0.0;
+    };
+    void show_hop(std::int64_t hop) const;
+    double decibels_of(const Column& column, const std::vector<float>& amplitudes) const;
+    BeamPoint on_line(std::int64_t place) const;
+    BeamPoint on_ring(std::int64_t place) const;
+
+    SoundInput m_input;
+    SpectrumKnobs m_knobs;
+    Spectrum m_spectrum;
+    BeatFinder m_beats;
+    double m_charge;
+    std::vector<Column> m_columns;
+    mutable std::int64_t m_hop = INT64_MIN;  // that is shown
+    mutable std::vector<float> m_levels;     // of its columns, 0 floor .. 1 ceiling
+    mutable double m_ring = 0.0;             // its radius
+};

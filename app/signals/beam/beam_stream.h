@@ -1,0 +1,29 @@
+#pragma once
+
+#include "signals/audio/sample_stream.h"
+#include "signals/signal/signal.h"
+
+#include <map>
+#include <vector>
+
+/// A beam that is heard: left is x, right is y, at 48 kHz, as beam_sound() has it.
+class BeamStream : public SampleStream {
+public:
+    explicit BeamStream(std::shared_ptr<const Signal> signal) : m_signal(std::move(signal)) {}
+
+    int rate() const override { return samples_a_second; }
+    std::int64_t length() const override { return endless; }
+    bool loops() const override { return false; }
+    bool is_live() const override { return false; }
+    void read(std::int64_t first, std::span<StereoSample> samples) const override;
+
+private:
+    static constexpr int samples_a_second = 48000;
+    static constexpr std::int64_t blocks_a_second = 60;
+    static constexpr std::int64_t samples_a_block = samples_a_second / blocks_a_second;
+
+    const std::vector<float>& block(std::int64_t number) const;
+
+    std::shared_ptr<const Signal> m_signal;  // shared with who draws it
+    mutable std::map<std::int64_t, std::vector<float>> m_blocks;
+};

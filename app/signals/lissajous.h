@@ -1,6 +1,0 @@
-#pragma once
-
-#include "signals/kinds.h"
-
-/// x = A sin(2 pi (x u + phase + speed t)), y = A sin(2 pi y u), u = 60 t.
-SignalKind lissajous_kind();

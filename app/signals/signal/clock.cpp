@@ -1,0 +1,29 @@
+#include "signals/signal/clock.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+TimeSpan frame_span(std::int64_t frame, double fps) {
+    return {static_cast<double>(frame - 1) / fps, static_cast<double>(frame) / fps};
+}
+
+namespace {
+// How many instants lie at or before `seconds`. An end such as n / 60 times a rate may fall a few
+// units of rounding short of the whole number that is meant.
+std::int64_t count_until(double seconds, double rate) {
+    constexpr double least_slack = 1e-6;
+    constexpr double roundings = 8.0 * std::numeric_limits<double>::epsilon();
+    constexpr double most = 9e15;  // whole numbers beyond 2^53 have no neighbours in a double
+    const double exact = seconds * rate;
+    if (!(exact > 0.0))
+        return 0;
+    const double bounded = std::min(exact, most);
+    return static_cast<std::int64_t>(bounded + std::max(least_slack, bounded * roundings));
+}
+}  // namespace
+
+Instants instants_in(const TimeSpan& span, double rate) {
+    const std::int64_t first = count_until(span.start, rate);
+    return {first, std::max(first, count_until(span.end, rate))};
+}

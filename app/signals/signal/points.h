@@ -1,0 +1,80 @@
+#pragma once
+
+#include "model/plan/beam.h"
+#include "signals/signal/clock.h"
+#include "signals/signal/signal_kind.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+
+/// The charge of one of `rate` points a second at full current; see BeamPoint::intensity.
+inline double charge_of_point(double rate) {
+    return 4096.0 * 60.0 / rate;
+}
+
+/// Points that come at an even rate.
+struct PointStream {
+    double rate = 4096.0 * 60.0;                                    // a second
+    std::int64_t count = std::numeric_limits<std::int64_t>::max();  // in all
+};
+
+/// Appends a point for every instant of the stream in the span. `point_at(k)`, called for rising k,
+/// gives place and intensity.
+template <class PointAt>
+void trace_points(const TimeSpan& span, const PointStream& stream, Beam& beam,
+                  const PointAt& point_at) {
+    const Instants instants = instants_in(span, stream.rate);
+    const std::int64_t end = std::min(instants.end, stream.count);
+    if (end <= instants.first)
+        return;
+    const double seconds_per_point = 1.0 / stream.rate;
+    std::size_t place = beam.size();
+    beam.resize(place + static_cast<std::size_t>(end - instants.first));
+    for (std::int64_t k = instants.first; k < end; ++k) {
+        BeamPoint point = point_at(k);
+        const double age = span.end - static_cast<double>(k + 1) * seconds_per_point;
+        point.age_seconds = static_cast<float>(std::max(age, 0.0));
+        beam[place++] = point;
+    }
+}
+
+/// A point on a trace that is drawn from left to right again and again.
+struct SweepPoint {
+    double across = 0.0;  // 0 left .. 1 right
+    float x = 0.0f;
+    float intensity = 0.0f;  // 0 on the first point: the way back is blanked
+};
+
+/// Point `place` (from 0) of a sweep of `length` points that together lay down length * charge.
+inline SweepPoint sweep_point(std::int64_t place, std::int64_t length, double charge) {
+    const auto points = static_cast<double>(length);
+    const double across = static_cast<double>(place + 1) / points;
+    const double light = place == 0 ? 0.0 : charge * points / (points - 1.0);
+    return {across, static_cast<float>(2.0 * across - 1.0), static_cast<float>(light)};
+}
+
+/// The setting that says how finely a generator's path is cut.
+inline SettingFacts points_setting() {
+    return {.key = "points",
+            .label = "Points",
+            .unit = "per 1/60 s",
+            .help = "Number of points along the path. The brightness stays the same.",
+            .low = 256,
+            .high = 262144,
+            .step = 1,
+            .initial = 4096,
+            .logarithmic = true,
+            .limit = {16, 262144}};
+}
+
+inline SettingFacts amplitude_setting(double initial) {
+    return {.key = "amplitude",
+            .label = "Amplitude",
+            .unit = "half screens",
+            .help = "Maximum deflection. 1 reaches the edge.",
+            .low = 0,
+            .high = 1,
+            .initial = initial,
+            .limit = {0, 10}};
+}

@@ -1,0 +1,51 @@
+#include "signals/signal/signal_kind.h"
+
+#include "signals/signal/settings.h"
+
+#include <algorithm>
+
+const SettingFacts* find_setting(const SignalKind& kind, std::string_view key) {
+    const auto found = std::find_if(kind.settings.begin(), kind.settings.end(),
+                                    [&](const SettingFacts& known) { return known.key == key; });
+    return found == kind.settings.end() ? nullptr : &*found;
+}
+
+bool is_used(const SettingFacts& setting, const Spec& completed_spec) {
+    const UsedWhile& condition = setting.used_while;
+    if (condition.key.empty())
+        return true;
+    const std::string_view word = Settings(completed_spec).word(condition.key);
+    return std::find(condition.words.begin(), condition.words.end(), word) != condition.words.end();
+}
+
+SettingFacts choice_setting(std::string key, std::string label, std::string help,
+                            std::vector<std::string> words) {
+    const std::string first = words.front();
+    return {.key = std::move(key),
+            .label = std::move(label),
+            .help = std::move(help),
+            .type = SettingType::word,
+            .words = std::move(words),
+            .initial_word = first};
+}
+
+SettingFacts fit_setting(UsedWhile used_while) {
+    SettingFacts fit = choice_setting(
+        "fit", "Fit",
+        "whole: fits the picture, circles stay round. stretch: fills the picture, circles may "
+        "become ellipses. crop: fills the picture, circles stay round and edges are cut off. look: "
+        "uses the look's own Fit setting.",
+        {"look", "whole", "stretch", "crop"});
+    fit.used_while = std::move(used_while);
+    return fit;
+}
+
+std::vector<SettingFacts> in_group(const std::string& group, const UsedWhile& used_while,
+                                   std::vector<SettingFacts> settings) {
+    for (SettingFacts& setting : settings) {
+        setting.group = group;
+        if (setting.used_while.key.empty())
+            setting.used_while = used_while;
+    }
+    return settings;
+}

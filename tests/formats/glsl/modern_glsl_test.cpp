@@ -1,0 +1,81 @@
+#include "formats/glsl/modern_glsl.h"
+
+#include <doctest/doctest.h>
+
+TEST_CASE("names that GLSL 4.10 takes for itself get others, in comments they stay") {
+    CHECK(modern_glsl("float sample = 1.0; // a sample\nfloat b = sample;") ==
+          "float sample_ = 1.0; // a sample\nfloat b = sample_;");
+    CHECK(modern_glsl("float sample, sample_;") == "float sample_x, sample_;");
+    CHECK(modern_glsl("#define buffer 3\nint a = buffer;") ==
+          "#define buffer_ 3\nint a = buffer_;");
+    CHECK(modern_glsl("float resampled;") == "float resampled;");
+}
+
+TEST_CASE("a word is left to those whose version has it") {
+    constexpr GlslVersion newest{450, false};
+    CHECK(modern_glsl("double sample; sample in vec2 a;", {}, newest) ==
+          "double sample; sample in vec2 a;");
+    CHECK(modern_glsl("uint a = uint(1);", {}, {100, true}) == "uint a = uint(1);");
+    CHECK(modern_glsl("float smooth = 1.0; a = smooth;", {}, {100, true}) ==
+          "float smooth_ = 1.0; a = smooth_;");
+    CHECK(modern_glsl("smooth in vec2 a; float filter;", {}, {330, false}) ==
+          "smooth in vec2 a; float filter_;");
+}
+
+TEST_CASE("the version of a text is what its #version says, else that of GLSL ES 1.00") {
+    const auto told = [](std::string_view text) {
+        const GlslVersion version = glsl_version_of(text);
+        return std::pair(version.words, version.is_es);
+    };
+    CHECK(told("float a;") == std::pair(100, true));
+    CHECK(told("#version 100\n") == std::pair(100, true));
+    CHECK(told("// why\n#version 300 es\n") == std::pair(330, true));
+    CHECK(told("#version 120\n") == std::pair(120, false));
+    CHECK(told("#version 450 core\n") == std::pair(450, false));
+}
+
+TEST_CASE("GL_ES is defined for ES alone, under a name that may be") {
+    CHECK(modern_glsl("#ifdef GL_ES\n") == "#ifdef afterglow_es\n");
+    CHECK(modern_glsl("#ifdef GL_ES\n", {}, {330, false}) == "#ifdef GL_ES\n");
+    CHECK(modern_glsl_start({"GL_ES"}) == "#version 410 core\n#define afterglow_es 1\n");
+}
+
+TEST_CASE("the old names of texture functions are the new ones") {
+    CHECK(modern_glsl("texture2D(a, b) + textureCubeLodEXT(c, d, 1.0)") ==
+          "texture(a, b) + textureLod(c, d, 1.0)");
+    CHECK(modern_glsl("uniform sampler2D texture; x = texture2D(texture, uv);") ==
+          "uniform sampler2D texture_; x = texture(texture_, uv);");
+    CHECK(modern_glsl("#define T texture\nT(a, b)") == "#define T texture\nT(a, b)");
+}
+
+TEST_CASE("joined lines become one and keep the lines behind them where they were") {
+    CHECK(modern_glsl("#define A(x) \\\n  (x + \\\n  1.0)\nfloat b;") ==
+          "#define A(x)   (x +   1.0)\n\n\nfloat b;");
+}
+
+TEST_CASE("a sign in a macro keeps clear of the sign of what is put in") {
+    CHECK(modern_glsl("#define D(a, b) (a-b)\nx-y") == "#define D(a, b) (a- b)\nx-y");
+}
+
+TEST_CASE("what says the version or counts lines is blanked out") {
+    CHECK(modern_glsl("#version 300 es\nfloat a;") == "  \nfloat a;");
+    CHECK(modern_glsl("# extension GL_X : enable // why\nfloat a;").find("GL_X") ==
+          std::string::npos);
+    CHECK(modern_glsl("#define version 3\n#line 7\n") == "#define version 3\n \n");
+}
+
+TEST_CASE("other words are changed as asked, where they are whole words of code") {
+    CHECK(modern_glsl("varying vec2 varyings; // varying", {{"varying", "in"}}) ==
+          "in vec2 varyings; // varying");
+}
+
+TEST_CASE("an extension is asked for where its functions are used") {
+    const auto start_of = [](std::string_view text) {
+        GlslWords words;
+        add_words(text, words);
+        return modern_glsl_start(words);
+    };
+    CHECK(start_of("float a; // packHalf2x16") == "#version 410 core\n");
+    CHECK(start_of("uint a = packHalf2x16(b);") ==
+          "#version 410 core\n#extension GL_ARB_shading_language_packing : enable\n");
+}

@@ -1,0 +1,98 @@
+#include "formats/settings/session_format.h"
+
+#include <doctest/doctest.h>
+
+namespace {
+SessionState state(const std::string& step, double decay) {
+    SessionState made;
+    made.step = step;
+    made.preset.look = "phosphor";
+    made.preset.signal = Spec{"lissajous", {{"x", 3.0}}};
+    made.preset.values = {{"decay", Value(decay)}};
+    return made;
+}
+
+Session session() {
+    Session made;
+    made.look = "/looks/phosphor/look.json";
+    made.preset_file = "/presets/phosphor/P31 \"bench\".json";
+    made.saved = state("", 0.9);
+    made.current = state("", 0.95);
+    made.current.overrides["bloom_x"] = {
+        .format = Format::rgba32f, .scale = 0.25, .filter = Filter::nearest};
+    made.past = {state("Decay", 0.92), state("Exposure", 0.93)};
+    made.future = {state("Decay", 0.99)};
+    made.time = 12.5;
+    made.speed = 0.25;
+    made.is_playing = false;
+    made.comparison = {.other = {Other::Kind::slot, 1},
+                       .mode = CompareMode::difference,
+                       .measure = DifferenceMeasure::squared,
+                       .gain_stops = 3.5,
+                       .has_equal_brightness = true};
+    made.slots["phosphor"][1] = Slot{"Amber", {{"decay", Value(0.1 + 0.2)}}};
+    made.slots["phosphor+crt"][0] = Slot{{}, {{"crt/tint", Value({0.25, 1.0, 0.5})}}};
+    made.fixed_size = {836, 640};
+    made.fits_shape = true;
+    made.knobs["phosphor"] = {{"decay", {.is_favourite = true}},
+                              {"exposure", {.is_locked = true, .ends = Limit{0.5, 2.0}}}};
+    made.preset_stars = {"phosphor/P31 bench", "phosphor+crt/arcade"};
+    made.window = {{"left_size", 250.5}, {"width", 1440.0}};
+    return made;
+}
+}  // namespace
+
+TEST_CASE("a session reads back as it was written") {
+    const auto read = parse_session(session_to_json(session()), "session.json");
+    REQUIRE(read.has_value());
+    CHECK(*read == session());
+}
+
+TEST_CASE("a new session's picture size is to be chosen; that of a session without it follows") {
+    CHECK_FALSE(Session{}.follows_view);
+    CHECK(Session{}.fixed_size.is_empty());
+    const auto older = parse_session(R"({"format": "afterglow-session", "version": 1})", "s.json");
+    REQUIRE(older.has_value());
+    CHECK(older->follows_view);
+    CHECK_FALSE(older->fits_shape);
+    Session fresh = session();
+    fresh.fixed_size = {};
+    fresh.fits_shape = false;
+    const auto read = parse_session(session_to_json(fresh), "s.json");
+    REQUIRE(read.has_value());
+    CHECK(*read == fresh);
+}
+
+TEST_CASE("of a very long way back the latest 200 steps are kept") {
+    Session made = session();
+    made.past.clear();
+    for (int i = 0; i < 500; ++i)
+        made.past.push_back(state("step " + std::to_string(i), 0.5));
+    const auto read = parse_session(session_to_json(made), "session.json");
+    REQUIRE(read.has_value());
+    REQUIRE(read->past.size() == 200);
+    CHECK(read->past.back().step == "step 499");
+    CHECK(read->past.front().step == "step 300");
+}
+
+TEST_CASE("a session that is cut off, of another kind or newer is refused") {
+    const std::string whole = session_to_json(session());
+    for (std::size_t length = 0; length + 2 < whole.size(); length += 7)
+        CHECK_FALSE(parse_session(whole.substr(0, length), "session.json").has_value());
+    for (const char* text : {"[]", "{}", R"({"format": "afterglow-preset", "version": 1})",
+                             R"({"format": "afterglow-session", "version": 2})",
+                             R"({"format": "afterglow-session", "version": 1, "speed": "fast"})"})
+        CHECK_FALSE(parse_session(text, "session.json").has_value());
+}
+
+TEST_CASE("a comparison with a file comes back; a wipe of older programs is a wipe") {
+    Session made = session();
+    made.comparison.other = {Other::Kind::file, 0, "/home/me/crt photo.png"};
+    const auto read = parse_session(session_to_json(made), "session.json");
+    REQUIRE(read.has_value());
+    CHECK(read->comparison == made.comparison);
+    const auto older = parse_session(
+        R"({"format": "afterglow-session", "version": 1, "is_wiping": true})", "session.json");
+    REQUIRE(older.has_value());
+    CHECK(older->comparison == Comparison{.mode = CompareMode::wipe});
+}

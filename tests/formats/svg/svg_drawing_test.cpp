@@ -1,0 +1,95 @@
+#include "formats/svg/painted_svg.h"
+#include "formats/svg/svg_file.h"
+#include "signals/drawing/stroke_line.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+namespace {
+Drawing two_keyframes() {
+    return {{{{{{-0.5, -0.5}, {0.5, -0.25}, {0.1234, 0.5}}},
+              {{{-0.7, 0.1}, {-0.5, 0.6}, {0.2, -0.8}, {0.9, 0.0}}, true}},
+             {},
+             {{{{-0.2, 0.1}, {0.0, 0.6}, {0.2, 0.0}}, true, true},
+              {{{0.0, 0.0}, {0.5, 0.0}, {0.5, 0.5}}, false, true}}}};
+}
+
+Drawing read(const std::string& text) {
+    const auto drawing = parse_svg_drawing(text, "d.svg");
+    if (!drawing)
+        FAIL(to_string(drawing.error()));
+    return *drawing;
+}
+
+std::string drawing_refusal(const std::string& text) {
+    const auto drawing = parse_svg_drawing(text, "d.svg");
+    REQUIRE_FALSE(drawing.has_value());
+    return to_string(drawing.error());
+}
+
+bool is_at(const BeamPlace& place, double x, double y) {
+    return std::hypot(place[0] - x, place[1] - y) < 1e-9;
+}
+}  // namespace
+
+TEST_CASE("a drawing that was saved as an SVG comes back as it was") {
+    CHECK(read(svg_text(two_keyframes())) == two_keyframes());
+}
+
+TEST_CASE("what another program shows of a saved drawing is what the beam draws") {
+    const auto shown = painted_outlines(svg_text(two_keyframes()), "d.svg");
+    REQUIRE(shown.has_value());
+    REQUIRE(shown->size() == 2);  // the first keyframe
+    CHECK(shown->front().points.size() == 3);
+    const auto line = line_of(two_keyframes().keyframes[0][1]);
+    for (const ScenePoint& point : (*shown)[1].points)
+        CHECK(distance_to_line({point.x, point.y}, line) < 2e-3);
+}
+
+TEST_CASE("a saved drawing that was edited elsewhere keeps its keyframes") {
+    const Drawing drawing = read(
+        "<svg viewBox='-1 -1 2 2' data-afterglow-drawing='1'>\n"
+        "<g data-keyframe='1' transform='translate(0.5 0)'><path d='M0 0h.25v.25'/></g>\n"
+        "<g data-keyframe='2' style='display: none'><g><path d='m0 0 .5 .5'/></g></g>\n"
+        "<path d='M-1 0H1'/><path d='M0 0L9 9' display='none'/></svg>");
+    REQUIRE(drawing.keyframes.size() == 2);
+    CHECK(drawing.is_to_scale);
+    REQUIRE(drawing.keyframes[0].size() == 2);  // with what stands beside the groups
+    CHECK(is_at(drawing.keyframes[0][0].points[2], 0.75, -0.25));
+    REQUIRE(drawing.keyframes[1].size() == 1);
+    CHECK(is_at(drawing.keyframes[1][0].points[1], 0.5, -0.5));
+}
+
+TEST_CASE("an SVG of another program is one keyframe, which is not to scale") {
+    const Drawing drawing = read(
+        "<svg viewBox='0 0 100 100'><g data-keyframe='1'><circle cx='50' cy='50' r='40'/></g>"
+        "<path d='M0 0L100 0L100 100' data-keyframe='2'/><g style='display:none'>"
+        "<path d='M0 0L900 900'/></g></svg>");
+    REQUIRE(drawing.keyframes.size() == 1);
+    CHECK_FALSE(drawing.is_to_scale);
+    REQUIRE(drawing.keyframes[0].size() == 2);
+    CHECK(drawing.keyframes[0][0].is_closed);
+    CHECK_FALSE(drawing.keyframes[0][1].is_closed);
+    CHECK(drawing.keyframes[0][1].points.size() == 3);
+}
+
+TEST_CASE("an SVG that holds nothing to draw, too much or a mistake is told") {
+    CHECK(drawing_refusal("<svg data-afterglow-drawing='1'><g data-keyframe='1'></g></svg>")
+              .find("d.svg:1: error: the drawing is empty") != std::string::npos);
+    CHECK(drawing_refusal("<svg></svg>").find("the SVG has nothing to draw") != std::string::npos);
+    CHECK(drawing_refusal("\x89PNG\r\n\x1a\n").find("not well-formed XML") != std::string::npos);
+    CHECK(drawing_refusal("<svg data-afterglow-drawing='1'>\n<path d='M0 0 L1'/></svg>")
+              .find("d.svg:2: error: ") != std::string::npos);
+    std::string many = "<svg data-afterglow-drawing='1'>\n";
+    for (std::size_t i = 0; i <= most_keyframes; ++i)
+        many += "<g data-keyframe='1'><path d='M0 0L1 1'/></g>";
+    CHECK(drawing_refusal(many + "</svg>").find("too many keyframes; the limit is 100") !=
+          std::string::npos);
+    std::string huge = "<svg data-afterglow-drawing='1'><path d='M0 0";
+    for (std::size_t i = 0; i <= most_scene_points; ++i)
+        huge += i % 2 == 0 ? "H1" : "H0";
+    CHECK(drawing_refusal(huge + "'/></svg>").find("too many points; the limit is 400000") !=
+          std::string::npos);
+    CHECK_FALSE(load_svg_drawing("no-such.svg").has_value());
+}

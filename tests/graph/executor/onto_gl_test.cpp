@@ -1,0 +1,183 @@
+// A pass that is drawn straight onto the target of who reads it, and the same picture without that.
+#include "graph/looks.h"
+#include "graph/programs/settled_look.h"
+
+#include <limits>
+
+namespace {
+// Light that comes anew in each frame, and what glows of it: half of the glow is kept. The light
+// also writes alpha, which the glow does not keep.
+Look glowing_look() {
+    Pass light =
+        pass("light", "uniform int u_frame;\nvoid main() { color = vec4(u_frame, uv.x, 0, 7); }\n");
+    light.blend = Blend::add;
+    light.onto = Onto{"glow", "$plain"};
+    Pass glow = pass("glow",
+                     "uniform sampler2D now; uniform sampler2D before; uniform bool u_drawn_onto;\n"
+                     "void main() {\n"
+                     "    color = vec4(0.5 * texture(before, uv).rgb, 1.0);\n"
+                     "    color.b = u_drawn_onto ? 1.0 : 0.0;\n"
+                     "    if (!u_drawn_onto)\n"
+                     "        color.rgb += texture(now, uv).rgb;\n"
+                     "}\n",
+                     {reads("now", "light"), reads("before", "glow", 1)});
+    Pass show =
+        pass("show", "uniform sampler2D image;\nvoid main() { color = texture(image, uv); }\n",
+             {reads("image", "glow")});
+    return look_of({light, glow, show}, {knob("plain", {}, 1.0, {})});
+}
+
+const std::vector<bool> last_only{false, false, true};
+
+Executor sharing(const Look& look) {
+    Executor executor = executor_of(look, {4, 4});
+    REQUIRE(executor.set_seen(last_only).has_value());
+    return executor;
+}
+
+// What is left of the frames' numbers after the n-th: each is halved once a frame.
+float glow_after(int frames) {
+    float glow = 0.0f;
+    for (int n = 1; n <= frames; ++n)
+        glow = 0.5f * glow + static_cast<float>(n);
+    return glow;
+}
+}  // namespace
+
+TEST_CASE_FIXTURE(Headless,
+                  "what is drawn onto another pass's target is added to it, but for alpha") {
+    Executor executor = sharing(glowing_look());
+    CHECK(executor.plan().targets[0].onto == 1);
+    for (int n = 1; n <= 4; ++n) {
+        executor.draw(frame(n));
+        CHECK(pixel(executor, 2)[0] == glow_after(n));
+        CHECK(pixel(executor, 2)[2] == 1.0f);  // the program was told
+        CHECK(pixel(executor, 2)[3] == 1.0f);
+        CHECK(executor.draw_calls() == 3);
+    }
+    // Of 16 bytes a texel: the former glow read, the glow written, read again, the picture written.
+    CHECK(executor.bytes_per_pixel() == 4 * 16.0);
+    REQUIRE(executor.set_seen({}).has_value());
+    CHECK(executor.bytes_per_pixel() == 6 * 16.0);  // and the light written and read
+}
+
+TEST_CASE_FIXTURE(Headless, "what is drawn onto another's target is drawn by itself for who asks") {
+    Executor executor = sharing(glowing_look());
+    for (int n = 1; n <= 3; ++n) {
+        executor.draw(frame(n));
+        if (n == 2)
+            continue;  // nobody asks
+        CHECK(pixel(executor, 0) == Rgba{static_cast<float>(n), 0.125f, 0.0f, 7.0f});
+        CHECK(pixel(executor, 0, 3)[1] == 0.875f);
+        CHECK(red(executor, 2) == glow_after(n));
+        CHECK(executor.draw_calls() == 3);
+    }
+    executor.redraw(frame(9), {false, false, true});  // what was drawn onto it stays
+    CHECK(red(executor, 0) == 3.0f);
+    executor.redraw(frame(4), {true, false, true});
+    CHECK(red(executor, 0) == 4.0f);
+    REQUIRE(executor.set_seen({}).has_value());  // it has a target of its own again
+    executor.draw(frame(5));
+    CHECK(red(executor, 0) == 5.0f);
+}
+
+TEST_CASE_FIXTURE(Headless,
+                  "history goes on when somebody begins and ends looking at what shares") {
+    Executor executor = sharing(glowing_look());
+    const std::vector<bool> seen[] = {{}, last_only, {true, false, true}, {false, true, true}};
+    for (int n = 1; n <= 8; ++n) {
+        REQUIRE(executor.set_seen(seen[n % 4]).has_value());
+        executor.draw(frame(n));
+        CHECK(pixel(executor, 2)[0] == glow_after(n));
+        if (n % 4 != 1)
+            CHECK(executor.plan().targets[0].onto == std::nullopt);
+        if (n % 4 == 0 || n % 4 == 2)
+            CHECK(red(executor, 0) == static_cast<float>(n));
+    }
+}
+
+TEST_CASE_FIXTURE(Headless,
+                  "in slices, and drawn again, a shared target holds what it holds at once") {
+    Executor executor = sharing(glowing_look());
+    executor.draw(frame(1));
+    for (int n = 2; n <= 4; ++n) {
+        executor.begin_draw(frame(n), nullptr, n % 2 == 0);
+        while (!executor.continue_frame(1e-9)) {
+        }
+        CHECK(red(executor, 2) == glow_after(n));
+    }
+    executor.redraw(frame(4), {false, true, true});  // the light is due with the glow
+    CHECK(red(executor, 2) == glow_after(4));
+    executor.redraw(frame(4), {true, false, true});
+    CHECK(red(executor, 2) == glow_after(4));
+    executor.begin_redraw(frame(4), {false, true, true}, true);
+    while (!executor.continue_frame(1e-9)) {
+    }
+    CHECK(red(executor, 2) == glow_after(4));
+    executor.rehearse(frame(5), 0);  // nothing is asked of it but that it comes back
+    executor.clear_history();
+    executor.draw(frame(1));
+    CHECK(red(executor, 2) == glow_after(1));
+}
+
+TEST_CASE_FIXTURE(Headless, "a pass that is frozen or left out has a target of its own again") {
+    Executor executor = sharing(glowing_look());
+    executor.draw(frame(1));
+    REQUIRE(executor.set_runs({PassRun::frozen, PassRun::drawn, PassRun::drawn}).has_value());
+    CHECK_FALSE(executor.plan().targets[0].onto.has_value());
+    executor.draw(frame(2));  // it holds nothing yet, and so is drawn once
+    executor.draw(frame(3));
+    CHECK(red(executor, 2) == 0.5f * (0.5f * 1.0f + 2.0f) + 2.0f);
+    REQUIRE(executor.set_runs({}).has_value());
+    executor.draw(frame(4));
+    CHECK(red(executor, 2) == 0.5f * 3.25f + 4.0f);
+    CHECK(executor.plan().targets[0].onto == 1);
+    CHECK(executor.read_for(last_only) == std::vector<bool>{true, true, true});
+}
+
+TEST_CASE_FIXTURE(Headless, "numbers that are not finite are found where they were drawn onto") {
+    Look look = glowing_look();
+    look.passes[0].fragment = fragment(
+        "uniform int u_frame;\nvoid main() { color = vec4(u_frame == 2 ? 1.0 / 0.0 : 1.0); "
+        "}\n");
+    Executor executor = sharing(look);
+    REQUIRE(executor.set_guard(Executor::Guard::clamp).has_value());
+    executor.draw(frame(1));
+    CHECK_FALSE(executor.take_trip(true).has_value());
+    executor.draw(frame(2));
+    const auto trip = executor.take_trip(true);
+    REQUIRE(trip.has_value());
+    CHECK(trip->pass == 1);
+    CHECK(red(executor, 2) < std::numeric_limits<float>::infinity());
+}
+
+TEST_CASE_FIXTURE(Headless, "an edit decides anew who shares a target, and the glow goes on") {
+    Executor executor = sharing(glowing_look());
+    executor.draw(frame(1));
+    Look edited = glowing_look();
+    edited.passes[0].onto.reset();
+    REQUIRE(executor.replace(edited, programs_of(edited)).has_value());
+    CHECK_FALSE(executor.plan().targets[0].onto.has_value());
+    executor.draw(frame(2));
+    CHECK(red(executor, 2) == glow_after(2));
+    REQUIRE(executor.replace(glowing_look(), programs_of(glowing_look())).has_value());
+    executor.draw(frame(3));
+    CHECK(executor.plan().targets[0].onto == 1);
+    CHECK(red(executor, 2) == glow_after(3));
+}
+
+TEST_CASE_FIXTURE(Headless, "programs that hold who was drawn onto whom end when that changes") {
+    Look look = glowing_look();
+    std::swap(look.passes[0], look.passes[1]);  // drawn in one order, shared or not
+    Executor executor = sharing(look);
+    REQUIRE(executor.plan().targets[1].onto == 0);
+    SettledTexts texts;
+    const auto nothing_moves = [](const Parameter&) { return false; };
+    executor.settle(programs_of(settled_look(look, {}, executor.plan(), nothing_moves, texts)), {});
+    executor.draw(frame(1));
+    CHECK(executor.is_settled());
+    CHECK(pixel(executor, 2)[2] == 1.0f);
+    REQUIRE(executor.set_seen({}).has_value());
+    executor.draw(frame(2));
+    CHECK(pixel(executor, 2)[2] == 0.0f);
+}

@@ -1,0 +1,62 @@
+#include "gpu/error_log.h"
+#include "graph/looks.h"
+#include "graph/warm_up/first_views.h"
+
+namespace {
+Look look_with(Format format, Encoding output) {
+    Look look = look_of({pass("a", "void main() { color = vec4(1.0); }\n")});
+    look.passes[0].format = format;
+    look.output = output;
+    return look;
+}
+
+Plan plan_of(const PlannedTarget& target) {
+    return {.targets = {target}, .source_slots = 1};
+}
+}  // namespace
+
+TEST_CASE_FIXTURE(Headless, "pictures of every format can be looked at before there are any") {
+    FirstViews views(std::make_shared<const ViewPrograms>(ViewPrograms::make().value()));
+    gpu::ErrorLog errors;
+    for (const FormatFacts& facts : all_formats())
+        for (const bool is_mipmapped : {false, true})
+            for (const bool has_alpha : {false, true}) {
+                CAPTURE(facts.name);
+                Look look = look_with(facts.format, Encoding::display);
+                look.passes[0].has_alpha = has_alpha;
+                views.expect(look, plan_of({{640, 480}, facts.format, 1, is_mipmapped}));
+                CHECK(views.owed() > 0);
+                while (views.owed() > 0)
+                    views.draw_next();
+                CHECK(errors.take().empty());
+            }
+}
+
+TEST_CASE_FIXTURE(Headless, "each kind of picture is looked at once") {
+    FirstViews views(std::make_shared<const ViewPrograms>(ViewPrograms::make().value()));
+    const auto is_new = [&views](const Look& look, const PlannedTarget& target) {
+        const std::size_t before = views.owed();
+        views.expect(look, plan_of(target));
+        return views.owed() > before;
+    };
+    const Look light = look_with(Format::rgba16f, Encoding::linear);
+    const Look encoded = look_with(Format::rgba16f, Encoding::display);
+    const PlannedTarget usual{{1280, 720}, Format::rgba16f, 1, false};
+    CHECK(is_new(light, usual));
+    CHECK_FALSE(is_new(light, usual));
+    CHECK(is_new(encoded, usual));
+    Look transparent = encoded;
+    transparent.passes[0].has_alpha = true;
+    CHECK(is_new(transparent, usual));
+    PlannedTarget other = usual;
+    other.extent = {640, 480};  // no side is a power of two either
+    CHECK_FALSE(is_new(light, other));
+    other.extent = {1024, 720};
+    CHECK(is_new(light, other));
+    other.extent = {720, 1024};
+    CHECK(is_new(light, other));
+    PlannedTarget single{{1, 1}, Format::rgba16f, 1, false};
+    CHECK(is_new(light, single));
+    single.mipmapped = true;
+    CHECK_FALSE(is_new(light, single));  // one level is all that there is
+}

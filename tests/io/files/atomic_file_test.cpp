@@ -1,0 +1,196 @@
+#include "io/files/atomic_file.h"
+
+#include "io/temporary_folder.h"
+
+#include <doctest/doctest.h>
+
+#include <csignal>
+#include <random>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace fs = std::filesystem;
+
+namespace {
+bool fails_to_flush_folders = false;
+std::size_t count_of(const fs::path& folder) {
+    return static_cast<std::size_t>(
+        std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+}  // namespace
+
+// In the place of the C library's, which cannot be made to fail.
+extern "C" int fsync(int file) {
+    struct stat status = {};
+    if (fails_to_flush_folders && ::fstat(file, &status) == 0 && S_ISDIR(status.st_mode)) {
+        errno = EIO;
+        return -1;
+    }
+    return static_cast<int>(::syscall(SYS_fsync, file));
+}
+
+TEST_CASE("a new file is written with its folders, and nothing is left beside it") {
+    const TemporaryFolder folder;
+    REQUIRE(write_atomically(folder / "a/b/file.txt", std::string_view("one\0two", 7)));
+    CHECK(content_of(folder / "a/b/file.txt") == std::string("one\0two", 7));
+    CHECK(count_of(folder / "a/b") == 1);
+}
+
+TEST_CASE("an old file is replaced and keeps its permissions") {
+    const TemporaryFolder folder;
+    const fs::path file = folder.write("file", "a long old content");
+    fs::permissions(file, fs::perms(0640));
+    REQUIRE(write_atomically(file, "new"));
+    CHECK(content_of(file) == "new");
+    CHECK(fs::status(file).permissions() == fs::perms(0640));
+}
+
+TEST_CASE("a new file has the permissions that the person's mask leaves") {
+    const TemporaryFolder folder;
+    const mode_t before = ::umask(027);
+    REQUIRE(write_atomically(folder / "file", "new"));
+    ::umask(before);
+    CHECK(fs::status(folder / "file").permissions() == fs::perms(0640));
+}
+
+TEST_CASE("a link stays and its target is replaced, also through a chain and when it dangles") {
+    const TemporaryFolder folder;
+    folder.write("there/file", "old");
+    fs::create_symlink("there/file", folder / "inner");
+    fs::create_symlink(folder / "inner", folder / "outer");
+    REQUIRE(write_atomically(folder / "outer", "new"));
+    CHECK(fs::is_symlink(folder / "outer"));
+    CHECK(fs::is_symlink(folder / "inner"));
+    CHECK(content_of(folder / "there/file") == "new");
+
+    fs::create_symlink("there/later", folder / "dangling");
+    REQUIRE(write_atomically(folder / "dangling", "made"));
+    CHECK(fs::is_symlink(folder / "dangling"));
+    CHECK(content_of(folder / "there/later") == "made");
+}
+
+TEST_CASE("what cannot be a file is refused by name and reason, and nothing is left behind") {
+    const TemporaryFolder folder;
+    folder.write("file", "kept");
+    fs::create_symlink("circle", folder / "circle");
+    fs::create_directory(folder / "folder");
+    REQUIRE(::mkfifo((folder / "pipe").c_str(), 0600) == 0);
+    const auto message = [&](const fs::path& file) {
+        const auto written = write_atomically(file, "new");
+        REQUIRE_FALSE(written.has_value());
+        REQUIRE(written.error().size() == 1);
+        CHECK(written.error().front().file == file);
+        return written.error().front().message;
+    };
+    CHECK(message(folder / "folder") == "can't write the file: it is a folder");
+    CHECK(message(folder / "pipe") == "can't write the file: it isn't a regular file");
+    CHECK(message(folder / "circle") == "can't write the file: its symbolic links form a loop");
+    CHECK(message(folder / "file/inside") == "can't create its folder: Not a directory");
+    CHECK(message("/proc/afterglow/file").starts_with("can't create its folder: "));
+    CHECK(message(folder / std::string(300, 'n')).starts_with("can't write the file: "));
+    CHECK(message(folder.path() / "") == "can't write the file: the path has no file name");
+    CHECK(message("") == "can't write the file: the path has no file name");
+    CHECK(content_of(folder / "file") == "kept");
+    CHECK(count_of(folder.path()) == 4);
+}
+
+TEST_CASE("a file whose folder cannot be flushed has been written all the same") {
+    const TemporaryFolder folder;
+    const auto file = folder.write("a.json", "old");
+    fails_to_flush_folders = true;
+    const auto written = write_atomically(file, "new");
+    fails_to_flush_folders = false;
+    CHECK(written.has_value());
+    CHECK(content_of(folder / "a.json") == "new");
+}
+
+TEST_CASE("killed at any moment of saving, the file is wholly the old or wholly the new one") {
+    const TemporaryFolder folder;
+    const fs::path file = folder / "file";
+    // The text says its own length and letter, so that a torn one shows.
+    const auto text = [](int round) {
+        return std::string(static_cast<std::size_t>(1 + round % 7 * 40000),
+                           static_cast<char>('a' + round % 7));
+    };
+    REQUIRE(write_atomically(file, text(0)));
+    std::mt19937 random(20240601);
+    std::uniform_int_distribution<useconds_t> moment(0, 8000);
+    int changes = 0;
+    // On a busy machine a child may not come to save before it is killed.
+    for (int trial = 0; trial < 60 || (changes <= 10 && trial < 2000); ++trial) {
+        const std::string before = content_of(file);
+        const pid_t child = ::fork();
+        if (child == 0)
+            for (int round = trial + 1;; ++round)
+                if (!write_atomically(file, text(round)))
+                    ::_exit(1);
+        REQUIRE(child > 0);
+        ::usleep(moment(random));
+        ::kill(child, SIGKILL);
+        int status = 0;
+        REQUIRE(::waitpid(child, &status, 0) == child);
+        CHECK(WIFSIGNALED(status));
+        const std::string after = content_of(file);
+        changes += after != before;
+        REQUIRE_FALSE(after.empty());
+        CHECK(after == text(after.front() - 'a'));
+    }
+    CHECK(changes > 10);  // the child did save
+    REQUIRE(write_atomically(file, "last"));
+    CHECK(count_of(folder.path()) == 1);
+}
+
+TEST_CASE("what a killed program left beside a file goes with the next save, and nothing else") {
+    const TemporaryFolder folder;
+    folder.write(".afterglow-4194301-7.tmp", "half of a pres");
+    folder.write(".afterglow-1-0.tmp", "of a process that has another's number now");
+    // Names that are not ours, and links and folders of our name, are the person's.
+    const std::vector<std::string> kept = {
+        ".afterglow-notes.tmp", ".afterglow-1-.tmp", ".afterglow--1.tmp", ".afterglow-1-2.tmp.bak",
+        "afterglow-1-2.tmp",    ".afterglow.tmp",    ".afterglow-1-x.tmp"};
+    for (const std::string& name : kept)
+        folder.write(name, "mine");
+    fs::create_directory(folder / ".afterglow-5-5.tmp");
+    fs::create_symlink("afterglow-1-2.tmp", folder / ".afterglow-6-6.tmp");
+    fs::create_directory(folder / "inside");
+    folder.write("inside/.afterglow-4194301-7.tmp", "of another folder");
+
+    REQUIRE(write_atomically(folder / "file", "new"));
+    CHECK_FALSE(fs::exists(folder / ".afterglow-4194301-7.tmp"));
+    CHECK_FALSE(fs::exists(folder / ".afterglow-1-0.tmp"));
+    for (const std::string& name : kept)
+        CHECK(content_of(folder / name) == "mine");
+    CHECK(fs::is_directory(folder / ".afterglow-5-5.tmp"));
+    CHECK(fs::is_symlink(folder / ".afterglow-6-6.tmp"));
+    CHECK(fs::exists(folder / "inside/.afterglow-4194301-7.tmp"));
+    CHECK(count_of(folder.path()) == kept.size() + 4);
+}
+
+TEST_CASE("programs that save into one folder at the same time take nothing from each other") {
+    const TemporaryFolder folder;
+    constexpr int writers = 4;
+    std::vector<pid_t> children;
+    for (int writer = 0; writer < writers; ++writer) {
+        const pid_t child = ::fork();
+        if (child == 0) {
+            const fs::path file = folder / std::to_string(writer);
+            for (int round = 0; round < 60; ++round)
+                if (!write_atomically(file, std::to_string(round)))
+                    ::_exit(1);
+            ::_exit(0);
+        }
+        REQUIRE(child > 0);
+        children.push_back(child);
+    }
+    for (const pid_t child : children) {
+        int status = 0;
+        REQUIRE(::waitpid(child, &status, 0) == child);
+        CHECK(WIFEXITED(status));
+        CHECK(WEXITSTATUS(status) == 0);
+    }
+    for (int writer = 0; writer < writers; ++writer)
+        CHECK(content_of(folder / std::to_string(writer)) == "59");
+    CHECK(count_of(folder.path()) == writers);
+}

@@ -1,0 +1,62 @@
+#include "io/files/child_process.h"
+
+#include "io/files/atomic_file.h"
+#include "io/temporary_folder.h"
+
+#include <doctest/doctest.h>
+
+#include <fcntl.h>
+#include <thread>
+
+TEST_CASE("a program is fed in two ways, writes a file that is open, and says something") {
+    const TemporaryFolder folder;
+    auto file = AtomicFile::create(folder / "made");
+    REQUIRE(file.has_value());
+    auto started =
+        ChildProcess::start({"sh", "-c", "cat <&3 >/dev/fd/4; cat >>/dev/fd/4; echo done"},
+                            {.inputs = 2, .output = file->descriptor()});
+    REQUIRE(started.has_value());
+    ChildProcess& program = *started;
+    const std::string much(1000000, 'a');
+    std::thread second([&] {
+        CHECK(program.feed(1, "second "));
+        program.end_input(1);
+    });
+    CHECK(program.feed(0, much));
+    program.end_input(0);
+    second.join();
+    CHECK(program.read_all(100) == "done\n");
+    CHECK(program.finish());
+    REQUIRE(file->finish().has_value());
+    CHECK(content_of(folder / "made") == "second " + much);
+}
+
+TEST_CASE("a program that reads no more is told from one that does, without a signal") {
+    auto program = ChildProcess::start({"sh", "-c", "echo no >&2; exit 3"}, {.inputs = 1});
+    REQUIRE(program.has_value());
+    bool is_fed = true;
+    for (int i = 0; i < 1000 && is_fed; ++i)
+        is_fed = program->feed(0, std::string(10000, 'a'));
+    CHECK_FALSE(is_fed);
+    CHECK_FALSE(program->finish());
+    CHECK(program->complaint() == "no");
+}
+
+TEST_CASE("what has the numbers that a program is to find is not mixed up") {
+    const TemporaryFolder folder;
+    std::vector<Descriptor> taken;  // so that the file and the sockets get other numbers each time
+    for (int i = 0; i < 4; ++i) {
+        const auto name = folder / std::to_string(i);
+        auto file = AtomicFile::create(name);
+        REQUIRE(file.has_value());
+        auto program = ChildProcess::start({"sh", "-c", "cat <&3 >/dev/fd/4"},
+                                           {.inputs = 2, .output = file->descriptor()});
+        REQUIRE(program.has_value());
+        CHECK(program->feed(1, "sound"));
+        program->end_input(1);
+        CHECK(program->finish());
+        REQUIRE(file->finish().has_value());
+        CHECK(content_of(name) == "sound");
+        taken.emplace_back(::open("/dev/null", O_RDONLY | O_CLOEXEC));
+    }
+}

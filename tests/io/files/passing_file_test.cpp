@@ -1,0 +1,46 @@
+#include "io/files/passing_file.h"
+
+#include "io/files/atomic_file.h"
+#include "io/temporary_folder.h"
+
+#include <doctest/doctest.h>
+
+#include <csignal>
+#include <memory>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace fs = std::filesystem;
+
+namespace {
+// What a program that holds `files` one after the other, each made before the last one goes, leaves
+// when a signal ends it. Gives the signal that ended it.
+int ended_by(int signal, const std::vector<fs::path>& files) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+        (void)std::signal(signal, SIG_DFL);  // in place of the test program's own
+        std::unique_ptr<PassingFile> held;
+        for (const fs::path& file : files)
+            held = std::make_unique<PassingFile>(file);
+        (void)std::raise(signal);
+        ::_exit(0);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+}
+}  // namespace
+
+TEST_CASE("a passing file goes when a signal ends the program, also one that followed another") {
+    const TemporaryFolder folder;
+    const fs::path first = folder.path() / "first";
+    const fs::path second = folder.path() / "second";
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        CAPTURE(signal);
+        REQUIRE(write_atomically(first, "").has_value());
+        REQUIRE(write_atomically(second, "").has_value());
+        CHECK(ended_by(signal, {first, second}) == signal);
+        CHECK_FALSE(fs::exists(first));
+        CHECK_FALSE(fs::exists(second));
+    }
+}

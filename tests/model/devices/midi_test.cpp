@@ -1,0 +1,86 @@
+#include "model/devices/midi.h"
+
+#include "model/devices/remote_settings.h"
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace {
+std::optional<MidiTurn> parsed(std::vector<std::uint8_t> bytes) {
+    return parse_midi(bytes);
+}
+
+bool is_share(const std::optional<double>& share, double expected) {
+    return share && std::abs(*share - expected) <= 1e-12;
+}
+}  // namespace
+
+TEST_CASE("a Control Change is read from its three bytes; all else is none") {
+    // MIDI 1.0 Detailed Specification, table 2: 1011nnnn 0ccccccc 0vvvvvvv
+    CHECK(parsed({0xb0, 21, 64}) == MidiTurn{1, 21, 64});
+    CHECK(parsed({0xbf, 127, 127}) == MidiTurn{16, 127, 127});
+    CHECK_FALSE(parsed({}));
+    CHECK_FALSE(parsed({0xb0, 21}));
+    CHECK_FALSE(parsed({0xb0, 21, 64, 0}));
+    CHECK_FALSE(parsed({0xb0, 0x80, 64}));
+    CHECK_FALSE(parsed({0xb0, 21, 0x80}));
+    for (const int kind : {0x80, 0x90, 0xa0, 0xc0, 0xd0, 0xe0, 0xf0})
+        CHECK_FALSE(parsed({static_cast<std::uint8_t>(kind), 21, 64}));
+}
+
+TEST_CASE("a controller goes from 0 to 1 in 127 steps, a pair in 16383") {
+    MidiPairs pairs;
+    const MidiBinding plain{{"decay"}, 1, 21};
+    CHECK(is_share(pairs.share(plain, {1, 21, 0}), 0.0));
+    CHECK(is_share(pairs.share(plain, {1, 21, 127}), 1.0));
+    CHECK(is_share(pairs.share(plain, {1, 21, 32}), 32.0 / 127.0));
+    CHECK_FALSE(pairs.share(plain, {2, 21, 32}));
+    CHECK_FALSE(pairs.share(plain, {1, 22, 32}));
+    const MidiBinding fine{{"decay"}, 3, 1, true};
+    CHECK_FALSE(pairs.share(fine, {3, 33, 5}));  // the upper half is not known yet
+    CHECK_FALSE(pairs.share(fine, {3, 1, 64}));
+    pairs.note({3, 1, 64});
+    pairs.note({4, 1, 100});  // of another channel
+    CHECK(is_share(pairs.share(fine, {3, 33, 5}), 8197.0 / 16383.0));
+    pairs.note({3, 1, 127});
+    CHECK(is_share(pairs.share(fine, {3, 33, 127}), 1.0));
+    CHECK(words_of(plain) == "CC 21, channel 1");
+    CHECK(words_of(fine) == "CC 1 and 33, channel 3");
+    CHECK(is_lower_half({3, 33, 0}, fine));
+    CHECK_FALSE(is_lower_half({3, 34, 0}, fine));
+    CHECK_FALSE(is_lower_half({1, 96, 0}, {{"decay"}, 1, 64}));  // 64 has none
+}
+
+TEST_CASE("a knob takes hold where it comes by the value, and lets go when another hand turned") {
+    PickUp pick_up;
+    CHECK_FALSE(pick_up.takes(0.2, 0.5));
+    CHECK_FALSE(pick_up.takes(0.4, 0.5));
+    CHECK(pick_up.takes(0.6, 0.5));  // it came by
+    pick_up.gave(0.6);
+    CHECK(pick_up.takes(0.9, 0.6));  // in the hand now: however fast
+    pick_up.gave(0.9);
+    CHECK_FALSE(pick_up.takes(0.8, 0.3));  // a mouse has taken it elsewhere
+    CHECK_FALSE(pick_up.takes(0.4, 0.3));
+    CHECK(pick_up.takes(0.2, 0.3));
+    PickUp close;
+    CHECK(close.takes(0.5 + 1.0 / 127.0, 0.5));
+    PickUp far;
+    CHECK_FALSE(far.takes(0.5 + 1.5 / 127.0, 0.5));
+}
+
+TEST_CASE("a goal has one controller, a controller may have several goals") {
+    RemoteSettings settings;
+    settings.bind({{"decay"}, 1, 21});
+    settings.bind({{"exposure"}, 1, 21});
+    settings.bind({{"centre", 1}, 1, 22});
+    settings.bind({{"decay"}, 1, 23});
+    CHECK(settings.midi == std::vector<MidiBinding>{
+                               {{"exposure"}, 1, 21}, {{"centre", 1}, 1, 22}, {{"decay"}, 1, 23}});
+    settings.unbind({"centre"});
+    CHECK(settings.midi.size() == 3);
+    settings.unbind({"centre", 1});
+    CHECK(settings.midi.size() == 2);
+}

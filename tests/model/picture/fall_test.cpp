@@ -1,0 +1,83 @@
+#include "model/picture/fall.h"
+
+#include "about.h"
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <vector>
+
+namespace {
+struct Samples {
+    std::vector<double> seconds;
+    std::vector<double> light;
+};
+
+Samples sampled(const std::function<double(double)>& light, double fps, double length) {
+    Samples samples;
+    for (int i = 0; i <= static_cast<int>(std::lround(length * fps)); ++i) {
+        samples.seconds.push_back(i / fps);
+        samples.light.push_back(light(i / fps));
+    }
+    return samples;
+}
+
+Fall fall_of(const Samples& samples) {
+    return ::fall_of(samples.seconds, samples.light);
+}
+}  // namespace
+
+TEST_CASE("an exponential fall is told as it is, at any frame rate") {
+    constexpr double rate = 5.0;  // a second: exp(-5 t)
+    for (const double fps : {24.0, 60.0, 144.0}) {
+        const Fall fall =
+            fall_of(sampled([](double t) { return 3.0 * std::exp(-rate * t); }, fps, 2.0));
+        CHECK(fall.peak == 3.0);
+        CHECK(fall.peak_seconds == 0.0);
+        REQUIRE((fall.to_tenth && fall.to_hundredth && fall.to_thousandth && fall.half_life));
+        CHECK(*fall.to_tenth == about(std::log(10.0) / rate, 1e-9));
+        CHECK(*fall.to_hundredth == about(std::log(100.0) / rate, 1e-9));
+        CHECK(*fall.to_thousandth == about(std::log(1000.0) / rate, 1e-9));
+        CHECK(*fall.half_life == about(std::numbers::ln2 / rate, 1e-9));
+    }
+}
+
+TEST_CASE("times count from the peak, also where it comes late") {
+    const auto late = [](double t) { return t < 0.25 ? 0.1 * t : std::exp(-8.0 * (t - 0.25)); };
+    const Fall fall = fall_of(sampled(late, 60.0, 2.0));
+    CHECK(fall.peak_seconds == about(0.25, 1e-12));
+    REQUIRE(fall.to_tenth);
+    CHECK(*fall.to_tenth == about(std::log(10.0) / 8.0, 1e-9));
+}
+
+TEST_CASE("a power law has times of its own") {
+    // 1 / (1 + 20 t): a tenth at 9/20 s, a hundredth at 99/20 s
+    const Fall fall = fall_of(sampled([](double t) { return 1.0 / (1.0 + 20.0 * t); }, 60.0, 6.0));
+    REQUIRE((fall.to_tenth && fall.to_hundredth));
+    CHECK(*fall.to_tenth == about(9.0 / 20.0, 1e-3));
+    CHECK(*fall.to_hundredth == about(99.0 / 20.0, 1e-3));
+    CHECK_FALSE(fall.to_thousandth);  // 999/20 s
+}
+
+TEST_CASE("light that comes back has not gone") {
+    const auto echo = [](double t) { return t > 0.9 && t < 1.1 ? 0.5 : std::exp(-10.0 * t); };
+    const Fall fall = fall_of(sampled(echo, 100.0, 2.0));
+    REQUIRE(fall.to_tenth);
+    CHECK(*fall.to_tenth > 1.08);
+}
+
+TEST_CASE("what is gone at once falls between two samples, and has no half-life") {
+    const Fall fall = fall_of({{0.0, 0.02, 0.04}, {1.0, 0.0, 0.0}});
+    REQUIRE(fall.to_tenth);
+    CHECK(*fall.to_tenth == about(0.018, 1e-9));  // on a straight line
+    CHECK_FALSE(fall.half_life);
+}
+
+TEST_CASE("no light, and light that stays, have no times") {
+    CHECK(fall_of({{0.0, 1.0}, {0.0, 0.0}}) == Fall{});
+    CHECK(fall_of(Samples{}) == Fall{});
+    const Fall stays = fall_of({{0.0, 1.0, 2.0}, {1.0, 1.0, 1.0}});
+    CHECK(stays.peak == 1.0);
+    CHECK_FALSE(stays.to_tenth);
+    CHECK_FALSE(stays.half_life);
+}

@@ -1,0 +1,19 @@
+#include "model/plan/plan_memory.h"
+
+#include <doctest/doctest.h>
+
+TEST_CASE("the memory of a plan is that of its pictures and of the one that is read") {
+    // 100 x 10 texels of 8 bytes, two of them, one with smaller levels; then a picture of 20 bytes
+    // a pixel.
+    Plan plan;
+    plan.targets.push_back({.extent = {100, 10}, .format = Format::rgba16f, .slots = 2});
+    CHECK(estimated_bytes(plan, {100, 10}) == 2 * 8000 + 20 * 1000);
+    plan.targets.push_back({.extent = {30, 10}, .format = Format::rgba16f, .mipmapped = true});
+    CHECK(estimated_bytes(plan, {1, 1}) == 2 * 8000 + 2400 + 800 + 20);
+    plan.targets.push_back({.extent = {100, 10}, .onto = 0});
+    plan.targets.push_back({.extent = {100, 10}, .is_unused = true});
+    CHECK(estimated_bytes(plan, {1, 1}) == 2 * 8000 + 2400 + 800 + 20);
+    plan.targets.push_back({.extent = {100, 10}, .slots = 1, .common = 0});
+    plan.common.push_back({{100, 10}});
+    CHECK(estimated_bytes(plan, {1, 1}) == 3 * 8000 + 2400 + 800 + 20);
+}

@@ -1,0 +1,57 @@
+#include "model/tuning/knob_settings.h"
+
+#include <doctest/doctest.h>
+
+namespace {
+Parameter knob(const std::string& name) {
+    Parameter parameter;
+    parameter.name = name;
+    parameter.label = name;
+    parameter.initial = Value(0.5);
+    parameter.limit = Limit{0.0, 10.0};
+    return parameter;
+}
+
+const KnobSetting starred{.is_favourite = true};
+const KnobSetting locked{.is_locked = true};
+}  // namespace
+
+TEST_CASE("a star and a lock follow a parameter to its new name") {
+    Look look;
+    look.parameters = {knob("glow"), knob("gain")};
+    look.parameters[0].was = "decay";
+    const KnobSettings knobs = renamed_knobs(look, {{"decay", starred}, {"gain", locked}});
+    CHECK(knobs == KnobSettings{{"glow", starred}, {"gain", locked}});
+}
+
+TEST_CASE("a look has its settings in a stack too, and gives them back by its own id") {
+    const Stack stack{{"phosphor", {}, "a"}, {"crt", {}, "b"}, {"crt", {}, "c"}};
+    const LookKnobs looks{{"crt", {{"gain", locked}}}, {"other", {{"gain", starred}}}};
+    KnobSettings knobs = knobs_in(stack, looks);
+    CHECK(knobs == KnobSettings{{"crt/gain", locked}, {"crt#2/gain", locked}});
+    knobs["phosphor/decay"] = starred;
+    knobs.erase("crt/gain");
+    LookKnobs kept = looks;
+    keep_knobs(kept, stack, knobs);
+    CHECK(kept == LookKnobs{{"phosphor", {{"decay", starred}}}, {"other", {{"gain", starred}}}});
+    CHECK(knobs_in({{"phosphor", {}, "a"}}, kept) == KnobSettings{{"decay", starred}});
+}
+
+TEST_CASE("a slider's own ends stay within the hard limit and leave something between them") {
+    Parameter parameter = knob("gain");
+    CHECK(fitted_ends(parameter, {2.0, 99.0}) == Limit{2.0, 10.0});
+    const auto refused = fitted_ends(parameter, {20.0, 30.0});
+    REQUIRE_FALSE(refused.has_value());
+    CHECK(refused.error().front().message.ends_with("got 20 and 30"));
+    CHECK_FALSE(fitted_ends(parameter, {3.0, 3.0}).has_value());
+    parameter.type.scalar = Scalar::integer;
+    CHECK(fitted_ends(parameter, {1.4, 3.6}) == Limit{1.0, 4.0});
+    CHECK_FALSE(fitted_ends(parameter, {1.1, 1.3}).has_value());
+}
+
+TEST_CASE("a slider runs between the ends that a person gave it, while they make sense") {
+    const Parameter parameter = knob("gain");
+    CHECK(with_ends(parameter, {.ends = Limit{2.0, 4.0}}).range == Range{2.0, 4.0});
+    CHECK(with_ends(parameter, {}).range == parameter.range);
+    CHECK(with_ends(parameter, {.ends = Limit{20.0, 40.0}}).range == parameter.range);
+}

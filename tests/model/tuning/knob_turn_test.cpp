@@ -1,0 +1,79 @@
+#include "model/tuning/knob_turn.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+namespace {
+Parameter ranged(Range range, Scale scale = Scale::linear) {
+    Parameter made;
+    made.name = "knob";
+    made.range = range;
+    made.scale = scale;
+    made.initial = Value(range.low);
+    return made;
+}
+
+double turned(const Parameter& parameter, double share, const KnobSetting& setting = {}) {
+    return value_at_share({parameter, setting}, parameter.initial, share).number();
+}
+
+bool is_close(double a, double b) {
+    return std::abs(a - b) <= 1e-9;
+}
+}  // namespace
+
+TEST_CASE("a share of the way is that share of the slider, in equal ratios where it is so") {
+    const Parameter plain = ranged({-1.0, 3.0});
+    CHECK(turned(plain, 0.0) == -1.0);
+    CHECK(turned(plain, 1.0) == 3.0);
+    CHECK(is_close(turned(plain, 0.25), 0.0));
+    CHECK(is_close(share_at({plain, {}}, Value(0.0)), 0.25));
+    CHECK(share_at({plain, {}}, Value(9.0)) == 1.0);  // typed beyond the end
+    const Parameter ratios = ranged({1.0, 100.0}, Scale::logarithmic);
+    CHECK(is_close(turned(ratios, 0.5), 10.0));
+    CHECK(is_close(share_at({ratios, {}}, Value(10.0)), 0.5));
+    const KnobSetting ends{.ends = Limit{0.0, 0.5}};
+    CHECK(is_close(turned(plain, 0.5, ends), 0.25));
+    CHECK(is_close(share_at({plain, ends}, Value(0.25)), 0.5));
+}
+
+TEST_CASE("steps, whole numbers, lists and switches are met exactly") {
+    Parameter odd = ranged({3.0, 25.0, 2.0});
+    CHECK(turned(odd, 0.45) == 13.0);  // 12.9
+    CHECK(turned(odd, 0.03) == 3.0);
+    CHECK(turned(odd, 1.0) == 25.0);
+    Parameter whole = ranged({0.0, 10.0});
+    whole.type.scalar = Scalar::integer;
+    CHECK(turned(whole, 0.24) == 2.0);
+    Parameter list = ranged({0.0, 9.0});
+    list.control = Control::list;
+    list.items = {{0, "None"}, {4, "Mask"}, {9, "All"}};
+    CHECK(turned(list, 0.0) == 0.0);
+    CHECK(turned(list, 0.33) == 0.0);
+    CHECK(turned(list, 0.34) == 4.0);
+    CHECK(turned(list, 1.0) == 9.0);
+    CHECK(is_close(share_at({list, {}}, Value(4.0)), 0.5));
+    CHECK_FALSE(is_gradual(list));
+    Parameter toggle = ranged({0.0, 1.0});
+    toggle.type.scalar = Scalar::boolean;
+    CHECK(turned(toggle, 63.0 / 127.0) == 0.0);
+    CHECK(turned(toggle, 64.0 / 127.0) == 1.0);
+    CHECK_FALSE(is_gradual(toggle));
+}
+
+TEST_CASE("one number of a vector is turned; colours, files and matrices are not") {
+    Parameter point = ranged({0.0, 2.0});
+    point.type = {Scalar::floating, 2};
+    point.initial = Value({0.5, 0.5});
+    CHECK(value_at_share({point, {}, 1}, point.initial, 0.75) == Value({0.5, 1.5}));
+    CHECK(can_be_turned(point));
+    CHECK(is_gradual(point));
+    for (const Control control : {Control::color, Control::image, Control::sound}) {
+        Parameter other = ranged({0.0, 1.0});
+        other.control = control;
+        CHECK_FALSE(can_be_turned(other));
+    }
+    point.type = {Scalar::floating, 2, 2};
+    CHECK_FALSE(can_be_turned(point));
+}

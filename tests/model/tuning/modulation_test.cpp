@@ -1,0 +1,182 @@
+#include "model/tuning/modulation.h"
+
+#include "about.h"
+#include "model/tuning/dice.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace {
+Modulation lfo(LfoShape shape, double rate = 1.0, double phase = 0.0) {
+    return {.shape = shape, .rate = rate, .phase = phase};
+}
+
+/// The first parameter is turned over -1 .. 3 and held within 0 .. 3.
+Look moving_look() {
+    Look look;
+    Parameter gain;
+    gain.name = "gain";
+    gain.initial = Value(1.0);
+    gain.range = {-1.0, 3.0, 0.0};
+    gain.limit = Limit{0.0, 3.0};
+    Parameter taps;
+    taps.name = "taps";
+    taps.type.scalar = Scalar::integer;
+    taps.initial = Value(5.0);
+    taps.range = {0.0, 10.0, 1.0};
+    Parameter place;
+    place.name = "place";
+    place.type.rows = 2;
+    place.control = Control::point;
+    place.initial = Value({0.25, 0.5});
+    look.parameters = {gain, taps, place};
+    return look;
+}
+
+Value moved_to(const std::string& name, const Modulation& modulation, double seconds,
+               const Values& values = {}, const Loudness* loudness = nullptr) {
+    const Look look = moving_look();
+    const Values now = modulated(look, values, {{name, modulation}}, seconds, loudness);
+    return value_of(*find_parameter(look, name), now);
+}
+
+/// Loud by as much as the time constants say.
+class Told : public Loudness {
+public:
+    double envelope(double seconds, double attack, double release) const override {
+        return seconds * attack / release;
+    }
+    std::optional<double> seconds_since_beat(double seconds, double threshold) const override {
+        return seconds < threshold ? std::nullopt : std::optional(seconds - threshold);
+    }
+};
+}  // namespace
+
+TEST_CASE("an LFO goes through its shape once a turn, from its phase on") {
+    const double half = std::sqrt(0.5);
+    CHECK(is_near(lfo_at(lfo(LfoShape::sine), 0.125, 0), half));
+    CHECK(is_near(lfo_at(lfo(LfoShape::sine, 2.0), 0.125, 0), 1.0));
+    CHECK(is_near(lfo_at(lfo(LfoShape::sine, 1.0, 0.75), 3.0, 0), -1.0));
+    const double triangle[] = {0.0, 0.5, 1.0, 0.5, 0.0, -0.5, -1.0, -0.5};
+    const double saw[] = {-1.0, -0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75};
+    const double square[] = {1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0};
+    for (int i = 0; i < 8; ++i) {
+        const double seconds = 7.0 + i / 8.0;
+        CHECK(is_near(lfo_at(lfo(LfoShape::triangle), seconds, 0), triangle[i]));
+        CHECK(is_near(lfo_at(lfo(LfoShape::saw), seconds, 0), saw[i]));
+        CHECK(is_near(lfo_at(lfo(LfoShape::square), seconds, 0), square[i]));
+        CHECK(is_near(lfo_at(lfo(LfoShape::saw, 1.0, 0.125), seconds - 0.125, 0), saw[i]));
+    }
+}
+
+TEST_CASE("SplitMix64 gives what is published for the seed 0") {
+    CHECK(Dice(0).roll() == std::ldexp(static_cast<double>(0xe220a8397b1dcdafu >> 11), -53));
+}
+
+TEST_CASE("random steps stay for a turn, fill -1..1 evenly, and differ by seed") {
+    const Modulation steps = lfo(LfoShape::random, 4.0);
+    double sum = 0.0;
+    double squares = 0.0;
+    int same = 0;
+    constexpr int count = 4000;
+    for (int i = 0; i < count; ++i) {
+        const double number = lfo_at(steps, i / 4.0, 1);
+        CHECK(std::abs(number) <= 1.0);
+        CHECK(lfo_at(steps, i / 4.0 + 0.2499, 1) == number);
+        same += lfo_at(steps, (i + 1) / 4.0, 1) == number || lfo_at(steps, i / 4.0, 2) == number;
+        sum += number;
+        squares += number * number;
+    }
+    CHECK(same == 0);
+    // An even number has mean 0 and variance 1/3; four standard errors of each.
+    CHECK(std::abs(sum / count) < 4.0 / std::sqrt(3.0 * count));
+    CHECK(std::abs(squares / count - 1.0 / 3.0) < 4.0 * std::sqrt(4.0 / 45.0 / count));
+}
+
+TEST_CASE("a value moves by depth and range about what a person set, within its hard limit") {
+    Modulation moving = lfo(LfoShape::sine, 1.0);
+    moving.depth = 0.25;
+    CHECK(is_near(moved_to("gain", moving, 0.25).number(), 2.0));  // 1 + 0.25 * 4 * 1
+    CHECK(is_near(moved_to("gain", moving, 0.25, {{"gain", Value(1.5)}}).number(), 2.5));
+    CHECK(is_near(moved_to("gain", moving, 0.25, {{"gain", Value(2.5)}}).number(), 3.0));
+    moving.depth = -0.125;
+    CHECK(is_near(moved_to("gain", moving, 0.25).number(), 0.5));
+    moving.depth = 1.0;
+    CHECK(is_near(moved_to("gain", moving, 0.75).number(), 0.0));
+}
+
+TEST_CASE("what counts stays whole, and a point moves with both its numbers") {
+    Modulation moving = lfo(LfoShape::saw, 1.0);
+    moving.depth = 0.37;
+    CHECK(moved_to("taps", moving, 0.75) == Value(7.0));  // 5 + 0.37 * 10 * 0.5 = 6.85
+    moving.depth = 0.5;
+    CHECK(moved_to("place", moving, 0.75) == Value({0.5, 0.75}));
+}
+
+TEST_CASE("each axis of a point moves over its own range") {
+    Look look = moving_look();
+    look.parameters[2].axes = {{0.0, 8.0, 0.0}, {0.0, 2.0, 0.0}};
+    Modulation moving = lfo(LfoShape::square);
+    moving.depth = 0.25;
+    const Values now = modulated(look, {}, {{"place", moving}}, 0.0, nullptr);
+    CHECK(value_of(look.parameters[2], now) == Value({2.25, 1.0}));
+}
+
+TEST_CASE("an envelope follows the level, a beat jumps and comes down; silence does nothing") {
+    const Modulation envelope{
+        .kind = ModulationKind::envelope, .depth = 0.5, .attack = 0.1, .release = 0.4};
+    const Modulation beat{
+        .kind = ModulationKind::beat, .depth = 0.5, .release = 0.5, .threshold = 2.0};
+    const Told told;
+    CHECK(is_near(moved_to("gain", envelope, 2.0, {}, &told).number(), 1.0 + 0.5 * 4.0 * 0.5));
+    CHECK(is_near(moved_to("gain", beat, 2.0, {}, &told).number(), 3.0));
+    CHECK(is_near(moved_to("gain", beat, 2.5, {}, &told).number(), 1.0 + 2.0 * std::exp(-1.0)));
+    CHECK(moved_to("gain", beat, 1.9, {}, &told) == Value(1.0));
+    CHECK(moved_to("gain", envelope, 2.0) == Value(1.0));
+    CHECK(moved_to("gain", beat, 2.0) == Value(1.0));
+}
+
+TEST_CASE("what a pass keeps its light in, where it is drawn and how fine its spot is may move") {
+    Look look = moving_look();
+    look.passes.resize(1);
+    const std::string read = "$" + look.parameters[0].name;
+    look.passes[0].half_floats = read;
+    look.passes[0].onto = Onto{"elsewhere", read};
+    look.passes[0].spot = {read, read};
+    CHECK(why_unmodulated(look, look.parameters[0]).empty());
+    look.passes[0].one_channel = read;
+    CHECK_FALSE(why_unmodulated(look, look.parameters[0]).empty());
+}
+
+TEST_CASE("what is no number, or says how large a pass is, does not move") {
+    Look look = moving_look();
+    look.passes.resize(2);
+    look.passes[1].repeat = Count(std::string("taps"));
+    CHECK(why_unmodulated(look, look.parameters[0]).empty());
+    CHECK(why_unmodulated(look, look.parameters[2]).empty());
+    CHECK(why_unmodulated(look, look.parameters[1]) ==
+          "'taps' can't be modulated: it sets the size or repeat count of a pass");
+    look.parameters[0].type.scalar = Scalar::boolean;
+    CHECK(why_unmodulated(look, look.parameters[0]) == "'gain' can't be modulated: it is a switch");
+    look.parameters[0].control = Control::list;
+    CHECK(why_unmodulated(look, look.parameters[0]) == "'gain' can't be modulated: it is a list");
+    const Values values{{"taps", Value(3.0)}};
+    CHECK(modulated(look, values, {{"taps", {}}, {"gone", {}}, {"gain", {}}}, 0.3, nullptr) ==
+          values);
+}
+
+TEST_CASE("a modulation keeps the figures of its kind alone, within their limits") {
+    const Modulation all{.kind = ModulationKind::beat,
+                         .depth = 9.0,
+                         .shape = LfoShape::saw,
+                         .rate = 7.0,
+                         .attack = 1.0,
+                         .release = 3.0,
+                         .threshold = 1.5};
+    CHECK(tidied(all) ==
+          Modulation{.kind = ModulationKind::beat, .depth = 4.0, .release = 0.5, .threshold = 1.5});
+    CHECK(summary_of(lfo(LfoShape::random, 0.5)) ==
+          "LFO, random steps, rate 0.5 Hz, phase 0 turns, depth 0.25");
+}

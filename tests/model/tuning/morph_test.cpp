@@ -1,0 +1,88 @@
+#include "model/tuning/morph.h"
+
+#include "about.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace {
+constexpr double pi = std::numbers::pi;
+
+Parameter morphed_knob(Range range, Control control = Control::slider) {
+    Parameter made;
+    made.name = "knob";
+    made.range = range;
+    made.control = control;
+    made.initial = Value(0.0);
+    return made;
+}
+
+Value between(const Parameter& parameter, const Value& from, const Value& to, double share) {
+    Look look;
+    look.parameters = {parameter};
+    return value_of(parameter, morphed(look, {{"knob", from}}, {{"knob", to}}, share));
+}
+
+}  // namespace
+
+TEST_CASE("numbers go straight from one preset to the other, ratios on a logarithmic slider") {
+    const Parameter plain = morphed_knob({0, 10, 0});
+    CHECK(is_near(between(plain, 2.0, 6.0, 0.25).number(), 3.0));
+    CHECK(between(plain, 2.0, 6.0, 0.0) == Value(2.0));
+    CHECK(between(plain, 2.0, 6.0, 1.0) == Value(6.0));
+    Parameter ratio = morphed_knob({0.1, 100, 0});
+    ratio.scale = Scale::logarithmic;
+    CHECK(is_near(between(ratio, 1.0, 64.0, 0.5).number(), 8.0));
+    CHECK(is_near(between(ratio, 0.0, 64.0, 0.5).number(), 32.0));  // from nothing: straight
+}
+
+TEST_CASE("a colour goes through the mean of its light") {
+    Parameter color = morphed_knob({0, 1, 0}, Control::color);
+    color.type.rows = 3;
+    const Value middle = between(color, Value({1.0, 0.0, 0.2}), Value({0.0, 0.5, 0.2}), 0.5);
+    CHECK(is_near(middle.numbers[0], 0.5));
+    CHECK(is_near(middle.numbers[1], 0.25));
+    CHECK(is_near(middle.numbers[2], 0.2));
+}
+
+TEST_CASE("an angle that goes all round takes the shorter way, another one its slider's") {
+    const Parameter round = morphed_knob({-3.1416, 3.1416, 0}, Control::angle);
+    CHECK(std::abs(between(round, 0.9 * pi, -0.9 * pi, 0.25).number() - 0.95 * pi) < 1e-9);
+    CHECK(std::abs(between(round, 0.9 * pi, -0.9 * pi, 0.75).number() + 0.95 * pi) < 1e-9);
+    const Parameter quarter = morphed_knob({-1.6, 1.6, 0}, Control::angle);
+    CHECK(is_near(between(quarter, 1.5, -1.5, 0.5).number(), 0.0));
+}
+
+TEST_CASE("whole numbers, lists, switches and files change at half of the way") {
+    Parameter count = morphed_knob({0, 10, 0});
+    count.type.scalar = Scalar::integer;
+    Parameter toggle = morphed_knob({0, 1, 0});
+    toggle.type.scalar = Scalar::boolean;
+    const Parameter list = morphed_knob({0, 7, 0}, Control::list);
+    for (const Parameter& parameter : {count, toggle, list}) {
+        CHECK(between(parameter, 0.0, 1.0, 0.499) == Value(0.0));
+        CHECK(between(parameter, 0.0, 1.0, 0.5) == Value(1.0));
+    }
+    const Parameter image = morphed_knob({0, 1, 0}, Control::image);
+    CHECK(between(image, Value::of_path("a"), Value::of_path("b"), 0.4).path == "a");
+    CHECK(between(image, Value::of_path("a"), Value::of_path("b"), 0.6).path == "b");
+}
+
+TEST_CASE("what only one of the presets has goes from or to its default, the rest stays") {
+    Parameter first = morphed_knob({0, 10, 0});
+    first.name = "first";
+    Parameter second = first;
+    second.name = "second";
+    second.initial = Value(4.0);
+    Look look;
+    look.parameters = {first, second};
+    const Values middle =
+        morphed(look, {{"first", Value(2.0)}, {"gone", Value(7.0)}}, {{"second", Value(8.0)}}, 0.5);
+    CHECK(is_near(middle.at("first").number(), 1.0));
+    CHECK(is_near(middle.at("second").number(), 6.0));
+    CHECK(middle.at("gone") == Value(7.0));
+    const Values all{{"second", Value(8.0)}};
+    CHECK(morphed(look, {{"first", Value(2.0)}}, all, 1.0) == all);
+}

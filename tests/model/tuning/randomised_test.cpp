@@ -1,0 +1,148 @@
+#include "model/tuning/randomised.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace {
+Parameter knob(const std::string& name, Range range, Scale scale = Scale::linear) {
+    Parameter parameter;
+    parameter.name = name;
+    parameter.initial = Value(range.low);
+    parameter.range = range;
+    parameter.scale = scale;
+    return parameter;
+}
+
+Look look_of(std::vector<Parameter> parameters) {
+    Look look;
+    look.parameters = std::move(parameters);
+    return look;
+}
+
+// What a parameter alone gets by each of many seeds.
+std::vector<Value> rolls(const Parameter& parameter, int count = 4000,
+                         const KnobSetting& setting = {}) {
+    const Look look = look_of({parameter});
+    std::vector<Value> values;
+    for (int seed = 0; seed < count; ++seed)
+        values.push_back(randomised_values(look, {}, {{parameter.name, setting}},
+                                           static_cast<std::uint64_t>(seed))
+                             .at(parameter.name));
+    return values;
+}
+
+std::vector<double> numbers(const std::vector<Value>& values, std::size_t component = 0) {
+    std::vector<double> all;
+    for (const Value& value : values)
+        all.push_back(value.numbers.at(component));
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+// The share of all that lies below `end`; of 4000 throws its own spread is at most 0.008.
+double share_below(const std::vector<double>& sorted, double end) {
+    const auto below = std::lower_bound(sorted.begin(), sorted.end(), end) - sorted.begin();
+    return static_cast<double>(below) / static_cast<double>(sorted.size());
+}
+constexpr double spread = 0.03;
+}  // namespace
+
+TEST_CASE("a random value lies anywhere in the soft range, each place as likely") {
+    const auto all = numbers(rolls(knob("a", {2.0, 6.0})));
+    CHECK(all.front() >= 2.0);
+    CHECK(all.back() <= 6.0);
+    for (const double place : {0.1, 0.25, 0.5, 0.75, 0.9})
+        CHECK(std::abs(share_below(all, 2.0 + 4.0 * place) - place) < spread);
+}
+
+TEST_CASE("on a logarithmic slider each ratio is as likely") {
+    const auto all = numbers(rolls(knob("a", {0.01, 100.0}, Scale::logarithmic)));
+    CHECK(std::abs(share_below(all, 0.1) - 0.25) < spread);
+    CHECK(std::abs(share_below(all, 1.0) - 0.5) < spread);
+    CHECK(std::abs(share_below(all, 10.0) - 0.75) < spread);
+}
+
+TEST_CASE("a random value stops at steps, whole numbers and items, the ends as often as the rest") {
+    const auto odd = numbers(rolls(knob("a", {3.0, 9.0, 2.0})));
+    CHECK(std::set<double>(odd.begin(), odd.end()) == std::set<double>{3.0, 5.0, 7.0, 9.0});
+    CHECK(std::abs(share_below(odd, 4.0) - 0.25) < spread);
+    Parameter whole = knob("b", {-1.0, 1.0});
+    whole.type.scalar = Scalar::integer;
+    const auto three = numbers(rolls(whole));
+    CHECK(std::set<double>(three.begin(), three.end()) == std::set<double>{-1.0, 0.0, 1.0});
+    CHECK(std::abs(share_below(three, 0.0) - 1.0 / 3.0) < spread);
+    Parameter list = knob("c", {0.0, 100.0});
+    list.control = Control::list;
+    list.items = {{0.0, "none"}, {7.0, "some"}, {50.0, "all"}};
+    const auto items = numbers(rolls(list));
+    CHECK(std::set<double>(items.begin(), items.end()) == std::set<double>{0.0, 7.0, 50.0});
+    CHECK(std::abs(share_below(items, 50.0) - 2.0 / 3.0) < spread);
+    Parameter box = knob("d", {0.0, 0.0});
+    box.type.scalar = Scalar::boolean;
+    CHECK(std::abs(share_below(numbers(rolls(box)), 1.0) - 0.5) < spread);
+}
+
+TEST_CASE("a random colour is even to the eye and keeps its alpha") {
+    Parameter color = knob("a", {0.0, 1.0});
+    color.control = Control::color;
+    color.type = {Scalar::floating, 4, 1};
+    color.initial = Value(std::vector<double>{1.0, 1.0, 1.0, 0.6});
+    const auto all = rolls(color);
+    for (std::size_t part = 0; part < 3; ++part)
+        CHECK(std::abs(share_below(numbers(all, part), 0.2140) - 0.5) < spread);  // sRGB 0.5
+    CHECK(numbers(all, 3).front() == 0.6);
+    CHECK(numbers(all, 3).back() == 0.6);
+}
+
+TEST_CASE("a vector's parts are thrown apart, an angle's and a point's too") {
+    Parameter point = knob("a", {-1.0, 1.0});
+    point.control = Control::point;
+    point.type = {Scalar::floating, 2, 1};
+    int above = 0;
+    for (const Value& value : rolls(point))
+        above += value.numbers.at(0) > value.numbers.at(1) ? 1 : 0;
+    CHECK(std::abs(above / 4000.0 - 0.5) < spread);
+}
+
+TEST_CASE("the ends that a person gave the slider hold for the dice") {
+    const auto all = numbers(rolls(knob("a", {0.0, 1.0}), 1000, {.ends = Limit{0.4, 0.6}}));
+    CHECK(all.front() >= 0.4);
+    CHECK(all.back() <= 0.6);
+}
+
+TEST_CASE("what is locked, hidden, fired, a file, the view or an amount of work stays") {
+    Parameter hidden = knob("hidden", {0.0, 1.0});
+    hidden.is_hidden = true;
+    Parameter event = knob("event", {0.0, 1.0});
+    event.control = Control::event;
+    Parameter file = knob("file", {0.0, 1.0});
+    file.control = Control::image;
+    Parameter turn = knob("turn", {0.0, 1.0});
+    turn.orbit = OrbitPart::turn;
+    Parameter matrix = knob("matrix", {0.0, 1.0});
+    matrix.type = {Scalar::floating, 2, 2};
+    Look look = look_of({knob("locked", {0.0, 1.0}), knob("free", {0.0, 1.0}),
+                         knob("samples", {1.0, 64.0}), hidden, event, file, turn, matrix});
+    look.passes.resize(1);
+    look.passes[0].repeat = std::string("samples");
+    const Values values{{"locked", Value(0.25)}, {"orphan", Value(3.0)}};
+    const KnobSettings knobs{{"locked", {.is_locked = true}}};
+    const Values next = randomised_values(look, values, knobs, 7);
+    CHECK(next.at("locked") == Value(0.25));
+    CHECK(next.at("orphan") == Value(3.0));
+    CHECK(next.count("free") == 1);
+    CHECK(next.size() == 3);
+}
+
+TEST_CASE("the same seed gives the same, whatever else is locked") {
+    const Look look = look_of({knob("a", {0.0, 1.0}), knob("b", {0.0, 1.0})});
+    const Values both = randomised_values(look, {}, {}, 1);
+    CHECK(both == randomised_values(look, {}, {}, 1));
+    CHECK(both.at("a") != both.at("b"));
+    CHECK(both.at("a") != randomised_values(look, {}, {}, 2).at("a"));
+    const Values one = randomised_values(look, {}, {{"a", {.is_locked = true}}}, 1);
+    CHECK(one == Values{{"b", both.at("b")}});
+}
