@@ -10,7 +10,8 @@ int main(int count, char** words) {
     if (count < 3)
         return 2;
     std::ofstream output(words[2]);
-    output << "#include \"lab/shipped_files.h\"\n\nShippedFiles files_of_build() {\n    return {\n";
+    output << "#include \"lab/library/shipped_files.h\"\n\nShippedFiles files_of_build() {\n    "
+              "return {\n";
     for (int i = 3; i < count; ++i) {
         const auto bytes = read_bytes(std::filesystem::path(words[1]) / words[i]);
         if (!bytes) {

@@ -1,5 +1,5 @@
 #include "cli/common.h"
-#include "lab/measure.h"
+#include "lab/offline/measure.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

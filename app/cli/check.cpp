@@ -1,5 +1,5 @@
 #include "cli/common.h"
-#include "lab/look_media.h"
+#include "lab/media/look_media.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lab/roots.h"
+#include "lab/storage/roots.h"
 
 #include <functional>
 #include <string>

@@ -2,8 +2,8 @@
 
 #include "base/diagnostic.h"
 #include "cli/command_line.h"
-#include "lab/library.h"
-#include "lab/offline.h"
+#include "lab/library/library.h"
+#include "lab/offline/offline.h"
 
 #include <functional>
 #include <memory>

@@ -1,4 +1,4 @@
-#include "lab/corpus.h"
+#include "lab/offline/corpus.h"
 
 #include "cli/common.h"
 #include "cli/progress.h"

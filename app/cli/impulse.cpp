@@ -1,4 +1,4 @@
-#include "lab/impulse.h"
+#include "lab/offline/impulse.h"
 
 #include "cli/common.h"
 

@@ -1,5 +1,5 @@
 #include "cli/common.h"
-#include "lab/catalog.h"
+#include "lab/library/catalog.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,5 +1,5 @@
 #include "cli/common.h"
-#include "lab/sharing.h"
+#include "lab/document/sharing.h"
 
 #include <array>
 #include <iostream>

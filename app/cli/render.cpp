@@ -4,8 +4,8 @@
 #include "io/files/atomic_file.h"
 #include "io/pictures/frame_names.h"
 #include "io/pictures/picture_file.h"
-#include "lab/export.h"
-#include "lab/sharing.h"
+#include "lab/document/sharing.h"
+#include "lab/offline/export.h"
 
 #include <fmt/format.h>
 

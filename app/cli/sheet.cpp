@@ -1,4 +1,4 @@
-#include "lab/sheet.h"
+#include "lab/offline/sheet.h"
 
 #include "base/text.h"
 #include "cli/common.h"

@@ -1,6 +1,6 @@
 #include "cli/common.h"
 #include "io/sound/sound_save.h"
-#include "lab/play_beam.h"
+#include "lab/playback/play_beam.h"
 
 #include <array>
 

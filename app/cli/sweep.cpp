@@ -1,10 +1,10 @@
-#include "lab/sweep.h"
+#include "lab/offline/sweep.h"
 
 #include "cli/common.h"
 #include "cli/progress.h"
 #include "io/files/atomic_file.h"
 #include "io/pictures/picture_file.h"
-#include "lab/sheet.h"
+#include "lab/offline/sheet.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "cli/cli.h"
 #include "cli/common.h"
 #include "cli/progress.h"
-#include "lab/sharing.h"
+#include "lab/document/sharing.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lab/choice.h"
-#include "lab/pass_times.h"
+#include "lab/rendering/pass_times.h"
 
 #include <optional>
 

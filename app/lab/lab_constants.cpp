@@ -1,7 +1,7 @@
 // The part of Lab that turns numbers in the texts of a look: it has its programs made anew beside
 // the picture, which goes on with the former ones.
 #include "lab/lab.h"
-#include "lab/tryouts.h"
+#include "lab/trials/tryouts.h"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 // The part of Lab that draws by hand.
 #include "formats/svg/svg_file.h"
 #include "io/files/atomic_file.h"
+#include "lab/document/users_content.h"
 #include "lab/lab.h"
-#include "lab/told_name.h"
-#include "lab/users_content.h"
+#include "lab/storage/told_name.h"
 #include "signals/drawing/stroke_line.h"
 #include "signals/signal_table.h"
 

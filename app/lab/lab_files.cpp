@@ -1,8 +1,8 @@
 // The part of Lab that follows the files of a person besides the look's own.
 #include "formats/preset/preset_format.h"
-#include "lab/include_store.h"
 #include "lab/lab.h"
-#include "lab/media.h"
+#include "lab/storage/include_store.h"
+#include "lab/storage/media.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // The part of Lab that writes down what is turned.
 #include "io/files/atomic_file.h"
+#include "lab/document/moves_file.h"
 #include "lab/lab.h"
-#include "lab/moves_file.h"
 
 #include <fmt/format.h>
 

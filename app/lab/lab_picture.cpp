@@ -1,8 +1,8 @@
 // The part of Lab that draws the picture: its source, its size, the next frame or the past again.
 #include "base/elapsed.h"
-#include "lab/frame_limit.h"
 #include "lab/lab.h"
-#include "lab/local_date.h"
+#include "lab/rendering/frame_limit.h"
+#include "lab/storage/local_date.h"
 
 #include <algorithm>
 #include <utility>

@@ -4,10 +4,10 @@
 #include "formats/slang/slang_format.h"
 #include "formats/slang/write.h"
 #include "io/files/atomic_file.h"
+#include "lab/document/morphing.h"
 #include "lab/lab.h"
-#include "lab/morphing.h"
-#include "lab/shelf.h"
-#include "lab/told_name.h"
+#include "lab/library/shelf.h"
+#include "lab/storage/told_name.h"
 
 #include <fmt/format.h>
 

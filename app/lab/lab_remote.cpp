@@ -1,6 +1,6 @@
 // The part of Lab that lets other programs and devices turn parameters.
 #include "lab/lab.h"
-#include "lab/remote_store.h"
+#include "lab/storage/remote_store.h"
 #include "model/tuning/knob_turn.h"
 
 #include <fmt/format.h>

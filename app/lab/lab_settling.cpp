@@ -1,8 +1,8 @@
 // The part of Lab that draws with programs in which values that rest are constants.
 #include "base/elapsed.h"
+#include "lab/document/morphing.h"
 #include "lab/lab.h"
-#include "lab/morphing.h"
-#include "lab/tryouts.h"
+#include "lab/trials/tryouts.h"
 #include "model/look/value_changes.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // The part of Lab that stops the clock at a number that is not finite.
 #include "base/text.h"
 #include "lab/lab.h"
-#include "lab/trip_words.h"
+#include "lab/offline/trip_words.h"
 
 #include <algorithm>
 

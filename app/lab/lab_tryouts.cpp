@@ -1,6 +1,6 @@
 // The part of Lab that tries values out beside the picture.
 #include "lab/lab.h"
-#include "lab/tryouts.h"
+#include "lab/trials/tryouts.h"
 
 #include <fmt/format.h>
 

@@ -2,11 +2,11 @@
 
 #include "base/text.h"
 #include "formats/preset/preset_format.h"
-#include "lab/editor.h"
+#include "lab/document/sharing.h"
 #include "lab/lab.h"
-#include "lab/preset_list.h"
-#include "lab/sharing.h"
-#include "lab/told_name.h"
+#include "lab/storage/editor.h"
+#include "lab/storage/told_name.h"
+#include "lab/window/preset_list.h"
 
 #include <fmt/format.h>
 

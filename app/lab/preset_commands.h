@@ -1,8 +1,8 @@
 #pragma once
 
 #include "io/files/trash.h"
-#include "lab/document.h"
-#include "lab/library.h"
+#include "lab/document/document.h"
+#include "lab/library/library.h"
 #include "model/preset/preset_stars.h"
 
 #include <optional>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lab/opening_mark.h"
+#include "lab/reload/opening_mark.h"
 #include "lab/session.h"
 
 /// Opens what the session holds, at the first start Phosphor. A look that was being opened or

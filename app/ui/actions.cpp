@@ -1,7 +1,7 @@
 #include "ui/actions.h"
 
 #include "gpu/input_event.h"
-#include "lab/tryouts.h"
+#include "lab/trials/tryouts.h"
 #include "ui/compare_actions.h"
 #include "ui/display_actions.h"
 #include "ui/file_actions.h"

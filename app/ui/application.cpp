@@ -2,17 +2,17 @@
 
 #include "gpu/draw.h"
 #include "gpu/window.h"
-#include "lab/first_file.h"
-#include "lab/injected_fault.h"
-#include "lab/looking_choices.h"
-#include "lab/palette.h"
-#include "lab/pending_fits.h"
+#include "lab/choices/looking_choices.h"
+#include "lab/choices/palette.h"
 #include "lab/safe_start.h"
-#include "lab/seen_passes.h"
 #include "lab/session.h"
-#include "lab/session_keeper.h"
-#include "lab/waker.h"
-#include "lab/window_session.h"
+#include "lab/session/first_file.h"
+#include "lab/session/session_keeper.h"
+#include "lab/storage/injected_fault.h"
+#include "lab/storage/waker.h"
+#include "lab/views/displayed_passes.h"
+#include "lab/views/pending_fits.h"
+#include "lab/window/window_session.h"
 #include "ui/first_steps.h"
 #include "ui/menu_bar.h"
 #include "ui/output_window.h"
@@ -206,7 +206,7 @@ void Application::turn() {
     if (const Extent seen = view(); !seen.is_empty())
         m_lab.set_view(seen);
     m_lab.set_unattended(m_state.is_picture_only || m_output.is_open());
-    m_lab.look_at(seen_passes(m_lab, m_state));
+    m_lab.look_at(displayed_passes(m_lab, m_state));
     m_lab.update(wall_seconds);
     m_first_file.update(m_lab);
     follow_remote();
@@ -406,7 +406,7 @@ Result<bool> run_once(const WindowOptions& options) {
         lab.set_view(start.state.views.picture);  // as it was, until the panels say how it is
     if (!warnings.empty())
         lab.say(warnings.front());
-    lab.look_at(seen_passes(lab, start.state));
+    lab.look_at(displayed_passes(lab, start.state));
     open_first(options, session, lab, start);
     auto views = Views::make();
     if (!views)

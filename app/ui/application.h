@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/diagnostic.h"
-#include "lab/roots.h"
+#include "lab/storage/roots.h"
 
 #include <filesystem>
 #include <optional>

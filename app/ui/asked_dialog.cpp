@@ -1,7 +1,7 @@
 #include "ui/asked_dialog.h"
 
-#include "lab/lab_choices.h"
-#include "lab/palette.h"
+#include "lab/choices/lab_choices.h"
+#include "lab/choices/palette.h"
 #include "ui/choice_items.h"
 #include "ui/dialog_frame.h"
 #include "ui/scoped.h"

@@ -1,7 +1,7 @@
 #include "ui/cell_texts.h"
 
 #include "base/fitted_number.h"
-#include "lab/waveform.h"
+#include "lab/inspect/waveform.h"
 #include "model/look/format.h"
 #include "ui/scoped.h"
 

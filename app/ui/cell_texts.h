@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lab/cell_numbers.h"
+#include "lab/inspect/cell_numbers.h"
 #include "ui/scene.h"
 
 #include <imgui/imgui.h>

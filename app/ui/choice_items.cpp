@@ -1,6 +1,6 @@
 #include "ui/choice_items.h"
 
-#include "lab/lab_choices.h"
+#include "lab/choices/lab_choices.h"
 
 #include <imgui/imgui.h>
 

@@ -1,6 +1,6 @@
 #include "ui/compare_dialog.h"
 
-#include "lab/preset_difference.h"
+#include "lab/choices/preset_difference.h"
 #include "ui/dialog_frame.h"
 #include "ui/scoped.h"
 #include "ui/theme.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lab/shelf.h"
+#include "lab/library/shelf.h"
 #include "ui/edits.h"
 #include "ui/scene.h"
 

@@ -1,6 +1,6 @@
 #include "ui/dialogs.h"
 
-#include "lab/told_name.h"
+#include "lab/storage/told_name.h"
 #include "ui/asked_dialog.h"
 #include "ui/compare_dialog.h"
 #include "ui/dialog_frame.h"

@@ -2,7 +2,7 @@
 
 #include "gpu/input_event.h"
 #include "lab/session.h"
-#include "lab/window_session.h"
+#include "lab/window/window_session.h"
 
 #include <imgui/imgui.h>
 

@@ -1,6 +1,6 @@
 #include "ui/file_dialog.h"
 
-#include "lab/snapshot.h"
+#include "lab/views/snapshot.h"
 #include "ui/dialog_frame.h"
 #include "ui/export_dialog.h"
 #include "ui/recent_files.h"

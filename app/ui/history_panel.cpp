@@ -1,6 +1,6 @@
 #include "ui/history_panel.h"
 
-#include "lab/history.h"
+#include "lab/document/history.h"
 #include "ui/icons.h"
 #include "ui/scoped.h"
 #include "ui/theme.h"

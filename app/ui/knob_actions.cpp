@@ -1,7 +1,7 @@
 #include "ui/knob_actions.h"
 
 #include "gpu/input_event.h"
-#include "lab/parameter_list.h"
+#include "lab/window/parameter_list.h"
 #include "model/tuning/one_step.h"
 #include "ui/file_actions.h"
 

@@ -1,6 +1,6 @@
 #include "ui/knob_marks.h"
 
-#include "lab/document.h"
+#include "lab/document/document.h"
 #include "ui/icons.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"

@@ -1,6 +1,6 @@
 #include "ui/layout.h"
 
-#include "lab/pane_sizes.h"
+#include "lab/window/pane_sizes.h"
 #include "ui/scoped.h"
 #include "ui/theme.h"
 

@@ -1,6 +1,6 @@
 #include "ui/midi_items.h"
 
-#include "lab/naming.h"
+#include "lab/document/naming.h"
 #include "model/tuning/knob_turn.h"
 #include "ui/icons.h"
 #include "ui/scoped.h"

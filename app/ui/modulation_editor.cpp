@@ -1,6 +1,6 @@
 #include "ui/modulation_editor.h"
 
-#include "lab/document.h"
+#include "lab/document/document.h"
 #include "ui/form.h"
 #include "ui/scoped.h"
 #include "ui/widgets.h"

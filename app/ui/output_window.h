@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gpu/window.h"
-#include "lab/window_state.h"
+#include "lab/window/window_state.h"
 
 #include <memory>
 #include <string>

@@ -1,8 +1,8 @@
 #include "ui/overlays.h"
 
-#include "lab/morphing.h"
-#include "lab/told_name.h"
-#include "lab/tryouts.h"
+#include "lab/document/morphing.h"
+#include "lab/storage/told_name.h"
+#include "lab/trials/tryouts.h"
 #include "ui/compare_bar.h"
 #include "ui/first_steps.h"
 #include "ui/icons.h"

@@ -1,6 +1,6 @@
 #include "ui/palette_list.h"
 
-#include "lab/lab_choices.h"
+#include "lab/choices/lab_choices.h"
 #include "ui/actions.h"
 #include "ui/choice_items.h"
 #include "ui/compare_dialog.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lab/palette.h"
+#include "lab/choices/palette.h"
 #include "ui/edits.h"
 #include "ui/scene.h"
 

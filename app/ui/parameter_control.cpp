@@ -1,10 +1,11 @@
 #include "ui/parameter_control.h"
 
-#include "lab/look_media.h"
+#include "lab/media/look_media.h"
 #include "model/look/decay.h"
 #include "model/look/value_text.h"
 #include "model/picture/aliasing.h"
 #include "model/tuning/slider_range.h"
+#include "signals/patterns/generated_picture.h"
 #include "ui/color_control.h"
 #include "ui/form.h"
 #include "ui/knob_marks.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lab/period_terms.h"
+#include "lab/rendering/period_terms.h"
 #include "model/devices/midi.h"
 #include "model/tuning/knob_settings.h"
 #include "model/tuning/modulation.h"

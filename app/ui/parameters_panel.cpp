@@ -1,6 +1,6 @@
 #include "ui/parameters_panel.h"
 
-#include "lab/parameter_list.h"
+#include "lab/window/parameter_list.h"
 #include "ui/actions.h"
 #include "ui/icons.h"
 #include "ui/parameter_control.h"

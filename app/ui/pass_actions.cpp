@@ -1,7 +1,7 @@
 #include "ui/pass_actions.h"
 
 #include "gpu/input_event.h"
-#include "lab/looking_choices.h"
+#include "lab/choices/looking_choices.h"
 #include "model/plan/parameter_use.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "ui/pass_inputs.h"
 
-#include "lab/views.h"
+#include "lab/views/views.h"
 #include "model/look/format.h"
 #include "ui/scoped.h"
 #include "ui/theme.h"

@@ -1,6 +1,6 @@
 #include "ui/pass_settings.h"
 
-#include "lab/looking_choices.h"
+#include "lab/choices/looking_choices.h"
 #include "ui/form.h"
 #include "ui/picture_menus.h"
 #include "ui/scoped.h"

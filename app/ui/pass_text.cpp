@@ -1,7 +1,7 @@
 #include "ui/pass_text.h"
 
 #include "base/text.h"
-#include "lab/views.h"
+#include "lab/views/views.h"
 #include "ui/scoped.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "lab/views.h"
-#include "lab/window_state.h"
+#include "lab/views/views.h"
+#include "lab/window/window_state.h"
 #include "model/look/orbit.h"
 #include "ui/scene.h"
 

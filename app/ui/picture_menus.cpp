@@ -1,6 +1,6 @@
 #include "ui/picture_menus.h"
 
-#include "lab/looking_choices.h"
+#include "lab/choices/looking_choices.h"
 #include "ui/scoped.h"
 #include "ui/slider.h"
 #include "ui/theme.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lab/preset_list.h"
+#include "lab/window/preset_list.h"
 #include "ui/edits.h"
 #include "ui/scene.h"
 

@@ -1,6 +1,6 @@
 #include "ui/presets_panel.h"
 
-#include "lab/preset_choices.h"
+#include "lab/choices/preset_choices.h"
 #include "ui/icons.h"
 #include "ui/preset_menu.h"
 #include "ui/scoped.h"

@@ -1,6 +1,6 @@
 #include "ui/problem_list.h"
 
-#include "lab/told_name.h"
+#include "lab/storage/told_name.h"
 #include "ui/scoped.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"

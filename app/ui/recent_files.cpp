@@ -1,6 +1,6 @@
 #include "ui/recent_files.h"
 
-#include "lab/told_name.h"
+#include "lab/storage/told_name.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 

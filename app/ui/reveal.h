@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lab/window_state.h"
+#include "lab/window/window_state.h"
 #include "model/look/parameter.h"
 #include "ui/edits.h"
 

@@ -1,14 +1,14 @@
 #pragma once
 
 #include "gpu/input_event.h"
-#include "lab/history_pictures.h"
-#include "lab/kept_pictures.h"
 #include "lab/lab.h"
-#include "lab/pace.h"
-#include "lab/preset_pictures.h"
-#include "lab/shelf.h"
-#include "lab/views.h"
-#include "lab/window_state.h"
+#include "lab/library/shelf.h"
+#include "lab/rendering/pace.h"
+#include "lab/views/history_pictures.h"
+#include "lab/views/kept_pictures.h"
+#include "lab/views/preset_pictures.h"
+#include "lab/views/views.h"
+#include "lab/window/window_state.h"
 #include "ui/fonts.h"
 
 /// What there is to show in a frame, all of it to be read only.

@@ -1,7 +1,7 @@
 #include "ui/sheet_panel.h"
 
-#include "lab/tryouts.h"
-#include "lab/tuning_choices.h"
+#include "lab/choices/tuning_choices.h"
+#include "lab/trials/tryouts.h"
 #include "ui/choice_items.h"
 #include "ui/icons.h"
 #include "ui/parameter_help.h"

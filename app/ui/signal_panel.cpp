@@ -1,8 +1,8 @@
 #include "ui/signal_panel.h"
 
 #include "base/text.h"
-#include "lab/scope_graticule.h"
-#include "lab/signal_choices.h"
+#include "lab/choices/scope_graticule.h"
+#include "lab/choices/signal_choices.h"
 #include "signals/signal_table.h"
 #include "ui/choice_items.h"
 #include "ui/content_lock.h"

@@ -1,6 +1,6 @@
 #include "ui/sound_controls.h"
 
-#include "lab/device_choices.h"
+#include "lab/choices/device_choices.h"
 #include "ui/form.h"
 #include "ui/scoped.h"
 #include "ui/theme.h"

@@ -1,6 +1,6 @@
 #include "ui/source_panel.h"
 
-#include "lab/source_choices.h"
+#include "lab/choices/source_choices.h"
 #include "model/picture/source_spec.h"
 #include "signals/patterns/patterns.h"
 #include "ui/content_lock.h"

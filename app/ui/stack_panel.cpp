@@ -1,6 +1,6 @@
 #include "ui/stack_panel.h"
 
-#include "lab/stack_choices.h"
+#include "lab/choices/stack_choices.h"
 #include "ui/choice_items.h"
 #include "ui/icons.h"
 #include "ui/scoped.h"

@@ -1,9 +1,9 @@
 #include "ui/state_file.h"
 
 #include "base/text.h"
-#include "lab/morphing.h"
-#include "lab/preset_list.h"
-#include "lab/tryouts.h"
+#include "lab/document/morphing.h"
+#include "lab/trials/tryouts.h"
+#include "lab/window/preset_list.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,6 +1,6 @@
 #include "ui/step_view.h"
 
-#include "lab/tryouts.h"
+#include "lab/trials/tryouts.h"
 #include "ui/scoped.h"
 
 void ask_for_step(const Pointed& pointed, bool is_up, Edits& edits) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lab/window_state.h"
+#include "lab/window/window_state.h"
 #include "ui/edits.h"
 #include "ui/scene.h"
 

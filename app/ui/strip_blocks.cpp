@@ -1,6 +1,6 @@
 #include "ui/strip_blocks.h"
 
-#include "lab/tryouts.h"
+#include "lab/trials/tryouts.h"
 #include "model/look/own_name.h"
 #include "model/look/pass_levels.h"
 #include "model/plan/parameter_use.h"

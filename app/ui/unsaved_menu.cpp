@@ -1,6 +1,6 @@
 #include "ui/unsaved_menu.h"
 
-#include "lab/kept_pictures.h"
+#include "lab/views/kept_pictures.h"
 #include "ui/scoped.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"

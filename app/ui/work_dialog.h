@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gpu/input_event.h"
-#include "lab/background_work.h"
+#include "lab/storage/background_work.h"
 #include "ui/dialog_frame.h"
 #include "ui/scoped.h"
 #include "ui/theme.h"

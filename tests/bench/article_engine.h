@@ -2,7 +2,7 @@
 
 #include "bench/figure.h"
 #include "bench/wanted.h"
-#include "lab/offline.h"
+#include "lab/offline/offline.h"
 
 #include <array>
 

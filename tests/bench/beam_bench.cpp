@@ -7,7 +7,7 @@
 #include "gpu/readback.h"
 #include "graph/beam/merge_segments.h"
 #include "graph/programs/settled_look.h"
-#include "lab/offline.h"
+#include "lab/offline/offline.h"
 
 #include <fmt/format.h>
 

@@ -6,9 +6,9 @@
 #include "bench/side_by_side.h"
 #include "bench/wanted.h"
 #include "io/pictures/png_encoder.h"
-#include "lab/export.h"
-#include "lab/library.h"
-#include "lab/offline.h"
+#include "lab/library/library.h"
+#include "lab/offline/export.h"
+#include "lab/offline/offline.h"
 #include "model/picture/display_bytes.h"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 // specialised programs, while no pass is inspected.
 #include "bench/figure.h"
 #include "bench/wanted.h"
-#include "lab/offline.h"
+#include "lab/offline/offline.h"
 
 #include <fmt/format.h>
 

@@ -7,7 +7,7 @@
 #include "bench/side_by_side.h"
 #include "gpu/readback.h"
 #include "io/temporary_folder.h"
-#include "lab/offline.h"
+#include "lab/offline/offline.h"
 
 #include <fmt/format.h>
 

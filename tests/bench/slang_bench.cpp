@@ -4,7 +4,7 @@
 // per preset, each in its own process, as shaders crash some drivers.
 #include "bench/side_by_side.h"
 #include "io/files/child_process.h"
-#include "lab/corpus.h"
+#include "lab/offline/corpus.h"
 #include "parity/moving_picture.h"
 #include "parity/pair.h"
 

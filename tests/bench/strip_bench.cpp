@@ -3,7 +3,8 @@
 // passes a second by wall time, so its share is too high on a busy machine.
 #include "bench/bench_lab.h"
 #include "bench/side_by_side.h"
-#include "lab/views.h"
+#include "lab/views/displayed_passes.h"
+#include "lab/views/views.h"
 
 #include <fmt/format.h>
 
@@ -56,7 +57,7 @@ private:
     }
 
     void turn(double seconds = 1.0 / 60.0) {
-        m_lab->look_at(seen_passes(*m_lab, m_window));
+        m_lab->look_at(displayed_passes(*m_lab, m_window));
         m_lab->update(seconds);
         while (m_lab->is_amid_frame())
             m_lab->update(0.0);

@@ -2,7 +2,7 @@
 
 #include "base/text.h"
 #include "io/pictures/picture_file.h"
-#include "lab/offline.h"
+#include "lab/offline/offline.h"
 #include "model/picture/difference.h"
 #include "problems_of.h"
 

@@ -1,6 +1,6 @@
 // What fragment shaders alone draw.
 #include "io/temporary_folder.h"
-#include "lab/offline.h"
+#include "lab/offline/offline.h"
 #include "problems_of.h"
 
 #include <doctest/doctest.h>

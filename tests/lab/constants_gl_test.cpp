@@ -1,6 +1,6 @@
 // Numbers in the texts of a look that a person turns: programs are made anew beside the picture.
 #include "formats/settings/session_format.h"
-#include "lab/offline.h"
+#include "lab/offline/offline.h"
 #include "lab/session.h"
 #include "lab/small_lab.h"
 #include "model/tuning/modulation.h"

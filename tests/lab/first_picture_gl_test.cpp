@@ -1,7 +1,7 @@
 // What is drawn before the first picture of a window that shows nothing yet.
-#include "lab/kept_shaders.h"
-#include "lab/reloader.h"
+#include "lab/reload/reloader.h"
 #include "lab/small_lab.h"
+#include "lab/storage/kept_shaders.h"
 
 namespace {
 /// A start of the program: what its reloader has made of the small look.

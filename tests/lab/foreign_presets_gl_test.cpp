@@ -1,5 +1,5 @@
 // Presets of looks that are another program's, or lie outside the library.
-#include "lab/shelf.h"
+#include "lab/library/shelf.h"
 #include "lab/small_lab.h"
 
 namespace {

@@ -1,9 +1,9 @@
 // What ISF shaders draw, rule by rule.
 #include "io/pictures/picture_file.h"
 #include "io/temporary_folder.h"
-#include "lab/export.h"
-#include "lab/offline.h"
-#include "lab/sharing.h"
+#include "lab/document/sharing.h"
+#include "lab/offline/export.h"
+#include "lab/offline/offline.h"
 #include "problems_of.h"
 
 #include <doctest/doctest.h>

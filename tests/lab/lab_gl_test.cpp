@@ -1,4 +1,4 @@
-#include "lab/looking_choices.h"
+#include "lab/choices/looking_choices.h"
 #include "lab/small_lab.h"
 
 TEST_CASE("an open look counts every frame of the clock") {

@@ -1,5 +1,5 @@
 #include "lab/small_lab.h"
-#include "lab/views.h"
+#include "lab/views/views.h"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #include "formats/preset/preset_format.h"
-#include "lab/changes.h"
-#include "lab/offline.h"
+#include "lab/document/changes.h"
+#include "lab/offline/offline.h"
 #include "lab/session.h"
 #include "lab/small_lab.h"
 

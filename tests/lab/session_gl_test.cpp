@@ -1,6 +1,6 @@
 #include "io/pictures/picture_file.h"
 #include "lab/session.h"
-#include "lab/session_keeper.h"
+#include "lab/session/session_keeper.h"
 #include "lab/small_lab.h"
 
 namespace fs = std::filesystem;

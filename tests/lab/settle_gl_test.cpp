@@ -1,6 +1,6 @@
 // Programs that hold the values as constants draw what those draw that could be turned.
 #include "io/temporary_folder.h"
-#include "lab/offline.h"
+#include "lab/offline/offline.h"
 #include "lab/small_lab.h"
 #include "model/picture/difference.h"
 #include "problems_of.h"

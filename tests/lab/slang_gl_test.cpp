@@ -1,7 +1,7 @@
 // What chains of libretro's shaders draw, rule by rule.
 #include "io/pictures/picture_file.h"
 #include "io/temporary_folder.h"
-#include "lab/offline.h"
+#include "lab/offline/offline.h"
 #include "lab/small_lab.h"
 #include "problems_of.h"
 

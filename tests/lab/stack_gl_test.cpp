@@ -1,4 +1,4 @@
-#include "lab/offline.h"
+#include "lab/offline/offline.h"
 #include "lab/session.h"
 #include "lab/small_lab.h"
 #include "problems_of.h"

@@ -1,7 +1,7 @@
 // What shaders of Shadertoy draw, rule by rule.
 #include "io/pictures/picture_file.h"
 #include "io/temporary_folder.h"
-#include "lab/offline.h"
+#include "lab/offline/offline.h"
 #include "problems_of.h"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,5 @@
 // The crt look against closed forms: each stage alone, and all of them off.
-#include "lab/offline.h"
+#include "lab/offline/offline.h"
 #include "looks/drawn_picture.h"
 #include "model/look/color.h"
 #include "signals/patterns/patterns.h"

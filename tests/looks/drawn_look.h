@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gpu/readback.h"
-#include "lab/offline.h"
+#include "lab/offline/offline.h"
 #include "problems_of.h"
 
 #include <doctest/doctest.h>

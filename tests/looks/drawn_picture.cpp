@@ -3,7 +3,7 @@
 #include "formats/look_format.h"
 #include "gpu/context.h"
 #include "gpu/readback.h"
-#include "lab/renderer.h"
+#include "lab/rendering/renderer.h"
 #include "problems_of.h"
 
 #include <doctest/doctest.h>

@@ -4,7 +4,7 @@
 #include "gpu/context.h"
 #include "gpu/readback.h"
 #include "io/temporary_folder.h"
-#include "lab/renderer.h"
+#include "lab/rendering/renderer.h"
 #include "problems_of.h"
 
 #include <doctest/doctest.h>

@@ -1,7 +1,7 @@
 // A beam whose samples are merged for its spot, against the same samples drawn one by one.
 #include "gpu/headless.h"
 #include "gpu/readback.h"
-#include "lab/offline.h"
+#include "lab/offline/offline.h"
 
 #include <doctest/doctest.h>
 

@@ -1,8 +1,8 @@
 // Where a hand points is where the beam shows: places against pictures of the real looks.
 #include "base/text.h"
-#include "lab/beam_place.h"
-#include "lab/offline.h"
-#include "lab/users_content.h"
+#include "lab/document/beam_place.h"
+#include "lab/document/users_content.h"
+#include "lab/offline/offline.h"
 #include "problems_of.h"
 
 #include <doctest/doctest.h>

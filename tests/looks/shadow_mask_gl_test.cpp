@@ -1,5 +1,5 @@
 // The shadow mask against closed forms: what comes through, where it is read, and what is lost.
-#include "lab/offline.h"
+#include "lab/offline/offline.h"
 #include "looks/shadow_mask.h"
 #include "model/look/color.h"
 #include "signals/patterns/patterns.h"

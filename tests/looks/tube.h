@@ -2,7 +2,7 @@
 
 #include "base/text.h"
 #include "gpu/readback.h"
-#include "lab/offline.h"
+#include "lab/offline/offline.h"
 #include "problems_of.h"
 
 #include <doctest/doctest.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lab/offline.h"
+#include "lab/offline/offline.h"
 #include "parity/plain_chain.h"
 
 #include <memory>

@@ -2,7 +2,7 @@
 // RetroArch's rules ask for, rule by rule.
 #include "io/pictures/picture_file.h"
 #include "io/temporary_folder.h"
-#include "lab/corpus.h"
+#include "lab/offline/corpus.h"
 #include "parity/moving_picture.h"
 #include "parity/pair.h"
 #include "problems_of.h"

@@ -81,6 +81,12 @@ std::string_view pattern_name(std::string_view text) {
     return text.substr(0, text.find(','));
 }
 
+std::string name_of_pattern(const SourceSpec& source) {
+    constexpr std::size_t prefix = std::string_view("pattern:").size();
+    return source.is_pattern() ? std::string(pattern_name(source.picture.substr(prefix)))
+                               : std::string();
+}
+
 std::string pattern_of_size(std::string_view name, const std::optional<PatternSize>& size) {
     return size ? fmt::format("{},size={}x{}{}", name, size->extent.width, size->extent.height,
                               size->is_interlaced ? "i" : "")

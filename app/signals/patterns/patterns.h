@@ -2,6 +2,7 @@
 
 #include "base/diagnostic.h"
 #include "model/look/picture.h"
+#include "model/picture/source_spec.h"
 
 #include <array>
 #include <optional>
@@ -32,6 +33,8 @@ Result<Picture> make_pattern(std::string_view text, double seconds = 0.0);
 
 /// The pattern's name in such a text.
 std::string_view pattern_name(std::string_view text);
+/// The name of a source that is a pattern: "harbour"; "" for a file.
+std::string name_of_pattern(const SourceSpec& source);
 /// The text of a pattern of that size; none: its own.
 std::string pattern_of_size(std::string_view name, const std::optional<PatternSize>& size);
 /// Those of consoles and computers of the tubes' time.

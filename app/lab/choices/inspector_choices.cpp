@@ -1,0 +1,160 @@
+#include "lab/choices/looking_choices.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace {
+Deed look_into(const TextureChoice& choice) {
+    return [choice](WindowState& window) {
+        window.inspected.look_into(choice);
+        window.shows_inspector = true;
+        window.is_picture_only = false;
+    };
+}
+
+// The passes' own pictures are entries of their own.
+ChoiceList texture_choices(const InspectedParts& parts) {
+    ChoiceList list{"Inspect", ChoiceList::Place::pass};
+    const auto offer = [&](const TextureChoice& choice) {
+        list.choices.push_back({.name = choice.label(),
+                                .deeds = {look_into(choice)},
+                                .is_present = choice == parts.present});
+    };
+    std::ranges::for_each(parts.textures, offer);
+    for (int ago = 1; ago < parts.frames; ++ago) {
+        TextureChoice choice = parts.present;
+        choice.frames_ago = ago;
+        const std::string label = choice.present().label();
+        list.choices.push_back({.name = ago == 1 ? fmt::format("{}, 1 frame ago", label)
+                                                 : fmt::format("{}, {} frames ago", label, ago),
+                                .deeds = {look_into(choice)},
+                                .is_present = choice == parts.present});
+    }
+    for (int level = 1; level < parts.levels; ++level) {
+        TextureChoice choice = parts.present;
+        choice.level = level;
+        offer(choice);
+    }
+    return list;
+}
+
+ChoiceList channel_choices(Channels present) {
+    ChoiceList list{"Channels", ChoiceList::Place::pass};
+    for (const auto& [channels, name] :
+         {std::pair{Channels::color, "Red, green and blue"},
+          std::pair{Channels::red, "Red as grey"}, std::pair{Channels::green, "Green as grey"},
+          std::pair{Channels::blue, "Blue as grey"}, std::pair{Channels::alpha, "Alpha as grey"},
+          std::pair{Channels::luminance, "Luminance as grey"}})
+        list.choices.push_back({.name = name,
+                                .deeds = {[chosen = channels](WindowState& window) {
+                                    window.inspected.channels = chosen;
+                                    window.shows_inspector = true;
+                                }},
+                                .is_present = channels == present});
+    return list;
+}
+
+Choice view_number(const char* name, double present, Limit limit, std::string unit,
+                   void (*set)(PassView& view, double number)) {
+    return {.name = name,
+            .number = AskedNumber{.present = present,
+                                  .unit = std::move(unit),
+                                  .limit = limit,
+                                  .answer = [set](double number) -> Deeds {
+                                      return {[set, number](WindowState& window) {
+                                          set(window.inspected, number);
+                                          window.shows_inspector = true;
+                                      }};
+                                  }}};
+}
+
+ChoiceList level_choices(const PassView& view) {
+    constexpr Limit any{-1e9, 1e9};
+    ChoiceList list{"Inspect"};
+    list.choices = {
+        view_number("Black point…", view.levels.black, any, {},
+                    [](PassView& changed, double number) {
+                        changed.levels = with_black(changed.levels, number);
+                    }),
+        view_number("White point…", view.levels.white, any, {},
+                    [](PassView& changed, double number) {
+                        changed.levels = with_white(changed.levels, number);
+                    }),
+        view_number("Exposure…", view.exposure, {-60.0, 60.0}, "EV",
+                    [](PassView& changed, double number) { changed.exposure = number; })};
+    return list;
+}
+
+Deed override_pass(const std::string& pass, const PassOverride& changed) {
+    return [=](Document& document) { document.set_override(pass, changed); };
+}
+}  // namespace
+
+InspectedParts inspected_parts(const Executor& executor, const PassView& view) {
+    const auto inspected = inspected_texture(executor, view);
+    if (!inspected)
+        return {executor.textures(), {}};
+    return {executor.textures(), inspected->choice, frame_count(executor, inspected->choice),
+            inspected->levels()};
+}
+
+std::vector<ChoiceList> inspector_choices(const InspectedParts& parts, const PassView& view) {
+    return {texture_choices(parts), channel_choices(view.channels), level_choices(view)};
+}
+
+namespace {
+Filter filter_of_pass(const Look& look, const std::string& pass) {
+    for (const Pass& reader : look.passes)
+        for (const Input& input : reader.inputs)
+            if (input.from == Input::From::pass && input.name == pass)
+                return input.sampler.filter;
+    return Filter::linear;
+}
+}  // namespace
+
+// The look itself is not copied for it: it may have a megabyte of texts.
+std::optional<PassSetting> pass_setting(const Document& document, const std::string& pass) {
+    const Look& look = document.look();
+    const auto place = find_pass(look, pass);
+    if (!place)
+        return std::nullopt;
+    const Pass& written = look.passes[static_cast<std::size_t>(*place)];
+    const auto found = document.state().overrides.find(pass);
+    const PassOverride tried =
+        found == document.state().overrides.end() ? PassOverride{} : found->second;
+    const Side& side = written.size[0];
+    const std::optional<double> own =
+        side.by == Side::By::viewport ? std::optional(side.factor) : std::nullopt;
+    return PassSetting{tried.scale ? tried.scale : own, tried.format.value_or(written.format),
+                       tried.filter.value_or(filter_of_pass(look, pass)), tried};
+}
+
+ChoiceList pass_setting_choices(const Document& document, const std::string& pass) {
+    ChoiceList list{"This pass"};
+    const auto now = pass_setting(document, pass);
+    if (!now)
+        return list;
+    const auto offer = [&](std::string name, const PassOverride& changed, bool is_present) {
+        list.choices.push_back({.name = std::move(name),
+                                .deeds = {override_pass(pass, changed)},
+                                .is_present = is_present});
+    };
+    for (const double scale : pass_scales) {
+        PassOverride changed = now->tried;
+        changed.scale = scale;
+        offer(fmt::format("Size {}", times_text(scale)), changed, now->scale == scale);
+    }
+    for (const FormatFacts& facts : all_formats()) {
+        PassOverride changed = now->tried;
+        changed.format = facts.format;
+        offer(fmt::format("Format {}", facts.name), changed, facts.format == now->format);
+    }
+    for (const Filter filter : {Filter::nearest, Filter::linear}) {
+        PassOverride changed = now->tried;
+        changed.filter = filter;
+        offer(filter == Filter::nearest ? "Filter nearest" : "Filter linear", changed,
+              now->filter == filter);
+    }
+    return list;
+}

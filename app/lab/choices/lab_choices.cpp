@@ -1,0 +1,240 @@
+#include "lab/choices/lab_choices.h"
+
+#include "lab/choices/device_choices.h"
+#include "lab/choices/looking_choices.h"
+#include "lab/choices/preset_choices.h"
+#include "lab/choices/signal_choices.h"
+#include "lab/choices/source_choices.h"
+#include "lab/choices/stack_choices.h"
+#include "lab/choices/tuning_choices.h"
+#include "lab/storage/include_store.h"
+#include "lab/trials/tryouts.h"
+
+#include <fmt/format.h>
+
+namespace {
+Deed change_comparison(const std::function<void(Comparison&)>& change) {
+    return [change](Lab& lab) {
+        Comparison next = lab.comparing().chosen();
+        change(next);
+        lab.compare(next);
+    };
+}
+
+ChoiceList comparing_choices(const Lab& lab) {
+    ChoiceList list{"Compare", ChoiceList::Place::compare};
+    const Comparison& chosen = lab.comparing().chosen();
+    for (const auto& [measure, name] :
+         {std::pair{DifferenceMeasure::absolute, "Absolute difference"},
+          std::pair{DifferenceMeasure::relative, "Relative difference"},
+          std::pair{DifferenceMeasure::squared, "Squared difference"}})
+        list.choices.push_back(
+            {.name = name,
+             .deeds = {change_comparison([to = measure](Comparison& next) {
+                 next.measure = to;
+                 next.mode = CompareMode::difference;
+             })},
+             .is_present = chosen.mode == CompareMode::difference && chosen.measure == measure});
+    list.choices.push_back(
+        {.name = "Difference gain…",
+         .number = AskedNumber{.present = chosen.gain_stops,
+                               .unit = "stops",
+                               .limit = {-16.0, 16.0},
+                               .answer = [](double typed) -> Deeds {
+                                   return {change_comparison(
+                                       [typed](Comparison& next) { next.gain_stops = typed; })};
+                               }}});
+    if (const auto& file = lab.comparing().reference().file();
+        lab.comparing().reference().picture())
+        list.choices.push_back({.name = fmt::format("With {}", file.filename().string()),
+                                .deeds = {[file](Lab& changed) {
+                                    changed.compare_with({Other::Kind::file, 0, file});
+                                }}});
+    list.choices.push_back(
+        {.name = "Stop comparing",
+         .deeds = {[](Lab& changed) { changed.set_compare_mode(CompareMode::off); }},
+         .is_present = chosen.mode == CompareMode::off});
+    for (std::size_t i = 0; i < lab.slots().size(); ++i)
+        if (lab.slots()[i])
+            list.choices.push_back({.name = fmt::format("Clear slot {}", slot_name(i)),
+                                    .deeds = {[i](Lab& changed) { changed.empty_slot(i); }}});
+    return list;
+}
+
+Deed on_board(const std::function<void(DrawingBoard&, Document&)>& change) {
+    return [change](Lab& lab) { lab.draw(change); };
+}
+
+void add_pens(const Pen& pen, std::vector<Choice>& choices) {
+    const auto offer = [&](const char* name, const Pen& next) {
+        choices.push_back({.name = name,
+                           .deeds = {on_board([next](DrawingBoard& board, Document& document) {
+                               board.set_pen(next, document);
+                           })},
+                           .is_present = next == pen});
+    };
+    for (const auto& [tool, name] :
+         {std::pair{PenTool::freehand, "Freehand"}, std::pair{PenTool::points, "Points"},
+          std::pair{PenTool::edit, "Edit"}, std::pair{PenTool::erase, "Erase"}})
+        offer(name, {pen.is_in_hand, tool, pen.is_smooth});
+    offer("Smooth lines", {pen.is_in_hand, pen.tool, true});
+    offer("Straight lines", {pen.is_in_hand, pen.tool, false});
+}
+
+void add_keyframes(const DrawingBoard& board, std::vector<Choice>& choices) {
+    const auto offer = [&](const char* name,
+                           const std::function<void(DrawingBoard&, Document&)>& change) {
+        choices.push_back({.name = name, .deeds = {on_board(change)}});
+    };
+    offer("New keyframe", &DrawingBoard::add_keyframe);
+    offer("Duplicate keyframe", &DrawingBoard::duplicate_keyframe);
+    offer("Remove keyframe", &DrawingBoard::remove_keyframe);
+    offer("Clear keyframe", &DrawingBoard::clear_keyframe);
+    offer("Move keyframe earlier",
+          [](DrawingBoard& desk, Document& document) { desk.move_keyframe(-1, document); });
+    offer("Move keyframe later",
+          [](DrawingBoard& desk, Document& document) { desk.move_keyframe(1, document); });
+    for (std::size_t i = 0; i < board.drawing()->keyframes.size(); ++i)
+        choices.push_back({.name = fmt::format("Keyframe {}", i + 1),
+                           .deeds = {on_board([i](DrawingBoard& desk, Document& document) {
+                               desk.choose_keyframe(i, document);
+                           })},
+                           .is_present = board.keyframe() == i});
+}
+
+ChoiceList drawing_choices(const DrawingBoard& board) {
+    ChoiceList list{"Draw"};
+    if (!board.drawing())
+        return list;
+    if (board.has_pen()) {
+        add_pens(board.pen(), list.choices);
+        add_keyframes(board, list.choices);
+    }
+    for (const auto& [name, kind] : {std::pair{"Load SVG…", Dialog::Kind::load_drawing},
+                                     std::pair{"Save SVG…", Dialog::Kind::save_drawing}})
+        list.choices.push_back({.name = name, .deeds = {[shown = kind](WindowState& window) {
+                                                  window.dialog = {.kind = shown};
+                                              }}});
+    return list;
+}
+
+// The menu shows them with pictures.
+ChoiceList unsaved_choices(const KeptSessions& kept) {
+    ChoiceList list{"Unsaved changes"};
+    for (const KeptSession& session : kept.list())
+        list.choices.push_back(
+            {.name = session.preset.empty() ? session.look
+                                            : fmt::format("{} – {}", session.look, session.preset),
+             .deeds = {[file = session.file](Lab& changed) { changed.take_up(file); }}});
+    return list;
+}
+
+ChoiceList include_choices(const Lab& lab) {
+    ChoiceList list{"Includes", ChoiceList::Place::edit};
+    list.choices.push_back(
+        {.name = "Folders, separated by ':'…",
+         .text = AskedText{include_folders_text(lab.include_folders()),
+                           [](const std::string& typed) -> Deeds {
+                               return {[folders = parse_include_folders(typed)](Lab& changed) {
+                                   changed.set_include_folders(folders);
+                               }};
+                           }}});
+    return list;
+}
+
+// What stopped the clock, and what is wrong with files.
+ChoiceList trouble_choices(const Lab& lab) {
+    ChoiceList list{"Problem"};
+    if (lab.trip())
+        for (const auto& [answer, name] : {std::pair{TripAnswer::clear, "Restart history"},
+                                           std::pair{TripAnswer::clamp, "Clamp NaN/Inf"},
+                                           std::pair{TripAnswer::go_on, "Ignore NaN/Inf"}})
+            list.choices.push_back({.name = name, .deeds = {[to = answer](Lab& changed) {
+                                                      changed.answer_trip(to);
+                                                  }}});
+    for (const Problem& problem : lab.problems()) {
+        const Diagnostic& said = problem.diagnostic;
+        list.choices.push_back({.name = fmt::format("{}:{} {}", said.file.filename().string(),
+                                                    said.line, said.message),
+                                .deeds = {[place = Location{said.file, said.line}](Lab& changed) {
+                                    changed.open_in_editor(place);
+                                }}});
+    }
+    return list;
+}
+
+using Lists = std::vector<ChoiceList>;
+
+void add_lists(Lists& all, Lists more) {
+    for (ChoiceList& list : more)
+        all.push_back(std::move(list));
+}
+
+void add_of_look(const Lab& lab, const WindowState& window, const std::vector<ShelfLook>& looks,
+                 Lists& all) {
+    const Document& document = *lab.document();
+    add_lists(all, signal_choices(document));
+    add_lists(all, source_choices(document, open_source(lab.drive())));
+    all.push_back(stack_choices(document.state().stack, looks));
+    if (lab.renderer())
+        add_lists(all,
+                  inspector_choices(inspected_parts(lab.renderer()->executor(), window.inspected),
+                                    window.inspected));
+    all.push_back(comparing_choices(lab));
+    all.push_back(unsaved_choices(lab.kept_sessions()));
+    add_lists(all, preset_choices(listed_presets(document, looks, lab.presets().stars(), {}),
+                                  window.presets));
+    if (!document.preset_file().empty() && lab.presets().has_source_checkout())
+        all.push_back(shipped_preset_choices());
+}
+
+void add_further(const Lab& lab, const WindowState& window, Lists& all) {
+    const Document& document = *lab.document();
+    const Parameter* in_hand = find_parameter(document.look(), window.revealed.parameter);
+    if (in_hand)
+        add_lists(all, knob_choices(document, *in_hand));
+    all.push_back(pass_setting_choices(document, window.inspected.pass));
+    const VariantSheet& sheet = lab.tryouts().sheet();
+    std::vector<SweepCell> cells;
+    for (const VariantSheet::Cell& cell : sheet.cells())
+        cells.push_back(cell.values);
+    all.push_back(sheet_choices(sheet.request(), cells, in_hand));
+    add_lists(all, listing_choices(document, window));
+    all.push_back(drawing_choices(lab.drawing_board()));
+}
+}  // namespace
+
+std::vector<ChoiceList> all_choices(const Lab& lab, const WindowState& window,
+                                    const std::vector<ShelfLook>& looks) {
+    Lists all;
+    if (lab.document()) {
+        add_of_look(lab, window, looks, all);
+        add_further(lab, window, all);
+    }
+    add_lists(all, window_choices(window, size_in_force(lab)));
+    const Player& player = lab.player();
+    all.push_back(
+        sound_choices({.settings = player.sound_settings(),
+                       .devices = lab.sound_devices(),
+                       .level = player.level(),
+                       .place = player.time(),
+                       .sound_seconds = player.sound().sound ? player.sound_seconds() : 0.0}));
+    all.push_back(
+        remote_choices(lab.remote_settings(), lab.osc().is_listening(), lab.midi().is_listening()));
+    all.push_back(include_choices(lab));
+    all.push_back(trouble_choices(lab));
+    all.push_back(lab.heavy_pass_choices());
+    return all;
+}
+
+std::vector<ChoiceList> menu_choices(const Lab& lab, const WindowState& window,
+                                     const std::vector<ShelfLook>& looks, ChoiceList::Place place) {
+    Lists all;
+    if (lab.document())
+        add_of_look(lab, window, looks, all);
+    all.push_back(include_choices(lab));
+    std::erase_if(all, [place](const ChoiceList& list) {
+        return list.place != place || list.choices.empty();
+    });
+    return all;
+}

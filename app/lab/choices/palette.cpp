@@ -1,0 +1,180 @@
+#include "lab/choices/palette.h"
+
+#include "base/fuzzy.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+namespace {
+using Kind = PaletteEntry::Kind;
+
+void add_presets(const ShelfLook& look, std::vector<PaletteEntry>& entries) {
+    for (const ShelfPreset& preset : look.presets) {
+        const std::string file = preset.entry.file.string();
+        entries.push_back(
+            {Kind::preset,
+             "preset:" + file,
+             fmt::format("Preset: {}", preset.name),
+             preset.entry.is_shipped ? look.name : fmt::format("{} · yours", look.name),
+             file,
+             {},
+             {}});
+    }
+}
+
+void add_parts(const Look& look, std::vector<PaletteEntry>& entries) {
+    for (const Pass& pass : look.passes)
+        entries.push_back({Kind::pass,
+                           "pass:" + pass.name,
+                           fmt::format("Pass: {}", pass.name),
+                           "Inspect",
+                           pass.name,
+                           {},
+                           {}});
+    for (const Parameter& parameter : look.parameters)
+        if (!parameter.is_hidden)
+            entries.push_back({Kind::parameter,
+                               "parameter:" + parameter.name,
+                               fmt::format("Parameter: {}", parameter.label),
+                               heading_of(look, parameter),
+                               parameter.name,
+                               {},
+                               {}});
+}
+
+// Where its name begins: the word before the colon only says what kind of thing that is.
+std::size_t name_start(const PaletteEntry& entry) {
+    return entry.kind == Kind::action ? 0 : entry.label.find(':') + 2;
+}
+
+struct Ranked {
+    std::tuple<int, std::size_t, bool, std::size_t, std::size_t> order;  // the least comes first
+    PaletteMatch match;
+};
+
+// What fits only with the help of the detail is worth less.
+std::optional<FuzzyMatch> fit(const PaletteEntry& entry, std::string_view query) {
+    constexpr int for_kind = 5;  // nothing of the name itself is meant
+    constexpr int for_detail = 12;
+    if (auto match = fuzzy_match(query, entry.label)) {
+        if (!match->places.empty() && match->places.back() < name_start(entry))
+            match->score -= for_kind;
+        return match;
+    }
+    auto match = fuzzy_match(query, entry.label + ' ' + entry.detail);
+    if (!match)
+        return match;
+    match->score -= for_detail;
+    std::erase_if(match->places, [&](std::size_t place) { return place >= entry.label.size(); });
+    return match;
+}
+}  // namespace
+
+std::vector<PaletteEntry> palette_entries(const Look* open, const std::vector<ShelfLook>& looks) {
+    std::vector<PaletteEntry> entries;
+    const auto is_open = [open](const ShelfLook& look) {
+        return open && look.entry.id == open->id;
+    };
+    for (const ShelfLook& look : looks)
+        if (is_open(look))
+            add_presets(look, entries);
+    if (open)
+        add_parts(*open, entries);
+    for (const ShelfLook& look : looks)
+        entries.push_back({Kind::look,
+                           "look:" + look.argument(),
+                           fmt::format("Look: {}", look.name),
+                           {},
+                           look.argument(),
+                           {},
+                           {}});
+    for (const ShelfLook& look : looks)
+        if (!is_open(look))
+            add_presets(look, entries);
+    return entries;
+}
+
+std::vector<PaletteEntry> choice_entries(const std::vector<ChoiceList>& lists) {
+    std::vector<PaletteEntry> entries;
+    std::set<std::string> labels;
+    for (const ChoiceList& list : lists)
+        for (const Choice& choice : list.choices) {
+            const std::string label = list.label_of(choice);
+            if (labels.insert(label).second)
+                entries.push_back({Kind::choice,
+                                   label,
+                                   label,
+                                   choice.is_present ? "current" : "",
+                                   {},
+                                   {},
+                                   {},
+                                   choice});
+        }
+    return entries;
+}
+
+std::vector<PaletteEntry> file_entries(const std::vector<std::string>& recent) {
+    std::vector<PaletteEntry> entries;
+    for (const std::string& file : recent) {
+        const std::filesystem::path path(file);
+        entries.push_back({Kind::file,
+                           "file:" + file,
+                           fmt::format("File: {}", path.filename().string()),
+                           path.parent_path().string(),
+                           file,
+                           {},
+                           {}});
+    }
+    return entries;
+}
+
+std::vector<PaletteEntry> difference_entries(const Look& open,
+                                             const std::vector<ShelfLook>& looks) {
+    std::vector<PaletteEntry> entries;
+    for (const ShelfLook& look : looks)
+        for (const ShelfPreset& preset : look.presets)
+            if (look.entry.id == open.id)
+                entries.push_back({Kind::difference,
+                                   "difference:" + preset.name,
+                                   fmt::format("Differences: {}", preset.name),
+                                   "compared with the current settings",
+                                   preset.entry.file.string(),
+                                   {},
+                                   {}});
+    return entries;
+}
+
+std::vector<PaletteMatch> find_entries(const std::vector<PaletteEntry>& entries,
+                                       std::string_view query,
+                                       const std::vector<std::string>& used) {
+    std::vector<Ranked> ranked;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        const auto match = fit(entries[i], query);
+        if (!match)
+            continue;
+        const auto use = std::find(used.begin(), used.end(), entries[i].id);
+        const std::size_t start = name_start(entries[i]);
+        const bool is_named = !match->places.empty() && match->places.back() >= start;
+        ranked.push_back(
+            {{-match->score, static_cast<std::size_t>(use - used.begin()),
+              entries[i].kind == Kind::choice, is_named ? entries[i].label.size() - start : 0, i},
+             {i, match->places}});
+    }
+    std::sort(ranked.begin(), ranked.end(),
+              [](const Ranked& a, const Ranked& b) { return a.order < b.order; });
+    std::vector<PaletteMatch> matches;
+    for (Ranked& one : ranked)
+        matches.push_back(std::move(one.match));
+    return matches;
+}
+
+void note_use(std::vector<std::string>& used, const std::string& id) {
+    constexpr std::size_t most = 20;
+    std::erase(used, id);
+    used.insert(used.begin(), id);
+    if (used.size() > most)
+        used.resize(most);
+}

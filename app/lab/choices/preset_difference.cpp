@@ -1,0 +1,28 @@
+#include "lab/choices/preset_difference.h"
+
+#include "formats/preset/modulation_format.h"
+#include "formats/preset/preset_format.h"
+#include "lab/lab.h"
+
+std::vector<Change> difference_from(const Preset& preset, const Document& open) {
+    Document other = open;
+    other.open_preset(preset, {});
+    return changes_between(open.look(), other.state(), open.state());
+}
+
+Result<std::vector<Change>> difference_from(const std::filesystem::path& preset_file,
+                                            const Lab& lab) {
+    if (!lab.document())
+        return std::vector<Change>{};
+    auto preset = load_preset(preset_file);
+    if (!preset)
+        return fail(preset.error());
+    const Document& open = *lab.document();
+    if (auto fitted = fitted_values(open.look(), *preset, preset_file))
+        preset->values = std::move(*fitted);
+    if (auto fitted = fitted_modulations(open.look(), *preset, preset_file))
+        preset->modulations = std::move(*fitted);
+    const auto folder = media_folder(preset_file);
+    Preset found = with_found_media(*preset, folder, lab.drive().recent());
+    return difference_from(with_found_files(std::move(found), open.look(), folder), open);
+}

@@ -1,0 +1,143 @@
+#include "lab/choices/signal_choices.h"
+
+#include "base/text.h"
+#include "lab/choices/scope_graticule.h"
+#include "lab/document/users_content.h"
+#include "lab/lab.h"
+#include "lab/window/window_state.h"
+#include "signals/signal_table.h"
+
+#include <fmt/format.h>
+
+#include <cctype>
+
+namespace {
+Deed set_signal_setting(const std::string& key, Spec::Setting value) {
+    return [key, value = std::move(value)](Document& document) {
+        auto spec = completed(document.state().signal);
+        if (!spec)
+            return;
+        spec->settings[key] = value;
+        document.set_signal(std::move(*spec));
+    };
+}
+
+// Labels alone come more than once: each channel has a frequency.
+std::string full_label(const SettingFacts& setting) {
+    return setting.group.empty() ? setting.label
+                                 : fmt::format("{} · {}", setting.group, setting.label);
+}
+
+void add_words(const SettingFacts& setting, const Spec& spec, std::vector<Choice>& choices) {
+    for (const std::string& word : setting.words)
+        choices.push_back({.name = fmt::format("{}: {}", full_label(setting), label_of_word(word)),
+                           .deeds = {set_signal_setting(setting.key, word)},
+                           .is_present = spec.settings.at(setting.key) == Spec::Setting(word)});
+}
+
+Choice number_setting(const SettingFacts& setting, const Spec& spec) {
+    return {.name = fmt::format("{}…", full_label(setting)),
+            .number = AskedNumber{.present = std::get<double>(spec.settings.at(setting.key)),
+                                  .unit = setting.unit,
+                                  .limit = setting.limit,
+                                  .is_whole = setting.step == 1.0,
+                                  .help = setting.help,
+                                  .answer = [key = setting.key](double number) -> Deeds {
+                                      return {set_signal_setting(key, number)};
+                                  }}};
+}
+
+Choice text_setting(const SettingFacts& setting, const SignalKind& kind, const Spec& spec) {
+    const std::string name = fmt::format("{}…", full_label(setting));
+    if (setting.key == kind.file_setting)
+        return {.name = name, .deeds = {deed_for(kind)}};
+    return {.name = name,
+            .text = AskedText{std::get<std::string>(spec.settings.at(setting.key)),
+                              [key = setting.key](const std::string& text) -> Deeds {
+                                  return {set_signal_setting(key, text)};
+                              }}};
+}
+
+// A drawing begins at once, whatever file it may also be taken from.
+std::string name_of_kind(const SignalKind& kind) {
+    const bool asks = !kind.file_setting.empty() && kind.kind != "drawing";
+    return asks ? fmt::format("{}…", kind.label) : kind.label;
+}
+
+ChoiceList kind_choices(const std::string& present) {
+    ChoiceList list{"Signal", ChoiceList::Place::edit};
+    for (const SignalKind& kind : signal_kinds())
+        list.choices.push_back({.name = name_of_kind(kind),
+                                .deeds = {deed_for(kind)},
+                                .is_present = kind.kind == present});
+    return list;
+}
+
+ChoiceList setting_choices(const Document& document) {
+    ChoiceList list{"Signal"};
+    const SignalKind* kind = find_kind(document.state().signal.kind);
+    const auto spec = completed(document.state().signal);
+    list.choices.push_back(content_lock_choice(document));
+    if (!kind || !spec)
+        return list;
+    for (const SettingFacts& setting : kind->settings) {
+        if (setting.is_hidden || !is_used(setting, *spec))
+            continue;
+        if (setting.type == SettingType::word)
+            add_words(setting, *spec, list.choices);
+        else if (setting.type == SettingType::number)
+            list.choices.push_back(number_setting(setting, *spec));
+        else
+            list.choices.push_back(text_setting(setting, *kind, *spec));
+    }
+    const Values graticule =
+        scope_graticule(document.look(), document.values(), document.state().signal);
+    if (!graticule.empty())
+        list.choices.push_back(
+            {.name = "Show 10 × 8 divisions", .deeds = {[graticule](Document& changed) {
+                                                  changed.set_values(graticule, "Graticule");
+                                              }}});
+    return list;
+}
+}  // namespace
+
+std::string label_of_word(std::string word) {
+    if (word == "look")
+        return "Look default";
+    if (word.size() != 2 || word == "on")
+        return label_from_name(word);
+    for (char& letter : word)
+        letter = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
+    return word;
+}
+
+Deed deed_for(const SignalKind& kind) {
+    if (kind.kind == "drawing")
+        return [](Lab& lab) { lab.take_pen(true); };
+    if (!kind.file_setting.empty())
+        return [](WindowState& window) { window.dialog = {.kind = Dialog::Kind::open_file}; };
+    if (kind.is_live)
+        return [name = kind.kind](Lab& lab) {
+            (void)lab.transport().mute_input(false);  // it is asked for
+            lab.edit([&](Document& document) {
+                document.set_signal(with_round_circles(Spec{name, {}}));
+            });
+        };
+    return [name = kind.kind](Document& document) {
+        if (auto spec = completed(with_round_circles(Spec{name, {}})))
+            document.set_signal(std::move(*spec));
+    };
+}
+
+Choice content_lock_choice(const Document& document) {
+    const bool is_locked = document.is_content_locked();
+    return {.name = keep_content_words(document.look()),
+            .deeds = {[is_locked](Document& changed) { changed.lock_content(!is_locked); }},
+            .is_present = is_locked};
+}
+
+std::vector<ChoiceList> signal_choices(const Document& document) {
+    if (document.look().driven_by != Driver::signal)
+        return {};
+    return {kind_choices(document.state().signal.kind), setting_choices(document)};
+}

@@ -1,0 +1,96 @@
+#include "lab/choices/stack_choices.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace {
+using StackChange = std::function<void(Stack& stack, std::size_t part)>;
+
+Deed change_of_stack(const std::string& tag, const std::string& step, const StackChange& change) {
+    return [=](Document& document) {
+        Stack stack = document.state().stack;
+        const auto part = std::ranges::find(stack, tag, &StackPart::tag);
+        if (part == stack.end())
+            return;
+        change(stack, static_cast<std::size_t>(part - stack.begin()));
+        document.set_stack(std::move(stack), step);
+    };
+}
+}  // namespace
+
+Deed bypass_part(const StackPart& part, const std::string& name) {
+    const bool next = !part.is_bypassed;
+    return change_of_stack(
+        part.tag, next ? fmt::format("Bypass {}", name) : fmt::format("Re-enable {}", name),
+        [next](Stack& stack, std::size_t place) { stack[place].is_bypassed = next; });
+}
+
+Deed move_part(const StackPart& part, const std::string& name, int by) {
+    return change_of_stack(part.tag, fmt::format("Move {}", name),
+                           [by](Stack& stack, std::size_t place) {
+                               const std::size_t other =
+                                   place + static_cast<std::size_t>(by);  // before the first: huge
+                               if (other < stack.size())
+                                   std::swap(stack[place], stack[other]);
+                           });
+}
+
+Deed remove_part(const StackPart& part, const std::string& name) {
+    return change_of_stack(part.tag, fmt::format("Remove {}", name),
+                           [](Stack& left, std::size_t place) {
+                               if (left.size() > 1)
+                                   left.erase(left.begin() + static_cast<std::ptrdiff_t>(place));
+                           });
+}
+
+Deed add_part(const ShelfLook& look) {
+    return [entry = look.entry, name = look.name](Document& document) {
+        Stack stack = document.state().stack;
+        stack.push_back({entry.id, entry.folder, free_tag(stack, entry.id)});
+        document.set_stack(std::move(stack), fmt::format("Add {}", name));
+    };
+}
+
+std::vector<std::string> part_names(const Stack& stack, const std::vector<ShelfLook>& looks) {
+    std::vector<std::string> names;
+    const std::vector<std::string> keys = stack_keys(stack);
+    for (std::size_t i = 0; i < stack.size(); ++i) {
+        const auto known = std::ranges::find_if(
+            looks, [&](const ShelfLook& look) { return look.entry.id == stack[i].look; });
+        names.push_back(known == looks.end() ? stack[i].look : known->name);
+        if (const std::size_t copy = keys[i].find('#'); copy != std::string::npos)
+            names.back() += ' ' + keys[i].substr(copy + 1);
+    }
+    return names;
+}
+
+bool is_worth_listing(const Stack& stack) {
+    return stack.size() > 1 || (!stack.empty() && stack.front().is_bypassed);
+}
+
+ChoiceList stack_choices(const Stack& stack, const std::vector<ShelfLook>& looks) {
+    ChoiceList list{"Stack", ChoiceList::Place::edit};
+    for (const ShelfLook& look : looks)
+        if (!look.is_stack())
+            list.choices.push_back(
+                {.name = fmt::format("Add {}", look.name), .deeds = {add_part(look)}});
+    if (!is_worth_listing(stack))
+        return list;
+    const std::vector<std::string> names = part_names(stack, looks);
+    for (std::size_t i = 0; i < stack.size(); ++i) {
+        const auto offer = [&](const std::string& name, Deed deed, bool is_present = false) {
+            list.choices.push_back(
+                {.name = name, .deeds = {std::move(deed)}, .is_present = is_present});
+        };
+        offer(fmt::format("Bypass {}", names[i]), bypass_part(stack[i], names[i]),
+              stack[i].is_bypassed);
+        if (i > 0)
+            offer(fmt::format("Move {} earlier", names[i]), move_part(stack[i], names[i], -1));
+        if (i + 1 < stack.size())
+            offer(fmt::format("Move {} later", names[i]), move_part(stack[i], names[i], 1));
+        if (stack.size() > 1)
+            offer(fmt::format("Remove {}", names[i]), remove_part(stack[i], names[i]));
+    }
+    return list;
+}

@@ -1,0 +1,258 @@
+#include "lab/choices/tuning_choices.h"
+
+#include "lab/lab.h"
+#include "lab/window/parameter_list.h"
+#include "model/look/value_text.h"
+#include "model/tuning/knob_turn.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+
+namespace {
+using KnobMark = bool KnobSetting::*;
+
+Choice mark_choice(const char* name, const std::string& parameter, const KnobSetting& setting,
+                   KnobMark mark) {
+    KnobSetting next = setting;
+    next.*mark = !(next.*mark);
+    return {
+        .name = name,
+        .deeds = {[parameter, next](Document& document) { document.set_knob(parameter, next); }},
+        .is_present = setting.*mark};
+}
+
+// Angles are typed in degrees.
+double typed_factor(const Parameter& parameter) {
+    return parameter.control == Control::angle ? 180.0 / std::numbers::pi : 1.0;
+}
+
+AskedNumber asked_of(const Parameter& parameter, double present) {
+    const double factor = typed_factor(parameter);
+    const Limit limit = parameter.limit.value_or(Limit{-1e9, 1e9});
+    return {.present = present * factor,
+            .unit = factor != 1.0 ? "°" : std::string(shown_unit(parameter)),
+            .limit = {limit.low * factor, limit.high * factor},
+            .is_whole = parameter.type.scalar != Scalar::floating};
+}
+
+Choice end_choice(const Parameter& parameter, bool is_low) {
+    const Limit ends{parameter.range.low, parameter.range.high};
+    AskedNumber asked = asked_of(parameter, is_low ? ends.low : ends.high);
+    asked.answer = [ends, is_low, factor = typed_factor(parameter),
+                    name = parameter.name](double typed) -> Deeds {
+        const double end = typed / factor;
+        const Limit next = is_low ? Limit{end, ends.high} : Limit{ends.low, end};
+        return {[name, next](Lab& lab) { lab.set_slider_ends(name, next); }};
+    };
+    return {.name = is_low ? "Slider minimum…" : "Slider maximum…", .number = std::move(asked)};
+}
+
+void add_ends(const Parameter& declared, const KnobSetting& setting, std::vector<Choice>& choices) {
+    if (!has_ends(declared))
+        return;
+    const Parameter parameter = with_ends(declared, setting);
+    choices.push_back(end_choice(parameter, true));
+    choices.push_back(end_choice(parameter, false));
+    if (setting.ends)
+        choices.push_back(
+            {.name = "Reset slider range", .deeds = {[name = declared.name](Lab& lab) {
+                                               lab.set_slider_ends(name, std::nullopt);
+                                           }}});
+}
+
+// Each number of a vector, a colour or a matrix.
+void add_parts(const Parameter& parameter, const Value& value, std::vector<Choice>& choices) {
+    for (std::size_t i = 0; i < value.numbers.size() && value.numbers.size() > 1; ++i) {
+        AskedNumber asked = asked_of(parameter, value.numbers[i]);
+        asked.answer = [value, i, factor = typed_factor(parameter),
+                        name = parameter.name](double typed) -> Deeds {
+            Value next = value;
+            next.numbers[i] = typed / factor;
+            return {[name, next](Document& document) { document.set_value(name, next); }};
+        };
+        choices.push_back(
+            {.name = fmt::format("{}…", part_label(parameter, i)), .number = std::move(asked)});
+    }
+}
+
+void add_midi(const Parameter& parameter, std::vector<Choice>& choices) {
+    if (!can_be_turned(parameter))
+        return;
+    const auto count = static_cast<std::size_t>(parameter.type.size());
+    for (std::size_t i = 0; i < count; ++i)
+        choices.push_back(
+            {.name = count == 1 ? "MIDI learn"
+                                : fmt::format("MIDI learn: {}", part_label(parameter, i)),
+             .deeds = {[goal = MidiGoal{parameter.name, i}](Lab& lab) { lab.learn_midi(goal); }}});
+}
+
+ChoiceList hand_choices(const Document& document, const Parameter& parameter) {
+    ChoiceList list{parameter.label};
+    const KnobSetting& setting = setting_of(parameter.name, document.knobs());
+    list.choices = {mark_choice("Favourite", parameter.name, setting, &KnobSetting::is_favourite),
+                    mark_choice("Locked", parameter.name, setting, &KnobSetting::is_locked)};
+    if (parameter.control == Control::image || parameter.control == Control::sound)
+        list.choices.push_back(
+            {.name = "Choose file…", .deeds = {[name = parameter.name](WindowState& window) {
+                                         window.dialog = {.kind = Dialog::Kind::choose_file,
+                                                          .subject = name};
+                                     }}});
+    for (const Item& item : parameter.items)
+        list.choices.push_back(
+            {.name = item.label,
+             .deeds = {[name = parameter.name, to = item.value](Document& changed) {
+                 changed.set_value(name, Value(to));
+             }},
+             .is_present = document.value(parameter).number() == item.value});
+    add_parts(parameter, document.value(parameter), list.choices);
+    add_ends(parameter, setting, list.choices);
+    add_midi(parameter, list.choices);
+    if (!parameter.declared.file.empty())
+        list.choices.push_back(
+            {.name = "Open declaration",
+             .deeds = {[place = parameter.declared](Lab& lab) { lab.open_in_editor(place); }}});
+    return list;
+}
+
+Deed modulate(const std::string& name, const std::optional<Modulation>& next) {
+    return [name, next](Document& document) { document.set_modulation(name, next); };
+}
+
+ChoiceList move_choices(const Document& document, const Parameter& parameter) {
+    ChoiceList list{parameter.label};
+    if (!why_unmodulated(document.look(), parameter).empty())
+        return list;
+    const Modulation* present = document.modulation(parameter);
+    const auto offer = [&](std::string name, const std::optional<Modulation>& next, bool is_it) {
+        list.choices.push_back({.name = std::move(name),
+                                .deeds = {modulate(parameter.name, next)},
+                                .is_present = is_it});
+    };
+    offer("Modulation: None", std::nullopt, !present);
+    const double depth = present ? present->depth : Modulation{}.depth;
+    for (const auto& kind : modulation_kinds())
+        offer(fmt::format("Modulation: {}", kind.label),
+              Modulation{.kind = kind.value, .depth = depth},
+              present && present->kind == kind.value);
+    if (!present)
+        return list;
+    for (const auto& shape : lfo_shapes()) {
+        Modulation next = *present;
+        next.shape = shape.value;
+        if (present->kind == ModulationKind::lfo)
+            offer(fmt::format("LFO shape: {}", shape.label), next, present->shape == shape.value);
+    }
+    for (const ModulationFigure& figure : figures_of(present->kind))
+        list.choices.push_back(
+            {.name = fmt::format("Modulation: {}…", figure.label),
+             .number = AskedNumber{.present = present->*figure.number,
+                                   .unit = figure.unit,
+                                   .limit = figure.limit,
+                                   .help = figure.help,
+                                   .answer = [now = *present, number = figure.number,
+                                              name = parameter.name](double typed) -> Deeds {
+                                       Modulation next = now;
+                                       next.*number = typed;
+                                       return {modulate(name, next)};
+                                   }}});
+    return list;
+}
+
+void add_counts(const SheetRequest& request, std::vector<Choice>& choices) {
+    for (const int count : sheet_counts) {
+        SheetRequest next = request;
+        next.columns = count;
+        choices.push_back({.name = fmt::format("{} columns", count),
+                           .deeds = sheet_deeds(next),
+                           .is_present = request.columns == count});
+    }
+    for (const int count : sheet_counts) {
+        SheetRequest next = request;
+        next.rows = count;
+        if (!request.down.empty())
+            choices.push_back({.name = fmt::format("{} rows", count),
+                               .deeds = sheet_deeds(next),
+                               .is_present = request.rows == count});
+    }
+}
+}  // namespace
+
+std::vector<ChoiceList> knob_choices(const Document& document, const Parameter& parameter) {
+    return {hand_choices(document, parameter), move_choices(document, parameter)};
+}
+
+std::vector<ChoiceList> listing_choices(const Document& document, const WindowState& window) {
+    ChoiceList shown{"Parameters"};
+    for (const auto& [filter, name] :
+         {std::pair{ParameterFilter::all, "Show all"},
+          std::pair{ParameterFilter::changed, "Show only changed"},
+          std::pair{ParameterFilter::favourites, "Show only favourites"},
+          std::pair{ParameterFilter::of_pass, "Show only this pass"}})
+        shown.choices.push_back({.name = name,
+                                 .deeds = {[chosen = filter](WindowState& changed) {
+                                     changed.filter = chosen;
+                                     changed.shows_parameters = true;
+                                     if (chosen == ParameterFilter::all)
+                                         changed.search.clear();
+                                 }},
+                                 .is_present = filter == window.filter});
+    for (const ParameterGroup& group : listed_parameters(document, {})) {
+        std::vector<std::string> names;
+        bool is_changed = false;
+        for (const Parameter* parameter : group.parameters) {
+            names.push_back(parameter->name);
+            is_changed |= document.is_changed(*parameter);
+        }
+        if (is_changed)
+            shown.choices.push_back(
+                {.name = group.name.empty() ? "Reset ungrouped parameters"
+                                            : fmt::format("Reset {}", group.name),
+                 .deeds = {[names](Document& changed) { changed.reset_group(names); }}});
+    }
+    return {shown};
+}
+
+bool can_be_varied(const Parameter& parameter) {
+    const bool is_file = parameter.control == Control::image || parameter.control == Control::sound;
+    return !is_file && parameter.control != Control::event && parameter.type.size() == 1;
+}
+
+Deeds sheet_deeds(const SheetRequest& request) {
+    return {[request](Lab& lab) { lab.draw_sheet(request); },
+            [is_grid = !request.down.empty()](WindowState& window) {
+                constexpr float room_of_grid = 330.0f;
+                if (is_grid)
+                    window.panes.bottom = std::max(window.panes.bottom, room_of_grid);
+                window.shows_bottom = true;
+                window.bottom_part = BottomPart::sheet;
+                window.is_picture_only = false;
+            }};
+}
+
+ChoiceList sheet_choices(const SheetRequest& request, const std::vector<SweepCell>& cells,
+                         const Parameter* in_hand) {
+    ChoiceList list{"Sheet"};
+    if (in_hand && can_be_varied(*in_hand)) {
+        list.choices.push_back({.name = fmt::format("Filmstrip of {}", in_hand->label),
+                                .deeds = sheet_deeds({.across = in_hand->name})});
+        SheetRequest next = request;
+        next.down = in_hand->name;
+        if (!request.across.empty() && request.across != in_hand->name)
+            list.choices.push_back(
+                {.name = fmt::format("Rows: {}", in_hand->label), .deeds = sheet_deeds(next)});
+    }
+    if (request.across.empty())
+        return list;
+    if (!request.down.empty()) {
+        SheetRequest next = request;
+        next.down.clear();
+        list.choices.push_back({.name = "Rows: None", .deeds = sheet_deeds(next)});
+    }
+    add_counts(request, list.choices);
+    for (std::size_t i = 0; i < cells.size(); ++i)
+        list.choices.push_back({.name = fmt::format("Apply {}", cells[i].caption),
+                                .deeds = {[i](Lab& lab) { lab.take_from_sheet(i); }}});
+    return list;
+}

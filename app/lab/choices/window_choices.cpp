@@ -1,0 +1,191 @@
+#include "lab/choices/looking_choices.h"
+#include "lab/window/pane_sizes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+Choice sized(std::string name, const PictureSize& size, bool is_present) {
+    return {.name = std::move(name),
+            .deeds = {[size](Lab& lab) { lab.set_picture_size(size); }},
+            .is_present = is_present};
+}
+
+ChoiceList size_choices(const SizeInForce& in_force) {
+    ChoiceList list{"Render size"};
+    const PictureSize& present = in_force.chosen;
+    PictureSize size = present;
+    for (const auto& [shape, name] : picture_shapes)
+        list.choices.push_back(sized(name, with_shape(present, shape), in_force.is_shaped(shape)));
+    list.choices.push_back(
+        {.name = "Match pane once", .deeds = {[](Lab& lab) { lab.fix_size_to_view(); }}});
+    for (const Extent& extent : picture_sizes)
+        list.choices.push_back(sized(fmt::format("{} × {}", extent.width, extent.height),
+                                     {false, extent, present.scale, present.shape},
+                                     present.is_exactly(extent)));
+    for (const double scale : picture_scales) {
+        size = present;
+        size.scale = scale;
+        list.choices.push_back(
+            sized(fmt::format("Scale {}", times_text(scale)), size, present.scale == scale));
+    }
+    return list;
+}
+
+ChoiceList zoom_choices(const PictureView& present) {
+    ChoiceList list{"Zoom"};
+    list.choices.push_back(
+        {.name = "Largest integer zoom",
+         .deeds = {[](WindowState& window) { window.large_view() = {PictureView::Fit::whole}; }},
+         .is_present = present.fit == PictureView::Fit::whole});
+    for (const double zoom : picture_zooms)
+        list.choices.push_back(
+            {.name = times_text(zoom),
+             .deeds = {[zoom](WindowState& window) {
+                 window.large_view().fit = PictureView::Fit::free;
+                 window.large_view().zoom = zoom;
+             }},
+             .is_present = present.fit == PictureView::Fit::free && present.zoom == zoom});
+    for (const auto& [name, x, y] :
+         {std::tuple{"Pan left", -0.1, 0.0}, std::tuple{"Pan right", 0.1, 0.0},
+          std::tuple{"Pan up", 0.0, -0.1}, std::tuple{"Pan down", 0.0, 0.1}})
+        list.choices.push_back({.name = name, .deeds = {[x = x, y = y](WindowState& window) {
+                                                  PictureView& view = window.large_view();
+                                                  view.x = std::clamp(view.x + x, 0.0, 1.0);
+                                                  view.y = std::clamp(view.y + y, 0.0, 1.0);
+                                              }}});
+    return list;
+}
+
+ChoiceList pane_choices() {
+    ChoiceList list{"Pane"};
+    constexpr float step = 40.0f;
+    for (const PaneSide& side : pane_sides())
+        for (const float by : {step, -step})
+            list.choices.push_back({.name = by > 0.0f ? side.larger : side.smaller,
+                                    .deeds = {[size = side.size, by](WindowState& window) {
+                                        resize_pane(window.panes, size, by);
+                                    }}});
+    return list;
+}
+
+ChoiceList pin_choices(const std::vector<Pin>& pins) {
+    ChoiceList list{"Pins"};
+    list.choices.push_back({.name = "Pin picture centre",
+                            .deeds = {[](WindowState& window) { add_pin(window, {}); }}});
+    for (std::size_t i = 0; i < pins.size(); ++i)
+        list.choices.push_back({.name = fmt::format("Remove pin {}", i + 1),
+                                .deeds = {[i](WindowState& window) {
+                                    if (i < window.pins.size())
+                                        window.pins.erase(window.pins.begin() +
+                                                          static_cast<std::ptrdiff_t>(i));
+                                }}});
+    return list;
+}
+
+void show_waveform(WindowState& window) {
+    window.shows_bottom = true;
+    window.bottom_part = BottomPart::waveform;
+    window.is_picture_only = false;
+}
+
+ChoiceList waveform_choices(const WindowState& window, Extent picture) {
+    ChoiceList list{"Waveform"};
+    for (const bool is_luminance : {false, true})
+        list.choices.push_back({.name = is_luminance ? "Luminance" : "Red, green and blue",
+                                .deeds = {[is_luminance](WindowState& changed) {
+                                    changed.plots_luminance = is_luminance;
+                                    show_waveform(changed);
+                                }},
+                                .is_present = window.plots_luminance == is_luminance});
+    const double row =
+        window.scan_line.row(picture).value_or(window.scan_line.start.texel(picture)[1]);
+    list.choices.push_back(
+        {.name = "Row…",
+         .number = AskedNumber{.present = row,
+                               .limit = {0.0, std::max(picture.height - 1.0, 0.0)},
+                               .is_whole = true,
+                               .answer = [height = picture.height](double typed) -> Deeds {
+                                   return {[row = static_cast<int>(typed),
+                                            height](WindowState& changed) {
+                                       changed.scan_line = ScanLine::along_row(row, height);
+                                       show_waveform(changed);
+                                   }};
+                               }}});
+    return list;
+}
+
+Choice window_number(const char* name, const char* unit, double present, Limit limit,
+                     void (*set)(WindowState& window, double number)) {
+    return {.name = name,
+            .number = AskedNumber{.present = present,
+                                  .unit = unit,
+                                  .limit = limit,
+                                  .answer = [set](double number) -> Deeds {
+                                      return {[set, number](WindowState& window) {
+                                          set(window, number);
+                                      }};
+                                  }}};
+}
+
+ChoiceList number_choices(const WindowState& window) {
+    ChoiceList list{"Set"};
+    list.choices = {
+        window_number(
+            "Frame budget…", "ms", window.budget_milliseconds, {0.1, 1000.0},
+            [](WindowState& changed, double number) { changed.budget_milliseconds = number; }),
+        window_number("Flash limiter…", "× full brightness per second",
+                      window.comfort.most_a_second, {ComfortClamp::lowest, ComfortClamp::highest},
+                      [](WindowState& changed, double number) {
+                          changed.comfort = {.is_on = true, .most_a_second = number};
+                      }),
+        window_number(
+            "Wipe position…", "%", 100.0 * window.wipe_share, {0.0, 100.0},
+            [](WindowState& changed, double number) { changed.wipe_share = number / 100.0; })};
+    return list;
+}
+}  // namespace
+
+void add_pin(WindowState& window, const Pin& pin) {
+    constexpr std::size_t most = 4;  // that the table has room for
+    if (window.pins.size() == most)
+        window.pins.erase(window.pins.begin());
+    window.pins.push_back(pin);
+    window.shows_bottom = true;
+    window.bottom_part = BottomPart::pins;
+}
+
+std::string times_text(double factor) {
+    if (factor < 1.0 && 1.0 / factor == std::floor(1.0 / factor))
+        return fmt::format("1/{:g}×", 1.0 / factor);
+    return fmt::format("{:g}×", factor);
+}
+
+SizeInForce size_in_force(const Lab& lab) {
+    return {lab.picture_size(), lab.picture_shape(), lab.picture_extent()};
+}
+
+void offer_display_size(Lab& lab, Extent display) {
+    const PictureSize& present = lab.picture_size();
+    if (present.follows_view || present.room(display) == display)
+        return;
+    const Extent picture = lab.picture_extent();
+    lab.offer(
+        fmt::format("The render size is {} × {} px, the display {} × {} px", picture.width,
+                    picture.height, display.width, display.height),
+        {.name = "Match display", .deeds = {[](Lab& changed) { changed.fix_size_to_view(); }}});
+}
+
+PictureSize with_shape(PictureSize size, ViewShape shape) {
+    size.follows_view = true;
+    size.shape = shape;
+    return size;
+}
+
+std::vector<ChoiceList> window_choices(const WindowState& window, const SizeInForce& size) {
+    return {
+        size_choices(size),       zoom_choices(window.large_view()),     pane_choices(),
+        pin_choices(window.pins), waveform_choices(window, size.extent), number_choices(window)};
+}

@@ -1,0 +1,106 @@
+#include "lab/document/beam_place.h"
+
+#include "model/picture/beam_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+double number_of(const Look& look, const Values& values, const std::string& name, double fallback) {
+    const Parameter* parameter = find_parameter(look, name);
+    return parameter ? value_of(*parameter, values).numbers[0] : fallback;
+}
+
+// What stands before the names of each look that is drawn, in their order: "crt/".
+std::vector<std::string> drawn_scopes(const Look& look) {
+    std::vector<std::string> scopes;
+    for (const Pass& pass : look.passes)
+        if (scopes.empty() || scopes.back() != pass.scope)
+            scopes.push_back(pass.scope);
+    return scopes;
+}
+
+// A look whose shaders have the radial curve bends by it.
+GlassCurve glass_of(const Look& look, const Values& values, const std::string& scope) {
+    const bool is_radial =
+        std::any_of(look.passes.begin(), look.passes.end(), [&](const Pass& pass) {
+            return pass.scope == scope &&
+                   pass.fragment.text->find("barrel_radial(") != std::string::npos;
+        });
+    return {is_radial ? GlassCurve::Kind::radial : GlassCurve::Kind::crossed,
+            number_of(look, values, scope + "curvature", 0.0)};
+}
+
+// How far the crossed curve pushes a place out along one axis, from how far it is along the other.
+double pushed_out(double across, double amount) {
+    return 1.0 + across * across * amount * 40.0 / 36.0;
+}
+
+BeamPlace shown_crossed(const BeamPlace& place, double amount) {
+    BeamPlace shown = place;
+    constexpr int rounds = 40;  // each brings it nearer; even the strongest curve is there by then
+    for (int i = 0; i < rounds; ++i)
+        shown = {place[0] / pushed_out(shown[1], amount), place[1] / pushed_out(shown[0], amount)};
+    return shown;
+}
+
+// Newton's method from beyond the root, as barrel_radial_inverse() has it.
+BeamPlace shown_radial(const BeamPlace& place, double amount) {
+    const double radius = std::hypot(place[0], place[1]);
+    if (radius < 1e-12)
+        return place;
+    double root = std::min(std::max(radius, 1.0), radius / (1.0 - amount));
+    for (int i = 0; i < 20; ++i) {
+        const double square = amount * root * root;
+        root -= (root * (1.0 - amount + square) - radius) / (1.0 - amount + 3.0 * square);
+    }
+    return {place[0] * root / radius, place[1] * root / radius};
+}
+}  // namespace
+
+BeamPlace GlassCurve::behind(const BeamPlace& place) const {
+    const auto [x, y] = place;
+    if (kind == Kind::crossed)
+        return {x * pushed_out(y, amount), y * pushed_out(x, amount)};
+    const double factor = 1.0 - amount + amount * (x * x + y * y);
+    return {x * factor, y * factor};
+}
+
+BeamPlace GlassCurve::shown(const BeamPlace& place) const {
+    return kind == Kind::crossed ? shown_crossed(place, amount) : shown_radial(place, amount);
+}
+
+BeamPlacing::BeamPlacing(const Look& look, const Values& values, Extent picture,
+                         std::optional<Fit> fit)
+    : m_picture(picture) {
+    const std::vector<std::string> scopes = drawn_scopes(look);
+    for (const std::string& scope : scopes)
+        if (const GlassCurve glass = glass_of(look, values, scope); glass.amount != 0.0)
+            m_glasses.push_back(glass);
+    const std::string beam = scopes.empty() ? std::string() : scopes.front();
+    const double size = number_of(look, values, beam + "screen_size", 1.0);
+    const double shorter = std::min(picture.width, picture.height);
+    const bool is_round = keeps_circles_round(look, values, beam);
+    const std::array<double, 2> scale = beam_scale(look, values, picture, fit);
+    m_size = {scale[0] * size * (is_round ? shorter / picture.width : 1.0),
+              scale[1] * size * (is_round ? shorter / picture.height : 1.0)};
+}
+
+BeamPlace BeamPlacing::place_of(const PicturePixel& pixel) const {
+    BeamPlace place{2.0 * pixel[0] / m_picture.width - 1.0,
+                    1.0 - 2.0 * pixel[1] / m_picture.height};
+    std::for_each(m_glasses.rbegin(), m_glasses.rend(),
+                  [&place](const GlassCurve& glass) { place = glass.behind(place); });
+    return {place[0] / m_size[0], place[1] / m_size[1]};
+}
+
+PicturePixel BeamPlacing::pixel_of(const BeamPlace& place) const {
+    BeamPlace shown{place[0] * m_size[0], place[1] * m_size[1]};
+    for (const GlassCurve& glass : m_glasses)
+        shown = glass.shown(shown);
+    return {0.5 * (shown[0] + 1.0) * m_picture.width, 0.5 * (1.0 - shown[1]) * m_picture.height};
+}
+
+double BeamPlacing::pixel_size() const {
+    return 2.0 / std::min(m_picture.width * m_size[0], m_picture.height * m_size[1]);
+}

@@ -1,0 +1,45 @@
+#include "lab/document/morphing.h"
+
+#include "model/tuning/morph.h"
+
+#include <algorithm>
+
+namespace {
+// Every parameter has a value of its own, so that setting them says all.
+Values complete(const Look& look, const Values& values) {
+    Values all;
+    for (const Parameter& parameter : look.parameters)
+        all[parameter.name] = clamped(parameter, value_of(parameter, values));
+    return all;
+}
+}  // namespace
+
+Morphing::Morphing(const Document& document, Preset to, std::filesystem::path file, double seconds)
+    : m_look(document.look().id),
+      m_to(std::move(to)),
+      m_file(std::move(file)),
+      m_from(complete(document.look(), document.values())),
+      m_goal(complete(document.look(), renamed_values(document.look(), m_to.values))),
+      m_last(document.values()),
+      m_seconds(std::max(seconds, 1e-3)) {
+    for (const auto& [knob, setting] : document.knobs())
+        if (setting.is_locked && m_goal.contains(knob))
+            m_goal[knob] = m_from[knob];
+    if (m_goal == m_from)
+        m_elapsed = m_seconds;  // there is no way to go
+}
+
+// Signal, source and what moves by itself have no way between them: they change at the end.
+bool Morphing::go_on(Document& document, double seconds) {
+    const bool is_ours = document.look().id == m_look && !document.is_restacking();
+    if (!is_ours || document.values() != m_last)
+        return false;
+    m_elapsed = std::min(m_elapsed + seconds, m_seconds);
+    if (has_arrived()) {
+        document.arrive_at(m_to, m_file, step_name());
+        return false;
+    }
+    document.set_values(morphed(document.look(), m_from, m_goal, share()), step_name(), true);
+    m_last = document.values();
+    return true;
+}

@@ -1,0 +1,63 @@
+#include "lab/document/sharing.h"
+
+#include "base/text.h"
+#include "formats/look_format.h"
+#include "formats/preset/preset_format.h"
+#include "formats/preset/preset_png.h"
+#include "formats/preset/share_line.h"
+#include "io/files/atomic_file.h"
+#include "io/pictures/picture_file.h"
+#include "io/pictures/png_encoder.h"
+#include "model/picture/display_bytes.h"
+
+namespace fs = std::filesystem;
+
+void remember_files(const Document& document, const RecentMedia& recent) {
+    for (const StackPart& part : document.look().stack)
+        if (is_foreign_look(part.place))
+            recent.remember(part.place, {});
+    for (const auto& [name, value] : document.values())
+        if (names_file(document.look(), name, value))
+            recent.remember(value.path, {});
+}
+
+namespace {
+Preset portable(Preset preset, const Document& document, const fs::path& folder,
+                const RecentMedia& recent) {
+    remember_files(document, recent);
+    return with_portable_media(std::move(preset), folder, recent);
+}
+}  // namespace
+
+std::string share_line_of(const Document& document, const RecentMedia& recent) {
+    return share_line(portable(document.complete_preset(), document, {}, recent), &document.look());
+}
+
+Result<void> write_preset(const Document& document, const std::string& name, const fs::path& file,
+                          const RecentMedia& recent) {
+    if (to_lower(file.extension().string()) != ".json")
+        return fail({file, 0, "preset files must end in .json"});
+    Preset preset = portable(document.preset(), document, media_folder(file), recent);
+    if (!name.empty())
+        preset.name = name;
+    if (preset.name.empty())
+        preset.name = file.stem().string();
+    return save_preset(file, preset, &document.look());
+}
+
+Result<void> save_picture_with_preset(const Picture& picture, const Document& document,
+                                      const fs::path& file, const RecentMedia& recent) {
+    if (to_lower(file.extension().string()) != ".png")
+        return save_picture(picture, file);
+    const bool has_alpha = document.look().passes.back().has_alpha && is_transparent(picture);
+    auto png = has_alpha ? encode_png_with_alpha(picture.extent, display_bytes_with_alpha(picture))
+                         : encode_png(picture);
+    if (!png)
+        return fail(png.error());
+    const auto whole =
+        with_preset(std::move(*png), portable(document.complete_preset(), document, {}, recent),
+                    &document.look());
+    if (!whole)
+        return fail(whole.error());
+    return write_atomically(file, *whole);
+}

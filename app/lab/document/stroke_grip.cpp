@@ -1,0 +1,49 @@
+#include "lab/document/stroke_grip.h"
+
+#include "signals/drawing/stroke_line.h"
+
+std::optional<std::size_t> stroke_near(const Keyframe& strokes, const BeamPlace& place,
+                                       double reach) {
+    std::optional<std::size_t> found;
+    double nearest = reach;
+    for (std::size_t i = 0; i < strokes.size(); ++i)
+        if (const double away = distance_to_line(place, line_of(strokes[i])); away <= nearest) {
+            nearest = away;
+            found = i;
+        }
+    return found;
+}
+
+std::optional<StrokeGrip> grip_near(const Keyframe& strokes, const BeamPlace& place, double reach) {
+    std::optional<StrokeGrip> found;
+    double nearest = reach;
+    for (std::size_t i = 0; i < strokes.size(); ++i)
+        for (std::size_t k = 0; k < strokes[i].points.size(); ++k)
+            if (const double away = distance(place, strokes[i].points[k]); away <= nearest) {
+                nearest = away;
+                found = StrokeGrip{i, k};
+            }
+    if (!found)
+        if (const auto stroke = stroke_near(strokes, place, reach))
+            found = StrokeGrip{*stroke};
+    return found;
+}
+
+Keyframe with_moved(Keyframe strokes, const StrokeGrip& grip, const BeamPlace& by) {
+    std::vector<BeamPlace>& points = strokes[grip.stroke].points;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (!grip.point || *grip.point == i)
+            points[i] = {points[i][0] + by[0], points[i][1] + by[1]};
+    return strokes;
+}
+
+Keyframe without_point(Keyframe strokes, const StrokeGrip& grip) {
+    if (!grip.point)
+        return strokes;
+    Stroke& stroke = strokes[grip.stroke];
+    stroke.points.erase(stroke.points.begin() + static_cast<std::ptrdiff_t>(*grip.point));
+    stroke.is_closed = stroke.is_closed && stroke.points.size() > 2;
+    if (stroke.points.size() < 2)
+        strokes.erase(strokes.begin() + static_cast<std::ptrdiff_t>(grip.stroke));
+    return strokes;
+}

@@ -1,0 +1,23 @@
+#include "lab/inspect/flash_meter.h"
+
+void FlashMeter::update(const Seen& seen, double seconds) {
+    while (!m_coming.empty() && m_coming.front().cells.has_come()) {
+        Coming& first = m_coming.front();
+        m_flashes = m_counter.add(first.seconds, taken_cells(first.cells));
+        m_coming.pop_front();
+    }
+    constexpr std::size_t most_coming = 6;  // a GPU that is further behind is not asked for more
+    const bool has_news = seen.number != m_number || m_flashes != Flashes{};
+    if (!has_news || m_coming.size() >= most_coming)
+        return;
+    m_number = seen.number;
+    if (m_cells.draw(seen.picture, seen.encoding))
+        m_coming.push_back({seconds, gpu::Download(m_cells.canvas())});
+}
+
+void FlashMeter::stop() {
+    m_coming.clear();
+    m_counter = {};
+    m_flashes = {};
+    m_number.reset();
+}

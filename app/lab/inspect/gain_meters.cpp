@@ -1,0 +1,41 @@
+#include "lab/inspect/gain_meters.h"
+
+#include "base/elapsed.h"
+
+#include <chrono>
+
+void GainMeters::stop() {
+    m_meter.stop();
+    m_passes.clear();
+    m_gains.clear();
+    m_rota.restart(0);
+}
+
+void GainMeters::take_answer() {
+    if (const auto measured = m_meter.take(); measured && m_asked < m_gains.size())
+        m_gains[m_asked] = gain_of(measured->statistics, measured->clipped, m_ceiling);
+}
+
+void GainMeters::update(const Executor& executor, const Values& values, double seconds) {
+    const Look& look = executor.look();
+    if (m_passes != pass_names(look)) {
+        stop();  // those numbers were another look's
+        m_passes = pass_names(look);
+        m_gains.resize(m_passes.size());
+        m_rota.restart(m_passes.size());
+    }
+    take_answer();
+    const auto due = m_rota.due(executor.picture_number(), seconds);
+    if (m_meter.is_busy() || !due)
+        return;
+    m_asked = *due;
+    m_ceiling = ceiling_of(look, m_asked, values);
+    const auto start = std::chrono::steady_clock::now();
+    m_meter.start(executor.target(static_cast<int>(m_asked)), ChannelChoice::rgb,
+                  clips_from(m_ceiling));
+    m_rota.done(seconds, seconds_since(start));
+}
+
+const Gain* GainMeters::gain(std::size_t pass) const {
+    return pass < m_gains.size() && m_gains[pass] ? &*m_gains[pass] : nullptr;
+}

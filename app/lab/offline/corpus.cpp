@@ -1,0 +1,141 @@
+#include "lab/offline/corpus.h"
+
+#include "base/text.h"
+#include "formats/shadertoy/toy_files.h"
+#include "gpu/draw.h"
+#include "gpu/error_log.h"
+#include "lab/offline/offline.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+
+namespace fs = std::filesystem;
+
+namespace {
+class Stopwatch {
+public:
+    /// Since it was made or last asked.
+    double milliseconds() {
+        const auto now = std::chrono::steady_clock::now();
+        const std::chrono::duration<double, std::milli> gone = now - m_start;
+        m_start = now;
+        return gone.count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
+};
+
+// By name alone: a sample need not read all.
+bool may_be_of_corpus(const fs::path& file) {
+    constexpr std::array<std::string_view, 8> endings{".slangp", ".slang", ".json", ".frag",
+                                                      ".fsh",    ".fs",    ".glsl", ".txt"};
+    return std::ranges::find(endings, to_lower(file.extension().string())) != endings.end() &&
+           file.filename() != "look.json";
+}
+
+// Of several files of one shader the one that shows it.
+bool is_of_corpus(const fs::path& file) {
+    return is_foreign_look(file) && !is_shown_by_another(file);
+}
+
+bool is_of_libretro(const fs::path& file, std::string_view ending) {
+    return to_lower(file.extension().string()) == ending;
+}
+
+// Where there are presets, shaders of libretro are their pieces.
+void drop_pieces(std::vector<fs::path>& files) {
+    const bool has_presets = std::ranges::any_of(
+        files, [](const fs::path& file) { return is_of_libretro(file, ".slangp"); });
+    if (has_presets)
+        std::erase_if(files, [](const fs::path& file) { return is_of_libretro(file, ".slang"); });
+}
+
+// Each file has a number from its path in the folder and the seed; those with the lowest are the
+// sample, wherever the folder is.
+void order_by_chance(std::vector<fs::path>& files, const fs::path& folder, int seed) {
+    std::ranges::sort(files, {}, [&](const fs::path& file) {
+        const std::string path = file.lexically_relative(folder).generic_string();
+        return std::pair(digest_of(fmt::format("{} {}", seed, path)), file);
+    });
+}
+
+void draw(Prepared prepared, const CorpusTask& task, CorpusTrial& trial) {
+    Stopwatch watch;
+    auto offline = Offline::create(std::move(prepared), task.size, 60.0);
+    trial.link_ms = watch.milliseconds();
+    if (!offline) {
+        trial.why = to_string(offline.error());
+        return;
+    }
+    trial.is_linked = true;
+    gpu::ErrorLog log;
+    for (int frame = 0; frame < task.frames; ++frame) {
+        watch.milliseconds();
+        offline->advance();
+        gpu::finish();
+        trial.frame_ms = watch.milliseconds();
+        if (frame == 0)
+            trial.first_ms = trial.frame_ms;
+    }
+    const Diagnostics problems = offline->take_problems();
+    trial.warnings.insert(trial.warnings.end(), problems.begin(), problems.end());
+    const std::vector<std::string> errors = log.take();
+    trial.has_drawn = errors.empty();
+    if (!errors.empty())
+        trial.why = fmt::format("driver error: {}", errors.front());
+}
+}  // namespace
+
+CorpusTrial try_look(const fs::path& file, const CorpusTask& task, const Library& library) {
+    CorpusTrial trial;
+    trial.file = file;
+    Stopwatch watch;
+    LoadedLook loaded = load_requested({file, {}, {}}, library);
+    trial.read_ms = watch.milliseconds();
+    trial.is_parsed = loaded.is_parsed;
+    trial.warnings = std::move(loaded.warnings);
+    if (!loaded.look) {
+        trial.why = to_string(loaded.look.error());
+        return trial;
+    }
+    trial.is_compiled = true;
+    trial.passes = loaded.look->passes.size();
+    trial.parameters = loaded.look->parameters.size();
+    trial.images = loaded.look->images.size();
+    if (task.frames > 0)
+        draw({Document(std::move(*loaded.look)), {}}, task, trial);
+    return trial;
+}
+
+std::vector<fs::path> corpus_files(const fs::path& folder, const CorpusChoice& choice) {
+    std::vector<fs::path> named;
+    std::error_code error;
+    for (fs::recursive_directory_iterator entry(folder, error);
+         entry != fs::recursive_directory_iterator(); entry.increment(error)) {
+        if (error)
+            break;
+        const fs::path& path = entry->path();
+        if (path.filename().string().starts_with('.')) {
+            if (entry->is_directory(error))
+                entry.disable_recursion_pending();
+        } else if (may_be_of_corpus(path) && path.string().find(choice.only) != std::string::npos) {
+            named.push_back(path);
+        }
+    }
+    drop_pieces(named);
+    if (choice.sample > 0)
+        order_by_chance(named, folder, choice.seed);
+    std::vector<fs::path> files;
+    for (const fs::path& file : named) {
+        if (choice.sample > 0 && files.size() == static_cast<std::size_t>(choice.sample))
+            break;
+        if (is_of_corpus(file))
+            files.push_back(file);
+    }
+    std::ranges::sort(files);
+    return files;
+}

@@ -1,0 +1,222 @@
+#include "lab/offline/export.h"
+
+#include "base/text.h"
+#include "io/pictures/picture_file.h"
+#include "io/pictures/png_encoder.h"
+#include "io/video/y4m.h"
+#include "lab/offline/frame_export.h"
+#include "lab/offline/offline.h"
+#include "model/picture/display_bytes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <unistd.h>
+
+namespace {
+using PipedFrame = FramePipeline::Frame;
+using FromFrame = FramePipeline::Made;
+
+std::span<const std::uint8_t> as_numbers(const std::string& bytes) {
+    return {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()};
+}
+
+// What a film is made of cannot change its size in it.
+Result<std::vector<std::uint8_t>> film_bytes(const PipedFrame& frame, Extent extent) {
+    const Extent now = frame.picture.extent;
+    if (now != extent)
+        return fail(
+            {{},
+             0,
+             fmt::format("a video has one frame size: {} x {} px, but frame {} is {} x {} px",
+                         extent.width, extent.height, frame.number, now.width, now.height)});
+    return display_bytes(frame.picture);
+}
+
+Result<std::string> encoded(const RawPicture& picture, std::string_view extension,
+                            bool keeps_alpha) {
+    if (keeps_alpha && extension == ".png")
+        return encode_png_with_alpha(picture.extent, display_bytes_with_alpha(picture));
+    return encode_picture(picture, extension);
+}
+
+Result<void> write_all(int descriptor, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
+        if (count < 0 && errno == EINTR)
+            continue;
+        if (count < 0)
+            return fail({{}, 0, fmt::format("can't write the video: {}", std::strerror(errno))});
+        bytes.remove_prefix(static_cast<std::size_t>(count));
+    }
+    return {};
+}
+}  // namespace
+
+ExportPart part_of(double start_seconds, double seconds, double fps) {
+    constexpr double rounding = 1e-6;
+    const std::int64_t first = std::llround(start_seconds * fps);
+    const auto count = static_cast<std::int64_t>(std::ceil(seconds * fps - rounding));
+    return {first, first + std::max<std::int64_t>(count, 1)};
+}
+
+FramePipeline::Stages sequence_stages(const FrameNames& names, std::int64_t first,
+                                      bool keeps_alpha) {
+    const auto make = [names, first, keeps_alpha](const PipedFrame& frame) -> Result<FromFrame> {
+        const auto file = names.name(static_cast<int>(frame.number));
+        const auto bytes = encoded(frame.picture, to_lower(file.extension().string()), keeps_alpha);
+        if (!bytes)
+            return fail({file, 0, bytes.error().front().message});
+        // Looking for leftovers before every file would take ever longer as files come to be.
+        const auto leftovers = frame.number == first ? Leftovers::removed : Leftovers::left;
+        if (auto done = write_atomically(file, *bytes, leftovers); !done)
+            return fail(done.error());
+        return FromFrame{};
+    };
+    const bool is_exr = to_lower(names.name(0).extension().string()) == ".exr";
+    return {make, [](std::int64_t, const FromFrame&) -> Result<void> { return {}; }, is_exr};
+}
+
+FramePipeline::Stages film_stages(FilmFile& film) {
+    const auto make = [extent = film.extent()](const PipedFrame& frame) -> Result<FromFrame> {
+        const auto bytes = film_bytes(frame, extent);
+        if (!bytes)
+            return fail(bytes.error());
+        return FromFrame{std::string(bytes->begin(), bytes->end()), {}};
+    };
+    return {
+        make,
+        [&film](std::int64_t, const FromFrame& made) { return film.add(as_numbers(made.bytes)); },
+        false};
+}
+
+FramePipeline::Stages pipe_stages(int descriptor, Extent extent, const FilmRate& rate) {
+    const auto make = [extent](const PipedFrame& frame) -> Result<FromFrame> {
+        const auto bytes = film_bytes(frame, extent);
+        if (!bytes)
+            return fail(bytes.error());
+        return FromFrame{y4m_frame(extent, *bytes), {}};
+    };
+    auto deliver = [descriptor, header = y4m_header(extent, rate)](
+                       std::int64_t, const FromFrame& made) mutable -> Result<void> {
+        if (auto done = write_all(descriptor, std::exchange(header, {})); !done)
+            return done;
+        return write_all(descriptor, made.bytes);
+    };
+    return {make, deliver, false};
+}
+
+namespace {
+// With the numbers that tell flashes, on the way.
+FramePipeline::Stages watched(const ExportJob& job) {
+    if (!job.flashes)
+        return job.stages;
+    const auto make = [&job](const PipedFrame& frame) {
+        auto made = job.stages.make(frame);
+        if (made)
+            made->cells = cells_of(frame.picture);
+        return made;
+    };
+    const auto deliver = [&job](std::int64_t number, const FromFrame& made) {
+        job.flashes->add(made.cells, static_cast<double>(number + 1) / job.fps);
+        return job.stages.deliver(number, made);
+    };
+    return {make, deliver, job.stages.steps_back};
+}
+}  // namespace
+
+Result<bool> export_frames(Offline& offline, const ExportJob& job) {
+    FramePipeline pipeline(watched(job));
+    for (std::int64_t number = 0; number < job.part.end; ++number) {
+        if (!job.go_on(number)) {
+            pipeline.cancel();
+            return false;
+        }
+        if (number < job.part.first) {
+            offline.advance_unseen();
+            continue;
+        }
+        offline.advance();
+        PipedFrame* const frame = pipeline.next();
+        if (!frame)
+            break;
+        frame->number = number;
+        offline.read(job.pass, frame->picture);
+        pipeline.push(frame);
+    }
+    if (auto done = pipeline.finish(); !done)
+        return fail(done.error());
+    return true;
+}
+
+FilmSound sound_of(const Offline& offline, const ExportPart& part, double fps) {
+    const auto stream = offline.sound();
+    if (!stream)
+        return {};
+    const auto sample_at = [&](std::int64_t frame) {
+        return std::llround(static_cast<double>(frame) / fps * stream->rate());
+    };
+    const std::int64_t first = sample_at(part.first);
+    return {stream->rate(), sample_at(part.end) - first,
+            [stream, first](std::int64_t from, std::span<float> samples) {
+                std::vector<StereoSample> stereo(samples.size() / 2);
+                stream->read(first + from, stereo);
+                for (std::size_t i = 0; i < stereo.size(); ++i) {
+                    samples[2 * i] = stereo[i].left;
+                    samples[2 * i + 1] = stereo[i].right;
+                }
+            }};
+}
+
+bool is_film_output(const std::string& output) {
+    return output == export_pipe || is_film_name(output);
+}
+
+Result<double> usual_film_seconds(const Offline& offline, double start_seconds) {
+    const double sound = offline.sound_seconds();
+    if (sound <= 0.0)
+        return film_seconds_without_sound;
+    if (start_seconds >= sound)
+        return fail({{},
+                     0,
+                     fmt::format("nothing to export from {} s on: the sound ends at {} s",
+                                 format_number(start_seconds), format_number(sound))});
+    return sound - start_seconds;
+}
+
+Result<bool> export_to(const std::string& output, Offline& offline, ExportJob job,
+                       Diagnostics& warnings) {
+    const Extent extent = offline.executor().target(job.pass).extent();
+    const FilmRate rate = film_rate_of(job.fps);
+    std::unique_ptr<FilmFile> film;
+    if (output == export_pipe) {
+        job.stages = pipe_stages(STDOUT_FILENO, extent, rate);
+    } else if (is_film_output(output)) {
+        auto made = FilmFile::create(output, {extent, rate, sound_of(offline, job.part, job.fps)});
+        if (!made)
+            return fail(made.error());
+        film = std::move(*made);
+        job.stages = film_stages(*film);
+    } else {
+        const auto names = parse_frame_names(output);
+        if (!names)
+            return fail(names.error());
+        const Pass& pass = offline.executor().look().passes[static_cast<std::size_t>(job.pass)];
+        job.stages = sequence_stages(*names, job.part.first, pass.has_alpha);
+    }
+    FlashLog flashes;
+    if (job.pass + 1 == static_cast<int>(offline.executor().look().passes.size()))
+        job.flashes = &flashes;
+    auto done = export_frames(offline, job);
+    if (!done || !*done)
+        return done;
+    if (film)
+        if (auto finished = film->finish(); !finished)
+            return fail(finished.error());
+    if (const auto warning = flashes.warning())
+        warnings.push_back({{}, 0, *warning, Severity::warning});
+    return true;
+}

@@ -1,0 +1,496 @@
+#include "lab/offline/offline.h"
+
+#include "base/text.h"
+#include "formats/look/describe.h"
+#include "formats/preset/modulation_format.h"
+#include "formats/preset/preset_format.h"
+#include "formats/stack/stack_format.h"
+#include "glsl/check_cache.h"
+#include "gpu/readback.h"
+#include "graph/programs/settled_look.h"
+#include "lab/document/moves_file.h"
+#include "lab/document/naming.h"
+#include "lab/document/users_content.h"
+#include "lab/media/image_budget.h"
+#include "lab/media/look_media.h"
+#include "lab/offline/trip_words.h"
+#include "lab/playback/signal_file.h"
+#include "lab/storage/kept_shaders.h"
+#include "lab/storage/media.h"
+#include "model/picture/placing.h"
+#include "model/plan/parameter_use.h"
+#include "model/plan/plan_memory.h"
+#include "signals/signal_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace fs = std::filesystem;
+
+namespace {
+Result<void> apply_values(const RenderRequest& request, Document& document) {
+    Diagnostics problems;
+    for (const auto& [name, text] : request.values) {
+        const auto parameter = meant_parameter(name, document.look());
+        auto value = parameter ? parse_value(**parameter, text) : fail(parameter.error());
+        if (value)
+            document.set_value((*parameter)->name, std::move(*value));
+        else
+            problems.insert(problems.end(), value.error().begin(), value.error().end());
+    }
+    if (!problems.empty())
+        return fail(std::move(problems));
+    return {};
+}
+
+Result<void> apply_drive(const RenderRequest& request, Document& document) {
+    if (!request.signal.empty()) {
+        if (document.look().driven_by != Driver::signal)
+            return fail({{}, 0, fmt::format("'{}' doesn't use a signal", document.look().id)});
+        auto signal = parse_signal(request.signal);
+        if (!signal)
+            return fail(signal.error());
+        document.set_signal(with_round_circles(std::move(*signal)));
+    }
+    if (!request.source.empty()) {
+        if (document.look().driven_by != Driver::picture)
+            return fail({{}, 0, fmt::format("'{}' doesn't use a picture", document.look().id)});
+        document.set_source(with_users_defaults(request.source, document.look()));
+    }
+    return {};
+}
+}  // namespace
+
+Result<void> turn_texts(Document& document, const ReadingHelp& help) {
+    if (constants_of(document.look(), document.values()) == document.look().constants)
+        return {};
+    const Values& values = document.values();
+    LoadedLook loaded = load_again(document.look(), {help.cache, help.progress, &values});
+    if (!loaded.look)
+        return fail(std::move(loaded.look.error()));
+    document.replace_look(std::move(*loaded.look));
+    return {};
+}
+
+Result<void> open_preset(OpenRequest request, const Library& library, Prepared& prepared) {
+    Preset& preset = *request.preset;
+    const fs::path& file = request.preset_file;
+    const Look& look = prepared.document.look();
+    if (preset.look != look.id)
+        return fail(
+            {file, 0, fmt::format("this preset is for '{}', not for '{}'", preset.look, look.id)});
+    const auto odd = compare_with_look(preset, look, file);
+    prepared.warnings.insert(prepared.warnings.end(), odd.begin(), odd.end());
+    auto values = fitted_values(look, preset, file);
+    if (!values)
+        return fail(values.error());
+    preset.values = std::move(*values);
+    auto modulations = fitted_modulations(look, preset, file);
+    if (!modulations)
+        return fail(modulations.error());
+    preset.modulations = std::move(*modulations);
+    CheckedPreset checked =
+        with_checked_media(preset, look, media_folder(file), RecentMedia(library.roots()));
+    preset = std::move(checked.preset);
+    prepared.outside = std::move(checked.outside);
+    const auto notes = compare_with_media(preset);
+    prepared.warnings.insert(prepared.warnings.end(), notes.begin(), notes.end());
+    prepared.document.open_preset(preset, file);
+    return {};
+}
+
+namespace {
+// The request with the preset that is to be applied to its look; a preset says what of a stack is
+// bypassed.
+Result<OpenRequest> requested(const RenderRequest& request, const Library& library) {
+    auto found = resolve(request.look, library);
+    if (!found || request.preset.empty())
+        return found;
+    found->stack = stack_of(*found);
+    for (StackPart& part : found->stack)
+        if (part.look.empty())
+            part.look = look_id_at(part.place);
+    auto named = resolve_preset(request.preset, stack_id(found->stack), library);
+    if (!named)
+        return named;
+    found->preset = std::move(named->preset);
+    found->preset_file = std::move(named->preset_file);
+    found->stack = with_bypass(std::move(found->stack), found->preset->bypass);
+    return found;
+}
+}  // namespace
+
+namespace {
+// What a preset brings from outside and the user named with no option.
+std::optional<Diagnostic> problem_with_outside(const Prepared& prepared,
+                                               const RenderRequest& request,
+                                               const fs::path& preset_file) {
+    if (!prepared.outside)
+        return std::nullopt;
+    OutsideContent unnamed = *prepared.outside;
+    if (!request.signal.empty() || !request.source.empty())
+        unnamed = {.files = std::move(unnamed.files)};
+    for (const auto& [name, text] : request.values)
+        if (const auto parameter = meant_parameter(name, prepared.document.look()))
+            unnamed.files.erase((*parameter)->name);
+    if (unnamed.count() == 0)
+        return std::nullopt;
+    return Diagnostic{preset_file, 0, unnamed.refusal()};
+}
+}  // namespace
+
+Result<Prepared> prepare(const RenderRequest& request, const Library& library) {
+    auto preset = requested(request, library);
+    if (!preset)
+        return fail(preset.error());
+    auto kept = kept_shaders(library.roots());
+    CheckCache checks(kept.get(), library.roots().shader_limits);
+    LoadedLook loaded = load_requested(*preset, library, {&checks, request.progress});
+    if (!loaded.look)
+        return fail(std::move(loaded.look.error()));
+    Prepared prepared{.document = Document(std::move(*loaded.look)),
+                      .warnings = std::move(loaded.warnings),
+                      .kept_shaders = std::move(kept),
+                      .progress = request.progress,
+                      .sender_seconds = request.sender_seconds};
+    const fs::path preset_file = preset->preset_file;
+    if (preset->preset)
+        if (auto done = open_preset(std::move(*preset), library, prepared); !done)
+            return fail(done.error());
+    if (auto problem = problem_with_outside(prepared, request, preset_file))
+        return fail(std::move(*problem));
+    if (auto done = apply_values(request, prepared.document); !done)
+        return fail(done.error());
+    if (auto done = turn_texts(prepared.document, {&checks, request.progress}); !done)
+        return fail(done.error());
+    if (auto done = apply_drive(request, prepared.document); !done)
+        return fail(done.error());
+    if (!request.moves.empty()) {
+        auto moves = load_moves(request.moves, prepared.document.look());
+        if (!moves)
+            return fail(moves.error());
+        prepared.moves = std::move(*moves);
+    }
+    return prepared;
+}
+
+Result<Plan> plan_of(const Prepared& prepared, Extent size) {
+    return plan_targets(prepared.document.drawn_look(), size, size, prepared.document.values());
+}
+
+Result<void> check_memory(const Prepared& prepared, Extent size, std::uint64_t memory) {
+    const auto plan = plan_of(prepared, size);
+    if (!plan)
+        return fail(plan.error());
+    constexpr double gigabyte = 1e9;
+    const std::uint64_t bytes = estimated_bytes(*plan, size);
+    if (bytes <= memory / 4)
+        return {};
+    return fail(
+        {{},
+         0,
+         fmt::format("'{}' at {}x{} needs about {:.1f} GB of memory, more than a quarter of the "
+                     "{:.1f} GB of this machine. Choose a smaller --size.",
+                     prepared.document.look().id, size.width, size.height,
+                     static_cast<double>(bytes) / gigabyte,
+                     static_cast<double>(memory) / gigabyte)});
+}
+
+Result<std::string> describe(const Prepared& prepared, Extent size) {
+    const auto plan = plan_of(prepared, size);
+    if (!plan)
+        return fail(plan.error());
+    const Document& document = prepared.document;
+    return describe_json(document.drawn_look(), *plan, document.values(),
+                         document.state().modulations);
+}
+
+Offline::Offline(std::unique_ptr<gpu::Context> context, Prepared prepared, Programs programs,
+                 Extent size, double fps)
+    : m_context(std::move(context)),
+      m_document(std::move(prepared.document)),
+      m_renderer(std::make_unique<Renderer>(m_document.drawn_look(), std::move(programs))),
+      m_player(std::make_unique<Player>()),
+      m_size(size),
+      m_fps(fps),
+      m_moves(std::move(prepared.moves)) {
+    m_player->set_sender_patience(prepared.sender_seconds);
+}
+
+Result<Offline> Offline::create(Prepared prepared, Extent size, double fps) {
+    auto context = gpu::Context::headless();
+    if (!context)
+        return fail(context.error());
+    if (auto done = turn_texts(prepared.document); !done)
+        return fail(done.error());
+    const Look look = prepared.document.drawn_look();
+    auto programs = build_programs(look, nullptr, prepared.kept_shaders.get(), prepared.progress);
+    if (!programs)
+        return fail(programs.error());
+    const auto seen = prepared.seen;
+    Offline offline(std::move(*context), std::move(prepared), std::move(*programs), size, fps);
+    offline.take_values();  // first: sizes may depend on them
+    if (seen)
+        if (auto done = offline.show_to(offline.seen_with_picture(*seen)); !done)
+            return fail(done.error());
+    if (auto done = offline.m_renderer->resize(size, size); !done)
+        return fail(done.error());
+    if (auto done = offline.set_guard(Executor::Guard::clamp); !done)
+        return fail(done.error());
+    if (auto done = offline.load_signal(); !done)
+        return fail(done.error());
+    if (auto done = offline.load_pictures(); !done)
+        return fail(done.error());
+    return offline;
+}
+
+void Offline::take_values() {
+    m_renderer->set_values(m_document.values());
+    m_renderer->set_modulations(m_document.state().modulations);
+}
+
+Result<void> Offline::load_signal() {
+    const Spec& signal = m_document.state().signal;
+    if (executor().look().driven_by != Driver::signal)
+        return {};
+    PlayedSound sound{.file = file_of(signal), .sound = {}};
+    if (!sound.file.empty()) {
+        auto loaded = load_signal_media(sound.file, nullptr, &m_problems);
+        if (!loaded)
+            return fail(loaded.error());
+        sound.sound = std::move(loaded->sound);
+        sound.scene = std::move(loaded->scene);
+        sound.drawing = std::move(loaded->drawing);
+    }
+    add_new(m_problems, notes_about(signal));
+    auto set = m_player->set_signal(signal, std::move(sound));
+    m_renderer->set_beam_fit(beam_fit_of(signal));
+    m_renderer->set_loudness(m_player->loudness());
+    m_renderer->set_sound(m_player->sound_texels());
+    return set;
+}
+
+namespace {
+bool reads_source(const Look& look, const std::vector<bool>& passes) {
+    for (std::size_t i = 0; i < look.passes.size(); ++i)
+        for (const Input& input : look.passes[i].inputs)
+            if (input.from == Input::From::source && (passes[i] || input.frames_ago > 0))
+                return true;
+    return false;
+}
+}  // namespace
+
+Result<void> Offline::show_source(double seconds) {
+    if (!m_source)
+        return {};
+    m_source->expect(executor().look().source_encoding);
+    SharedPicture picture = m_source->wait_for(seconds);
+    if (picture == m_shown)
+        return {};
+    m_shown = std::move(picture);
+    return show_placed(*m_shown, m_source->spec(), m_size, *m_renderer);
+}
+
+Diagnostics Offline::take_problems() {
+    Diagnostics problems = std::exchange(m_problems, {});
+    if (m_source) {
+        const Diagnostics more = m_source->take_problems();
+        problems.insert(problems.end(), more.begin(), more.end());
+    }
+    if (const auto trip = m_renderer->take_trip(true)) {
+        problems.push_back(diagnostic_of(*trip, executor().look()));
+        std::string& message = problems.back().message;
+        message = with_sentence(message, "NaN and Inf were clamped.");
+    }
+    add_new(problems, m_chosen_images.problems());
+    const Diagnostics sent = m_player->sent_problems();
+    problems.insert(problems.end(), sent.begin(), sent.end());
+    return problems;
+}
+
+Result<void> Offline::load_pictures() {
+    const Look& look = executor().look();
+    if (look.driven_by == Driver::picture) {
+        auto source = Source::open(m_document.state().source);
+        if (!source)
+            return fail(source.error());
+        m_source = std::move(*source);
+        m_source_is_carried = reads_source(look, carried_passes(look));
+        const Extent extent = placed_extent(m_source->extent(), m_source->spec(), m_size);
+        if (auto done = m_renderer->resize(m_size, extent); !done)
+            return done;
+        if (auto done = show_source(0.0); !done)
+            return done;
+    }
+    ImageBudget budget;
+    for (const Image& image : look.images) {
+        const auto picture = load_image(image, m_problems);
+        if (!picture)
+            return fail(picture.error());
+        if (!*picture)
+            continue;
+        if (auto fits = budget.take(image, **picture); !fits)
+            return fits;
+        if (auto done = m_renderer->set_image(image.name, **picture); !done)
+            return done;
+    }
+    return m_chosen_images.show(look, m_document.values(), *m_renderer);
+}
+
+// Programs of what constants are turned to; those that stay the same are kept.
+Result<void> Offline::follow_constants() {
+    if (auto done = turn_texts(m_document); !done)
+        return done;
+    if (executor().look().constants == m_document.look().constants)
+        return {};
+    const Look look = m_document.drawn_look();
+    auto programs = build_programs(look, &executor().programs());
+    return programs ? m_renderer->replace(look, *programs) : fail(std::move(programs.error()));
+}
+
+bool Offline::moves(const Parameter& parameter) const {
+    return m_moves.has(parameter.name) || m_document.state().modulations.contains(parameter.name);
+}
+
+Result<void> Offline::settle(const std::vector<std::string>& seen) {
+    const Look look = executor().look();
+    const bool turns_texts = std::ranges::any_of(look.parameters, [&](const Parameter& parameter) {
+        return parameter.is_constant && moves(parameter);
+    });
+    if (turns_texts || m_unsettled)
+        return {};
+    const std::vector<bool> is_seen = seen_with_picture(seen);
+    if (auto done = show_to(is_seen); !done)
+        return done;
+    SettledTexts texts;
+    const auto programs = build_programs(settled_look(
+        look, m_document.values(), executor().plan(),
+        [&](const Parameter& parameter) { return moves(parameter); }, texts));
+    if (!programs)  // the driver knows better: what the author wrote goes on
+        return m_renderer->set_seen({});
+    m_unsettled = executor().programs();
+    if (auto done = m_renderer->replace(look, *programs); !done)
+        return done;
+    std::vector<PassRun> runs;
+    for (const bool is_read : executor().read_for(is_seen))
+        runs.push_back(is_read ? PassRun::drawn : PassRun::left_out);
+    return m_renderer->set_runs(runs);
+}
+
+std::vector<bool> Offline::seen_with_picture(const std::vector<std::string>& names) const {
+    std::vector<bool> seen;
+    for (const Pass& pass : executor().look().passes)
+        seen.push_back(std::ranges::find(names, pass.name) != names.end());
+    seen.back() = true;
+    return seen;
+}
+
+Result<void> Offline::show_to(const std::vector<bool>& seen) {
+    if (turns_sharing())
+        return {};
+    return m_renderer->set_seen(seen, Executor::Frames::drawn_once);
+}
+
+// Programs that are settled know of one plan.
+bool Offline::turns_sharing() const {
+    const Look& look = executor().look();
+    return std::ranges::any_of(look.parameters, [&](const Parameter& parameter) {
+        return moves(parameter) && decides_sharing(look, parameter);
+    });
+}
+
+Result<void> Offline::end_settled() {
+    if (!m_unsettled)
+        return {};
+    if (auto done = m_renderer->set_seen({}); !done)
+        return done;
+    const Programs programs = *std::exchange(m_unsettled, std::nullopt);
+    if (auto done = m_renderer->replace(executor().look(), programs); !done)
+        return done;
+    return m_renderer->set_runs({});
+}
+
+Result<void> Offline::start_again(Document document) {
+    const DocumentState before = m_document.state();
+    m_document = std::move(document);
+    if (auto done = end_settled(); !done)
+        return done;
+    if (auto done = follow_constants(); !done)
+        return done;
+    m_moves.start_again();
+    take_values();
+    m_renderer->clear_history();
+    if (auto done = m_renderer->resize_again(); !done)
+        return done;
+    const DocumentState& now = m_document.state();
+    if (now.signal == before.signal) {
+        m_player->restart();
+    } else {
+        m_player = std::make_unique<Player>();
+        if (auto done = load_signal(); !done)
+            return done;
+    }
+    if (now.source != before.source)
+        return load_pictures();
+    return m_chosen_images.show(executor().look(), now.values, *m_renderer);
+}
+
+// What is drawn then is also what the document says: a picture carries it as its preset.
+void Offline::make_moves(double seconds) {
+    const Values turned = m_moves.take(seconds);
+    if (turned.empty())
+        return;
+    m_document.set_values(turned, "Automation");
+    m_document.forget_past();
+    if (auto done = follow_constants(); !done)
+        m_problems.insert(m_problems.end(), done.error().begin(), done.error().end());
+    take_values();
+    if (auto sized = m_renderer->resize_again(); !sized)
+        m_problems.insert(m_problems.end(), sized.error().begin(), sized.error().end());
+}
+
+Beam Offline::beam_of(const PlayedFrame& frame) const {
+    return m_beam ? m_beam(frame) : m_player->trace(frame.span);
+}
+
+Result<void> Offline::hold_source(const Picture& picture) {
+    m_source.reset();
+    return m_renderer->set_source(picture);
+}
+
+void Offline::advance() {
+    const PlayedFrame frame = m_player->advance_fixed(m_fps);
+    make_moves(frame.span.end);
+    if (auto shown = show_source(frame.span.end); !shown)
+        m_problems.insert(m_problems.end(), shown.error().begin(), shown.error().end());
+    m_renderer->draw(frame, beam_of(frame));
+}
+
+Picture Offline::picture_after(int frames) {
+    for (int frame = 1; frame < frames; ++frame)
+        advance_unseen();
+    advance();
+    return picture();
+}
+
+void Offline::advance_unseen() {
+    const PlayedFrame frame = m_player->advance_fixed(m_fps);
+    make_moves(frame.span.end);
+    if (m_source_is_carried)
+        if (auto shown = show_source(frame.span.end); !shown)
+            m_problems.insert(m_problems.end(), shown.error().begin(), shown.error().end());
+    m_renderer->draw_unseen(frame, beam_of(frame));
+}
+
+Picture Offline::picture(int pass) const {
+    Picture picture = gpu::read_picture(executor().target(pass));
+    picture.encoding = encoding_of(executor().look(), pass);
+    return picture;
+}
+
+void Offline::read(int pass, RawPicture& raw) const {
+    gpu::read_raw(executor().target(pass), raw);
+    raw.encoding = encoding_of(executor().look(), pass);
+}

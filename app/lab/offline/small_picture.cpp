@@ -1,0 +1,26 @@
+#include "lab/offline/small_picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+Extent with_lines(Extent whole, int most) {
+    const double scale = std::min(1.0, static_cast<double>(most) / std::max(whole.height, 1));
+    return {std::max(1, static_cast<int>(std::lround(whole.width * scale))),
+            std::max(1, static_cast<int>(std::lround(whole.height * scale)))};
+}
+}  // namespace
+
+Result<gpu::Canvas> small_picture(Viewer& viewer, const Executor& executor, int height) {
+    const int last = static_cast<int>(executor.look().passes.size()) - 1;
+    const gpu::Texture& picture = executor.target(last);
+    auto canvas = gpu::Canvas::make(with_lines(picture.extent(), height), Format::rgba8);
+    if (canvas)
+        viewer.draw(picture, *canvas, {.encoding = encoding_of(executor.look(), last)});
+    return canvas;
+}
+
+Extent size_for_small_picture(Extent picture) {
+    constexpr int most_lines = 270;
+    return with_lines(picture, most_lines);
+}

@@ -1,0 +1,148 @@
+#include "lab/playback/beam_feed.h"
+
+#include "base/user_folders.h"
+#include "signals/beam/sent.h"
+#include "signals/signal/settings.h"
+
+#include <fmt/format.h>
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace fs = std::filesystem;
+
+namespace {
+// The user's own folder; other users may not even look into it.
+Result<void> make_runtime_folder(const fs::path& socket) {
+    const fs::path folder = runtime_folder();
+    if (socket.parent_path() != folder)
+        return {};
+    std::error_code error;
+    fs::create_directories(folder.parent_path(), error);
+    if (::mkdir(folder.c_str(), S_IRWXU) == 0)
+        return {};
+    struct stat status = {};
+    if (::lstat(folder.c_str(), &status) != 0)
+        return fail(
+            {folder, 0, "can't create the socket folder. Choose another path with socket:PATH."});
+    const bool is_private = S_ISDIR(status.st_mode) && status.st_uid == ::geteuid() &&
+                            (status.st_mode & (S_IWGRP | S_IWOTH)) == 0;
+    if (!is_private)
+        return fail({folder, 0,
+                     "other users can write to this folder, so no socket is created in it. Run "
+                     "chmod 700 on it, or choose another path with socket:PATH."});
+    return {};
+}
+}  // namespace
+
+BeamFeed::BeamFeed(const Spec& complete, SentBeam::Pace pace, double start)
+    : m_spec(complete),
+      m_name(complete.kind == "stdin" ? std::string("stdin")
+                                      : std::string(Settings(complete).word("path"))),
+      m_pace(pace),
+      m_beam(std::make_shared<SentBeam>(pace, start)) {}
+
+Result<std::unique_ptr<BeamFeed>> BeamFeed::open(const Spec& complete, SentBeam::Pace pace,
+                                                 double start) {
+    std::unique_ptr<BeamFeed> feed(new BeamFeed(complete, pace, start));
+    if (auto made = make_runtime_folder(feed->m_name); !made)
+        return fail(made.error());
+    // In the window the next sender may come; a picture that is rendered is the work of one.
+    const auto senders = pace == SentBeam::Pace::waiting ? ByteReader::Senders::one
+                                                         : ByteReader::Senders::one_after_the_other;
+    auto bytes = complete.kind == "stdin" ? ByteReader::read_stdin(*feed)
+                                          : ByteReader::listen(feed->m_name, senders, *feed);
+    if (!bytes)
+        return fail(bytes.error());
+    feed->m_bytes = std::move(*bytes);
+    return feed;
+}
+
+BeamFeed::~BeamFeed() {
+    m_beam->close();  // else its thread may wait for what is drawn
+    m_bytes.reset();
+}
+
+void BeamFeed::begin() {
+    m_reader.emplace(sent_format(Settings(m_spec)), m_name);
+    m_has_drawn = false;
+    const std::lock_guard lock(m_mutex);
+    m_state = State::sending;
+    m_problem.reset();
+    m_bad_count = 0;
+}
+
+void BeamFeed::take(std::string_view bytes) {
+    m_points.clear();
+    m_reader->take(bytes, m_points);
+    note();
+    send();
+}
+
+void BeamFeed::send() {
+    m_has_drawn = m_has_drawn || !m_points.empty();
+    m_beam->append(m_points);
+}
+
+void BeamFeed::end() {
+    m_points.clear();
+    if (m_reader)
+        m_reader->finish(m_points);
+    note();
+    send();
+    {
+        const std::lock_guard lock(m_mutex);
+        m_state = State::ended;
+        if (!m_has_drawn && !m_problem)
+            m_problem = Diagnostic{m_name, 0, "ended without sending a point", Severity::warning};
+    }
+    if (m_pace == SentBeam::Pace::waiting)
+        m_beam->end();
+}
+
+void BeamFeed::fail_with(const std::string& why) {
+    const std::lock_guard lock(m_mutex);
+    m_problem = Diagnostic{m_name, 0, fmt::format("can't read the beam: {}", why)};
+}
+
+void BeamFeed::note() {
+    if (!m_reader || !m_reader->problem())
+        return;
+    const std::lock_guard lock(m_mutex);
+    if (!m_problem)
+        m_problem = m_reader->problem();
+    m_bad_count = m_reader->bad_count();
+}
+
+Diagnostics BeamFeed::problems() const {
+    const std::lock_guard lock(m_mutex);
+    Diagnostics problems;
+    if (m_problem)
+        problems.push_back(*m_problem);
+    if (m_beam->has_timed_out())
+        problems.push_back({m_name, 0,
+                            "sent no point before the timeout. Start the sender first, or raise "
+                            "--timeout."});
+    if (m_bad_count > 1)
+        problems.push_back({m_name, 0,
+                            sent_format(Settings(m_spec)).is_raw
+                                ? fmt::format("skipped {} invalid points", m_bad_count)
+                                : fmt::format("skipped {} invalid lines", m_bad_count),
+                            Severity::warning});
+    return problems;
+}
+
+std::string BeamFeed::complaint() const {
+    if (const Diagnostics all = problems(); !all.empty())
+        return to_string(all.front());
+    const std::lock_guard lock(m_mutex);
+    return m_state == State::ended ? fmt::format("\"{}\" stopped sending", m_name) : std::string();
+}
+
+std::string BeamFeed::state() const {
+    const std::lock_guard lock(m_mutex);
+    if (m_state == State::waiting)
+        return m_spec.kind == "socket" ? fmt::format("Waiting for a program at {}", m_name)
+                                       : std::string("Waiting for input");
+    return m_state == State::sending ? fmt::format("Receiving from {}", m_name) : std::string();
+}

@@ -1,0 +1,113 @@
+#include "lab/reload/opening_mark.h"
+
+#include "base/file.h"
+#include "base/text.h"
+
+#include <algorithm>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+namespace fs = std::filesystem;
+
+namespace {
+constexpr std::string_view header = "afterglow-opening 1";
+constexpr char separator = '\0';  // the one sign that no path holds
+
+fs::path folder_of(const Roots& roots) {
+    return roots.state / "opening";
+}
+
+// No run that goes on holds it. The lock ends with the descriptor.
+bool is_left_behind(const fs::path& file) {
+    const Descriptor descriptor(::open(file.c_str(), O_RDWR | O_CLOEXEC));
+    return descriptor.is_open() && ::flock(descriptor.get(), LOCK_EX | LOCK_NB) == 0;
+}
+
+std::vector<fs::path> left_behind_in(const fs::path& folder) {
+    std::vector<fs::path> files;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
+         entry.increment(error))
+        if (is_left_behind(entry->path()))
+            files.push_back(entry->path());
+    return files;
+}
+
+constexpr std::string_view compiled = "compiled";
+constexpr std::string_view reset = "reset";
+
+std::string text_of(const OpenRequest& request, std::string_view what, const fs::path& edited) {
+    std::string text(header);
+    for (const std::string& field : {std::string(what), name_of(request), edited.string()})
+        text += separator + field;
+    for (const StackPart& part : stack_of(request))
+        text += separator + fs::absolute(manifest_of(part.place)).lexically_normal().string();
+    return text;
+}
+
+std::optional<UnfinishedOpening> parse_mark(std::string_view text) {
+    const auto fields = split(text, separator);
+    if (fields.size() < 5 || fields[0] != header)
+        return std::nullopt;
+    UnfinishedOpening opening{std::string(fields[2]), {}, std::string(fields[3])};
+    opening.is_reset = fields[1] == reset;
+    for (std::size_t i = 4; i < fields.size(); ++i)
+        opening.places.emplace_back(std::string(fields[i]));
+    return opening;
+}
+}  // namespace
+
+bool UnfinishedOpening::has(const fs::path& manifest) const {
+    return !manifest.empty() &&
+           std::ranges::find(places, fs::absolute(manifest).lexically_normal()) != places.end();
+}
+
+OpeningMark::OpeningMark(const Roots& roots)
+    : m_folder(folder_of(roots)), m_name(m_folder / std::to_string(::getpid())) {}
+
+OpeningMark::~OpeningMark() {
+    end();
+}
+
+void OpeningMark::begin(const OpenRequest& request, const fs::path& edited) {
+    std::error_code error;
+    if (!m_file.is_open()) {
+        for (const fs::path& file : left_behind_in(m_folder))
+            fs::remove(file, error);
+        fs::create_directories(m_folder, error);
+        m_file = Descriptor(::open(m_name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600));
+    }
+    write(text_of(request, compiled, edited));
+}
+
+void OpeningMark::write(const std::string& text) {
+    const bool is_written =
+        m_file.is_open() && ::flock(m_file.get(), LOCK_EX | LOCK_NB) == 0 &&
+        ::ftruncate(m_file.get(), 0) == 0 &&
+        ::pwrite(m_file.get(), text.data(), text.size(), 0) == static_cast<ssize_t>(text.size());
+    if (!is_written)
+        end();
+}
+
+void OpeningMark::leave(const OpenRequest& request) {
+    begin(request, {});
+    write(text_of(request, reset, {}));
+    m_file = Descriptor();
+}
+
+void OpeningMark::end() {
+    if (!m_file.is_open())
+        return;
+    std::error_code error;
+    fs::remove(m_name, error);
+    m_file = Descriptor();
+}
+
+std::optional<UnfinishedOpening> find_unfinished_opening(const Roots& roots) {
+    for (const fs::path& file : left_behind_in(folder_of(roots)))
+        if (const auto text = read_bytes(file))
+            if (auto opening = parse_mark(*text))
+                return opening;
+    return std::nullopt;
+}

@@ -1,0 +1,100 @@
+#include "lab/remote/midi_control.h"
+
+#include "lab/document/naming.h"
+#include "model/tuning/knob_turn.h"
+
+Result<void> MidiControl::listen(bool listens) {
+    m_inputs->close();
+    m_is_listening = false;
+    m_goal.reset();
+    m_learnt.reset();
+    m_pick_ups.clear();
+    m_problem.clear();
+    m_turned = m_refused = 0;
+    if (!listens)
+        return {};
+    auto opened = m_inputs->open();
+    m_is_listening = opened.has_value();
+    return opened;
+}
+
+void MidiControl::learn(std::optional<MidiGoal> goal) {
+    m_goal = std::move(goal);
+    m_learnt.reset();
+}
+
+// A device with 14 bits sends the lower half right behind the upper one: then both are bound.
+std::optional<MidiBinding> MidiControl::learnt_of(const MidiTurn& turn, double now_seconds) {
+    constexpr double right_behind = 0.05;  // s
+    if (m_goal) {
+        m_learnt = MidiBinding{*std::exchange(m_goal, {}), turn.channel, turn.controller};
+        m_learnt_seconds = now_seconds;
+        return m_learnt;
+    }
+    auto former = std::exchange(m_learnt, {});
+    if (!former || !is_lower_half(turn, *former) || now_seconds - m_learnt_seconds > right_behind)
+        return std::nullopt;
+    former->is_fine = true;
+    return former;
+}
+
+std::optional<MidiBinding> MidiControl::update(const RemoteSettings& settings, Document* document,
+                                               RemoteHand& hand, double now_seconds) {
+    std::optional<MidiBinding> learnt;
+    constexpr int most = 1000;  // a turn: who sends without end shall not stop the picture
+    for (int i = 0; i < most; ++i) {
+        const auto message = m_inputs->take();
+        if (!message)
+            break;
+        const auto turned = parse_midi(*message);
+        if (!turned)
+            continue;
+        m_last = turned;
+        if (auto now = learnt_of(*turned, now_seconds))
+            learnt = now;
+        else if (document && !document->is_restacking())
+            for (const MidiBinding& binding : settings.midi)
+                if (const auto share = m_pairs.share(binding, *turned))
+                    turn(binding, *share, settings, *document, hand, now_seconds);
+        m_pairs.note(*turned);
+    }
+    if (learnt)
+        m_pick_ups.erase({learnt->goal.parameter, learnt->goal.component});
+    return learnt;
+}
+
+// What the open look has not got is another look's.
+void MidiControl::turn(const MidiBinding& binding, double share, const RemoteSettings& settings,
+                       Document& document, RemoteHand& hand, double now_seconds) {
+    const auto meant = meant_parameter(binding.goal.parameter, document.look());
+    if (!meant || !can_be_turned(**meant))
+        return;
+    const Parameter& parameter = **meant;
+    const TurnedNumber number{parameter, setting_of(parameter.name, document.knobs()),
+                              binding.goal.component};
+    PickUp& pick_up = m_pick_ups[{binding.goal.parameter, binding.goal.component}];
+    const double present = share_at(number, document.value(parameter));
+    const bool takes = pick_up.takes(share, present);
+    if (settings.picks_up && is_gradual(parameter) && !takes)
+        return;
+    const auto done = hand.turn(
+        document, {parameter.name, value_at_share(number, document.value(parameter), share)},
+        now_seconds);
+    if (!done) {
+        ++m_refused;
+        m_problem = done.error().front().message;
+        return;
+    }
+    ++m_turned;
+    pick_up.gave(share_at(number, document.value(parameter)));
+}
+
+std::vector<MidiBinding> bindings_of(const Parameter& parameter, const Look& look,
+                                     const RemoteSettings& settings) {
+    std::vector<MidiBinding> found;
+    for (const MidiBinding& binding : settings.midi)
+        if (const auto meant = meant_parameter(binding.goal.parameter, look);
+            meant && (*meant)->name == parameter.name)
+            found.push_back(binding);
+    return found;
+}

@@ -1,0 +1,28 @@
+#include "lab/rendering/mend.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+std::optional<Diagnostic> mend(Picture& picture, const std::filesystem::path& file) {
+    constexpr float largest = 65504.0f;
+    std::size_t mended = 0;
+    for (float& value : picture.pixels)
+        if (!std::isfinite(value)) {
+            value = std::isnan(value) ? 0.0f : std::copysign(largest, value);
+            ++mended;
+        }
+    if (mended == 0)
+        return std::nullopt;
+    return Diagnostic{
+        file, 0,
+        mended == 1 ? "contains 1 NaN or Inf value, read as 0 or ±65504"
+                    : fmt::format("contains {} NaN or Inf values, read as 0 or ±65504", mended),
+        Severity::warning};
+}
+
+std::optional<Diagnostic> note_about(const Picture& picture, const std::filesystem::path& file) {
+    if (picture.note.empty())
+        return std::nullopt;
+    return Diagnostic{file, 0, picture.note, Severity::warning};
+}

@@ -1,0 +1,29 @@
+#include "lab/rendering/pace.h"
+
+#include <algorithm>
+
+void Pace::add(double wall_seconds, bool was_busy) {
+    if (wall_seconds <= 0.0 || (wall_seconds > 1.0 && !was_busy))
+        return;
+    m_milliseconds[m_next] = static_cast<float>(wall_seconds * 1000.0);
+    m_next = (m_next + 1) % length;
+    const double smoothing = std::min(wall_seconds / 0.5, 1.0);
+    m_seconds =
+        m_seconds == 0.0 ? wall_seconds : m_seconds + smoothing * (wall_seconds - m_seconds);
+}
+
+void Pace::expect(double wall_seconds, bool is_due) {
+    constexpr double late = 1.1 / 30.0;  // a display's own frames are not quite even
+    constexpr double most = 0.5;         // one long wait is no slow picture
+    if (!is_due || wall_seconds <= late) {
+        m_slow_seconds = 0.0;
+        return;
+    }
+    const double milliseconds = 1e3 * std::min(wall_seconds, most);
+    constexpr double smoothing = 1.0 / 8.0;  // few frames come in two seconds
+    m_slow_milliseconds =
+        m_slow_seconds == 0.0
+            ? milliseconds
+            : m_slow_milliseconds + smoothing * (milliseconds - m_slow_milliseconds);
+    m_slow_seconds += std::min(wall_seconds, most);
+}

@@ -1,0 +1,119 @@
+#include "lab/storage/editor.h"
+
+#include "base/text.h"
+#include "lab/storage/command_words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <cstring>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+extern char** environ;
+
+namespace {
+std::string variable(const char* name) {
+    const char* value = std::getenv(name);
+    return value ? std::string(trim(value)) : std::string();
+}
+
+bool is_one_of(std::string_view name, std::initializer_list<std::string_view> names) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// A path with blanks that is a program stands for itself.
+Result<std::vector<std::string>> editor_words(const char* variable_name,
+                                              const std::string& editor) {
+    std::error_code error;
+    if (std::filesystem::is_regular_file(editor, error))
+        return std::vector{editor};
+    auto words = split_command(editor);
+    if (!words || words->empty() || words->front().empty())
+        return fail({{},
+                     0,
+                     fmt::format("${} is not a valid command: {}. Close its quotes, as in "
+                                 "'\"/opt/My Editor/ed\" -w'.",
+                                 variable_name, editor)});
+    return std::move(*words);
+}
+
+// A path that begins with '/' is never taken for an option or a command, as "+!ls" would be.
+std::vector<std::string> with_place(std::vector<std::string> command, const Location& place) {
+    const std::string name = std::filesystem::path(command.front()).filename();
+    const std::string file = std::filesystem::absolute(place.file).string();
+    const int line = std::max(1, place.line);
+    if (is_one_of(name, {"code", "codium", "code-insiders", "cursor"})) {
+        command.emplace_back("--goto");
+        command.push_back(fmt::format("{}:{}", file, line));
+    } else if (is_one_of(name, {"subl", "zed", "hx", "helix", "micro", "atom"})) {
+        command.push_back(fmt::format("{}:{}", file, line));
+    } else if (name == "xdg-open") {
+        command.push_back(file);
+    } else {
+        command.push_back(fmt::format("+{}", line));
+        command.push_back(file);
+    }
+    if (is_one_of(name, {"vi", "vim", "nvim", "nano", "micro", "hx", "helix", "joe", "ne", "mg"}))
+        command.insert(command.begin(), {"x-terminal-emulator", "-e"});
+    return command;
+}
+
+// A pass of a shader lies in its JSON file as in a folder; its line there is another.
+Location place_on_disk(const Location& place) {
+    std::error_code error;
+    const std::filesystem::path whole = place.file.parent_path();
+    return std::filesystem::is_regular_file(whole, error) ? Location{whole, 1} : place;
+}
+}  // namespace
+
+Result<std::vector<std::string>> editor_command(const Location& asked) {
+    if (asked.file.empty())
+        return fail({{}, 0, "there is no shader file to open"});
+    const Location place = place_on_disk(asked);
+    for (const char* name : {"VISUAL", "EDITOR"})
+        if (const std::string editor = variable(name); !editor.empty()) {
+            auto words = editor_words(name, editor);
+            if (!words)
+                return fail(words.error());
+            return with_place(std::move(*words), place);
+        }
+    return with_place({"xdg-open"}, place);
+}
+
+namespace {
+// The error of errno, or 0.
+int start(const std::vector<std::string>& command) {
+    std::vector<char*> arguments;
+    for (const std::string& word : command)
+        arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    pid_t process = 0;
+    const int error =
+        posix_spawnp(&process, arguments[0], nullptr, nullptr, arguments.data(), environ);
+    if (error == 0)
+        std::thread([process] { waitpid(process, nullptr, 0); }).detach();
+    return error;
+}
+}  // namespace
+
+Result<void> open_in_editor(const Location& place) {
+    const auto command = editor_command(place);
+    if (!command)
+        return fail(command.error());
+    if (const int error = start(*command); error != 0)
+        return fail({place.file, place.line,
+                     fmt::format("can't start '{}': {}. Set $VISUAL to your editor.",
+                                 command->front(), std::strerror(error))});
+    return {};
+}
+
+Result<void> open_folder(const std::filesystem::path& folder) {
+    if (const int error = start({"xdg-open", folder.string()}); error != 0)
+        return fail({folder, 0, fmt::format("can't start xdg-open: {}", std::strerror(error))});
+    return {};
+}

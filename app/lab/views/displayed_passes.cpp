@@ -1,0 +1,20 @@
+#include "lab/views/displayed_passes.h"
+
+#include "lab/lab.h"
+#include "lab/window/window_state.h"
+
+SeenPasses displayed_passes(const Lab& lab, const WindowState& window) {
+    const bool has_panels = !window.is_picture_only;
+    SeenPasses seen{.are_all = false};
+    if (const Document* document = lab.document())
+        seen.names.push_back(
+            document->look().passes.at(static_cast<std::size_t>(lab.picture_pass())).name);
+    if (window.shows_pass_large || (has_panels && window.shows_inspector)) {
+        seen.names.push_back(window.inspected.pass);
+        if (const auto& other = window.inspected.other; other && other->from == Input::From::pass)
+            seen.names.push_back(other->name);
+    }
+    if (window.probe)
+        seen.names.push_back(window.probe->pass);
+    return seen;
+}

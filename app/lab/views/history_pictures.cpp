@@ -1,0 +1,71 @@
+#include "lab/views/history_pictures.h"
+
+#include "lab/document/history.h"
+#include "lab/lab.h"
+
+#include <algorithm>
+
+bool is_copy_due(int frame) {
+    constexpr int last = 128;
+    return frame >= 1 && frame <= last && (frame & (frame - 1)) == 0;
+}
+
+std::size_t farthest_place(const std::vector<std::size_t>& places, std::size_t present) {
+    const auto distance = [present](std::size_t place) {
+        return place > present ? place - present : present - place;
+    };
+    return *std::max_element(places.begin(), places.end(), [&](std::size_t a, std::size_t b) {
+        return distance(a) < distance(b);
+    });
+}
+
+void HistoryPictures::update(const Lab& lab, Views& views) {
+    const Document* document = lab.document();
+    if (!document || !lab.renderer() || lab.is_loading() || document->is_restacking() ||
+        document->history().is_in_gesture() || lab.renderer()->replay().is_running() ||
+        lab.is_amid_frame() || !lab.renderer()->has_whole_picture() ||
+        lab.renderer()->executor().plan().targets.empty())
+        return;
+    if (m_present != document->state()) {
+        m_present = document->state();
+        m_frames = 0;
+    }
+    constexpr int enough = 1 << 20;
+    m_frames = std::min(m_frames + 1, enough);
+    if (is_copy_due(m_frames))
+        copy(lab, views, history_place(*document));
+}
+
+// Where there is no memory a step has no picture.
+void HistoryPictures::copy(const Lab& lab, Views& views, std::size_t place) {
+    constexpr int height = 72;
+    const Executor& executor = lab.renderer()->executor();
+    const int last = static_cast<int>(executor.look().passes.size()) - 1;
+    const Extent whole = executor.target(last).extent();
+    const Extent small{
+        std::clamp(height * whole.width / std::max(whole.height, 1), height / 2, height * 5 / 2),
+        height};
+    auto picture = views.small_picture(lab, last, small);
+    if (!picture)
+        return;
+    m_copies.insert_or_assign(place, Copy{*m_present, std::move(*picture)});
+    forget_far(place);
+}
+
+void HistoryPictures::forget_far(std::size_t place) {
+    constexpr std::size_t most = 64;  // some 2 MB
+    if (m_copies.size() <= most)
+        return;
+    std::vector<std::size_t> places;
+    for (const auto& [at, copy] : m_copies)
+        places.push_back(at);
+    m_copies.erase(farthest_place(places, place));
+}
+
+Views::Image HistoryPictures::picture(const Document& document, std::size_t place) const {
+    const auto found = m_copies.find(place);
+    if (found == m_copies.end() || found->second.state != history_state(document, place))
+        return {};
+    const gpu::Texture& texture = found->second.picture;
+    return {texture.handle(), texture.extent()};
+}

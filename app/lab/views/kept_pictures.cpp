@@ -1,0 +1,20 @@
+#include "lab/views/kept_pictures.h"
+
+#include "gpu/texels.h"
+#include "io/pictures/picture_file.h"
+
+Views::Image KeptPictures::of(const std::filesystem::path& file) const {
+    const auto known = m_textures.find(file);
+    if (known == m_textures.end()) {
+        std::optional<gpu::Texture>& texture = m_textures[file];
+        std::error_code error;
+        if (!std::filesystem::exists(file, error))
+            return {};
+        if (const auto picture = load_picture(file))
+            if (auto made = gpu::texture_of(*picture, Format::rgba8, Encoding::display))
+                texture.emplace(std::move(*made));
+        return of(file);
+    }
+    return known->second ? Views::Image{known->second->handle(), known->second->extent()}
+                         : Views::Image{};
+}

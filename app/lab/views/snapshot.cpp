@@ -1,0 +1,74 @@
+#include "lab/views/snapshot.h"
+
+#include "base/text.h"
+#include "gpu/readback.h"
+#include "io/pictures/picture_file.h"
+#include "lab/document/sharing.h"
+#include "lab/storage/told_name.h"
+#include "lab/views/views.h"
+
+#include <fmt/format.h>
+
+void save_snapshot(Lab& lab, std::filesystem::path file) {
+    if (!lab.document() || !lab.renderer())
+        return;
+    if (!lab.renderer()->has_whole_picture())
+        return lab.say("The picture is still rendering. Try again when it is done.", true);
+    if (file.extension().empty())
+        file += ".png";
+    const Executor& executor = lab.renderer()->executor();
+    const int shown = lab.picture_pass();
+    Picture picture = gpu::read_picture(executor.target(shown));
+    picture.encoding = encoding_of(executor.look(), shown);
+    const auto saved =
+        save_picture_with_preset(picture, *lab.document(), file, lab.drive().recent());
+    if (saved)
+        lab.say(saved_words(file.filename().string()));
+    else
+        lab.say(saved.error().front());
+}
+
+namespace {
+// As the inspector draws it, in 8 bits.
+Result<Picture> seen_picture(const gpu::Texture& target, const ViewOptions& options) {
+    auto viewer = Viewer::make();
+    if (!viewer)
+        return fail(viewer.error());
+    auto canvas = gpu::Canvas::make(target.extent(), Format::rgba8);
+    if (!canvas)
+        return fail(canvas.error());
+    viewer->draw(target, *canvas, options);
+    Picture picture = gpu::read_picture(canvas->texture());
+    picture.encoding = Encoding::display;
+    return picture;
+}
+}  // namespace
+
+void save_target(Lab& lab, const PassView& view, std::filesystem::path file) {
+    const auto inspected =
+        lab.renderer() ? inspected_texture(lab.renderer()->executor(), view) : std::nullopt;
+    if (!inspected)
+        return;
+    const bool is_there =
+        inspected->choice.from != Input::From::pass ||
+        !lab.renderer()->executor().plan().targets[static_cast<std::size_t>(inspected->pass)].onto;
+    if (!is_there)
+        return lab.say("This pass isn't being inspected. Open the inspector first.", true);
+    if (!lab.renderer()->has_whole_picture())
+        return lab.say("The pass is still rendering. Try again when it is done.", true);
+    auto closer = CloserLook::make();
+    if (!closer)
+        return lab.say(closer.error().front());
+    if (file.extension().empty())
+        file += ".exr";
+    const gpu::Texture& target = closer->level_of(*inspected);
+    const bool is_seen = to_lower(file.extension().string()) == ".png";
+    const auto picture = is_seen ? seen_picture(target, options_for(view, inspected->encoding))
+                                 : gpu::read_picture(target);
+    const auto saved = picture ? save_picture(*picture, file) : fail(picture.error());
+    if (saved)
+        lab.say(fmt::format("Saved \"{}\" to \"{}\"", inspected->choice.label(),
+                            file.filename().string()));
+    else
+        lab.say(saved.error().front());
+}

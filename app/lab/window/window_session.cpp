@@ -1,0 +1,202 @@
+#include "lab/window/window_session.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <string_view>
+#include <utility>
+
+namespace {
+constexpr std::initializer_list<std::pair<const char*, bool WindowState::*>> switches{
+    {"library", &WindowState::shows_library},        {"parameters", &WindowState::shows_parameters},
+    {"inspector", &WindowState::shows_inspector},    {"strip", &WindowState::shows_strip},
+    {"history", &WindowState::shows_history},        {"bottom", &WindowState::shows_bottom},
+    {"flashes", &WindowState::shows_flashes},        {"maximised", &WindowState::is_maximised},
+    {"light_frames", &WindowState::has_light_frames}};
+
+constexpr std::initializer_list<std::pair<const char*, float PaneSizes::*>> sizes{
+    {"left_size", &PaneSizes::left},
+    {"right_size", &PaneSizes::right},
+    {"strip_size", &PaneSizes::strip},
+    {"bottom_size", &PaneSizes::bottom},
+    {"inspector_size", &PaneSizes::inspector}};
+
+// Before an entry of the palette, and before a file; the number says how many were used after it.
+constexpr std::string_view used_prefix = "used:";
+constexpr std::string_view recent_prefix = "recent:";
+
+std::vector<std::string> restored_use(const std::map<std::string, double>& numbers,
+                                      std::string_view prefix) {
+    std::vector<std::pair<double, std::string>> ranked;
+    for (const auto& [name, rank] : numbers)
+        if (name.starts_with(prefix))
+            ranked.emplace_back(rank, name.substr(prefix.size()));
+    std::sort(ranked.begin(), ranked.end());
+    std::vector<std::string> used;
+    for (auto& [rank, id] : ranked)
+        used.push_back(std::move(id));
+    return used;
+}
+
+void remember_use(const std::vector<std::string>& used, std::string_view prefix,
+                  std::map<std::string, double>& numbers) {
+    for (std::size_t i = 0; i < used.size(); ++i)
+        numbers[std::string(prefix) + used[i]] = static_cast<double>(i);
+}
+
+// A number within its bounds, or nothing.
+std::optional<double> number(const std::map<std::string, double>& numbers, const char* name,
+                             double low, double high) {
+    const auto found = numbers.find(name);
+    if (found == numbers.end() || !(found->second >= low && found->second <= high))
+        return std::nullopt;
+    return found->second;
+}
+
+std::optional<int> whole(const std::map<std::string, double>& numbers, const char* name, double low,
+                         double high) {
+    const auto found = number(numbers, name, low, high);
+    return found ? std::optional(static_cast<int>(std::lround(*found))) : std::nullopt;
+}
+}  // namespace
+
+namespace {
+constexpr std::size_t most_pins = 9;
+
+std::string pin_name(std::size_t index, const char* side) {
+    return "pin" + std::to_string(index + 1) + side;
+}
+
+// What a person looks at, and how its numbers are seen; not which pass.
+void remember_looking(const WindowState& window, std::map<std::string, double>& numbers) {
+    const PassView& view = window.inspected;
+    numbers["black"] = view.levels.black;
+    numbers["white"] = view.levels.white;
+    numbers["exposure"] = view.exposure;
+    numbers["channels"] = static_cast<int>(view.channels);
+    numbers["plots_luminance"] = window.plots_luminance ? 1.0 : 0.0;
+    const ScanLine& line = window.scan_line;
+    numbers["line_start_x"] = line.start.x;
+    numbers["line_start_y"] = line.start.y;
+    numbers["line_end_x"] = line.end.x;
+    numbers["line_end_y"] = line.end.y;
+    for (std::size_t i = 0; i < std::min(window.pins.size(), most_pins); ++i) {
+        numbers[pin_name(i, "_x")] = window.pins[i].x;
+        numbers[pin_name(i, "_y")] = window.pins[i].y;
+    }
+}
+
+std::optional<Pin> pin_of(const std::map<std::string, double>& numbers, const std::string& x_name,
+                          const std::string& y_name) {
+    const auto x = number(numbers, x_name.c_str(), 0.0, 1.0);
+    const auto y = number(numbers, y_name.c_str(), 0.0, 1.0);
+    return x && y ? std::optional(Pin{*x, *y}) : std::nullopt;
+}
+
+void restore_looking(const std::map<std::string, double>& numbers, WindowState& window) {
+    constexpr double most = 1e9;
+    constexpr auto last_channels = static_cast<double>(Channels::luminance);
+    PassView& view = window.inspected;
+    const auto black = number(numbers, "black", -most, most);
+    const auto white = number(numbers, "white", -most, most);
+    if (black && white && *black < *white)
+        view.levels = {*black, *white};
+    view.exposure = number(numbers, "exposure", -60.0, 60.0).value_or(0.0);
+    view.channels =
+        static_cast<Channels>(whole(numbers, "channels", 0.0, last_channels).value_or(0));
+    window.plots_luminance = number(numbers, "plots_luminance", 0.0, 1.0).value_or(0.0) != 0.0;
+    const auto start = pin_of(numbers, "line_start_x", "line_start_y");
+    const auto end = pin_of(numbers, "line_end_x", "line_end_y");
+    if (start && end)
+        window.scan_line = {*start, *end};
+    for (std::size_t i = 0; i < most_pins; ++i)
+        if (const auto pin = pin_of(numbers, pin_name(i, "_x"), pin_name(i, "_y")))
+            window.pins.push_back(*pin);
+}
+}  // namespace
+
+std::map<std::string, double> remembered(const WindowState& window) {
+    std::map<std::string, double> numbers{
+        {"width", window.size.width},
+        {"height", window.size.height},
+        {"view_width", window.views.picture.width},
+        {"view_height", window.views.picture.height},
+        {"scale", window.scale},
+        {"wipe_share", window.wipe_share},
+        {"vsync", window.frame_rate.waits_for_display ? 1.0 : 0.0},
+        {"frame_cap", window.frame_rate.cap},
+        {"comfort", window.comfort.is_on ? 1.0 : 0.0},
+        {"comfort_rate", window.comfort.most_a_second},
+        {"budget_ms", window.budget_milliseconds},
+        {"starred_presets", window.presets.only_starred ? 1.0 : 0.0},
+        {"offered_move", window.has_offered_move ? 1.0 : 0.0},
+        {"presets_own_content", window.presets.shows_own_content ? 1.0 : 0.0},
+        {"morph_seconds", window.presets.morph_seconds},
+        {"bottom_part", static_cast<int>(window.bottom_part)}};
+    if (window.position) {
+        numbers["left"] = (*window.position)[0];
+        numbers["top"] = (*window.position)[1];
+    }
+    if (window.output.monitor)
+        numbers["output_monitor"] = static_cast<double>(*window.output.monitor);
+    for (const auto& [name, is_on] : switches)
+        numbers[name] = window.*is_on ? 1.0 : 0.0;
+    remember_looking(window, numbers);
+    remember_use(window.used, used_prefix, numbers);
+    remember_use(window.recent_files, recent_prefix, numbers);
+    for (const auto& [name, size] : sizes)
+        numbers[name] = static_cast<double>(window.panes.*size);
+    return numbers;
+}
+
+WindowState restored_window(const std::map<std::string, double>& numbers) {
+    WindowState window;
+    const auto width = whole(numbers, "width", 320.0, 16384.0);
+    const auto height = whole(numbers, "height", 240.0, 16384.0);
+    if (width && height)
+        window.size = {*width, *height};
+    const auto view_width = whole(numbers, "view_width", 1.0, 16384.0);
+    const auto view_height = whole(numbers, "view_height", 1.0, 16384.0);
+    if (view_width && view_height)
+        window.views.picture = {*view_width, *view_height};
+    const auto left = whole(numbers, "left", -32768.0, 32768.0);
+    const auto top = whole(numbers, "top", -32768.0, 32768.0);
+    if (left && top)
+        window.position = {*left, *top};
+    if (const auto scale = number(numbers, "scale", 0.75, 3.0))
+        window.scale = *scale;
+    if (const auto share = number(numbers, "wipe_share", 0.0, 1.0))
+        window.wipe_share = *share;
+    window.comfort.is_on = number(numbers, "comfort", 0.0, 1.0).value_or(0.0) != 0.0;
+    if (const auto rate =
+            number(numbers, "comfort_rate", ComfortClamp::lowest, ComfortClamp::highest))
+        window.comfort.most_a_second = *rate;
+    if (const auto is_on = number(numbers, "vsync", 0.0, 1.0))
+        window.frame_rate.waits_for_display = *is_on != 0.0;
+    if (const auto cap = number(numbers, "frame_cap", 1.0, FrameRate::no_cap))
+        window.frame_rate.cap = *cap;
+    if (const auto monitor = whole(numbers, "output_monitor", 0.0, 63.0))
+        window.output.monitor = static_cast<std::size_t>(*monitor);
+    if (const auto budget = number(numbers, "budget_ms", 0.1, 1000.0))
+        window.budget_milliseconds = *budget;
+    if (const auto is_on = number(numbers, "starred_presets", 0.0, 1.0))
+        window.presets.only_starred = *is_on != 0.0;
+    window.has_offered_move = number(numbers, "offered_move", 0.0, 1.0).value_or(0.0) != 0.0;
+    if (const auto is_on = number(numbers, "presets_own_content", 0.0, 1.0))
+        window.presets.shows_own_content = *is_on != 0.0;
+    if (const auto seconds = number(numbers, "morph_seconds", 0.1, 600.0))
+        window.presets.morph_seconds = *seconds;
+    constexpr auto last_part = static_cast<double>(BottomPart::presets);
+    if (const auto part = whole(numbers, "bottom_part", 0.0, last_part))
+        window.bottom_part = static_cast<BottomPart>(*part);
+    for (const auto& [name, is_on] : switches)
+        if (const auto kept = number(numbers, name, 0.0, 1.0))
+            window.*is_on = *kept != 0.0;
+    for (const auto& [name, size] : sizes)
+        if (const auto kept = number(numbers, name, 60.0, 2000.0))
+            window.panes.*size = static_cast<float>(*kept);
+    restore_looking(numbers, window);
+    window.used = restored_use(numbers, used_prefix);
+    window.recent_files = restored_use(numbers, recent_prefix);
+    return window;
+}

@@ -1,0 +1,325 @@
+// What can be chosen by its name, without a window.
+#include "lab/choices/device_choices.h"
+#include "lab/choices/looking_choices.h"
+#include "lab/choices/palette.h"
+#include "lab/choices/preset_choices.h"
+#include "lab/choices/signal_choices.h"
+#include "lab/choices/source_choices.h"
+#include "lab/choices/stack_choices.h"
+#include "lab/choices/tuning_choices.h"
+#include "lab/window/pane_sizes.h"
+#include "model/picture/source_spec.h"
+#include "signals/patterns/patterns.h"
+#include "signals/signal_table.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+namespace {
+Look choosing_look(Driver driver) {
+    Look look;
+    look.id = "phosphor";
+    look.name = "Phosphor";
+    look.driven_by = driver;
+    look.default_signal = Spec{"lissajous", {}};
+    look.default_source = "pattern:bars";
+    look.stack = {{"phosphor", "/looks/phosphor", "phosphor"}};
+    Parameter tint;
+    tint.name = "tint";
+    tint.label = "Tint";
+    tint.group = "Glass";
+    tint.type = {Scalar::floating, 3};
+    tint.initial = Value(std::vector<double>{1.0, 1.0, 1.0});
+    look.parameters = {tint};
+    look.passes.resize(1);
+    look.passes[0].name = "beam";
+    return look;
+}
+
+ShelfLook choosable_look(const char* id, const char* name) {
+    ShelfLook look;
+    look.entry = {id, std::string("/looks/") + id, false};
+    look.name = name;
+    return look;
+}
+
+const Choice* find_choice(const std::vector<ChoiceList>& lists, const std::string& label) {
+    for (const ChoiceList& list : lists)
+        for (const Choice& choice : list.choices)
+            if (list.label_of(choice) == label)
+                return &choice;
+    return nullptr;
+}
+
+const Choice& choice_of(const std::vector<ChoiceList>& lists, const std::string& label) {
+    const Choice* found = find_choice(lists, label);
+    REQUIRE_MESSAGE(found, label);
+    return *found;
+}
+
+template <class Subject>
+void take(const Deeds& deeds, Subject& subject) {
+    for (const Deed& deed : deeds)
+        std::get<std::function<void(Subject&)>>(deed)(subject);
+}
+
+std::string first_found(const std::vector<PaletteEntry>& entries, const char* query) {
+    const auto matches = find_entries(entries, query, {});
+    return matches.empty() ? "" : entries[matches.front().entry].label;
+}
+}  // namespace
+
+TEST_CASE("every kind of signal is chosen by its name, as one step of undo") {
+    Document document(choosing_look(Driver::signal));
+    const auto lists = signal_choices(document);
+    CHECK(lists.front().choices.size() == signal_kinds().size());
+    for (const SignalKind& kind : signal_kinds()) {
+        const std::string name =
+            kind.label + (kind.kind == "audio" || kind.kind == "scene" ? "…" : "");
+        CHECK(choice_of(lists, "Signal: " + name).is_present == (kind.kind == "lissajous"));
+    }
+    take(choice_of(lists, "Signal: " + find_kind("waveform")->label).deeds, document);
+    CHECK(document.state().signal.kind == "waveform");
+    CHECK(document.history().undo_name() == "Signal");
+    document.undo();
+    CHECK(document.state().signal.kind == "lissajous");
+    WindowState window;
+    take(choice_of(lists, "Signal: " + find_kind("audio")->label + "…").deeds, window);
+    CHECK(window.dialog.kind == Dialog::Kind::open_file);
+    CHECK(signal_choices(Document(choosing_look(Driver::picture))).empty());
+}
+
+TEST_CASE("every setting of the present signal that has a say can be typed or chosen") {
+    Document document(choosing_look(Driver::signal));
+    document.set_signal(*completed(Spec{"waveform", {}}));
+    const SignalKind& kind = *find_kind("waveform");
+    const Spec spec = *completed(document.state().signal);
+    const auto lists = signal_choices(document);
+    for (const SettingFacts& setting : kind.settings) {
+        if (setting.is_hidden || !is_used(setting, spec))
+            continue;
+        const std::string name =
+            setting.group.empty() ? setting.label : setting.group + " · " + setting.label;
+        if (setting.type != SettingType::word) {
+            CHECK_MESSAGE(find_choice(lists, "Signal: " + name + "…"), setting.key);
+            continue;
+        }
+        for (const std::string& word : setting.words)
+            CHECK_MESSAGE(find_choice(lists, "Signal: " + name + ": " + label_of_word(word)), word);
+    }
+    const auto number = std::ranges::find_if(kind.settings, [&](const SettingFacts& setting) {
+        return setting.type == SettingType::number && !setting.is_hidden && is_used(setting, spec);
+    });
+    REQUIRE(number != kind.settings.end());
+    const Choice& choice =
+        choice_of(lists, "Signal: " + number->group + " · " + number->label + "…");
+    REQUIRE(choice.number);
+    CHECK(find_choice(lists, "Signal: Wave 2 · Frequency…"));  // each has its own
+    CHECK(choice.number->limit == number->limit);
+    const double typed = choice.number->present + 1.0;
+    take(choice.number->answer(typed), document);
+    const auto changed = completed(document.state().signal);
+    CHECK(std::get<double>(changed->settings.at(number->key)) == typed);
+}
+
+TEST_CASE("patterns, sizes, fit and pixel aspect of a source are chosen by name") {
+    Document document(choosing_look(Driver::picture));
+    const PatternFacts& last = all_patterns().back();
+    take(choice_of(source_choices(document, {}), "Source: " + last.label).deeds, document);
+    CHECK(document.state().source == "pattern:" + last.name);
+    take(choice_of(source_choices(document, {}), "Source: Size: 256 × 224").deeds, document);
+    CHECK(document.state().source == "pattern:" + last.name + ",size=256x224");
+    CHECK(choice_of(source_choices(document, {}), "Source: Size: 256 × 224").is_present);
+    CHECK(choice_of(source_choices(document, {}), "Source: " + last.label).is_present);
+    take(choice_of(source_choices(document, {}), "Source: Size: Native size").deeds, document);
+    CHECK(document.state().source == "pattern:" + last.name);
+    take(choice_of(source_choices(document, {}), "Source: Scaling: Fit").deeds, document);
+    CHECK_FALSE(find_choice(source_choices(document, {}), "Source: Pre-scaled: Auto"));
+    const auto lists = source_choices(document, {});
+    CHECK(choice_of(lists, "Source: Scaling: Fit").is_present);
+    take(choice_of(lists, "Source: Pixel aspect…").number->answer(1.5), document);
+    CHECK(document.state().source == "pattern:" + last.name + ",fit=whole,aspect=1.5");
+    CHECK_FALSE(find_choice(lists, "Source: Frame rate…"));
+    const auto film = source_choices(document, {.film_rate = 25.0});
+    CHECK(choice_of(film, "Source: Frame rate…").number->present == 25.0);
+    take(choice_of(film, "Source: At end: Hold").deeds, document);
+    CHECK_FALSE(parse_source(document.state().source)->loops);
+}
+
+TEST_CASE("shape and enlargement of a file are chosen by name") {
+    Document document(choosing_look(Driver::picture));
+    document.set_source("game.png,fit=whole,prescaled=auto");
+    const auto lists = [&document] {
+        return source_choices(document, {.extent = {256, 224}, .prescale = 3});
+    };
+    CHECK(choice_of(lists(), "Source: Pre-scaled: Auto (3×)").is_present);
+    CHECK(choice_of(lists(), "Source: Shape: Square pixels").is_present);
+    take(choice_of(lists(), "Source: Shape: 4:3").deeds, document);
+    CHECK(document.state().source == "game.png,fit=whole,shape=4:3,prescaled=auto");
+    CHECK(choice_of(lists(), "Source: Shape: 4:3").is_present);
+    take(choice_of(lists(), "Source: Pre-scaled: 2×").deeds, document);
+    CHECK(document.state().source == "game.png,fit=whole,shape=4:3,prescaled=2");
+    take(choice_of(lists(), "Source: Shape: Custom").deeds, document);
+    CHECK(parse_source(document.state().source)->aspect == doctest::Approx(7.0 / 6.0));
+    CHECK(choice_of(lists(), "Source: Shape: Custom").is_present);
+    document.set_source("game.png,shape=16:10");
+    CHECK(choice_of(lists(), "Source: Shape: 16:10").is_present);
+    document.set_source("game.png,shape=16:10,prescaled=auto");
+    const PatternFacts& pattern = all_patterns().back();
+    take(choice_of(lists(), "Source: " + pattern.label).deeds, document);
+    CHECK(document.state().source == "pattern:" + pattern.name + ",shape=16:10");
+}
+
+TEST_CASE("looks are added, moved, bypassed and taken out by name") {
+    Document document(choosing_look(Driver::signal));
+    const std::vector<ShelfLook> looks{choosable_look("phosphor", "Phosphor"),
+                                       choosable_look("crt", "CRT")};
+    const auto stack = [&]() -> const Stack& { return document.state().stack; };
+    const auto choose = [&](const std::string& label) {
+        take(choice_of({stack_choices(stack(), looks)}, "Stack: " + label).deeds, document);
+    };
+    CHECK_FALSE(find_choice({stack_choices(stack(), looks)}, "Stack: Remove Phosphor"));
+    choose("Add CRT");
+    choose("Add CRT");
+    CHECK(stack_id(stack()) == "phosphor+crt+crt");
+    CHECK(document.history().undo_name() == "Add CRT");
+    choose("Move CRT 2 earlier");
+    choose("Move Phosphor later");
+    CHECK(stack_id(stack()) == "crt+phosphor+crt");
+    choose("Bypass Phosphor");
+    CHECK(stack()[1].is_bypassed);
+    choose("Bypass Phosphor");
+    CHECK_FALSE(stack()[1].is_bypassed);
+    choose("Remove Phosphor");
+    CHECK(stack_id(stack()) == "crt+crt");
+    document.undo();
+    CHECK(stack_id(stack()) == "crt+phosphor+crt");
+}
+
+TEST_CASE("what is inspected, its channels and its ends are chosen by name") {
+    const TextureChoice past{Input::From::pass, "beam", 1, 0};
+    const InspectedParts parts{{{Input::From::pass, "beam"},
+                                {Input::From::source, "source"},
+                                {Input::From::image, "noise"}},
+                               past,
+                               3,
+                               2};
+    WindowState window;
+    window.inspected.look_into(past);
+    const auto lists = inspector_choices(parts, window.inspected);
+    CHECK(choice_of(lists, "Inspect: beam, 1 frame ago").is_present);
+    CHECK(find_choice(lists, "Inspect: beam, 2 frames ago"));
+    CHECK_FALSE(find_choice(lists, "Inspect: beam, 3 frames ago"));
+    take(choice_of(lists, "Inspect: noise").deeds, window);
+    CHECK(window.inspected.label() == "noise");
+    take(choice_of(lists, "Channels: Red as grey").deeds, window);
+    CHECK(window.inspected.channels == Channels::red);
+    take(choice_of(lists, "Inspect: White point…").number->answer(4.0), window);
+    take(choice_of(lists, "Inspect: Black point…").number->answer(0.5), window);
+    CHECK(window.inspected.levels == Levels{0.5, 4.0});
+}
+
+TEST_CASE("a part of a colour is typed, and its slider's marks are set") {
+    Document document(choosing_look(Driver::signal));
+    const auto lists = knob_choices(document, document.look().parameters.front());
+    const std::string blue = part_label(document.look().parameters.front(), 2);
+    take(choice_of(lists, "Tint: " + blue + "…").number->answer(0.25), document);
+    CHECK(document.value(document.look().parameters.front()).numbers ==
+          std::vector<double>{1.0, 1.0, 0.25});
+    take(choice_of(lists, "Tint: Locked").deeds, document);
+    CHECK(document.knobs().at("tint").is_locked);
+    CHECK_FALSE(find_choice(listing_choices(Document(choosing_look(Driver::signal)), {}),
+                            "Parameters: Reset Glass"));
+    take(choice_of(lists, "Tint: Locked").deeds, document);
+    take(
+        choice_of(knob_choices(document, document.look().parameters.front()), "Tint: Locked").deeds,
+        document);
+    take(choice_of(listing_choices(document, {}), "Parameters: Reset Glass").deeds, document);
+    CHECK(document.values().empty());
+}
+
+TEST_CASE("panes grow and shrink by name, within what they may") {
+    WindowState window;
+    const auto lists = window_choices(window, {{}, ViewShape::view, {320, 180}});
+    const double before = window.panes.left;
+    take(choice_of(lists, "Pane: Widen left pane").deeds, window);
+    CHECK(window.panes.left == before + 40.0);
+    for (int i = 0; i < 20; ++i)
+        take(choice_of(lists, "Pane: Widen left pane").deeds, window);
+    CHECK(window.panes.left == 520.0);
+    take(choice_of(lists, "Waveform: Row…").number->answer(20.0), window);
+    CHECK(window.scan_line.row({320, 180}) == 20);
+    CHECK(window.sees(BottomPart::waveform));
+    take(choice_of(lists, "Pins: Pin picture centre").deeds, window);
+    CHECK(window.pins == std::vector<Pin>{{0.5, 0.5}});
+}
+
+TEST_CASE("two words find a choice, and an action comes first where both fit as well") {
+    Document document(choosing_look(Driver::signal));
+    WindowState window;
+    std::vector<ChoiceList> lists = signal_choices(document);
+    lists.push_back(stack_choices(document.state().stack, {choosable_look("mask", "Shadow mask")}));
+    for (const ChoiceList& list :
+         inspector_choices({{{Input::From::source, "source"}}, {}, 1, 1}, window.inspected))
+        lists.push_back(list);
+    for (const ChoiceList& list : window_choices(window, {{}, ViewShape::view, {320, 180}}))
+        lists.push_back(list);
+    lists.push_back({"Presets", ChoiceList::Place::palette, {{.name = "Favourites only"}}});
+    std::vector<PaletteEntry> entries{
+        {PaletteEntry::Kind::action, "Zoom in", "Zoom in", "View", {}, {}, {}},
+        {PaletteEntry::Kind::action, "Inspector", "Inspector", "View", {}, {}, {}},
+        {PaletteEntry::Kind::action, "Fav", "Show only favourites", "Edit", {}, {}, {}}};
+    for (PaletteEntry& entry : choice_entries(lists))
+        entries.push_back(std::move(entry));
+    CHECK(first_found(entries, "signal wave") == "Signal: " + find_kind("waveform")->label);
+    CHECK(first_found(entries, "add shadow") == "Stack: Add Shadow mask");
+    CHECK(first_found(entries, "red green") == "Channels: Red, green and blue");
+    CHECK(first_found(entries, "red grey") == "Channels: Red as grey");
+    CHECK(first_found(entries, "insp source") == "Inspect: source");
+    CHECK(first_found(entries, "inspector") == "Inspector");
+    CHECK(first_found(entries, "zoom") == "Zoom in");
+    CHECK(first_found(entries, "favourites") == "Show only favourites");
+    CHECK(first_found(entries, "widen left") == "Pane: Widen left pane");
+    std::vector<std::string> labels;
+    for (const PaletteEntry& entry : entries)
+        labels.push_back(entry.label);
+    std::ranges::sort(labels);
+    CHECK(std::ranges::adjacent_find(labels) == labels.end());  // each name is there once
+}
+
+TEST_CASE("sound and remote control are set by name") {
+    SoundFacts facts;
+    facts.devices = {{.name = "Scope"}};
+    facts.devices.front().has_output = true;
+    const ChoiceList sound = sound_choices(facts);
+    CHECK(choice_of({sound}, "Sound: Output: System default").is_present);
+    CHECK(find_choice({sound}, "Sound: Output: Scope"));
+    CHECK_FALSE(find_choice({sound}, "Sound: Input: Scope"));
+    CHECK_FALSE(find_choice({sound}, "Sound: Volume…"));
+    facts.sound_seconds = 12.0;
+    CHECK(choice_of({sound_choices(facts)}, "Sound: Go to…").number->limit == Limit{0.0, 12.0});
+    RemoteSettings settings;
+    settings.bind({.goal = {"decay"}, .channel = 1, .controller = 21});
+    const ChoiceList remote = remote_choices(settings, true, false);
+    CHECK(choice_of({remote}, "Remote: Listen to OSC").is_present);
+    CHECK(find_choice({remote}, "Remote: Unmap decay (CC 21, channel 1)"));
+}
+
+TEST_CASE("presets are morphed to, starred and searched by name") {
+    ListedPreset plain;
+    plain.preset.name = "Phosphor";
+    ListedPreset amber;
+    amber.preset.name = "Amber";
+    amber.preset.entry.file = "/presets/amber.json";
+    amber.has_star = true;
+    const auto lists = preset_choices({plain, amber}, {});
+    CHECK(find_choice(lists, "Morph: To Amber"));
+    CHECK(choice_of(lists, "Morph: Duration 3 s").is_present);
+    CHECK(choice_of(lists, "Star: Amber").is_present);
+    CHECK_FALSE(find_choice(lists, "Star: Phosphor"));  // the look as it is
+    WindowState window;
+    take(choice_of(lists, "Presets: Search…").text->answer("amb"), window);
+    CHECK(window.presets.search == "amb");
+    CHECK(window.sees(BottomPart::presets));
+}

@@ -1,0 +1,262 @@
+// What a person compares the picture with: slots, a picture from a file, the difference.
+#include "about.h"
+#include "io/pictures/picture_file.h"
+#include "lab/session.h"
+#include "lab/small_lab.h"
+#include "lab/views/views.h"
+#include "model/look/color.h"
+
+namespace fs = std::filesystem;
+
+namespace {
+constexpr const char* even = R"(#version 410 core
+uniform sampler2D image;
+uniform float level = 0.5;   // @range 0 1
+uniform float unseen = 0.5;  // @range 0 1
+in vec2 uv;
+out vec4 color;
+void main() { color = vec4(vec3(level + 0.0 * unseen * texture(image, uv).r), 1.0); }
+)";
+
+/// On a look whose picture is one even grey, drawn into a view of its size.
+class Grey : public SmallLab {
+public:
+    Grey() {
+        write_by_rename("show.frag", even);
+        REQUIRE(turn_until([&] { return find_parameter(document().look(), "level"); }));
+        lab().transport().pause();
+        auto made = Views::make();
+        REQUIRE(made.has_value());
+        m_views = std::make_unique<Views>(std::move(*made));
+        window.views.picture = {8, 8};
+    }
+    void set(const char* name, double value) {
+        lab().edit([&](Document& document) {
+            document.set_value(name, Value(value));
+            document.finish();
+        });
+    }
+    void rest() {
+        lab().update(0.0);
+        REQUIRE(turn_until([&] { return !lab().is_moving() || lab().notice(); }));
+        for (int i = 0; i < 3; ++i) {
+            lab().update(0.0);
+            REQUIRE(turn_until([&] { return !lab().renderer()->replay().is_running(); }));
+        }
+        m_views->update(lab(), window);
+    }
+    /// Until the GPU has told what was asked of it.
+    template <class Condition>
+    void look_until(Condition condition) {
+        for (int i = 0; i < 2000 && !condition(); ++i) {
+            m_views->update(lab(), window);
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        m_views->update(lab(), window);
+        REQUIRE(condition());
+    }
+    /// The red of a pixel of the view.
+    double seen(int x = 4) {
+        const Picture picture = m_views->read_picture();
+        return static_cast<double>(picture.pixels[picture.index(x, 4)]);
+    }
+    fs::path picture_file(const char* name, Extent extent, std::array<float, 3> rgb) {
+        Picture picture{extent, 3, Encoding::display, {}};
+        for (int i = 0; i < extent.width * extent.height; ++i)
+            picture.pixels.insert(picture.pixels.end(), rgb.begin(), rgb.end());
+        REQUIRE(save_picture(picture, folder() / name).has_value());
+        return folder() / name;
+    }
+    Views& views() { return *m_views; }
+
+    WindowState window;
+
+private:
+    std::unique_ptr<Views> m_views;
+};
+
+constexpr double step = 1.0 / 255.0;
+}  // namespace
+
+TEST_CASE("a slot keeps values and gives them back as one step of undo") {
+    Grey small;
+    small.set("level", 0.25);
+    small.lab().keep_in_slot(1);
+    CHECK(small.lab().is_in_slot(1));
+    CHECK_FALSE(small.lab().is_in_slot(0));
+    small.set("level", 0.75);
+    small.set("unseen", 0.125);
+    CHECK_FALSE(small.lab().is_in_slot(1));
+    small.lab().recall_slot(1);
+    CHECK(small.document().values() == Values{{"level", Value(0.25)}});
+    CHECK(small.document().history().undo_name() == "Recall slot B");
+    small.lab().edit([](Document& document) { document.undo(); });
+    CHECK(small.document().values() == Values{{"level", Value(0.75)}, {"unseen", Value(0.125)}});
+
+    small.lab().recall_slot(2);
+    CHECK(small.lab().notice()->text == "Slot C is empty");
+    CHECK(small.document().history().redo_name() == "Recall slot B");
+}
+
+TEST_CASE("slots and what is compared with come back at the next start") {
+    Grey small;
+    small.set("level", 0.25);
+    small.lab().keep_in_slot(2);
+    small.set("level", 0.75);
+    small.lab().compare_with({Other::Kind::slot, 2});
+    const auto session = parse_session(session_to_json(session_of(small.lab(), {})), "s.json");
+    REQUIRE(session.has_value());
+    small.start();
+    small.lab().set_slots(session->slots);
+    restore(small.lab(), *session);
+    REQUIRE(small.turn_until([&] { return small.lab().sides().has_value(); }));
+    CHECK(small.lab().slots()[2]->values == Values{{"level", Value(0.25)}});
+    CHECK(small.lab().compare_mode() == CompareMode::wipe);
+    CHECK(small.lab().sides()->other == "Slot C");
+}
+
+TEST_CASE("a wipe shows the slot's picture on its side, and goes with what is kept anew") {
+    Grey small;
+    small.lab().keep_in_slot(0);
+    small.set("level", 1.0);
+    small.lab().compare_with({Other::Kind::slot, 0});
+    small.rest();
+    CHECK(small.seen(1) == about(0.5, step));
+    CHECK(small.seen(6) == 1.0);
+    small.set("level", 0.75);
+    small.lab().keep_in_slot(0);
+    small.rest();
+    CHECK(small.seen(1) == about(0.75, step));
+    small.lab().empty_slot(0);
+    small.rest();
+    CHECK(small.lab().compare_mode() == CompareMode::off);
+    CHECK(small.lab().renderer()->variant() == nullptr);
+}
+
+TEST_CASE("while a flash lasts the other picture is in the place of ours, and nothing is changed") {
+    Grey small;
+    small.set("level", 0.25);
+    small.lab().keep_in_slot(0);
+    small.set("level", 1.0);
+    const std::string before = small.document().history().undo_name();
+    small.lab().flash(true);
+    small.rest();
+    CHECK(small.lab().compare_mode() == CompareMode::off);
+    CHECK(small.seen() == about(0.25, step));
+    small.lab().flash(false);
+    small.rest();
+    CHECK(small.seen() == 1.0);
+    CHECK(small.document().history().undo_name() == before);
+    CHECK_FALSE(small.document().history().can_redo());
+    CHECK(small.lab().renderer()->variant() != nullptr);  // at hand for the next one
+    small.lab().update(6.0);
+    small.lab().update(0.0);
+    CHECK(small.lab().renderer()->variant() == nullptr);
+}
+
+TEST_CASE("two pictures side by side have half the view each") {
+    Grey small;
+    small.lab().keep_in_slot(0);
+    small.set("level", 1.0);
+    small.window.views.picture = {18, 8};
+    small.lab().compare_with({Other::Kind::slot, 0});
+    small.lab().set_compare_mode(CompareMode::side_by_side);
+    small.rest();
+    CHECK(small.views().picture().extent == Extent{8, 8});
+    CHECK(small.views().beside().extent == Extent{8, 8});
+    CHECK(small.seen() == 1.0);
+    small.lab().set_compare_mode(CompareMode::off);
+    small.rest();
+    CHECK(small.views().picture().extent == Extent{18, 8});
+    CHECK(small.views().beside().handle == 0);
+}
+
+TEST_CASE("a picture from a file is compared with, and followed on the disk") {
+    Grey small;
+    const auto file = small.picture_file("photo.png", {8, 8}, {0.2f, 0.4f, 0.6f});
+    small.lab().compare_with_file(file);
+    small.rest();
+    CHECK(small.lab().renderer()->variant() == nullptr);
+    CHECK(small.lab().sides()->other == "photo.png");
+    CHECK(small.seen(1) == about(0.2, step));
+    CHECK(small.seen(6) == about(0.5, step));
+
+    const auto next = small.picture_file("next.png", {8, 8}, {0.8f, 0.4f, 0.6f});
+    std::filesystem::rename(next, file);
+    REQUIRE(small.turn_until([&] {
+        small.rest();
+        return small.seen(1) > 0.7;
+    }));
+    CHECK(small.seen(1) == about(0.8, step));
+}
+
+TEST_CASE("a picture of another size is shown fitted, which is said") {
+    Grey small;
+    small.lab().compare_with_file(small.picture_file("wide.png", {32, 16}, {1.0f, 1.0f, 1.0f}));
+    CHECK(small.lab().notice()->text == "Comparing with \"wide.png\" (32 × 16, scaled to 8 × 8)");
+    CHECK(small.lab().sides()->other == "wide.png · 32 × 16, scaled");
+    small.rest();
+    const Picture seen = small.views().read_picture();
+    CHECK(seen.pixels[seen.index(1, 4)] == 1.0f);
+    CHECK(seen.pixels[seen.index(1, 0)] == 0.0f);
+    CHECK(seen.pixels[seen.index(1, 7)] == 0.0f);
+}
+
+TEST_CASE("a file that is no picture is told, and nothing is compared") {
+    Grey small;
+    small.lab().compare_with_file(small.look_folder() / "look.json");
+    REQUIRE(small.lab().notice());
+    CHECK(small.lab().notice()->is_problem);
+    CHECK(small.lab().notice()->text.find("look.json") != std::string::npos);
+    CHECK(small.lab().comparing().chosen() == Comparison{});
+}
+
+TEST_CASE("a difference is seen with its gain, and its numbers come") {
+    Grey small;
+    small.lab().compare_with_file(small.picture_file("grey.png", {8, 8}, {0.6f, 0.6f, 0.6f}));
+    Comparison comparison = small.lab().comparing().chosen();
+    comparison.mode = CompareMode::difference;
+    comparison.gain_stops = 2.0;
+    small.lab().compare(comparison);
+    small.rest();
+    const double apart = 153.0 / 255.0 - 0.5;
+    CHECK(small.seen() == about(4.0 * apart, step / apart));
+    small.look_until([&] { return small.views().compared().distances().has_value(); });
+    const Distances distances = *small.views().compared().distances();
+    CHECK(distances.mean == about(apart, 1e-5));
+    CHECK(distances.rms == about(apart, 1e-5));
+    CHECK(distances.psnr_db == about(20.0, 1e-4));
+    CHECK(distances.share_beyond == 1.0);
+
+    comparison.measure = DifferenceMeasure::relative;
+    comparison.gain_stops = 0.0;
+    small.lab().compare(comparison);
+    small.rest();
+    CHECK(small.seen() == about(apart / 0.6, step / apart));
+}
+
+TEST_CASE("with equal brightness the other picture has our mean light") {
+    Grey small;
+    small.lab().compare_with_file(small.picture_file("dark.png", {8, 8}, {0.0f, 0.2f, 0.0f}));
+    Comparison comparison = small.lab().comparing().chosen();
+    comparison.has_equal_brightness = true;
+    small.lab().compare(comparison);
+    small.set("level", 0.3);
+    small.rest();
+    small.look_until([&] { return small.views().compared().stops().has_value(); });
+    const double factor = srgb_decode(0.3) / (0.7152 * srgb_decode(0.2));
+    CHECK(*small.views().compared().stops() == about(std::log2(factor), 1e-3));
+    const Picture seen = small.views().read_picture();
+    CHECK(static_cast<double>(seen.pixels[seen.index(1, 4) + 1]) ==
+          about(srgb_encode(factor * srgb_decode(0.2)), 2 * step));
+    CHECK(seen.pixels[seen.index(1, 4)] == 0.0f);
+}
+
+TEST_CASE("nothing of a comparison is kept on the GPU when none is on") {
+    Grey small;
+    small.rest();
+    CHECK(small.views().compared().other() == nullptr);
+    small.lab().keep_in_slot(0);
+    small.rest();
+    CHECK(small.lab().renderer()->variant() == nullptr);
+}

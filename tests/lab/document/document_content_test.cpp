@@ -1,0 +1,227 @@
+// The user's signal or source, its lock, and undo.
+#include "lab/document/document.h"
+#include "lab/document/users_content.h"
+
+#include <doctest/doctest.h>
+
+namespace {
+const Spec song{"audio", {{"file", std::string("/music/song.wav")}}};
+const Spec figure{"lissajous", {{"x", 3.0}}};
+const Spec wave{"waveform", {}};
+
+Look driven_by(Driver driver) {
+    Look look;
+    look.id = "small";
+    look.name = "Small";
+    look.driven_by = driver;
+    if (driver == Driver::signal)
+        look.default_signal = figure;
+    else
+        look.default_source = "pattern:white";
+    Parameter decay;
+    decay.name = decay.label = "decay";
+    decay.initial = Value(0.5);
+    look.parameters = {decay};
+    return look;
+}
+
+Preset preset_with(const Spec& signal) {
+    Preset preset;
+    preset.look = "small";
+    preset.name = "Far";
+    preset.values["decay"] = Value(0.9);
+    preset.signal = signal;
+    return preset;
+}
+
+Document with_song() {
+    Document document(driven_by(Driver::signal));
+    document.set_signal(song);
+    return document;
+}
+}  // namespace
+
+TEST_CASE("choosing a file, device, drawing, text or socket locks the signal") {
+    for (const Spec& own :
+         {song, Spec{"microphone", {}}, Spec{"drawing", {{"strokes", std::string("[]")}}},
+          Spec{"text", {{"text", std::string("HI")}}}, Spec{"socket", {}}, Spec{"stdin", {}},
+          Spec{"scene", {{"file", std::string("/a.json")}}}}) {
+        CAPTURE(own.kind);
+        Document document(driven_by(Driver::signal));
+        CHECK_FALSE(document.is_content_locked());
+        document.set_signal(own);
+        CHECK(document.is_content_locked());
+    }
+}
+
+TEST_CASE("choosing a generator or a test pattern does not lock it") {
+    Document beam(driven_by(Driver::signal));
+    beam.set_signal(wave);
+    CHECK_FALSE(beam.is_content_locked());
+    Document tube(driven_by(Driver::picture));
+    tube.set_source("pattern:smpte");
+    CHECK_FALSE(tube.is_content_locked());
+    tube.set_source("/pictures/game.png");
+    CHECK(tube.is_content_locked());
+}
+
+TEST_CASE("a lock that was opened by hand stays open while the same file is set up") {
+    Document document = with_song();
+    document.lock_content(false);
+    Spec plotted = song;
+    plotted.settings["mode"] = std::string("waveform");
+    document.set_signal(plotted);
+    CHECK_FALSE(document.is_content_locked());
+    Spec other = song;
+    other.settings["file"] = std::string("/music/other.wav");
+    document.set_signal(other);
+    CHECK(document.is_content_locked());
+}
+
+TEST_CASE("locked content stays with another preset, and counts as no change to it") {
+    Document document = with_song();
+    document.open_preset(preset_with(wave), "/far.json");
+    CHECK(document.state().signal == song);
+    CHECK(document.value(document.look().parameters[0]) == Value(0.9));
+    CHECK_FALSE(document.is_modified());
+    CHECK(document.saved().signal == wave);
+    document.open_defaults();
+    CHECK(document.state().signal == song);
+    document.take(preset_with(wave), "Paste");
+    CHECK(document.state().signal == song);
+    document.arrive_at(preset_with(wave), "/far.json", "Morph to Far");
+    CHECK(document.state().signal == song);
+    CHECK(document.preset().signal == song);  // what is saved refers to it
+}
+
+TEST_CASE("with an open lock a preset brings its signal, and the change is one of it") {
+    Document document = with_song();
+    document.lock_content(false);
+    document.open_preset(preset_with(wave), "/far.json");
+    CHECK(document.state().signal == wave);
+    CHECK_FALSE(document.is_modified());
+    document.set_signal(figure);
+    CHECK(document.is_modified());
+}
+
+TEST_CASE("only undo of the step that chose content brings the previous content back") {
+    Document document(driven_by(Driver::signal));
+    document.set_value("decay", Value(0.2));
+    document.set_signal(song);
+    document.set_value("decay", Value(0.3));
+    document.open_preset(preset_with(wave), "/far.json");
+
+    document.undo();
+    CHECK(document.state().signal == song);
+    CHECK(document.value(document.look().parameters[0]) == Value(0.3));
+    document.undo();
+    CHECK(document.state().signal == song);
+    document.undo();
+    CHECK(document.state().signal == figure);
+    CHECK_FALSE(document.is_content_locked());  // as it was then
+    document.redo();
+    CHECK(document.state().signal == song);
+    CHECK(document.is_content_locked());
+    document.redo();
+    document.redo();
+    CHECK(document.state().signal == song);
+    CHECK(document.preset_name() == "Far");
+}
+
+TEST_CASE("a signal that is locked after a preset brought it stays when that preset is undone") {
+    Document document(driven_by(Driver::signal));
+    document.open_preset(preset_with(wave), "/far.json");
+    document.lock_content(true);
+    document.undo();
+    CHECK(document.preset_name().empty());
+    CHECK(document.state().signal == wave);
+}
+
+TEST_CASE("a preset that is opened with its own content unlocks, and one undo brings all back") {
+    Document document = with_song();
+    document.open_preset(preset_with(wave), "/far.json", Document::OpenedWith::own_content);
+    CHECK(document.state().signal == wave);
+    CHECK_FALSE(document.is_content_locked());
+    document.undo();
+    CHECK(document.state().signal == song);
+    CHECK(document.is_content_locked());
+}
+
+TEST_CASE("the preset's content can be taken later, as a step of its own") {
+    Document document = with_song();
+    document.open_preset(preset_with(wave), "/far.json");
+    document.use_content({wave, {}, {}});
+    CHECK(document.state().signal == wave);
+    CHECK_FALSE(document.is_modified());
+    CHECK(document.history().undo_name() == "Use the preset's signal");
+    document.undo();
+    CHECK(document.state().signal == song);
+    CHECK(document.preset_name() == "Far");
+}
+
+TEST_CASE("settings of locked content are undone like any other change") {
+    Document document = with_song();
+    Spec plotted = song;
+    plotted.settings["mode"] = std::string("waveform");
+    document.set_signal(plotted);
+    document.undo();
+    CHECK(document.state().signal == song);
+}
+
+TEST_CASE("a look of the other kind and back again keeps what is locked of both") {
+    Document beam = with_song();
+    Document tube(driven_by(Driver::picture));
+    tube.keep_content(beam.content());
+    CHECK(tube.state().source == "pattern:white");
+    CHECK_FALSE(tube.is_content_locked());
+    CHECK_FALSE(tube.is_modified());
+    tube.set_source("/pictures/game.png");
+    Document again(driven_by(Driver::signal));
+    again.keep_content(tube.content());
+    CHECK(again.state().signal == song);
+    CHECK(again.is_content_locked());
+    CHECK_FALSE(again.is_modified());
+    Document tube_again(driven_by(Driver::picture));
+    tube_again.keep_content(again.content());
+    CHECK(tube_again.state().source == "/pictures/game.png");
+}
+
+TEST_CASE("content is named by its file, else by its kind") {
+    const Look beam = driven_by(Driver::signal);
+    const Look tube = driven_by(Driver::picture);
+    CHECK(content_name({song, {}, {}}, beam) == "song.wav");
+    CHECK(content_name({Spec{"microphone", {}}, {}, {}}, beam) == "Live sound");
+    CHECK(content_name({{}, "/pictures/game.png,fit=whole", {}}, tube) == "game.png");
+    CHECK(keep_content_words(beam) == "Keep my signal");
+    CHECK(use_content_words(tube) == "Use the preset's source");
+}
+
+TEST_CASE("the user's own signal in x and y keeps circles round unless it says otherwise") {
+    const auto fit = [](const char* text) {
+        return beam_fit_of(with_round_circles(parse_spec(text).value()));
+    };
+    for (const char* own : {"audio:song.wav", "audio:song.wav,mode=xy", "microphone", "text:HI",
+                            "drawing:a.svg", "scene:a.json", "stdin", "socket:/tmp/a.sock"}) {
+        CAPTURE(own);
+        CHECK(fit(own) == Fit::whole);
+        CHECK_FALSE(beam_fit_of(parse_spec(own).value()).has_value());  // of older presets
+    }
+    CHECK(fit("audio:song.wav,fit=stretch") == Fit::stretch);
+    CHECK(fit("audio:song.wav,fit=crop") == Fit::crop);
+    CHECK_FALSE(fit("audio:song.wav,fit=look").has_value());
+    CHECK_FALSE(fit("audio:song.wav,mode=waveform").has_value());
+    CHECK_FALSE(fit("lissajous:x=3,y=2").has_value());
+}
+
+TEST_CASE(
+    "the user's own picture keeps its shape, without enlargement, unless its text says otherwise") {
+    Look look = driven_by(Driver::picture);
+    look.manifest = "/looks/crt/look.json";
+    CHECK(with_users_defaults("game.png", look) == "game.png,fit=whole,prescaled=auto");
+    CHECK(with_users_defaults("game.png,fit=stretch,prescaled=1", look) == "game.png");
+    CHECK(with_users_defaults("game.png,fit=crop,prescaled=2,rate=25", look) ==
+          "game.png,fit=crop,prescaled=2,rate=25");
+    CHECK(with_users_defaults("pattern:smpte", look) == "pattern:smpte");
+    look.manifest = "/looks/crt.slangp";  // its picture has the source's shape
+    CHECK(with_users_defaults("game.png", look) == "game.png,prescaled=auto");
+}

@@ -1,0 +1,259 @@
+#include "lab/document/document.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+namespace {
+Parameter knob(const std::string& name, double initial) {
+    Parameter parameter;
+    parameter.name = name;
+    parameter.label = label_from_name(name);
+    parameter.initial = Value(initial);
+    parameter.limit = Limit{0.0, 10.0};
+    return parameter;
+}
+
+Look document_look() {
+    Look look;
+    look.id = "small";
+    look.name = "Small";
+    look.driven_by = Driver::signal;
+    look.default_signal = Spec{"lissajous", {{"x", 3.0}}};
+    look.parameters = {knob("decay", 0.92), knob("exposure", 1.5)};
+    return look;
+}
+}  // namespace
+
+TEST_CASE("a drag is one step of undo") {
+    Document document(document_look());
+    document.set_value("decay", Value(0.5), true);
+    document.set_value("decay", Value(0.6), true);
+    document.set_value("decay", Value(0.7), true);
+    document.finish();
+    document.set_value("decay", Value(0.8), true);
+    document.finish();
+
+    document.undo();
+    CHECK(document.values().at("decay") == Value(0.7));
+    document.undo();
+    CHECK(document.values().empty());
+    document.redo();
+    CHECK(document.values().at("decay") == Value(0.7));
+}
+
+TEST_CASE("a value beyond the hard limit stops at it") {
+    Document document(document_look());
+    document.set_value("exposure", Value(1e9));
+    CHECK(document.values().at("exposure") == Value(10.0));
+    document.set_value("exposure", Value(std::nan("")));
+    CHECK(document.values().count("exposure") == 0);  // no number: the default
+}
+
+TEST_CASE("a value that is back at its default is no change") {
+    Document document(document_look());
+    document.set_value("decay", Value(0.5));
+    CHECK(document.is_modified());
+    document.set_value("decay", Value(0.92));
+    CHECK(document.values().empty());
+    CHECK_FALSE(document.is_modified());
+}
+
+TEST_CASE("several values are set in one step, each within its limit") {
+    Document document(document_look());
+    document.set_values({{"decay", Value(0.5)}, {"exposure", Value(99.0)}, {"gone", Value(1.0)}},
+                        "Both");
+    CHECK(document.values() == Values{{"decay", Value(0.5)}, {"exposure", Value(10.0)}});
+    CHECK(document.history().undo_name() == "Both");
+    document.undo();
+    CHECK(document.values().empty());
+}
+
+TEST_CASE("reset takes back one, and all") {
+    Document document(document_look());
+    document.set_value("decay", Value(0.5));
+    document.set_value("exposure", Value(3.0));
+    document.reset({"decay"});
+    CHECK(document.values() == Values{{"exposure", Value(3.0)}});
+    CHECK(document.history().undo_name() == "Reset Decay");
+    document.reset_all();
+    CHECK(document.values().empty());
+    document.undo();
+    CHECK(document.values() == Values{{"exposure", Value(3.0)}});
+}
+
+TEST_CASE(
+    "an edited look keeps values, moves renamed ones and keeps what it lost, in all of undo") {
+    Document document(document_look());
+    document.set_value("decay", Value(0.5));
+    document.set_value("exposure", Value(3.0));
+    Look edited = document_look();
+    edited.parameters = {knob("persistence", 0.9)};
+    edited.parameters[0].was = "decay";
+    document.replace_look(edited);
+
+    CHECK(document.values() == Values{{"persistence", Value(0.5)}, {"exposure", Value(3.0)}});
+    CHECK(orphans(document.look(), document.values()) == std::vector<std::string>{"exposure"});
+    document.undo();
+    CHECK(document.values() == Values{{"persistence", Value(0.5)}});
+
+    document.replace_look(document_look());  // the uniform is back, under its old name
+    document.redo();
+    CHECK(document.values().at("exposure") == Value(3.0));
+}
+
+TEST_CASE("a preset opens unmodified, is marked once changed and keeps its name and orphans") {
+    Document document(document_look());
+    Preset preset;
+    preset.look = "small";
+    preset.name = "Night";
+    preset.values = {{"decay", Value(0.99)}, {"gone", Value(1.0)}};
+    document.open_preset(preset, "night.json");
+    CHECK_FALSE(document.is_modified());
+    CHECK(document.state().signal == *document_look().default_signal);
+    document.set_value("exposure", Value(2.0));
+    CHECK(document.is_modified());
+
+    const Preset saved = document.preset();
+    CHECK(saved.name == "Night");
+    CHECK(saved.values ==
+          Values{{"decay", Value(0.99)}, {"exposure", Value(2.0)}, {"gone", Value(1.0)}});
+    CHECK(saved.digest == look_digest(document_look()));
+    CHECK(document.complete_preset().values.size() == 3);
+}
+
+TEST_CASE("opening a preset is one step: undo gives back the unsaved values and what was open") {
+    Document document(document_look());
+    Preset night;
+    night.name = "Night";
+    night.values = {{"decay", Value(0.99)}};
+    document.open_preset(night, "night.json");
+    document.set_value("exposure", Value(2.0));
+    Preset day;
+    day.name = "Day";
+    day.values = {{"decay", Value(0.5)}};
+    document.open_preset(day, "day.json");
+    CHECK(document.history().undo_name() == "Open Day");
+    CHECK_FALSE(document.is_modified());
+
+    document.undo();
+    CHECK(document.values() == Values{{"decay", Value(0.99)}, {"exposure", Value(2.0)}});
+    CHECK(document.preset_name() == "Night");
+    CHECK(document.preset_file() == "night.json");
+    CHECK(document.is_modified());  // against the night again, not the day
+    document.redo();
+    CHECK(document.preset_file() == "day.json");
+    CHECK_FALSE(document.is_modified());
+    document.open_defaults();
+    CHECK(document.values().empty());
+    CHECK(document.preset_file().empty());
+    document.undo();
+    CHECK(document.preset_name() == "Day");
+}
+
+TEST_CASE("a preset that is renamed or saved has its new name in all of undo") {
+    Document document(document_look());
+    Preset preset;
+    preset.name = "Night";
+    document.open_preset(preset, "night.json");
+    document.set_value("decay", Value(0.5));
+    preset.name = "Dawn";
+    document.set_identity(preset, "dawn.json");
+    document.mark_saved();
+    document.undo();
+    CHECK(document.preset_file() == "dawn.json");
+    CHECK(document.is_modified());
+}
+
+TEST_CASE("opening what is open already, unchanged, is no step") {
+    Document document(document_look());
+    document.open_defaults();
+    CHECK_FALSE(document.history().can_undo());
+}
+
+TEST_CASE("what a person overrode of a pass belongs to the look and not to the preset") {
+    Look look = document_look();
+    look.passes.resize(1);
+    look.passes[0].name = "beam";
+    Document document(look);
+    document.set_override("beam", {Format::r32f, 0.25, {}});
+    CHECK(document.drawn_look().passes[0].format == Format::r32f);
+    CHECK(document.drawn_look().passes[0].size[0].factor == 0.25);
+    CHECK_FALSE(document.is_modified());
+    document.undo();
+    CHECK(document.drawn_look() == look);
+}
+
+TEST_CASE("a drag that turns the view is one step of undo and goes into the preset") {
+    Look look = document_look();
+    for (Parameter& part : orbit_parameters({}, {0}))
+        look.parameters.push_back(std::move(part));
+    Document document(look);
+    for (int i = 0; i < 3; ++i)
+        document.set_orbit([](const Orbit& orbit) { return with_camera_moved(orbit, -10, -5); });
+    document.finish();
+    CHECK(document.preset().values ==
+          Values{{"orbit_azimuth", Value(30.0)}, {"orbit_elevation", Value(15.0)}});
+    CHECK(document.history().undo_name() == "View");
+    document.undo();
+    CHECK(document.values().empty());
+}
+
+TEST_CASE("what is locked stays where it is, whatever changes many values at once") {
+    Document document(document_look());
+    document.set_value("decay", Value(0.5));
+    document.set_value("exposure", Value(3.0));
+    document.set_knob("decay", {.is_locked = true});
+    SUBCASE("a reset of a group") {
+        document.reset_group({"decay", "exposure"});
+        CHECK(document.values() == Values{{"decay", Value(0.5)}});
+    }
+    SUBCASE("a reset of all") {
+        document.reset_all();
+        CHECK(document.values() == Values{{"decay", Value(0.5)}});
+    }
+    SUBCASE("a preset, from which it then differs") {
+        Preset preset;
+        preset.look = "small";
+        preset.values = {{"decay", Value(0.1)}, {"exposure", Value(0.2)}};
+        document.open_preset(preset, "preset.json");
+        CHECK(document.values() == Values{{"decay", Value(0.5)}, {"exposure", Value(0.2)}});
+        CHECK(document.is_modified());
+    }
+    SUBCASE("the look's own values") {
+        document.open_defaults();
+        CHECK(document.values() == Values{{"decay", Value(0.5)}});
+    }
+    SUBCASE("values that are pasted") {
+        document.take({}, "Paste");
+        CHECK(document.values() == Values{{"decay", Value(0.5)}});
+    }
+    SUBCASE("the dice") {
+        document.randomise(1);
+        CHECK(document.values().at("decay") == Value(0.5));
+    }
+    document.undo();
+    CHECK(document.values().at("exposure") == Value(3.0));
+    document.reset({"decay"});  // the hand on its own control
+    CHECK(document.values().count("decay") == 0);
+}
+
+TEST_CASE("a throw of the dice is one step of undo") {
+    Document document(document_look());
+    document.randomise(1);
+    CHECK(document.values().size() == 2);
+    CHECK(document.history().undo_name() == "Randomise");
+    document.undo();
+    CHECK(document.values().empty());
+    CHECK_FALSE(document.history().can_undo());
+}
+
+TEST_CASE("a lock follows its parameter through an edit that renames it") {
+    Document document(document_look());
+    document.set_knob("decay", {.is_locked = true});
+    Look edited = document_look();
+    edited.parameters[0].name = "glow";
+    edited.parameters[0].was = "decay";
+    document.replace_look(edited);
+    CHECK(document.knobs() == KnobSettings{{"glow", {.is_locked = true}}});
+}

@@ -1,0 +1,150 @@
+// From one preset to another over some time.
+#include "formats/preset/preset_format.h"
+#include "lab/document/morphing.h"
+#include "lab/small_lab.h"
+
+#include <cmath>
+
+namespace {
+class Going : public SmallLab {
+public:
+    std::filesystem::path preset(const char* look, Values values) {
+        Preset preset;
+        preset.look = look;
+        preset.name = "Far";
+        preset.values = std::move(values);
+        auto file = folder() / "far.json";
+        REQUIRE(save_preset(file, preset).has_value());
+        return file;
+    }
+    double gain() { return document().value(*find_parameter(document().look(), "gain")).number(); }
+};
+
+bool is_near_on_way(double a, double b) {
+    return std::abs(a - b) <= 1e-9;
+}
+}  // namespace
+
+TEST_CASE("a morph goes to a preset's values in its time, as one step of undo and in the moves") {
+    Going small;
+    small.lab().transport().pause();
+    small.lab().morph_to(small.preset("small", {{"gain", Value(5.0)}}), 2.0);
+    REQUIRE(small.lab().morphing());
+    small.lab().update(0.5);
+    CHECK(is_near_on_way(small.gain(), 2.0));  // a quarter of the way from 1 to 5
+    CHECK(is_near_on_way(small.lab().morphing()->share(), 0.25));
+    small.lab().update(0.5);
+    CHECK(is_near_on_way(small.gain(), 3.0));
+    small.lab().record_moves(true);
+    small.lab().transport().play();
+    small.lab().update(0.5);
+    CHECK(small.lab().moves().moves().back().name == "gain");
+    CHECK(is_near_on_way(small.lab().moves().moves().back().value.number(), 4.0));
+    small.lab().update(0.75);
+    CHECK_FALSE(small.lab().morphing());
+    CHECK(small.document().values() == Values{{"gain", Value(5.0)}});
+    CHECK(small.document().history().undo_name() == "Morph to Far");
+    CHECK(small.document().history().past().size() == 1);
+    CHECK(small.document().preset_name() == "Far");
+    CHECK(small.document().preset_file() == small.folder() / "far.json");
+    CHECK_FALSE(small.document().is_modified());
+    small.lab().edit([](Document& document) { document.undo(); });
+    CHECK(small.document().values().empty());
+    CHECK(small.document().preset_name().empty());
+    CHECK_FALSE(small.document().is_modified());
+}
+
+TEST_CASE("what is locked stays, and what somebody turns ends a morph") {
+    Going small;
+    small.lab().edit([](Document& document) { document.set_knob("gain", {.is_locked = true}); });
+    const auto file = small.preset("small", {{"gain", Value(5.0)}, {"step_size", Value(3.0)}});
+    small.lab().morph_to(file, 1.0);
+    small.lab().update(0.5);
+    CHECK(is_near_on_way(small.gain(), 1.0));
+    CHECK(small.document().values() == Values{{"step_size", Value(2.0)}});
+    small.lab().edit([](Document& document) { document.set_value("gain", Value(6.0), true); });
+    small.lab().update(0.25);
+    small.lab().edit([](Document& document) { document.set_value("gain", Value(7.0), true); });
+    small.lab().edit([](Document& document) { document.finish(); });
+    small.lab().update(0.25);
+    CHECK(small.document().history().past().size() == 2);  // the way so far, and the hand's
+    CHECK_FALSE(small.lab().morphing());
+    CHECK(small.document().values() == Values{{"gain", Value(7.0)}, {"step_size", Value(2.0)}});
+}
+
+TEST_CASE("a morph can be left half way, and goes to presets of the same look alone") {
+    Going small;
+    small.lab().morph_to(small.preset("small", {{"gain", Value(5.0)}}), 1.0);
+    small.lab().update(0.5);
+    small.lab().end_morph();
+    small.lab().update(0.5);
+    CHECK(is_near_on_way(small.gain(), 3.0));
+    CHECK_FALSE(small.document().history().is_in_gesture());
+    CHECK(small.document().history().past().size() == 1);
+    CHECK(small.document().preset_name().empty());
+    CHECK(small.document().is_modified());
+    small.lab().morph_to(small.preset("small", {{"gain", Value(3.0)}}), 60.0);
+    small.lab().update(0.01);  // there is no way to go: it is opened at once
+    CHECK_FALSE(small.lab().morphing());
+    CHECK(small.document().preset_name() == "Far");
+    CHECK_FALSE(small.document().is_modified());
+    small.lab().morph_to(small.preset("other", {{"gain", Value(3.0)}}), 1.0);
+    CHECK_FALSE(small.lab().morphing());
+    CHECK(small.lab().notice()->text ==
+          "\"Far\" belongs to another look. It can be opened, but not morphed to.");
+}
+
+TEST_CASE("what lies on no way between two presets changes when a morph has arrived") {
+    Going small;
+    Preset preset;
+    preset.look = "small";
+    preset.name = "Breathing";
+    preset.values = {{"gain", Value(2.0)}};
+    preset.modulations = {{"step_size", Modulation{}}};
+    const auto file = small.folder() / "breathing.json";
+    REQUIRE(save_preset(file, preset).has_value());
+    small.lab().morph_to(file, 1.0);
+    small.lab().update(0.5);
+    CHECK(small.document().state().modulations.empty());
+    small.lab().update(0.5);
+    CHECK(small.document().state().modulations.contains("step_size"));
+    CHECK_FALSE(small.document().is_modified());
+    small.lab().morph_to("", 1.0);  // the look as it is
+    small.lab().update(2.0);
+    CHECK(small.document().values().empty());
+    CHECK(small.document().state().modulations.empty());
+    CHECK(small.document().preset_file().empty());
+    CHECK_FALSE(small.document().is_modified());
+    small.lab().edit([](Document& document) { document.undo(); });
+    CHECK(small.document().preset_name() == "Breathing");
+}
+
+TEST_CASE("a morph goes to the next preset, and pressed again to the one behind that") {
+    Going small;
+    for (const char* name : {"one", "two", "three"}) {
+        small.lab().edit([&](Document& document) {
+            document.set_value("gain", Value(static_cast<double>(std::string(name).size())));
+        });
+        small.lab().presets().save_as(name);
+    }
+    small.lab().presets().star("one", true);
+    small.lab().presets().star("two", true);
+    small.lab().morph_by(1, 1.0);  // by name: one, three, two
+    CHECK(small.lab().morphing()->name() == "two");
+    small.lab().morph_by(1, 1.0);
+    CHECK(small.lab().morphing()->name() == "Small");
+    small.lab().morph_by(1, 1.0, true);
+    REQUIRE(small.lab().morphing()->name() == "one");
+    small.lab().update(1.0);
+    CHECK(small.document().preset_name() == "one");
+    small.lab().morph_by(1, 1.0, true);
+    CHECK(small.lab().morphing()->name() == "two");
+    small.lab().morph_to("", 0.5);
+    small.lab().update(0.5);
+    small.lab().presets().rename({}, "four");  // nothing is open: nothing happens
+    CHECK(small.lab().presets().stars() == PresetStars{"small/one", "small/two"});
+    small.lab().morph_by(1, 0.5, true);
+    small.lab().update(0.5);
+    small.lab().presets().rename(small.document().preset_file(), "four");
+    CHECK(small.lab().presets().stars() == PresetStars{"small/four", "small/two"});
+}

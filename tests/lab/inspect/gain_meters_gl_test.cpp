@@ -1,0 +1,69 @@
+#include "gpu/draw.h"
+#include "lab/inspect/gain_meters.h"
+#include "lab/small_lab.h"
+
+namespace {
+/// A look whose first pass is 1 after a frame, and 1 more after each; the second a fourth of it.
+struct Metered : SmallLab {
+    std::optional<GainMeters> meters;
+
+    Metered() {
+        auto programs = MeterPrograms::make();
+        REQUIRE(programs.has_value());
+        meters.emplace(std::make_shared<const MeterPrograms>(std::move(*programs)));
+        lab().transport().pause();
+        lab().edit([](Document& document) { document.set_value("gain", Value(0.25)); });
+        REQUIRE(turn_until([&] { return !lab().is_moving(); }));
+    }
+    void update(double seconds) {
+        meters->update(lab().renderer()->executor(), document().values(), seconds);
+        gpu::finish();
+    }
+    double peak(std::size_t pass) { return meters->gain(pass) ? meters->gain(pass)->peak : -1.0; }
+};
+}  // namespace
+
+TEST_CASE("every pass is measured, one a turn, and again when it has changed") {
+    Metered lab;
+    lab.update(10.0);
+    CHECK(lab.meters->gain(0) == nullptr);
+    CHECK(lab.meters->is_owing());
+    lab.update(10.0);  // the answer has come
+    CHECK(lab.meters->gain(1) == nullptr);
+    lab.update(10.0);
+    REQUIRE(lab.meters->gain(0));
+    const auto frames = static_cast<double>(lab.frames());
+    CHECK(lab.peak(0) == frames);
+    CHECK(lab.meters->gain(0)->mean == frames);
+    CHECK(lab.meters->gain(0)->clipped == 0.0);
+    CHECK(lab.peak(1) == frames / 4.0);
+    CHECK_FALSE(lab.meters->is_owing());
+
+    lab.lab().transport().step();
+    lab.turn(1);
+    REQUIRE(lab.frames() == static_cast<float>(frames + 1.0));
+    lab.update(10.1);  // too early
+    lab.update(10.1);
+    CHECK(lab.peak(0) == frames);
+    lab.update(1000.0);
+    lab.update(1000.0);
+    CHECK(lab.peak(0) == frames + 1.0);
+    CHECK(lab.peak(1) == frames / 4.0);
+    lab.update(1000.0);
+    CHECK(lab.peak(1) == (frames + 1.0) / 4.0);
+    lab.meters->stop();
+    CHECK(lab.meters->gain(0) == nullptr);
+}
+
+TEST_CASE("a picture that rests is measured again when a value of it is another") {
+    Metered lab;
+    for (int turn = 0; turn < 3; ++turn)
+        lab.update(10.0);
+    lab.lab().edit([](Document& document) { document.set_value("gain", Value(0.5)); });
+    lab.turn(1);
+    // Until the GPU has told that no number is wrong.
+    CHECK(lab.turn_until([&] { return !lab.lab().is_moving(); }));
+    for (const double seconds : {20.0, 21.0, 22.0, 23.0})
+        lab.update(seconds);
+    CHECK(lab.peak(1) == static_cast<double>(lab.frames()) / 2.0);
+}

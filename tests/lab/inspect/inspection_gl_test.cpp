@@ -1,0 +1,65 @@
+#include "gpu/draw.h"
+#include "graph/looks.h"
+#include "lab/inspect/inspection.h"
+
+namespace {
+struct Inspecting : Headless {
+    std::optional<Inspection> inspection;
+    Result<gpu::Canvas> target = gpu::Canvas::make({16, 16}, Format::rgba32f);
+    Inspection::Subject subject{"beam", ChannelChoice::rgb, {0, 4}};
+
+    Inspecting() {
+        auto programs = MeterPrograms::make();
+        REQUIRE(programs.has_value());
+        inspection.emplace(std::make_shared<const MeterPrograms>(std::move(*programs)));
+    }
+    void show(float number) { target->clear({number, number, number, 1}); }
+    // As many turns as it takes for what is under way to come.
+    void turn(double seconds) {
+        REQUIRE((inspection && target));
+        for (int i = 0; i < 3; ++i) {
+            inspection->update(target->texture(), subject, seconds);
+            gpu::finish();
+        }
+    }
+    double mean() { return inspection->statistics().value().mean; }
+};
+}  // namespace
+
+TEST_CASE_FIXTURE(Inspecting, "a target is measured at most five times a second") {
+    show(1);
+    turn(1000.0);
+    turn(1100.0);  // the first time takes longer
+    CHECK(mean() == 1.0);
+    show(2);
+    turn(1100.19);
+    CHECK(mean() == 1.0);
+    turn(1200.0);
+    CHECK(mean() == 2.0);
+}
+
+TEST_CASE_FIXTURE(Inspecting, "the histogram reaches from black to white at once") {
+    show(3);
+    turn(1000.0);
+    CHECK(inspection->histogram().bins[0][96] == 256);  // three quarters of 128
+    subject.levels = {0, 6};
+    turn(1000.01);
+    CHECK(inspection->histogram().bins[0][64] == 256);
+    subject.levels = {0, 2};
+    turn(1000.02);
+    CHECK(inspection->histogram().above == 3 * 256);
+}
+
+TEST_CASE_FIXTURE(Inspecting,
+                  "another pass's numbers are not shown as this one's, nor after the end") {
+    show(1);
+    turn(1000.0);
+    subject.pass = "bloom";
+    turn(1000.01);
+    CHECK_FALSE(inspection->statistics().has_value());
+    turn(1100.0);
+    CHECK(mean() == 1.0);
+    inspection->stop();
+    CHECK_FALSE(inspection->statistics().has_value());
+    CHECK(inspection->histogram().bins.empty());
+}

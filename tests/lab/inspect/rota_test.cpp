@@ -1,0 +1,56 @@
+#include "lab/inspect/rota.h"
+
+#include <doctest/doctest.h>
+
+#include <vector>
+
+namespace {
+// Whose turn it was at each of the times, the picture being another one at each or always the same.
+std::vector<int> turns(Rota& rota, const std::vector<double>& times, bool is_moving) {
+    static std::uint64_t picture = 1;
+    std::vector<int> had;
+    for (const double seconds : times) {
+        picture += is_moving ? 1 : 0;
+        const auto due = rota.due(picture, seconds);
+        had.push_back(due ? static_cast<int>(*due) : -1);
+        if (due)
+            rota.done(seconds);
+    }
+    return had;
+}
+using Had = std::vector<int>;
+}  // namespace
+
+TEST_CASE("what is new gets its turn at once, then one in turn five times a second") {
+    Rota rota;
+    rota.restart(3);
+    CHECK(turns(rota, {1.0, 1.01, 1.02}, true) == Had{0, 1, 2});
+    CHECK(turns(rota, {1.1, 1.21, 1.23, 1.3, 1.4, 1.44, 1.65}, true) ==
+          Had{-1, -1, 0, -1, -1, 1, 2});
+}
+
+TEST_CASE("when the picture rests each that has not seen it gets a turn, and then none") {
+    Rota rota;
+    rota.restart(2);
+    turns(rota, {1.0, 1.01, 1.3}, true);
+    CHECK(rota.is_owing());
+    CHECK(turns(rota, {1.35, 1.46, 1.47, 1.48, 9.0}, false) == Had{-1, 1, -1, -1, -1});
+    CHECK_FALSE(rota.is_owing());
+    CHECK(turns(rota, {9.1, 9.31}, true) == Had{0, 1});
+}
+
+TEST_CASE("a slow turn is followed by a pause ten times as long") {
+    Rota rota;
+    rota.restart(1);
+    REQUIRE(rota.due(1, 5.0));
+    rota.done(5.0, 0.5);
+    CHECK_FALSE(rota.due(2, 9.9));
+    CHECK(rota.due(3, 10.0));
+}
+
+TEST_CASE("nobody has a turn where there is nothing") {
+    Rota rota;
+    rota.restart(0);
+    CHECK_FALSE(rota.due(1, 1.0));
+    CHECK_FALSE(rota.is_owing());
+}

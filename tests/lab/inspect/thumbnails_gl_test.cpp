@@ -1,0 +1,48 @@
+#include "graph/looks.h"
+#include "lab/inspect/thumbnails.h"
+
+namespace {
+Pass shade(const std::string& name) {
+    return pass(name, "uniform float u_time;\nvoid main() { color = vec4(vec3(u_time), 1); }\n");
+}
+
+// The look's output is of display values, so they are seen as they are.
+int grey(const Thumbnails& thumbnails, std::size_t pass) {
+    const gpu::Texture* picture = thumbnails.picture(pass);
+    return picture ? static_cast<int>(gpu::read_pixel(*picture, 3, 3)[0] * 255.0f + 0.5f) : -1;
+}
+}  // namespace
+
+TEST_CASE_FIXTURE(Headless, "thumbnails: one pass in turn is drawn anew, five times a second") {
+    auto viewer = Viewer::make();
+    REQUIRE(viewer.has_value());
+    Look look = look_of({shade("a"), shade("b")});
+    for (Pass& pass : look.passes)
+        pass.output = Encoding::display;
+    Executor executor = executor_of(look, {16, 8});
+    Thumbnails thumbnails;
+    const auto turn = [&](int number, double seconds) {
+        executor.draw(frame(number));
+        thumbnails.update(*viewer, executor, 8, seconds);
+    };
+    turn(6, 1.0);  // 6/60 s: 0.1
+    CHECK(grey(thumbnails, 0) == 26);
+    CHECK(grey(thumbnails, 1) == -1);
+    turn(12, 1.01);
+    CHECK(grey(thumbnails, 1) == 51);
+    turn(30, 1.1);  // too early
+    CHECK(grey(thumbnails, 0) == 26);
+    turn(30, 1.22);
+    CHECK(grey(thumbnails, 0) == 128);
+    CHECK(grey(thumbnails, 1) == 51);
+    REQUIRE(thumbnails.picture(0));
+    CHECK(thumbnails.picture(0)->extent() == Extent{16, 8});
+    CHECK(thumbnails.is_owing());
+    for (const double seconds : {2.0, 2.01})  // the picture rests
+        thumbnails.update(*viewer, executor, 8, seconds);
+    CHECK(grey(thumbnails, 1) == 128);
+    CHECK_FALSE(thumbnails.is_owing());
+    thumbnails.update(*viewer, executor, 0, 3.0);  // nobody looks
+    CHECK(thumbnails.picture(0) == nullptr);
+    CHECK_FALSE(thumbnails.is_owing());
+}

@@ -1,0 +1,174 @@
+#include "lab/library/library.h"
+
+#include "base/file.h"
+#include "base/text.h"
+#include "formats/preset/preset_format.h"
+#include "lab/library/shelf.h"
+
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <fstream>
+
+namespace fs = std::filesystem;
+
+namespace {
+/// Two empty roots in a folder of their own, gone at the end.
+class TemporaryRoots {
+public:
+    TemporaryRoots() {
+        std::string name = (fs::temp_directory_path() / "afterglow-library-XXXXXX").string();
+        m_folder = mkdtemp(name.data());
+        fs::create_directories(m_folder / "program" / "shaders" / "phosphor");
+        std::ofstream(m_folder / "program" / "shaders" / "phosphor" / "look.json") << "{}";
+    }
+    ~TemporaryRoots() { fs::remove_all(m_folder); }
+    /// Writes a file below the program's root.
+    fs::path write_program(const std::string& name, const std::string& text) const {
+        fs::path file = m_folder / "program" / name;
+        fs::create_directories(file.parent_path());
+        std::ofstream(file, std::ios::binary) << text;
+        return file;
+    }
+    Roots roots() const { return {m_folder / "program", m_folder / "user", m_folder / "state"}; }
+
+private:
+    fs::path m_folder;
+};
+
+Preset night() {
+    Preset preset;
+    preset.look = "phosphor";
+    preset.values = {{"decay", Value(0.9)}};
+    return preset;
+}
+}  // namespace
+
+TEST_CASE("a preset is saved under its look, listed, renamed, duplicated and deleted") {
+    const TemporaryRoots folder;
+    const Library library(folder.roots());
+    const auto file = library.save_preset(night(), "Night sky");
+    REQUIRE(file.has_value());
+    CHECK(*file == folder.roots().user / "presets" / "phosphor" / "Night sky.json");
+    REQUIRE(library.presets("phosphor").size() == 1);
+
+    const auto copy = library.duplicate_preset(*file);
+    REQUIRE(copy.has_value());
+    CHECK(copy->filename() == "Night sky 2.json");
+    const auto renamed = library.rename_preset(*file, "Dawn");
+    REQUIRE(renamed.has_value());
+    CHECK_FALSE(fs::exists(*file));
+    CHECK(load_preset(*renamed)->name == "Dawn");
+    CHECK(load_preset(*renamed)->values == night().values);
+
+    CHECK_FALSE(library.rename_preset(*copy, "Dawn").has_value());  // would overwrite
+    CHECK(library.presets("phosphor").size() == 2);
+}
+
+TEST_CASE("no preset of the user is saved over another, unless that is asked") {
+    const TemporaryRoots folder;
+    const Library library(folder.roots());
+    const auto file = library.save_preset(night(), "Night");
+    REQUIRE(file.has_value());
+    const auto again = library.save_preset(night(), "Night");
+    REQUIRE_FALSE(again.has_value());
+    CHECK(again.error().front().message.find("'Night' already exists") != std::string::npos);
+    CHECK_FALSE(library.new_preset_path("phosphor", "Night").has_value());
+    CHECK(library.preset_path("phosphor", "Night") == *file);
+}
+
+TEST_CASE("a preset in the program's folder is shipped while it is as it was listed") {
+    const TemporaryRoots folder;
+    const fs::path shipped = folder.write_program("presets/phosphor/amber.json", "{}");
+    const fs::path added = folder.write_program("presets/phosphor/mine.json", "{}");
+    const Library library(folder.roots(), {{"presets/phosphor/amber.json", digest_of("{}")}});
+    CHECK(library.is_shipped(shipped));
+    CHECK_FALSE(library.is_shipped(added));
+    CHECK_FALSE(library.rename_preset(shipped, "Other").has_value());
+    folder.write_program("presets/phosphor/amber.json", "{ }");
+    CHECK_FALSE(library.is_shipped(shipped));  // changed since: the user's
+}
+
+TEST_CASE("equal names of the user and the program stand beside each other") {
+    const TemporaryRoots folder;
+    folder.write_program("presets/phosphor/Night.json", "{}");
+    const Library library(folder.roots(), {{"presets/phosphor/Night.json", digest_of("{}")}});
+    const auto mine = library.save_preset(night(), "Night");
+    REQUIRE(mine.has_value());
+    REQUIRE(library.save_preset(night(), "Dawn").has_value());
+    std::vector<std::string> ids;
+    for (const PresetEntry& preset : library.presets("phosphor"))
+        ids.push_back(preset.id);
+    CHECK(ids == std::vector<std::string>{"Dawn", "user:Night", "Night"});
+    CHECK(library.find_preset("phosphor", "Night")->is_shipped);
+    CHECK(library.find_preset("phosphor", "shipped:Night")->is_shipped);
+    CHECK(library.find_preset("phosphor", "user:Night")->file == *mine);
+    CHECK_FALSE(library.find_preset("phosphor", "Dawn")->is_shipped);
+    CHECK_FALSE(library.find_preset("phosphor", "shipped:Dawn").has_value());
+}
+
+TEST_CASE("presets of the user in the program's folder can be moved to the user's folder") {
+    const TemporaryRoots folder;
+    folder.write_program("presets/phosphor/amber.json", "{}");
+    const fs::path mine = folder.write_program("presets/phosphor/Mine.json", "{\"a\": 1}");
+    const Library library(folder.roots(), {{"presets/phosphor/amber.json", digest_of("{}")}});
+    REQUIRE(library.save_preset(night(), "Mine").has_value());
+    const auto found = library.presets_in_program_folder();
+    REQUIRE(found.size() == 1);
+    CHECK(found.front().file == mine);
+    const auto moved = library.move_to_user_folder(found.front());
+    REQUIRE(moved.has_value());
+    CHECK(moved->filename() == "Mine 2.json");
+    CHECK(read_text(*moved) == "{\"a\": 1}");
+    CHECK_FALSE(fs::exists(mine));
+    CHECK(library.presets_in_program_folder().empty());
+}
+
+TEST_CASE("presets that say the same name of themselves are told apart by their files") {
+    const TemporaryRoots folder;
+    const Library library(folder.roots());
+    Preset preset = night();
+    preset.name = "Night";
+    for (const char* file : {"one", "two"})
+        REQUIRE(library.save_preset(preset, file).has_value());
+    preset.name = "Day";
+    REQUIRE(library.save_preset(preset, "three").has_value());
+    Shelf shelf;
+    shelf.update(library, nullptr, 1.0);
+    REQUIRE(shelf.looks().size() == 1);
+    std::vector<std::string> names;
+    for (const ShelfPreset& shown : shelf.looks().front().presets)
+        names.push_back(shown.name);
+    CHECK(names == std::vector<std::string>{"Day", "Night (one)", "Night (two)"});
+}
+
+TEST_CASE("a name that is no file's name is refused") {
+    const TemporaryRoots folder;
+    const Library library(folder.roots());
+    for (const char* name : {"", ".", "..", "../evil", "a/b", " a", "a\nb", ".hidden", "a\\b"})
+        CHECK_FALSE(library.save_preset(night(), name).has_value());
+    CHECK(library.save_preset(night(), "Grün 31 (soft)").has_value());
+}
+
+TEST_CASE("a preset's file does not say where to write") {
+    const TemporaryRoots folder;
+    const Library library(folder.roots());
+    for (const char* look : {"../../elsewhere", "..", "/tmp", "phosphor/.."}) {
+        Preset preset = night();
+        preset.look = look;
+        CHECK_FALSE(library.save_preset(preset, "Night").has_value());
+    }
+    CHECK(library.save_preset(night(), "Night").has_value());
+}
+
+TEST_CASE("a look is duplicated with all its files, and not over another") {
+    const TemporaryRoots folder;
+    const Library library(folder.roots());
+    const auto look = library.find_look("phosphor");
+    REQUIRE(look.has_value());
+    const auto copy = library.duplicate_look(look->folder, "mine");
+    REQUIRE(copy.has_value());
+    CHECK(fs::exists(*copy / "look.json"));
+    CHECK_FALSE(library.duplicate_look(look->folder, "mine").has_value());
+    CHECK(library.looks().size() == 2);
+}

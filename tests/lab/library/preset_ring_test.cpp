@@ -1,0 +1,45 @@
+#include "lab/library/preset_ring.h"
+
+#include <doctest/doctest.h>
+
+namespace {
+const std::vector<PresetEntry> presets{{"crt", "amber", "/p/amber.json", false, "amber"},
+                                       {"crt", "blue", "/p/blue.json", false, "blue"}};
+const std::vector<PresetEntry> five{{"crt", "a", "/p/a.json", false, "a"},
+                                    {"crt", "b", "/p/b.json", false, "b"},
+                                    {"crt", "c", "/p/c.json", false, "c"},
+                                    {"crt", "d", "/p/d.json", false, "d"},
+                                    {"crt", "e", "/p/e.json", false, "e"}};
+}  // namespace
+
+TEST_CASE("presets go round and round, and the look without one is among them") {
+    CHECK(preset_beside(presets, "", 1) == PresetPlace{"/p/amber.json", 1, 2});
+    CHECK(preset_beside(presets, "/p/amber.json", 1) == PresetPlace{"/p/blue.json", 2, 2});
+    CHECK(preset_beside(presets, "/p/blue.json", 1) == PresetPlace{"", 0, 2});
+    CHECK(preset_beside(presets, "", -1) == PresetPlace{"/p/blue.json", 2, 2});
+    CHECK(preset_beside(presets, "/p/amber.json", -1) == PresetPlace{"", 0, 2});
+    CHECK(preset_beside(presets, "/p/amber.json", 4) == PresetPlace{"/p/blue.json", 2, 2});
+}
+
+TEST_CASE("a preset from elsewhere has the first before it and the last behind it") {
+    CHECK(preset_beside(presets, "/home/mine.json", 1) == PresetPlace{"/p/amber.json", 1, 2});
+    CHECK(preset_beside(presets, "/home/mine.json", -1) == PresetPlace{"/p/blue.json", 2, 2});
+    CHECK(preset_beside({}, "", 1) == PresetPlace{"", 0, 0});
+}
+
+TEST_CASE("with stars alone the others, and the look as it is, are left out") {
+    const PresetStars stars{"crt/b", "crt/d", "phosphor/c"};
+    const PresetPlace b{"/p/b.json", 1, 2};
+    const PresetPlace d{"/p/d.json", 2, 2};
+    CHECK(starred_beside(five, stars, "/p/b.json", 1) == d);
+    CHECK(starred_beside(five, stars, "/p/b.json", -1) == d);
+    CHECK(starred_beside(five, stars, "/p/d.json", 1) == b);
+    CHECK(starred_beside(five, stars, "/p/b.json", 2) == b);
+    CHECK(starred_beside(five, stars, "/p/c.json", 1) == d);  // from between two
+    CHECK(starred_beside(five, stars, "/p/c.json", -1) == b);
+    for (const char* open : {"", "/p/a.json", "/p/e.json"}) {
+        CHECK(starred_beside(five, stars, open, 1) == b);
+        CHECK(starred_beside(five, stars, open, -1) == d);
+    }
+    CHECK_FALSE(starred_beside(five, {"phosphor/c"}, "", 1));
+}

@@ -1,0 +1,281 @@
+#include "formats/look_format.h"
+#include "io/pictures/picture_file.h"
+#include "lab/media/chosen_images.h"
+#include "lab/small_lab.h"
+
+#include <cmath>
+
+namespace fs = std::filesystem;
+
+namespace {
+// Reads a picture that the person picks, as `show` shows it.
+constexpr const char* with_a_picker = R"({
+  "format": "afterglow-look", "version": 1, "name": "Small", "driven_by": "nothing", "settle_frames": 1,
+  "source_encoding": "linear",
+  "passes": [
+    { "name": "sum", "fragment": "sum.frag", "format": "rgba32f" },
+    { "name": "show", "fragment": "show.frag", "format": "rgba32f", "inputs": { "image": "sum" } }
+  ]
+})";
+const std::string picker = replaced(replaced(small_look::sum, "previous;", "picked;"),
+                                    "texture(previous, uv) + step_size", "texture(picked, uv)");
+
+// EXR keeps the numbers as they are.
+fs::path save_grey(const fs::path& file, float level) {
+    const Picture grey{{4, 4}, 3, Encoding::linear, std::vector<float>(48, level)};
+    REQUIRE(save_picture(grey, file).has_value());
+    return file;
+}
+
+void pick(SmallLab& small, const fs::path& file) {
+    small.lab().edit([&file](Document& document) {
+        document.set_value("picked", Value::of_path(file.string()));
+    });
+}
+
+// A small lab on a look with a picker.
+struct PickerLab : SmallLab {
+    PickerLab() {
+        write("sum.frag", picker);
+        write("look.json", with_a_picker);
+        REQUIRE(turn_until(
+            [this] { return find_parameter(document().look(), "picked") && shown() == 0.0f; }));
+    }
+};
+}  // namespace
+
+TEST_CASE("a chosen picture is read when it was chosen and when its file has changed, else never") {
+    const TemporaryFolder folder;
+    folder.write("shaders/small/look.json", with_a_picker);
+    folder.write("shaders/small/sum.frag", picker);
+    folder.write("shaders/small/show.frag", small_look::show);
+    folder.write("shaders/small/gain.glsl", small_look::gain);
+    const auto context = gpu::Context::headless();
+    REQUIRE(context.has_value());
+    const LoadedLook loaded = load_look(folder / "shaders/small", folder / "shaders/include");
+    REQUIRE(loaded.look.has_value());
+    auto programs = build_programs(*loaded.look);
+    REQUIRE(programs.has_value());
+    Renderer renderer(*loaded.look, std::move(*programs));
+    REQUIRE(renderer.resize({8, 8}, {8, 8}).has_value());
+    ChosenImages images;
+    const auto shown = [&](const fs::path& file) {
+        const auto done =
+            images.show(*loaded.look, {{"picked", Value::of_path(file.string())}}, renderer);
+        renderer.draw({}, {});
+        CHECK(done.has_value());
+        return gpu::read_pixel(renderer.executor().target(1), 3, 3)[0];
+    };
+
+    const fs::path file = save_grey(folder / "one.exr", 0.25f);
+    const auto written = fs::last_write_time(file);
+    CHECK(shown(file) == 0.25f);
+    save_grey(file, 0.5f);
+    fs::last_write_time(file, written);
+    CHECK(shown(file) == 0.25f);  // its time has not changed: it was not read
+    fs::last_write_time(file, written + std::chrono::seconds(1));
+    CHECK(shown(file) == 0.5f);
+    CHECK(shown(save_grey(folder / "two.exr", 2.0f)) == 2.0f);
+    CHECK(shown({}) == 0.0f);
+    CHECK(images.files().empty());
+}
+
+TEST_CASE("a chosen picture that is painted over shows at once, without an edit of the look") {
+    PickerLab small;
+    const fs::path file = save_grey(small.folder() / "picked.exr", 0.25f);
+    pick(small, file);
+    REQUIRE(small.turn_until([&] { return small.shown() == 0.25f; }));
+    save_grey(file, 3.0f);
+    CHECK(small.turn_until([&] { return small.shown() == 3.0f; }));
+    small.lab().transport().pause();
+    small.turn(2);
+    save_grey(file, 0.125f);
+    CHECK(small.turn_until([&] { return small.shown() == 0.125f; }));
+}
+
+TEST_CASE("an image's encoding shows when look.json is edited, though its file is the same") {
+    SmallLab small;
+    // As PNG holds it: the sRGB curve turns 0.5 into ((0.5 + 0.055) / 1.055)^2.4 = 0.21404.
+    const Picture half{{1, 1}, 3, Encoding::display, {0.5f, 0.5f, 0.5f}};
+    REQUIRE(save_picture(half, small.look_folder() / "grain.png").has_value());
+    const double stored = std::round(0.5 * 255.0) / 255.0;
+    const double linear = std::pow((stored + 0.055) / 1.055, 2.4);
+    std::string manifest =
+        replaced(replaced(with_a_picker, R"("fragment": "sum.frag",)",
+                          R"("fragment": "sum.frag", "inputs": { "picked": "grain" },)"),
+                 R"("passes")", R"("images": { "grain": { "file": "grain.png" } }, "passes")");
+    small.write("sum.frag", picker);
+    small.write("look.json", manifest);
+    const auto shows = [&small](double level) {
+        return small.turn_until([&] { return std::abs(small.shown() - level) < 1e-4; });
+    };
+    REQUIRE(shows(linear));
+    small.write("look.json", replaced(manifest, R"("source_encoding": "linear")",
+                                      R"("source_encoding": "display")"));
+    CHECK(shows(stored));
+}
+
+TEST_CASE("the notice of a problem goes as soon as the problem does") {
+    PickerLab small;
+    const fs::path file = small.folder() / "picked.exr";
+    pick(small, file);
+    small.turn(1);
+    REQUIRE(small.lab().notice().has_value());
+    CHECK(small.lab().notice()->is_problem);
+    REQUIRE(small.lab().problems().size() == 1);
+    CHECK(small.lab().problems().front().diagnostic.file == file);
+
+    SUBCASE("the file comes to be") {
+        save_grey(file, 0.5f);
+        REQUIRE(small.turn_until([&] { return small.shown() == 0.5f; }));
+    }
+    SUBCASE("another is chosen") {
+        pick(small, save_grey(small.folder() / "other.exr", 0.5f));
+        small.turn(2);
+    }
+    SUBCASE("the choice is undone") {
+        small.lab().edit([](Document& document) { document.undo(); });
+        small.turn(2);
+    }
+    CHECK(small.lab().problems().empty());
+    CHECK_FALSE(small.lab().notice().has_value());
+}
+
+TEST_CASE("what is said meanwhile stays when a problem is mended") {
+    PickerLab small;
+    pick(small, small.folder() / "picked.exr");
+    small.turn(1);
+    small.lab().say("Saved");
+    small.lab().edit([](Document& document) { document.undo(); });
+    small.turn(2);
+    REQUIRE(small.lab().notice().has_value());
+    CHECK(small.lab().notice()->text == "Saved");
+}
+
+TEST_CASE("a preset that is broken and mended on disk leaves no notice") {
+    SmallLab small;
+    small.lab().edit([](Document& document) { document.set_value("gain", Value(2.0)); });
+    small.lab().presets().save_as("bright");
+    const fs::path file = small.document().preset_file();
+    const std::string good = content_of(file);
+    REQUIRE(write_atomically(file, "{ broken").has_value());
+    REQUIRE(
+        small.turn_until([&] { return small.lab().notice() && small.lab().notice()->is_problem; }));
+    REQUIRE(write_atomically(file, good).has_value());
+    CHECK(small.turn_until([&] { return !small.lab().notice().has_value(); }));
+    CHECK(small.document().values() == Values{{"gain", Value(2.0)}});
+}
+
+TEST_CASE("a sampler reads the pattern of its default, and again when a choice is taken back") {
+    const TemporaryFolder folder;
+    const auto context = gpu::Context::headless();
+    REQUIRE(context.has_value());
+    folder.write("a.fs",
+                 "/*{\"INPUTS\": [{\"NAME\": \"picked\", \"TYPE\": \"image\"}]}*/\n"
+                 "void main() { gl_FragColor = IMG_THIS_PIXEL(picked); }\n");
+    LoadedLook loaded = load_look(folder / "a.fs", {});
+    REQUIRE(loaded.look.has_value());
+    loaded.look->parameters[0].initial = Value::of_path("pattern:white");
+    auto programs = build_programs(*loaded.look);
+    REQUIRE(programs.has_value());
+    Renderer renderer(*loaded.look, std::move(*programs));
+    REQUIRE(renderer.resize({8, 8}, {8, 8}).has_value());
+    ChosenImages images;
+    const auto shown = [&](const Values& values) {
+        CHECK(images.show(*loaded.look, values, renderer).has_value());
+        renderer.draw({1, {0.0, 1.0 / 60.0}}, {});
+        return gpu::read_pixel(renderer.executor().target(0), 4, 4)[0];
+    };
+    const std::string black = save_grey(folder / "black.exr", 0.0f).string();
+    CHECK(shown({}) == 1.0f);
+    CHECK(shown({{"picked", Value::of_path(black)}}) == 0.0f);
+    CHECK(shown({}) == 1.0f);
+    CHECK(shown({{"picked", Value::of_path("")}}) == 0.0f);
+    CHECK(images.files().empty());
+}
+
+TEST_CASE("a picture that is chosen while a look is open is read beside what is drawn") {
+    PickerLab small;
+    pick(small, save_grey(small.folder() / "one.exr", 0.25f));
+    const float frames = small.frames();
+    small.turn(1);
+    CHECK(small.frames() == frames + 1.0f);
+    CHECK(small.shown() == 0.0f);  // as before: it is taken at the beginning of a turn
+    CHECK(small.turn_until([&] { return small.shown() == 0.25f; }));
+}
+
+TEST_CASE("of two pictures that are chosen one after the other the second stays") {
+    PickerLab small;
+    pick(small, save_grey(small.folder() / "one.exr", 0.25f));
+    small.turn(1);
+    pick(small, save_grey(small.folder() / "two.exr", 0.5f));
+    REQUIRE(small.turn_until([&] { return small.shown() == 0.5f; }));
+    for (int turn = 0; turn < 50; ++turn) {
+        small.turn(1);
+        CHECK(small.shown() == 0.5f);
+    }
+}
+
+TEST_CASE("a panorama that is chosen for a cube is seen all round, and what is none says so") {
+    SmallLab small;
+    small.write("../../elsewhere/room.fs",
+                "/*{\"INPUTS\": [{\"NAME\": \"room\", \"TYPE\": \"cube\"}],"
+                " \"PASSES\": [{\"FLOAT\": true}]}*/\n"
+                "void main() { gl_FragColor = textureCube(room, vec3(-1.0, 0.5, 0.25)); }\n");
+    small.lab().open((small.folder() / "elsewhere/room.fs").string());
+    REQUIRE(small.turn_until([&] { return small.document().look().id == "room.fs"; }));
+    const auto choose = [&small](const Picture& picture, const char* name) {
+        const fs::path file = small.folder() / name;
+        REQUIRE(save_picture(picture, file).has_value());
+        small.lab().edit([&file](Document& document) {
+            document.set_value("room", Value::of_path(file.string()));
+        });
+    };
+    const auto red = [&small] {
+        return gpu::read_pixel(small.lab().renderer()->executor().target(0), 3, 3)[0];
+    };
+    choose({{8, 4}, 1, Encoding::display, std::vector<float>(32, 1.0f)}, "white.png");
+    CHECK(small.turn_until([&] { return red() == 1.0f; }));
+    choose({{5, 3}, 1, Encoding::display, std::vector<float>(15, 1.0f)}, "neither.png");
+    CHECK(small.turn_until([&] { return small.lab().problems().size() == 1; }));
+    CHECK(small.lab().problems().front().diagnostic.file.filename() == "neither.png");
+    CHECK(small.lab().problems().front().diagnostic.message.starts_with(
+        "can't be a cube map at 5 x 3 px."));
+    CHECK(small.turn_until([&] { return red() == 0.0f; }));
+}
+
+TEST_CASE("a picture outside of a preset's folder is shown when the user agrees, then at once") {
+    PickerLab small;
+    const fs::path outside = save_grey(small.folder() / "outside.exr", 0.5f);
+    const fs::path preset = small.folder() / "user/presets/small/theirs.json";
+    const auto open_with = [&](const std::string& file) {
+        fs::create_directories(preset.parent_path());
+        REQUIRE(write_atomically(preset, R"({"format": "afterglow-preset", "version": 1,
+            "look": "small", "name": "theirs", "values": {"picked": ")" +
+                                             file + "\"}}")
+                    .has_value());
+        small.lab().open(preset.string());
+        REQUIRE(small.turn_until([&] { return small.document().preset_file() == preset; }));
+        small.turn(3);
+    };
+    open_with(outside.string());
+    CHECK(small.shown() == 0.0f);
+    REQUIRE(small.lab().notice().has_value());
+    CHECK(small.lab().notice()->text == "The preset uses content outside its folder: file \"" +
+                                            outside.string() + "\". It was not loaded.");
+    const Choice use = small.lab().notice()->choices.front();
+    CHECK(use.name == "Use it");
+    std::get<std::function<void(Lab&)>>(use.deeds.front())(small.lab());
+    CHECK(small.turn_until([&] { return small.shown() == 0.5f; }));
+    small.lab().open("small");
+    REQUIRE(small.turn_until([&] { return small.document().preset_file().empty(); }));
+    open_with(outside.string());
+    CHECK(small.turn_until([&] { return small.shown() == 0.5f; }));
+
+    save_grey(preset.parent_path() / "beside.exr", 0.25f);
+    small.lab().open("small");
+    REQUIRE(small.turn_until([&] { return small.document().preset_file().empty(); }));
+    open_with("beside.exr");
+    CHECK(small.turn_until([&] { return small.shown() == 0.25f; }));
+    CHECK_FALSE(small.document().is_modified());
+}

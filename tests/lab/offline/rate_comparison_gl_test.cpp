@@ -1,0 +1,93 @@
+#include "lab/compare/rate_check.h"
+#include "lab/offline/rate_comparison.h"
+#include "lab/small_lab.h"
+
+#include <cmath>
+
+namespace {
+constexpr const char* fading = R"(#version 410 core
+uniform sampler2D previous;
+uniform float decay = 0.5;  // @range 0 1  @unit "per 1/60 s"
+uniform float u_time_delta;
+uniform int u_frame;
+in vec2 uv;
+out vec4 color;
+void main() {
+    color = vec4(u_frame == 1 ? KEPT_FIRST : texture(previous, uv).r * KEPT);
+}
+)";
+
+/// A lab on a light that fades, as `kept` says it, from what `kept_first` leaves of it in frame 1.
+class Fading : public SmallLab {
+public:
+    Fading(const std::string& kept, const std::string& kept_first) {
+        std::string text = replaced(fading, "KEPT_FIRST", kept_first);
+        write_by_rename("sum.frag", replaced(text, "KEPT", kept));
+        REQUIRE(turn_until([&] { return find_parameter(document().look(), "decay"); }));
+    }
+    Result<RateComparison> compare() {
+        Work work;
+        Document document = this->document();
+        document.set_value("decay", Value(0.95));
+        auto found = compare_rates(document, {8, 6}, work);
+        CHECK(work.share == 1.0);
+        return found;
+    }
+};
+}  // namespace
+
+TEST_CASE("a look settles at a moment when every rate ends a frame") {
+    Look look;
+    look.settle_frames = 20;  // 1/3 s: half a second is the least
+    CHECK(moment_to_compare(look) == 0.5);
+    look.settle_frames = 121;
+    CHECK(std::abs(moment_to_compare(look) - 13.0 / 6.0) < 1e-12);
+    for (const double fps : compared_rates)
+        CHECK(std::abs(std::remainder(moment_to_compare(look) * fps, 1.0)) < 1e-9);
+    look.settle_frames = 100000;
+    CHECK(moment_to_compare(look) == 10.0);
+    CHECK(size_to_compare({1920, 1080}) == Extent{640, 360});
+    CHECK(size_to_compare({320, 200}) == Extent{320, 200});
+}
+
+TEST_CASE("a light that fades by the second is the same at every rate") {
+    Fading lab("pow(decay, 60.0 * u_time_delta)", "pow(decay, 60.0 * u_time_delta)");
+    const auto found = lab.compare();
+    REQUIRE(found.has_value());
+    CHECK(found->size == Extent{8, 6});
+    CHECK(found->pairs.size() == 6);
+    CHECK(found->worst().difference.largest < 1e-4);
+}
+
+TEST_CASE("a light that fades by the frame is not, and the farthest rates are named") {
+    Fading lab("decay", "decay");
+    const auto found = lab.compare();
+    REQUIRE(found.has_value());
+    CHECK(found->worst().first == 24.0);
+    CHECK(found->worst().second == 144.0);
+    // After half a second: 12 frames against 72.
+    const double apart = std::pow(0.95, 12.0) - std::pow(0.95, 72.0);
+    CHECK(std::abs(found->worst().difference.largest - apart) < 1e-4);
+    REQUIRE(found->pictures.size() == compared_rates.size());
+    CHECK(std::abs(found->picture(24.0).pixels[0] - std::pow(0.95, 12.0)) < 1e-4);
+    CHECK(std::abs(found->picture(144.0).pixels[0] - std::pow(0.95, 72.0)) < 1e-4);
+}
+
+TEST_CASE("a comparison runs beside the lab, can be cancelled and be begun again") {
+    Fading lab("decay", "1.0");
+    lab.lab().compare_rates();
+    CHECK(lab.lab().rate_check().is_running());
+    lab.lab().cancel_rate_comparison();
+    CHECK_FALSE(lab.lab().rate_check().is_running());
+    lab.lab().compare_rates();
+    REQUIRE(lab.turn_until([&] { return !lab.lab().rate_check().is_running(); }));
+    REQUIRE(lab.lab().rate_check().outcome());
+    REQUIRE(lab.lab().rate_check().outcome()->has_value());
+    const RateComparison& found = **lab.lab().rate_check().outcome();
+    REQUIRE(lab.lab().rate_pictures().shown());
+    CHECK(lab.lab().rate_pictures().shown()->pair == found.worst_place());
+    lab.lab().show_rate_pair(0);
+    CHECK(lab.lab().rate_pictures().shown()->pair == 0);
+    CHECK(lab.lab().rate_pictures().shown()->gain ==
+          gain_to_see(found.pairs[0].difference.largest));
+}

@@ -1,0 +1,110 @@
+#include "io/temporary_folder.h"
+#include "lab/no_sound_devices.h"
+#include "lab/playback/player.h"
+
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <cstring>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <thread>
+
+namespace {
+constexpr double feed_frame = 1.0 / 60.0;
+
+/// Another program, connected to a socket.
+class Sender {
+public:
+    explicit Sender(const std::filesystem::path& place)
+        : m_socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+        sockaddr_un address = {};
+        address.sun_family = AF_UNIX;
+        const std::string name = place.string();
+        std::memcpy(address.sun_path, name.c_str(), name.size());
+        REQUIRE(::connect(m_socket.get(), reinterpret_cast<const sockaddr*>(&address),
+                          sizeof address) == 0);
+    }
+
+    void send(const std::string& text) const {
+        REQUIRE(::send(m_socket.get(), text.data(), text.size(), MSG_NOSIGNAL) ==
+                static_cast<ssize_t>(text.size()));
+    }
+
+private:
+    Descriptor m_socket;
+};
+
+// As in the window, where time goes on without a sender.
+Player live_player() {
+    return Player(std::make_unique<NoSoundDevices>());
+}
+
+Spec socket_at(const std::filesystem::path& place) {
+    return {"socket", {{"path", place.string()}}};
+}
+
+/// Plays until a frame is as wished; the last one.
+template <class Wished>
+Beam play_until(Player& player, const Wished& is_wished) {
+    const auto start = std::chrono::steady_clock::now();
+    while (std::chrono::steady_clock::now() - start < std::chrono::seconds(20)) {
+        Beam beam = player.trace(player.advance(feed_frame)->span);
+        if (is_wished(beam))
+            return beam;
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    FAIL("it never came");
+    return {};
+}
+
+bool is_lit(const Beam& beam) {
+    return !beam.empty() && beam.back().intensity > 0.0f;
+}
+}  // namespace
+
+TEST_CASE("one program after the other draws over a socket, and what each does is told") {
+    const TemporaryFolder folder;
+    const auto place = folder.path() / "beam";
+    Player player = live_player();
+    REQUIRE(player.set_signal(socket_at(place)).has_value());
+    CHECK(player.sent_state() == "Waiting for a program at " + place.string());
+    CHECK(player.silence().empty());
+    {
+        const Sender first(place);
+        first.send("0.5 0 1 0.01\nnothing\n");
+        CHECK(play_until(player, is_lit).back().x == 0.5f);
+        play_until(player, [&](const Beam&) { return !player.silence().empty(); });
+        CHECK(player.silence().find("beam:2: error: expected x y intensity") != std::string::npos);
+    }
+    const Sender second(place);
+    second.send("-0.25 0 1 0.01\n");
+    play_until(player, [](const Beam& beam) { return is_lit(beam) && beam.back().x == -0.25f; });
+    CHECK(player.silence().empty());
+    CHECK(player.sent_state() == "Receiving from " + place.string());
+}
+
+TEST_CASE("after the last program has gone the beam rests, and it is told") {
+    const TemporaryFolder folder;
+    Player player = live_player();
+    REQUIRE(player.set_signal(socket_at(folder.path() / "beam")).has_value());
+    { const Sender silent(folder.path() / "beam"); }  // is no sender
+    Sender(folder.path() / "beam").send("0 0 1 0.01\n");
+    play_until(player, [&](const Beam&) { return !player.silence().empty(); });
+    CHECK(player.silence() == "\"" + (folder.path() / "beam").string() + "\" stopped sending");
+}
+
+TEST_CASE("a place that cannot be had leaves the socket that is open") {
+    const TemporaryFolder folder;
+    const auto place = folder.path() / "beam";
+    Player player = live_player();
+    REQUIRE(player.set_signal(socket_at(place)).has_value());
+    const Sender sender(place);
+    const auto moved = player.set_signal(socket_at(folder.path() / "nowhere" / "beam"));
+    REQUIRE_FALSE(moved.has_value());
+    CHECK(moved.error().front().message.find("No such file or directory") != std::string::npos);
+    sender.send("0.5 0 1 0.01\n");
+    play_until(player, is_lit);
+    REQUIRE(player.set_signal({}).has_value());
+    CHECK_FALSE(std::filesystem::exists(place));
+}

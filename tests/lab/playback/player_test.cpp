@@ -1,0 +1,388 @@
+#include "lab/playback/player.h"
+
+#include "lab/no_sound_devices.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+namespace {
+constexpr double frame_seconds = 1.0 / 60.0;
+
+/// An input device in the hands of a test.
+class FakeCapture : public SoundCapture {
+public:
+    explicit FakeCapture(double& position, bool& has_stalled)
+        : m_position(position), m_has_stalled(has_stalled) {}
+
+    std::string device_name() const override { return "Line in"; }
+    std::shared_ptr<const LiveSound> sound() const override { return live; }
+    double position_seconds() override { return m_position; }
+    bool has_stalled() const override { return m_has_stalled; }
+
+    std::shared_ptr<LiveSound> live = std::make_shared<LiveSound>(1000);
+
+private:
+    double& m_position;
+    bool& m_has_stalled;
+};
+
+class FakeDevices : public SoundDevices {
+public:
+    std::vector<SoundDevice> list() override { return {{.name = "Line in", .has_input = true}}; }
+    Result<std::unique_ptr<SoundOutput>> open_output(const SoundSettings&) override {
+        return fail({{}, 0, "no audio device found"});
+    }
+    Result<std::unique_ptr<BeamOutput>> open_beam_output(const SoundSettings&) override {
+        return fail({{}, 0, "no audio device found"});
+    }
+    Result<std::unique_ptr<SoundCapture>> open_capture(const SoundSettings& settings,
+                                                       int) override {
+        if (settings.input == "Gone")
+            return fail({{}, 0, "can't open the audio input: 'Gone' isn't connected"});
+        ++captures;
+        asked = settings;
+        auto capture = std::make_unique<FakeCapture>(position, has_stalled);
+        live = capture->live;
+        return capture;
+    }
+
+    double position = 5.0;
+    bool has_stalled = false;
+    int captures = 0;
+    SoundSettings asked;  // of the last capture
+    std::shared_ptr<LiveSound> live;
+};
+
+/// A player with devices that the test holds.
+struct LivePlayer {
+    LivePlayer() : LivePlayer(std::make_unique<FakeDevices>()) {}
+    explicit LivePlayer(std::unique_ptr<FakeDevices> made)
+        : devices(*made), player(std::move(made)) {}
+
+    FakeDevices& devices;
+    Player player;
+};
+
+PlayedSound second_of_sound() {
+    return {"a.wav", std::make_shared<const Sound>(Sound{1000, 2, std::vector<float>(2000, 0.5f)})};
+}
+}  // namespace
+
+TEST_CASE("frames join without a gap, and their number counts from 1") {
+    Player player;
+    double end = 0.0;
+    for (int i = 1; i <= 100; ++i) {
+        const auto frame = player.advance(i % 3 == 0 ? 0.031 : 0.007);
+        REQUIRE(frame.has_value());
+        CHECK(frame->number == i);
+        CHECK(frame->span.start == end);
+        end = frame->span.end;
+    }
+    CHECK(end == doctest::Approx(33 * 0.031 + 67 * 0.007));
+}
+
+TEST_CASE("speed scales time within 0.01 and 4") {
+    Player player;
+    player.set_speed(2.0);
+    CHECK(player.advance(0.1)->span.end == doctest::Approx(0.2));
+    player.set_speed(1000.0);
+    CHECK(player.speed() == 4.0);
+    player.set_speed(0.0);
+    CHECK(player.speed() == 0.01);
+}
+
+TEST_CASE("paused there is no frame; a step is a sixtieth of a second") {
+    Player player;
+    player.advance(0.05);
+    player.pause();
+    CHECK_FALSE(player.advance(0.05).has_value());
+    player.step();
+    const auto frame = player.advance(0.05);
+    REQUIRE(frame.has_value());
+    CHECK(frame->span.seconds() == doctest::Approx(frame_seconds));
+    CHECK_FALSE(player.advance(0.05).has_value());
+    player.play();
+    CHECK(player.advance(0.05).has_value());
+}
+
+TEST_CASE("restart begins with frame 1 at time 0 and no past; seeking keeps the count") {
+    Player player;
+    player.advance(0.05);
+    player.seek(7.0);
+    const auto sought = player.advance(0.05);
+    CHECK(sought->span.start == 7.0);
+    CHECK(sought->number == 2);
+    CHECK(player.past().size() == 2);
+    player.restart();
+    CHECK(player.past().empty());
+    CHECK(player.advance(0.05)->number == 1);
+}
+
+TEST_CASE("a window that was held up loses time rather than drawing it in one frame") {
+    Player player;
+    CHECK(player.advance(100.0)->span.seconds() == doctest::Approx(0.25));
+}
+
+TEST_CASE("where a frame may cover only so much, time is shown more slowly, and it is told") {
+    Player player;
+    CHECK(player.shown_share() == 1.0);
+    player.set_longest_frame(0.05);
+    double end = 0.0;
+    for (int i = 0; i < 60; ++i) {
+        const auto frame = player.advance(0.6);  // what a frame takes on a slow machine
+        CHECK(frame->span.start == end);         // nothing is left out
+        CHECK(frame->span.seconds() == doctest::Approx(0.05));
+        end = frame->span.end;
+    }
+    CHECK(player.shown_share() == doctest::Approx(0.05 / 0.6).epsilon(0.01));
+    player.set_longest_frame(1.0);  // no more than a quarter of a second in any case
+    CHECK(player.advance(0.6)->span.seconds() == doctest::Approx(0.25));
+    for (int i = 0; i < 180; ++i)
+        player.advance(frame_seconds);
+    CHECK(player.shown_share() == doctest::Approx(1.0).epsilon(0.01));
+}
+
+TEST_CASE("how slowly time is shown is true from the second slow frame on, however long it takes") {
+    Player player;
+    for (int i = 0; i < 60; ++i)
+        player.advance(frame_seconds);
+    player.advance(1.8);
+    CHECK(player.shown_share() == 1.0);  // one frame may have been held up by anything
+    player.advance(1.8);
+    CHECK(player.shown_share() == doctest::Approx(0.25 / 1.8));
+    player.advance(1.8);
+    CHECK(player.shown_share() == doctest::Approx(0.25 / 1.8));
+}
+
+TEST_CASE("a frame that was held up once slows nothing down") {
+    Player player;
+    for (const double seconds : {frame_seconds, 3.0, frame_seconds, frame_seconds}) {
+        player.advance(seconds);
+        CHECK(player.shown_share() == 1.0);
+    }
+}
+
+TEST_CASE("the fixed clock shows N/fps in frame N") {
+    Player player;
+    for (int n = 1; n <= 3; ++n) {
+        const PlayedFrame frame = player.advance_fixed(24.0);
+        CHECK(frame.number == n);
+        CHECK(frame.span.start == doctest::Approx((n - 1) / 24.0));
+        CHECK(frame.span.end == doctest::Approx(n / 24.0));
+    }
+}
+
+TEST_CASE("a signal is set over its sound, and an unknown one leaves the last") {
+    Player player;
+    REQUIRE(player
+                .set_signal(Spec{"audio", {{"file", std::string("a.wav")}, {"start", 0.25}}},
+                            second_of_sound())
+                .has_value());
+    CHECK(player.sound_seconds() == doctest::Approx(0.75));
+    const Signal* before = player.signal();
+    CHECK_FALSE(player.set_signal(Spec{"no such kind", {}}).has_value());
+    CHECK(player.signal() == before);
+    CHECK(player.sound().sound != nullptr);
+    REQUIRE(player.set_signal(Spec{"lissajous", {}}).has_value());
+    CHECK(player.sound_seconds() == 0.0);
+    CHECK_FALSE(player.trace({0.0, frame_seconds}).empty());
+    REQUIRE(player.set_signal({}).has_value());
+    CHECK(player.trace({0.0, frame_seconds}).empty());
+}
+
+TEST_CASE("a live sound is the clock, and what came in is drawn at its time") {
+    LivePlayer live;
+    live.player.advance(0.1);
+    REQUIRE(live.player.set_signal(Spec{"microphone", {{"upsample", 1.0}}}).has_value());
+    CHECK(live.player.live_device() == "Line in");
+    CHECK_FALSE(live.player.advance(0.5).has_value());  // nothing has come in since
+    live.devices.live->write(std::vector<float>(2 * 5000, 0.0f), 2);
+    live.devices.live->write(std::vector<float>(2 * 100, 0.25f), 2);
+    live.devices.position = 5.1;
+    const auto frame = live.player.advance(0.0);
+    REQUIRE(frame.has_value());
+    CHECK(frame->span.start == doctest::Approx(0.1));
+    CHECK(frame->span.end == doctest::Approx(0.2));
+    const Beam beam = live.player.trace(frame->span);
+    REQUIRE(beam.size() == 100);
+    CHECK(beam.front().x == 0.25f);
+    CHECK(beam.back().y == 0.25f);
+}
+
+TEST_CASE("what came in during a pause is passed over, and a restart begins with now") {
+    LivePlayer live;
+    REQUIRE(live.player.set_signal(Spec{"microphone", {}}).has_value());
+    live.player.pause();
+    live.devices.position = 9.0;
+    CHECK_FALSE(live.player.advance(0.1).has_value());
+    live.player.play();
+    CHECK(live.player.advance(0.1)->span.seconds() == doctest::Approx(0.25));
+    live.player.restart();
+    live.devices.position = 9.1;
+    const auto frame = live.player.advance(0.1);
+    CHECK(frame->number == 1);
+    CHECK(frame->span.end == doctest::Approx(0.1));
+}
+
+TEST_CASE("the picture of a live sound is late by the delay that was asked for") {
+    LivePlayer live;
+    REQUIRE(live.player.set_signal(Spec{"microphone", {}}).has_value());
+    SoundSettings late;
+    late.picture_delay_ms = 100.0;
+    REQUIRE(live.player.set_sound_settings(late).has_value());
+    live.devices.position = 5.15;
+    const auto frame = live.player.advance(0.0);
+    REQUIRE(frame.has_value());
+    CHECK(frame->span.end == doctest::Approx(0.05));
+}
+
+TEST_CASE("another input, rate or buffer opens the input anew with it") {
+    LivePlayer live;
+    REQUIRE(live.player.set_signal(Spec{"microphone", {}}).has_value());
+    SoundSettings other;
+    other.input = "Monitor of speakers";
+    REQUIRE(live.player.set_sound_settings(other).has_value());
+    CHECK(live.devices.asked == other);
+    other.rate = 96000;
+    REQUIRE(live.player.set_sound_settings(other).has_value());
+    CHECK(live.devices.asked == other);
+    other.buffer = 128;
+    REQUIRE(live.player.set_sound_settings(other).has_value());
+    CHECK(live.devices.asked == other);
+    CHECK(live.devices.captures == 4);
+}
+
+TEST_CASE("an input that is not there is told, and the last signal goes on") {
+    LivePlayer live;
+    REQUIRE(live.player.set_signal(Spec{"lissajous", {}}).has_value());
+    SoundSettings gone;
+    gone.input = "Gone";
+    REQUIRE(live.player.set_sound_settings(gone).has_value());
+    const auto set = live.player.set_signal(Spec{"microphone", {}});
+    REQUIRE_FALSE(set.has_value());
+    CHECK(live.player.silence() == "can't open the audio input: 'Gone' isn't connected");
+    CHECK_FALSE(live.player.trace(live.player.advance(0.1)->span).empty());
+}
+
+TEST_CASE("an input that goes away is told, and time goes on") {
+    LivePlayer live;
+    REQUIRE(live.player.set_signal(Spec{"microphone", {}}).has_value());
+    live.devices.has_stalled = true;
+    CHECK(live.player.advance(0.1)->span.seconds() == doctest::Approx(0.1));
+    CHECK(live.player.silence() == "No input from \"Line in\"");
+}
+
+TEST_CASE("a muted live sound draws a resting beam, and its device stays closed") {
+    LivePlayer live;
+    REQUIRE(live.player.mute_input(true).has_value());
+    REQUIRE(live.player.set_signal(Spec{"microphone", {{"upsample", 1.0}}}).has_value());
+    CHECK(live.devices.captures == 0);
+    CHECK(live.player.draws_muted_input());
+    CHECK(live.player.silence() == "Live sound is muted");
+    const auto frame = live.player.advance(0.1);  // the machine's clock goes on
+    REQUIRE(frame.has_value());
+    for (const BeamPoint& point : live.player.trace(frame->span)) {
+        CHECK(point.x == 0.0f);
+        CHECK(point.y == 0.0f);
+    }
+    REQUIRE(live.player.mute_input(false).has_value());
+    CHECK(live.devices.captures == 1);
+    CHECK(live.player.live_device() == "Line in");
+    CHECK(live.player.silence().empty());
+    REQUIRE(live.player.mute_input(true).has_value());
+    CHECK(live.player.live_device().empty());
+}
+
+TEST_CASE("the input is open only while it is drawn, and not anew when a knob is turned") {
+    LivePlayer live;
+    REQUIRE(live.player.set_signal(Spec{"microphone", {}}).has_value());
+    REQUIRE(live.player.set_signal(Spec{"microphone", {{"level", 2.0}}}).has_value());
+    CHECK(live.devices.captures == 1);
+    REQUIRE(live.player.set_signal(Spec{"lissajous", {}}).has_value());
+    CHECK(live.player.live_device().empty());
+}
+
+namespace {
+/// A loudspeaker in the hands of a test.
+struct Loudspeaker {
+    double position = 0.0;
+    bool has_stalled = false;
+};
+
+class FakeOutput : public SoundOutput {
+public:
+    explicit FakeOutput(Loudspeaker& loudspeaker) : m_loudspeaker(loudspeaker) {}
+
+    std::string device_name() const override { return "Line out"; }
+    void play(std::shared_ptr<const Sound>, double) override {}
+    void play() override {}
+    void pause() override {}
+    void seek(double seconds) override { m_loudspeaker.position = seconds; }
+    void set_loop(bool) override {}
+    void set_level(double) override {}
+    void set_speed(double) override {}
+    double position_seconds() override { return m_loudspeaker.position; }
+    bool has_stalled() const override { return m_loudspeaker.has_stalled; }
+
+private:
+    Loudspeaker& m_loudspeaker;
+};
+
+class OutputDevices : public NoSoundDevices {
+public:
+    explicit OutputDevices(Loudspeaker& loudspeaker) : m_loudspeaker(loudspeaker) {}
+
+    Result<std::unique_ptr<SoundOutput>> open_output(const SoundSettings&) override {
+        return std::make_unique<FakeOutput>(m_loudspeaker);
+    }
+
+private:
+    Loudspeaker& m_loudspeaker;
+};
+}  // namespace
+
+TEST_CASE("a sound that is heard is the clock; when its device goes, it is told and time goes on") {
+    Loudspeaker loudspeaker;
+    Player player(std::make_unique<OutputDevices>(loudspeaker));
+    REQUIRE(player.set_signal(parse_spec("audio:a.wav").value(), second_of_sound()).has_value());
+    loudspeaker.position = 0.02;
+    CHECK(player.advance(0.1)->span.end == doctest::Approx(0.02));
+    CHECK(player.silence().empty());
+    loudspeaker.has_stalled = true;
+    CHECK(player.advance(0.1)->span.end == doctest::Approx(0.12));
+    CHECK(player.silence() == "Audio device \"Line out\" stopped. Playing silently.");
+}
+
+TEST_CASE("who comes back to a moment finds the frames before it, as if they had been shown") {
+    Player player;
+    player.seek_with_past(2.0, 30);
+    CHECK(player.time() == doctest::Approx(2.0));
+    CHECK(player.frame_number() == 120);
+    REQUIRE(player.past().size() == 30);
+    CHECK(player.past().front().number == 91);
+    CHECK(player.past().front().span.start == doctest::Approx(1.5));
+    CHECK(player.past().back().span.end == doctest::Approx(2.0));
+    CHECK(player.past().back().span.seconds() == doctest::Approx(frame_seconds));
+
+    player.seek_with_past(0.1, 30);  // there were no more
+    CHECK(player.past().size() == 6);
+    CHECK(player.past().front().number == 1);
+    player.seek_with_past(0.0, 30);
+    CHECK(player.past().empty());
+}
+
+TEST_CASE("textures follow a player's signal; without one there is nothing to follow") {
+    Player player;
+    CHECK_FALSE(player.sound_texels());
+    REQUIRE(player.set_signal(parse_spec("lissajous:x=2,y=2,phase=0.25,amplitude=0.5").value())
+                .has_value());
+    REQUIRE(player.sound_texels());
+    std::array<float, 8> levels{};
+    player.sound_texels()->read({SoundTexture::Holds::wave, 4}, 1.0, levels);
+    for (std::size_t i = 0; i < 4; ++i)
+        CHECK(std::hypot(2.0f * levels[i] - 1.0f, 2.0f * levels[i + 4] - 1.0f) ==
+              doctest::Approx(0.5).epsilon(1e-3));
+    REQUIRE(player.set_signal({}).has_value());
+    CHECK_FALSE(player.sound_texels());
+}

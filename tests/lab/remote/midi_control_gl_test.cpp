@@ -1,0 +1,203 @@
+// Knobs of MIDI devices, from the bytes that come on.
+#include "io/control/midi_inputs.h"
+#include "lab/remote/midi_control.h"
+#include "lab/small_lab.h"
+
+#include <cmath>
+#include <deque>
+
+namespace {
+using Bytes = std::vector<std::uint8_t>;
+
+/// What a test plugs in and turns.
+struct FakeDevice {
+    std::vector<std::string> plugged = {"nanoKONTROL"};
+    std::deque<Bytes> messages;
+};
+
+class FakeMidi : public MidiInputs {
+public:
+    explicit FakeMidi(FakeDevice& device) : m_device(device) {}
+    Result<void> open() override {
+        m_names = m_device.plugged;
+        return m_names.empty() ? fail({{}, 0, "no device found"}) : Result<void>();
+    }
+    void close() override { m_names.clear(); }
+    std::vector<std::string> names() const override { return m_names; }
+    std::optional<Bytes> take() override {
+        if (m_names.empty() || m_device.messages.empty())
+            return std::nullopt;
+        auto message = m_device.messages.front();
+        m_device.messages.pop_front();
+        return message;
+    }
+    int descriptor() const override { return -1; }
+
+private:
+    FakeDevice& m_device;
+    std::vector<std::string> m_names;
+};
+
+/// A lab with a device on which knobs are turned.
+class Turning : public SmallLab {
+public:
+    Turning() { begin(); }
+    void begin() {
+        start(std::make_unique<FakeMidi>(device));
+        lab().open("small");
+        wait_for_frames();
+    }
+    void knob(int controller, int value, double seconds = 1.0 / 60.0) {
+        device.messages.push_back(
+            {0xb0, static_cast<std::uint8_t>(controller), static_cast<std::uint8_t>(value)});
+        lab().update(seconds);
+    }
+    double gain() { return document().value(*find_parameter(document().look(), "gain")).number(); }
+
+    FakeDevice device;
+};
+
+bool is_at(double a, double b) {
+    return std::abs(a - b) <= 1e-6;
+}
+}  // namespace
+
+TEST_CASE("a knob is learnt, turns the parameter over its range as one step, and is kept") {
+    Turning small;
+    small.lab().learn_midi({"gain"});
+    REQUIRE(small.lab().midi().learning());
+    CHECK(small.lab().midi().devices() == std::vector<std::string>{"nanoKONTROL"});
+    small.device.messages.push_back({0x90, 60, 100});  // a key of it is no knob
+    small.knob(21, 10);
+    CHECK_FALSE(small.lab().midi().learning());
+    CHECK(small.lab().notice()->text == "CC 21, channel 1 now controls \"Gain\"");
+    CHECK(small.gain() == 1.0);  // learning turns nothing
+    // The range is 0 to 8, so 1 is at 15.875 of 127: there the knob takes hold.
+    small.knob(21, 12);
+    CHECK(small.gain() == 1.0);
+    small.knob(21, 16);
+    CHECK(is_at(small.gain(), 8.0 * 16 / 127));
+    small.lab().record_moves(true);
+    small.knob(21, 127);
+    CHECK(small.gain() == 8.0);
+    REQUIRE_FALSE(small.lab().moves().moves().empty());
+    CHECK(small.lab().moves().moves().back().name == "gain");
+    CHECK(small.lab().moves().moves().back().value == Value(8.0));
+    CHECK(small.document().history().past().size() == 1);
+    small.lab().update(0.6);
+    CHECK_FALSE(small.document().history().is_in_gesture());
+    small.lab().edit([](Document& document) { document.undo(); });
+    CHECK(small.gain() == 1.0);
+
+    small.begin();  // the program is started again
+    CHECK(small.lab().midi().is_listening());
+    CHECK(small.lab().remote_settings().midi == std::vector<MidiBinding>{{{"gain"}, 1, 21}});
+    RemoteSettings settings = small.lab().remote_settings();
+    settings.picks_up = false;
+    small.lab().set_remote_settings(settings);
+    small.knob(21, 127);
+    CHECK(small.gain() == 8.0);  // it jumps, as was asked for
+    settings.unbind({"gain"});
+    small.lab().set_remote_settings(settings);
+    small.knob(21, 0);
+    CHECK(small.gain() == 8.0);
+}
+
+TEST_CASE("a device of 14 bits is learnt by its pair, and is as fine as that") {
+    Turning small;
+    small.lab().learn_midi({"gain"});
+    small.device.messages.push_back({0xb0, 7, 16});
+    small.knob(39, 0);  // right behind
+    CHECK(small.lab().remote_settings().midi == std::vector<MidiBinding>{{{"gain"}, 1, 7, true}});
+    small.device.messages.push_back({0xb0, 7, 16});
+    small.knob(39, 1);
+    CHECK(is_at(small.gain(), 8.0 * 2049 / 16383));
+    small.lab().learn_midi({"gain"});
+    small.knob(7, 16);
+    small.knob(39, 0, 0.5);  // much later: another knob
+    CHECK(small.lab().remote_settings().midi == std::vector<MidiBinding>{{{"gain"}, 1, 7, false}});
+}
+
+TEST_CASE("what is locked is refused, and what another look has is left alone") {
+    Turning small;
+    RemoteSettings settings;
+    settings.listens_to_midi = true;
+    settings.picks_up = false;
+    settings.midi = {{{"gain"}, 1, 21}, {{"elsewhere"}, 1, 22}};
+    small.lab().set_remote_settings(settings);
+    small.lab().edit([](Document& document) { document.set_knob("gain", {.is_locked = true}); });
+    small.knob(21, 127);
+    CHECK(small.gain() == 1.0);
+    CHECK(small.lab().notice()->text == "MIDI: 'gain' is locked");
+    small.knob(22, 127);
+    CHECK(small.lab().midi().refused() == 1);
+    CHECK(small.lab().midi().turned() == 0);
+    CHECK(small.document().history().past().empty());
+}
+
+TEST_CASE("a switch has no place to be picked up at: a knob turns it at once") {
+    Turning small;
+    small.write_by_rename("gain.glsl",
+                          "uniform float gain = 1.0;\nuniform bool is_dark = false;\n");
+    small.write_by_rename("show.frag",
+                          replaced(small_look::show, "* gain", "* (is_dark ? 0.0 : gain)"));
+    REQUIRE(small.turn_until(
+        [&] { return find_parameter(small.document().look(), "is_dark") != nullptr; }));
+    RemoteSettings settings;
+    settings.listens_to_midi = true;
+    settings.midi = {{{"is_dark"}, 1, 21}};
+    small.lab().set_remote_settings(settings);
+    REQUIRE(settings.picks_up);
+    small.knob(21, 127);
+    CHECK(small.document().value(*find_parameter(small.document().look(), "is_dark")).number() ==
+          1.0);
+}
+
+TEST_CASE("nothing is turned while another stack is being read") {
+    Turning small;
+    RemoteSettings settings;
+    settings.listens_to_midi = true;
+    settings.picks_up = false;
+    settings.midi = {{{"gain"}, 1, 21}};
+    small.lab().set_remote_settings(settings);
+    small.lab().edit([](Document& document) {
+        Stack twice = document.look().stack;
+        twice.push_back(twice.front());
+        twice.back().tag = free_tag(document.look().stack, twice.back().look);
+        document.set_stack(twice, "Add");
+    });
+    REQUIRE(small.document().is_restacking());
+    small.knob(21, 127);
+    CHECK(small.lab().midi().turned() == 0);
+}
+
+TEST_CASE("without a device one message says so, and one that is plugged in later is found") {
+    Turning small;
+    small.device.plugged.clear();
+    small.lab().learn_midi({"gain"});
+    CHECK_FALSE(small.lab().midi().learning());
+    CHECK(small.lab().notice()->text == "MIDI: no device found");
+    CHECK_FALSE(small.lab().notice()->is_problem);
+    CHECK_FALSE(small.lab().remote_settings().listens_to_midi);
+    small.device.plugged = {"Faders"};
+    small.lab().look_for_midi_devices();
+    CHECK(small.lab().notice()->text == "Listening to MIDI: Faders");
+    small.device.plugged = {"Faders", "Knobs"};
+    small.lab().learn_midi({"gain"});
+    CHECK(small.lab().midi().devices().size() == 2);
+    small.lab().end_midi_learning();
+    small.knob(21, 64);
+    CHECK(small.lab().remote_settings().midi.empty());
+}
+
+TEST_CASE("this machine's devices are opened or a reason is given") {
+    const auto inputs = machine_midi_inputs();
+    CHECK(inputs->descriptor() >= 0);
+    if (const auto opened = inputs->open()) {
+        CHECK_FALSE(inputs->names().empty());
+    } else {
+        CHECK(opened.error().front().message.find("device") != std::string::npos);
+        CHECK(inputs->names().empty());
+    }
+    CHECK_FALSE(inputs->take());
+}

@@ -1,0 +1,28 @@
+#include "lab/rendering/period_terms.h"
+
+#include <doctest/doctest.h>
+
+TEST_CASE(
+    "a period is told as moiré, as too fine, or not at all, with the nearest value that is even") {
+    Parameter parameter;
+    parameter.name = "size";
+    parameter.unit = "px a period";
+    parameter.range = {1.0, 16.0, 0.0};
+    const Look look;
+    const Values values;
+    const PeriodTerms terms{look, values, {320, 240}, {}};
+    const auto told = [&](double value) { return period_facts(parameter, value, terms); };
+    CHECK(told(4.0).period == 4.0);
+    CHECK_FALSE(told(4.0).beat);
+    CHECK_FALSE(told(4.0).even);
+    CHECK(told(4.1).beat.value() == doctest::Approx(164.0));
+    CHECK(told(4.1).even.value() == doctest::Approx(4.0));
+    CHECK_FALSE(told(4.1).is_too_fine);
+    CHECK(told(1.9).is_too_fine);
+    CHECK_FALSE(told(1.9).beat);
+    CHECK(told(1.9).even.value() == doctest::Approx(2.0));
+    CHECK_FALSE(told(2.0).is_too_fine);
+    parameter.unit = "px";
+    CHECK_FALSE(told(1.9).period);
+    CHECK_FALSE(told(1.9).is_too_fine);
+}

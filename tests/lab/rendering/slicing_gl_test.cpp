@@ -1,0 +1,81 @@
+// Which frames are drawn in slices, and what is known of them meanwhile.
+#include "graph/looks.h"
+#include "lab/rendering/renderer.h"
+
+TEST_CASE(
+    "frames are whole without a slice; with one the first is not, until it is known as light") {
+    Slicing slicing;
+    CHECK_FALSE(slicing.is_due());
+    slicing.set_slice(0.02);
+    CHECK(slicing.is_due());
+    CHECK_FALSE(slicing.is_heavy());
+    slicing.note(0.029);
+    CHECK_FALSE(slicing.is_due());
+    slicing.forget();
+    CHECK(slicing.is_due());
+}
+
+TEST_CASE("a look goes from whole to sliced above one and a half slices, and back below one") {
+    Slicing slicing;
+    slicing.set_slice(0.02);
+    for (const auto& [seconds, is_heavy] :
+         {std::pair{0.029, false}, {0.031, true}, {0.025, true}, {0.021, true}, {0.019, false}}) {
+        slicing.note(seconds);
+        CHECK(slicing.is_heavy() == is_heavy);
+        CHECK(slicing.is_due() == is_heavy);
+    }
+}
+
+TEST_CASE_FIXTURE(Headless, "a first frame in slices is no picture until it is whole") {
+    const Look look = look_of({counter()});
+    Renderer renderer(look, programs_of(look));
+    REQUIRE(renderer.resize({8, 8}, {8, 8}).has_value());
+    renderer.set_slice(1e-9);
+    renderer.draw({1, {0.0, 1.0 / 60.0}}, {});
+    CHECK(renderer.is_amid_frame());
+    int slices = 1;
+    while (!renderer.continue_frame()) {
+        CHECK_FALSE(renderer.has_whole_picture());
+        ++slices;
+    }
+    CHECK(slices >= 2);
+    CHECK(renderer.has_whole_picture());
+    CHECK_FALSE(renderer.is_amid_frame());
+    CHECK(red(renderer.executor(), 0, 7, 7) == 1.0f);
+    CHECK(renderer.continue_frame());  // there is nothing left
+}
+
+TEST_CASE_FIXTURE(Headless,
+                  "a frame that nobody waits for is whole at once; the next is in slices") {
+    const Look look = look_of({counter()});
+    Renderer renderer(look, programs_of(look));
+    REQUIRE(renderer.resize({8, 8}, {8, 8}).has_value());
+    renderer.set_slice(1e-9);
+    renderer.draw_next_whole();
+    renderer.draw({1, {0.0, 1.0 / 60.0}}, {});
+    CHECK_FALSE(renderer.is_amid_frame());
+    CHECK(renderer.has_whole_picture());
+    CHECK(red(renderer.executor(), 0, 7, 7) == 1.0f);
+    renderer.draw({2, {1.0 / 60.0, 2.0 / 60.0}}, {});
+    CHECK(renderer.is_amid_frame());
+}
+
+TEST_CASE_FIXTURE(Headless,
+                  "a variant is drawn in the slices after the picture's, with its own values") {
+    Look look = look_of({pass("show", "uniform float k;\nvoid main() { color = vec4(k); }\n")},
+                        {knob("k", {}, 1.0, {{0, "k"}})});
+    Renderer renderer(look, programs_of(look));
+    REQUIRE(renderer.resize({8, 8}, {8, 8}).has_value());
+    REQUIRE(renderer.start_variant({{"k", 5.0}}).has_value());
+    Player player;
+    renderer.replay_variant(player, 0);  // it has no past: both are drawn from here on
+    renderer.set_slice(1e-9);
+    renderer.draw({1, {0.0, 1.0 / 60.0}}, {});
+    int slices = 1;
+    while (!renderer.continue_frame())
+        ++slices;
+    CHECK(slices >= 4);
+    REQUIRE(renderer.variant());
+    CHECK(red(renderer.executor(), 0, 7, 7) == 1.0f);
+    CHECK(red(*renderer.variant(), 0, 7, 7) == 5.0f);
+}

@@ -1,0 +1,130 @@
+// The window tells which passes somebody looks at; the others may be drawn onto a shared target.
+#include "lab/small_lab.h"
+#include "lab/views/displayed_passes.h"
+#include "lab/window/window_state.h"
+
+namespace {
+const char* const glowing = R"({
+  "format": "afterglow-look", "version": 1, "name": "Small", "driven_by": "nothing", "settle_frames": 20,
+  "passes": [
+    { "name": "light", "fragment": "light.frag", "format": "rgba32f", "blend": "add", "onto": { "pass": "glow", "where": "1" } },
+    { "name": "glow", "fragment": "glow.frag", "format": "rgba32f", "inputs": { "now": "light", "before": "glow@1" } },
+    { "name": "show", "fragment": "show.frag", "format": "rgba32f", "inputs": { "image": "glow" } }
+  ]
+})";
+
+/// Its glow gains one with every frame.
+class GlowingLab : public SmallLab {
+public:
+    GlowingLab() {
+        write("light.frag", replaced(small_look::sum, "texture(previous, uv)", "vec4(0.0)"));
+        write("glow.frag",
+              "#version 410 core\nuniform sampler2D now;\nuniform sampler2D before;\n"
+              "uniform bool u_drawn_onto;\nin vec2 uv;\nout vec4 color;\n"
+              "void main() {\n    color = texture(before, uv);\n"
+              "    if (!u_drawn_onto)\n        color += texture(now, uv);\n}\n");
+        write_by_rename("look.json", glowing);
+        REQUIRE(turn_until([&] { return document().look().passes.size() == 3; }));
+        turn(2);
+        m_before = at(2) - frames();
+    }
+
+    float at(int pass) { return gpu::read_pixel(executor().target(pass), 3, 3)[0]; }
+    const Executor& executor() { return lab().renderer()->executor(); }
+    bool is_shared() { return executor().plan().targets[0].onto.has_value(); }
+    /// All the light of all frames so far.
+    bool has_all_light() { return at(2) == frames() + m_before && at(1) == at(2); }
+
+private:
+    float m_before = 0.0f;
+};
+
+const SeenPasses picture_alone{.are_all = false};
+}  // namespace
+
+TEST_CASE("no light is lost or doubled when somebody begins and ends looking at passes") {
+    GlowingLab small;
+    CHECK(small.has_all_light());
+    for (int n = 0; n < 6; ++n) {
+        CAPTURE(n);
+        small.lab().look_at(n % 2 == 0 ? picture_alone : SeenPasses());
+        small.turn(1);
+        CHECK(small.is_shared() == (n % 2 == 0));
+        CHECK(small.has_all_light());
+        CHECK(small.at(0) == 1.0f);
+        small.turn(n);
+        CHECK(small.has_all_light());
+    }
+    small.lab().look_at({.are_all = false, .names = {"light"}});
+    small.turn(1);
+    CHECK_FALSE(small.is_shared());
+}
+
+TEST_CASE("a picture that rests shows its passes as soon as somebody looks at them") {
+    GlowingLab small;
+    small.lab().look_at(picture_alone);
+    small.turn(1);
+    small.lab().transport().pause();
+    REQUIRE(small.turn_until([&] { return !small.lab().is_moving(); }));
+    const float frames = small.frames();
+    CHECK(small.is_shared());
+    for (const bool is_seen : {true, false, true}) {
+        small.lab().look_at(is_seen ? SeenPasses() : picture_alone);
+        small.turn(1);
+        CHECK(small.lab().renderer()->has_whole_picture());
+        CHECK_FALSE(small.lab().is_moving());
+        CHECK(small.has_all_light());
+        CHECK(small.at(0) == 1.0f);
+    }
+    CHECK(small.frames() == frames);
+}
+
+TEST_CASE("programs that hold the values know who is drawn onto whom") {
+    GlowingLab small;
+    REQUIRE(small.turn_until([&] { return small.executor().is_settled(); }));
+    small.lab().look_at(picture_alone);
+    small.turn(1);
+    CHECK_FALSE(small.executor().is_settled());
+    CHECK(small.has_all_light());
+    REQUIRE(small.turn_until([&] { return small.executor().is_settled(); }));
+    CHECK(small.is_shared());
+    CHECK(small.has_all_light());
+    small.lab().switch_pass(PassSwitch::freeze, "light");
+    small.turn(2);
+    CHECK_FALSE(small.is_shared());
+    CHECK(small.has_all_light());
+    small.lab().switch_pass(PassSwitch::freeze, "light");
+    small.turn(2);
+    CHECK(small.has_all_light());
+    small.lab().look_at({});
+    small.turn(3);
+    CHECK(small.has_all_light());
+}
+
+TEST_CASE("a window looks at its picture and at what is looked into; its strip asks for others") {
+    GlowingLab small;
+    const Look& look = small.document().look();
+    const auto seen = [&](const WindowState& window) {
+        return displayed_passes(small.lab(), window).of(look);
+    };
+    const std::vector<bool> last{false, false, true};
+    WindowState window;
+    CHECK(window.shows_strip);
+    CHECK(seen(window) == last);
+    window.inspected.pass = "light";
+    CHECK(seen(window) == std::vector<bool>{true, false, true});
+    window.inspected.other = TextureChoice{Input::From::pass, "glow", 1};
+    CHECK(seen(window) == std::vector<bool>{true, true, true});
+    window.shows_inspector = false;
+    CHECK(seen(window) == last);
+    window.shows_pass_large = true;
+    CHECK(seen(window) == std::vector<bool>{true, true, true});
+    window.shows_pass_large = false;
+    window.shows_inspector = window.is_picture_only = true;
+    CHECK(seen(window) == last);
+    window.probe = Probe{.pass = "glow"};
+    CHECK(seen(window) == std::vector<bool>{false, true, true});
+    window.probe.reset();
+    small.lab().switch_pass(PassSwitch::solo, "light");
+    CHECK(seen(window) == std::vector<bool>{true, false, true});
+}

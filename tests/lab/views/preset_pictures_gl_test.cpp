@@ -1,0 +1,170 @@
+// Small pictures of presets, drawn beside the window and kept.
+#include "formats/preset/preset_format.h"
+#include "io/pictures/picture_file.h"
+#include "lab/offline/preset_painter.h"
+#include "lab/small_lab.h"
+#include "lab/views/preset_pictures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <future>
+
+namespace {
+// A look whose second pass shows `gain` hundredths, as it stands in a picture of 8 bits.
+class Painting : public SmallLab {
+public:
+    Painting() {
+        write("show.frag",
+              replaced(small_look::show, "texture(image, uv) * gain", "vec4(gain / 100.0)"));
+        turn_until([&] { return std::abs(shown() - 0.01f) < 1e-4f; });
+    }
+    std::filesystem::path preset(const char* name, double gain) {
+        Preset preset;
+        preset.look = "small";
+        preset.name = name;
+        preset.values = {{"gain", Value(gain)}};
+        auto file = folder() / "presets" / "small" / (std::string(name) + ".json");
+        REQUIRE(save_preset(file, preset).has_value());
+        return file;
+    }
+    /// Turns until every picture is there; "": the look as it is.
+    void look_at(PresetPictures& pictures, const std::vector<std::filesystem::path>& files) {
+        REQUIRE(turn_until([&] {
+            pictures.update(lab(), true, 1.0);
+            return std::ranges::none_of(files,
+                                        [&](const auto& file) { return pictures.of(file).is_due; });
+        }));
+    }
+};
+
+// A look that shows the picture it works on.
+const std::string showing_a_source = R"({
+  "format": "afterglow-look", "version": 1, "name": "Small", "driven_by": "picture",
+  "default_source": "pattern:white", "source_encoding": "linear", "settle_frames": 1,
+  "passes": [{ "name": "show", "fragment": "show.frag", "format": "rgba32f", "inputs": { "image": "source" } }]
+})";
+
+// As an editor saves it: another file takes its place.
+void save_grey(const std::filesystem::path& file, float level) {
+    const Picture grey{{4, 4}, 3, Encoding::linear, std::vector<float>(48, level)};
+    REQUIRE(save_picture(grey, file).has_value());
+}
+
+// On a thread of its own, as each has one current context.
+Result<Picture> painted(const SmallLab& small, const std::filesystem::path& file, int* drawn) {
+    return std::async(std::launch::async,
+                      [&] {
+                          PresetPainter painter(small.document().look(), Library(small.roots()));
+                          auto picture = painter.paint(file, Work{});
+                          *drawn += painter.drawn();
+                          return picture;
+                      })
+        .get();
+}
+}  // namespace
+
+TEST_CASE("a preset's picture shows its values, and is drawn again only when something changed") {
+    Painting small;
+    const auto bright = small.preset("bright", 8.0);
+    int drawn = 0;
+    auto picture = painted(small, bright, &drawn);
+    REQUIRE(picture.has_value());
+    CHECK(picture->extent == Extent{240, 135});
+    CHECK(picture->encoding == Encoding::display);
+    // 8 hundredths are 20.4 of 255.
+    CHECK(std::abs(picture->pixels[0] * 255.0f - 20.4f) <= 0.5f);
+    CHECK(drawn == 1);
+    picture = painted(small, bright, &drawn);
+    REQUIRE(picture.has_value());
+    CHECK(std::abs(picture->pixels[0] * 255.0f - 20.4f) <= 0.5f);
+    CHECK(drawn == 1);  // it was kept
+    small.preset("bright", 4.0);
+    picture = painted(small, bright, &drawn);
+    CHECK(std::abs(picture->pixels[0] * 255.0f - 10.2f) <= 0.5f);
+    CHECK(drawn == 2);
+    const auto plain = painted(small, {}, &drawn);
+    CHECK(std::abs(plain->pixels[0] * 255.0f - 2.55f) <= 0.5f);
+    CHECK(drawn == 3);
+}
+
+TEST_CASE("what is kept of a preset is taken as it is, and what is damaged is drawn") {
+    Painting small;
+    const auto bright = small.preset("bright", 8.0);
+    int drawn = 0;
+    REQUIRE(painted(small, bright, &drawn).has_value());
+    const auto kept = small.roots().state / "preset-pictures";
+    for (const auto& entry : std::filesystem::directory_iterator(kept))
+        REQUIRE(write_atomically(entry.path(), "no picture").has_value());
+    CHECK(painted(small, bright, &drawn).has_value());
+    CHECK(drawn == 2);
+    small.write("show.frag", replaced(small_look::show, "texture(image, uv) * gain",
+                                      "vec4(gain / 50.0)"));  // the look was edited
+    REQUIRE(small.turn_until([&] { return std::abs(small.shown() - 0.02f) < 1e-4f; }));
+    const auto picture = painted(small, bright, &drawn);
+    CHECK(std::abs(picture->pixels[0] * 255.0f - 40.8f) <= 0.5f);
+    CHECK(drawn == 3);
+}
+
+TEST_CASE("pictures come while somebody looks; a broken preset says why it has none") {
+    Painting small;
+    const auto bright = small.preset("bright", 8.0);
+    const auto broken = small.folder() / "presets" / "small" / "broken.json";
+    REQUIRE(write_atomically(broken, "{\n\"format\": 3 }").has_value());
+    PresetPictures pictures;
+    for (int turn = 0; turn < 3; ++turn)
+        pictures.update(small.lab(), false, 1.0);
+    CHECK_FALSE(pictures.is_drawing());
+    CHECK(pictures.of(bright).is_due);
+    small.look_at(pictures, {{}, bright, broken});
+    CHECK(pictures.of({}).image.extent == Extent{240, 135});
+    CHECK(pictures.of(bright).image.handle != 0);
+    CHECK(pictures.of(broken).image.handle == 0);
+    CHECK(pictures.of(broken).problem.starts_with("line 2: "));
+    CHECK(pictures.drawn() == 2);
+
+    const auto handle = pictures.of({}).image.handle;
+    small.preset("broken", 2.0);  // mended
+    std::filesystem::last_write_time(
+        broken, std::filesystem::last_write_time(broken) + std::chrono::seconds(2));
+    pictures.update(small.lab(), true, 1.0);
+    small.look_at(pictures, {{}, bright, broken});
+    CHECK(pictures.of(broken).image.handle != 0);
+    CHECK(pictures.of(broken).problem.empty());
+    CHECK(pictures.of({}).image.handle == handle);  // the others stayed
+    CHECK(pictures.drawn() == 3);
+}
+
+TEST_CASE("a preset's picture follows the file that the preset names") {
+    SmallLab small(showing_a_source);
+    const auto grey = small.folder() / "presets" / "small" / "grey.exr";
+    save_grey(grey, 0.08f);
+    Preset preset;
+    preset.look = "small";
+    preset.name = "grey";
+    preset.source = grey.string();
+    const auto file = small.folder() / "presets" / "small" / "grey.json";
+    REQUIRE(save_preset(file, preset).has_value());
+    int drawn = 0;
+    CHECK(std::abs(painted(small, file, &drawn)->pixels[0] * 255.0f - 20.4f) <= 0.5f);
+    painted(small, file, &drawn);
+    CHECK(drawn == 1);
+    PresetPictures pictures;
+    const auto look = [&] {
+        REQUIRE(small.turn_until([&] {
+            pictures.update(small.lab(), true, 1.0);
+            return !pictures.of(file).is_due && !pictures.of({}).is_due;
+        }));
+    };
+    look();
+    CHECK(pictures.drawn() == 1);  // the look as it is
+    save_grey(grey, 0.5f);
+    std::filesystem::last_write_time(
+        grey, std::filesystem::last_write_time(grey) + std::chrono::seconds(2));
+    pictures.update(small.lab(), true, 1.0);
+    CHECK(pictures.of(file).is_due);
+    CHECK_FALSE(pictures.of({}).is_due);
+    look();
+    CHECK(pictures.drawn() == 2);
+    CHECK(std::abs(painted(small, file, &drawn)->pixels[0] * 255.0f - 127.5f) <= 0.5f);
+    CHECK(drawn == 1);  // it was kept
+}

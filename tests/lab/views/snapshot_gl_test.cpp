@@ -1,0 +1,48 @@
+#include "io/pictures/picture_file.h"
+#include "lab/small_lab.h"
+#include "lab/views/snapshot.h"
+
+#include <cmath>
+
+namespace {
+PassView view_of(const char* pass) {
+    PassView view;
+    view.pass = pass;
+    return view;
+}
+
+Picture saved(SmallLab& small, const PassView& view, const char* name) {
+    save_target(small.lab(), view, small.folder() / name);
+    const auto picture = load_picture(small.folder() / name);
+    REQUIRE(picture.has_value());
+    return *picture;
+}
+}  // namespace
+
+TEST_CASE("a pass is saved with its numbers as EXR, as it is seen as PNG") {
+    SmallLab small;
+    small.lab().transport().pause();
+    small.turn(2);
+    const float frames = gpu::read_pixel(small.lab().renderer()->executor().target(0), 0, 0)[0];
+    PassView view = view_of("sum");
+    CHECK(saved(small, view, "sum.exr").pixels == std::vector<float>(8 * 8 * 4, frames));
+    CHECK(small.lab().notice()->text == "Saved \"sum\" to \"sum.exr\"");
+
+    // Of what is linear, sRGB's half lies at 0.214041.
+    view.levels = {frames - 0.214041, frames + 1 - 0.214041};
+    const Picture seen = saved(small, view, "sum.png");
+    CHECK(seen.extent == Extent{8, 8});
+    CHECK(std::abs(seen.pixels[0] - 0.5f) <= 0.6f / 255.0f);
+    view.levels = {frames + 1.0, frames + 2.0};
+    view.marks_clipping = true;
+    CHECK(saved(small, view, "dark.png").pixels[0] == 0.0f);
+    CHECK(std::abs(saved(small, view, "dark.png").pixels[1] - 0.25f) <= 0.6f / 255.0f);
+}
+
+TEST_CASE("what cannot be saved is told, and a name without an ending becomes an EXR") {
+    SmallLab small;
+    save_target(small.lab(), view_of("show"), small.folder() / "show.bmp");
+    CHECK(small.lab().notice()->is_problem);
+    save_target(small.lab(), view_of("show"), small.folder() / "show");
+    CHECK(std::filesystem::exists(small.folder() / "show.exr"));
+}

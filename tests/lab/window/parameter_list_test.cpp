@@ -1,0 +1,91 @@
+#include "lab/window/parameter_list.h"
+
+#include <doctest/doctest.h>
+
+namespace {
+Parameter listed_knob(const std::string& name, const std::string& group, int pass) {
+    Parameter parameter;
+    parameter.name = name;
+    parameter.label = label_from_name(name);
+    parameter.group = group;
+    parameter.initial = Value(0.0);
+    parameter.bindings = {{pass, name}};
+    return parameter;
+}
+
+Look look() {
+    Look made;
+    made.passes.resize(2);
+    made.passes[0].name = "beam";
+    made.passes[1].name = "screen";
+    made.parameters = {listed_knob("focus", "Beam", 0), listed_knob("glow", "", 1),
+                       listed_knob("gain", "Beam", 0), listed_knob("tint", "", 1)};
+    made.parameters[1].help = "Light that stays in the glass.";
+    made.parameters.push_back(listed_knob("secret", "Beam", 0));
+    made.parameters.back().is_hidden = true;
+    return made;
+}
+
+// "Beam: focus gain; Screen: glow"
+std::string text(const Document& document, const ParameterQuery& query) {
+    std::string all;
+    for (const ParameterGroup& group : listed_parameters(document, query)) {
+        all += (all.empty() ? "" : "; ") + group.name + ':';
+        for (const Parameter* parameter : group.parameters)
+            all += ' ' + parameter->name;
+    }
+    return all;
+}
+}  // namespace
+
+TEST_CASE("parameters are listed under their headings, or those of their passes") {
+    CHECK(text(Document(look()), {}) == "Beam: focus gain; Screen: glow tint");
+}
+
+TEST_CASE("a search finds every word somewhere in name, heading or help") {
+    const Document document(look());
+    CHECK(text(document, {.words = "GLASS light"}) == "Screen: glow");
+    CHECK(text(document, {.words = "beam ga"}) == "Beam: gain");
+    CHECK(text(document, {.words = "glass beam"}).empty());
+}
+
+TEST_CASE("the list is cut to what is changed, starred or used by a pass") {
+    Document document(look());
+    CHECK(text(document, {.filter = ParameterFilter::changed}).empty());
+    document.set_value("glow", Value(0.5));
+    document.set_knob("gain", {.is_favourite = true});
+    CHECK(text(document, {.filter = ParameterFilter::changed}) == "Screen: glow");
+    CHECK(text(document, {.filter = ParameterFilter::favourites}) == "Beam: gain");
+    const ParameterQuery of_screen{.filter = ParameterFilter::of_pass, .pass = "screen"};
+    CHECK(text(document, of_screen) == "Screen: glow tint");
+    CHECK(text(document, {.words = "tin", .filter = of_screen.filter, .pass = "screen"}) ==
+          "Screen: tint");
+    CHECK(text(document, {.filter = ParameterFilter::of_pass, .pass = "gone"}).empty());
+}
+
+TEST_CASE("an empty list says why") {
+    CHECK(why_nothing_is_listed({.words = "x"}) == "No matches.");
+    CHECK(why_nothing_is_listed({.filter = ParameterFilter::changed}) ==
+          "No parameters are changed.");
+    CHECK(why_nothing_is_listed({.filter = ParameterFilter::of_pass, .pass = "beam"}) ==
+          "The pass \"beam\" uses no parameters.");
+}
+
+TEST_CASE(
+    "keys go from line to line of the list, parts of vectors included, and stop at its ends") {
+    Look made = look();
+    made.parameters[2].type = {Scalar::floating, 2};  // gain
+    const Document document(made);
+    const auto groups = listed_parameters(document, {});
+    std::string way;
+    Pointed at{};
+    for (int i = 0; i < 6; ++i) {
+        at = *listed_beside(groups, at, 1);
+        way += at.parameter + char('0' + at.component) + ' ';
+    }
+    CHECK(way == "focus0 gain0 gain1 glow0 tint0 tint0 ");
+    CHECK(listed_beside(groups, {"glow", 0}, -1) == Pointed{"gain", 1});
+    CHECK(listed_beside(groups, {"focus", 0}, -1) == Pointed{"focus", 0});
+    CHECK(listed_beside(groups, {"gone", 0}, -1) == Pointed{"tint", 0});
+    CHECK(listed_beside({}, {"glow", 0}, 1) == std::nullopt);
+}

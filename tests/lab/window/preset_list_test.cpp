@@ -1,0 +1,67 @@
+#include "lab/window/preset_list.h"
+
+#include <doctest/doctest.h>
+
+namespace {
+const std::vector<ShelfLook> two_looks{
+    {{"crt", "/s/crt", false},
+     "CRT",
+     "",
+     {{{"crt", "arcade", "/p/crt/arcade.json", false, "arcade"}, "Arcade", ""}}},
+    {{"phosphor", "/s/phosphor", false},
+     "Phosphor",
+     "",
+     {{{"phosphor", "amber", "/p/phosphor/amber.json", false, "amber"},
+       "Amber P3",
+       "Warm and slow"},
+      {{"phosphor", "blue", "/p/phosphor/blue.json", false, "blue"},
+       "Blue P11",
+       "Photographed, fast"}}}};
+
+Document phosphor_document() {
+    Look look;
+    look.id = "phosphor";
+    look.stack = {{"phosphor", "/s/phosphor", {}}};
+    Parameter gain;
+    gain.name = "gain";
+    look.parameters = {gain};
+    return Document(look);
+}
+
+std::string listed_names(const PresetBrowsing& wanted, const PresetStars& stars = {}) {
+    std::string all;
+    for (const ListedPreset& preset : listed_presets(phosphor_document(), two_looks, stars, wanted))
+        all += "[" + preset.preset.entry.name + "]";
+    return all;
+}
+}  // namespace
+
+TEST_CASE("the presets of the open look are listed, and first the look as it is") {
+    CHECK(listed_names({}) == "[][amber][blue]");
+    CHECK(listed_names({.search = "p11"}) == "[blue]");
+    CHECK(listed_names({.search = "WARM  slow"}) == "[amber]");  // in what it says of itself
+    CHECK(listed_names({.search = "warm fast"}).empty());
+    CHECK(listed_names({.search = {}, .only_starred = true}).empty());
+    const PresetStars stars{"phosphor/blue", "crt/amber"};
+    CHECK(listed_names({.search = {}, .only_starred = true}, stars) == "[blue]");
+    CHECK(listed_names({.search = "amber", .only_starred = true}, stars).empty());
+}
+
+TEST_CASE("of the listed ones one is open, and modified when something was turned") {
+    Document document = phosphor_document();
+    const auto opens = [&] {
+        std::string all;
+        for (const ListedPreset& preset : listed_presets(document, two_looks, {}, {}))
+            all += preset.is_modified ? "*" : preset.is_open ? "o" : ".";
+        return all;
+    };
+    CHECK(opens() == "o..");
+    document.set_value("gain", Value(0.5));
+    CHECK(opens() == "*..");
+    Preset blue;
+    blue.look = "phosphor";
+    document.open_preset(blue, "/p/phosphor/blue.json");
+    CHECK(opens() == "..o");
+    document.set_value("gain", Value(0.5));
+    CHECK(opens() == "..*");
+}

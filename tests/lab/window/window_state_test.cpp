@@ -1,0 +1,175 @@
+#include "lab/window/window_state.h"
+
+#include "lab/lab.h"
+#include "lab/window/window_session.h"
+
+#include <doctest/doctest.h>
+
+TEST_CASE("a picture is shown in whole pixels, and all of it where it is larger than its view") {
+    const PictureView view;
+    CHECK(view.zoom_for({480, 270}, {1000, 600}) == 2.0);
+    CHECK(view.zoom_for({480, 270}, {480, 270}) == 1.0);
+    CHECK(view.zoom_for({480, 270}, {500, 300}) == 1.0);
+    CHECK(view.zoom_for({480, 270}, {300, 400}) == 300.0 / 480.0);
+    CHECK(view.zoom_for({2000, 1000}, {1000, 500}) == 0.5);  // twice the view's size
+    const PicturePlace place = place_of(view, {480, 270}, {240, 400});
+    CHECK(place.left == 0.0);
+    CHECK(place.top == (400 - 135) / 2.0 + 0.5);  // on a whole pixel of the screen
+}
+
+TEST_CASE("zooming keeps the point under the pointer where it is") {
+    const Extent picture{400, 200};
+    const Extent room{200, 100};
+    PictureView view{PictureView::Fit::free, 2.0, 0.5, 0.5};
+    const std::array<double, 2> pointer{50.0, 25.0};
+    const auto before = place_of(view, picture, room).pixel_at(pointer[0], pointer[1]);
+    view.zoom_about(before[0] / picture.width, before[1] / picture.height, 2.0, 4.0);
+    const auto after = place_of(view, picture, room).pixel_at(pointer[0], pointer[1]);
+    CHECK(std::abs(after[0] - before[0]) <= 0.5 / 4.0);  // places are whole pixels of the screen
+    CHECK(std::abs(after[1] - before[1]) <= 0.5 / 4.0);
+    CHECK(view.zoom == 4.0);
+}
+
+TEST_CASE("the picture's size follows the view or is fixed, and either is scaled") {
+    CHECK(PictureSize{}.room({801, 600}) == Extent{801, 600});
+    CHECK(PictureSize{true, {320, 240}}.room({801, 600}) == Extent{801, 600});
+    CHECK(PictureSize{false, {320, 240}}.room({801, 600}) == Extent{320, 240});
+    CHECK(PictureSize{true, {}, 0.25}.scaled({801, 600}) == Extent{200, 150});
+    CHECK(PictureSize{true, {}, 0.25}.scaled({1, 1}) == Extent{1, 1});
+    CHECK(PictureSize{false, {320, 240}, 2.0}.scaled({320, 240}) == Extent{640, 480});
+}
+
+TEST_CASE("a new picture's size is to be chosen, and once chosen it does not follow the view") {
+    CHECK(PictureSize{}.is_to_be_chosen());
+    const PictureSize chosen = fixed_in(PictureSize{true, {}, 0.5}, {801, 600});
+    CHECK_FALSE(chosen.is_to_be_chosen());
+    CHECK_FALSE(chosen.follows_view);
+    CHECK(chosen.has_shape());  // another program's look keeps its source's shape in it
+    CHECK(chosen.room({100, 100}) == Extent{801, 600});
+    CHECK(chosen.scaled(chosen.room({100, 100})) == Extent{401, 300});
+    const PictureSize exact{false, {320, 240}};
+    CHECK_FALSE(exact.has_shape());
+}
+
+TEST_CASE("what was used of the palette and the files opened lately come back in their order") {
+    WindowState window;
+    window.used = {"Undo", "preset:/a: b.json", "Open…"};
+    CHECK(restored_window(remembered(window)).used == window.used);
+    CHECK(restored_window({}).used.empty());
+    window.recent_files = {"/songs/ä b.wav", "/a.json"};
+    CHECK(restored_window(remembered(window)).recent_files == window.recent_files);
+    CHECK(restored_window(remembered(window)).used == window.used);
+}
+
+TEST_CASE("where the line of a wipe stands comes back, and only within the picture") {
+    WindowState window;
+    window.wipe_share = 0.25;
+    CHECK(restored_window(remembered(window)).wipe_share == 0.25);
+    CHECK(restored_window({{"wipe_share", 7.0}}).wipe_share == 0.5);
+}
+
+TEST_CASE("fitting shows every number of a pass, resetting shows it as it is") {
+    PassView view;
+    view.exposure = 3.0;
+    view.channels = Channels::green;
+    view.fit({.minimum = -1.0, .maximum = 7.0, .finite = 2});
+    CHECK(view.levels == Levels{-1, 7});
+    CHECK(view.exposure == 0.0);
+    CHECK(view.has_levels());
+    view.reset_levels();
+    CHECK_FALSE(view.has_levels());
+    CHECK(view.channels == Channels::green);
+}
+
+TEST_CASE("a pinned pixel is the same point in targets of every size") {
+    const Pin pin = pin_at({"beam", 100, 30, false, {400, 60}});
+    CHECK(pin.texel({400, 60}) == std::array{100, 30});
+    CHECK(pin.texel({200, 30}) == std::array{50, 15});
+    CHECK(pin.texel({1200, 180}) == std::array{301, 91});
+    CHECK(pin.texel({1, 1}) == std::array{0, 0});
+    CHECK(Pin{1.0, 1.0}.texel({400, 60}) == std::array{399, 59});
+}
+
+TEST_CASE("what the pane at the bottom holds comes back") {
+    WindowState window;
+    window.bottom_part = BottomPart::graph;
+    CHECK(restored_window(remembered(window)).bottom_part == BottomPart::graph);
+    window.budget_milliseconds = 8.0;
+    CHECK(restored_window(remembered(window)).budget_milliseconds == 8.0);
+    CHECK(restored_window({{"bottom_part", 9.0}}).bottom_part == BottomPart::problems);
+}
+
+TEST_CASE("pins, the line of the waveform and how numbers are seen come back") {
+    WindowState window;
+    window.pins = {{0.25, 0.75}, {1.0, 0.0}};
+    window.scan_line = {{0.1, 0.2}, {0.3, 0.4}};
+    window.plots_luminance = true;
+    window.inspected.levels = {-0.5, 12.0};
+    window.inspected.exposure = -3.5;
+    window.inspected.channels = Channels::luminance;
+    const WindowState back = restored_window(remembered(window));
+    CHECK(back.pins == window.pins);
+    CHECK(back.scan_line == window.scan_line);
+    CHECK(back.plots_luminance);
+    CHECK(back.inspected == window.inspected);
+}
+
+TEST_CASE("what a session cannot mean is as at first") {
+    const WindowState back = restored_window({{"black", 2.0},
+                                              {"white", 1.0},
+                                              {"exposure", 1e6},
+                                              {"channels", 77.0},
+                                              {"pin1_x", 0.5},
+                                              {"pin2_x", 0.5},
+                                              {"pin2_y", 1.5},
+                                              {"line_start_x", 0.5}});
+    CHECK(back.inspected == PassView{});
+    CHECK(back.pins.empty());
+    CHECK(back.scan_line == ScanLine{});
+}
+
+TEST_CASE("to look into another pass is to look into its present picture") {
+    PassView view;
+    view.look_into({Input::From::pass, "persistence", 1});
+    CHECK(view.pass == "persistence");
+    CHECK(view.label() == "persistence@1");
+    view.look_into({Input::From::image, "noise", 0, 2});
+    CHECK(view.pass == "persistence");
+    CHECK(view.label() == "noise mip 2");
+    view.look_into("beam");
+    CHECK(view.label() == "beam");
+    view.look_into({Input::From::pass, "glass"});
+    CHECK_FALSE(view.other.has_value());
+}
+
+TEST_CASE("how many frames are drawn comes back") {
+    WindowState window;
+    window.frame_rate = {false, 60.0};
+    CHECK(restored_window(remembered(window)).frame_rate == window.frame_rate);
+    CHECK(restored_window({{"frame_cap", -3.0}, {"vsync", 7.0}}).frame_rate == FrameRate{});
+    CHECK(FrameRate{}.frame_seconds(144.0) == 1.0 / 144.0);
+    CHECK(FrameRate{.cap = 30.0}.frame_seconds(144.0) == 1.0 / 30.0);
+    CHECK(FrameRate{}.frame_seconds(0.0) == 1.0 / 24.0);  // a display that does not tell
+}
+
+TEST_CASE("the output window leaves the panels their display where there is another") {
+    CHECK(OutputState{}.monitor_for(1, 0) == 0);
+    CHECK(OutputState{}.monitor_for(2, 0) == 1);
+    CHECK(OutputState{}.monitor_for(2, 1) == 0);
+    CHECK(OutputState{.monitor = 1}.monitor_for(2, 1) == 1);  // a person may want it so
+    CHECK(OutputState{.monitor = 2}.monitor_for(2, 0) == 1);  // it is no longer there
+    WindowState window;
+    window.output = {true, false, 3};
+    const OutputState restored = restored_window(remembered(window)).output;
+    CHECK(restored.monitor == 3);
+    CHECK_FALSE(restored.is_open);
+}
+
+TEST_CASE("a person's clamp comes back at the next start, and a rate beyond the limits does not") {
+    WindowState window;
+    CHECK_FALSE(restored_window(remembered(window)).comfort.is_on);
+    window.comfort = {true, 0.45};
+    CHECK(restored_window(remembered(window)).comfort == ComfortClamp{true, 0.45});
+    window.comfort.most_a_second = 5.0;
+    CHECK(restored_window(remembered(window)).comfort == ComfortClamp{true, 0.3});
+}
