@@ -75,12 +75,7 @@ Result<Value> fitted_value(const Parameter& parameter, const Value& value) {
         return parse_value(parameter, value.path);
     const auto size = static_cast<std::size_t>(parameter.type.size());
     if (value.numbers.size() != size)
-        return fail({{},
-                     0,
-                     size == 1 ? fmt::format("'{}' must be a single number, got {} numbers",
-                                             parameter.name, value.numbers.size())
-                               : fmt::format("'{}' must have {} numbers, got {}", parameter.name,
-                                             size, value.numbers.size())});
+        return fail({{}, 0, wrong_count(parameter.name, size, value.numbers.size())});
     return clamped(parameter, value);
 }
 }  // namespace
