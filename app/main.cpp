@@ -1,5 +1,5 @@
 #include "cli/cli.h"
-#include "ui/application.h"
+#include "ui/window/application.h"
 
 #include <cstdlib>
 #include <filesystem>

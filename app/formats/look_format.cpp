@@ -6,10 +6,10 @@
 #include "formats/look/look_manifest.h"
 #include "formats/shadertoy/toy_format.h"
 #include "formats/slang/slang_format.h"
-#include "glsl/include.h"
-#include "glsl/parameters.h"
-#include "glsl/shader_files.h"
-#include "glsl/turned_constants.h"
+#include "glsl/parameters/parameters.h"
+#include "glsl/parameters/turned_constants.h"
+#include "glsl/text/include.h"
+#include "glsl/text/shader_files.h"
 #include "model/plan/plan.h"
 
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 #include "base/byte_store.h"
 #include "base/diagnostic.h"
 #include "gpu/context.h"
-#include "gpu/name.h"
+#include "gpu/objects/name.h"
 #include "gpu/uniform.h"
 #include "model/look/look.h"
 

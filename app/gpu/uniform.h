@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gpu/name.h"
+#include "gpu/objects/name.h"
 #include "model/look/parameter.h"
 
 #include <optional>

@@ -3,7 +3,7 @@
 #include "gpu/context.h"
 #include "gpu/glx_context.h"
 #include "gpu/input_event.h"
-#include "gpu/texture.h"
+#include "gpu/objects/texture.h"
 #include "model/look/extent.h"
 
 #include <array>

@@ -6,7 +6,7 @@
 #include "formats/preset/preset_format.h"
 #include "formats/preset/share_line.h"
 #include "formats/scene/scene_file.h"
-#include "gpu/readback.h"
+#include "gpu/objects/readback.h"
 #include "lab/document/morphing.h"
 #include "lab/document/sharing.h"
 #include "lab/document/users_content.h"

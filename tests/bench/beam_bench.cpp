@@ -4,7 +4,7 @@
 #include "bench/plain_beam.h"
 #include "bench/side_by_side.h"
 #include "bench/wanted.h"
-#include "gpu/readback.h"
+#include "gpu/objects/readback.h"
 #include "graph/beam/merge_segments.h"
 #include "graph/programs/settled_look.h"
 #include "lab/offline/offline.h"

@@ -3,7 +3,7 @@
 #include "bench/article_engine.h"
 #include "bench/plain_blur.h"
 #include "bench/side_by_side.h"
-#include "gpu/readback.h"
+#include "gpu/objects/readback.h"
 
 #include <fmt/format.h>
 

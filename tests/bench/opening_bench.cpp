@@ -2,7 +2,7 @@
 // caches and again, and the longest updates of the drawing thread until then. For that long, the
 // window would stop responding. Needs AFTERGLOW_SLANG_DIR.
 #include "bench/bench_lab.h"
-#include "gpu/draw.h"
+#include "gpu/objects/draw.h"
 
 #include <fmt/format.h>
 

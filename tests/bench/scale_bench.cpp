@@ -5,7 +5,7 @@
 #include "bench/bench_lab.h"
 #include "bench/plain_scale.h"
 #include "bench/side_by_side.h"
-#include "gpu/readback.h"
+#include "gpu/objects/readback.h"
 #include "io/temporary_folder.h"
 #include "lab/offline/offline.h"
 

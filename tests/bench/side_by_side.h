@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bench/figure.h"
-#include "gpu/draw.h"
+#include "gpu/objects/draw.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #include "formats/glsl/modern_glsl.h"
 #include "formats/isf/header.h"
 #include "formats/json/json_document.h"
-#include "glsl/include.h"
+#include "glsl/text/include.h"
 #include "in_a_moment.h"
 
 #include <doctest/doctest.h>

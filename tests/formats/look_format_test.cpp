@@ -2,7 +2,7 @@
 
 #include "formats/preset/preset_format.h"
 #include "formats/stack/stack_format.h"
-#include "glsl/check_cache.h"
+#include "glsl/cache/check_cache.h"
 #include "io/temporary_folder.h"
 #include "problems_of.h"
 

@@ -3,11 +3,11 @@
 #include "formats/bare/varyings.h"
 #include "formats/glsl/modern_glsl.h"
 #include "fuzz/fuzz_files.h"
-#include "glsl/bounds.h"
-#include "glsl/declarations.h"
-#include "glsl/hint.h"
-#include "glsl/include.h"
-#include "glsl/version_line.h"
+#include "glsl/annotations/hint.h"
+#include "glsl/compile/version_line.h"
+#include "glsl/limits/bounds.h"
+#include "glsl/text/declarations.h"
+#include "glsl/text/include.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // The includes of looks of our own, of Shadertoy's folders and of fragment shaders alone.
 
 #include "fuzz/fuzz_files.h"
-#include "glsl/include.h"
+#include "glsl/text/include.h"
 
 void fuzz_one(std::string_view input) {
     static FuzzFolder folder({"look/0.glsl", "look/1.glsl", "include/2.glsl", "shared/3.glsl"});

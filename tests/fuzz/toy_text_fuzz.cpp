@@ -4,7 +4,7 @@
 #include "formats/shadertoy/toy_files.h"
 #include "formats/shadertoy/toy_look.h"
 #include "fuzz/fuzz_files.h"
-#include "glsl/include.h"
+#include "glsl/text/include.h"
 
 #include <array>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "glsl/check.h"
-#include "glsl/include.h"
+#include "glsl/compile/check.h"
+#include "glsl/text/include.h"
 #include "model/look/look.h"
 
 #include <filesystem>

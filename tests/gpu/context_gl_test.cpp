@@ -1,8 +1,8 @@
-#include "gpu/canvas.h"
-#include "gpu/draw.h"
 #include "gpu/headless.h"
+#include "gpu/objects/canvas.h"
+#include "gpu/objects/draw.h"
+#include "gpu/objects/readback.h"
 #include "gpu/program.h"
-#include "gpu/readback.h"
 
 #include <epoxy/gl.h>
 

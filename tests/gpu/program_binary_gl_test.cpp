@@ -1,10 +1,10 @@
 #include "byte_map.h"
-#include "gpu/canvas.h"
-#include "gpu/draw.h"
 #include "gpu/headless.h"
+#include "gpu/objects/canvas.h"
+#include "gpu/objects/draw.h"
+#include "gpu/objects/readback.h"
+#include "gpu/objects/vertex_array.h"
 #include "gpu/program.h"
-#include "gpu/readback.h"
-#include "gpu/vertex_array.h"
 
 namespace {
 const Stage corner{"v.vert",

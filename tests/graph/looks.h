@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gpu/headless.h"
-#include "gpu/readback.h"
+#include "gpu/objects/readback.h"
 #include "graph/executor/executor.h"
 
 #include <string>

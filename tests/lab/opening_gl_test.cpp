@@ -1,7 +1,7 @@
-#include "gpu/canvas.h"
-#include "gpu/draw.h"
+#include "gpu/objects/canvas.h"
+#include "gpu/objects/draw.h"
+#include "gpu/objects/vertex_array.h"
 #include "gpu/program.h"
-#include "gpu/vertex_array.h"
 #include "lab/small_lab.h"
 
 #include <algorithm>

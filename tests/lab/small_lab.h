@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gpu/readback.h"
+#include "gpu/objects/readback.h"
 #include "io/files/atomic_file.h"
 #include "io/temporary_folder.h"
 #include "lab/lab.h"

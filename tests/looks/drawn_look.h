@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gpu/readback.h"
+#include "gpu/objects/readback.h"
 #include "lab/offline/offline.h"
 #include "problems_of.h"
 

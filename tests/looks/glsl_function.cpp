@@ -2,7 +2,7 @@
 
 #include "formats/look_format.h"
 #include "gpu/context.h"
-#include "gpu/readback.h"
+#include "gpu/objects/readback.h"
 #include "io/temporary_folder.h"
 #include "lab/rendering/renderer.h"
 #include "problems_of.h"

@@ -1,6 +1,6 @@
 // A beam whose samples are merged for its spot, against the same samples drawn one by one.
 #include "gpu/headless.h"
-#include "gpu/readback.h"
+#include "gpu/objects/readback.h"
 #include "lab/offline/offline.h"
 
 #include <doctest/doctest.h>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/text.h"
-#include "gpu/readback.h"
+#include "gpu/objects/readback.h"
 #include "lab/offline/offline.h"
 #include "problems_of.h"
 

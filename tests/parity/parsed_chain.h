@@ -2,7 +2,7 @@
 
 #include "formats/slang/preset.h"
 #include "formats/slang/shader.h"
-#include "glsl/translate.h"
+#include "glsl/compile/translate.h"
 
 /// A preset's numbers and its shaders' texts, as the program reads them, and nothing that the
 /// program makes of them.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gpu/name.h"
+#include "gpu/objects/name.h"
 #include "gpu/program.h"
 #include "parity/plain_rules.h"
 

@@ -6,11 +6,11 @@
 #include "formats/bare/bare_stage.h"
 #include "formats/bare/host_names.h"
 #include "formats/bare/varyings.h"
-#include "glsl/check_cache.h"
-#include "glsl/include.h"
-#include "glsl/parameters.h"
-#include "glsl/tokens.h"
-#include "glsl/turned_constants.h"
+#include "glsl/cache/check_cache.h"
+#include "glsl/parameters/parameters.h"
+#include "glsl/parameters/turned_constants.h"
+#include "glsl/text/include.h"
+#include "glsl/text/tokens.h"
 
 #include <fmt/format.h>
 

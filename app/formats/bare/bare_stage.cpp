@@ -2,7 +2,7 @@
 
 #include "formats/bare/host_names.h"
 #include "formats/glsl/modern_glsl.h"
-#include "glsl/tokens.h"
+#include "glsl/text/tokens.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "formats/bare/host_names.h"
 
-#include "glsl/tokens.h"
+#include "glsl/text/tokens.h"
 
 #include <algorithm>
 #include <array>

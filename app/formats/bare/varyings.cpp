@@ -1,9 +1,9 @@
 #include "formats/bare/varyings.h"
 
 #include "base/text.h"
-#include "glsl/check.h"
-#include "glsl/include.h"
-#include "glsl/tokens.h"
+#include "glsl/compile/check.h"
+#include "glsl/text/include.h"
+#include "glsl/text/tokens.h"
 
 #include <fmt/format.h>
 

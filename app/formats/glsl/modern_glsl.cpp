@@ -2,7 +2,7 @@
 
 #include "base/text.h"
 #include "formats/glsl/later_words.h"
-#include "glsl/tokens.h"
+#include "glsl/text/tokens.h"
 
 #include <fmt/format.h>
 

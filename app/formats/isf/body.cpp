@@ -1,7 +1,7 @@
 #include "formats/isf/body.h"
 
 #include "formats/glsl/later_words.h"
-#include "glsl/tokens.h"
+#include "glsl/text/tokens.h"
 
 #include <algorithm>
 #include <array>

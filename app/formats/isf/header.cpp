@@ -2,7 +2,7 @@
 
 #include "base/text.h"
 #include "formats/json/json_document.h"
-#include "glsl/tokens.h"
+#include "glsl/text/tokens.h"
 
 #include <fmt/format.h>
 

@@ -2,8 +2,8 @@
 
 #include "base/text.h"
 #include "formats/isf/body.h"
-#include "glsl/include.h"
-#include "glsl/tokens.h"
+#include "glsl/text/include.h"
+#include "glsl/text/tokens.h"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include "formats/look/look_folder.h"
 #include "formats/look/look_passes.h"
 #include "formats/look/look_words.h"
-#include "glsl/shader_files.h"
+#include "glsl/text/shader_files.h"
 #include "model/picture/source_spec.h"
 #include "signals/patterns/patterns.h"
 #include "signals/signal_table.h"

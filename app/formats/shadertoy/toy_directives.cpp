@@ -1,7 +1,7 @@
 #include "formats/shadertoy/toy_directives.h"
 
 #include "base/text.h"
-#include "glsl/check.h"
+#include "glsl/compile/check.h"
 
 #include <fmt/format.h>
 

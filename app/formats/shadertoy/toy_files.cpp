@@ -3,8 +3,8 @@
 #include "base/text.h"
 #include "formats/glsl/modern_glsl.h"
 #include "formats/shadertoy/toy_directives.h"
-#include "glsl/include.h"
-#include "glsl/tokens.h"
+#include "glsl/text/include.h"
+#include "glsl/text/tokens.h"
 
 #include <algorithm>
 #include <array>

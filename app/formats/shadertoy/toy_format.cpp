@@ -5,8 +5,8 @@
 #include "formats/shadertoy/toy_files.h"
 #include "formats/shadertoy/toy_json.h"
 #include "formats/shadertoy/toy_look.h"
-#include "glsl/parameters.h"
-#include "glsl/turned_constants.h"
+#include "glsl/parameters/parameters.h"
+#include "glsl/parameters/turned_constants.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 
 #include "formats/shadertoy/toy_assets.h"
 #include "formats/shadertoy/toy_stage.h"
-#include "glsl/include.h"
+#include "glsl/text/include.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "formats/shadertoy/toy_stage.h"
 
-#include "glsl/declarations.h"
+#include "glsl/text/declarations.h"
 
 #include <fmt/format.h>
 

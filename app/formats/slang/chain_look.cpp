@@ -4,8 +4,8 @@
 #include "formats/slang/names.h"
 #include "formats/slang/near_file.h"
 #include "formats/slang/sampling.h"
-#include "glsl/check.h"
-#include "glsl/include.h"
+#include "glsl/compile/check.h"
+#include "glsl/text/include.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 
 #include "formats/slang/preset.h"
 #include "formats/slang/shader.h"
-#include "glsl/translate.h"
+#include "glsl/compile/translate.h"
 
 /// A chain with all that was read of it; one shader and one translation a pass.
 struct WholeChain {

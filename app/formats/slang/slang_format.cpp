@@ -4,8 +4,8 @@
 #include "base/text.h"
 #include "formats/slang/chain_look.h"
 #include "formats/slang/near_file.h"
-#include "glsl/check_cache.h"
-#include "glsl/turned_constants.h"
+#include "glsl/cache/check_cache.h"
+#include "glsl/parameters/turned_constants.h"
 
 #include <fmt/format.h>
 

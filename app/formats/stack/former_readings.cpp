@@ -1,6 +1,6 @@
 #include "formats/stack/former_readings.h"
 
-#include "glsl/shader_files.h"
+#include "glsl/text/shader_files.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #include "formats/stack/stack_format.h"
 
 #include "formats/stack/stacked_look.h"
-#include "glsl/check_cache.h"
+#include "glsl/cache/check_cache.h"
 
 #include <algorithm>
 #include <optional>

@@ -1,7 +1,7 @@
 #include "formats/stack/stacked_look.h"
 
 #include "base/text.h"
-#include "glsl/include.h"
+#include "glsl/text/include.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "gpu/objects/vertex_array.h"
 #include "gpu/program.h"
-#include "gpu/vertex_array.h"
 #include "graph/beam/segment.h"
 #include "graph/programs/frame.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gpu/vertex_array.h"
+#include "gpu/objects/vertex_array.h"
 
 /// The four corners that a Draw::quad pass draws, from (0, 0) to (1, 1), as a strip.
 class Quad {

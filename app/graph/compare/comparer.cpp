@@ -1,6 +1,6 @@
 #include "graph/compare/comparer.h"
 
-#include "gpu/draw.h"
+#include "gpu/objects/draw.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "gpu/canvas.h"
-#include "gpu/vertex_array.h"
+#include "gpu/objects/canvas.h"
+#include "gpu/objects/vertex_array.h"
 #include "graph/compare/pair.h"
 #include "model/preset/comparison.h"
 

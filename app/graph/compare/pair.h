@@ -1,7 +1,7 @@
 #pragma once
 
+#include "gpu/objects/samplers.h"
 #include "gpu/program.h"
-#include "gpu/samplers.h"
 #include "model/look/picture.h"
 
 #include <string>

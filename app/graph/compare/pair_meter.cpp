@@ -1,6 +1,6 @@
 #include "graph/compare/pair_meter.h"
 
-#include "gpu/draw.h"
+#include "gpu/objects/draw.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "gpu/download.h"
-#include "gpu/vertex_array.h"
+#include "gpu/objects/download.h"
+#include "gpu/objects/vertex_array.h"
 #include "graph/compare/pair.h"
 #include "model/picture/difference.h"
 #include "model/plan/step_effect.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "gpu/samplers.h"
-#include "gpu/timer.h"
+#include "gpu/objects/samplers.h"
+#include "gpu/objects/timer.h"
 #include "graph/beam/beam_buffer.h"
 #include "graph/beam/quad.h"
 #include "graph/executor/frame_work.h"

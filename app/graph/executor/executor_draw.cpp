@@ -1,5 +1,5 @@
 // Executor::draw and redraw: the passes of one frame.
-#include "gpu/draw.h"
+#include "gpu/objects/draw.h"
 #include "graph/executor/executor.h"
 #include "model/picture/beam_fit.h"
 

@@ -1,5 +1,5 @@
 // The part of Executor that tells which pictures it holds, and hands them out as people see them.
-#include "gpu/draw.h"
+#include "gpu/objects/draw.h"
 #include "graph/executor/executor.h"
 
 #include <algorithm>

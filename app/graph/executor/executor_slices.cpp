@@ -1,6 +1,6 @@
 // The part of Executor that draws a frame in slices.
 #include "base/elapsed.h"
-#include "gpu/draw.h"
+#include "gpu/objects/draw.h"
 #include "graph/executor/executor.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "graph/inspect/gatherer.h"
 
-#include "gpu/draw.h"
+#include "gpu/objects/draw.h"
 #include "graph/inspect/measuring.h"
 
 #include <algorithm>

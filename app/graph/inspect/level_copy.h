@@ -1,9 +1,9 @@
 #pragma once
 
-#include "gpu/canvas.h"
+#include "gpu/objects/canvas.h"
+#include "gpu/objects/samplers.h"
+#include "gpu/objects/vertex_array.h"
 #include "gpu/program.h"
-#include "gpu/samplers.h"
-#include "gpu/vertex_array.h"
 
 #include <optional>
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "gpu/canvas.h"
-#include "gpu/download.h"
+#include "gpu/objects/canvas.h"
+#include "gpu/objects/download.h"
+#include "gpu/objects/samplers.h"
+#include "gpu/objects/vertex_array.h"
 #include "gpu/program.h"
-#include "gpu/samplers.h"
-#include "gpu/vertex_array.h"
 #include "model/look/picture.h"
 #include "model/picture/flash.h"
 

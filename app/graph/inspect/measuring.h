@@ -1,7 +1,7 @@
 #pragma once
 
-#include "gpu/canvas.h"
-#include "gpu/download.h"
+#include "gpu/objects/canvas.h"
+#include "gpu/objects/download.h"
 #include "graph/programs/sample_programs.h"
 
 #include <array>

@@ -1,6 +1,6 @@
 #include "graph/inspect/texel_reader.h"
 
-#include "gpu/draw.h"
+#include "gpu/objects/draw.h"
 #include "graph/inspect/measuring.h"
 
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "gpu/download.h"
-#include "gpu/samplers.h"
-#include "gpu/vertex_array.h"
+#include "gpu/objects/download.h"
+#include "gpu/objects/samplers.h"
+#include "gpu/objects/vertex_array.h"
 #include "graph/programs/sample_programs.h"
 
 #include <array>

@@ -1,7 +1,7 @@
 #include "graph/inspect/tripwire.h"
 
-#include "gpu/draw.h"
-#include "gpu/readback.h"
+#include "gpu/objects/draw.h"
+#include "gpu/objects/readback.h"
 #include "graph/inspect/measuring.h"
 #include "model/picture/gain.h"
 

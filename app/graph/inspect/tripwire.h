@@ -1,10 +1,10 @@
 #pragma once
 
-#include "gpu/canvas.h"
-#include "gpu/pixel_query.h"
+#include "gpu/objects/canvas.h"
+#include "gpu/objects/pixel_query.h"
+#include "gpu/objects/samplers.h"
+#include "gpu/objects/vertex_array.h"
 #include "gpu/program.h"
-#include "gpu/samplers.h"
-#include "gpu/vertex_array.h"
 
 #include <array>
 #include <cstdint>

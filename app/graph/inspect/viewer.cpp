@@ -1,6 +1,6 @@
 #include "graph/inspect/viewer.h"
 
-#include "gpu/draw.h"
+#include "gpu/objects/draw.h"
 #include "graph/inspect/texel_text.h"
 
 #include <fmt/format.h>

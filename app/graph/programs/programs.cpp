@@ -1,7 +1,7 @@
 #include "graph/programs/programs.h"
 
-#include "glsl/include.h"
-#include "gpu/draw.h"
+#include "glsl/text/include.h"
+#include "gpu/objects/draw.h"
 
 #include <fmt/format.h>
 

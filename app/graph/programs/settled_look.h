@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/shared_text.h"
-#include "glsl/settled_text.h"
+#include "glsl/constants/settled_text.h"
 #include "model/plan/plan.h"
 
 #include <functional>

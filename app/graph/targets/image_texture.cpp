@@ -1,6 +1,6 @@
 #include "graph/targets/image_texture.h"
 
-#include "gpu/texels.h"
+#include "gpu/objects/texels.h"
 #include "model/picture/solid_picture.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gpu/texture.h"
+#include "gpu/objects/texture.h"
 #include "model/look/look.h"
 
 #include <memory>

@@ -1,6 +1,6 @@
 #include "graph/targets/pass_through.h"
 
-#include "gpu/draw.h"
+#include "gpu/objects/draw.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "graph/targets/source_history.h"
 
-#include "gpu/texels.h"
+#include "gpu/objects/texels.h"
 
 #include <algorithm>
 

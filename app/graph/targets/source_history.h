@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/diagnostic.h"
-#include "gpu/texture.h"
+#include "gpu/objects/texture.h"
 #include "model/look/picture.h"
 
 #include <optional>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/diagnostic.h"
-#include "gpu/canvas.h"
+#include "gpu/objects/canvas.h"
 #include "model/plan/plan.h"
 
 #include <optional>

@@ -1,6 +1,6 @@
 #include "graph/targets/upright.h"
 
-#include "gpu/draw.h"
+#include "gpu/objects/draw.h"
 
 namespace {
 constexpr std::uint64_t most_pictures_unseen = 120;

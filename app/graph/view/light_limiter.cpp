@@ -1,6 +1,6 @@
 #include "graph/view/light_limiter.h"
 
-#include "gpu/draw.h"
+#include "gpu/objects/draw.h"
 #include "graph/inspect/light_cells.h"
 #include "graph/inspect/measuring.h"
 #include "graph/inspect/pair_text.h"

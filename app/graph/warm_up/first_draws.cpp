@@ -1,7 +1,7 @@
 #include "graph/warm_up/first_draws.h"
 
-#include "glsl/include.h"
-#include "gpu/draw.h"
+#include "glsl/text/include.h"
+#include "gpu/objects/draw.h"
 #include "graph/warm_up/stand_in_sizes.h"
 
 #include <algorithm>

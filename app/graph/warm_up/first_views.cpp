@@ -1,7 +1,7 @@
 #include "graph/warm_up/first_views.h"
 
-#include "gpu/canvas.h"
-#include "gpu/draw.h"
+#include "gpu/objects/canvas.h"
+#include "gpu/objects/draw.h"
 #include "graph/warm_up/power_of_two.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "graph/warm_up/warm_up.h"
 
-#include "gpu/draw.h"
+#include "gpu/objects/draw.h"
 
 WarmUp::WarmUp(PassProgram first, PassProgram last, gpu::Canvas canvas)
     : m_first(std::move(first)), m_last(std::move(last)), m_canvas(std::move(canvas)) {}

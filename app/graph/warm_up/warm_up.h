@@ -1,8 +1,8 @@
 #pragma once
 
 #include "base/pass_progress.h"
-#include "gpu/canvas.h"
-#include "gpu/vertex_array.h"
+#include "gpu/objects/canvas.h"
+#include "gpu/objects/vertex_array.h"
 #include "graph/warm_up/first_draws.h"
 
 /// Makes programs ready on a helper thread whose context shares with the drawing one.

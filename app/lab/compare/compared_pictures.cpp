@@ -1,7 +1,7 @@
 #include "lab/compare/compared_pictures.h"
 
 #include "base/elapsed.h"
-#include "gpu/texels.h"
+#include "gpu/objects/texels.h"
 #include "graph/inspect/measuring.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "lab/compare/rate_pictures.h"
 
-#include "gpu/texels.h"
+#include "gpu/objects/texels.h"
 
 Result<void> RatePictures::show(const RateComparison& comparison, std::size_t pair) {
     const RatePair& chosen = comparison.pairs.at(pair);

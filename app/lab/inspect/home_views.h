@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gpu/canvas.h"
+#include "gpu/objects/canvas.h"
 #include "graph/inspect/viewer.h"
 #include "graph/programs/programs.h"
 #include "lab/inspect/flash_meter.h"

@@ -3,7 +3,7 @@
 #include "base/text.h"
 #include "formats/look_format.h"
 #include "formats/preset/preset_format.h"
-#include "glsl/check_cache.h"
+#include "glsl/cache/check_cache.h"
 #include "signals/patterns/patterns.h"
 #include "signals/signal_table.h"
 

@@ -7,7 +7,7 @@
 #include "formats/preset/share_line.h"
 #include "formats/shadertoy/toy_files.h"
 #include "formats/stack/stack_format.h"
-#include "glsl/check_cache.h"
+#include "glsl/cache/check_cache.h"
 #include "lab/storage/media.h"
 #include "model/look/stack_size.h"
 

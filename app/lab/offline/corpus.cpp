@@ -2,8 +2,8 @@
 
 #include "base/text.h"
 #include "formats/shadertoy/toy_files.h"
-#include "gpu/draw.h"
 #include "gpu/error_log.h"
+#include "gpu/objects/draw.h"
 #include "lab/offline/offline.h"
 
 #include <fmt/format.h>

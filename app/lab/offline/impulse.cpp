@@ -1,6 +1,6 @@
 #include "lab/offline/impulse.h"
 
-#include "gpu/readback.h"
+#include "gpu/objects/readback.h"
 #include "lab/document/beam_place.h"
 #include "lab/document/users_content.h"
 #include "lab/offline/offline.h"

@@ -1,6 +1,6 @@
 #include "lab/offline/measure.h"
 
-#include "gpu/draw.h"
+#include "gpu/objects/draw.h"
 
 #include <algorithm>
 #include <chrono>

@@ -4,7 +4,7 @@
 #include "base/file.h"
 #include "base/text.h"
 #include "formats/preset/preset_format.h"
-#include "gpu/readback.h"
+#include "gpu/objects/readback.h"
 #include "io/pictures/picture_file.h"
 #include "lab/media/drive.h"
 #include "lab/offline/small_picture.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gpu/canvas.h"
+#include "gpu/objects/canvas.h"
 #include "graph/executor/executor.h"
 #include "graph/inspect/viewer.h"
 

@@ -1,6 +1,6 @@
 #include "lab/reload/drawing_contexts.h"
 
-#include "gpu/draw.h"
+#include "gpu/objects/draw.h"
 
 #include <algorithm>
 #include <utility>

@@ -2,8 +2,8 @@
 
 #include "base/pass_progress.h"
 #include "formats/stack/former_readings.h"
-#include "glsl/check_cache.h"
-#include "glsl/shader_files.h"
+#include "glsl/cache/check_cache.h"
+#include "glsl/text/shader_files.h"
 #include "gpu/context.h"
 #include "graph/programs/programs.h"
 #include "graph/programs/recent_programs.h"

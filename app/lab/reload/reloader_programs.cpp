@@ -1,7 +1,7 @@
 // The part of Reloader that links programs, and meets with them what the window is not to wait for.
-#include "glsl/check.h"
-#include "gpu/draw.h"
+#include "glsl/compile/check.h"
 #include "gpu/driver_cache.h"
+#include "gpu/objects/draw.h"
 #include "graph/warm_up/first_views.h"
 #include "io/pictures/picture_codec.h"
 #include "lab/reload/reloader.h"

@@ -1,6 +1,6 @@
 #include "lab/trials/step_probe.h"
 
-#include "gpu/readback.h"
+#include "gpu/objects/readback.h"
 #include "graph/inspect/measuring.h"
 #include "lab/document/changes.h"
 #include "model/tuning/knob_settings.h"

@@ -1,6 +1,6 @@
 #include "lab/views/kept_pictures.h"
 
-#include "gpu/texels.h"
+#include "gpu/objects/texels.h"
 #include "io/pictures/picture_file.h"
 
 Views::Image KeptPictures::of(const std::filesystem::path& file) const {

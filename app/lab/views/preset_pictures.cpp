@@ -1,6 +1,6 @@
 #include "lab/views/preset_pictures.h"
 
-#include "gpu/texels.h"
+#include "gpu/objects/texels.h"
 #include "lab/lab.h"
 #include "lab/offline/preset_painter.h"
 #include "lab/storage/file_stamp.h"

@@ -1,7 +1,7 @@
 #include "lab/views/snapshot.h"
 
 #include "base/text.h"
-#include "gpu/readback.h"
+#include "gpu/objects/readback.h"
 #include "io/pictures/picture_file.h"
 #include "lab/document/sharing.h"
 #include "lab/storage/told_name.h"

@@ -1,6 +1,6 @@
 #include "lab/views/views.h"
 
-#include "gpu/readback.h"
+#include "gpu/objects/readback.h"
 #include "lab/trials/tryouts.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gpu/canvas.h"
+#include "gpu/objects/canvas.h"
 #include "lab/compare/compared_pictures.h"
 #include "lab/inspect/closer_look.h"
 #include "lab/inspect/comfort.h"

@@ -1,7 +1,7 @@
 #include "formats/slang/controls.h"
 #include "formats/slang/expand.h"
 #include "formats/slang/shader.h"
-#include "glsl/translate.h"
+#include "glsl/compile/translate.h"
 #include "problems_of.h"
 
 #include <doctest/doctest.h>

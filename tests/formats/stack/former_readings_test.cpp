@@ -1,7 +1,7 @@
 #include "formats/stack/former_readings.h"
 
 #include "formats/stack/stack_format.h"
-#include "glsl/shader_files.h"
+#include "glsl/text/shader_files.h"
 #include "io/temporary_folder.h"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,5 @@
 #include "about.h"
-#include "gpu/texels.h"
+#include "gpu/objects/texels.h"
 #include "graph/compare/comparer.h"
 #include "graph/compare/pair_meter.h"
 #include "graph/compare/signed_difference.h"

@@ -1,5 +1,5 @@
 // Passes that accumulate: what they hold, when they start anew, when they have enough.
-#include "gpu/draw.h"
+#include "gpu/objects/draw.h"
 #include "graph/looks.h"
 
 #include <doctest/doctest.h>

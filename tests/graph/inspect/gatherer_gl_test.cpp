@@ -1,4 +1,4 @@
-#include "gpu/texels.h"
+#include "gpu/objects/texels.h"
 #include "graph/inspect/gatherer.h"
 #include "graph/looks.h"
 

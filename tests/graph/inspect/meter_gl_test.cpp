@@ -1,5 +1,5 @@
 #include "about.h"
-#include "gpu/texels.h"
+#include "gpu/objects/texels.h"
 #include "graph/inspect/meter.h"
 #include "graph/looks.h"
 

@@ -1,4 +1,4 @@
-#include "gpu/texels.h"
+#include "gpu/objects/texels.h"
 #include "graph/inspect/seen_light.h"
 #include "graph/looks.h"
 #include "model/look/color.h"

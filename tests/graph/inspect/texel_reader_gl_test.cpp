@@ -1,4 +1,4 @@
-#include "gpu/draw.h"
+#include "gpu/objects/draw.h"
 #include "graph/inspect/level_copy.h"
 #include "graph/inspect/texel_reader.h"
 #include "graph/looks.h"

@@ -1,6 +1,6 @@
 // Targets of whole numbers of either sign, by everyone who reads a target.
 #include "about.h"
-#include "gpu/draw.h"
+#include "gpu/objects/draw.h"
 #include "graph/inspect/gatherer.h"
 #include "graph/inspect/meter.h"
 #include "graph/inspect/texel_reader.h"

@@ -1,5 +1,5 @@
-#include "gpu/draw.h"
 #include "gpu/error_log.h"
+#include "gpu/objects/draw.h"
 #include "graph/looks.h"
 #include "graph/warm_up/warm_up.h"
 

@@ -1,6 +1,6 @@
 // A picture that flashes, as the meter counts it and as the clamp shows it.
-#include "gpu/draw.h"
-#include "gpu/readback.h"
+#include "gpu/objects/draw.h"
+#include "gpu/objects/readback.h"
 #include "graph/looks.h"
 #include "lab/inspect/comfort.h"
 #include "lab/inspect/flash_meter.h"

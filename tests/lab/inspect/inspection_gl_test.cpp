@@ -1,4 +1,4 @@
-#include "gpu/draw.h"
+#include "gpu/objects/draw.h"
 #include "graph/looks.h"
 #include "lab/inspect/inspection.h"
 

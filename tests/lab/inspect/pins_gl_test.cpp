@@ -1,4 +1,4 @@
-#include "gpu/draw.h"
+#include "gpu/objects/draw.h"
 #include "lab/inspect/pins.h"
 #include "lab/small_lab.h"
 

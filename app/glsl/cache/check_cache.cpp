@@ -1,0 +1,104 @@
+#include "glsl/cache/check_cache.h"
+
+#include "glsl/cache/packed_answers.h"
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <string_view>
+
+namespace {
+constexpr std::size_t most_programs = 512;
+
+// FNV's step; its product first, so that two equal numbers do not undo each other.
+std::size_t mixed(std::size_t digest, std::size_t next) {
+    return (digest * 0x100000001b3u) ^ next;
+}
+
+// There is room for one more.
+template <class Known>
+void make_room(Known& known) {
+    if (known.size() >= most_programs)
+        known.clear();
+}
+
+// Places are part of the answer, so they are part of the question.
+std::string places_of(const LineMap& lines) {
+    std::string places;
+    for (const LineMap::Stretch& stretch : lines.stretches())
+        places += fmt::format("{}\n{} {}\n", stretch.first.file.string(), stretch.first.line,
+                              stretch.end);
+    return places;
+}
+
+std::string digest_of_stage(const Stage& stage) {
+    const std::uint64_t places = digest_of(stage.file.string() + '\0' + places_of(stage.lines));
+    return fmt::format("{:x} {:x} {}", digest_of(stage.text), places, stage.text.size());
+}
+
+/// What is asked about two stages, and the form of its answer as bytes.
+template <class Answer>
+struct QuestionKind {
+    std::string_view name;
+    Result<Answer> (*ask)(const Stage& vertex, const Stage& fragment, const ShaderLimits& limits);
+    std::optional<Answer> (*unpack)(std::string_view bytes);
+};
+}  // namespace
+
+CheckCache::StageKey CheckCache::key_of(const Stage& stage) {
+    const std::hash<std::string_view> digest;
+    std::size_t places = digest(stage.file.native());
+    for (const LineMap::Stretch& stretch : stage.lines.stretches()) {
+        places = mixed(places, digest(stretch.first.file.native()));
+        places = mixed(mixed(places, static_cast<std::size_t>(stretch.first.line)), stretch.end);
+    }
+    return {digest(stage.text), places, stage.text.size()};
+}
+
+template <class Answer, class Kind>
+Answer CheckCache::remembered(std::map<ProgramKey, Answer>& known, const Stage& vertex,
+                              const Stage& fragment, const Kind& kind) {
+    const ProgramKey key{key_of(vertex), key_of(fragment)};
+    {
+        const std::scoped_lock lock(m_mutex);
+        if (const auto found = known.find(key); found != known.end())
+            return found->second;
+    }
+    const std::string question = fmt::format("{} {}{} {}", kind.name, to_string(m_limits),
+                                             digest_of_stage(vertex), digest_of_stage(fragment));
+    const auto kept = m_kept ? m_kept->find(question) : std::nullopt;
+    auto unpacked = kept ? kind.unpack(*kept) : std::nullopt;
+    Answer answer = unpacked ? Answer(std::move(*unpacked)) : kind.ask(vertex, fragment, m_limits);
+    if (!unpacked)
+        ++m_compilations;
+    if (!unpacked && answer && m_kept && m_keeps)
+        m_kept->keep(question, packed(*answer));
+    const std::scoped_lock lock(m_mutex);
+    make_room(known);
+    known.insert_or_assign(key, answer);
+    return answer;
+}
+
+Result<Reflection> CheckCache::check(const Stage& vertex, const Stage& fragment) {
+    return remembered(m_known, vertex, fragment,
+                      QuestionKind<Reflection>{"check", check_program, unpacked_reflection});
+}
+
+Result<Translation> CheckCache::translate(const Stage& vertex, const Stage& fragment) {
+    return remembered(
+        m_translated, vertex, fragment,
+        QuestionKind<Translation>{"translate", translate_from_vulkan, unpacked_translation});
+}
+
+std::shared_ptr<const StageNotes> CheckCache::notes(const Stage& stage) {
+    const StageKey key = key_of(stage);
+    const std::scoped_lock lock(m_mutex);
+    if (const auto found = m_notes.find(key); found != m_notes.end())
+        return found->second;
+    make_room(m_notes);
+    return m_notes[key] = std::make_shared<const StageNotes>(find_notes(stage));
+}
+
+std::shared_ptr<const StageNotes> notes_of(const Stage& stage, CheckCache* cache) {
+    return cache ? cache->notes(stage) : std::make_shared<const StageNotes>(find_notes(stage));
+}

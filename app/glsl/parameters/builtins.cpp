@@ -1,0 +1,28 @@
+#include "glsl/parameters/builtins.h"
+
+#include <algorithm>
+
+const std::vector<BuiltinUniform>& builtin_uniforms() {
+    static const std::vector<BuiltinUniform> all{
+        {"u_time", {Scalar::floating, 1, 1}},               // seconds
+        {"u_time_delta", {Scalar::floating, 1, 1}},         // seconds
+        {"u_frame", {Scalar::integer, 1, 1}},               // from 1
+        {"u_resolution", {Scalar::floating, 2, 1}},         // pixels of the pass's target
+        {"u_output_resolution", {Scalar::floating, 2, 1}},  // pixels
+        {"u_source_resolution", {Scalar::floating, 2, 1}},  // pixels
+        {"u_source_lines", {Scalar::floating, 3, 1}},       // start, pitch, count
+        {"u_source_columns", {Scalar::floating, 3, 1}},     // the same from the left
+        {"u_mouse", {Scalar::floating, 2, 1}},              // pixels from bottom left
+        {"u_samples", {Scalar::integer, 1, 1}},             // accumulated so far
+        {"u_view", {Scalar::floating, 4, 4}},               // orbit: the object's turn
+        {"u_camera", {Scalar::floating, 4, 4}},             // orbit: the camera's
+        {"u_drawn_onto", {Scalar::boolean, 1, 1}},          // see "onto" in look.json
+    };
+    return all;
+}
+
+const BuiltinUniform* find_builtin_uniform(std::string_view name) {
+    const auto& all = builtin_uniforms();
+    const auto found = std::ranges::find(all, name, &BuiltinUniform::name);
+    return found == all.end() ? nullptr : &*found;
+}

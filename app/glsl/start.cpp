@@ -1,8 +1,0 @@
-#include "glsl/start.h"
-
-#include <glslang/Public/ShaderLang.h>
-
-void start_glslang() {
-    static const bool started = glslang::InitializeProcess();
-    static_cast<void>(started);
-}

@@ -1,0 +1,148 @@
+#include "glsl/text/shader_files.h"
+
+#include "base/file.h"
+#include "glsl/text/tokens.h"
+
+#include <algorithm>
+#include <ctime>
+#include <functional>
+#include <sys/stat.h>
+
+namespace fs = std::filesystem;
+
+namespace {
+// Compilers disagree on whether a lone CR ends a line; LF alone leaves no doubt.
+std::string with_plain_line_ends(std::string_view text) {
+    std::string plain;
+    plain.reserve(text.size());
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool is_pair = text[i] == '\r' && i + 1 < text.size() && text[i + 1] == '\n';
+        if (!is_pair)
+            plain += text[i] == '\r' ? '\n' : text[i];
+    }
+    return plain;
+}
+
+bool is_once(const Directive& directive) {
+    return directive.name == "pragma" && directive.arguments.size() == 1 &&
+           directive.arguments.front().is("once");
+}
+
+// `<`, words, `>`
+std::string name_between(const std::vector<Token>& signs) {
+    const char* const begin = signs.front().text.data() + 1;
+    return {begin, signs.back().text.data()};
+}
+
+ShaderText::Include include_of(const Directive& directive) {
+    const auto& arguments = directive.arguments;
+    ShaderText::Include include;
+    include.begin = directive.begin;
+    include.end = directive.end;
+    include.line = directive.line;
+    include.last_line = arguments.empty() ? directive.line : arguments.back().line;
+    if (arguments.size() == 1 && arguments.front().kind == Token::Kind::string)
+        include.file = arguments.front().text.substr(1, arguments.front().text.size() - 2);
+    if (arguments.size() > 2 && arguments.front().is("<"))
+        include.given = name_between(arguments);
+    return include;
+}
+
+ShaderText text_from(std::string_view bytes) {
+    ShaderText found;
+    found.file_size = bytes.size();
+    if (bytes.size() > ShaderFiles::most_bytes)
+        return found;
+    const std::string scanned = without_line_directives(with_plain_line_ends(bytes));
+    found.text = scanned;
+    const Tokens tokens = scan(scanned);
+    found.unclosed_comment = tokens.unclosed_comment;
+    for (const Directive& directive : find_directives(scanned, tokens)) {
+        if (is_once(directive)) {
+            found.is_once = true;
+            blank_out(found.text, directive.begin, directive.end);
+        }
+        if (directive.name == "include")
+            found.includes.push_back(include_of(directive));
+    }
+    return found;
+}
+}  // namespace
+
+void ShaderFiles::begin_reading() {
+    std::erase_if(m_known, [this](const auto& known) { return known.second.asked < m_reading; });
+    m_places.clear();
+    ++m_reading;
+    for (auto& [file, known] : m_known) {
+        if (!known.stamp || known.stamp != stamp_of(file))
+            continue;
+        known.reading = m_reading;
+        m_places.emplace(file, known.place);
+    }
+}
+
+// File systems count time in ticks, some of two seconds: a text that was written in the tick in
+// which another was read there has the stamp of that one.
+std::optional<ShaderFiles::Stamp> ShaderFiles::stamp_of(const fs::path& file) {
+    constexpr std::int64_t longest_tick = 3;  // seconds
+    struct stat is = {};
+    if (::stat(file.c_str(), &is) != 0)
+        return std::nullopt;
+    if (std::time(nullptr) - std::max(is.st_mtim.tv_sec, is.st_ctim.tv_sec) <= longest_tick)
+        return std::nullopt;
+    return Stamp{{is.st_dev, is.st_ino, static_cast<std::uint64_t>(is.st_size)},
+                 {is.st_mtim.tv_sec, is.st_mtim.tv_nsec, is.st_ctim.tv_sec, is.st_ctim.tv_nsec}};
+}
+
+const fs::path& ShaderFiles::place_of(const fs::path& path) {
+    const auto [place, is_new] = m_places.try_emplace(path.native());
+    std::error_code missing;
+    if (is_new)
+        place->second = fs::canonical(path, missing);
+    return place->second;
+}
+
+ShaderFiles::Known& ShaderFiles::known(const fs::path& file) {
+    const auto [at, is_new] = m_known.try_emplace(file.native());
+    Known& known = at->second;
+    known.asked = m_reading;
+    if (!is_new && known.reading == m_reading)
+        return known;
+    known.reading = m_reading;
+    known.stamp = stamp_of(file);
+    known.place = place_of(file);
+    ++m_reads;
+    Result<std::string> bytes = read_text(file);
+    if (is_new || bytes != known.bytes) {
+        known.digest = std::hash<std::string>()(bytes ? *bytes : to_string(bytes.error()));
+        known.found.reset();
+        known.bytes = std::move(bytes);
+    }
+    return known;
+}
+
+const Result<ShaderText>& ShaderFiles::read(const fs::path& file) {
+    Known& text = known(file);
+    if (!text.found && text.bytes)
+        text.found = text_from(*text.bytes);
+    else if (!text.found)
+        text.found = fail(text.bytes.error());
+    if (*text.found)
+        (*text.found)->place = place_of(file);
+    return *text.found;
+}
+
+const Result<std::string>& ShaderFiles::read_plain(const fs::path& file) {
+    return known(file).bytes;
+}
+
+std::optional<std::size_t> ShaderFiles::digest_of_read(const fs::path& file) const {
+    const auto at = m_known.find(file.native());
+    if (at == m_known.end() || at->second.asked != m_reading)
+        return std::nullopt;
+    return at->second.digest;
+}
+
+bool ShaderFiles::exists(const fs::path& file) {
+    return !place_of(file).empty();
+}

@@ -1,0 +1,6 @@
+#pragma once
+
+#include "ui/frame/action.h"
+
+/// The rows of all menus.
+ActionTable make_action_table();

@@ -1,0 +1,103 @@
+#include "ui/actions/edit_actions.h"
+
+#include "ui/actions/file_actions.h"
+#include "ui/actions/view_actions.h"
+#include "ui/frame/edits.h"
+#include "ui/frame/scene.h"
+
+#include <fmt/format.h>
+
+namespace {
+bool can_undo(const Scene& scene) {
+    return scene.lab.document() &&
+           (scene.lab.document()->history().can_undo() || !scene.lab.presets().undo_name().empty());
+}
+bool can_redo(const Scene& scene) {
+    return scene.lab.document() && scene.lab.document()->history().can_redo();
+}
+bool has_values(const Scene& scene) {
+    return scene.lab.document() && !scene.lab.document()->values().empty();
+}
+
+void undo(const Scene&, Edits& edits) {
+    edits.add([](Lab& lab) { lab.undo(); });
+}
+void redo(const Scene&, Edits& edits) {
+    edits.document([](Document& document) { document.redo(); });
+}
+void reset_all(const Scene&, Edits& edits) {
+    edits.document([](Document& document) { document.reset_all(); });
+}
+bool can_draw(const Scene& scene) {
+    return scene.lab.document() && scene.lab.document()->look().driven_by == Driver::signal;
+}
+bool has_pen(const Scene& scene) {
+    return scene.lab.drawing_board().has_pen();
+}
+void take_pen(const Scene& scene, Edits& edits) {
+    edits.add([is_in_hand = !has_pen(scene)](Lab& lab) { lab.take_pen(is_in_hand); });
+}
+void show_remote(const Scene&, Edits& edits) {
+    edits.show({.kind = Dialog::Kind::remote});
+}
+
+std::string undo_label(const Scene& scene) {
+    if (!can_undo(scene))
+        return "Undo";
+    const std::string& of_presets = scene.lab.presets().undo_name();
+    return fmt::format(
+        "Undo: {}", of_presets.empty() ? scene.lab.document()->history().undo_name() : of_presets);
+}
+std::string redo_label(const Scene& scene) {
+    return can_redo(scene) ? fmt::format("Redo: {}", scene.lab.document()->history().redo_name())
+                           : "Redo";
+}
+}  // namespace
+
+std::vector<Action> edit_actions::list() {
+    std::vector<Action> actions{
+        {ActionId::undo, Menu::edit, "Undo", {'Z', true}, false, undo, can_undo},
+        {ActionId::redo, Menu::edit, "Redo", {'Z', true, true}, false, redo, can_redo},
+        {ActionId::show_history,
+         Menu::edit,
+         "History",
+         {'H', true},
+         false,
+         view_actions::toggle_history,
+         nullptr,
+         view_actions::shows_history},
+        {ActionId::reset_all,
+         Menu::edit,
+         "Reset all parameters",
+         {'R', true, true},
+         true,
+         reset_all,
+         has_values},
+        {ActionId::draw,
+         Menu::edit,
+         "Draw on the picture",
+         {'D'},
+         true,
+         take_pen,
+         can_draw,
+         has_pen},
+        {ActionId::search,
+         Menu::edit,
+         "Find a parameter",
+         {'F', true},
+         true,
+         view_actions::search,
+         file_actions::has_document},
+        {ActionId::show_changed,
+         Menu::edit,
+         "Show only changed parameters",
+         {'F', true, true},
+         false,
+         view_actions::toggle_changed,
+         file_actions::has_document,
+         view_actions::shows_only_changed},
+        {ActionId::remote, Menu::edit, "Remote control…", {}, true, show_remote}};
+    actions[0].current_label = undo_label;
+    actions[1].current_label = redo_label;
+    return actions;
+}

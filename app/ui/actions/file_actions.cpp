@@ -1,0 +1,248 @@
+#include "ui/actions/file_actions.h"
+
+#include "gpu/input_event.h"
+#include "lab/session.h"
+#include "lab/window/window_session.h"
+#include "ui/frame/edits.h"
+#include "ui/frame/scene.h"
+
+#include <imgui/imgui.h>
+
+namespace {
+void save_as(const Scene& scene, Edits& edits) {
+    edits.show({.kind = Dialog::Kind::save_preset_as, .text = scene.lab.presets().proposed_name()});
+}
+
+void save(const Scene& scene, Edits& edits) {
+    if (scene.lab.presets().can_save_over())
+        edits.add([](Lab& lab) { lab.presets().save(); });
+    else
+        save_as(scene, edits);
+}
+
+void rename(const Scene& scene, Edits& edits) {
+    const Document& document = *scene.lab.document();
+    edits.show({.kind = Dialog::Kind::rename_preset,
+                .text = document.preset_name(),
+                .subject = document.preset_file().string()});
+}
+
+void duplicate(const Scene&, Edits& edits) {
+    edits.add([](Lab& lab) { lab.presets().duplicate(lab.document()->preset_file()); });
+}
+
+void remove(const Scene&, Edits& edits) {
+    edits.add([](Lab& lab) { lab.presets().remove(lab.document()->preset_file()); });
+}
+
+void show_in_folder(const Scene&, Edits& edits) {
+    edits.add([](Lab& lab) { lab.presets().show_in_folder(lab.document()->preset_file()); });
+}
+
+template <int by>
+void step_preset(const Scene& scene, Edits& edits) {
+    edits.add([only_starred = scene.window.presets.only_starred](Lab& lab) {
+        lab.step_preset(by, only_starred);
+    });
+}
+
+template <int by>
+void morph_preset(const Scene& scene, Edits& edits) {
+    edits.add([wanted = scene.window.presets](Lab& lab) {
+        lab.morph_by(by, wanted.morph_seconds, wanted.only_starred);
+    });
+}
+
+void duplicate_look(const Scene& scene, Edits& edits) {
+    edits.show(
+        {.kind = Dialog::Kind::duplicate_look, .text = scene.lab.document()->look().id + "-copy"});
+}
+
+void copy_line(const Scene& scene, Edits& edits) {
+    edits.copy(scene.lab.share_line());
+    edits.add([](Lab& lab) { lab.say("Copied the preset as one line of text"); });
+}
+
+void paste_line(const Scene&, Edits& edits) {
+    const char* text = ImGui::GetClipboardText();
+    edits.add([line = std::string(text ? text : "")](Lab& lab) { lab.paste(line); });
+}
+
+void take_up_unsaved(const Scene& scene, Edits& edits) {
+    edits.add(
+        [latest = scene.lab.kept_sessions().files().front()](Lab& lab) { lab.take_up(latest); });
+}
+
+bool has_kept_session(const Scene& scene) {
+    return !scene.lab.kept_sessions().files().empty();
+}
+
+void quit(const Scene&, Edits& edits) {
+    edits.quit();
+}
+
+template <Dialog::Kind kind>
+void show(const Scene&, Edits& edits) {
+    edits.show({.kind = kind});
+}
+}  // namespace
+
+bool file_actions::has_document(const Scene& scene) {
+    return scene.lab.document() != nullptr;
+}
+
+bool file_actions::has_preset(const Scene& scene) {
+    return scene.lab.document() && !scene.lab.document()->preset_file().empty();
+}
+
+namespace {
+bool is_slang(const Scene& scene) {
+    return scene.lab.can_save_slang_preset();
+}
+
+bool can_save_over(const Scene& scene) {
+    return scene.lab.presets().can_save_over();
+}
+
+std::vector<Action> preset_actions() {
+    using file_actions::has_document;
+    using file_actions::has_preset;
+    return {
+        {ActionId::save_preset, Menu::file, "Save preset", {'S', true}, true, save, has_document},
+        {ActionId::save_preset_as,
+         Menu::file,
+         "Save preset as…",
+         {'S', true, true},
+         false,
+         save_as,
+         has_document},
+        {ActionId::save_slangp,
+         Menu::file,
+         "Save as .slangp…",
+         {},
+         false,
+         show<Dialog::Kind::save_slangp>,
+         is_slang},
+        {ActionId::rename_preset,
+         Menu::file,
+         "Rename preset…",
+         {gpu::key::first_function + 1},
+         false,
+         rename,
+         can_save_over},
+        {ActionId::duplicate_preset,
+         Menu::file,
+         "Duplicate preset",
+         {'D', true},
+         false,
+         duplicate,
+         has_preset},
+        {ActionId::delete_preset,
+         Menu::file,
+         "Delete preset",
+         {gpu::key::del, false, true},
+         false,
+         remove,
+         can_save_over},
+        {ActionId::show_preset_in_folder,
+         Menu::file,
+         "Show preset in folder",
+         {},
+         false,
+         show_in_folder,
+         has_preset},
+    };
+}
+
+std::vector<Action> preset_ring_actions() {
+    using file_actions::has_document;
+    return {
+        {ActionId::next_preset,
+         Menu::file,
+         "Next preset",
+         {gpu::key::page_down, true},
+         false,
+         step_preset<1>,
+         has_document},
+        {ActionId::previous_preset,
+         Menu::file,
+         "Previous preset",
+         {gpu::key::page_up, true},
+         false,
+         step_preset<-1>,
+         has_document},
+        {ActionId::morph_to_next,
+         Menu::file,
+         "Morph to next preset",
+         {gpu::key::page_down, true, true},
+         false,
+         morph_preset<1>,
+         has_document},
+        {ActionId::morph_to_previous,
+         Menu::file,
+         "Morph to previous preset",
+         {gpu::key::page_up, true, true},
+         false,
+         morph_preset<-1>,
+         has_document},
+    };
+}
+}  // namespace
+
+std::vector<Action> file_actions::list() {
+    using Kind = Dialog::Kind;
+    std::vector<Action> actions{
+        {ActionId::open, Menu::file, "Open…", {'O', true}, false, show<Kind::open_file>},
+        {ActionId::take_up_unsaved,
+         Menu::file,
+         "Restore unsaved changes",
+         {'O', true, true},
+         false,
+         take_up_unsaved,
+         has_kept_session},
+        {ActionId::new_look, Menu::file, "New look…", {'N', true}, true, show<Kind::new_look>},
+        {ActionId::duplicate_look,
+         Menu::file,
+         "Duplicate look…",
+         {'D', true, true},
+         false,
+         duplicate_look,
+         has_document},
+    };
+    const std::vector<Action> presets = preset_actions();
+    actions.insert(actions.end(), presets.begin(), presets.end());
+    const std::vector<Action> ring = preset_ring_actions();
+    actions.insert(actions.end(), ring.begin(), ring.end());
+    const std::vector<Action> others{
+        {ActionId::copy_line,
+         Menu::file,
+         "Copy preset as text",
+         {'C', true},
+         true,
+         copy_line,
+         has_document},
+        {ActionId::paste_line,
+         Menu::file,
+         "Paste preset from text",
+         {'V', true},
+         false,
+         paste_line},
+        {ActionId::save_picture,
+         Menu::file,
+         "Save picture…",
+         {'E', true},
+         true,
+         show<Kind::save_picture>,
+         has_document},
+        {ActionId::export_frames,
+         Menu::file,
+         "Export video or image sequence…",
+         {'M', true, true},
+         false,
+         show<Kind::export_frames>,
+         has_document},
+        {ActionId::quit, Menu::file, "Quit", {'Q', true}, true, quit},
+    };
+    actions.insert(actions.end(), others.begin(), others.end());
+    return actions;
+}

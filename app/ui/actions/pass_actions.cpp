@@ -1,0 +1,191 @@
+#include "ui/actions/pass_actions.h"
+
+#include "gpu/input_event.h"
+#include "lab/choices/looking_choices.h"
+#include "model/plan/parameter_use.h"
+#include "ui/frame/edits.h"
+#include "ui/frame/scene.h"
+
+#include <algorithm>
+
+namespace {
+bool has_passes(const Scene& scene) {
+    return scene.lab.document() && scene.lab.renderer();
+}
+
+bool has_overrides(const Scene& scene) {
+    return scene.lab.document() && !scene.lab.document()->state().overrides.empty();
+}
+
+bool is_large(const Scene& scene) {
+    return scene.window.shows_pass_large;
+}
+
+// Passes that the picture is without at present are passed over.
+template <int by>
+void choose_next(const Scene& scene, Edits& edits) {
+    const Executor& executor = scene.lab.renderer()->executor();
+    const Look& look = executor.look();
+    const auto present = static_cast<std::size_t>(inspected_pass(look, scene.window));
+    const std::size_t next = next_used_pass(look, executor.plan(), present, by);
+    edits.arrange([name = look.passes[next].name](WindowState& window) {
+        window.inspected.look_into(name);
+        window.shows_inspector = true;
+    });
+}
+
+void toggle_large(const Scene&, Edits& edits) {
+    edits.arrange([](WindowState& window) { window.shows_pass_large = !window.shows_pass_large; });
+}
+
+void choose_channels(const Scene&, Edits& edits) {
+    constexpr int count = static_cast<int>(Channels::luminance) + 1;
+    edits.arrange([](WindowState& window) {
+        window.inspected.channels =
+            static_cast<Channels>((static_cast<int>(window.inspected.channels) + 1) % count);
+    });
+}
+
+template <int stops>
+void expose(const Scene&, Edits& edits) {
+    edits.arrange([](WindowState& window) {
+        window.inspected.exposure = std::clamp(window.inspected.exposure + stops, -60.0, 60.0);
+    });
+}
+
+// Where the channels were just changed, the numbers are yet to come.
+void fit_levels(const Scene&, Edits& edits) {
+    edits.arrange([](WindowState& window) {
+        window.shows_inspector = true;
+        window.pending.levels = true;
+    });
+}
+
+void reset_levels(const Scene&, Edits& edits) {
+    edits.arrange([](WindowState& window) { window.inspected.reset_levels(); });
+}
+
+bool has_levels(const Scene& scene) {
+    return has_passes(scene) && scene.window.inspected.has_levels();
+}
+
+template <bool PassView::*overlay>
+void toggle(const Scene&, Edits& edits) {
+    edits.arrange(
+        [](WindowState& window) { window.inspected.*overlay = !(window.inspected.*overlay); });
+}
+
+template <bool PassView::*overlay>
+bool is_on(const Scene& scene) {
+    return scene.window.inspected.*overlay;
+}
+
+bool has_probe(const Scene& scene) {
+    return has_passes(scene) && scene.window.probe;
+}
+
+void pin(const Scene& scene, Edits& edits) {
+    edits.arrange(
+        [pin = pin_at(*scene.window.probe)](WindowState& window) { add_pin(window, pin); });
+}
+
+void save_pass(const Scene& scene, Edits& edits) {
+    edits.show({.kind = Dialog::Kind::save_pass, .subject = scene.window.inspected.label()});
+}
+
+void edit_shader(const Scene& scene, Edits& edits) {
+    const Look& look = scene.lab.document()->look();
+    const auto pass = static_cast<std::size_t>(inspected_pass(look, scene.window));
+    const Location place{look.passes[pass].fragment.file, 1};
+    edits.add([place](Lab& lab) { lab.open_in_editor(place); });
+}
+
+void write(const Scene&, Edits& edits) {
+    edits.add([](Lab& lab) { lab.write_overrides(); });
+}
+
+void take_back(const Scene&, Edits& edits) {
+    edits.document([](Document& document) { document.clear_overrides(); });
+}
+}  // namespace
+
+namespace {
+std::vector<Action> looking_actions() {
+    using View = PassView;
+    return {{ActionId::fit_levels,
+             Menu::pass,
+             "Fit black and white",
+             {'A'},
+             true,
+             fit_levels,
+             has_passes},
+            {ActionId::reset_levels,
+             Menu::pass,
+             "Reset black and white",
+             {'A', false, true},
+             false,
+             reset_levels,
+             has_levels},
+            {ActionId::mark_flaws,
+             Menu::pass,
+             "Mark NaN (red), Inf (green), negative (blue)",
+             {'X'},
+             false,
+             toggle<&View::marks_flaws>,
+             has_passes,
+             is_on<&View::marks_flaws>},
+            {ActionId::mark_clipping,
+             Menu::pass,
+             "Mark clipped white (yellow), black (cyan)",
+             {'X', false, true},
+             false,
+             toggle<&View::marks_clipping>,
+             has_passes,
+             is_on<&View::marks_clipping>},
+            {ActionId::false_color,
+             Menu::pass,
+             "False colour",
+             {'C', false, true},
+             false,
+             toggle<&View::is_false_color>,
+             has_passes,
+             is_on<&View::is_false_color>},
+            {ActionId::pin, Menu::pass, "Pin pixel", {'K'}, true, pin, has_probe},
+            {ActionId::save_pass,
+             Menu::pass,
+             "Save pass…",
+             {'E', true, true},
+             false,
+             save_pass,
+             has_passes}};
+}
+}  // namespace
+
+std::vector<Action> pass_actions::list() {
+    const auto action = [](ActionId id, const char* label, Chord chord, bool is_first,
+                           void (*act)(const Scene&, Edits&)) {
+        return Action{id, Menu::pass, label, chord, is_first, act, has_passes};
+    };
+    Action large = action(ActionId::pass_large, "Show pass large", {'P'}, true, toggle_large);
+    large.is_on = is_large;
+    Action written =
+        action(ActionId::write_passes, "Save to look.json", {'W', true, true}, false, write);
+    Action back = action(ActionId::passes_as_written, "Revert to look.json", {'L', true, true},
+                         false, take_back);
+    written.is_enabled = back.is_enabled = has_overrides;
+    std::vector<Action> actions{
+        action(ActionId::next_pass, "Next pass", {'N'}, false, choose_next<1>),
+        action(ActionId::previous_pass, "Previous pass", {'N', false, true}, false,
+               choose_next<-1>),
+        large,
+        action(ActionId::next_channels, "Next channel", {'C'}, false, choose_channels),
+        action(ActionId::brighter, "One stop brighter", {'E'}, false, expose<1>),
+        action(ActionId::darker, "One stop darker", {'E', false, true}, false, expose<-1>),
+    };
+    const std::vector<Action> looking = looking_actions();
+    actions.insert(actions.end(), looking.begin(), looking.end());
+    actions.insert(actions.end(), {action(ActionId::edit_pass, "Edit shader",
+                                          {gpu::key::first_function + 3}, true, edit_shader),
+                                   written, back});
+    return actions;
+}

@@ -1,0 +1,87 @@
+#include "ui/actions/pass_switch_actions.h"
+
+#include "ui/actions/file_actions.h"
+#include "ui/frame/edits.h"
+#include "ui/frame/scene.h"
+
+namespace {
+std::string chosen_pass(const Scene& scene) {
+    const Look& look = scene.lab.document()->look();
+    return look.passes[static_cast<std::size_t>(inspected_pass(look, scene.window))].name;
+}
+
+void toggle(PassSwitch which, const std::string& pass, Edits& edits) {
+    edits.add([which, pass](Lab& lab) { lab.switch_pass(which, pass); });
+}
+
+template <PassSwitch which>
+void toggle_chosen(const Scene& scene, Edits& edits) {
+    toggle(which, chosen_pass(scene), edits);
+}
+
+template <PassSwitch which>
+bool is_on(const Scene& scene) {
+    return file_actions::has_document(scene) &&
+           scene.lab.pass_switches().has(which, chosen_pass(scene));
+}
+
+void clear_chosen(const Scene& scene, Edits& edits) {
+    edits.add([pass = chosen_pass(scene)](Lab& lab) { lab.clear_history(pass); });
+}
+
+void clear_all(const Scene&, Edits& edits) {
+    edits.add([](Lab& lab) { lab.clear_history(); });
+}
+
+void switch_nothing(const Scene&, Edits& edits) {
+    edits.add([](Lab& lab) { lab.set_pass_switches({}); });
+}
+
+bool has_switches(const Scene& scene) {
+    return !scene.lab.pass_switches().is_empty();
+}
+
+template <PassSwitch which>
+Action switching(ActionId id, const char* label, Chord chord, bool is_first = false) {
+    return {id,
+            Menu::pass,
+            label,
+            chord,
+            is_first,
+            toggle_chosen<which>,
+            file_actions::has_document,
+            is_on<which>};
+}
+}  // namespace
+
+std::vector<Action> pass_switch_actions::list() {
+    Action usual{ActionId::passes_as_usual,
+                 Menu::pass,
+                 "Clear solo, bypass and freeze",
+                 {},
+                 false,
+                 switch_nothing,
+                 has_switches};
+    return {switching<PassSwitch::bypass>(ActionId::bypass_pass, "Bypass this pass",
+                                          {'B', false, true}, true),
+            switching<PassSwitch::solo>(ActionId::solo_pass, "Solo this pass", {'S'}),
+            switching<PassSwitch::stop>(ActionId::stop_at_pass, "Stop at this pass",
+                                        {'S', false, true}),
+            switching<PassSwitch::freeze>(ActionId::freeze_pass, "Freeze this pass",
+                                          {'F', false, true}),
+            {ActionId::clear_pass,
+             Menu::pass,
+             "Clear pass history",
+             {'H', false, true},
+             true,
+             clear_chosen,
+             file_actions::has_document},
+            {ActionId::clear_passes,
+             Menu::pass,
+             "Clear all passes' history",
+             {'H'},
+             false,
+             clear_all,
+             file_actions::has_document},
+            usual};
+}

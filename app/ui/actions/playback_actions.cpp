@@ -1,0 +1,94 @@
+#include "ui/actions/playback_actions.h"
+
+#include "ui/actions/file_actions.h"
+#include "ui/dialogs/impulse_dialog.h"
+#include "ui/dialogs/rates_dialog.h"
+#include "ui/frame/edits.h"
+#include "ui/frame/scene.h"
+
+#include <cmath>
+
+namespace {
+void play_pause(const Scene& scene, Edits& edits) {
+    const bool is_playing = scene.lab.player().is_playing();
+    edits.add(
+        [is_playing](Lab& lab) { is_playing ? lab.transport().pause() : lab.transport().play(); });
+}
+void step(const Scene&, Edits& edits) {
+    edits.add([](Lab& lab) {
+        lab.transport().pause();
+        lab.transport().step();
+    });
+}
+void restart(const Scene&, Edits& edits) {
+    edits.add([](Lab& lab) { lab.restart(); });
+}
+template <int octaves>
+void change_speed(const Scene& scene, Edits& edits) {
+    const double speed = scene.lab.player().speed() * std::exp2(octaves);
+    edits.add([speed](Lab& lab) { lab.transport().set_speed(speed); });
+}
+void set_normal_speed(const Scene&, Edits& edits) {
+    edits.add([](Lab& lab) { lab.transport().set_speed(1.0); });
+}
+
+void start_rates(const Scene&, Edits& edits) {
+    compare_rates(edits);
+}
+
+bool is_recording(const Scene& scene) {
+    return scene.lab.moves().is_running();
+}
+bool has_moves(const Scene& scene) {
+    return !scene.lab.moves().moves().empty();
+}
+// What was recorded is to be kept: the end asks where.
+void record_moves(const Scene& scene, Edits& edits) {
+    const bool is_starting = !is_recording(scene);
+    edits.add([is_starting](Lab& lab) { lab.record_moves(is_starting); });
+    if (!is_starting && has_moves(scene))
+        edits.show({.kind = Dialog::Kind::save_moves});
+}
+void save_moves(const Scene&, Edits& edits) {
+    edits.show({.kind = Dialog::Kind::save_moves});
+}
+}  // namespace
+
+std::vector<Action> playback_actions::list() {
+    return {
+        {ActionId::play_pause, Menu::playback, "Play or pause", {' '}, false, play_pause},
+        {ActionId::step, Menu::playback, "Step one frame", {'.'}, false, step},
+        {ActionId::restart, Menu::playback, "Restart", {'R'}, false, restart},
+        {ActionId::slower, Menu::playback, "Halve speed", {'['}, true, change_speed<-1>},
+        {ActionId::faster, Menu::playback, "Double speed", {']'}, false, change_speed<1>},
+        {ActionId::normal_speed, Menu::playback, "Normal speed", {'\\'}, false, set_normal_speed},
+        {ActionId::compare_rates,
+         Menu::playback,
+         "Compare frame rates…",
+         {},
+         true,
+         start_rates,
+         file_actions::has_document},
+        {ActionId::impulse,
+         Menu::playback,
+         "Measure impulse response…",
+         {'I'},
+         false,
+         fire_impulse,
+         file_actions::has_document},
+        {ActionId::record_moves,
+         Menu::playback,
+         "Record automation",
+         {},
+         true,
+         record_moves,
+         file_actions::has_document,
+         is_recording},
+        {ActionId::save_moves,
+         Menu::playback,
+         "Save automation…",
+         {},
+         false,
+         save_moves,
+         has_moves}};
+}

@@ -1,0 +1,83 @@
+#include "ui/actions/shortcuts.h"
+
+#include "gpu/input_event.h"
+#include "lab/trials/tryouts.h"
+#include "ui/frame/action.h"
+#include "ui/frame/look_keys.h"
+#include "ui/picture/overlays.h"
+
+#include <imgui/imgui_internal.h>
+
+namespace {
+// Held down, it does the same again and again.
+bool repeats(int key) {
+    return key == '.' || key == 'Z' || (key >= gpu::key::right && key <= gpu::key::up);
+}
+
+bool is_pressed(const Chord& chord) {
+    const ImGuiIO& io = ImGui::GetIO();
+    return chord.key != 0 && io.KeyCtrl == chord.control && io.KeyShift == chord.shift &&
+           !io.KeyAlt && ImGui::IsKeyPressed(chord.key, repeats(chord.key));
+}
+
+// Escape goes through what is in the way, nearest first.
+void escape(const Scene& scene, Edits& edits) {
+    if (scene.is_behind_output)
+        edits.arrange([](WindowState& window) { window.output.is_open = false; });
+    else if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup))
+        ImGui::ClosePopupToLevel(0, true);
+    else if (scene.lab.drawing_board().open_line())
+        edits.end_line();
+    else if (!scene.lab.drive().loading().empty())
+        edits.add([](Lab& lab) { lab.cancel_loading(); });
+    else if (scene.lab.opening())
+        edits.add([](Lab& lab) { lab.cancel_opening(); });
+    else if (scene.lab.renderer() && scene.lab.renderer()->replay().is_running())
+        edits.add([](Lab& lab) { lab.cancel_replay(); });
+    else if (scene.lab.midi().learning())
+        edits.add([](Lab& lab) { lab.end_midi_learning(); });
+    else if (scene.lab.tryouts().probe().question())
+        edits.add([](Lab& lab) { lab.end_step(); });
+    else if (scene.lab.morphing())
+        edits.add([](Lab& lab) { lab.end_morph(); });
+    else if (scene.lab.tryouts().sheet().is_running())
+        edits.add([](Lab& lab) { lab.end_sheet(); });
+    else if (scene.lab.comparing().is_flashing())
+        edits.add([](Lab& lab) { lab.flash(false); });
+    else if (shows_errors(scene))
+        edits.add([](Lab& lab) { lab.put_problems_away(); });
+    else if (scene.window.shows_pass_large)
+        edits.arrange([](WindowState& window) { window.shows_pass_large = false; });
+    else if (scene.window.is_picture_only)
+        edits.arrange([](WindowState& window) { window.is_picture_only = false; });
+    else if (scene.lab.drawing_board().has_pen())
+        edits.add([](Lab& lab) { lab.take_pen(false); });
+}
+}  // namespace
+
+void run_shortcuts(const Scene& scene, Edits& edits) {
+    for (const Action& action : scene.actions.rows())
+        if (action.let_go && ImGui::IsKeyReleased(action.chord.key))
+            action.let_go(scene, edits);
+    if (scene.window.dialog.kind != Dialog::Kind::none || scene.window.walks_menus)
+        return;
+    if (ImGui::IsKeyPressed(gpu::key::escape, false) && !ImGui::IsAnyItemActive())
+        escape(scene, edits);
+    const bool is_typing = ImGui::GetIO().WantTextInput;
+    const bool is_entered = ImGui::IsKeyPressed(gpu::key::enter, false) ||
+                            ImGui::IsKeyPressed(gpu::key::pad_enter, false);
+    if (is_entered && !is_typing && scene.lab.drawing_board().open_line())
+        edits.end_line();
+    for (const Action& action : scene.actions.rows()) {
+        // A text field has its own copy, paste, undo and letters; saving works from everywhere.
+        const bool is_text_field_s = !action.chord.control || action.id == ActionId::copy_line ||
+                                     action.id == ActionId::paste_line ||
+                                     action.id == ActionId::undo || action.id == ActionId::redo;
+        const bool is_of_look = !action.chord.control && is_key_of_look(action.chord.key, scene);
+        if (is_pressed(action.chord) && !is_of_look && !(is_typing && is_text_field_s) &&
+            is_enabled(action, scene))
+            action.act(scene, edits);
+    }
+    if (is_pressed({'Y', true}) && !is_typing)
+        run(ActionId::redo, scene, edits);
+}

@@ -1,0 +1,92 @@
+#include "ui/actions/tuning_actions.h"
+
+#include "ui/actions/file_actions.h"
+#include "ui/frame/edits.h"
+#include "ui/frame/scene.h"
+#include "ui/parameters/step_view.h"
+
+#include <random>
+
+namespace {
+void randomise(const Scene&, Edits& edits) {
+    std::random_device chance;
+    const std::uint64_t seed = (static_cast<std::uint64_t>(chance()) << 32) | chance();
+    edits.document([seed](Document& document) { document.randomise(seed); });
+}
+
+template <ParameterFilter filter>
+bool is_filtered(const Scene& scene) {
+    return scene.window.filter == filter;
+}
+
+template <ParameterFilter filter>
+void toggle_filter(const Scene& scene, Edits& edits) {
+    const ParameterFilter next = is_filtered<filter>(scene) ? ParameterFilter::all : filter;
+    edits.arrange([next](WindowState& window) {
+        window.filter = next;
+        window.shows_parameters = true;
+    });
+}
+
+// From the menu the pointer is on no slider: then it tells how.
+template <bool is_up>
+void show_step(const Scene& scene, Edits& edits) {
+    if (scene.window.pointed)
+        return ask_for_step(*scene.window.pointed, is_up, edits);
+    edits.add([](Lab& lab) { lab.say("Point at a parameter and hold U or Shift+U"); });
+}
+
+void end_step(const Scene&, Edits& edits) {
+    edits.add([](Lab& lab) { lab.end_step(); });
+}
+
+std::vector<Action> step_actions() {
+    Action up{ActionId::step_up,
+              Menu::edit,
+              "Preview one step up (hold)",
+              {'U'},
+              true,
+              show_step<true>,
+              file_actions::has_document};
+    Action down = up;
+    down.id = ActionId::step_down;
+    down.label = "Preview one step down (hold)";
+    down.chord.shift = true;
+    down.is_first = false;
+    down.act = show_step<false>;
+    up.let_go = down.let_go = end_step;
+    return {up, down};
+}
+}  // namespace
+
+std::vector<Action> tuning_actions::list() {
+    constexpr auto favourites = ParameterFilter::favourites;
+    constexpr auto of_pass = ParameterFilter::of_pass;
+    // The first two go on the list of what is shown that ends the actions before these.
+    std::vector<Action> actions{{ActionId::show_favourites,
+                                 Menu::edit,
+                                 "Show only favourites",
+                                 {},
+                                 false,
+                                 toggle_filter<favourites>,
+                                 file_actions::has_document,
+                                 is_filtered<favourites>},
+                                {ActionId::show_of_pass,
+                                 Menu::edit,
+                                 "Show this pass's parameters",
+                                 {},
+                                 false,
+                                 toggle_filter<of_pass>,
+                                 file_actions::has_document,
+                                 is_filtered<of_pass>},
+                                {ActionId::randomise,
+                                 Menu::edit,
+                                 "Randomise",
+                                 {'R', true},
+                                 true,
+                                 randomise,
+                                 file_actions::has_document}};
+    const std::vector<Action> steps = step_actions();
+    actions.insert(actions.end() - 1, steps.begin(), steps.end());
+    return actions;
+}

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "lab/library/shelf.h"
+#include "ui/frame/edits.h"
+#include "ui/frame/scene.h"
+
+/// Shows what the open values have otherwise than a preset.
+void compare_preset(const ShelfPreset& preset, const Scene& scene, Edits& edits);
+
+void draw_compare_dialog(const Scene& scene, Edits& edits);

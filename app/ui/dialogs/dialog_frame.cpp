@@ -1,0 +1,68 @@
+#include "ui/dialogs/dialog_frame.h"
+
+#include "gpu/input_event.h"
+#include "ui/widgets/scoped.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
+
+void close_dialog(Edits& edits) {
+    edits.arrange([](WindowState& window) { window.dialog = {}; });
+}
+
+DialogFrame::DialogFrame(const char* title, float width, const Scene& scene, Edits& edits) {
+    if (!ImGui::IsPopupOpen(title))
+        ImGui::OpenPopup(title);
+    const ImVec2 room = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({room.x * 0.5f, room.y * 0.5f}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {room.x * 0.94f, room.y * 0.96f});
+    ImGui::SetNextWindowSize({std::min(width * ImGui::GetFontSize(), room.x * 0.94f), 0.0f});
+    const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding,
+                                      ImVec2(18.0f * scene.scale, 14.0f * scene.scale));
+    const ScopedStyle<float> rounding(ImGuiStyleVar_WindowRounding, 6.0f * scene.scale);
+    m_is_open =
+        ImGui::BeginPopupModal(title, nullptr,
+                               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                   ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+    if (!m_is_open)
+        return;
+    const ScopedFont strong(scene.fonts.strong);
+    ImGui::TextUnformatted(title);
+    ImGui::Spacing();
+    if (ImGui::IsKeyPressed(gpu::key::escape, false))
+        close_dialog(edits);
+}
+
+DialogFrame::~DialogFrame() {
+    if (m_is_open)
+        ImGui::EndPopup();
+}
+
+bool draw_close_button(const char* label, Edits& edits) {
+    ImGui::Spacing();
+    const float width = ImGui::GetFontSize() * 6.5f;
+    ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - width);
+    const bool is_left = ImGui::Button(label, {width, 0.0f});
+    edits.mark("dialog_cancel");
+    if (is_left)
+        close_dialog(edits);
+    return is_left;
+}
+
+bool draw_dialog_buttons(const char* label, bool can_do, Edits& edits) {
+    ImGui::Spacing();
+    const float width = ImGui::GetFontSize() * 6.5f;
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const float start = ImGui::GetWindowContentRegionMax().x - 2.0f * width - gap;
+    ImGui::SetCursorPosX(std::max(start, ImGui::GetCursorPosX()));
+    if (ImGui::Button("Cancel", {width, 0.0f}))
+        close_dialog(edits);
+    edits.mark("dialog_cancel");
+    ImGui::SameLine();
+    const ScopedDisabled disabled(!can_do);
+    const ScopedColor color(ImGuiCol_Button, theme::accent_filled);
+    const bool is_entered = ImGui::IsKeyPressed(gpu::key::enter, false) ||
+                            ImGui::IsKeyPressed(gpu::key::pad_enter, false);
+    const bool is_asked = ImGui::Button(label, {width, 0.0f}) || is_entered;
+    edits.mark("dialog_ok");
+    return is_asked && can_do;
+}

@@ -1,0 +1,163 @@
+#include "ui/dialogs/dialogs.h"
+
+#include "lab/storage/told_name.h"
+#include "ui/dialogs/asked_dialog.h"
+#include "ui/dialogs/compare_dialog.h"
+#include "ui/dialogs/dialog_frame.h"
+#include "ui/dialogs/export_dialog.h"
+#include "ui/dialogs/file_dialog.h"
+#include "ui/dialogs/help_dialogs.h"
+#include "ui/dialogs/impulse_dialog.h"
+#include "ui/dialogs/palette_dialog.h"
+#include "ui/dialogs/rates_dialog.h"
+#include "ui/dialogs/remote_dialog.h"
+#include "ui/widgets/scoped.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
+
+#include <fmt/format.h>
+#include <imgui/imgui_stdlib.h>
+
+#include <algorithm>
+
+namespace {
+struct Question {
+    const char* title;
+    const char* help;
+    const char* label;
+    void (*answer)(Lab& lab, const std::string& name, const std::string& subject);
+    bool (*is_taken)(const Scene& scene, const std::string& name);
+    // Null: a taken name is refused.
+    void (*replace)(Lab& lab, const std::string& name, const std::string& subject) = nullptr;
+};
+
+bool is_look(const Scene& scene, const std::string& name) {
+    const auto& looks = scene.shelf.looks();
+    return std::any_of(looks.begin(), looks.end(),
+                       [&](const ShelfLook& look) { return look.entry.id == name; });
+}
+
+// The user has a preset of that name for the open look. A shipped one may have the same.
+bool is_preset(const Scene& scene, const std::string& name) {
+    for (const ShelfLook& look : scene.shelf.looks())
+        for (const ShelfPreset& preset : look.presets)
+            if (scene.lab.document() && look.entry.id == scene.lab.document()->look().id &&
+                preset.entry.name == name && !preset.entry.is_shipped)
+                return true;
+    return false;
+}
+
+bool is_other_preset(const Scene& scene, const std::string& name) {
+    return std::filesystem::path(scene.window.dialog.subject).stem() != name &&
+           is_preset(scene, name);
+}
+
+// A dialog that asks for one name.
+void draw_name_dialog(const Question& question, const Scene& scene, Edits& edits) {
+    const DialogFrame frame(question.title, 26.0f, scene, edits);
+    if (!frame.is_open())
+        return;
+    dim_text(question.help);
+    std::string text = scene.window.dialog.text;
+    if (scene.window.dialog.is_new) {
+        ImGui::SetKeyboardFocusHere();
+        edits.arrange([](WindowState& window) { window.dialog.is_new = false; });
+    }
+    ImGui::SetNextItemWidth(-1.0f);
+    if (ImGui::InputText("##name", &text, ImGuiInputTextFlags_AutoSelectAll))
+        edits.arrange([text](WindowState& window) { window.dialog.text = text; });
+    edits.mark("dialog_name");
+    if (scene.window.dialog.kind == Dialog::Kind::save_preset_as)
+        wrapped_dim_text(
+            fmt::format("Saved in {}", told_folder(scene.lab.presets().destination())));
+    const bool is_taken = question.is_taken(scene, text);
+    const bool replaces = is_taken && question.replace;
+    if (is_taken) {
+        const ScopedColor color(ImGuiCol_Text, theme::warning);
+        ImGui::TextWrapped(replaces ? "\"%s\" already exists and will be replaced."
+                                    : "\"%s\" already exists. Choose another name.",
+                           text.c_str());
+        edits.mark("dialog_taken");
+    }
+    if (!draw_dialog_buttons(replaces ? "Replace" : question.label,
+                             !text.empty() && (!is_taken || replaces), edits))
+        return;
+    close_dialog(edits);
+    edits.add([text, subject = scene.window.dialog.subject,
+               answer = replaces ? question.replace : question.answer](Lab& lab) {
+        answer(lab, text, subject);
+    });
+}
+
+Question name_question(Dialog::Kind kind) {
+    using Kind = Dialog::Kind;
+    using Text = const std::string&;
+    constexpr const char* folder_help = "Folder name (lowercase letters, digits, - and _)";
+    if (kind == Kind::rename_preset)
+        return {"Rename preset", "New name", "Rename",
+                [](Lab& lab, Text name, Text file) { lab.presets().rename(file, name); },
+                is_other_preset};
+    if (kind == Kind::new_look)
+        return {"New look", folder_help, "Create",
+                [](Lab& lab, Text name, Text) { lab.new_look(name); }, is_look};
+    if (kind == Kind::duplicate_look)
+        return {"Duplicate look", folder_help, "Duplicate",
+                [](Lab& lab, Text name, Text) { lab.duplicate_look(name); }, is_look};
+    return {"Save preset as", "Preset name",
+            "Save",           [](Lab& lab, Text name, Text) { lab.presets().save_as(name); },
+            is_preset,        [](Lab& lab, Text name, Text) { lab.presets().replace(name); }};
+}
+}  // namespace
+
+void draw_dialogs(const Scene& scene, Edits& edits) {
+    using Kind = Dialog::Kind;
+    switch (scene.window.dialog.kind) {
+        case Kind::none:
+            return;
+        case Kind::open_file:
+        case Kind::choose_file:
+        case Kind::choose_reference:
+        case Kind::save_picture:
+        case Kind::save_pass:
+        case Kind::load_drawing:
+        case Kind::save_drawing:
+        case Kind::save_moves:
+        case Kind::save_slangp:
+        case Kind::export_frames:
+            draw_file_dialog(scene, edits);
+            return;
+        case Kind::save_preset_as:
+        case Kind::rename_preset:
+        case Kind::new_look:
+        case Kind::duplicate_look:
+            draw_name_dialog(name_question(scene.window.dialog.kind), scene, edits);
+            return;
+        case Kind::palette:
+            draw_palette_dialog(scene, edits);
+            return;
+        case Kind::compare_preset:
+            draw_compare_dialog(scene, edits);
+            return;
+        case Kind::remote:
+            draw_remote_dialog(scene, edits);
+            return;
+        case Kind::impulse:
+            draw_impulse_dialog(scene, edits);
+            return;
+        case Kind::rates:
+            draw_rates_dialog(scene, edits);
+            return;
+        case Kind::keys:
+            draw_keys_dialog(scene, edits);
+            return;
+        case Kind::about:
+            draw_about_dialog(scene, edits);
+            return;
+        case Kind::exporting:
+            draw_export_dialog(scene, edits);
+            return;
+        case Kind::asked:
+            draw_asked_dialog(scene, edits);
+            return;
+    }
+}

@@ -1,0 +1,9 @@
+#pragma once
+
+#include "ui/frame/edits.h"
+#include "ui/frame/scene.h"
+
+/// Every key and what it does.
+void draw_keys_dialog(const Scene& scene, Edits& edits);
+
+void draw_about_dialog(const Scene& scene, Edits& edits);

@@ -1,7 +1,0 @@
-#pragma once
-
-#include "ui/edits.h"
-#include "ui/scene.h"
-
-/// The pen, its keyframes, and the files of a drawing: a part of the signal's pane.
-void draw_drawing_panel(const Scene& scene, Edits& edits);

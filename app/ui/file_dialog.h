@@ -1,7 +1,0 @@
-#pragma once
-
-#include "ui/edits.h"
-#include "ui/scene.h"
-
-/// Chooses a file to open, or a name to save under: a folder's listing, its path and a name.
-void draw_file_dialog(const Scene& scene, Edits& edits);

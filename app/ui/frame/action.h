@@ -1,0 +1,188 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+class Edits;
+struct Scene;
+
+/// What a menu, a key or a button can do.
+enum class ActionId {
+    open,
+    take_up_unsaved,
+    new_look,
+    duplicate_look,
+    save_preset,
+    save_preset_as,
+    save_slangp,
+    rename_preset,
+    duplicate_preset,
+    delete_preset,
+    show_preset_in_folder,
+    next_preset,
+    previous_preset,
+    morph_to_next,
+    morph_to_previous,
+    copy_line,
+    paste_line,
+    save_picture,
+    export_frames,
+    quit,
+    undo,
+    redo,
+    show_history,
+    reset_all,
+    draw,
+    search,
+    zoom_one,
+    zoom_fit,
+    zoom_in,
+    zoom_out,
+    show_library,
+    show_parameters,
+    show_inspector,
+    show_strip,
+    show_problems,
+    show_timings,
+    show_pins,
+    show_inputs,
+    show_text,
+    show_graph,
+    bypass_pass,
+    solo_pass,
+    stop_at_pass,
+    freeze_pass,
+    clear_pass,
+    clear_passes,
+    passes_as_usual,
+    show_changed,
+    picture_only,
+    flash,
+    wipe,
+    side_by_side,
+    difference,
+    next_measure,
+    equal_brightness,
+    fit_gain,
+    with_article,
+    with_file,
+    keep_a,
+    keep_b,
+    keep_c,
+    recall_a,
+    recall_b,
+    recall_c,
+    with_a,
+    with_b,
+    with_c,
+    next_pass,
+    previous_pass,
+    pass_large,
+    next_channels,
+    brighter,
+    darker,
+    fit_levels,
+    reset_levels,
+    mark_flaws,
+    mark_clipping,
+    false_color,
+    save_pass,
+    pin,
+    edit_pass,
+    write_passes,
+    passes_as_written,
+    show_output,
+    next_output,
+    blackout,
+    wait_for_display,
+    cap_display,
+    cap_30,
+    cap_60,
+    cap_120,
+    no_cap,
+    larger_text,
+    smaller_text,
+    play_pause,
+    step,
+    restart,
+    slower,
+    faster,
+    normal_speed,
+    record_moves,
+    save_moves,
+    remote,
+    compare_rates,
+    impulse,
+    show_flashes,
+    comfort,
+    palette,
+    randomise,
+    step_up,
+    step_down,
+    show_sheet,
+    show_waveform,
+    show_presets,
+    show_favourites,
+    show_of_pass,
+    next_knob,
+    previous_knob,
+    turn_up,
+    turn_down,
+    type_knob,
+    reset_knob,
+    copy_knob_name,
+    keys,
+    about,
+};
+
+enum class Menu { file, edit, knob, view, output, frame_rate, compare, pass, playback, help };
+
+/// A key with its modifiers.
+struct Chord {
+    int key = 0;  // as gpu::KeyEvent names it; 0: none
+    bool control = false;
+    bool shift = false;
+};
+
+/// One row of the action table: text, key and effect of one command.
+/// Menus, shortcuts, tooltips, the palette and the help are made of these rows.
+struct Action {
+    ActionId id;
+    Menu menu;
+    const char* label;
+    Chord chord;
+    bool is_first = false;  // a separator is drawn above it
+    void (*act)(const Scene& scene, Edits& edits);
+    bool (*is_enabled)(const Scene& scene) = nullptr;  // null: always
+    bool (*is_on)(const Scene& scene) = nullptr;       // null: no check mark
+    void (*let_go)(const Scene& scene,
+                   Edits& edits) = nullptr;  // when its key is released; null: nothing
+    std::string (*current_label)(const Scene& scene) = nullptr;  // "Undo: Decay"; null: label
+};
+
+/// All actions in the order of the menus. Each action of ActionId has exactly one row.
+class ActionTable {
+public:
+    explicit ActionTable(std::vector<Action> rows) : m_rows(std::move(rows)) {}
+
+    const std::vector<Action>& rows() const { return m_rows; }
+    const Action& row(ActionId id) const;
+    /// "F4"; "" without a key.
+    std::string key(ActionId id) const;
+    /// "Play or pause (Space)".
+    std::string help(ActionId id) const;
+
+private:
+    std::vector<Action> m_rows;
+};
+
+/// "Ctrl+Shift+S"; "" for none.
+std::string chord_text(const Chord& chord);
+
+bool is_enabled(const Action& action, const Scene& scene);
+/// With its present object: "Undo: Decay".
+std::string label_of(const Action& action, const Scene& scene);
+
+/// Runs the action if it is enabled.
+void run(ActionId id, const Scene& scene, Edits& edits);

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "gpu/input_event.h"
+#include "lab/lab.h"
+#include "lab/library/shelf.h"
+#include "lab/rendering/pace.h"
+#include "lab/views/history_pictures.h"
+#include "lab/views/kept_pictures.h"
+#include "lab/views/preset_pictures.h"
+#include "lab/views/views.h"
+#include "lab/window/window_state.h"
+#include "ui/frame/action.h"
+#include "ui/frame/fonts.h"
+
+/// What there is to show in a frame, all of it to be read only.
+struct Scene {
+    const Lab& lab;
+    const WindowState& window;
+    const Views& views;
+    const HistoryPictures& history_pictures;
+    const PresetPictures& preset_pictures;
+    const KeptPictures& kept_pictures;
+    const Shelf& shelf;
+    const Pace& pace;
+    std::size_t output_monitor;     // that the output window is on, or would open on
+    bool is_behind_output = false;  // the output window covers this one
+    const Fonts& fonts;
+    const ActionTable& actions;
+    long turn = 0;           // frames of the window so far
+    bool is_behind = false;  // the person did more than this frame can answer
+    float scale = 1.0f;      // coordinates of the window a pixel of the layout
+    float density = 1.0f;    // device pixels a coordinate of the window
+    std::vector<gpu::PointerEvent> pointer_path = {};  // since the last frame
+    double panel_milliseconds = 0.0;                   // CPU time of the last frame's panels
+
+    Extent device_pixels(float width, float height) const {
+        return {static_cast<int>(width * density), static_cast<int>(height * density)};
+    }
+};

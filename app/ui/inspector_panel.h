@@ -1,8 +1,0 @@
-#pragma once
-
-#include "ui/edits.h"
-#include "ui/scene.h"
-
-/// The chosen pass, large: with exposure, one channel, zoom to its pixels and the numbers under the
-/// pointer; and its scale, format and filter, to be tried and written back.
-void draw_inspector_panel(const Scene& scene, Edits& edits);

@@ -1,8 +1,0 @@
-#pragma once
-
-#include "ui/actions.h"
-
-/// What the keyboard does to the parameter that is revealed in its panel.
-namespace knob_actions {
-std::vector<Action> list();
-}  // namespace knob_actions

@@ -1,0 +1,92 @@
+#include "ui/library/preset_menu.h"
+
+#include "ui/dialogs/compare_dialog.h"
+
+#include <fmt/format.h>
+#include <imgui/imgui.h>
+
+namespace {
+void draw_morph_items(const ListedPreset& preset, const Scene& scene, Edits& edits) {
+    if (ImGui::BeginMenu("Morph in")) {
+        for (const int seconds : {1, 3, 10, 30, 60}) {
+            const bool is_present = scene.window.presets.morph_seconds == seconds;
+            if (ImGui::MenuItem(fmt::format("{} s", seconds).c_str(), nullptr, is_present)) {
+                edits.arrange(
+                    [seconds](WindowState& window) { window.presets.morph_seconds = seconds; });
+                edits.add([file = preset.preset.entry.file, seconds](Lab& lab) {
+                    lab.morph_to(file, seconds);
+                });
+            }
+            edits.mark(fmt::format("morph:{}", seconds));
+        }
+        ImGui::EndMenu();
+    }
+    edits.mark("morph_to:" + preset.preset.entry.id);
+}
+
+void draw_file_items(const ShelfPreset& preset, Edits& edits) {
+    const std::filesystem::path& file = preset.entry.file;
+    ImGui::Separator();
+    if (!preset.entry.is_shipped) {
+        if (ImGui::MenuItem("Rename…"))
+            edits.show({.kind = Dialog::Kind::rename_preset,
+                        .text = preset.name,
+                        .subject = file.string()});
+        edits.mark("rename:" + preset.entry.id);
+    }
+    if (ImGui::MenuItem("Duplicate"))
+        edits.add([file](Lab& lab) { lab.presets().duplicate(file); });
+    edits.mark("duplicate:" + preset.entry.id);
+    if (!preset.entry.is_shipped) {
+        if (ImGui::MenuItem("Delete"))
+            edits.add([file](Lab& lab) { lab.presets().remove(file); });
+        edits.mark("delete:" + preset.entry.id);
+    }
+    if (ImGui::MenuItem("Show in folder"))
+        edits.add([file](Lab& lab) { lab.presets().show_in_folder(file); });
+    edits.mark("show_in_folder:" + preset.entry.id);
+}
+}  // namespace
+
+void open_listed(const ListedPreset& preset, const Scene& scene, Edits& edits,
+                 bool brings_content) {
+    const std::string argument = preset.is_plain() ? argument_of(scene.lab.document()->look())
+                                                   : preset.preset.entry.file.string();
+    if (brings_content)
+        edits.open_with_content(argument);
+    else
+        edits.open(argument);
+}
+
+void star_listed(const ListedPreset& preset, Edits& edits) {
+    edits.add([name = preset.preset.entry.id, has_star = !preset.has_star](Lab& lab) {
+        lab.presets().star(name, has_star);
+    });
+}
+
+void draw_preset_menu(const ListedPreset& preset, const Scene& scene, Edits& edits) {
+    if (!ImGui::BeginPopupContextItem("##preset_menu"))
+        return;
+    if (ImGui::MenuItem("Open"))
+        open_listed(preset, scene, edits);
+    if (scene.lab.document()->is_content_locked()) {
+        const bool has_source = scene.lab.document()->look().driven_by == Driver::picture;
+        if (ImGui::MenuItem(has_source ? "Open with its source" : "Open with its signal",
+                            "Alt+click"))
+            open_listed(preset, scene, edits, true);
+        edits.mark("open_own:" + preset.preset.entry.id);
+    }
+    if (!preset.is_plain()) {
+        if (ImGui::MenuItem("Compare with current settings"))
+            compare_preset(preset.preset, scene, edits);
+        edits.mark("compare:" + preset.preset.entry.id);
+    }
+    draw_morph_items(preset, scene, edits);
+    if (!preset.is_plain()) {
+        if (ImGui::MenuItem("Favourite", nullptr, preset.has_star))
+            star_listed(preset, edits);
+        edits.mark("star_preset:" + preset.preset.entry.id);
+        draw_file_items(preset.preset, edits);
+    }
+    ImGui::EndPopup();
+}

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "ui/frame/edits.h"
+#include "ui/frame/scene.h"
+
+/// The presets of the open look as pictures: a click opens one, Shift and a click morphs to it.
+void draw_presets_panel(const Scene& scene, Edits& edits);
+
+/// Opens the browser, with room for its pictures, or closes it.
+void toggle_presets(const Scene& scene, Edits& edits);
+bool shows_presets(const Scene& scene);

@@ -1,0 +1,7 @@
+#pragma once
+
+#include "ui/frame/edits.h"
+#include "ui/frame/scene.h"
+
+/// The submenu of unsaved changes that are kept: picture, look, preset, number of changes and age.
+void draw_unsaved_menu(const Scene& scene, Edits& edits);

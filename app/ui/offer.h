@@ -1,7 +1,0 @@
-#pragma once
-
-#include "ui/edits.h"
-#include "ui/scene.h"
-
-/// A notice with what may be done about it as buttons, low over the picture.
-void draw_offer(const Notice& notice, const Scene& scene, Edits& edits);

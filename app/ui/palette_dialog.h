@@ -1,7 +1,0 @@
-#pragma once
-
-#include "ui/edits.h"
-#include "ui/scene.h"
-
-/// The command palette: a line to type into, and what fits it.
-void draw_palette_dialog(const Scene& scene, Edits& edits);

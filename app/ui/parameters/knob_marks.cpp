@@ -1,0 +1,105 @@
+#include "ui/parameters/knob_marks.h"
+
+#include "lab/document/document.h"
+#include "ui/widgets/icons.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
+
+#include <cmath>
+
+namespace {
+float mark_width() {
+    return std::round(ImGui::GetFontSize() * 1.15f);
+}
+
+std::string star_help(const KnobSetting& setting) {
+    return setting.is_favourite ? "Favourite. Click to remove it from the favourites."
+                                : "Add to favourites. The filter above can show only favourites.";
+}
+
+std::string lock_help(const KnobSetting& setting) {
+    return setting.is_locked ? "Locked. Presets, Randomise and resetting a group or all parameters "
+                               "don't change it. Click to unlock."
+                             : "Lock. Presets, Randomise and resetting a group or all parameters "
+                               "then don't change it.";
+}
+
+void change(const Knob& knob, bool KnobSetting::*mark, Edits& edits) {
+    KnobSetting next = knob.setting;
+    next.*mark = !(next.*mark);
+    edits.document(
+        [name = knob.parameter.name, next](Document& document) { document.set_knob(name, next); });
+}
+
+// A sign that is quieter than a button.
+bool draw_mark(const char* id, Icon icon, bool is_set, const std::string& help) {
+    const float width = mark_width();
+    const float height = ImGui::GetFrameHeight();
+    const bool is_pressed = ImGui::InvisibleButton(id, {width, height});
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const float size = std::round(ImGui::GetFontSize() * 0.78f);
+    const theme::Color color = ImGui::IsItemHovered() ? theme::accent
+                               : is_set               ? theme::label
+                                                      : theme::faint;
+    draw_icon(
+        icon,
+        {low.x + std::round((width - size) * 0.5f), low.y + std::round((height - size) * 0.5f)},
+        size, theme::packed(color));
+    tooltip(help);
+    return is_pressed;
+}
+// Whether the pointer is there, and not on its way with something that was taken elsewhere.
+bool is_in_hand(const ImVec2& low, const ImVec2& high) {
+    const ImVec2 taken = ImGui::GetIO().MouseClickedPos[0];
+    const bool is_elsewhere = ImGui::IsMouseDown(0) && !(taken.x >= low.x && taken.x < high.x &&
+                                                         taken.y >= low.y && taken.y < high.y);
+    return !is_elsewhere && ImGui::IsMouseHoveringRect(low, high) &&
+           ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
+}
+}  // namespace
+
+FormColumns KnobMarks::beside(FormColumns columns) const {
+    columns.label -= width;
+    return columns;
+}
+
+KnobMarks knob_marks(const KnobSetting& setting, const FormColumns& columns) {
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const ImVec2 high(low.x + columns.label, low.y + ImGui::GetFrameHeight());
+    const bool is_pointed_at = is_in_hand(low, high);
+    KnobMarks marks;
+    marks.shows_star = setting.is_favourite || is_pointed_at;
+    marks.shows_lock = setting.is_locked || is_pointed_at;
+    marks.width = mark_width() * (marks.shows_star ? 2.0f : marks.shows_lock ? 1.0f : 0.0f);
+    marks.left = high.x - 2.0f * mark_width();
+    return marks;
+}
+
+void draw_knob_marks(const Knob& knob, const KnobMarks& marks, Edits& edits) {
+    const std::string& name = knob.parameter.name;
+    const KnobSetting& setting = knob.setting;
+    const float origin = ImGui::GetWindowPos().x - ImGui::GetScrollX();
+    if (marks.shows_star) {
+        ImGui::SameLine(marks.left - origin);
+        if (draw_mark("##star", setting.is_favourite ? Icon::star : Icon::star_outline,
+                      setting.is_favourite, star_help(setting)))
+            change(knob, &KnobSetting::is_favourite, edits);
+        edits.mark("star:" + name);
+    }
+    if (marks.shows_lock) {
+        ImGui::SameLine(marks.left + mark_width() - origin);
+        if (draw_mark("##lock", setting.is_locked ? Icon::locked : Icon::unlocked,
+                      setting.is_locked, lock_help(setting)))
+            change(knob, &KnobSetting::is_locked, edits);
+        edits.mark("lock:" + name);
+    }
+}
+
+void draw_knob_items(const Knob& knob, Edits& edits) {
+    if (ImGui::MenuItem("Favourite", nullptr, knob.setting.is_favourite))
+        change(knob, &KnobSetting::is_favourite, edits);
+    edits.mark("favourite_item");
+    if (ImGui::MenuItem("Locked", nullptr, knob.setting.is_locked))
+        change(knob, &KnobSetting::is_locked, edits);
+    edits.mark("locked_item");
+}

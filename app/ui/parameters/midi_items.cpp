@@ -1,0 +1,134 @@
+#include "ui/parameters/midi_items.h"
+
+#include "lab/document/naming.h"
+#include "model/tuning/knob_turn.h"
+#include "ui/widgets/icons.h"
+#include "ui/widgets/scoped.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace {
+void unbind(const MidiGoal& goal, Edits& edits) {
+    edits.add([goal](Lab& lab) {
+        RemoteSettings settings = lab.remote_settings();
+        settings.unbind(goal);
+        lab.set_remote_settings(settings);
+    });
+}
+
+void draw_learn_item(const char* label, const MidiGoal& goal, Edits& edits) {
+    if (ImGui::MenuItem(label))
+        edits.add([goal](Lab& lab) { lab.learn_midi(goal); });
+    edits.mark(fmt::format("midi_learn:{}", goal.component));
+}
+
+const Parameter* meant_here(const MidiGoal& goal, const Document* document) {
+    if (!document)
+        return nullptr;
+    const auto meant = meant_parameter(goal.parameter, document->look());
+    return meant ? *meant : nullptr;
+}
+
+// "Decay", "Centre · y".
+std::string label_of(const Parameter& parameter, const MidiGoal& goal) {
+    return parameter.type.size() > 1
+               ? fmt::format("{} · {}", parameter.label, part_label(parameter, goal.component))
+               : parameter.label;
+}
+
+void draw_binding(const MidiBinding& binding, const Scene& scene, Edits& edits) {
+    const ScopedId id(fmt::format("{}:{}", binding.goal.parameter, binding.goal.component));
+    ImGui::AlignTextToFramePadding();
+    const float width = ImGui::GetFontSize() * 13.0f;
+    if (const Parameter* parameter = meant_here(binding.goal, scene.lab.document()))
+        fitted_text(label_of(*parameter, binding.goal), width, theme::text);
+    else
+        fitted_text(fmt::format("{} (not in this look)", binding.goal.parameter), width,
+                    theme::dim);
+    ImGui::SameLine(width + ImGui::GetFontSize());
+    dim_text(words_of(binding));
+    same_line_right(ImGui::GetFrameHeight());
+    if (icon_button("##unbind", Icon::close, "Remove this MIDI mapping", theme::dim))
+        unbind(binding.goal, edits);
+    edits.mark("midi_unbind:" + binding.goal.parameter);
+}
+
+std::string devices_text(const MidiControl& midi) {
+    if (!midi.is_listening())
+        return "MIDI is off.";
+    const std::vector<std::string> devices = midi.devices();
+    return devices.empty() ? "No MIDI device connected."
+                           : fmt::format("Listening to {}", fmt::join(devices, ", "));
+}
+
+void draw_devices(const MidiControl& midi, Edits& edits) {
+    ImGui::AlignTextToFramePadding();
+    dim_text(devices_text(midi));
+    same_line_right(ImGui::CalcTextSize("Rescan").x + 2.0f * ImGui::GetStyle().FramePadding.x);
+    if (ImGui::Button("Rescan"))
+        edits.add([](Lab& lab) { lab.look_for_midi_devices(); });
+    edits.mark("midi_look");
+    if (const auto& last = midi.last(); midi.is_listening() && last)
+        dim_text(fmt::format("Last message: CC {}, channel {}, value {}", last->controller,
+                             last->channel, last->value));
+    if (!midi.problem().empty())
+        wrapped_dim_text(fmt::format("Last rejected: {}", midi.problem()));
+}
+}  // namespace
+
+void draw_midi_items(const Knob& knob, Edits& edits) {
+    const Parameter& parameter = knob.parameter;
+    if (!can_be_turned(parameter))
+        return;
+    const auto count = static_cast<std::size_t>(parameter.type.size());
+    if (count == 1) {
+        draw_learn_item("MIDI learn", {parameter.name}, edits);
+    } else if (ImGui::BeginMenu("MIDI learn")) {
+        for (std::size_t i = 0; i < count; ++i)
+            draw_learn_item(part_label(parameter, i).c_str(), {parameter.name, i}, edits);
+        ImGui::EndMenu();
+    }
+    edits.mark("midi_learn");
+    for (const MidiBinding& binding : knob.midi) {
+        const std::string label =
+            count > 1 ? fmt::format("Unmap {} ({})", part_label(parameter, binding.goal.component),
+                                    words_of(binding))
+                      : fmt::format("Unmap {}", words_of(binding));
+        if (ImGui::MenuItem(label.c_str()))
+            unbind(binding.goal, edits);
+        edits.mark("midi_let_go");
+    }
+}
+
+void draw_midi_settings(const Scene& scene, Edits& edits) {
+    const MidiControl& midi = scene.lab.midi();
+    RemoteSettings settings = scene.lab.remote_settings();
+    ImGui::TextWrapped(
+        "Control parameters with MIDI knobs and faders. Right-click a parameter, choose MIDI "
+        "learn, then move the knob.");
+    ImGui::Spacing();
+    settings.listens_to_midi = midi.is_listening();
+    bool is_changed = ImGui::Checkbox("Listen to MIDI", &settings.listens_to_midi);
+    edits.mark("midi_listen");
+    ImGui::SameLine(0.0f, ImGui::GetFontSize() * 1.5f);
+    is_changed |= ImGui::Checkbox("Soft takeover", &settings.picks_up);
+    tooltip("A knob takes effect once it passes the current value, so that nothing jumps.");
+    edits.mark("midi_picks_up");
+    if (is_changed)
+        edits.add([settings](Lab& lab) { lab.set_remote_settings(settings); });
+    draw_devices(midi, edits);
+    constexpr std::size_t most_rows = 8;
+    const std::size_t rows = std::min(settings.midi.size(), most_rows);
+    if (rows == 0)
+        return;
+    ImGui::BeginChild("##bindings",
+                      {0.0f, static_cast<float>(rows) * ImGui::GetFrameHeightWithSpacing()});
+    for (const MidiBinding& binding : settings.midi)
+        draw_binding(binding, scene, edits);
+    ImGui::EndChild();
+}

@@ -1,0 +1,120 @@
+#include "ui/parameters/modulation_editor.h"
+
+#include "lab/document/document.h"
+#include "ui/widgets/form.h"
+#include "ui/widgets/scoped.h"
+#include "ui/widgets/widgets.h"
+
+namespace {
+// What is in force when another kind is taken: how far it goes stays.
+void turn(const Knob& knob, const std::optional<Modulation>& next, bool goes_on, Edits& edits) {
+    edits.document([name = knob.parameter.name, next, goes_on](Document& document) {
+        document.set_modulation(name, next, goes_on);
+    });
+}
+
+FormColumns editor_columns() {
+    const float em = ImGui::GetFontSize();
+    return {.label = em * 6.0f, .control = em * 9.0f, .number = em * 4.4f, .button = 0.0f};
+}
+
+const char* words_about(const Modulation* modulation) {
+    if (!modulation)
+        return "Modulate this parameter with an LFO, the sound level or beats.";
+    switch (modulation->kind) {
+        case ModulationKind::envelope:
+            return "Follows the level of the sound or signal, from the slider value.";
+        case ModulationKind::beat:
+            return "Jumps at each beat of the sound, then returns to the slider value.";
+        case ModulationKind::lfo:
+            break;
+    }
+    return "Oscillates around the slider value, in playback time.";
+}
+
+void draw_kinds(const Knob& knob, const FormColumns& columns, Edits& edits) {
+    const auto& kinds = modulation_kinds();
+    const auto kind_of = [&] {
+        return std::ranges::find(kinds, knob.modulation->kind,
+                                 &ModulationWord<ModulationKind>::value)
+            ->label;
+    };
+    const std::string present = knob.modulation ? kind_of() : "None";
+    form_label("Modulation", columns, false);
+    form_control(columns);
+    const bool is_open = begin_combo("##moves", present.c_str(), columns.control_and_number());
+    edits.mark("modulation");
+    if (!is_open)
+        return;
+    if (ImGui::Selectable("None", !knob.modulation))
+        turn(knob, std::nullopt, false, edits);
+    edits.mark("modulation:rests");
+    for (const auto& kind : kinds) {
+        if (ImGui::Selectable(kind.label.c_str(), present == kind.label) && present != kind.label) {
+            const double depth = knob.modulation ? knob.modulation->depth : Modulation{}.depth;
+            turn(knob, Modulation{.kind = kind.value, .depth = depth}, false, edits);
+        }
+        edits.mark("modulation:" + kind.key);
+    }
+    ImGui::EndCombo();
+}
+
+void draw_shapes(const Knob& knob, const FormColumns& columns, Edits& edits) {
+    std::vector<const char*> labels;
+    int chosen = 0;
+    for (const auto& shape : lfo_shapes()) {
+        if (shape.value == knob.modulation->shape)
+            chosen = static_cast<int>(labels.size());
+        labels.push_back(shape.label.c_str());
+    }
+    form_label("Shape", columns, false);
+    form_control(columns);
+    if (form_list("##shape", labels.data(), static_cast<int>(labels.size()), chosen,
+                  columns.control_and_number())) {
+        Modulation next = *knob.modulation;
+        next.shape = lfo_shapes()[static_cast<std::size_t>(chosen)].value;
+        turn(knob, next, false, edits);
+    }
+    edits.mark("modulation_shape");
+}
+
+void draw_figure(const Knob& knob, const ModulationFigure& figure, const FormColumns& columns,
+                 const Fonts& fonts, Edits& edits) {
+    const ScopedId id(figure.key);
+    form_label(figure.label, columns, false);
+    tooltip(figure.help);
+    form_control(columns);
+    double number = knob.modulation->*figure.number;
+    const SliderFacts facts{.low = figure.range.low,
+                            .high = figure.range.high,
+                            .is_logarithmic = figure.scale == Scale::logarithmic,
+                            .initial = Modulation{}.*figure.number,
+                            .unit = figure.unit,
+                            .limit = figure.limit};
+    const Turned turned = form_slider("figure", number, facts, columns, fonts);
+    edits.mark("modulation_" + figure.key);
+    if (turned.is_changed) {
+        Modulation next = *knob.modulation;
+        next.*figure.number = number;
+        turn(knob, next, true, edits);
+    }
+    if (turned.is_finished)
+        edits.finish();
+}
+}  // namespace
+
+void draw_modulation_editor(const Knob& knob, const Fonts& fonts, Edits& edits) {
+    if (!why_unmodulated(knob.look, knob.parameter).empty())
+        return;
+    ImGui::Separator();
+    const ScopedId id("modulation");
+    const FormColumns columns = editor_columns();
+    draw_kinds(knob, columns, edits);
+    if (knob.modulation) {
+        if (knob.modulation->kind == ModulationKind::lfo)
+            draw_shapes(knob, columns, edits);
+        for (const ModulationFigure& figure : figures_of(knob.modulation->kind))
+            draw_figure(knob, figure, columns, fonts, edits);
+    }
+    dim_text(words_about(knob.modulation));
+}

@@ -1,0 +1,272 @@
+#include "ui/parameters/parameter_control.h"
+
+#include "lab/media/look_media.h"
+#include "model/look/decay.h"
+#include "model/look/value_text.h"
+#include "model/picture/aliasing.h"
+#include "model/tuning/slider_range.h"
+#include "signals/patterns/generated_picture.h"
+#include "ui/parameters/knob_marks.h"
+#include "ui/parameters/parameter_help.h"
+#include "ui/widgets/color_control.h"
+#include "ui/widgets/form.h"
+#include "ui/widgets/point_pad.h"
+#include "ui/widgets/scoped.h"
+#include "ui/widgets/widgets.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+SliderFacts facts_for(const Knob& knob, std::size_t component) {
+    const Parameter& parameter = knob.parameter;
+    SliderFacts facts{
+        .low = parameter.range.low,
+        .high = parameter.range.high,
+        .step = step_of(parameter),
+        .is_logarithmic = parameter.scale == Scale::logarithmic,
+        .is_changed = knob.is_changed,
+        .unit = parameter.control == Control::angle ? "°" : std::string(shown_unit(parameter)),
+        .limit = parameter.limit,
+        .is_whole = parameter.type.scalar != Scalar::floating,
+        .is_decay = is_decay(parameter),
+        .steps_from = knob.declared.low,
+        .is_to_be_typed = knob.typed == component};
+    if (component < parameter.initial.numbers.size())
+        facts.initial = parameter.initial.numbers[component];
+    return facts;
+}
+
+void tell_period(const Knob& knob, SliderFacts& facts) {
+    if (!knob.period.period)
+        return;
+    if (is_period(knob.parameter))
+        facts.safe = safe_periods(facts.low, facts.high);
+    facts.warning = moire_warning(knob);
+    if (knob.period.is_too_fine)
+        facts.note = "below 2 px";
+    if (knob.period.beat)
+        facts.note = fmt::format("moiré {} px", short_number(std::round(*knob.period.beat)));
+}
+
+Turned draw_component(const Knob& knob, std::size_t component, Value& value,
+                      const FormColumns& columns, const Fonts& fonts, Edits& edits) {
+    SliderFacts facts = facts_for(knob, component);
+    const double factor = shown_factor(knob.parameter);
+    facts.low *= factor;
+    facts.high *= factor;
+    facts.step *= factor;
+    facts.steps_from = knob.declared.low * factor;
+    if (facts.initial)
+        *facts.initial *= factor;
+    if (knob.now && component < knob.now->numbers.size())
+        facts.now = knob.now->numbers[component] * factor;
+    if (facts.limit)
+        facts.limit = Limit{facts.limit->low * factor, facts.limit->high * factor};
+    double shown = value.numbers[component] * factor;
+    if (is_decay(knob.parameter))
+        facts.note = fmt::format("½ {}", duration_text(half_life(shown)));
+    tell_period(knob, facts);
+    const std::string id = std::to_string(component);
+    const Turned turned = form_slider(id.c_str(), shown, facts, columns, fonts);
+    if (component == 0)
+        edits.mark("number:" + knob.parameter.name);
+    if (!facts.warning.empty())
+        edits.mark("moire:" + knob.parameter.name);
+    if (turned.is_changed)
+        value.numbers[component] = shown / factor;
+    return turned;
+}
+
+Turned draw_parts(const Knob& knob, Value& value, const FormColumns& columns, const Fonts& fonts,
+                  Edits& edits) {
+    Turned turned;
+    const float indent = ImGui::GetFontSize() * 0.95f;  // as far as a heading's words
+    FormColumns indented = columns;
+    indented.label -= indent;
+    for (std::size_t i = 0; i < value.numbers.size(); ++i) {
+        const ScopedId id(std::to_string(i));
+        ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMin().x + indent);
+        form_label(part_label(knob.parameter, i), indented, false);
+        form_control(columns);
+        turned |= draw_component(knob, i, value, columns, fonts, edits);
+    }
+    return turned;
+}
+
+bool is_check_box(const Parameter& parameter) {
+    return parameter.control == Control::slider && parameter.type == NumberType{Scalar::boolean};
+}
+
+Turned draw_check_boxes(const Parameter& parameter, Value& value) {
+    Turned turned;
+    for (std::size_t i = 0; i < value.numbers.size(); ++i) {
+        bool is_on = value.numbers[i] != 0.0;
+        if (i > 0)
+            ImGui::SameLine();
+        if (ImGui::Checkbox(("##" + std::to_string(i)).c_str(), &is_on)) {
+            value.numbers[i] = is_on ? 1.0 : 0.0;
+            turned = {true, true};
+        }
+        if (value.numbers.size() > 1)
+            tooltip(part_label(parameter, i));
+    }
+    return turned;
+}
+
+Turned draw_list(const Knob& knob, Value& value, const FormColumns& columns) {
+    std::vector<const char*> labels;
+    int chosen = -1;
+    for (const Item& item : knob.parameter.items) {
+        if (item.value == value.number())
+            chosen = static_cast<int>(labels.size());
+        labels.push_back(item.label.c_str());
+    }
+    if (!form_list("##list", labels.data(), static_cast<int>(labels.size()), chosen,
+                   columns.control_and_number()))
+        return {};
+    value = Value(knob.parameter.items[static_cast<std::size_t>(chosen)].value);
+    return {true, true};
+}
+
+Turned draw_matrix(const Knob& knob, Value& value, const FormColumns& columns, const Fonts& fonts) {
+    const NumberType& type = knob.parameter.type;
+    const ScopedFont font(fonts.numbers);
+    const float width = columns.control_and_number() / static_cast<float>(type.columns) - 2.0f;
+    Turned turned;
+    const auto rows = static_cast<std::size_t>(type.rows);
+    const auto count = static_cast<std::size_t>(type.columns);
+    for (std::size_t row = 0; row < rows; ++row) {
+        for (std::size_t column = 0; column < count; ++column) {
+            if (column > 0)
+                ImGui::SameLine(0.0f, 2.0f);
+            const std::size_t place = column * rows + row;
+            turned |= draw_number(fmt::format("##{}", place).c_str(), value.numbers[place], width,
+                                  facts_for(knob, place).number());
+        }
+    }
+    return turned;
+}
+
+Turned draw_trigger(Value& value, const FormColumns& columns) {
+    ImGui::Button("Trigger", {columns.control_and_number(), 0.0f});
+    const double wanted = ImGui::IsItemActive() ? 1.0 : 0.0;
+    if (wanted == value.number())
+        return {};
+    value = Value(wanted);
+    return {true, wanted == 0.0};
+}
+
+Turned draw_file(const Knob& knob, const FormColumns& columns, Edits& edits) {
+    const auto made = made_name(knob.value.path);
+    const std::string name =
+        made ? std::string(*made) : std::filesystem::path(knob.value.path).filename().string();
+    const std::string label = (name.empty() ? std::string("Choose…") : name) + "##file";
+    if (ImGui::Button(label.c_str(), {columns.control_and_number(), 0.0f}))
+        edits.show({.kind = Dialog::Kind::choose_file, .subject = knob.parameter.name});
+    return {};
+}
+
+Turned draw_control(const Knob& knob, Value& value, const FormColumns& columns, const Fonts& fonts,
+                    Edits& edits) {
+    const Parameter& parameter = knob.parameter;
+    switch (parameter.control) {
+        case Control::list:
+            return draw_list(knob, value, columns);
+        case Control::color:
+            return draw_color(parameter, value, columns, fonts);
+        case Control::point:
+            return draw_point(parameter, value, knob.now, facts_for(knob, 0).number(), columns,
+                              fonts);
+        case Control::event:
+            return draw_trigger(value, columns);
+        case Control::image:
+        case Control::sound:
+            return draw_file(knob, columns, edits);
+        case Control::slider:
+        case Control::angle:
+            break;
+    }
+    if (parameter.type.columns > 1)
+        return draw_matrix(knob, value, columns, fonts);
+    if (parameter.type.scalar == Scalar::boolean)
+        return draw_check_boxes(parameter, value);
+    return draw_component(knob, 0, value, columns, fonts, edits);
+}
+
+void draw_reset(const Knob& knob, const FormColumns& columns, Edits& edits) {
+    const Parameter& parameter = knob.parameter;
+    if (form_reset(fmt::format("Reset to {}", short_value(parameter, parameter.initial)),
+                   knob.is_changed, columns))
+        reset_parameter(parameter.name, edits);
+    if (knob.is_changed)
+        edits.mark("reset:" + parameter.name);
+}
+}  // namespace
+
+int expected_lines(const Parameter& parameter) {
+    constexpr int lines_of_pad = 5;
+    if (parameter.control == Control::point)
+        return lines_of_pad;
+    if (has_parts(parameter))
+        return 1 + parameter.type.rows;
+    return parameter.type.columns > 1 ? parameter.type.rows : 1;
+}
+
+namespace {
+// Of the rows that were drawn since `top` the one that the pointer is on; a vector's parts are
+// below the line of its label.
+void tell_pointed(const Knob& knob, float top, Edits& edits) {
+    const float bottom = ImGui::GetCursorScreenPos().y - ImGui::GetStyle().ItemSpacing.y;
+    const float left = ImGui::GetWindowPos().x;
+    if (!ImGui::IsWindowHovered() ||
+        !ImGui::IsMouseHoveringRect({left, top}, {left + ImGui::GetWindowWidth(), bottom}))
+        return;
+    std::size_t component = 0;
+    if (has_parts(knob.parameter)) {
+        const float row = ImGui::GetFrameHeightWithSpacing();
+        const float part = (ImGui::GetMousePos().y - top) / row - 1.0f;
+        component = static_cast<std::size_t>(std::max(part, 0.0f));
+    }
+    edits.arrange([pointed = Pointed{knob.parameter.name, component}](WindowState& window) {
+        window.pointed = pointed;
+    });
+}
+}  // namespace
+
+bool draw_parameter(const Knob& knob, const Scene& scene, Edits& edits) {
+    const Parameter& parameter = knob.parameter;
+    const ScopedId scope(parameter.name);
+    const float top = ImGui::GetCursorScreenPos().y;
+    const FormColumns columns = is_check_box(parameter) ? check_box_columns() : form_columns();
+    const KnobMarks marks = knob_marks(knob.setting, columns);
+    if (form_label(parameter.label, marks.beside(columns), knob.is_changed))
+        ImGui::OpenPopup("about");
+    edits.mark("label:" + parameter.name);
+    draw_parameter_help(knob, scene, edits);
+    draw_knob_marks(knob, marks, edits);
+    Value value = knob.value;
+    const bool is_vector = has_parts(parameter);
+    if (is_vector)
+        draw_reset(knob, columns, edits);
+    else
+        form_control(columns);
+    ImGui::BeginGroup();
+    const Turned turned = is_vector ? draw_parts(knob, value, columns, scene.fonts, edits)
+                                    : draw_control(knob, value, columns, scene.fonts, edits);
+    ImGui::EndGroup();
+    const bool is_held = ImGui::IsItemActive();
+    if (ImGui::IsItemClicked(ImGuiMouseButton_Right))
+        ImGui::OpenPopup("about");
+    edits.mark("parameter:" + parameter.name);
+    if (turned.is_changed)
+        edits.set(parameter.name, value);
+    if (turned.is_finished)
+        edits.finish();
+    if (!is_vector)
+        draw_reset(knob, columns, edits);
+    tell_pointed(knob, top, edits);
+    return is_held;
+}

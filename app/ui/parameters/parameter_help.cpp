@@ -1,0 +1,234 @@
+#include "ui/parameters/parameter_help.h"
+
+#include "lab/lab.h"
+#include "model/look/decay.h"
+#include "model/look/value_text.h"
+#include "model/picture/aliasing.h"
+#include "ui/frame/action.h"
+#include "ui/parameters/knob_marks.h"
+#include "ui/parameters/midi_items.h"
+#include "ui/parameters/modulation_editor.h"
+#include "ui/parameters/sheet_panel.h"
+#include "ui/parameters/step_view.h"
+#include "ui/widgets/icons.h"
+#include "ui/widgets/scoped.h"
+#include "ui/widgets/slider.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+double shown_factor(const Parameter& parameter) {
+    return parameter.control == Control::angle ? 180.0 / std::numbers::pi : 1.0;
+}
+
+std::string short_value(const Parameter& parameter, const Value& value) {
+    if (!value.path.empty())
+        return std::filesystem::path(value.path).filename().string();
+    if (value.numbers.empty())
+        return "none";
+    for (const Item& item : parameter.items)
+        if (item.value == value.number())
+            return item.label;
+    if (parameter.type.scalar == Scalar::boolean && value.numbers.size() == 1)
+        return value.number() != 0.0 ? "on" : "off";
+    if (parameter.control == Control::angle)
+        return short_number(value.number() * shown_factor(parameter)) + "°";
+    std::vector<std::string> numbers;
+    for (const double number : value.numbers)
+        numbers.push_back(short_number(number));
+    const std::string text = fmt::format("{}", fmt::join(numbers, ", "));
+    const std::string unit(shown_unit(parameter));
+    return unit.empty() ? text : fmt::format("{} {}", text, unit);
+}
+
+std::string moire_warning(const Knob& knob) {
+    const PeriodFacts& facts = knob.period;
+    if (!facts.beat && !facts.is_too_fine)
+        return {};
+    const std::string period = short_number(*facts.period);
+    const std::string problem =
+        facts.is_too_fine
+            ? fmt::format("A period of {} px is too fine. Below 2 px the pattern fades out.",
+                          period)
+            : fmt::format("A period of {} px causes moiré bands every {} px.", period,
+                          short_number(std::round(*facts.beat)));
+    return facts.even ? fmt::format("{}\nThe nearest clean value is {}.", problem,
+                                    short_number(*facts.even))
+                      : problem;
+}
+
+void reset_parameter(const std::string& name, Edits& edits) {
+    edits.document([name](Document& document) { document.reset({name}); });
+}
+
+namespace {
+constexpr float fact_column = 6.0f;  // letters
+
+void fact(const char* name, const std::string& text) {
+    if (text.empty())
+        return;
+    dim_text(name);
+    ImGui::SameLine(ImGui::GetFontSize() * fact_column);
+    ImGui::TextUnformatted(text.c_str());
+}
+
+std::string range_text(const Parameter& parameter) {
+    if (!parameter.items.empty() || parameter.type.scalar == Scalar::boolean ||
+        parameter.control == Control::image || parameter.control == Control::sound)
+        return {};
+    const double factor = shown_factor(parameter);
+    SliderFacts facts{
+        .low = parameter.range.low * factor,
+        .high = parameter.range.high * factor,
+        .unit = parameter.control == Control::angle ? "°" : std::string(shown_unit(parameter))};
+    if (parameter.limit)
+        facts.limit = Limit{parameter.limit->low * factor, parameter.limit->high * factor};
+    return range_text(facts);
+}
+
+// The control shows a colour as a display is told it.
+std::string told_value(const Parameter& parameter, const Value& value) {
+    const std::string text = short_value(parameter, value);
+    return parameter.control == Control::color ? fmt::format("{} (linear light)", text) : text;
+}
+
+std::string place_text(const Location& place) {
+    if (place.file.empty())
+        return {};
+    return fmt::format("{}:{}", place.file.filename().string(), place.line);
+}
+
+void draw_facts(const Knob& knob, const Fonts& fonts) {
+    const Parameter& parameter = knob.parameter;
+    {
+        const ScopedFont strong(fonts.strong);
+        ImGui::TextUnformatted(wrapped(parameter.label, ImGui::GetFontSize() * 24.0f).c_str());
+    }
+    if (!parameter.help.empty()) {
+        ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24.0f);
+        ImGui::TextUnformatted(parameter.help.c_str());
+        ImGui::PopTextWrapPos();
+    }
+    ImGui::Spacing();
+    fact("Name", fmt::format("{}  ({})", parameter.name, type_name(parameter)));
+    fact("Value", told_value(parameter, knob.value));
+    if (is_decay(parameter)) {
+        fact("Half-life", duration_text(half_life(knob.value.number())));
+        fact("To 10 %", duration_text(seconds_to(0.1, knob.value.number())));
+    }
+    if (const std::string warning = moire_warning(knob); !warning.empty()) {
+        const ScopedColor color(ImGuiCol_Text, theme::warning);
+        ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24.0f);
+        ImGui::TextUnformatted(warning.c_str());
+        ImGui::PopTextWrapPos();
+    }
+    fact("Default", told_value(parameter, parameter.initial));
+    fact("Range", range_text(parameter));
+    fact("Scale", parameter.scale == Scale::logarithmic ? "Logarithmic" : "");
+    for (const MidiBinding& binding : knob.midi)
+        fact("MIDI", words_of(binding));
+    if (knob.modulation)
+        fact("Modulation", summary_of(*knob.modulation));
+    fact("Declared", place_text(parameter.declared));
+}
+// A number on a field of its own, which says that it can be typed.
+bool draw_end(const char* id, double& end, const NumberFacts& facts) {
+    const float width = ImGui::GetFontSize() * 4.6f;
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + width, low.y + ImGui::GetFrameHeight()},
+                                              theme::packed(theme::field_active),
+                                              ImGui::GetStyle().FrameRounding);
+    return draw_number(id, end, width, facts).is_changed;
+}
+
+// Two numbers to be typed, beside the names of the facts above; whether one was.
+bool draw_two_ends(const Knob& knob, Limit& ends, const Fonts& fonts, Edits& edits) {
+    const Parameter& parameter = knob.parameter;
+    const double factor = shown_factor(parameter);
+    NumberFacts facts{
+        .unit = parameter.control == Control::angle ? "°" : std::string(shown_unit(parameter)),
+        .is_whole = parameter.type.scalar != Scalar::floating};
+    if (parameter.limit)
+        facts.limit = Limit{parameter.limit->low * factor, parameter.limit->high * factor};
+    ImGui::AlignTextToFramePadding();
+    dim_text("Slider");
+    ImGui::SameLine(ImGui::GetFontSize() * fact_column);
+    const ScopedFont numbers(fonts.numbers);
+    facts.is_changed = parameter.range.low != knob.declared.low;
+    bool is_changed = draw_end("##low", ends.low, facts);
+    edits.mark("slider_low");
+    ImGui::SameLine();
+    dim_text("to");
+    ImGui::SameLine();
+    facts.is_changed = parameter.range.high != knob.declared.high;
+    is_changed |= draw_end("##high", ends.high, facts);
+    edits.mark("slider_high");
+    return is_changed;
+}
+
+// Where the slider begins and ends.
+void draw_slider_ends(const Knob& knob, const Fonts& fonts, Edits& edits) {
+    const Parameter& parameter = knob.parameter;
+    if (!has_ends(parameter))
+        return;
+    const double factor = shown_factor(parameter);
+    const std::string& name = parameter.name;
+    Limit ends{parameter.range.low * factor, parameter.range.high * factor};
+    if (draw_two_ends(knob, ends, fonts, edits))
+        edits.add([name, typed = Limit{ends.low / factor, ends.high / factor}](Lab& lab) {
+            lab.set_slider_ends(name, typed);
+        });
+    if (!knob.setting.ends)
+        return;
+    ImGui::SameLine();
+    const SliderFacts declared{.low = knob.declared.low * factor,
+                               .high = knob.declared.high * factor};
+    if (icon_button("##ends", Icon::reset, fmt::format("Reset to {}", range_text(declared)),
+                    theme::dim))
+        edits.add([name](Lab& lab) { lab.set_slider_ends(name, std::nullopt); });
+    edits.mark("reset_slider_ends");
+}
+}  // namespace
+
+void draw_parameter_help(const Knob& knob, const Scene& scene, Edits& edits) {
+    const Fonts& fonts = scene.fonts;
+    const Parameter& parameter = knob.parameter;
+    if (is_lingered_on() && !ImGui::IsPopupOpen("about")) {
+        ImGui::BeginTooltip();
+        draw_facts(knob, fonts);
+        edits.mark("help:" + parameter.name);
+        ImGui::EndTooltip();
+    }
+    if (!ImGui::BeginPopup("about"))
+        return;
+    draw_facts(knob, fonts);
+    draw_slider_ends(knob, fonts, edits);
+    draw_modulation_editor(knob, fonts, edits);
+    ImGui::Separator();
+    draw_step_items(parameter.name, edits);
+    draw_sheet_items(knob, edits);
+    if (is_decay(parameter)) {
+        if (ImGui::Selectable("Compare frame rates…"))
+            run(ActionId::compare_rates, scene, edits);
+        edits.mark("compare_rates");
+    }
+    const Location place = parameter.declared;
+    if (!place.file.empty()) {
+        if (ImGui::Selectable(fmt::format("Open {}", place_text(place)).c_str()))
+            edits.add([place](Lab& lab) { lab.open_in_editor(place); });
+        edits.mark("open_declared");
+    }
+    draw_knob_items(knob, edits);
+    draw_midi_items(knob, edits);
+    if (knob.is_changed && ImGui::Selectable("Reset"))
+        reset_parameter(parameter.name, edits);
+    if (ImGui::Selectable("Copy name"))
+        edits.copy(parameter.name);
+    ImGui::EndPopup();
+}

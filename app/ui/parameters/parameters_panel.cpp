@@ -1,0 +1,263 @@
+#include "ui/parameters/parameters_panel.h"
+
+#include "lab/window/parameter_list.h"
+#include "ui/frame/action.h"
+#include "ui/parameters/parameter_control.h"
+#include "ui/parameters/reveal.h"
+#include "ui/widgets/icons.h"
+#include "ui/widgets/scoped.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
+
+#include <fmt/format.h>
+#include <imgui/imgui_stdlib.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace {
+void draw_search(const WindowState& window, float width, Edits& edits) {
+    ImGui::SetNextItemWidth(width);
+    if (window.is_searching) {
+        ImGui::SetKeyboardFocusHere();
+        edits.arrange([](WindowState& state) { state.is_searching = false; });
+    }
+    std::string words = window.search;
+    if (ImGui::InputTextWithHint("##search", "Search parameters", &words))
+        edits.arrange([words](WindowState& state) { state.search = words; });
+    edits.mark("search");
+}
+
+struct FilterChoice {
+    ParameterFilter filter;
+    const char* name;   // on the button
+    const char* words;  // in its list
+};
+constexpr std::array<FilterChoice, 4> filters{
+    {{ParameterFilter::all, "All", "All parameters"},
+     {ParameterFilter::changed, "Changed", "Changed parameters"},
+     {ParameterFilter::favourites, "Favourites", "Favourites"},
+     {ParameterFilter::of_pass, "This pass", "Used by this pass"}}};
+
+float filter_width() {
+    return ImGui::CalcTextSize("Favourites").x + ImGui::GetFontSize() * 1.9f;
+}
+
+void draw_filter(const WindowState& window, Edits& edits) {
+    const auto& present = *std::ranges::find(filters, window.filter, &FilterChoice::filter);
+    const bool is_all = window.filter == ParameterFilter::all;
+    bool is_open = false;
+    {
+        const ScopedColor text(ImGuiCol_Text, is_all ? theme::dim : theme::accent);
+        is_open = begin_combo("##filter", present.name, filter_width());
+    }
+    if (!is_open) {
+        tooltip("Filter parameters");
+        edits.mark("filter");
+        return;
+    }
+    for (const FilterChoice& choice : filters) {
+        const bool is_of_pass = choice.filter == ParameterFilter::of_pass;
+        const std::string words =
+            is_of_pass ? fmt::format("Used by {}", window.inspected.pass) : choice.words;
+        if ((!is_of_pass || !window.inspected.pass.empty()) &&
+            ImGui::Selectable(words.c_str(), choice.filter == window.filter))
+            edits.arrange([chosen = choice.filter](WindowState& state) { state.filter = chosen; });
+        edits.mark(std::string("filter:") + choice.name);
+    }
+    ImGui::EndCombo();
+}
+
+void draw_toolbar(const Scene& scene, Edits& edits) {
+    const Document& document = *scene.lab.document();
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const float rest = filter_width() + 2.0f * ImGui::GetFrameHeight() + 2.0f * gap;
+    draw_search(scene.window, ImGui::GetContentRegionAvail().x - rest, edits);
+    ImGui::SameLine();
+    draw_filter(scene.window, edits);
+    ImGui::SameLine();
+    if (icon_button("##randomise", Icon::dice,
+                    fmt::format("{}\nSets each unlocked parameter to a random value in its range.",
+                                scene.actions.help(ActionId::randomise)),
+                    theme::text))
+        run(ActionId::randomise, scene, edits);
+    edits.mark("randomise");
+    ImGui::SameLine(0.0f, 0.0f);
+    const bool can_reset = !document.values().empty();
+    const ScopedDisabled disabled(!can_reset);
+    if (icon_button("##reset_all", Icon::reset, "Reset all unlocked parameters",
+                    can_reset ? theme::text : theme::faint) &&
+        can_reset)
+        edits.document([](Document& changed) { changed.reset_all(); });
+    edits.mark("reset_all");
+}
+
+void draw_group_header_end(const ParameterGroup& group, std::size_t changed, Edits& edits) {
+    if (changed == 0)
+        return;
+    same_line_right(ImGui::GetFrameHeight());
+    const bool is_asked = icon_button("##reset_group", Icon::reset,
+                                      "Reset unlocked parameters in this group", theme::dim);
+    edits.mark("reset_group:" + group.name);
+    if (!is_asked)
+        return;
+    std::vector<std::string> names;
+    for (const Parameter* parameter : group.parameters)
+        names.push_back(parameter->name);
+    edits.document([names](Document& document) { document.reset_group(names); });
+}
+
+/// A row of the list: out of sight it only takes its room, as high as when it was last drawn.
+class ParameterRow {
+public:
+    explicit ParameterRow(const Parameter& parameter)
+        : m_id(ImGui::GetID(parameter.name.c_str())), m_top(ImGui::GetCursorScreenPos().y) {
+        m_lines = m_storage.GetFloat(m_id, static_cast<float>(expected_lines(parameter)));
+    }
+
+    /// With a line's room around, so that the keyboard gets to the next one; never while it is
+    /// held.
+    bool is_in_sight() const {
+        const float line = ImGui::GetFrameHeightWithSpacing();
+        const float top = ImGui::GetWindowPos().y - line;
+        const float bottom = top + ImGui::GetWindowHeight() + 2.0f * line;
+        return (m_top < bottom && m_top + m_lines * line > top) || m_storage.GetBool(m_id + 1);
+    }
+    void pass_over() const {
+        const float height = m_lines * ImGui::GetFrameHeightWithSpacing();
+        ImGui::Dummy({0.0f, height - ImGui::GetStyle().ItemSpacing.y});
+    }
+    void end(bool is_held) {
+        const float height = ImGui::GetCursorScreenPos().y - m_top;
+        m_storage.SetFloat(m_id, height / ImGui::GetFrameHeightWithSpacing());
+        m_storage.SetBool(m_id + 1, is_held);
+    }
+
+private:
+    ImGuiStorage& m_storage = *ImGui::GetStateStorage();
+    ImGuiID m_id;
+    float m_top;
+    float m_lines = 1.0f;
+};
+
+PeriodFacts period_facts(const Parameter& parameter, const Scene& scene) {
+    if (parameter.type.size() != 1)
+        return {};
+    const Document& document = *scene.lab.document();
+    return period_facts(parameter, document.value(parameter).number(),
+                        period_terms(parameter, document, scene.lab.renderer()));
+}
+
+void draw_parameter_row(const Parameter& parameter, const Scene& scene, Edits& edits) {
+    const Document& document = *scene.lab.document();
+    ParameterRow row(parameter);
+    if (!row.is_in_sight()) {
+        row.pass_over();
+        return;
+    }
+    const KnobSetting& setting = setting_of(parameter.name, document.knobs());
+    const auto own = setting.ends ? std::optional(with_ends(parameter, setting)) : std::nullopt;
+    Knob knob{.parameter = own ? *own : parameter,
+              .value = document.value(parameter),
+              .is_changed = document.is_changed(parameter),
+              .setting = setting,
+              .declared = parameter.range,
+              .look = document.look(),
+              .modulation = document.modulation(parameter),
+              .period = period_facts(parameter, scene),
+              .midi = bindings_of(parameter, document.look(), scene.lab.remote_settings())};
+    const Revealed& revealed = scene.window.revealed;
+    if (revealed.is_to_be_typed && revealed.parameter == parameter.name)
+        knob.typed = revealed.component;
+    if (knob.modulation && scene.lab.renderer())
+        knob.now = &value_of(parameter, scene.lab.renderer()->drawn_values());
+    row.end(draw_parameter(knob, scene, edits));
+}
+
+void draw_group(const ParameterGroup& group, const Scene& scene, Edits& edits) {
+    const Document& document = *scene.lab.document();
+    const ScopedId id(group.name);
+    const auto changed = static_cast<std::size_t>(
+        std::count_if(group.parameters.begin(), group.parameters.end(),
+                      [&](const Parameter* parameter) { return document.is_changed(*parameter); }));
+    bool is_open = false;
+    {
+        const ScopedFont strong(scene.fonts.strong);
+        const std::string title = group.name.empty() ? "Parameters" : group.name;
+        if (is_to_be_shown(group.parameters, scene.window))
+            open_section(title);
+        is_open = section(title, true) || !scene.window.search.empty();
+        edits.mark("group:" + group.name);
+    }
+    draw_group_header_end(group, changed, edits);
+    if (!is_open)
+        return;
+    for (const Parameter* parameter : group.parameters) {
+        const float top = ImGui::GetCursorPosY();
+        draw_parameter_row(*parameter, scene, edits);
+        show_if_revealed(*parameter, top, scene.window, edits);
+    }
+    ImGui::Spacing();
+}
+
+void draw_nothing_to_show(const Document& document, const WindowState& window, Edits& edits) {
+    if (document.look().parameters.empty()) {
+        wrapped_dim_text(
+            "This look has no parameters. Each uniform that you add to its shaders becomes one.");
+        return;
+    }
+    wrapped_dim_text(why_nothing_is_listed(query_of(window)));
+    if (quiet_button("Show all"))
+        edits.arrange([](WindowState& state) {
+            state.search.clear();
+            state.filter = ParameterFilter::all;
+        });
+    edits.mark("show_all");
+}
+
+void draw_orphans(const Document& document) {
+    const std::vector<std::string> names = orphans(document.look(), document.values());
+    if (names.empty())
+        return;
+    ImGui::Separator();
+    heading("Values of missing parameters");
+    for (const std::string& name : names)
+        fitted_text(fmt::format("{} = {}", name, to_string(document.values().at(name))),
+                    ImGui::GetContentRegionAvail().x, theme::dim);
+}
+// Words and place of one look's list say nothing about another's. Gives whether it is another.
+bool begin_list(const Document& document, const WindowState& window, Edits& edits) {
+    const std::string look = document.look().manifest.string();
+    if (window.listed_look == look)
+        return false;
+    edits.arrange([look, is_first = window.listed_look.empty()](WindowState& state) {
+        state.listed_look = look;
+        if (!is_first)
+            state.search.clear();
+    });
+    return true;
+}
+}  // namespace
+
+void draw_parameters_panel(const Scene& scene, Edits& edits) {
+    const Document* document = scene.lab.document();
+    if (!document)
+        return;
+    const bool is_other = begin_list(*document, scene.window, edits);
+    draw_toolbar(scene, edits);
+    ImGui::Spacing();
+    {  // of the list alone: what pops up above it has its own
+        const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
+        ImGui::BeginChild("##groups");
+    }
+    if (is_other)
+        ImGui::SetScrollY(0.0f);
+    const std::vector<ParameterGroup> groups = listed_parameters(*document, query_of(scene.window));
+    for (const ParameterGroup& group : groups)
+        draw_group(group, scene, edits);
+    if (groups.empty())
+        draw_nothing_to_show(*document, scene.window, edits);
+    draw_orphans(*document);
+    ImGui::EndChild();
+}

@@ -1,0 +1,7 @@
+#pragma once
+
+#include "ui/frame/edits.h"
+#include "ui/frame/scene.h"
+
+/// Every parameter of the open look by group, with a search box and resets.
+void draw_parameters_panel(const Scene& scene, Edits& edits);

@@ -1,8 +1,0 @@
-#pragma once
-
-#include "ui/actions.h"
-
-/// What the Pass menu does, about the pass that is inspected.
-namespace pass_actions {
-std::vector<Action> list();
-}  // namespace pass_actions

@@ -1,8 +1,0 @@
-#pragma once
-
-#include "ui/edits.h"
-#include "ui/scene.h"
-
-/// Which pass reads what: a line from each writer to its reader, dashed from earlier frames. The
-/// lines of the pass under the pointer, or of the inspected one, stand out; a click inspects.
-void draw_pass_graph(const Scene& scene, Edits& edits);

@@ -1,7 +1,0 @@
-#pragma once
-
-#include "ui/edits.h"
-#include "ui/scene.h"
-
-/// Every pass in order: what it draws now, its name, size, format and time. A click inspects it.
-void draw_pass_strip(const Scene& scene, Edits& edits);

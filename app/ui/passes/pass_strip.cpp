@@ -1,0 +1,201 @@
+#include "ui/passes/pass_strip.h"
+
+#include "lab/heavy_pass.h"
+#include "ui/passes/strip_blocks.h"
+#include "ui/passes/strip_cell.h"
+#include "ui/passes/strip_words.h"
+#include "ui/widgets/scoped.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+constexpr float word_lines = 3.7f;  // below the picture: name, facts, gain
+
+// In a stack the looks are named above their passes.
+std::string look_key(const std::string& pass) {
+    const std::size_t end = pass.find('/');
+    return end == std::string::npos ? std::string() : pass.substr(0, end);
+}
+
+// What is switched, over the picture.
+void draw_state(const std::string& state, const Scene& scene, const ImVec2& low, float width) {
+    const ScopedFont font(scene.fonts.numbers);
+    const ImVec2 pad(4.0f * scene.scale, 1.0f * scene.scale);
+    const std::string words = cut_to_fit(state, width - 2.0f * pad.x);
+    const ImVec2 text = ImGui::CalcTextSize(words.c_str());
+    const ImVec2 right(low.x + width, low.y + text.y + 2.0f * pad.y);
+    const ImVec2 left(right.x - text.x - 2.0f * pad.x, low.y);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(left, right, theme::packed(theme::popup), 3.0f * scene.scale);
+    list.AddText({left.x + pad.x, left.y + pad.y}, theme::packed(theme::warning), words.c_str());
+}
+
+ImU32 color_of_time(const StripWords& words) {
+    return theme::packed(words.longest > heavy_pass_milliseconds ? theme::problem : theme::dim);
+}
+
+// To the left of that point; gives its width.
+float draw_time(const StripWords& words, const ImVec2& right, const Scene& scene) {
+    const ScopedFont font(scene.fonts.numbers);
+    const std::string time = strip_words::time(words.milliseconds);
+    const float width = ImGui::CalcTextSize(time.c_str()).x;
+    ImGui::GetWindowDrawList()->AddText({right.x - width, right.y}, color_of_time(words),
+                                        time.c_str());
+    return width;
+}
+
+void draw_words(const StripWords& words, bool is_narrow, const Scene& scene, const ImVec2& at,
+                float width) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float line = ImGui::GetFontSize();
+    const std::string time = strip_words::time(words.milliseconds);
+    float room = width;
+    if (!is_narrow && !time.empty())
+        room -= draw_time(words, {at.x + width, at.y + 1.0f}, scene) + line * 0.6f;
+    const std::string name = cut_to_tell(words.name, room, [](const std::string& text) {
+        return ImGui::CalcTextSize(text.c_str()).x;
+    });
+    list.AddText(at, theme::packed(words.is_chosen ? theme::accent : theme::text), name.c_str());
+    const ScopedFont font(scene.fonts.numbers);
+    const std::string facts = cut_to_fit(is_narrow ? time : words.facts, width);
+    list.AddText({at.x, at.y + line * 1.2f},
+                 is_narrow ? color_of_time(words) : theme::packed(theme::dim), facts.c_str());
+    if (words.change) {
+        const std::string change = cut_to_fit(strip_words::change(*words.change, is_narrow), width);
+        const theme::Color color = words.change->has_changed() ? theme::accent : theme::dim;
+        list.AddText({at.x, at.y + line * 2.4f}, theme::packed(color), change.c_str());
+        return;
+    }
+    if (!words.gain)
+        return;
+    const std::string all = strip_words::gain(*words.gain, false);
+    const bool is_cut = is_narrow || ImGui::CalcTextSize(all.c_str()).x > width;
+    const std::string gain = is_cut ? cut_to_fit(strip_words::gain(*words.gain, true), width) : all;
+    const bool is_clipped = strip_words::is_clipped(*words.gain);
+    list.AddText({at.x, at.y + line * 2.4f},
+                 theme::packed(is_clipped ? theme::warning : theme::dim), gain.c_str());
+}
+
+// Of a pyramid each level shows a part of its picture, so that all of them are one that becomes
+// coarser or finer; with more room the parts overlap.
+void draw_block(const StripBlock& block, const Scene& scene, float image_height, Edits& edits) {
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const float width = block.width_of_one();
+    const float words = ImGui::GetFontSize() * word_lines;
+    const float seam = block.is_pass() ? 0.0f : scene.scale;
+    ImGui::BeginGroup();
+    for (std::size_t i = 0; i < block.passes.size(); ++i) {
+        if (i > 0)
+            ImGui::SameLine(0.0f, seam);
+        const float last = static_cast<float>(block.passes.size()) - 1.0f;
+        const float part = block.is_pass() ? 0.5f : static_cast<float>(i) / last;
+        const Rect place{low.x + width * static_cast<float>(i), low.y, width - seam, image_height};
+        draw_strip_cell(block.passes[i], scene, place, words, part, edits);
+    }
+    ImGui::EndGroup();
+    if (!block.state.empty())
+        draw_state(block.state, scene, low, block.width);
+    draw_words(block.words, block.is_narrow, scene,
+               {low.x, low.y + image_height + 3.0f * scene.scale}, block.width);
+}
+
+/// The passes of one look of a stack, as they lie in the strip.
+struct Group {
+    std::string key;
+    float left;
+    float right;
+};
+
+// A tag that stays in sight as long as any of its passes is.
+void draw_key(const Group& group, float top, const Scene& scene) {
+    const ScopedFont font(scene.fonts.numbers);
+    const ImVec2 text = ImGui::CalcTextSize(group.key.c_str());
+    const ImVec2 pad(5.0f * scene.scale, 2.0f * scene.scale);
+    const float width = text.x + 2.0f * pad.x;
+    const float seen = std::max(group.left, ImGui::GetWindowPos().x);
+    const float left = std::max(group.left, std::min(seen, group.right - width));
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled({left, top}, {left + width, top + text.y + 2.0f * pad.y},
+                       theme::packed(theme::popup), 3.0f * scene.scale);
+    list.AddText({left + pad.x, top + pad.y}, theme::packed(theme::label), group.key.c_str());
+}
+
+// Where the next block comes: nearer to one of the same look.
+void go_on(const std::vector<Group>& groups, const std::string& key, const Scene& scene) {
+    const float gap = strip_gap();
+    const bool is_other = groups.back().key != key;
+    ImGui::SameLine(0.0f, is_other ? 2.5f * gap : gap);
+    if (!is_other)
+        return;
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const float x = std::floor(low.x - 1.25f * gap);
+    const float bottom = ImGui::GetWindowPos().y + ImGui::GetContentRegionAvail().y;
+    ImGui::GetWindowDrawList()->AddLine({x, low.y}, {x, bottom}, theme::packed(theme::line),
+                                        scene.scale);
+}
+
+// Brings the block that was just drawn into sight when one of its passes is looked into, and
+// another one of the same look was before.
+void follow_chosen(const StripBlock& block, const Scene& scene, Edits& edits) {
+    const std::string& chosen = scene.window.inspected.pass;
+    const std::string& seen = scene.window.strip_seen;
+    if (chosen == seen || std::ranges::none_of(block.passes, &StripPass::is_chosen))
+        return;
+    edits.arrange([chosen](WindowState& window) { window.strip_seen = chosen; });
+    if (!find_pass(scene.lab.renderer()->executor().look(), seen))
+        return;
+    const float left = ImGui::GetWindowPos().x;
+    const float right = left + ImGui::GetWindowWidth();
+    const float low = ImGui::GetItemRectMin().x;
+    const float hidden =
+        low < left ? low - left : std::max(ImGui::GetItemRectMax().x - right, 0.0f);
+    if (hidden != 0.0f)
+        ImGui::SetScrollX(ImGui::GetScrollX() + hidden);
+}
+
+void draw_blocks(const std::vector<StripBlock>& blocks, float image_height, const Scene& scene,
+                 Edits& edits) {
+    const float top = ImGui::GetCursorScreenPos().y;
+    std::vector<Group> groups;
+    for (const StripBlock& block : blocks) {
+        const std::string key = look_key(block.passes.front().pass.name);
+        if (!groups.empty())
+            go_on(groups, key, scene);
+        if (groups.empty() || groups.back().key != key)
+            groups.push_back({key, ImGui::GetCursorScreenPos().x, 0.0f});
+        draw_block(block, scene, image_height, edits);
+        follow_chosen(block, scene, edits);
+        groups.back().right = ImGui::GetItemRectMax().x;
+    }
+    for (const Group& group : groups)
+        if (!group.key.empty())
+            draw_key(group, top, scene);
+}
+}  // namespace
+
+void draw_pass_strip(const Scene& scene, Edits& edits) {
+    if (!scene.lab.renderer())
+        return;
+    const float scrollbar = ImGui::GetStyle().ScrollbarSize;
+    const float room =
+        ImGui::GetContentRegionAvail().y - ImGui::GetFontSize() * word_lines - scrollbar;
+    const float image_height = std::max(24.0f, std::floor(room));
+    const int wanted = static_cast<int>(image_height * scene.density);
+    if (wanted != scene.window.views.thumbnail_height)
+        edits.arrange([wanted](WindowState& window) { window.views.thumbnail_height = wanted; });
+    {  // of the strip alone: what pops up above it has its own
+        const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
+        ImGui::BeginChild("##cells", {0.0f, 0.0f}, false, ImGuiWindowFlags_HorizontalScrollbar);
+    }
+    const std::vector<StripPass> passes = present_passes(scene);
+    draw_blocks(arrange_strip(passes, ImGui::GetContentRegionAvail().x, scene), image_height, scene,
+                edits);
+    // It has no height to scroll, so the wheel goes along it.
+    constexpr float a_notch = 5.0f;  // letters
+    if (const float wheel = ImGui::GetIO().MouseWheel; wheel != 0.0f && ImGui::IsWindowHovered())
+        ImGui::SetScrollX(ImGui::GetScrollX() - wheel * a_notch * ImGui::GetFontSize());
+    ImGui::EndChild();
+}

@@ -1,0 +1,190 @@
+#include "ui/passes/strip_blocks.h"
+
+#include "lab/trials/tryouts.h"
+#include "model/look/own_name.h"
+#include "model/look/pass_levels.h"
+#include "model/plan/parameter_use.h"
+#include "ui/passes/strip_room.h"
+#include "ui/passes/strip_words.h"
+#include "ui/picture/pass_switch_items.h"
+#include "ui/widgets/scoped.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace {
+// By a person; what is left out behind a pass that is stopped at is not.
+bool is_switched(const StripPass& pass) {
+    return !pass.state.empty() && pass.state != "not drawn";
+}
+
+std::string number_of(const StripPass& level) {
+    return level.pass.name.substr(name_without_number(level.pass.name).size());
+}
+
+// Own names but of those that begin so: the pass itself, or the levels of a pyramid.
+std::vector<std::string> others_than(const std::string& name, std::span<const StripPass> all) {
+    std::vector<std::string> others;
+    for (const StripPass& other : all)
+        if (!other.pass.name.starts_with(name))
+            others.push_back(own_name(other.pass.name));
+    return others;
+}
+
+ToldName pyramid_name(std::span<const StripPass> levels, std::span<const StripPass> all) {
+    const std::string stem = name_without_number(levels.front().pass.name);
+    return told_apart(own_name(stem), number_of(levels.front()), number_of(levels.back()),
+                      others_than(stem, all));
+}
+
+bool is_louder(const Gain& gain, const Gain& other) {
+    return std::pair(gain.clipped, gain.peak) > std::pair(other.clipped, other.peak);
+}
+
+// Of a pyramid what its levels come to: their time together, and of the rest what is most.
+StripWords words_of_pyramid(std::span<const StripPass> levels, std::span<const StripPass> all) {
+    StripWords words{pyramid_name(levels, all),
+                     strip_words::facts(levels.front().target, levels.back().target)};
+    for (const StripPass& level : levels) {
+        words.milliseconds += level.milliseconds;
+        words.longest = std::max(words.longest, level.milliseconds);
+        if (level.gain && (!words.gain || is_louder(*level.gain, *words.gain)))
+            words.gain = level.gain;
+        if (level.change &&
+            (!words.change || change_share(*level.change) > change_share(*words.change)))
+            words.change = level.change;
+    }
+    return words;
+}
+
+// A level that is looked into has the words of its pyramid.
+StripWords words_of(std::span<const StripPass> passes, std::span<const StripPass> all) {
+    const auto chosen = std::ranges::find(passes, true, &StripPass::is_chosen);
+    if (passes.size() > 1 && chosen == passes.end())
+        return words_of_pyramid(passes, all);
+    const StripPass& told = passes.size() > 1 ? *chosen : passes.front();
+    return {.name = told_apart(own_name(told.pass.name), others_than(told.pass.name, all)),
+            .facts = strip_words::facts(told.target),
+            .milliseconds = told.milliseconds,
+            .longest = told.milliseconds,
+            .gain = told.gain,
+            .change = told.change,
+            .is_chosen = told.is_chosen};
+}
+
+// What all of them have, or the first one that a person switched.
+std::string state_of(std::span<const StripPass> passes) {
+    const std::string& first = passes.front().state;
+    if (std::ranges::all_of(passes, [&](const StripPass& pass) { return pass.state == first; }))
+        return first;
+    const auto switched = std::ranges::find_if(passes, is_switched);
+    const StripPass& told = switched != passes.end() ? *switched : passes.back();
+    return number_of(told) + " " + told.state;
+}
+
+std::vector<StripBlock> blocks_of(std::span<const StripPass> passes) {
+    std::vector<SizedName> sized;
+    for (const StripPass& pass : passes)
+        sized.push_back({pass.pass.name, pass.target.extent});
+    std::vector<StripBlock> blocks;
+    std::size_t first = 0;
+    for (const std::size_t count : count_levels(sized)) {
+        const auto own = passes.subspan(first, count);
+        blocks.push_back({own, words_of(own, passes), state_of(own)});
+        first += count;
+    }
+    return blocks;
+}
+
+float text_width(const std::string& text) {
+    return ImGui::CalcTextSize(text.c_str()).x;
+}
+
+// For a name of some length beside its time; it does not change with the time.
+float words_width(const StripWords& words, const Scene& scene) {
+    const float longest = ImGui::GetFontSize() * 11.0f;
+    const float gap = strip_gap();
+    const float name = std::min(text_width(words.name.front + words.name.end), longest);
+    const ScopedFont font(scene.fonts.numbers);
+    const float time = text_width("00.00 ms");
+    return std::max(name + time + gap, text_width(words.facts));
+}
+
+float image_width(std::span<const StripPass> passes, const Scene& scene) {
+    int widest = 0;
+    for (const StripPass& pass : passes)
+        widest = std::max(widest, scene.views.thumbnail(pass.index).extent.width);
+    return static_cast<float>(widest) / scene.density;
+}
+
+float gain_width(const Scene& scene) {
+    const ScopedFont font(scene.fonts.numbers);
+    return text_width("peak 00.0, 0.0 % clipped");
+}
+
+AskedWidth asked_by(const StripBlock& block, float words, float each, const Scene& scene) {
+    const float least = std::floor(ImGui::GetFontSize() * 4.8f);
+    const float picture = std::ceil(image_width(block.passes, scene));
+    if (block.is_pass())
+        return {.least = std::max(picture, least),
+                .wanted = std::max({picture, least, std::ceil(words)}),
+                .best = std::min(std::ceil(gain_width(scene)), each)};
+    const auto count = static_cast<float>(block.passes.size());
+    const float a_level = std::floor(ImGui::GetFontSize() * 0.8f);
+    AskedWidth asked{.least = std::max(count * a_level, least), .is_pass = false};
+    asked.wanted = std::max(asked.least, count * picture);
+    return asked;
+}
+
+void share_room(std::vector<StripBlock>& blocks, float room, const Scene& scene) {
+    const auto count = static_cast<float>(blocks.size());
+    room -= strip_gap() * (count - 1.0f);
+    std::vector<AskedWidth> asked;
+    std::vector<float> words;
+    for (const StripBlock& block : blocks) {
+        words.push_back(words_width(block.words, scene));
+        asked.push_back(asked_by(block, words.back(), std::floor(room / count), scene));
+    }
+    const StripRoom shared = share_strip(asked, room);
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        StripBlock& block = blocks[i];
+        const auto levels = static_cast<float>(block.passes.size());
+        block.width = std::floor(shared.widths[i] / levels) * levels;
+        block.is_narrow = block.is_pass() ? shared.is_narrow : block.width < words[i];
+    }
+}
+}  // namespace
+
+std::vector<StripPass> present_passes(const Scene& scene) {
+    const Renderer& renderer = *scene.lab.renderer();
+    const Look& look = renderer.executor().look();
+    const std::vector<PlannedTarget>& targets = renderer.executor().plan().targets;
+    const std::vector<double>& times = renderer.latest_pass_milliseconds();
+    const auto& changes = scene.lab.tryouts().probe().changes();
+    std::vector<StripPass> passes;
+    for (std::size_t i = 0; i < std::min(look.passes.size(), targets.size()); ++i) {
+        const StripPass pass{.index = i,
+                             .pass = look.passes[i],
+                             .target = targets[i],
+                             .milliseconds = i < times.size() ? times[i] : 0.0,
+                             .gain = scene.views.gain(i),
+                             .change = i < changes.size() ? changes[i] : std::nullopt,
+                             .is_chosen = look.passes[i].name == scene.window.inspected.pass,
+                             .state = pass_switch_text(i, look, scene.lab.pass_switches())};
+        if (pass.is_chosen || is_switched(pass) || !is_idle(look, i, targets[i].extent))
+            passes.push_back(pass);
+    }
+    return passes;
+}
+
+std::vector<StripBlock> arrange_strip(std::span<const StripPass> passes, float room,
+                                      const Scene& scene) {
+    std::vector<StripBlock> blocks = blocks_of(passes);
+    share_room(blocks, room, scene);
+    return blocks;
+}
+
+float strip_gap() {
+    return ImGui::GetFontSize() * 0.6f;
+}

@@ -1,0 +1,16 @@
+#include "ui/picture/comparison_edits.h"
+
+#include "lab/lab.h"
+
+void set_compare_mode(CompareMode mode, Edits& edits) {
+    edits.add([mode](Lab& lab) { lab.set_compare_mode(mode); });
+}
+
+// Of what is chosen when it is applied: two keys may come in one frame.
+void change_comparison(Edits& edits, const std::function<void(Comparison&)>& change) {
+    edits.add([change](Lab& lab) {
+        Comparison next = lab.comparing().chosen();
+        change(next);
+        lab.compare(next);
+    });
+}

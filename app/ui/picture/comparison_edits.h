@@ -1,0 +1,9 @@
+#pragma once
+
+#include "ui/frame/edits.h"
+
+#include <functional>
+
+void set_compare_mode(CompareMode mode, Edits& edits);
+/// Changes the chosen comparison and keeps the rest of it.
+void change_comparison(Edits& edits, const std::function<void(Comparison&)>& change);

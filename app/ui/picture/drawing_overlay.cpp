@@ -1,0 +1,80 @@
+#include "ui/picture/drawing_overlay.h"
+
+#include "signals/drawing/stroke_line.h"
+#include "ui/widgets/theme.h"
+
+namespace {
+/// Lines of the beam's places on the screen.
+class Overlay {
+public:
+    Overlay(const Scene& scene, const std::function<ImVec2(const PicturePixel&)>& screen)
+        : m_placing(scene.lab.beam_placing()), m_screen(screen), m_scale(scene.scale) {}
+
+    ImVec2 at(const BeamPlace& place) const { return m_screen(m_placing.pixel_of(place)); }
+
+    void draw(const std::vector<BeamPlace>& line, const theme::Color& color, float width) const {
+        std::vector<ImVec2> points;
+        for (const BeamPlace& place : line)
+            points.push_back(at(place));
+        ImGui::GetWindowDrawList()->AddPolyline(points.data(), static_cast<int>(points.size()),
+                                                theme::packed(color), 0, width * m_scale);
+    }
+
+    void draw_dot(const BeamPlace& place, const theme::Color& color, float radius = 2.5f) const {
+        ImGui::GetWindowDrawList()->AddCircleFilled(at(place), radius * m_scale,
+                                                    theme::packed(color));
+    }
+
+    const BeamPlacing& placing() const { return m_placing; }
+
+private:
+    BeamPlacing m_placing;
+    const std::function<ImVec2(const PicturePixel&)>& m_screen;
+    float m_scale;
+};
+
+void draw_open_line(const Stroke& line, const CanvasInput& input, const Overlay& overlay) {
+    for (const BeamPlace& point : line.points)
+        overlay.draw_dot(point, theme::accent);
+    if (input.hovered)
+        overlay.draw({line.points.back(), overlay.placing().place_of(*input.hovered)},
+                     theme::accent, 1.0f);
+}
+
+// Every point that can be taken hold of, and what the hand would take, or has.
+void draw_grips(const DrawingBoard& board, const CanvasInput& input, const Overlay& overlay) {
+    const Keyframe& strokes = board.drawing()->keyframes[board.keyframe()];
+    const auto grip = input.hovered ? board.grip_at(overlay.placing().place_of(*input.hovered),
+                                                    overlay.placing().pixel_size())
+                                    : std::nullopt;
+    if (grip && !grip->point)
+        overlay.draw(line_of(strokes[grip->stroke]), theme::accent, 2.0f);
+    for (const Stroke& stroke : strokes)
+        for (const BeamPlace& point : stroke.points)
+            overlay.draw_dot(point, theme::label);
+    if (grip && grip->point)
+        overlay.draw_dot(strokes[grip->stroke].points[*grip->point], theme::accent, 5.0f);
+}
+}  // namespace
+
+void draw_drawing_overlay(const Scene& scene, const CanvasInput& input,
+                          const std::function<ImVec2(const PicturePixel&)>& screen) {
+    constexpr theme::Color before{0.55f, 0.55f, 0.60f, 0.45f};
+    const DrawingBoard& board = scene.lab.drawing_board();
+    if (!board.has_pen())
+        return;
+    const Overlay overlay(scene, screen);
+    const auto& keyframes = board.drawing()->keyframes;
+    if (board.keyframe() > 0)
+        for (const Stroke& stroke : keyframes[board.keyframe() - 1])
+            overlay.draw(line_of(stroke), before, 1.0f);
+    if (const Stroke* line = board.open_line(); line && board.pen().tool == PenTool::points)
+        draw_open_line(*line, input, overlay);
+    if (board.pen().tool == PenTool::edit)
+        draw_grips(board, input, overlay);
+    if (board.pen().tool != PenTool::erase || !input.hovered)
+        return;
+    if (const auto stroke = board.stroke_at(overlay.placing().place_of(*input.hovered),
+                                            overlay.placing().pixel_size()))
+        overlay.draw(line_of(keyframes[board.keyframe()][*stroke]), theme::problem, 2.0f);
+}

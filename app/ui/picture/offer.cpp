@@ -1,0 +1,53 @@
+#include "ui/picture/offer.h"
+
+#include "ui/picture/compare_bar.h"
+#include "ui/widgets/choice_items.h"
+#include "ui/widgets/icons.h"
+#include "ui/widgets/scoped.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
+
+#include <algorithm>
+
+namespace {
+float buttons_width(const Notice& notice) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    float width = ImGui::GetFrameHeight();
+    for (const Choice& choice : notice.choices)
+        width += ImGui::CalcTextSize(choice.name.c_str()).x + 2.0f * style.FramePadding.x +
+                 style.ItemSpacing.x;
+    return width;
+}
+}  // namespace
+
+void draw_offer(const Notice& notice, const Scene& scene, Edits& edits) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const ImVec2 room = ImGui::GetWindowSize();
+    const float pad = ImGui::GetFontSize() * 0.8f;
+    const std::string words = wrapped(notice.text, room.x * 0.8f - 2.0f * pad);
+    const ImVec2 text = ImGui::CalcTextSize(words.c_str());
+    const ImVec2 size(std::max(text.x, buttons_width(notice)) + 2.0f * pad,
+                      text.y + style.ItemSpacing.y + ImGui::GetFrameHeight() + 2.0f * pad);
+    ImGui::SetCursorPos(
+        {(room.x - size.x) * 0.5f, room.y - compare_bar_height(scene) - pad - size.y});
+    const ScopedColor back(ImGuiCol_ChildBg, theme::popup);
+    const ScopedColor edge(ImGuiCol_Border, theme::line);
+    const ScopedStyle<float> rounding(ImGuiStyleVar_ChildRounding, 6.0f * scene.scale);
+    const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(pad, pad));
+    ImGui::BeginChild("##offer", size, true,
+                      ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar);
+    {
+        const ScopedColor color(ImGuiCol_Text, notice.is_problem ? theme::problem : theme::text);
+        ImGui::TextUnformatted(words.c_str());
+    }
+    for (const Choice& choice : notice.choices) {
+        if (ImGui::Button(choice.name.c_str()))
+            run(choice.deeds, edits);
+        edits.mark("offer:" + choice.name);
+        ImGui::SameLine();
+    }
+    if (icon_button("##leave", Icon::close, "Dismiss", theme::dim))
+        edits.add([](Lab& lab) { lab.put_notice_away(); });
+    edits.mark("offer_leave");
+    ImGui::EndChild();
+}

@@ -1,0 +1,280 @@
+#include "ui/picture/overlays.h"
+
+#include "lab/document/morphing.h"
+#include "lab/storage/told_name.h"
+#include "lab/trials/tryouts.h"
+#include "ui/picture/compare_bar.h"
+#include "ui/picture/first_steps.h"
+#include "ui/picture/offer.h"
+#include "ui/widgets/icons.h"
+#include "ui/widgets/problem_list.h"
+#include "ui/widgets/scoped.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace {
+void draw_centered(const std::string& text, float y, const ImVec4& color) {
+    const float width = ImGui::CalcTextSize(text.c_str()).x;
+    ImGui::SetCursorPos({(ImGui::GetWindowWidth() - width) * 0.5f, y});
+    const ScopedColor scoped(ImGuiCol_Text, color);
+    ImGui::TextUnformatted(text.c_str());
+}
+
+std::vector<const Problem*> errors_of(const Lab& lab) {
+    std::vector<const Problem*> errors;
+    for (const Problem& problem : lab.problems())
+        if (problem.diagnostic.severity == Severity::error)
+            errors.push_back(&problem);
+    return errors;
+}
+
+// Of a problem as draw_problem() writes it: place and message in a row, the source line below.
+float height_of(const Problem& problem, float width) {
+    const std::string words =
+        told_name(problem.diagnostic.file) + ":9999  " + problem.diagnostic.message;
+    const float message = ImGui::CalcTextSize(words.c_str(), nullptr, false, width).y;
+    const float line = ImGui::GetTextLineHeightWithSpacing();
+    return message + ImGui::GetStyle().ItemSpacing.y + (problem.source_line.empty() ? 0.0f : line);
+}
+
+// Of a look that is not the one that is seen.
+std::string headline_of(const Lab& lab) {
+    if (lab.unopened().empty() || !lab.document())
+        return {};
+    return fmt::format("Can't open \"{}\". {} is still open.", lab.unopened(),
+                       lab.document()->look().name);
+}
+
+void draw_errors(const Scene& scene, Edits& edits) {
+    if (!shows_errors(scene))
+        return;
+    const std::vector<const Problem*> errors = errors_of(scene.lab);
+    constexpr std::size_t most = 4;
+    const float side = ImGui::GetFrameHeight();
+    const std::string headline = headline_of(scene.lab);
+    const float margin = ImGui::GetFontSize() * 0.7f;
+    const float width = ImGui::GetWindowWidth() - 2.0f * margin;
+    const float line = ImGui::GetTextLineHeightWithSpacing();
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float inner = width - 2.0f * style.WindowPadding.x - side;
+    float height = 2.0f * style.WindowPadding.y + (errors.size() > most ? line : 0.0f) +
+                   (headline.empty() ? 0.0f : line);
+    for (std::size_t i = 0; i < std::min(errors.size(), most); ++i)
+        height += height_of(*errors[i], inner) + style.ItemSpacing.y;
+    height = std::min(height, ImGui::GetWindowHeight() * 0.6f);
+    ImGui::SetCursorPos({margin, margin});
+    const ScopedColor back(ImGuiCol_ChildBg, theme::problem_pane);
+    const ScopedStyle<float> rounding(ImGuiStyleVar_ChildRounding, 5.0f * scene.scale);
+    ImGui::BeginChild("##errors", {width, height}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+    {  // of the list alone
+        const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
+        ImGui::BeginChild("##list", {inner, 0.0f});
+    }
+    if (!headline.empty())
+        fitted_text(headline, inner, theme::text);
+    for (std::size_t i = 0; i < std::min(errors.size(), most); ++i) {
+        draw_problem(*errors[i], scene.fonts, edits);
+        ImGui::Spacing();
+    }
+    if (errors.size() > most)
+        dim_text(fmt::format("{} more in the Problems list", errors.size() - most));
+    ImGui::EndChild();
+    ImGui::SameLine(0.0f, 0.0f);
+    if (icon_button("##away", Icon::close, "Dismiss (Esc). The Problems list keeps these errors.",
+                    theme::label))
+        edits.add([](Lab& lab) { lab.put_problems_away(); });
+    edits.mark("errors_away");
+    ImGui::EndChild();
+    edits.mark("errors");
+}
+
+struct Pill {
+    const char* id;
+    std::string text;
+    theme::Color color;
+    float rise = 0.0f;  // from the bottom, in lines
+    float opacity = 1.0f;
+};
+
+void draw_pill(const Pill& pill, const Scene& scene) {
+    const float pad = ImGui::GetFontSize() * 0.8f;
+    const float most = ImGui::GetWindowWidth() * 0.8f - 2.0f * pad;
+    const std::string words = wrapped(pill.text, most);
+    const ImVec2 text = ImGui::CalcTextSize(words.c_str());
+    const ImVec2 size(text.x + 2.0f * pad, text.y + pad);
+    const ImVec2 window = ImGui::GetWindowPos();
+    const float bottom = window.y + ImGui::GetWindowHeight() - compare_bar_height(scene) - pad -
+                         pill.rise * size.y * 1.3f;
+    const ImVec2 low(window.x + (ImGui::GetWindowWidth() - size.x) * 0.5f, bottom - size.y);
+    const ScopedStyle<float> opacity(ImGuiStyleVar_Alpha, pill.opacity);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(low, {low.x + size.x, bottom}, ImGui::GetColorU32(theme::popup),
+                       6.0f * scene.scale);
+    list.AddRect(low, {low.x + size.x, bottom}, ImGui::GetColorU32(theme::line),
+                 6.0f * scene.scale);
+    list.AddText(scene.fonts.text, ImGui::GetFontSize(), {low.x + pad, low.y + pad * 0.5f},
+                 ImGui::GetColorU32(pill.color), words.c_str());
+}
+
+void draw_notice(const Scene& scene, Edits& edits) {
+    const auto& notice = scene.lab.notice();
+    if (!notice)
+        return;
+    if (!notice->choices.empty())
+        return draw_offer(*notice, scene, edits);
+    const float opacity = std::clamp(static_cast<float>(notice->seconds_left), 0.0f, 1.0f);
+    draw_pill({"##notice", notice->text, notice->is_problem ? theme::problem : theme::text, 0.0f,
+               opacity},
+              scene);
+}
+
+void draw_replay(const Scene& scene) {
+    if (!scene.lab.renderer() || !scene.lab.renderer()->replay().is_running())
+        return;
+    const Replay& replay = scene.lab.renderer()->replay();
+    draw_pill({"##replay",
+               fmt::format("Replaying frame {} of {} · Esc to stop", replay.done, replay.total),
+               theme::dim, 1.0f},
+              scene);
+}
+
+// What stopped the clock, and what may be done about it.
+void draw_trip(const Scene& scene, Edits& edits) {
+    const auto& trip = scene.lab.trip();
+    if (!trip || !scene.lab.renderer())
+        return;
+    const std::string& pass = scene.lab.renderer()->executor().look().passes[trip->pass].name;
+    const std::string words =
+        fmt::format("Paused: pass \"{}\" wrote NaN/Inf at pixel ({}, {}), frame {}.", pass, trip->x,
+                    trip->y, trip->frame);
+    const float margin = ImGui::GetFontSize() * 0.7f;
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float width = ImGui::GetWindowWidth() - 2.0f * margin;
+    const float inner = width - 2.0f * style.WindowPadding.x;
+    const float height = ImGui::CalcTextSize(words.c_str(), nullptr, false, inner).y +
+                         2.0f * style.WindowPadding.y + style.ItemSpacing.y +
+                         ImGui::GetFrameHeight();
+    ImGui::SetCursorPos({margin, margin});
+    const ScopedColor back(ImGuiCol_ChildBg, theme::problem_pane);
+    const ScopedStyle<float> rounding(ImGuiStyleVar_ChildRounding, 5.0f * scene.scale);
+    ImGui::BeginChild("##trip", {width, height}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+    ImGui::TextWrapped("%s", words.c_str());
+    struct Choice {
+        TripAnswer answer;
+        const char* label;
+        const char* help;
+        const char* name;
+    };
+    for (const Choice& choice :
+         {Choice{TripAnswer::clear, "Restart history", "Clears the history and continues.",
+                 "trip_clear"},
+          Choice{TripAnswer::clamp, "Clamp",
+                 "Replaces NaN with 0 and Inf with the largest number, in every pass.",
+                 "trip_clamp"},
+          Choice{TripAnswer::go_on, "Ignore", "Ignores NaN and Inf until the look is edited.",
+                 "trip_go_on"}}) {
+        if (ImGui::Button(choice.label))
+            edits.add([answer = choice.answer](Lab& lab) { lab.answer_trip(answer); });
+        edits.mark(choice.name);
+        tooltip(choice.help);
+        ImGui::SameLine();
+    }
+    if (quiet_button("Show pass"))
+        edits.arrange([pass](WindowState& window) {
+            window.inspected.look_into(pass);
+            window.inspected.marks_flaws = true;
+            window.shows_inspector = true;
+        });
+    edits.mark("trip_show");
+    ImGui::EndChild();
+}
+
+std::string opening_text(const Lab::Opening& opening) {
+    return fmt::format("Opening {} · {} · Esc to cancel", opening.look, words_of(opening.progress));
+}
+
+void draw_loading(const Scene& scene) {
+    const std::filesystem::path file = scene.lab.drive().loading();
+    const auto opening = scene.lab.opening();
+    if (file.empty() && opening && scene.lab.document())
+        draw_pill({"##loading", opening_text(*opening), theme::dim, 2.0f}, scene);
+    if (file.empty())
+        return;
+    draw_pill({"##loading",
+               fmt::format("Loading {}: {:.0f} % · Esc to cancel", file.filename().string(),
+                           100.0 * scene.lab.drive().loaded_share()),
+               theme::dim, 2.0f},
+              scene);
+}
+
+void draw_step(const Scene& scene, Edits& edits) {
+    const StepProbe& probe = scene.lab.tryouts().probe();
+    if (!probe.question() || probe.words().empty())
+        return;
+    const bool changes_nothing =
+        probe.has_failed() || (probe.effect() && probe.effect()->kind != StepEffect::Kind::seen);
+    draw_pill({"##step", probe.words(), changes_nothing ? theme::warning : theme::text, 1.0f},
+              scene);
+    edits.mark("step");
+}
+
+void draw_morph(const Scene& scene) {
+    if (const Morphing* morphing = scene.lab.morphing())
+        draw_pill({"##morph",
+                   fmt::format("Morphing to \"{}\": {:.0f} % · Esc to stop", morphing->name(),
+                               100.0 * morphing->share()),
+                   theme::dim, 2.0f},
+                  scene);
+}
+
+void draw_midi_learning(const Scene& scene, Edits& edits) {
+    const auto& goal = scene.lab.midi().learning();
+    const Parameter* parameter = goal && scene.lab.document()
+                                     ? find_parameter(scene.lab.document()->look(), goal->parameter)
+                                     : nullptr;
+    if (!parameter)
+        return;
+    draw_pill(
+        {"##midi",
+         fmt::format("Move a MIDI knob or fader for \"{}\" · Esc to cancel", parameter->label),
+         theme::accent, 2.0f},
+        scene);
+    edits.mark("midi_learning");
+}
+}  // namespace
+
+bool shows_errors(const Scene& scene) {
+    return !scene.lab.has_put_problems_away() && !errors_of(scene.lab).empty();
+}
+
+void draw_overlays(const Scene& scene, Edits& edits) {
+    draw_first_steps(scene, edits);
+    draw_errors(scene, edits);
+    draw_trip(scene, edits);
+    draw_loading(scene);
+    draw_replay(scene);
+    draw_morph(scene);
+    draw_midi_learning(scene, edits);
+    draw_step(scene, edits);
+    draw_notice(scene, edits);
+}
+
+void draw_welcome(const Scene& scene) {
+    const float middle = ImGui::GetWindowHeight() * 0.42f;
+    const float line = ImGui::GetTextLineHeightWithSpacing();
+    if (scene.lab.is_loading()) {
+        const auto opening = scene.lab.opening();
+        draw_centered(opening ? opening_text(*opening) : "Loading the look…", middle, theme::dim);
+        return;
+    }
+    {
+        const ScopedFont font(scene.fonts.strong);
+        draw_centered("Afterglow", middle, theme::text);
+    }
+    draw_centered("Choose a look on the left, or drop a look, preset, picture or sound here.",
+                  middle + line * 1.3f, theme::dim);
+}

@@ -1,0 +1,7 @@
+#pragma once
+
+#include "ui/frame/edits.h"
+#include "ui/frame/scene.h"
+
+/// The heading of the signal or source with the button that locks it.
+void draw_content_heading(const std::string& text, const Scene& scene, Edits& edits);

@@ -1,0 +1,7 @@
+#pragma once
+
+#include "ui/frame/edits.h"
+#include "ui/frame/scene.h"
+
+/// Play, step, restart, speed and time on the left; size and zoom of the picture on the right.
+void draw_transport_bar(const Scene& scene, Edits& edits);

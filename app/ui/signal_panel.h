@@ -1,8 +1,0 @@
-#pragma once
-
-#include "ui/edits.h"
-#include "ui/scene.h"
-
-/// What drives the open look: the kind of signal and its settings, or the source picture; and the
-/// sound, where there is one.
-void draw_signal_panel(const Scene& scene, Edits& edits);

@@ -1,9 +1,0 @@
-#pragma once
-
-#include "ui/edits.h"
-#include "ui/scene.h"
-
-/// A, B and C in a row: what is empty is faint, what the present values are stands out, what is
-/// compared with is underlined.
-void draw_slot_buttons(const Scene& scene, Edits& edits);
-float slot_buttons_width();

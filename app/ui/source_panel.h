@@ -1,7 +1,0 @@
-#pragma once
-
-#include "ui/edits.h"
-#include "ui/scene.h"
-
-/// The picture that the open look works on, and how it lies in what is drawn.
-void draw_source(const Scene& scene, Edits& edits);

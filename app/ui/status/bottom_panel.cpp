@@ -1,0 +1,212 @@
+#include "ui/status/bottom_panel.h"
+
+#include "lab/heavy_pass.h"
+#include "ui/frame/action.h"
+#include "ui/library/presets_panel.h"
+#include "ui/parameters/sheet_panel.h"
+#include "ui/passes/pass_graph_panel.h"
+#include "ui/passes/pass_inputs.h"
+#include "ui/passes/pass_text.h"
+#include "ui/passes/waveform_panel.h"
+#include "ui/picture/pins_panel.h"
+#include "ui/status/timings_panel.h"
+#include "ui/widgets/icons.h"
+#include "ui/widgets/problem_list.h"
+#include "ui/widgets/scoped.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace {
+std::string problems_text(const Lab& lab) {
+    const std::size_t count = lab.problems().size();
+    return count == 0   ? "No problems"
+           : count == 1 ? "1 problem"
+                        : fmt::format("{} problems", count);
+}
+
+std::string pace_text(const Scene& scene) {
+    const double pace = scene.pace.frames_a_second();
+    if (scene.lab.renderer() && scene.lab.renderer()->replay().is_running())
+        return "Replaying";
+    if (!scene.lab.player().is_playing())
+        return "Paused";
+    if (pace <= 0.0)
+        return "Idle";
+    return fmt::format("{:.{}f} fps", pace, pace < 9.95 ? 1 : 0);
+}
+
+// What a machine too slow for the picture does about it; "" where it keeps up.
+std::string lag_text(const Player& player) {
+    constexpr double hardly_seen = 0.93;
+    const double share = player.shown_share();
+    if (!player.is_playing() || share > hardly_seen)
+        return {};
+    return player.leaves_out() ? fmt::format("Drawing {:.0f} % of the sound", 100.0 * share)
+                               : fmt::format("Running at {:.2f}× speed", share);
+}
+
+void draw_lag(const Scene& scene, Edits& edits) {
+    const std::string text = lag_text(scene.lab.player());
+    if (text.empty())
+        return;
+    ImGui::SameLine();
+    const ScopedColor color(ImGuiCol_Text, theme::warning);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(text.c_str());
+    edits.mark("lag");
+    tooltip(
+        "This render size is too slow for real time. Try a smaller render size or fewer "
+        "points.");
+}
+
+// Asked for by nobody, so it takes no more room than a few words.
+void draw_half_size_offer(const Scene& scene, Edits& edits) {
+    const auto half = scene.lab.picture_size().halved();
+    const Renderer* renderer = scene.lab.renderer();
+    const double passes = renderer ? renderer->pass_times().present_total() : 0.0;
+    const bool runs = scene.lab.player().is_playing() && !scene.lab.has_converged();
+    const bool may_be_smaller = half && half->has_shape();
+    if (!runs || !may_be_smaller || !scene.pace.is_slow_by_passes(passes))
+        return;
+    ImGui::SameLine();
+    {
+        const ScopedColor color(ImGuiCol_Text, theme::accent);
+        if (quiet_button("Halve render size"))
+            edits.add([half = *half](Lab& lab) { use_half_size(lab, half); });
+    }
+    edits.mark("half_size");
+    tooltip(
+        "Running below 30 fps for two seconds, limited by the passes. Half the render size is "
+        "about four times faster.");
+}
+
+/// What a frame costs, in words around the one number that may be too much.
+struct Cost {
+    std::string before;
+    std::string time;
+    std::string after;
+};
+
+Cost cost_of(const Scene& scene) {
+    const Renderer* renderer = scene.lab.renderer();
+    if (!renderer || renderer->executor().plan().targets.empty())
+        return {pace_text(scene), {}, {}};
+    const double all = renderer->pass_times().present_total();
+    const double memory =
+        static_cast<double>(memory_of(renderer->executor().plan())) / (1024.0 * 1024.0);
+    const int draws = renderer->executor().draw_calls();
+    return {pace_text(scene) + "   ", fmt::format("{:.2f} ms", all),
+            draws == 1 ? fmt::format("   1 draw   {:.1f} MiB", memory)
+                       : fmt::format("   {} draws   {:.1f} MiB", draws, memory)};
+}
+
+// One button; over the budget its time alone is red.
+void draw_cost(const Scene& scene, Edits& edits) {
+    const ScopedFont font(scene.fonts.numbers);
+    const Cost cost = cost_of(scene);
+    const bool is_over = is_over_budget(scene);
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    {
+        const ScopedColor color(ImGuiCol_Text, theme::dim);
+        const std::string time = is_over ? std::string(cost.time.size(), ' ') : cost.time;
+        if (quiet_button(cost.before + time + cost.after + "###timings"))
+            run(ActionId::show_timings, scene, edits);
+    }
+    tooltip(scene.actions.help(ActionId::show_timings));
+    if (!is_over)
+        return;
+    const ImVec2 pad = ImGui::GetStyle().FramePadding;
+    const ImVec2 at(start.x + pad.x + ImGui::CalcTextSize(cost.before.c_str()).x, start.y + pad.y);
+    ImGui::GetWindowDrawList()->AddText(at, theme::packed(theme::problem), cost.time.c_str());
+}
+
+std::string pointer_text(const Scene& scene) {
+    if (!scene.window.probe || !scene.views.probed())
+        return {};
+    const Probe& probe = *scene.window.probe;
+    const auto& rgba = *scene.views.probed();
+    return fmt::format("{}  {}, {}   {}  {}  {}  {}", probe.pass, probe.x, probe.y, rgba[0],
+                       rgba[1], rgba[2], rgba[3]);  // as exactly as they are stored
+}
+
+void draw_problems(const Scene& scene, Edits& edits) {
+    if (scene.lab.problems().empty())
+        dim_text("No problems.");
+    for (const Problem& problem : scene.lab.problems()) {
+        draw_problem(problem, scene.fonts, edits);
+        ImGui::Spacing();
+    }
+}
+}  // namespace
+
+void draw_bottom_panel(const Scene& scene, Edits& edits) {
+    static constexpr std::array labels{"Problems", "Timings",   "Pins",     "Inputs", "Compiled",
+                                       "Graph",    "Filmstrip", "Waveform", "Presets"};
+    const int present = static_cast<int>(scene.window.bottom_part);
+    const int chosen =
+        choice("bottom", labels.data(), static_cast<int>(labels.size()), present, edits);
+    if (chosen != present)
+        edits.arrange([part = static_cast<BottomPart>(chosen)](WindowState& window) {
+            window.bottom_part = part;
+        });
+    same_line_right(ImGui::GetFrameHeight());
+    if (icon_button("##close", Icon::close, "Close", theme::dim))
+        edits.arrange([](WindowState& window) { window.shows_bottom = false; });
+    {  // of this part alone: what pops up above it has its own
+        const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
+        ImGui::BeginChild("##content");
+    }
+    if (scene.window.bottom_part == BottomPart::timings)
+        draw_timings_panel(scene, edits);
+    else if (scene.window.bottom_part == BottomPart::pins)
+        draw_pins_panel(scene, edits);
+    else if (scene.window.bottom_part == BottomPart::inputs)
+        draw_pass_inputs(scene, edits);
+    else if (scene.window.bottom_part == BottomPart::text)
+        draw_pass_text(scene, edits);
+    else if (scene.window.bottom_part == BottomPart::graph)
+        draw_pass_graph(scene, edits);
+    else if (scene.window.bottom_part == BottomPart::sheet)
+        draw_sheet_panel(scene, edits);
+    else if (scene.window.bottom_part == BottomPart::waveform)
+        draw_waveform_panel(scene, edits);
+    else if (scene.window.bottom_part == BottomPart::presets)
+        draw_presets_panel(scene, edits);
+    else
+        draw_problems(scene, edits);
+    ImGui::EndChild();
+}
+
+void draw_status_bar(const Scene& scene, Edits& edits) {
+    const ScopedStyle<ImVec2> frame(ImGuiStyleVar_FramePadding,
+                                    ImVec2(6.0f * scene.scale, 2.0f * scene.scale));
+    const bool has_problems = !scene.lab.problems().empty();
+    ImGui::SetCursorPos({ImGui::GetStyle().WindowPadding.x - 6.0f * scene.scale,
+                         (ImGui::GetWindowHeight() - ImGui::GetFrameHeight()) * 0.5f});
+    {
+        const ScopedColor color(ImGuiCol_Text, has_problems ? theme::problem : theme::dim);
+        if (quiet_button(problems_text(scene.lab) + "##problems"))
+            run(ActionId::show_problems, scene, edits);
+        tooltip(scene.actions.help(ActionId::show_problems));
+        edits.mark("status_problems");
+    }
+    ImGui::SameLine();
+    draw_cost(scene, edits);
+    draw_lag(scene, edits);
+    draw_half_size_offer(scene, edits);
+    const std::string pointer = pointer_text(scene);
+    if (pointer.empty())
+        return;
+    const ScopedFont font(scene.fonts.numbers);
+    const float width = ImGui::CalcTextSize(pointer.c_str()).x;
+    if (ImGui::GetItemRectMax().x + width + 20.0f >
+        ImGui::GetWindowPos().x + ImGui::GetWindowWidth())
+        return;
+    same_line_right(width);
+    ImGui::AlignTextToFramePadding();
+    dim_text(pointer);
+}

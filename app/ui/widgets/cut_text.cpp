@@ -1,0 +1,37 @@
+#include "ui/widgets/cut_text.h"
+
+#include <algorithm>
+
+namespace {
+// The nearest place at or before `place` where a character begins.
+std::size_t character_at(const std::string& text, std::size_t place) {
+    place = std::min(place, text.size());
+    while (place > 0 && place < text.size() &&
+           (static_cast<unsigned char>(text[place]) & 0xC0U) == 0x80U)
+        --place;
+    return place;
+}
+}  // namespace
+
+std::string cut_at_width(const std::string& text, float most,
+                         const std::function<float(const std::string&)>& width_of) {
+    constexpr std::size_t first = 64;
+    std::size_t fitting = 0;
+    std::size_t over = first;
+    while (width_of(text.substr(0, character_at(text, over))) <= most) {
+        if (over >= text.size())
+            return text;
+        fitting = over;
+        over *= 2;
+    }
+    const auto cut = [&](std::size_t place) {
+        return text.substr(0, character_at(text, place)) + "…";
+    };
+    if (width_of(cut(fitting)) > most)
+        fitting = 0;
+    while (over - fitting > 1) {  // the first with a mark fits, or is empty; the other does not
+        const std::size_t middle = fitting + (over - fitting) / 2;
+        (width_of(cut(middle)) <= most ? fitting : over) = middle;
+    }
+    return cut(fitting);
+}

@@ -1,0 +1,97 @@
+#include "ui/widgets/form.h"
+
+#include "ui/widgets/icons.h"
+#include "ui/widgets/scoped.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+float column_gap() {
+    return ImGui::GetStyle().ItemInnerSpacing.x;
+}
+}  // namespace
+
+float FormColumns::control_and_number() const {
+    return control + column_gap() + number;
+}
+
+FormColumns form_columns(bool has_button) {
+    const float room = ImGui::GetContentRegionAvail().x;
+    FormColumns columns;
+    columns.button = has_button ? ImGui::GetFrameHeight() : -column_gap();
+    const bool is_narrow = room < ImGui::GetFontSize() * 18.0f;
+    columns.number = std::round(ImGui::GetFontSize() * (is_narrow ? 3.9f : 4.4f));
+    const float rest =
+        std::max(60.0f, room - columns.button - columns.number - 3.0f * column_gap());
+    columns.label = std::floor(rest * (is_narrow ? 0.6f : 0.54f));
+    columns.control = std::floor(rest - columns.label);
+    return columns;
+}
+
+FormColumns check_box_columns() {
+    FormColumns columns = form_columns();
+    const float box = ImGui::GetFrameHeight();
+    columns.label += columns.control_and_number() - box;
+    columns.control = box;
+    columns.number = -column_gap();
+    return columns;
+}
+
+bool form_label(const std::string& label, const FormColumns& columns, bool is_changed) {
+    const float height = ImGui::GetFrameHeight();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const bool is_clicked = ImGui::InvisibleButton(
+        "##label", {columns.label, height},
+        ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
+    const ImVec4 color = is_changed || ImGui::IsItemHovered() ? theme::text : theme::label;
+    const std::string cut = cut_to_fit(label, columns.label);
+    const float top = at.y + (height - ImGui::GetFontSize()) * 0.5f;
+    ImGui::GetWindowDrawList()->AddText({at.x, top}, theme::packed(color), cut.c_str());
+    return is_clicked;
+}
+
+void form_control(const FormColumns& columns) {
+    ImGui::SameLine(ImGui::GetWindowContentRegionMin().x + columns.label + column_gap());
+}
+
+Turned form_slider(const char* id, double& value, const SliderFacts& facts,
+                   const FormColumns& columns, const Fonts& fonts) {
+    const ScopedId scope{std::string(id)};
+    const ScopedFont font(fonts.numbers);
+    const ScopedStyle<ImVec2> padding(
+        ImGuiStyleVar_FramePadding,
+        ImVec2(4.0f,
+               ImGui::GetStyle().FramePadding.y + (fonts.text->FontSize - fonts.numbers->FontSize) *
+                                                      0.5f * ImGui::GetIO().FontGlobalScale));
+    Turned turned = draw_slider("##slider", value, facts, columns.control);
+    tooltip(facts.warning.empty() ? range_text(facts) : range_text(facts) + "\n" + facts.warning);
+    ImGui::SameLine(0.0f, column_gap());
+    turned |= draw_number("##number", value, columns.number, facts.number());
+    return turned;
+}
+
+bool form_reset(const std::string& help, bool is_changed, const FormColumns& columns) {
+    ImGui::SameLine(ImGui::GetWindowContentRegionMin().x + columns.label + columns.control +
+                    columns.number + 3.0f * column_gap());
+    if (is_changed)
+        return icon_button("##reset", Icon::reset, help, theme::dim);
+    ImGui::Dummy({columns.button, ImGui::GetFrameHeight()});
+    return false;
+}
+
+bool form_list(const char* id, const char* const* labels, int count, int& chosen, float width,
+               const char* otherwise) {
+    bool is_changed = false;
+    if (!begin_combo(id, chosen >= 0 && chosen < count ? labels[chosen] : otherwise, width))
+        return false;
+    for (int i = 0; i < count; ++i)
+        if (ImGui::Selectable(labels[i], i == chosen) && i != chosen) {
+            chosen = i;
+            is_changed = true;
+        }
+    ImGui::EndCombo();
+    return is_changed;
+}

@@ -1,0 +1,343 @@
+#include "ui/widgets/slider.h"
+
+#include "gpu/input_event.h"
+#include "model/tuning/slider_range.h"
+#include "ui/widgets/theme.h"
+
+#include <fmt/format.h>
+#include <imgui/imgui_internal.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace {
+Range range_of(const SliderFacts& facts) {
+    return {facts.low, facts.high, facts.step};
+}
+
+Scale scale_of(const SliderFacts& facts) {
+    return facts.is_logarithmic ? Scale::logarithmic : Scale::linear;
+}
+
+std::optional<Steps> steps_of(const SliderFacts& facts) {
+    return steps_in(range_of(facts), facts.steps_from.value_or(facts.low));
+}
+
+// How far a slider goes for the way of the hand.
+double factor_of(DragPace pace) {
+    return pace == DragPace::fine ? 0.1 : pace == DragPace::coarse ? 10.0 : 1.0;
+}
+}  // namespace
+
+double slider_place(double value, const SliderFacts& facts) {
+    return place_in(range_of(facts), scale_of(facts), value);
+}
+
+double slider_value(double place, const SliderFacts& facts) {
+    return value_at(range_of(facts), scale_of(facts), place);
+}
+
+double hand_after(double place, double moved, DragPace pace) {
+    return std::clamp(place + moved * factor_of(pace), 0.0, 1.0);
+}
+
+double dragged_value(double place, const SliderFacts& facts, DragPace pace) {
+    const double value = slider_value(place, facts);
+    if (const auto steps = steps_of(facts))
+        return steps->nearest(value);
+    return readable(range_of(facts), scale_of(facts), value, factor_of(pace));
+}
+
+std::vector<double> notch_places(const SliderFacts& facts, double width) {
+    constexpr double room = 5.0;  // pixels from one to the next
+    const auto steps = steps_of(facts);
+    if (!steps || steps->count * room > width + room)
+        return {};
+    std::vector<double> places;
+    double last = 0.0;
+    for (double i = 0.0; i < steps->count; i += 1.0) {
+        const double place = slider_place(steps->value(i), facts);
+        if (i > 0.0 && (place - last) * width < room)
+            return {};
+        last = place;
+        constexpr double end = 1e-6;
+        if (place > end && place < 1.0 - end)
+            places.push_back(place);
+    }
+    return places;
+}
+
+std::vector<double> safe_places(const SliderFacts& facts, double width) {
+    constexpr double room = 5.0;  // pixels from one to the next
+    std::vector<double> places;
+    for (const double value : facts.safe) {
+        const double place = slider_place(value, facts);
+        if (places.empty() || (place - places.back()) * width >= room)
+            places.push_back(place);
+    }
+    return places;
+}
+
+std::string short_number(double value) {
+    const double size = std::abs(value);
+    if (size != 0.0 && (size >= 1e7 || size < 1e-4))
+        return fmt::format("{:.3g}", value);
+    const int decimals = size >= 1000 ? 0 : size >= 100 ? 1 : size >= 10 ? 2 : size >= 1 ? 3 : 4;
+    std::string text = fmt::format("{:.{}f}", value, decimals);
+    if (text.find('.') != std::string::npos)
+        text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.')
+        text.pop_back();
+    return text == "-0" ? "0" : text;
+}
+
+namespace {
+bool wants_typing(const ImRect& box, bool is_hovered) {
+    const ImGuiIO& io = ImGui::GetIO();
+    return is_hovered && box.Contains(io.MousePos) &&
+           ((io.MouseClicked[0] && io.KeyCtrl && !io.KeyShift) || io.MouseDoubleClicked[0]);
+}
+
+Typing& typing() {
+    return *static_cast<Typing*>(ImGui::GetIO().UserData);
+}
+
+// The field has been left, by whatever way: reads what is in it.
+Turned read_field(const TypedField& field, double& value, const NumberFacts& facts) {
+    if (field.text == field.before)
+        return {};
+    TypedNumber typed = read_typed_number(field.text, facts);
+    typing().complaint = std::move(typed.complaint);
+    if (!typed.value || *typed.value == value)
+        return {};
+    value = *typed.value;
+    return {true, true};
+}
+
+// `id_text` is what the id was made from: the text field takes its own from it.
+Turned type_number(const ImRect& box, ImGuiID id, const char* id_text, double& value,
+                   const NumberFacts& facts) {
+    Typing& all = typing();
+    std::array<char, 64> text{};
+    const std::string present = fmt::format("{:.7g}", value);
+    present.copy(text.data(), text.size() - 1);
+    if (all.open.id != id) {
+        all.left = std::move(all.open);
+        all.open = {id, 0, present, present};
+    }
+    const bool is_cancelled = ImGui::IsKeyPressed(gpu::key::escape, false);
+    ImGui::TempInputText(box, id, id_text, text.data(), static_cast<int>(text.size()),
+                         ImGuiInputTextFlags_AutoSelectAll);
+    all.open.frame = ImGui::GetFrameCount();
+    all.open.text = is_cancelled ? all.open.before : text.data();
+    if (ImGui::TempInputIsActive(id))
+        return {};
+    return read_field(std::exchange(all.open, {}), value, facts);
+}
+
+// Reads a field that another widget took the keyboard from, in this frame or since the last.
+Turned read_if_left(ImGuiID id, double& value, const NumberFacts& facts) {
+    Typing& all = typing();
+    if (all.open.id == id)
+        all.left = std::exchange(all.open, {});
+    if (all.left.id != id)
+        return {};
+    const TypedField field = std::exchange(all.left, {});
+    return field.frame >= ImGui::GetFrameCount() - 1 ? read_field(field, value, facts) : Turned{};
+}
+
+// Safe values are marked along the top, steps along the bottom.
+void draw_marks(const ImRect& box, const SliderFacts& facts) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const double width = box.GetWidth();
+    const auto column = [&](double place) {
+        return std::round(box.Min.x + static_cast<float>(width * place)) + 0.5f;
+    };
+    const float length = box.GetHeight() * 0.16f;
+    for (const double place : notch_places(facts, width))
+        list.AddLine({column(place), box.Max.y - length}, {column(place), box.Max.y},
+                     theme::packed(theme::faint));
+    const theme::Color& safe = facts.warning.empty() ? theme::faint : theme::warning;
+    for (const double place : safe_places(facts, width))
+        list.AddLine({column(place), box.Min.y}, {column(place), box.Min.y + length},
+                     theme::packed(safe));
+}
+
+// Left of the hand where it has room there, else right of it.
+void draw_note(const ImRect& box, const std::string& note, float hand, bool is_warning) {
+    const ImVec2 size = ImGui::CalcTextSize(note.c_str());
+    constexpr float gap = 4.0f;
+    const bool is_left = box.Min.x + size.x + 2.0f * gap <= hand;
+    const float left = (is_left ? box.Min.x : std::max(hand, box.Min.x)) + gap;
+    if (note.empty() || left + size.x + gap > box.Max.x)
+        return;
+    ImGui::GetWindowDrawList()->AddText({left, box.Min.y + (box.GetHeight() - size.y) * 0.5f},
+                                        theme::packed(is_warning ? theme::warning : theme::label),
+                                        note.c_str());
+}
+
+void draw_bar(const ImRect& box, double value, const SliderFacts& facts, bool is_hot) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float rounding = ImGui::GetStyle().FrameRounding;
+    const float width = box.GetWidth();
+    const auto at = [&](double number) {
+        return box.Min.x + width * static_cast<float>(slider_place(number, facts));
+    };
+    list.AddRectFilled(box.Min, box.Max,
+                       theme::packed(is_hot ? theme::field_hovered : theme::field), rounding);
+    const float origin = facts.low < 0.0 && facts.high > 0.0 ? at(0.0) : box.Min.x;
+    const float place = at(value);
+    const theme::Color fill = facts.is_changed ? theme::accent_filled : theme::filled;
+    list.AddRectFilled({std::min(origin, place), box.Min.y}, {std::max(origin, place), box.Max.y},
+                       theme::packed(fill), rounding);
+    draw_marks(box, facts);
+    draw_note(box, facts.note, place, !facts.warning.empty());
+    if (facts.initial && facts.is_changed) {
+        const float tick = std::clamp(at(*facts.initial), box.Min.x + 1.0f, box.Max.x - 1.0f);
+        list.AddLine({tick, box.Max.y - box.GetHeight() * 0.3f}, {tick, box.Max.y},
+                     theme::packed(theme::dim));
+    }
+    const float half = std::max(1.0f, box.GetHeight() * 0.06f);
+    const float grab = std::clamp(place, box.Min.x + half, box.Max.x - half);
+    const theme::Color color = facts.is_changed || is_hot ? theme::accent : theme::dim;
+    list.AddRectFilled({grab - half, box.Min.y}, {grab + half, box.Max.y}, theme::packed(color),
+                       half);
+}
+
+// Where the value is that moves: a bright line with heads, apart from the hand's own.
+void draw_now(const ImRect& box, const SliderFacts& facts) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float x =
+        box.Min.x + box.GetWidth() * static_cast<float>(slider_place(*facts.now, facts));
+    const float head = box.GetHeight() * 0.2f;
+    const ImU32 color = theme::packed(theme::text);
+    list.AddLine({x, box.Min.y}, {x, box.Max.y}, color);
+    list.AddTriangleFilled({x - head, box.Min.y}, {x + head, box.Min.y}, {x, box.Min.y + head},
+                           color);
+    list.AddTriangleFilled({x - head, box.Max.y}, {x, box.Max.y - head}, {x + head, box.Max.y},
+                           color);
+}
+
+DragPace drag_pace() {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.KeyAlt || (io.KeyCtrl && io.KeyShift))
+        return DragPace::coarse;
+    return io.KeyShift ? DragPace::fine : DragPace::direct;
+}
+
+// The value that the mouse asks for. What the hand has moved adds up before it is rounded, so that
+// also a fine hand gets to the next step.
+double dragged(double value, const ImRect& box, ImGuiID id, const SliderFacts& facts) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const DragPace pace = drag_pace();
+    const double width = box.GetWidth();
+    SliderHand& hand = typing().hand;
+    const bool is_new = io.MouseClicked[0] || hand.id != id;
+    if (is_new)
+        hand = {id, slider_place(value, facts)};
+    if (pace == DragPace::direct)
+        hand.place = (io.MousePos.x - box.Min.x) / width;
+    else if (is_new || io.MouseDelta.x == 0.0f)
+        return value;
+    else
+        hand.place = hand_after(hand.place, io.MouseDelta.x / width, pace);
+    return dragged_value(hand.place, facts, pace);
+}
+}  // namespace
+
+Turned draw_slider(const char* id_text, double& value, const SliderFacts& facts, float width) {
+    ImGuiWindow* window = ImGui::GetCurrentWindow();
+    const ImGuiID id = window->GetID(id_text);
+    const ImRect box(window->DC.CursorPos,
+                     window->DC.CursorPos + ImVec2(width, ImGui::GetFrameHeight()));
+    ImGui::ItemSize(box, ImGui::GetStyle().FramePadding.y);
+    if (!ImGui::ItemAdd(box, id, &box, ImGuiItemFlags_Inputable))
+        return {};
+    bool is_hovered = false;
+    bool is_held = false;
+    if (ImGui::TempInputIsActive(id))
+        return type_number(box, id, id_text, value, facts.number());
+    if (wants_typing(box, ImGui::ItemHoverable(box, id))) {
+        ImGui::ClearActiveID();
+        return type_number(box, id, id_text, value, facts.number());
+    }
+    Turned turned = read_if_left(id, value, facts.number());
+    ImGui::ButtonBehavior(box, id, &is_hovered, &is_held);
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool has_moved = io.MouseClicked[0] || io.MouseDelta.x != 0.0f;
+    if (is_held && has_moved) {
+        const double next = dragged(value, box, id, facts);
+        turned.is_changed |= next != value;
+        value = next;
+        if (turned.is_changed)
+            ImGui::MarkItemEdited(id);
+    }
+    draw_bar(box, value, facts, is_hovered || is_held);
+    if (facts.now)
+        draw_now(box, facts);
+    turned.is_finished |= ImGui::IsItemDeactivatedAfterEdit();
+    return turned;
+}
+
+std::string range_text(const SliderFacts& facts) {
+    const auto text_of = [&unit = facts.unit](double low, double high) {
+        return unit.empty()
+                   ? fmt::format("{} to {}", short_number(low), short_number(high))
+                   : fmt::format("{} to {} {}", short_number(low), short_number(high), unit);
+    };
+    const auto& limit = facts.limit;
+    constexpr double practically_none = 1e6;
+    if (limit && limit->high - limit->low < practically_none &&
+        (limit->low < facts.low || limit->high > facts.high))
+        return fmt::format("{} (typed: {} to {})", text_of(facts.low, facts.high),
+                           short_number(limit->low), short_number(limit->high));
+    return text_of(facts.low, facts.high);
+}
+
+namespace {
+void draw_number_text(const ImRect& box, double value, const NumberFacts& facts) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const std::string text = short_number(value);
+    const std::string unit = facts.unit.empty() ? std::string() : " " + facts.unit;
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const float unit_width = ImGui::CalcTextSize(unit.c_str()).x;
+    const float end = box.Max.x - 3.0f;
+    const float top = box.Min.y + (box.GetHeight() - size.y) * 0.5f;
+    const bool has_room = end - unit_width - size.x >= box.Min.x;
+    const float start = std::max(box.Min.x, end - size.x - (has_room ? unit_width : 0.0f));
+    list.PushClipRect(box.Min, box.Max, true);
+    list.AddText({start, top}, theme::packed(facts.is_changed ? theme::accent : theme::text),
+                 text.c_str());
+    if (has_room)
+        list.AddText({end - unit_width, top}, theme::packed(theme::dim), unit.c_str());
+    list.PopClipRect();
+}
+}  // namespace
+
+Turned draw_number(const char* id_text, double& value, float width, const NumberFacts& facts) {
+    ImGuiWindow* window = ImGui::GetCurrentWindow();
+    const ImGuiID id = window->GetID(id_text);
+    const ImRect box(window->DC.CursorPos,
+                     window->DC.CursorPos + ImVec2(width, ImGui::GetFrameHeight()));
+    ImGui::ItemSize(box, ImGui::GetStyle().FramePadding.y);
+    if (!ImGui::ItemAdd(box, id, &box, ImGuiItemFlags_Inputable))
+        return {};
+    const bool is_hovered = ImGui::ItemHoverable(box, id);
+    if (is_hovered)
+        ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
+    const bool is_tabbed_to = (ImGui::GetCurrentContext()->LastItemData.StatusFlags &
+                               ImGuiItemStatusFlags_FocusedByTabbing) != 0;
+    if (facts.is_to_be_typed)
+        ImGui::GetCurrentContext()->NavActivateInputId = id;
+    if (ImGui::TempInputIsActive(id) || is_tabbed_to || facts.is_to_be_typed ||
+        (is_hovered && ImGui::IsMouseClicked(0)))
+        return type_number(box, id, id_text, value, facts);
+    const Turned turned = read_if_left(id, value, facts);
+    if (is_hovered)
+        window->DrawList->AddRectFilled(box.Min, box.Max, theme::packed(theme::field_hovered),
+                                        ImGui::GetStyle().FrameRounding);
+    draw_number_text(box, value, facts);
+    return turned;
+}

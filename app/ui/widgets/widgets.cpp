@@ -1,0 +1,192 @@
+#include "ui/widgets/widgets.h"
+
+#include "base/printable.h"
+#include "ui/widgets/cut_text.h"
+#include "ui/widgets/line_breaks.h"
+#include "ui/widgets/scoped.h"
+#include "ui/widgets/theme.h"
+
+#include <fmt/format.h>
+#include <imgui/imgui_internal.h>
+
+#include <algorithm>
+#include <array>
+
+ImTextureID texture_id(std::uintptr_t handle) {
+    return reinterpret_cast<ImTextureID>(handle);
+}
+
+Pane::Pane(const char* id, const Rect& place, const ImVec4& background, bool is_padded,
+           bool scrolls) {
+    ImGui::SetCursorPos({place.left, place.top});
+    const ScopedColor color(ImGuiCol_ChildBg, background);
+    const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding,
+                                      is_padded ? ImGui::GetStyle().WindowPadding : ImVec2(0, 0));
+    ImGuiWindowFlags flags = is_padded ? ImGuiWindowFlags_AlwaysUseWindowPadding : 0;
+    if (!is_padded || !scrolls)
+        flags |= ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
+    ImGui::BeginChild(id, {std::max(place.width, 1.0f), std::max(place.height, 1.0f)}, false,
+                      flags);
+}
+
+Pane::~Pane() {
+    ImGui::EndChild();
+}
+
+void dim_text(const std::string& text) {
+    const ScopedColor color(ImGuiCol_Text, theme::dim);
+    ImGui::TextUnformatted(text.c_str());
+}
+
+void wrapped_dim_text(const std::string& text) {
+    const ScopedColor color(ImGuiCol_Text, theme::dim);
+    ImGui::PushTextWrapPos(0.0f);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+}
+
+std::string wrapped(const std::string& text, float width) {
+    return broken_at_blanks(
+        text, width, [](const std::string& line) { return ImGui::CalcTextSize(line.c_str()).x; });
+}
+
+std::string cut_to_fit(const std::string& text, float width) {
+    const auto width_of = [](const std::string& part) {
+        return ImGui::CalcTextSize(part.c_str()).x;
+    };
+    return cut_at_width(text, width, width_of);
+}
+
+namespace {
+constexpr std::size_t most_tooltip_bytes = 4096;  // fills a screen
+}
+
+void fitted_text(const std::string& text, float width, const ImVec4& color) {
+    const std::string cut = cut_to_fit(text, width);
+    {
+        const ScopedColor scoped(ImGuiCol_Text, color);
+        ImGui::TextUnformatted(cut.c_str());
+    }
+    if (cut != text)
+        tooltip(shortened(text, most_tooltip_bytes));
+}
+
+bool is_lingered_on() {
+    constexpr float patience_seconds = 0.3f;
+    const ImGuiContext& context = *ImGui::GetCurrentContext();
+    return ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) && !context.IO.MouseDown[0] &&
+           (context.HoveredId == 0 || context.HoveredIdTimer > patience_seconds);
+}
+
+void tooltip(const std::string& text) {
+    if (text.empty() || !is_lingered_on())
+        return;
+    const ScopedColor color(ImGuiCol_Text, theme::text);         // whatever the item's own is
+    const ScopedFont font(ImGui::GetIO().Fonts->Fonts.front());  // likewise: the one for text
+    ImGui::BeginTooltip();
+    ImGui::TextUnformatted(wrapped(text, ImGui::GetFontSize() * 24.0f).c_str());
+    ImGui::EndTooltip();
+}
+
+void editor_tooltip(const std::filesystem::path& file) {
+    tooltip(fmt::format("{}\nClick to open it in your editor.", file.string()));
+}
+
+void heading(const std::string& text) {
+    const ScopedColor color(ImGuiCol_Text, theme::dim);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::Dummy({0.0f, 1.0f});
+}
+
+void heading_with_button(const std::string& text) {
+    const ScopedColor color(ImGuiCol_Text, theme::dim);
+    const float width = ImGui::GetContentRegionAvail().x;
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::SameLine(width - ImGui::GetFrameHeight());
+}
+
+bool section(const std::string& label, bool opens_first) {
+    ImGuiStorage& storage = *ImGui::GetStateStorage();
+    const ImGuiID id = ImGui::GetID(label.c_str());
+    bool is_open = storage.GetBool(id, opens_first);
+    const float height = ImGui::GetFrameHeight();
+    if (ImGui::InvisibleButton(label.c_str(),
+                               {ImGui::GetContentRegionAvail().x - height, height})) {
+        is_open = !is_open;
+        storage.SetBool(id, is_open);
+    }
+    const ImVec2 at = ImGui::GetItemRectMin();
+    const theme::Color color = ImGui::IsItemHovered() ? theme::accent : theme::text;
+    const float middle = at.y + height * 0.5f;
+    const float size = ImGui::GetFontSize();
+    const float room = ImGui::GetItemRectSize().x - size * 0.95f;
+    const std::string shown = cut_to_fit(label, room);  // a small button may stand at the end
+    draw_chevron({at.x + size * 0.3f, middle}, is_open,
+                 ImGui::IsItemHovered() ? theme::accent : theme::dim);
+    ImGui::GetWindowDrawList()->AddText({at.x + size * 0.95f, middle - size * 0.5f},
+                                        theme::packed(color), shown.c_str());
+    return is_open;
+}
+
+void open_section(const std::string& label) {
+    ImGui::GetStateStorage()->SetBool(ImGui::GetID(label.c_str()), true);
+}
+
+void draw_chevron(const ImVec2& middle, bool is_down, const ImVec4& color) {
+    const float size = ImGui::GetFontSize() * 0.2f;
+    const float flat = size * 0.55f;
+    const std::array<ImVec2, 3> points = is_down
+                                             ? std::array{ImVec2(middle.x - size, middle.y - flat),
+                                                          ImVec2(middle.x, middle.y + flat),
+                                                          ImVec2(middle.x + size, middle.y - flat)}
+                                             : std::array{ImVec2(middle.x - flat, middle.y - size),
+                                                          ImVec2(middle.x + flat, middle.y),
+                                                          ImVec2(middle.x - flat, middle.y + size)};
+    ImGui::GetWindowDrawList()->AddPolyline(points.data(), 3, ImGui::GetColorU32(color), 0,
+                                            ImGui::GetFontSize() * 0.1f);
+}
+
+bool begin_combo(const char* id, const std::string& present, float width) {
+    ImGui::SetNextItemWidth(width);
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const std::string cut = cut_to_fit(present, width - ImGui::GetFontSize() * 1.6f);
+    const bool is_open = ImGui::BeginCombo(
+        id, cut.c_str(), ImGuiComboFlags_NoArrowButton | ImGuiComboFlags_HeightLarge);
+    if (is_open)
+        return true;  // from here on the list is drawn
+    draw_chevron(
+        {low.x + width - ImGui::GetFontSize() * 0.7f, low.y + ImGui::GetFrameHeight() * 0.5f}, true,
+        theme::dim);
+    return false;
+}
+
+bool quiet_button(const std::string& label) {
+    const ScopedColor back(ImGuiCol_Button, theme::none);
+    return ImGui::Button(label.c_str());
+}
+
+int choice(const char* id, const char* const* labels, int count, int chosen, Edits& edits) {
+    const ScopedId scope{std::string(id)};
+    const ScopedStyle<ImVec2> gap(ImGuiStyleVar_ItemSpacing,
+                                  ImVec2(2.0f, ImGui::GetStyle().ItemSpacing.y));
+    for (int i = 0; i < count; ++i) {
+        if (i > 0)
+            ImGui::SameLine();
+        const bool is_chosen = i == chosen;
+        const ScopedColor text(ImGuiCol_Text, is_chosen ? theme::accent : theme::dim);
+        const ScopedColor back(ImGuiCol_Button, is_chosen ? theme::field : theme::none);
+        if (ImGui::Button(labels[i]))
+            chosen = i;
+        edits.mark(std::string(id) + ':' + labels[i]);
+    }
+    return chosen;
+}
+
+void same_line_right(float width) {
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - width);
+}
+
+std::string size_text(Extent extent) {
+    return fmt::format("{} × {}", extent.width, extent.height);
+}

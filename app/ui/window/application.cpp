@@ -1,0 +1,436 @@
+#include "ui/window/application.h"
+
+#include "gpu/objects/draw.h"
+#include "gpu/window.h"
+#include "lab/choices/looking_choices.h"
+#include "lab/choices/palette.h"
+#include "lab/safe_start.h"
+#include "lab/session.h"
+#include "lab/session/first_file.h"
+#include "lab/session/session_keeper.h"
+#include "lab/storage/injected_fault.h"
+#include "lab/storage/waker.h"
+#include "lab/views/displayed_passes.h"
+#include "lab/views/pending_fits.h"
+#include "lab/window/window_session.h"
+#include "ui/actions/action_table.h"
+#include "ui/picture/first_steps.h"
+#include "ui/widgets/theme.h"
+#include "ui/window/menu_bar.h"
+#include "ui/window/output_window.h"
+#include "ui/window/state_file.h"
+#include "ui/window/toolkit.h"
+#include "ui/window/window_panes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <utility>
+
+namespace {
+using Clock = std::chrono::steady_clock;
+
+double seconds_between(Clock::time_point start, Clock::time_point end) {
+    return std::chrono::duration<double>(end - start).count();
+}
+
+// A widget's answer to an event shows a frame or two later, a tooltip after a moment.
+constexpr auto awake = std::chrono::milliseconds(450);
+
+// So long the panels wait for a first picture.
+constexpr double picture_patience_seconds = 0.25;
+
+// What somebody waits to see or to read is yet to come; on a slow machine that takes long.
+bool is_owing(const Lab& lab, const Views& views) {
+    const ComparedPictures& compared = views.compared();
+    const Comparison& chosen = lab.comparing().chosen();
+    const bool owes_distances = compared.difference() && !compared.distances();
+    const bool owes_stops = chosen.has_equal_brightness && compared.other() && !compared.stops();
+    return owes_distances || owes_stops || views.is_owing();
+}
+
+/// What the window begins with.
+struct Start {
+    WindowState state;
+    FirstFile first_file = {};
+};
+
+// Opens what the command line names, else what was open last.
+void open_first(const WindowOptions& options, const Session& session, Lab& lab, Start& start) {
+    std::optional<std::string> look = options.look;
+    if (look && FirstFile::is_one(*look, lab)) {
+        start.first_file = FirstFile(*std::exchange(look, {}));
+    }
+    if (look)
+        lab.keep_unsaved(session);
+    start.state.first_steps.is_shown = session.look.empty();
+    lab.set_knobs(session.knobs);
+    lab.set_content(content_of(session));
+    (void)lab.transport().mute_input(true);  // until the user asks for a live sound
+    lab.set_slots(session.slots);
+    lab.presets().set_stars(session.preset_stars);
+    if (!look && start.state.has_light_frames)
+        lab.expect_light_frames();
+    if (look)
+        lab.open(*look);
+    else
+        restore_safely(lab, session, find_unfinished_opening(options.roots));
+}
+
+/// The window with all that runs in it, turn by turn.
+class Application {
+public:
+    /// `lab` stays longer; a look is being opened in it.
+    Application(const WindowOptions& options, gpu::Window& window, Lab& lab, BuiltFonts fonts,
+                Views views, Start start)
+        : m_options(options),
+          m_window(window),
+          m_toolkit(window, std::move(fonts)),
+          m_lab(lab),
+          m_first_file(std::move(start.first_file)),
+          m_views(std::move(views)),
+          m_state(std::move(start.state)),
+          m_waker(m_lab.watch_descriptor(), [] { gpu::Window::wake(); }) {}
+
+    /// False where the driver has lost the window's context.
+    bool run() {
+        SessionKeeper keeper(m_options.roots);
+        while (!m_is_quitting && !m_window.is_close_requested()) {
+            if (has_lost_context()) {
+                m_lab.note_driver_reset();
+                return false;
+            }
+            if (wait())
+                turn();
+            keeper.update(m_lab, m_state);
+        }
+        keeper.save(m_lab, m_state);
+        if (!m_lab.end_opening())
+            std::_Exit(EXIT_SUCCESS);  // all is saved; nothing else would end that thread
+        return true;
+    }
+
+private:
+    bool wait();  // whether a turn is due
+    bool has_lost_context() const;
+    Extent view() const;
+    void turn();
+    void follow_output();
+    bool awaits_picture();
+    bool is_before_panels(Clock::time_point now);
+    void make_panels_ready(double wall_seconds);
+    void list_looks(double wall_seconds);
+    bool is_attended(Clock::time_point now);
+    void note_pace(double wall_seconds);
+    void follow_remote();
+    void draw();
+    void apply(const Edits& edits);
+    void offer_move();
+    void note_geometry();
+    void update_title();
+
+    const WindowOptions& m_options;
+    gpu::Window& m_window;
+    Toolkit m_toolkit;
+    const ActionTable m_actions = make_action_table();
+    OutputWindow m_output;
+    Lab& m_lab;
+    FirstFile m_first_file;
+    Views m_views;
+    HistoryPictures m_history_pictures;
+    PresetPictures m_preset_pictures{[] { gpu::Window::wake(); }};
+    KeptPictures m_kept_pictures;
+    WindowState m_state;
+    Shelf m_shelf;
+    Pace m_pace;
+    Waker m_waker;
+    Waker m_midi_waker{m_lab.midi_descriptor(), [] { gpu::Window::wake(); }};
+    std::optional<Waker> m_remote_waker;  // while another program may turn something
+    int m_remote_port = 0;
+    std::string m_title;
+    std::string m_state_text;
+    Clock::time_point m_last = Clock::now();
+    Clock::time_point m_awake_until = Clock::now() + awake;
+    Clock::time_point m_attended_until = m_awake_until;
+    Clock::time_point m_drawn = m_last;
+    double m_frame_seconds = 0.0;  // since a frame of the picture was whole
+    long m_turn = 0;
+    bool m_has_had_picture = false;           // a look has drawn
+    std::optional<bool> m_waits_for_display;  // as the window was last told
+    bool m_is_quitting = false;
+};
+
+// While nothing moves the program sleeps until the person or a file wants something, and looks to
+// the session now and then. While it moves no more frames are drawn than the display shows.
+bool Application::wait() {
+    constexpr double rest_seconds = 1.0;
+    const Clock::time_point start = Clock::now();
+    if (m_lab.is_moving())
+        m_awake_until = start + awake;  // what is measured of the last frame comes a little later
+    const bool owes = is_owing(m_lab, m_views) || m_views.is_settling() || m_state.pending.is_any();
+    const auto longer = std::chrono::seconds(owes ? 10 : 0);
+    if (!m_lab.is_moving() && !m_toolkit.is_behind() && start > m_awake_until + longer) {
+        m_window.wait_events(rest_seconds);
+        if (seconds_between(start, Clock::now()) >= rest_seconds)
+            return false;
+        m_awake_until = Clock::now() + awake;
+        return true;
+    }
+    const double frame = m_state.frame_rate.frame_seconds(m_window.refresh_rate());
+    const double left = frame - seconds_between(m_last, start);
+    constexpr double slack = 0.001;
+    if (left > slack && !m_lab.is_amid_frame())
+        m_window.wait_events(left - slack);
+    else
+        m_window.poll_events();
+    return true;
+}
+
+bool Application::has_lost_context() const {
+    constexpr int injected_turn = 30;
+    return gpu::was_reset() || (m_turn >= injected_turn && take_injected_reset());
+}
+
+// The pixels that a picture which follows the view has: the output window's, where it is open.
+// Empty before the first panels.
+Extent Application::view() const {
+    return m_state.views.output.is_empty() ? m_state.views.picture : m_state.views.output;
+}
+
+void Application::turn() {
+    const Clock::time_point now = Clock::now();
+    const double wall_seconds = seconds_between(m_last, now);
+    m_last = now;
+    note_pace(wall_seconds);
+    follow_output();
+    if (const Extent seen = view(); !seen.is_empty())
+        m_lab.set_view(seen);
+    m_lab.set_unattended(m_state.is_picture_only || m_output.is_open());
+    m_lab.look_at(displayed_passes(m_lab, m_state));
+    m_lab.update(wall_seconds);
+    m_first_file.update(m_lab);
+    follow_remote();
+    if (m_window.framebuffer_size().is_empty())
+        return;  // minimised
+    if (is_before_panels(now))
+        return make_panels_ready(wall_seconds);
+    if ((m_lab.is_amid_frame() || awaits_picture()) && !is_attended(now))
+        return;  // all there is of the machine for a look that takes long
+    m_drawn = now;
+    list_looks(wall_seconds);
+    m_views.update(m_lab, m_state);
+    answer_pending_fits(m_views, m_lab, m_state);
+    m_history_pictures.update(m_lab, m_views);
+    m_preset_pictures.update(m_lab, m_state.sees(BottomPart::presets), wall_seconds,
+                             m_state.presets.shows_own_content && m_lab.document()
+                                 ? std::optional(m_lab.document()->content())
+                                 : std::nullopt);
+    draw();
+}
+
+void Application::follow_output() {
+    const bool was_open = m_output.is_open();
+    if (std::string problem = m_output.follow(m_state, m_window); !problem.empty())
+        m_lab.say(std::move(problem), true);
+    if (!was_open && m_output.is_open())
+        offer_display_size(m_lab, m_state.views.output);
+}
+
+void Application::list_looks(double wall_seconds) {
+    m_shelf.update(m_lab.library(), m_lab.document() ? &m_lab.document()->look() : nullptr,
+                   wall_seconds);
+}
+
+// While this thread has nothing else to do.
+void Application::make_panels_ready(double wall_seconds) {
+    if (!m_toolkit.is_ready()) {
+        gpu::bind_screen(m_window.framebuffer_size());
+        m_toolkit.make_ready(static_cast<float>(m_state.scale));
+        m_toolkit.draw_first();
+    }
+    list_looks(wall_seconds);
+}
+
+// Of the picture's frames: one that takes long covers many turns.
+void Application::note_pace(double wall_seconds) {
+    const bool was_amid = m_frame_seconds > 0.0;
+    m_frame_seconds += wall_seconds;
+    if (m_lab.is_amid_frame())
+        return;
+    if (const Renderer* renderer = m_lab.renderer(); renderer && renderer->has_drawn())
+        m_state.has_light_frames = renderer->frame_seconds() < picture_patience_seconds;
+    const double seconds = std::exchange(m_frame_seconds, 0.0);
+    m_pace.add(seconds, was_amid);
+    m_pace.expect(seconds,
+                  m_lab.is_moving() && m_state.frame_rate.wants_30(m_window.refresh_rate()));
+}
+
+// The first of all.
+bool Application::awaits_picture() {
+    m_has_had_picture = m_has_had_picture || (m_lab.renderer() && m_lab.renderer()->has_drawn());
+    const bool is_coming = m_lab.is_loading() || m_lab.is_amid_frame();
+    return is_coming && !m_has_had_picture;
+}
+
+// A first picture that comes at once is seen with the first panels. How large it is to be nobody
+// knows where there were no panels yet.
+bool Application::is_before_panels(Clock::time_point now) {
+    return m_turn == 0 && awaits_picture() && !m_state.views.picture.is_empty() &&
+           seconds_between(m_drawn, now) < picture_patience_seconds;
+}
+
+// Whether a new frame of the panels would be missed: else they come a few times a second.
+bool Application::is_attended(Clock::time_point now) {
+    constexpr double now_and_then = 0.1;
+    if (m_turn == 0 || m_window.has_input() || m_toolkit.is_behind() ||
+        seconds_between(m_drawn, now) > now_and_then)
+        return true;
+    return !awaits_picture() && (now < m_attended_until || m_lab.is_loading());
+}
+
+void Application::follow_remote() {
+    const int port = m_lab.osc().port();
+    if (port == m_remote_port)
+        return;
+    m_remote_port = port;  // another port may well have the same descriptor
+    m_remote_waker.emplace(m_lab.remote_descriptor(), [] { gpu::Window::wake(); });
+}
+
+void Application::draw() {
+    gpu::bind_screen(m_window.framebuffer_size());
+    const theme::Color back = theme::surround;
+    gpu::clear_screen({back.red, back.green, back.blue, 1.0f});
+    m_toolkit.also_take(m_output.take_keys());
+    m_toolkit.begin(static_cast<float>(m_state.scale));
+    Edits edits;
+    const Scene scene{m_lab,
+                      m_state,
+                      m_views,
+                      m_history_pictures,
+                      m_preset_pictures,
+                      m_kept_pictures,
+                      m_shelf,
+                      m_pace,
+                      m_output.monitor(),
+                      m_output.covers_panels(),
+                      m_toolkit.fonts(),
+                      m_actions,
+                      ++m_turn,
+                      m_toolkit.is_behind(),
+                      m_toolkit.scale(),
+                      m_toolkit.density(),
+                      m_toolkit.pointer_path(),
+                      m_toolkit.panel_milliseconds()};
+    edits.arrange([](WindowState& state) {  // panels set them anew
+        state.probe.reset();
+        state.pointed.reset();
+        state.scan_place.reset();
+    });
+    draw_window(scene, edits);
+    for (const std::filesystem::path& file : m_window.take_dropped_files())
+        edits.open_file(file);
+    m_toolkit.end();
+    if (std::string complaint = m_toolkit.take_complaint(); !complaint.empty())
+        m_lab.say(std::move(complaint), true);
+    m_window.swap();
+    m_output.show(m_views.output(), m_window);
+    if (!m_options.state_file.empty())
+        if (std::string text = state_text(scene, edits); text != m_state_text)
+            write_state(m_options.state_file, m_state_text = std::move(text));
+    apply(edits);
+}
+
+void Application::apply(const Edits& edits) {
+    edits.apply(m_lab, m_state);
+    for (const std::filesystem::path& file : m_lab.take_opened_files())
+        note_use(m_state.recent_files, std::filesystem::absolute(file).lexically_normal().string());
+    note_first_steps(m_lab, m_state);
+    if (edits.has_verbs() || m_toolkit.has_input())  // a frame shows what the one before it changed
+        m_attended_until = m_awake_until = Clock::now() + awake;
+    if (edits.has_verbs())
+        m_shelf.refresh();
+    if (edits.copied())
+        m_window.set_clipboard(*edits.copied());
+    m_is_quitting = edits.is_quitting();
+    const bool waits = m_state.frame_rate.waits_for_display && !m_output.is_open();
+    if (waits != m_waits_for_display)  // of two windows only the output waits, or each waits twice
+        m_window.set_vsync(*(m_waits_for_display = waits));
+    offer_move();
+    note_geometry();
+    update_title();
+}
+
+void Application::offer_move() {
+    if (m_state.has_offered_move || !m_lab.renderer() || !m_lab.renderer()->has_drawn() ||
+        m_lab.notice())
+        return;
+    m_state.has_offered_move = true;
+    m_lab.presets().offer_move();
+}
+
+void Application::note_geometry() {
+    m_state.is_maximised = m_window.is_maximised();
+    if (m_state.is_maximised)
+        return;
+    m_state.size = m_window.size();
+    m_state.position = m_window.position();
+}
+
+void Application::update_title() {
+    const std::string open = title_of(m_lab);
+    std::string title = open.empty() ? "Afterglow" : fmt::format("{} – Afterglow", open);
+    if (title != m_title)
+        m_window.set_title(m_title = std::move(title));
+}
+
+gpu::WindowOptions geometry_of(const WindowState& state) {
+    return {.title = "Afterglow",
+            .size = state.size,
+            .position = state.position,
+            .is_maximised = state.is_maximised};
+}
+}  // namespace
+
+namespace {
+// One window until it is closed, or until the driver loses its context: then false.
+Result<bool> run_once(const WindowOptions& options) {
+    Diagnostics warnings;
+    const Session session = load_session(options.roots, warnings);
+    Start start{restored_window(session.window)};
+    auto fonts = build_fonts_beside(fitted_scale(static_cast<float>(start.state.scale)));
+    auto window = gpu::Window::open(geometry_of(start.state));
+    if (!window)
+        return fail(window.error());
+    Lab lab(Library(options.roots), **window, nullptr);
+    lab.set_wake([] { gpu::Window::wake(); });
+    if (!start.state.views.picture.is_empty())
+        lab.set_view(start.state.views.picture);  // as it was, until the panels say how it is
+    if (!warnings.empty())
+        lab.say(warnings.front());
+    lab.look_at(displayed_passes(lab, start.state));
+    open_first(options, session, lab, start);
+    auto views = Views::make();
+    if (!views)
+        return fail(views.error());
+    Application application(options, **window, lab, fonts.get(), std::move(*views),
+                            std::move(start));
+    return application.run();
+}
+}  // namespace
+
+Result<void> run_window(const WindowOptions& options) {
+    constexpr int most_resets = 3;
+    WindowOptions again = options;
+    for (int resets = 0; resets <= most_resets; ++resets) {
+        const auto is_closed = run_once(again);
+        if (!is_closed)
+            return fail(is_closed.error());
+        if (*is_closed)
+            return {};
+        again.look.reset();  // the session has it
+    }
+    return fail(
+        {{}, 0, "the graphics driver keeps resetting; close other programs that use the GPU"});
+}

@@ -1,0 +1,104 @@
+#include "ui/window/menu_bar.h"
+
+#include "ui/frame/action.h"
+#include "ui/library/unsaved_menu.h"
+#include "ui/picture/picture_menus.h"
+#include "ui/widgets/choice_items.h"
+#include "ui/widgets/scoped.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
+#include "ui/window/menu_keys.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace {
+void draw_item(const Action& action, const Scene& scene, Edits& edits) {
+    if (action.is_first)
+        ImGui::Separator();
+    const std::string label = label_of(action, scene);
+    const bool is_on = action.is_on && action.is_on(scene);
+    if (ImGui::MenuItem(label.c_str(), chord_text(action.chord).c_str(), is_on,
+                        is_enabled(action, scene)))
+        action.act(scene, edits);
+    edits.mark(std::string("menu:") + action.label);
+}
+
+void draw_picture_submenus(const Scene& scene, Edits& edits) {
+    if (ImGui::BeginMenu("Render size")) {
+        draw_size_items(scene, edits);
+        ImGui::EndMenu();
+    }
+    if (ImGui::BeginMenu("Zoom")) {
+        draw_zoom_items(scene, edits);
+        ImGui::EndMenu();
+    }
+}
+
+// What is chosen from a list stands above the actions.
+void draw_lists(Menu menu, const Scene& scene, Edits& edits) {
+    using In = ChoiceList::Place;
+    for (const auto& [of, place] :
+         {std::pair{Menu::file, In::file}, std::pair{Menu::edit, In::edit},
+          std::pair{Menu::compare, In::compare}, std::pair{Menu::pass, In::pass}})
+        if (of == menu)
+            draw_choice_menus(place, scene, edits);
+}
+
+void draw_menu(Menu menu, const char* label, const Scene& scene, Edits& edits) {
+    const bool is_open = ImGui::BeginMenu(label);
+    edits.mark(std::string("menu:") + label);
+    if (!is_open)
+        return;
+    if (menu == Menu::view) {
+        draw_picture_submenus(scene, edits);
+        draw_menu(Menu::output, "Output", scene, edits);
+        draw_menu(Menu::frame_rate, "Frame rate", scene, edits);
+    }
+    if (menu == Menu::edit)
+        draw_menu(Menu::knob, "Parameter", scene, edits);
+    if (menu == Menu::file)
+        draw_unsaved_menu(scene, edits);
+    draw_lists(menu, scene, edits);
+    for (const Action& action : scene.actions.rows())
+        if (action.menu == menu)
+            draw_item(action, scene, edits);
+    ImGui::EndMenu();
+}
+
+void draw_title(const Scene& scene) {
+    const std::string title = title_of(scene.lab);
+    const float width = ImGui::CalcTextSize(title.c_str()).x;
+    const float left = ImGui::GetWindowWidth() - width - ImGui::GetStyle().WindowPadding.x;
+    if (left < ImGui::GetCursorPosX())
+        return;
+    ImGui::SetCursorPosX(left);
+    dim_text(title);
+}
+}  // namespace
+
+std::string title_of(const Lab& lab) {
+    const Document* document = lab.document();
+    if (!document)
+        return {};
+    std::string title = document->look().name;
+    if (!document->preset_name().empty())
+        title = fmt::format("{} – {}", title, document->preset_name());
+    return document->is_modified() ? fmt::format("{} •", title) : title;
+}
+
+void draw_menu_bar(const Scene& scene, Edits& edits) {
+    if (!ImGui::BeginMenuBar())
+        return;
+    follow_menu_keys("File", scene, edits);
+    draw_menu(Menu::file, "File", scene, edits);
+    draw_menu(Menu::edit, "Edit", scene, edits);
+    draw_menu(Menu::view, "View", scene, edits);
+    draw_menu(Menu::compare, "Compare", scene, edits);
+    draw_menu(Menu::pass, "Pass", scene, edits);
+    draw_menu(Menu::playback, "Playback", scene, edits);
+    draw_menu(Menu::help, "Help", scene, edits);
+    draw_title(scene);
+    ImGui::EndMenuBar();
+}

@@ -1,0 +1,54 @@
+#include "ui/window/output_window.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+std::string OutputWindow::follow(WindowState& state, gpu::Window& panels) {
+    if (m_window && (m_is_left || m_window->is_close_requested()))
+        state.output.is_open = false;
+    m_is_left = false;
+    const std::size_t own = panels.monitor();
+    const std::size_t wanted = state.output.monitor_for(panels.monitor_count(), own);
+    if (m_window && (!state.output.is_open || wanted != m_monitor)) {
+        m_window.reset();
+        panels.make_current();
+        panels.focus();
+    }
+    std::string problem;
+    if (state.output.is_open && !m_window) {
+        auto opened = panels.open_full_screen(wanted);
+        if (opened) {
+            m_window = std::move(*opened);
+            (wanted == own ? *m_window : panels).focus();
+        } else {
+            state.output.is_open = false;
+            problem = fmt::format("Can't open the output window: {}", to_string(opened.error()));
+        }
+    }
+    m_monitor = wanted;
+    m_covers_panels = m_window && wanted == own;
+    state.views.output = m_window ? m_window->framebuffer_size() : Extent{};
+    return problem;
+}
+
+void OutputWindow::show(const gpu::Texture* picture, gpu::Window& panels) {
+    if (!m_window)
+        return;
+    m_window->show(picture);
+    panels.make_current();
+}
+
+std::vector<gpu::InputEvent> OutputWindow::take_keys() {
+    if (!m_window)
+        return {};
+    std::vector<gpu::InputEvent> keys;
+    for (const gpu::InputEvent& event : m_window->take_input())
+        if (const auto* key = std::get_if<gpu::KeyEvent>(&event)) {
+            if (key->key == gpu::key::escape)
+                m_is_left = m_is_left || key->is_down;
+            else
+                keys.push_back(event);
+        }
+    return keys;
+}

@@ -1,0 +1,281 @@
+#include "ui/window/state_file.h"
+
+#include "base/text.h"
+#include "lab/document/morphing.h"
+#include "lab/trials/tryouts.h"
+#include "lab/window/preset_list.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <fstream>
+
+namespace {
+std::string json_string(std::string_view text) {
+    std::string json = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\')
+            json += '\\';
+        if (static_cast<unsigned char>(c) < 0x20)
+            json += fmt::format("\\u{:04x}", static_cast<int>(c));
+        else
+            json += c;
+    }
+    return json + '"';
+}
+
+std::string values_text(const Document& document) {
+    std::vector<std::string> values;
+    for (const Parameter& parameter : document.look().parameters) {
+        std::vector<std::string> numbers;
+        for (const double number : document.value(parameter).numbers)
+            numbers.push_back(format_number(number));
+        values.push_back(
+            fmt::format("{}:[{}]", json_string(parameter.name), fmt::join(numbers, ",")));
+    }
+    return fmt::format("{{{}}}", fmt::join(values, ","));
+}
+
+// Of what moves by itself: its first number as drawn.
+std::string moving_text(const Lab& lab) {
+    std::vector<std::string> moving;
+    for (const Parameter& parameter : lab.document()->look().parameters)
+        if (lab.document()->modulation(parameter) && lab.renderer())
+            moving.push_back(fmt::format(
+                "{}:{}", json_string(parameter.name),
+                format_number(value_of(parameter, lab.renderer()->drawn_values()).number())));
+    return fmt::format("{{{}}}", fmt::join(moving, ","));
+}
+
+std::string marked_text(const KnobSettings& knobs, bool KnobSetting::*mark) {
+    std::vector<std::string> names;
+    for (const auto& [name, setting] : knobs)
+        if (setting.*mark)
+            names.push_back(json_string(name));
+    return fmt::format("[{}]", fmt::join(names, ","));
+}
+
+std::string problems_json(const Lab& lab) {
+    std::vector<std::string> problems;
+    for (const Problem& problem : lab.problems())
+        problems.push_back(
+            fmt::format(R"({{"file":{},"line":{},"message":{},"source":{}}})",
+                        json_string(problem.diagnostic.file.string()), problem.diagnostic.line,
+                        json_string(problem.diagnostic.message), json_string(problem.source_line)));
+    return fmt::format("[{}]", fmt::join(problems, ","));
+}
+
+std::string places_text(const Edits& edits) {
+    std::vector<std::string> places;
+    for (const auto& [name, place] : edits.places())
+        places.push_back(fmt::format("{}:[{:.0f},{:.0f},{:.0f},{:.0f}]", json_string(name),
+                                     place.left, place.top, place.right, place.bottom));
+    return fmt::format("{{{}}}", fmt::join(places, ","));
+}
+
+std::string probe_text(const Scene& scene) {
+    const auto& probe = scene.window.probe;
+    const auto& rgba = scene.views.probed();
+    if (!probe || !rgba)
+        return "null";
+    return fmt::format(R"({{"pass":{},"x":{},"y":{},"rgba":["{}","{}","{}","{}"]}})",
+                       json_string(probe->pass), probe->x, probe->y, (*rgba)[0], (*rgba)[1],
+                       (*rgba)[2],
+                       (*rgba)[3]);  // texts: a texel may be infinite or not a number
+}
+
+// What the inspector shows of its target's numbers.
+std::string inspection_text(const Scene& scene) {
+    const PassView& view = scene.window.inspected;
+    const auto all = scene.views.statistics();
+    const std::string measured =
+        all ? fmt::format(R"({{"minimum":{},"maximum":{},"mean":{},"finite":{},"flaws":{}}})",
+                          all->minimum, all->maximum, all->mean, all->finite,
+                          all->not_a_number + all->infinite)
+            : "null";
+    return fmt::format(R"(,"looks_into":{},"levels":[{},{}],"measured":{})",
+                       json_string(view.label()), view.levels.black, view.levels.white, measured);
+}
+
+// Numbers that are seen in texels, of the picture's place and the inspector, and along a line.
+std::string closer_text(const Scene& scene) {
+    const CloserLook& closer = scene.views.closer();
+    const auto count = [](const CellNumbers& cells) {
+        return cells.block() ? cells.block()->numbers.size() : 0;
+    };
+    const ScanLine& line = scene.window.scan_line;
+    return fmt::format(
+        R"(,"cells":[{},{}],"scan_line":[{:.3f},{:.3f},{:.3f},{:.3f}],"waveform":{})",
+        count(closer.picture()), count(closer.inspected()), line.start.x, line.start.y, line.end.x,
+        line.end.y, closer.waveform().numbers().size());
+}
+
+// Of each pin the red of every pass; a null has not come yet.
+std::string pins_text(const Scene& scene) {
+    std::vector<std::string> pins;
+    const std::size_t passes =
+        scene.lab.renderer() ? scene.lab.renderer()->executor().look().passes.size() : 0;
+    for (std::size_t pin = 0; pin < scene.window.pins.size(); ++pin) {
+        std::vector<std::string> values;
+        for (std::size_t pass = 0; pass < passes; ++pass) {
+            const auto* value = scene.views.pins().value(pin, pass);
+            values.push_back(value ? fmt::format(R"("{}")", (*value)[0]) : "null");
+        }
+        pins.push_back(fmt::format("[{}]", fmt::join(values, ",")));
+    }
+    return fmt::format(R"(,"pins":[{}])", fmt::join(pins, ","));
+}
+
+// Of each pass its peak and the share that is clipped; a null has not come yet.
+std::string gains_text(const Scene& scene) {
+    std::vector<std::string> gains;
+    const std::size_t passes =
+        scene.lab.renderer() ? scene.lab.renderer()->executor().look().passes.size() : 0;
+    for (std::size_t pass = 0; pass < passes; ++pass) {
+        const Gain* gain = scene.views.gain(pass);
+        gains.push_back(gain ? fmt::format("[{},{}]", gain->peak, gain->clipped) : "null");
+    }
+    return fmt::format(R"(,"gains":[{}])", fmt::join(gains, ","));
+}
+
+// How and with what the picture is compared, and what the two come to.
+std::string comparison_text(const Scene& scene) {
+    static constexpr std::array modes{"off", "wipe", "side by side", "difference"};
+    const Lab& lab = scene.lab;
+    std::vector<std::string> slots;
+    for (std::size_t i = 0; i < lab.slots().size(); ++i)
+        slots.push_back(lab.slots()[i] ? fmt::format("{}", lab.is_in_slot(i)) : "null");
+    const auto& compared = scene.views.compared();
+    const auto sides = lab.sides();
+    return fmt::format(
+        R"(,"compare":{{"mode":{},"other":{},"is_flashing":{},"stops":{},"mean":{},"gain":{},"measure":{}}},"slots":[{}])",
+        json_string(modes[static_cast<std::size_t>(lab.compare_mode())]),
+        json_string(sides ? sides->other : std::string()), lab.comparing().is_flashing(),
+        compared.stops() ? fmt::format("{:.4f}", *compared.stops()) : "null",
+        compared.distances() ? fmt::format("\"{}\"", compared.distances()->mean) : "null",
+        lab.comparing().chosen().gain_stops, static_cast<int>(lab.comparing().chosen().measure),
+        fmt::join(slots, ","));
+}
+
+// What has stopped the clock.
+std::string trip_text(const Lab& lab) {
+    const auto& trip = lab.trip();
+    return trip ? fmt::format(R"(,"trip":[{},{},{},{}])", trip->pass, trip->x, trip->y, trip->frame)
+                : R"(,"trip":null)";
+}
+
+// How often the picture flashes, and whether a person's clamp is on.
+std::string flashes_text(const Scene& scene) {
+    const Flashes flashes = scene.views.flashes();
+    return fmt::format(R"(,"flashes":[{},{}],"comfort":{})", flashes.general, flashes.red,
+                       scene.window.comfort.is_on);
+}
+
+std::string switches_text(const Lab& lab) {
+    const PassSwitches& switches = lab.pass_switches();
+    std::vector<std::string> bypassed;
+    for (const std::string& name : switches.bypassed)
+        bypassed.push_back(json_string(name));
+    std::vector<std::string> frozen;
+    for (const std::string& name : switches.frozen)
+        frozen.push_back(json_string(name));
+    return fmt::format(R"(,"switches":{{"bypassed":[{}],"frozen":[{}],"solo":{},"last":{}}})",
+                       fmt::join(bypassed, ","), fmt::join(frozen, ","), json_string(switches.solo),
+                       json_string(switches.last));
+}
+
+// What a step changes of each pass (a null has not come yet), how far a sheet is, and a morph.
+std::string tryouts_text(const Scene& scene) {
+    const Lab& lab = scene.lab;
+    const StepProbe& probe = lab.tryouts().probe();
+    const VariantSheet& sheet = lab.tryouts().sheet();
+    std::vector<std::string> changes;
+    for (const auto& change : probe.changes())
+        changes.push_back(change ? fmt::format("\"{}\"", change_share(*change)) : "null");
+    const auto present = lab.document() ? sheet.present(*lab.document()) : std::nullopt;
+    return fmt::format(
+        R"(,"pointed":{},"step":{{"words":{},"is_busy":{},"changes":[{}]}},"sheet":{{"cells":{},"drawn":{},"columns":{},"present":{}}},"morph":{})",
+        json_string(scene.window.pointed ? scene.window.pointed->parameter : std::string()),
+        json_string(probe.words()), probe.is_busy(), fmt::join(changes, ","), sheet.cells().size(),
+        sheet.drawn(), sheet.columns(), present ? fmt::format("{}", *present) : "null",
+        lab.morphing() ? fmt::format("{:.3f}", lab.morphing()->share()) : "null");
+}
+
+// The presets as they are listed, how many of them have a picture or say why not, and stars.
+std::string presets_text(const Scene& scene) {
+    const Lab& lab = scene.lab;
+    if (!lab.document())
+        return {};
+    std::vector<std::string> names;
+    std::vector<std::string> problems;
+    int pictures = 0;
+    for (const ListedPreset& preset : listed_presets(*lab.document(), scene.shelf.looks(),
+                                                     lab.presets().stars(), scene.window.presets)) {
+        const auto shown = scene.preset_pictures.of(preset.preset.entry.file);
+        names.push_back(json_string(preset.preset.entry.id));
+        pictures += shown.image.handle != 0 ? 1 : 0;
+        if (!shown.problem.empty())
+            problems.push_back(json_string(shown.problem));
+    }
+    return fmt::format(
+        R"(,"presets":{{"listed":[{}],"pictures":{},"drawn":{},"problems":[{}],"only_starred":{}}})",
+        fmt::join(names, ","), pictures, scene.preset_pictures.drawn(), fmt::join(problems, ","),
+        scene.window.presets.only_starred);
+}
+
+std::string undo_name(const Lab& lab) {
+    const std::string removal = lab.presets().undo_name();
+    return removal.empty() ? lab.document()->history().undo_name() : removal;
+}
+
+std::string document_text(const Lab& lab) {
+    const Document& document = *lab.document();
+    return fmt::format(
+        R"("look":{},"bypass":{},"preset":{},"is_modified":{},"undo":{},"redo":{},"signal":{},"driving_source":{},"is_content_locked":{},"values":{},"favourites":{},"locked":{},"moving":{},)",
+        json_string(document.look().id),
+        json_string(fmt::format("{}", fmt::join(bypassed_keys(document.look().stack), ","))),
+        json_string(document.preset_name()), document.is_modified(), json_string(undo_name(lab)),
+        json_string(document.history().redo_name()),
+        json_string(to_string(document.state().signal)), json_string(document.state().source),
+        document.is_content_locked(), values_text(document),
+        marked_text(document.knobs(), &KnobSetting::is_favourite),
+        marked_text(document.knobs(), &KnobSetting::is_locked), moving_text(lab));
+}
+}  // namespace
+
+std::string state_text(const Scene& scene, const Edits& edits) {
+    const Lab& lab = scene.lab;
+    const Extent picture = lab.picture_extent();
+    return fmt::format(
+        R"({{{}"turn":{},"panel_ms":{:.3f},"is_behind":{},"is_loading":{},"opening":{},"reading":{},"is_playing":{},"has_picture":{},"frame":{},"samples":{},"osc":{},"midi":[{},{},{}],"has_converged":{},"time":{:.4f},"shown_share":{:.3f},"picture":[{},{}],"fixed_size":[{},{}],"notice":{},"dialog":{},"inspected":{},"channels":{},"wipe":{},"output":{},"probe":{},"problems":{},"widgets":{}}})",
+        lab.document() ? document_text(lab) : std::string(), scene.turn, scene.panel_milliseconds,
+        scene.is_behind, lab.is_loading(),
+        json_string(lab.opening() ? words_of(lab.opening()->progress) : std::string()),
+        json_string(lab.drive().loading()), lab.player().is_playing(),
+        lab.renderer() && lab.renderer()->has_drawn(), lab.player().frame_number(),
+        lab.samples().value_or(Samples{}).held, lab.osc().port(), lab.midi().is_listening(),
+        json_string(lab.midi().learning() ? lab.midi().learning()->parameter : std::string()),
+        lab.remote_settings().midi.size(), lab.has_converged(), lab.player().time(),
+        lab.player().shown_share(), picture.width, picture.height, lab.picture_size().fixed.width,
+        lab.picture_size().fixed.height,
+        json_string(lab.notice() ? lab.notice()->text : std::string()),
+        static_cast<int>(scene.window.dialog.kind), json_string(scene.window.inspected.pass),
+        static_cast<int>(scene.window.inspected.channels),
+        lab.compare_mode() == CompareMode::wipe ? fmt::format("{:.3f}", scene.window.wipe_share)
+                                                : "null",
+        json_string(!scene.window.output.is_open   ? "off"
+                    : scene.window.output.is_black ? "black"
+                                                   : "on"),
+        probe_text(scene) + inspection_text(scene) + closer_text(scene) + pins_text(scene) +
+            gains_text(scene) + comparison_text(scene) + trip_text(lab) + flashes_text(scene) +
+            switches_text(lab) + tryouts_text(scene) + presets_text(scene),
+        problems_json(lab), places_text(edits));
+}
+
+void write_state(const std::filesystem::path& file, const std::string& text) {
+    const std::filesystem::path beside = file.string() + ".new";
+    std::ofstream(beside, std::ios::binary) << text;
+    std::error_code ignored;
+    std::filesystem::rename(beside, file, ignored);
+}

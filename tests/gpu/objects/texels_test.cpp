@@ -1,0 +1,32 @@
+#include "gpu/objects/texels.h"
+
+#include "model/look/color.h"
+
+#include <doctest/doctest.h>
+
+TEST_CASE("grey and RGB become RGBA, and the bottom row comes first") {
+    std::vector<float> texels;
+    gpu::fill_texels({{1, 2}, 1, Encoding::linear, {0.25f, 0.75f}}, Encoding::linear, texels);
+    CHECK(texels == std::vector<float>{0.75f, 0.75f, 0.75f, 1, 0.25f, 0.25f, 0.25f, 1});
+    gpu::fill_texels({{1, 1}, 3, Encoding::linear, {1, 2, 3}}, Encoding::linear, texels);
+    CHECK(texels == std::vector<float>{1, 2, 3, 1});
+}
+
+TEST_CASE("colours are taken to the wanted encoding to 1e-6, alpha never") {
+    std::vector<float> texels;
+    for (int i = 0; i <= 1000; ++i) {
+        const float x = static_cast<float>(i) / 1000.0f;
+        gpu::fill_texels({{1, 1}, 4, Encoding::display, {x, x, x, x}}, Encoding::linear, texels);
+        CHECK(texels[0] == doctest::Approx(srgb_decode(x)).epsilon(1e-6));
+        CHECK(texels[3] == x);
+        gpu::fill_texels({{1, 1}, 4, Encoding::linear, {x, x, x, x}}, Encoding::display, texels);
+        CHECK(texels[0] == doctest::Approx(srgb_encode(x)).epsilon(1e-6));
+    }
+}
+
+TEST_CASE("light beyond 0..1 keeps to the curve, mirrored below zero") {
+    std::vector<float> texels;
+    gpu::fill_texels({{1, 1}, 3, Encoding::display, {2.0f, -0.5f, 1.0f}}, Encoding::linear, texels);
+    CHECK(texels[0] == doctest::Approx(srgb_decode(2.0)).epsilon(1e-6));
+    CHECK(texels[1] == doctest::Approx(-srgb_decode(0.5)).epsilon(1e-6));
+}

@@ -1,0 +1,60 @@
+#include "ui/widgets/typed_number.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+TEST_CASE("a typed number may have a point, a comma, a sign, an exponent and its unit") {
+    const NumberFacts facts{.unit = "px"};
+    CHECK(read_typed_number("0.5", facts).value == 0.5);
+    CHECK(read_typed_number("0,5", facts).value == 0.5);
+    CHECK(read_typed_number("-0,25", facts).value == -0.25);
+    CHECK(read_typed_number("+3", facts).value == 3.0);
+    CHECK(read_typed_number("1e3", facts).value == 1000.0);
+    CHECK(read_typed_number(" 2 px", facts).value == 2.0);
+    CHECK(read_typed_number("2px", facts).value == 2.0);
+    CHECK(read_typed_number("0,125", facts).value == 0.125);  // no thousands begin with nought
+    CHECK(read_typed_number("0,5", facts).complaint.empty());
+}
+
+TEST_CASE("what is no number, or may be two, changes nothing and is told") {
+    for (const char* text : {"abc", "1x", "1,2,3", "1.2,3", "1,000.5", "--1", "inf", "nan", "1e999",
+                             "4,096", "12,500", "-1,000"}) {
+        const TypedNumber typed = read_typed_number(text, {});
+        CHECK_MESSAGE(!typed.value, text);
+        CHECK_MESSAGE(typed.complaint.find(text) != std::string::npos, text);
+    }
+    const TypedNumber nothing = read_typed_number("  ", {});
+    CHECK_FALSE(nothing.value);
+    CHECK(nothing.complaint.empty());
+}
+
+TEST_CASE("a typed number stops at the hard limit, and that is told with the limit") {
+    const NumberFacts facts{.unit = "s", .limit = Limit{0.0, 10.0}};
+    CHECK(read_typed_number("11", facts).value == 10.0);
+    CHECK(read_typed_number("11", facts).complaint.find("Limited to 10 s") != std::string::npos);
+    CHECK(read_typed_number("-1", facts).value == 0.0);
+    CHECK(read_typed_number("-1", facts).complaint.find("Limited to 0 s") != std::string::npos);
+    CHECK(read_typed_number("10", facts).complaint.empty());
+}
+
+TEST_CASE("where whole numbers count, the nearest is taken and told") {
+    const TypedNumber typed = read_typed_number("2.7", {.is_whole = true});
+    CHECK(typed.value == 3.0);
+    CHECK_FALSE(typed.complaint.empty());
+    CHECK(read_typed_number("2", {.is_whole = true}).complaint.empty());
+}
+
+TEST_CASE("a decay may be typed as a time; elsewhere a time is no number") {
+    const NumberFacts facts{.unit = "per 1/60 s", .limit = Limit{0.0, 1.0}, .is_decay = true};
+    const auto is_near = [](const TypedNumber& typed, double wanted) {
+        return typed.value && typed.complaint.empty() && std::abs(*typed.value - wanted) < 1e-12;
+    };
+    CHECK(is_near(read_typed_number("100 ms", facts), std::exp2(-1.0 / 6.0)));
+    CHECK(is_near(read_typed_number("0,125 s", facts), std::exp2(-1.0 / 7.5)));
+    CHECK(is_near(read_typed_number("10% 0.5 s", facts), std::pow(10.0, -1.0 / 30.0)));
+    CHECK(is_near(read_typed_number("0.92", facts), 0.92));
+    CHECK(is_near(read_typed_number("0.92 per 1/60 s", facts), 0.92));
+    CHECK(read_typed_number("soon", facts).complaint.find("120 ms") != std::string::npos);
+    CHECK_FALSE(read_typed_number("100 ms", {.unit = "per 1/60 s"}).value);
+}

@@ -1,0 +1,195 @@
+#include "ui/window/input_queue.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+using gpu::ButtonEvent;
+using gpu::KeyEvent;
+using gpu::PointerEvent;
+using gpu::TextEvent;
+using gpu::WheelEvent;
+
+namespace {
+constexpr int control = gpu::key::left_shift + 1;
+
+std::vector<gpu::InputEvent> tap(int key) {
+    return {KeyEvent{key, true}, KeyEvent{key, false}};
+}
+
+std::vector<gpu::InputEvent> click(float x, float y) {
+    return {PointerEvent{x, y}, ButtonEvent{0, true}, ButtonEvent{0, false}};
+}
+
+void add(InputQueue& queue, const std::vector<std::vector<gpu::InputEvent>>& parts) {
+    for (const auto& part : parts)
+        queue.add(part);
+}
+
+// The number of frames that it takes, or 100 when it never ends.
+int frames(InputQueue& queue, bool is_typing = false) {
+    int count = 0;
+    for (; !queue.is_empty() && count < 100; ++count)
+        queue.take_frame(is_typing);
+    return count;
+}
+
+// What a widget of ImGui sees of one key: how often it was up and is down now.
+int presses_seen(InputQueue& queue, int key) {
+    int presses = 0;
+    bool was_down = false;
+    bool is_down = false;
+    for (int i = 0; !queue.is_empty() && i < 100; ++i, was_down = is_down) {
+        for (const gpu::InputEvent& event : queue.take_frame(false))
+            if (const auto* changed = std::get_if<KeyEvent>(&event); changed && changed->key == key)
+                is_down = changed->is_down;
+        presses += is_down && !was_down;
+    }
+    return presses;
+}
+}  // namespace
+
+TEST_CASE("Keys that were pressed and released within one frame are each seen") {
+    InputQueue queue;
+    add(queue, {tap('A'), tap('A'), tap('A')});
+    CHECK(presses_seen(queue, 'A') == 3);
+    add(queue, {tap(gpu::key::enter), tap(gpu::key::enter)});
+    CHECK(presses_seen(queue, gpu::key::enter) == 2);
+}
+
+TEST_CASE("A key with Control is seen while Control is down, whichever is released first") {
+    bool is_modifier_first = false;
+    SUBCASE("the letter") {}
+    SUBCASE("Control") {
+        is_modifier_first = true;
+    }
+    InputQueue queue;
+    queue.add({KeyEvent{control, true}});
+    CHECK(queue.take_frame(false).size() == 1);
+    queue.add({KeyEvent{'Z', true}, KeyEvent{is_modifier_first ? control : 'Z', false},
+               KeyEvent{is_modifier_first ? 'Z' : control, false}});
+    const auto pressed = queue.take_frame(false);
+    REQUIRE(pressed.size() == 1);
+    CHECK(std::get<KeyEvent>(pressed[0]).key == 'Z');
+    CHECK(frames(queue) < 5);
+}
+
+TEST_CASE("A letter with Shift is seen while Shift is down, wherever frames cut the keys apart") {
+    constexpr int shift = gpu::key::left_shift;
+    const std::vector<gpu::InputEvent> keys{KeyEvent{shift, true}, KeyEvent{'M', true},
+                                            TextEvent{'M'}, KeyEvent{shift, false},
+                                            KeyEvent{'M', false}};
+    for (std::ptrdiff_t cut = 0; cut <= 5; ++cut) {
+        CAPTURE(cut);
+        InputQueue queue;
+        queue.add({keys.begin(), keys.begin() + cut});
+        bool is_shifted = false;
+        int shifted_presses = 0;
+        for (int i = 0; i < 10; ++i) {
+            bool is_pressed = false;
+            for (const gpu::InputEvent& event : queue.take_frame(false))
+                if (const auto* key = std::get_if<KeyEvent>(&event))
+                    (key->key == shift ? is_shifted : is_pressed) = key->is_down;
+            shifted_presses += is_pressed && is_shifted;
+            if (i == 0)
+                queue.add({keys.begin() + cut, keys.end()});
+        }
+        CHECK(shifted_presses == 1);
+        CHECK(!is_shifted);
+    }
+}
+
+TEST_CASE("Each of two clicks is pressed and released where it was made") {
+    InputQueue queue;
+    add(queue, {click(10, 10), click(50, 50)});
+    std::vector<std::pair<float, bool>> seen;  // where the button was, and whether down
+    float x = -1;
+    for (int i = 0; !queue.is_empty() && i < 20; ++i) {
+        bool has_button = false;
+        bool is_down = false;
+        for (const gpu::InputEvent& event : queue.take_frame(false)) {
+            if (const auto* place = std::get_if<PointerEvent>(&event))
+                x = place->x;
+            if (const auto* button = std::get_if<ButtonEvent>(&event)) {
+                CHECK_FALSE(has_button);
+                has_button = true;
+                is_down = button->is_down;
+            }
+        }
+        if (has_button)
+            seen.emplace_back(x, is_down);
+    }
+    const std::vector<std::pair<float, bool>> made{
+        {10.0f, true}, {10.0f, false}, {50.0f, true}, {50.0f, false}};
+    CHECK(seen == made);
+}
+
+TEST_CASE("A widget is hovered for a frame before it is pressed") {
+    InputQueue queue;
+    queue.add(click(5, 5));
+    const auto first = queue.take_frame(false);
+    REQUIRE(first.size() == 1);
+    CHECK(std::holds_alternative<PointerEvent>(first[0]));
+}
+
+TEST_CASE("A drag of many moves shows its last place for a frame before the release") {
+    InputQueue queue;
+    queue.add({ButtonEvent{0, true}});
+    for (int i = 0; i < 50; ++i)
+        queue.add({PointerEvent{static_cast<float>(i), 0}});
+    queue.add({ButtonEvent{0, false}});
+    CHECK(queue.take_frame(false).size() == 1);
+    const auto moved = queue.take_frame(false);
+    REQUIRE(moved.size() == 50);
+    CHECK(std::get<PointerEvent>(moved[49]).x == 49);
+    const auto released = queue.take_frame(false);  // a widget turns only while it is held
+    REQUIRE(released.size() == 1);
+    CHECK_FALSE(std::get<ButtonEvent>(released[0]).is_down);
+}
+
+TEST_CASE("A word goes into a text field within one frame, in its order") {
+    InputQueue queue;
+    for (const char sign : std::string("BOOM")) {
+        queue.add(
+            {KeyEvent{sign, true}, TextEvent{static_cast<unsigned>(sign)}, KeyEvent{sign, false}});
+    }
+    std::string text;
+    for (const gpu::InputEvent& event : queue.take_frame(true))
+        if (const auto* typed = std::get_if<TextEvent>(&event))
+            text += static_cast<char>(typed->code_point);
+    CHECK(text == "BOOM");
+    CHECK(queue.is_empty());
+}
+
+TEST_CASE("What is typed right after a shortcut waits until the field that it asked for listens") {
+    InputQueue queue;
+    queue.add({KeyEvent{control, true}, KeyEvent{'F', true}, KeyEvent{'F', false},
+               KeyEvent{control, false}, KeyEvent{'R', true}, TextEvent{'r'}});
+    queue.take_frame(false);
+    for (int i = 0; i < 2; ++i)
+        for (const gpu::InputEvent& event : queue.take_frame(false))
+            CHECK_FALSE(std::holds_alternative<TextEvent>(event));
+    CHECK(queue.take_frame(true).size() == 2);
+}
+
+TEST_CASE("Return after a word comes a frame later than the word") {
+    InputQueue queue;
+    queue.add({TextEvent{'x'}, KeyEvent{gpu::key::enter, true}});
+    CHECK(queue.take_frame(true).size() == 1);
+    CHECK(queue.take_frame(true).size() == 1);
+}
+
+TEST_CASE("A wheel that is turned by a trembling hand does not fall behind") {
+    InputQueue queue;
+    for (int i = 0; i < 30; ++i)
+        queue.add({WheelEvent{0, 1}, PointerEvent{100.0f + static_cast<float>(i % 3), 100}});
+    queue.add({PointerEvent{100, 100}});
+    CHECK(frames(queue) <= 2);
+}
+
+TEST_CASE("A wheel stays with the place where it was turned") {
+    InputQueue queue;
+    queue.add({PointerEvent{10, 10}, WheelEvent{0, 1}, PointerEvent{400, 10}});
+    CHECK(queue.take_frame(false).size() == 2);
+    CHECK(queue.take_frame(false).size() == 1);
+}
