@@ -29,7 +29,7 @@ ChoiceList heavy_pass_choices(const Pass& pass, const PictureSize& size) {
             {.name = fmt::format("Bypass {}", pass.name),
              .deeds = {[name = pass.name](Lab& lab) {
                  lab.switch_pass(PassSwitch::bypass, name);
-                 lab.say(fmt::format(
+                 lab.messages().say(fmt::format(
                      "Bypassed \"{}\". Right-click it in the pass strip to undo this.", name));
              }}});
     if (const auto half = size.halved())
@@ -39,6 +39,6 @@ ChoiceList heavy_pass_choices(const Pass& pass, const PictureSize& size) {
 }
 
 void use_half_size(Lab& lab, const PictureSize& half) {
-    lab.set_picture_size(half);
-    lab.say("Render size halved. Change it in View > Render size.");
+    lab.size().choose(half);
+    lab.messages().say("Render size halved. Change it in View > Render size.");
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lab/choice.h"
+#include "lab/messages/choice.h"
 #include "lab/rendering/pass_times.h"
 
 #include <optional>

@@ -11,8 +11,8 @@
 #include "lab/document/sharing.h"
 #include "lab/document/users_content.h"
 #include "lab/media/source.h"
+#include "lab/messages/source_lines.h"
 #include "lab/offline/small_picture.h"
-#include "lab/rendering/source_lines.h"
 #include "lab/session.h"
 #include "lab/storage/editor.h"
 #include "lab/storage/include_store.h"
@@ -35,13 +35,11 @@ Lab::Lab(Library library, const gpu::Context& screen, std::unique_ptr<gpu::Conte
     : m_library(std::move(library)),
       m_includes(load_include_folders(m_library.roots())),
       m_kept_sessions(m_library.roots()),
-      m_midi(std::move(midi)),
+      m_audio(m_player, m_library.roots(), m_messages),
+      m_remote(m_document, m_library.roots(), m_messages, std::move(midi)),
       m_drive(RecentMedia(m_library.roots())),
       m_tryouts(std::make_unique<Tryouts>()),
       m_reloader(std::move(worker), screen, m_library.roots()) {
-    if (const auto settings = load_sound_settings(m_library.roots()); succeeded(settings))
-        succeeded(m_player.set_sound_settings(*settings));
-    open_remote();
     search_includes();
 }
 
@@ -50,59 +48,15 @@ Lab::~Lab() {
     m_variant_programs.reset();
 }
 
-ViewShape Lab::picture_shape() const {
-    if (m_picture_size.shape)
-        return *m_picture_size.shape;
-    const bool keeps_source = m_document && m_document->look().driven_by == Driver::picture &&
-                              m_document->look().manifest.filename() != "look.json";
-    return keeps_source ? ViewShape::source : ViewShape::view;
-}
-
-Extent Lab::picture_extent() const {
-    const auto& source = m_drive.source();
-    const bool has_source =
-        m_document && m_document->look().driven_by == Driver::picture && source.has_value();
-    const Extent room = m_picture_size.room(m_view);
-    if (!has_source || !m_picture_size.has_shape())
-        return m_picture_size.scaled(room);
-    return m_picture_size.scaled(shaped(room, picture_shape(), source->extent(),
-                                        pixel_aspect(source->spec(), source->extent())));
-}
-
-void Lab::say(std::string text, bool is_problem, std::string subject) {
-    if (is_problem && !text.empty() && text.find(": ") == std::string::npos)
-        text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
-    m_notice = Notice{shortened(std::move(text), most_message_bytes), is_problem,
-                      is_problem ? 12.0 : 5.0, std::move(subject)};
-}
-
-void Lab::say(const Diagnostic& problem) {
-    const std::string name = told_name(problem.file);
-    const std::string line = problem.line > 0 ? fmt::format(":{}", problem.line) : std::string();
-    say(name.empty() ? problem.message : fmt::format("{}{}: {}", name, line, problem.message), true,
-        problem.file.string());
-}
-
-void Lab::offer(std::string text, Choice choice) {
-    say(std::move(text));
-    m_notice->choices.push_back(std::move(choice));
-    m_notice->seconds_left = 8.0;
-}
-
-void Lab::mended(const std::string& subject) {
-    if (m_notice && m_notice->subject == subject)
-        m_notice.reset();
-}
-
 void Lab::open(const std::string& argument) {
     const auto request = resolve(argument, m_library);
-    if (succeeded(request))
+    if (m_messages.succeeded(request))
         open(*request);
 }
 
 void Lab::open_with_content(const std::string& argument) {
     auto request = resolve(argument, m_library);
-    if (!succeeded(request))
+    if (!m_messages.succeeded(request))
         return;
     request->brings_content = true;
     open(*request);
@@ -112,13 +66,13 @@ void Lab::open(const OpenRequest& request) {
     m_when_opened = {};
     m_preset_step.reset();
     m_opening_file.clear();
-    m_reloader.set_picture(picture_extent());
+    m_reloader.set_picture(m_size.extent());
     m_reloader.set_seen(m_seen);
     m_reloader.open(request);
 }
 
-void Lab::put_problems_away() {
-    m_are_problems_away = true;
+void Lab::dismiss_problems() {
+    m_messages.dismiss_problems();
     if (!std::exchange(m_unopened, {}).empty() && m_opened)
         m_reloader.go_back_to(*m_opened);
 }
@@ -145,7 +99,7 @@ void Lab::cancel_opening() {
     forget_constants();
     m_when_opened = {};
     m_preset_step.reset();
-    say(fmt::format("Cancelled opening \"{}\"", name));
+    m_messages.say(fmt::format("Cancelled opening \"{}\"", name));
 }
 
 bool Lab::end_opening() {
@@ -188,13 +142,13 @@ std::optional<Picture> Lab::small_copy() const {
 void Lab::keep_unsaved(const Session& session,
                        const std::function<std::optional<Picture>()>& picture) {
     const auto kept = m_kept_sessions.keep(session, picture);
-    if (succeeded(kept) && *kept)
-        say("Your unsaved changes are kept in File > Unsaved changes");
+    if (m_messages.succeeded(kept) && *kept)
+        m_messages.say("Your unsaved changes are kept in File > Unsaved changes");
 }
 
 void Lab::take_up(const fs::path& kept) {
     const auto session = KeptSessions::read(kept);
-    if (!succeeded(session))
+    if (!m_messages.succeeded(session))
         return;
     // What another look takes the place of is kept when it opens.
     if (m_document && m_document->look().manifest == session->look)
@@ -213,20 +167,20 @@ std::string Lab::look_for(const fs::path& file) const {
 void Lab::open_file(const fs::path& file) {
     if (opens_document(file)) {
         const auto request = resolve(file.string(), m_library);
-        if (!succeeded(request))
+        if (!m_messages.succeeded(request))
             return;
         open(*request);
         m_opening_file = file;
         return;
     }
     if (is_svg_file(file))
-        return load_drawing(file);
+        return m_drawing.load(file);
     const bool is_sound = is_sound_file(file) || is_scene_file(file);
     const Driver needed = is_sound ? Driver::signal : Driver::picture;
     if (m_document && is_picture_file(file) && is_reference_wanted())
         return compare_with_file(file);
     if (!m_document || m_document->look().driven_by != needed) {
-        return say(is_sound ? needs_signal_look : needs_picture_look, true);
+        return m_messages.say(is_sound ? needs_signal_look : needs_picture_look, true);
     }
     if (is_sound)
         return m_drive.choose({.driver = Driver::signal,
@@ -245,10 +199,10 @@ void Lab::open_file(const fs::path& file) {
 // A file that cannot be read changes nothing.
 void Lab::take_chosen_content() {
     const auto taken = m_drive.take_chosen(m_document->look(), m_player);
-    if (!taken || !succeeded(*taken))
+    if (!taken || !m_messages.succeeded(*taken))
         return;
     const ChosenContent& chosen = **taken;
-    m_opened_files.push_back(chosen.file);
+    m_opened_files.add(chosen.file);
     const bool is_signal = chosen.driver == Driver::signal;
     if (m_document->look().driven_by != chosen.driver) {
         Content content = m_document->content();  // for the next look that it drives
@@ -257,7 +211,7 @@ void Lab::take_chosen_content() {
         return m_document->keep_content(content);
     }
     for (const Diagnostic& note : m_drive.problems())
-        say(note);
+        m_messages.say(note);
     if (!is_signal)
         return m_document->set_source(chosen.source);
     m_document->set_signal(chosen.signal);
@@ -278,11 +232,8 @@ void Lab::offer_own_content(const Preset& preset) {
                   : is_same_content(own.source, present.source))
         return;
     const std::string kept = fmt::format("Kept {}", content_name(present, look));
-    const bool goes_on = m_notice && !m_notice->is_problem && m_notice->choices.empty();
-    say(goes_on ? fmt::format("{} · {}", m_notice->text, kept) : kept);
-    m_notice->choices.push_back(
-        {.name = use_content_words(look),
-         .deeds = {[own](Document& document) { document.use_content(own); }}});
+    m_messages.append(kept, {.name = use_content_words(look),
+                             .deeds = {[own](Document& document) { document.use_content(own); }}});
 }
 
 void Lab::cancel_loading() {
@@ -290,7 +241,7 @@ void Lab::cancel_loading() {
     if (name.empty() || !m_document)
         return;
     m_drive.cancel();
-    say(fmt::format("Cancelled loading \"{}\"", fs::path(name).filename().string()));
+    m_messages.say(fmt::format("Cancelled loading \"{}\"", fs::path(name).filename().string()));
 }
 
 Preset Lab::portable(const Preset& preset, const fs::path& folder) const {
@@ -315,36 +266,6 @@ void Lab::restart() {
         m_renderer->clear_history();
     if (!m_player.is_playing())
         m_player.step();
-}
-
-void Lab::set_sound_settings(const SoundSettings& settings) {
-    succeeded(m_player.set_sound_settings(settings));
-    succeeded(save_sound_settings(m_library.roots(), settings));
-}
-
-void Lab::set_picture_size(const PictureSize& size) {
-    m_picture_size = within_bounds(size);
-}
-
-void Lab::set_view(Extent view_pixels) {
-    if (view_pixels != m_view || !m_view_seconds)
-        m_view_seconds = 0.0;
-    m_view = view_pixels;
-}
-
-void Lab::fix_size_to_view() {
-    m_picture_size = fixed_in(m_picture_size, m_view);
-}
-
-// The panes of a new window have the sizes that they keep after a few turns only.
-void Lab::choose_size(double wall_seconds) {
-    constexpr double steady_seconds = 0.5;
-    constexpr double longest_turn = 0.1;  // a rest before it says nothing of the panes
-    if (!m_picture_size.is_to_be_chosen() || !m_document || !m_view_seconds)
-        return;
-    *m_view_seconds += std::min(wall_seconds, longest_turn);
-    if (*m_view_seconds > steady_seconds)
-        fix_size_to_view();
 }
 
 void Lab::set_mouse(double x, double y) {
@@ -376,7 +297,7 @@ std::string Lab::share_line() const {
 
 void Lab::paste(const std::string& line) {
     const auto preset = parse_share_line(line);
-    if (!succeeded(preset))
+    if (!m_messages.succeeded(preset))
         return;
     if (m_document && preset->look == m_document->look().id) {
         const CheckedPreset checked =
@@ -389,7 +310,7 @@ void Lab::paste(const std::string& line) {
 
 void Lab::new_look(const std::string& id) {
     const auto folder = m_library.new_look(id);
-    if (succeeded(folder))
+    if (m_messages.succeeded(folder))
         open(OpenRequest{*folder, {}, {}});
 }
 
@@ -397,11 +318,11 @@ void Lab::duplicate_look(const std::string& id) {
     if (!m_document)
         return;
     if (m_document->look().stack.size() > 1)
-        return say("A stack can't be duplicated. Open one of its looks first.", true);
+        return m_messages.say("A stack can't be duplicated. Open one of its looks first.", true);
     if (is_foreign_look(m_document->look().manifest))
-        return say("Looks of other programs can't be duplicated", true);
+        return m_messages.say("Looks of other programs can't be duplicated", true);
     const auto folder = m_library.duplicate_look(m_document->look().manifest.parent_path(), id);
-    if (!succeeded(folder))
+    if (!m_messages.succeeded(folder))
         return;
     Preset present = m_document->preset();
     present.look = id;
@@ -423,12 +344,13 @@ void Lab::write_overrides() {
             if (pass.starts_with(scope))
                 own.emplace(pass.substr(scope.size()), override);
         if (!own.empty() && is_foreign_look(stack[i].place))
-            return say("Pass settings can't be saved to looks of other programs", true);
-        if (!own.empty() && !succeeded(::write_overrides(manifest_of(stack[i].place), own)))
+            return m_messages.say("Pass settings can't be saved to looks of other programs", true);
+        if (!own.empty() &&
+            !m_messages.succeeded(::write_overrides(manifest_of(stack[i].place), own)))
             return;
     }
     m_document->clear_overrides();
-    say("Saved to look.json");
+    m_messages.say("Saved to look.json");
 }
 
 // A shipped file that the user may not write to.
@@ -438,15 +360,15 @@ bool Lab::must_duplicate(const fs::path& file) const {
 
 void Lab::offer_duplicate(const std::string& words) {
     const std::string id = m_document->look().id + "-copy";
-    offer(words, {.name = "Duplicate look",
-                  .deeds = {[id](WindowState& window) {
-                      window.dialog = {.kind = Dialog::Kind::duplicate_look, .text = id};
-                  }}});
+    m_messages.offer(words, {.name = "Duplicate look",
+                             .deeds = {[id](WindowState& window) {
+                                 window.dialog = {.kind = Dialog::Kind::duplicate_look, .text = id};
+                             }}});
 }
 
 void Lab::open_in_editor(const Location& place) {
     if (m_document && must_duplicate(place.file))
         return offer_duplicate(
             fmt::format("\"{}\" is a shipped look in a read-only folder", m_document->look().name));
-    succeeded(::open_in_editor(place));
+    m_messages.succeeded(::open_in_editor(place));
 }

@@ -1,35 +1,32 @@
 #pragma once
 
 #include "lab/compare/comparing.h"
-#include "lab/compare/rate_check.h"
 #include "lab/compare/rate_pictures.h"
-#include "lab/document/beam_place.h"
+#include "lab/document/automation.h"
 #include "lab/document/document.h"
-#include "lab/document/drawing_board.h"
+#include "lab/document/parameter_settings.h"
+#include "lab/drawing/drawing_tool.h"
 #include "lab/inspect/trip_state.h"
 #include "lab/library/library.h"
 #include "lab/library/open.h"
+#include "lab/library/opened_files.h"
 #include "lab/library/preset_ring.h"
 #include "lab/media/chosen_images.h"
 #include "lab/media/drive.h"
 #include "lab/media/preset_content.h"
-#include "lab/notice.h"
-#include "lab/offline/frame_export.h"
-#include "lab/offline/impulse.h"
+#include "lab/media/render_size.h"
+#include "lab/messages/messages.h"
+#include "lab/offline/background_jobs.h"
+#include "lab/playback/audio_control.h"
 #include "lab/playback/player.h"
 #include "lab/preset_commands.h"
 #include "lab/reload/reloader.h"
 #include "lab/reload/seen_passes.h"
 #include "lab/reload/settling.h"
-#include "lab/remote/midi_control.h"
-#include "lab/remote/osc_control.h"
-#include "lab/rendering/picture_size.h"
+#include "lab/remote/remote_control.h"
 #include "lab/rendering/renderer.h"
 #include "lab/storage/kept_sessions.h"
-#include "model/devices/remote_settings.h"
-#include "model/picture/placing.h"
 #include "model/plan/pass_switches.h"
-#include "model/tuning/moves.h"
 
 #include <chrono>
 #include <functional>
@@ -39,6 +36,7 @@
 #include <utility>
 #include <vector>
 
+class MidiInputs;
 class Morphing;
 class Tryouts;
 struct SheetRequest;
@@ -61,6 +59,25 @@ public:
     Lab(const Lab&) = delete;
     Lab& operator=(const Lab&) = delete;
 
+    // The parts, each with its own verbs.
+    Messages& messages() { return m_messages; }
+    const Messages& messages() const { return m_messages; }
+    ParameterSettings& parameters() { return m_parameters; }
+    const ParameterSettings& parameters() const { return m_parameters; }
+    Automation& automation() { return m_automation; }
+    const Automation& automation() const { return m_automation; }
+    AudioControl& audio() { return m_audio; }
+    const AudioControl& audio() const { return m_audio; }
+    RemoteControl& remote() { return m_remote; }
+    const RemoteControl& remote() const { return m_remote; }
+    RenderSize& size() { return m_size; }
+    const RenderSize& size() const { return m_size; }
+    DrawingTool& drawing() { return m_drawing; }
+    const DrawingTool& drawing() const { return m_drawing; }
+    BackgroundJobs& jobs() { return m_jobs; }
+    const BackgroundJobs& jobs() const { return m_jobs; }
+    OpenedFiles& opened_files() { return m_opened_files; }
+
     const Library& library() const { return m_library; }
     /// Null until a look has been opened.
     const Document* document() const { return m_document ? &*m_document : nullptr; }
@@ -69,20 +86,15 @@ public:
     bool awaits_source() const;
     /// Null until a look has drawn.
     const Renderer* renderer() const { return m_renderer.get(); }
-    const std::vector<Problem>& problems() const { return m_problems; }
     /// The look that could not be opened and whose problems are told; "": they are the open one's.
     const std::string& unopened() const { return m_unopened; }
-    /// Whether the person has put them away since the last one came.
-    bool has_put_problems_away() const { return m_are_problems_away; }
-    void put_problems_away();
+    void dismiss_problems();
     /// What is being opened is not; all stays as it is.
     void cancel_opening();
     bool is_opening_preset(const std::filesystem::path& file) const;
     /// Ends the thread that opens looks; false: it is stuck in a driver, and only the end of the
     /// process ends it. Nothing is opened any more.
     bool end_opening();
-    const std::optional<Notice>& notice() const { return m_notice; }
-    void put_notice_away() { m_notice.reset(); }
     /// About a pass that keeps the window from answering; empty where none does.
     ChoiceList heavy_pass_choices() const;
     /// Whether what a hand turns is in the next frame; else an edit's programs come first.
@@ -117,26 +129,8 @@ public:
     const Slots& slots() const;
     /// Whether the present values are the slot's.
     bool is_in_slot(std::size_t number) const;
-    const PictureSize& picture_size() const { return m_picture_size; }
-    Extent picture_extent() const;
-    /// Of a picture whose size has_shape(). What other programs' looks make of a source keeps its
-    /// shape, unless the person chose otherwise; our own fill the view.
-    ViewShape picture_shape() const;
     /// What drives the look: how far its file has been read.
     const Drive& drive() const { return m_drive; }
-
-    /// What was turned since record_moves().
-    const MovesRecorder& moves() const { return m_moves; }
-    /// Other programs that turn parameters.
-    const OscControl& osc() const { return m_osc; }
-    /// Devices that do.
-    const MidiControl& midi() const { return m_midi; }
-    const RemoteSettings& remote_settings() const { return m_remote; }
-
-    /// The pen, and what it draws on.
-    const DrawingBoard& drawing_board() const { return m_board; }
-    /// Where the signal's places lie in the picture.
-    BeamPlacing beam_placing() const;
 
     /// Unsaved changes whose place another look took.
     const KeptSessions& kept_sessions() const { return m_kept_sessions; }
@@ -168,58 +162,17 @@ public:
     PresetCommands& presets() { return m_presets; }
     const PresetCommands& presets() const { return m_presets; }
     Player& transport() { return m_player; }
-    /// What the person keeps about the knobs of all looks, those of the open one included.
-    LookKnobs knobs() const;
-    void set_knobs(LookKnobs knobs);
     /// Signal, source and locks for the first look that is opened.
     void set_content(Content content) { m_content = std::move(content); }
-    /// Files that were opened since last asked; one that could not be read is none of them.
-    std::vector<std::filesystem::path> take_opened_files() {
-        return std::exchange(m_opened_files, {});
-    }
-    /// Where the slider of a parameter begins and ends; none: as its look says.
-    void set_slider_ends(const std::string& parameter, const std::optional<Limit>& ends);
     void restart();
-    /// Opens the devices that the settings name, and keeps the settings.
-    void set_sound_settings(const SoundSettings& settings);
-    /// As the machine had them when last looked.
-    const std::vector<SoundDevice>& sound_devices() const { return m_sound_devices; }
-    void look_for_sound_devices() { m_sound_devices = m_player.sound_devices(); }
-    void set_picture_size(const PictureSize& size);
-    /// The pane that shows the picture. A picture whose size is to be chosen gets its size from it
-    /// once it has been as large for half a second.
-    void set_view(Extent view_pixels);
-    /// Fixes the picture's size at what fits into the view now.
-    void fix_size_to_view();
     void set_mouse(double x, double y);
     /// The left button goes down or up where the mouse is, for a look that reads it.
     void set_mouse_button(bool is_down);
     /// By the number that browsers give the key, for a look that reads keys.
     void set_key(std::size_t key, bool is_down);
-    /// Takes the pen up, or puts it down; a signal that is not drawn by hand becomes an empty
-    /// drawing, or that of its file.
-    void take_pen(bool is_in_hand);
-    /// What the left button does with the pen in the hand.
-    void pen_down(const PicturePixel& pixel);
-    void pen_move(const PicturePixel& pixel);
-    void pen_up();
-    void other_button(const PicturePixel& pixel);  // ends a line, or deletes a point
-    void draw(const std::function<void(DrawingBoard&, Document&)>& change);
-    /// An SVG becomes the drawing; one with too many points for a hand plays from its file.
-    void load_drawing(const std::filesystem::path& file);
-    void save_drawing(const std::filesystem::path& file);  // as an SVG
     const std::vector<std::filesystem::path>& include_folders() const { return m_includes; }
     /// Folders that shaders may include files from, besides those of --include; they are kept.
     void set_include_folders(const std::vector<std::filesystem::path>& folders);
-    void record_moves(bool is_recording);
-    void save_moves(const std::filesystem::path& file);  // as text
-    /// Listens, or listens no more, and keeps the settings.
-    void set_remote_settings(const RemoteSettings& settings);
-    /// Looks which devices there are now, and listens to them; says so where there are none.
-    void look_for_midi_devices();
-    /// The next controller that is turned will turn that; listens to devices from then on.
-    void learn_midi(const MidiGoal& goal);
-    void end_midi_learning() { m_midi.learn({}); }
     /// Whether one look of libretro's is open, and no stack.
     bool can_save_slang_preset() const;
     /// As a .slangp that refers to the open file and holds the values that differ from its own.
@@ -233,22 +186,10 @@ public:
     void duplicate_look(const std::string& id);
     void write_overrides();  // into look.json
     void open_in_editor(const Location& place);
-    /// Draws the document at several frame rates, beside what the window shows.
-    void compare_rates();
-    void cancel_rate_comparison() { m_rate_check.cancel(); }
-    const RateCheck& rate_check() const { return m_rate_check; }
 
-    /// Draws the document into a film or a sequence, beside what the window shows.
-    void export_frames(const ExportWishes& wishes);
-    void cancel_export() { m_export.cancel(); }
-    const BackgroundWork<Exported>& frame_export() const { return m_export; }
     /// One of the pairs that were compared, to be seen; at first the one farthest apart.
     void show_rate_pair(std::size_t pair);
     const RatePictures& rate_pictures() const { return m_rate_pictures; }
-    /// Fires a flash and watches it fall in every pass, beside what the window shows.
-    void fire_impulse(const Pin& place);
-    void cancel_impulse() { m_impulse.cancel(); }
-    const BackgroundWork<ImpulseResponse>& impulse() const { return m_impulse; }
     /// Keeps the present values, over what the slot held.
     void keep_in_slot(std::size_t number);
     /// The slot's values become the present ones, as one step.
@@ -296,22 +237,8 @@ public:
     const Morphing* morphing() const { return m_morphing.get(); }
     void cancel_replay();
     void cancel_loading();  // of a sound or picture; what was there before comes back
-    void say(std::string text, bool is_problem = false, std::string subject = {});
-    /// As a notice has room for it: the file's name and what is wrong with it.
-    void say(const Diagnostic& problem);
-    /// Says it with a button for what may be done about it, and goes by.
-    void offer(std::string text, Choice choice);
-    /// Says the first reason of a failure.
-    template <class T>
-    bool succeeded(const Result<T>& result) {
-        if (!result)
-            say(result.error().front());
-        return result.has_value();
-    }
     /// Follows the files that the document names, besides the look's own.
     void watch_extra_files();
-    /// A problem that stays until something is done about it.
-    void ask(std::string text, std::vector<Choice> choices);
     /// The driver lost the context: the open look is not opened by itself at the next start.
     void note_driver_reset() { m_reloader.note_reset(); }
 
@@ -325,11 +252,6 @@ public:
     void set_wake(std::function<void()> wake) { m_reloader.set_wake(std::move(wake)); }
     /// Becomes readable when a watched file has changed; -1 where files cannot be watched.
     int watch_descriptor() const { return m_reloader.descriptor(); }
-
-    /// Becomes readable when another program turns something; -1 while none is listened to.
-    int remote_descriptor() const { return m_osc.descriptor(); }
-    /// The same for a device.
-    int midi_descriptor() const { return m_midi.descriptor(); }
 
     /// Calls `then` once, when the look that is being opened has been read.
     void when_opened(std::function<void(Lab&)> then) { m_when_opened = std::move(then); }
@@ -365,7 +287,6 @@ private:
     void take_chosen_images();
     void follow_heavy_pass();
     void forget_heavy_pass();
-    void show_problems(const Diagnostics& problems);
     void gather_problems();
     void open_values(const OpenRequest& request);
     void offer_outside(const OutsideContent& content);
@@ -386,14 +307,7 @@ private:
     void offer_duplicate(const std::string& words);
     void offer_own_content(const Preset& preset);
     void offer_content(const CheckedPreset& checked);
-    void tell_silence();
-    void open_remote();
     void search_includes();
-    bool listen_to_midi(bool listens);
-    void bind_midi(const MidiBinding& binding);
-    void choose_size(double wall_seconds);
-    void listen(double wall_seconds);
-    void note_moves();
     void show_source(double seconds);
     Preset portable(const Preset& preset, const std::filesystem::path& folder) const;
     void want(const Redraw& redraw);
@@ -413,27 +327,21 @@ private:
     void tell_preset(bool had_changes);
     void extra_file_changed(const std::filesystem::path& file);
     void preset_file_changed(const std::filesystem::path& file);
-    /// Takes back the notice of a problem that is no more.
-    void mended(const std::string& subject);
     Library m_library;
+    Messages m_messages;
+    OpenedFiles m_opened_files;
     PresetCommands m_presets{*this};
     std::vector<std::filesystem::path> m_includes;  // the user's, of the window
     KeptSessions m_kept_sessions;
-    std::optional<Document> m_document;
-    LookKnobs m_knobs;                       // of looks that are not open
+    OpenDocument m_document;
+    ParameterSettings m_parameters{m_document, m_messages};
+    Automation m_automation{m_document, m_messages};
     std::optional<DocumentState> m_applied;  // what player and renderer were last told
-    DrawingBoard m_board;
     Spec m_applied_signal;  // as it was seen: with the pen in the hand a keyframe stands still
     std::optional<Programs> m_programs;  // of the open look, as linked
     Player m_player{machine_sound_devices()};
-    std::vector<SoundDevice> m_sound_devices;
-    std::string m_told_silence;  // the player's, as last said
-    MovesRecorder m_moves;
-    RemoteSettings m_remote;
-    RemoteHand m_hand;
-    OscControl m_osc;
-    MidiControl m_midi;
-    double m_listened_seconds = 0.0;
+    AudioControl m_audio;
+    RemoteControl m_remote;
     std::unique_ptr<Renderer> m_renderer;
     PassSwitches m_switches;
     SeenPasses m_seen;
@@ -447,24 +355,20 @@ private:
     ImageTextures m_images;  // that the renderer has
     ChosenImages m_chosen_images;
     Drive m_drive;
-    Content m_content;  // until a look is open
-    std::vector<std::filesystem::path> m_opened_files;
+    RenderSize m_size{m_document, m_drive};
+    DrawingTool m_drawing{m_document, m_size, m_messages, m_opened_files};
+    BackgroundJobs m_jobs{m_document, m_size};
+    Content m_content;                     // until a look is open
     std::filesystem::path m_opening_file;  // that the look being opened came from; "": none
     std::unique_ptr<Tryouts> m_tryouts;
     std::unique_ptr<Morphing> m_morphing;  // null: none is under way
-    RateCheck m_rate_check;
     RatePictures m_rate_pictures;
-    BackgroundWork<ImpulseResponse> m_impulse;
-    BackgroundWork<Exported> m_export;
     Reloader m_reloader;
     Settling m_settling;
     OwnPrograms m_own;
     std::unique_ptr<Arrival> m_arrival;  // of the newest request; null: nothing has come
     std::string m_heavy_pass;            // "": none is
     bool m_has_told_heavy_pass = false;  // of the open look
-    std::vector<Problem> m_look_problems;
-    std::vector<Problem> m_problems;  // with those of the signal or source
-    bool m_are_problems_away = false;
     std::string m_unopened;
     std::optional<OpenRequest> m_opened;  // that the open look came from
     double m_loading_seconds = 0.0;
@@ -474,10 +378,6 @@ private:
     std::chrono::steady_clock::time_point m_turn_begun;
     bool m_is_turn_spent = false;  // on a first draw
     Values m_missed_events;        // of parameters, while it was drawn
-    std::optional<Notice> m_notice;
-    PictureSize m_picture_size;
-    Extent m_view{1280, 720};
-    std::optional<double> m_view_seconds;  // since it changed; none: not set yet
     Extent m_drawn_extent;
     std::optional<PresetPlace> m_preset_step;  // that is being opened
     std::optional<Redraw> m_wanted;            // what the paused picture still owes

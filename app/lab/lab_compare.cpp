@@ -27,7 +27,7 @@ void Lab::keep_in_slot(std::size_t number) {
     m_comparing.set_slot(
         look.id, number,
         Slot{m_document->preset_name(), changed_values(look, m_document->values())});
-    say(fmt::format("Stored in slot {}", slot_name(number)));
+    m_messages.say(fmt::format("Stored in slot {}", slot_name(number)));
 }
 
 void Lab::recall_slot(std::size_t number) {
@@ -35,7 +35,7 @@ void Lab::recall_slot(std::size_t number) {
         return;
     const std::optional<Slot>& slot = slots().at(number);
     if (!slot)
-        return say(fmt::format("Slot {} is empty", slot_name(number)));
+        return m_messages.say(fmt::format("Slot {} is empty", slot_name(number)));
     Preset preset = m_document->preset();
     preset.values = values_of(*slot, m_document->look());
     m_document->take(preset, fmt::format("Recall slot {}", slot_name(number)));
@@ -62,7 +62,7 @@ std::optional<Sides> Lab::sides() const {
     if (!picture)
         return std::nullopt;
     std::string name = m_comparing.reference().file().filename().string();
-    if (picture->extent != picture_extent())
+    if (picture->extent != m_size.extent())
         name = fmt::format("{} · {} × {}, scaled", name, picture->extent.width,
                            picture->extent.height);
     return Sides{std::move(name), "Now", true};
@@ -73,12 +73,13 @@ bool Lab::find_other(Comparison& comparison) {
     if (comparison.other.kind == Other::Kind::file &&
         (m_comparing.reference().file() != comparison.other.file ||
          !m_comparing.reference().picture()) &&
-        !succeeded(m_comparing.reference().read(comparison.other.file)))
+        !m_messages.succeeded(m_comparing.reference().read(comparison.other.file)))
         return false;
     m_comparing.choose(comparison);
     const auto other = m_comparing.nearest_other(m_document->look(), m_document->values());
     if (!other) {
-        say(fmt::format("\"{}\" has no switch as_written, and all slots are empty. Store the "
+        m_messages.say(
+            fmt::format("\"{}\" has no switch as_written, and all slots are empty. Store the "
                         "settings in a slot or choose an image file to compare with.",
                         m_document->look().name),
             true);
@@ -110,7 +111,7 @@ void Lab::set_compare_mode(CompareMode mode) {
 void Lab::compare_with(const Other& other) {
     Comparison comparison = m_comparing.chosen();
     if (other.kind == Other::Kind::slot && !slots().at(other.slot))
-        return say(
+        return m_messages.say(
             fmt::format("Slot {} is empty. Store settings in it first.", slot_name(other.slot)));
     comparison.other = other;
     if (comparison.mode == CompareMode::off)
@@ -124,13 +125,14 @@ void Lab::compare_with_file(const fs::path& file) {
     const auto& picture = m_comparing.reference().picture();
     if (m_comparing.chosen().other.kind != Other::Kind::file || !picture)
         return;
-    m_opened_files.push_back(file);
+    m_opened_files.add(file);
     const std::string name = file.filename().string();
     const Extent own = picture->extent;
-    const Extent shown = picture_extent();
-    say(own == shown ? fmt::format("Comparing with \"{}\"", name)
-                     : fmt::format("Comparing with \"{}\" ({} × {}, scaled to {} × {})", name,
-                                   own.width, own.height, shown.width, shown.height));
+    const Extent shown = m_size.extent();
+    m_messages.say(own == shown
+                       ? fmt::format("Comparing with \"{}\"", name)
+                       : fmt::format("Comparing with \"{}\" ({} × {}, scaled to {} × {})", name,
+                                     own.width, own.height, shown.width, shown.height));
 }
 
 // A picture that is no source for the look, or that takes the place of the one before.
@@ -152,8 +154,8 @@ void Lab::flash(bool is_flashing) {
 
 void Lab::reference_changed() {
     const fs::path file = m_comparing.reference().file();
-    if (succeeded(m_comparing.reference().read(file)))
-        mended(file.string());
+    if (m_messages.succeeded(m_comparing.reference().read(file)))
+        m_messages.withdraw(file.string());
 }
 
 // Every turn: the variant's values go with those of the document.
@@ -195,8 +197,8 @@ void Lab::show_variant_images() {
     if (!m_variant || !m_renderer->variant())
         return;
     const auto watched = m_variant_images.files();
-    succeeded(m_variant_images.show(m_document->look(), m_variant->values, *m_renderer,
-                                    Renderer::Whose::variant));
+    m_messages.succeeded(m_variant_images.show(m_document->look(), m_variant->values, *m_renderer,
+                                               Renderer::Whose::variant));
     if (m_variant_images.files() != watched)
         watch_extra_files();
 }
@@ -205,14 +207,14 @@ void Lab::show_variant_images() {
 void Lab::start_variant() {
     if (m_renderer->replay().is_running())
         want({{}, true});  // the picture's own past was being drawn
-    if (!succeeded(m_renderer->start_variant(m_variant->values)))
+    if (!m_messages.succeeded(m_renderer->start_variant(m_variant->values)))
         return;
     follow_variant_constants();
     for (const auto& [name, texture] : m_images)
         m_renderer->set_image(name, texture);
     m_variant_images.forget();
     show_variant_images();
-    succeeded(m_drive.show_anew(m_player, *m_renderer));
+    m_messages.succeeded(m_drive.show_anew(m_player, *m_renderer));
     constexpr double patience_seconds = 1.0;
     constexpr double fewest = 4;
     const double all = std::max(m_document->look().settle_frames, 1);

@@ -41,14 +41,16 @@ void Lab::apply_turned(LoadedRequest loaded) {
         return;
     const bool is_made = loaded.look && loaded.programs;
     if (loaded.whose == LoadedRequest::Whose::turned) {
-        if (m_unopened.empty())
-            show_problems(loaded.problems);
+        if (m_unopened.empty()) {
+            m_messages.set_look_problems(loaded.problems);
+            gather_problems();
+        }
         if (is_made)
             apply_turned_picture(std::move(loaded));
     } else if (is_made) {
         m_variant_programs = TurnedPrograms{std::move(*loaded.look), std::move(*loaded.programs)};
     } else if (!loaded.problems.empty()) {
-        say(loaded.problems.front());
+        m_messages.say(loaded.problems.front());
     }
 }
 
@@ -67,7 +69,8 @@ void Lab::apply_turned_picture(LoadedRequest loaded) {
         if (const auto former = before.find(name);
             former == before.end() || former->second != value)
             turned.push_back(name);
-    succeeded(m_renderer->replace(Renderer::Whose::picture, m_document->drawn_look(), *m_programs));
+    m_messages.succeeded(
+        m_renderer->replace(Renderer::Whose::picture, m_document->drawn_look(), *m_programs));
     set_pass_switches(m_switches);
     show_images(loaded.images);
     m_renderer->restart_samples();
@@ -107,6 +110,6 @@ void Lab::follow_variant_constants() {
     const Look next = with_overrides(is_as_picture ? look : m_variant_programs->look,
                                      m_document->state().overrides);
     const Programs& programs = is_as_picture ? *m_programs : m_variant_programs->programs;
-    if (succeeded(m_renderer->replace(Renderer::Whose::variant, next, programs)))
+    if (m_messages.succeeded(m_renderer->replace(Renderer::Whose::variant, next, programs)))
         want({{}, true});
 }

@@ -20,10 +20,11 @@ void Lab::set_include_folders(const std::vector<fs::path>& folders) {
     for (const fs::path& folder : folders) {
         std::error_code error;
         if (!fs::is_directory(folder, error))
-            return say({folder, 0, "is not a folder. Includes are searched for in folders."});
+            return m_messages.say(
+                {folder, 0, "is not a folder. Includes are searched for in folders."});
     }
     m_includes = folders;
-    succeeded(save_include_folders(m_library.roots(), m_includes));
+    m_messages.succeeded(save_include_folders(m_library.roots(), m_includes));
     search_includes();
 }
 
@@ -56,16 +57,16 @@ void Lab::extra_file_changed(const fs::path& file) {
 
 void Lab::preset_file_changed(const fs::path& file) {
     const auto preset = load_preset(file);
-    if (!succeeded(preset))
+    if (!m_messages.succeeded(preset))
         return;
-    mended(file.string());
+    m_messages.withdraw(file.string());
     const fs::path folder = media_folder(file);
     if (is_written_alike(*preset, portable(m_document->preset(), folder), m_document->look()))
         return;
     if (m_document->is_modified()) {
-        say(fmt::format("\"{}\" changed on disk. Your changes are kept.",
-                        m_document->preset_name()),
-            true);
+        m_messages.say(fmt::format("\"{}\" changed on disk. Your changes are kept.",
+                                   m_document->preset_name()),
+                       true);
         return;
     }
     const CheckedPreset checked =
@@ -85,9 +86,10 @@ void Lab::choose_picture(const std::string& parameter, const fs::path& file) {
 }
 
 void Lab::take_chosen_images() {
-    if (const auto chosen = m_chosen_images.take_chosen(); chosen && succeeded(*chosen)) {
+    if (const auto chosen = m_chosen_images.take_chosen();
+        chosen && m_messages.succeeded(*chosen)) {
         m_document->set_value((*chosen)->parameter, Value::of_path((*chosen)->file.string()));
-        m_opened_files.push_back((*chosen)->file);
+        m_opened_files.add((*chosen)->file);
         m_drive.recent().remember((*chosen)->file, {});
     }
     Diagnostics problems;
@@ -95,7 +97,7 @@ void Lab::take_chosen_images() {
     if (names.empty())
         return;
     if (!problems.empty())
-        say(problems.front());
+        m_messages.say(problems.front());
     gather_problems();
     want(redraw_after(m_document->look(), names));
 }

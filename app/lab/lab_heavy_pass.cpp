@@ -28,20 +28,19 @@ void Lab::follow_heavy_pass() {
     m_heavy_pass = passes[*heavy].name;
     if (std::exchange(m_has_told_heavy_pass, true))
         return;
-    say(fmt::format("Pass \"{}\" takes {:.1f} s per frame", m_heavy_pass, latest[*heavy] / 1000.0),
-        true, heavy_subject);
-    m_notice->choices = heavy_pass_choices().choices;
-    m_notice->goes_by = false;
+    m_messages.ask(
+        fmt::format("Pass \"{}\" takes {:.1f} s per frame", m_heavy_pass, latest[*heavy] / 1000.0),
+        heavy_pass_choices().choices, heavy_subject);
 }
 
 void Lab::forget_heavy_pass() {
     if (!std::exchange(m_heavy_pass, {}).empty())
-        mended(heavy_subject);
+        m_messages.withdraw(heavy_subject);
 }
 
 ChoiceList Lab::heavy_pass_choices() const {
     const auto pass = m_document ? find_pass(m_document->look(), m_heavy_pass) : std::nullopt;
     return pass ? ::heavy_pass_choices(m_document->look().passes[static_cast<std::size_t>(*pass)],
-                                       m_picture_size)
+                                       m_size.chosen())
                 : ChoiceList{"Heavy pass"};
 }

@@ -3,15 +3,9 @@
 
 #include <fmt/format.h>
 
-void Lab::ask(std::string text, std::vector<Choice> choices) {
-    say(std::move(text), true);
-    m_notice->choices = std::move(choices);
-    m_notice->goes_by = false;
-}
-
 void Lab::offer_outside(const OutsideContent& content) {
     const auto use = [content](Lab& lab) {
-        lab.put_notice_away();
+        lab.messages().dismiss();
         lab.edit([&content](Document& document) {
             if (content.source.empty() && content.signal)
                 document.set_signal(*content.signal);
@@ -23,8 +17,8 @@ void Lab::offer_outside(const OutsideContent& content) {
         for (const auto& [name, value] : content.files)
             lab.drive().recent().remember(value.path, {});
     };
-    ask(content.notice(),
-        {Choice{.name = content.count() == 1 ? "Use it" : "Use them", .deeds = {use}}});
+    m_messages.ask(content.notice(),
+                   {Choice{.name = content.count() == 1 ? "Use it" : "Use them", .deeds = {use}}});
 }
 
 // Content that the preset brings: one click away while the user's own is locked, else asked for

@@ -9,7 +9,7 @@ void Lab::switch_pass(PassSwitch which, const std::string& pass) {
     if (!m_document)
         return;
     const auto next = switched(m_document->look(), m_switches, which, pass);
-    if (succeeded(next))
+    if (m_messages.succeeded(next))
         set_pass_switches(*next);
 }
 
@@ -23,7 +23,7 @@ void Lab::set_pass_switches(const PassSwitches& switches) {
     m_switches = known_switches(look, switches);
     const std::vector<PassRun> now = runs_of(look, m_switches);
     forget_settling();
-    if (!succeeded(m_renderer->set_runs(now))) {
+    if (!m_messages.succeeded(m_renderer->set_runs(now))) {
         m_switches = {};
         return;
     }

@@ -10,7 +10,7 @@
 void Lab::update_drive() {
     const Diagnostics problems = m_drive.take_problems();
     for (const Diagnostic& problem : problems)
-        say(problem);
+        m_messages.say(problem);
     if (!problems.empty())
         gather_problems();
     if (m_drive.is_source_late())
@@ -18,7 +18,7 @@ void Lab::update_drive() {
     const auto taken = m_drive.update(*m_document, m_player, *m_renderer);
     if (!taken)
         return;
-    succeeded(*taken);
+    m_messages.succeeded(*taken);
     gather_problems();
     m_renderer->restart_samples();
     m_drawn_extent = {};  // sizes may depend on the source
@@ -28,7 +28,7 @@ void Lab::update_drive() {
 // A paused picture is owed what it reads.
 void Lab::show_source(double seconds) {
     const auto is_new = m_drive.show_source(seconds, *m_renderer);
-    if (succeeded(is_new) && *is_new && !m_player.is_playing())
+    if (m_messages.succeeded(is_new) && *is_new && !m_player.is_playing())
         want({{}, true});
 }
 
@@ -43,7 +43,7 @@ void Lab::want(const Redraw& redraw) {
 }
 
 void Lab::resize_picture() {
-    const Extent extent = picture_extent();
+    const Extent extent = m_size.extent();
     if (extent == m_drawn_extent)
         return;
     m_drawn_extent = extent;
@@ -52,7 +52,7 @@ void Lab::resize_picture() {
     show_source(m_player.time());
     const Plan before = m_renderer->executor().plan();
     const Extent source = m_drive.source_extent();
-    if (succeeded(m_renderer->resize(extent, source.is_empty() ? extent : source)) &&
+    if (m_messages.succeeded(m_renderer->resize(extent, source.is_empty() ? extent : source)) &&
         m_renderer->executor().plan() != before)
         want({{}, true});
 }
@@ -93,7 +93,7 @@ void Lab::draw_picture(double wall_seconds) {
     if (frame) {
         m_wanted.reset();
         m_renderer->cancel_replay();
-        succeeded(m_drive.show_source(frame->span.end, *m_renderer));
+        m_messages.succeeded(m_drive.show_source(frame->span.end, *m_renderer));
         m_renderer->draw(*frame, m_player.trace(frame->span));
         return;
     }
@@ -101,7 +101,7 @@ void Lab::draw_picture(double wall_seconds) {
     constexpr double seconds_a_turn = 0.012;
     if (m_renderer->replay().is_running())
         m_renderer->continue_replay(m_player, seconds_a_turn, [this](const PlayedFrame& past) {
-            succeeded(m_drive.show_past_source(past.span.end, *m_renderer));
+            m_messages.succeeded(m_drive.show_past_source(past.span.end, *m_renderer));
         });
     else if (m_wanted && m_wanted->needs_replay && !comes_next)
         start_replay();

@@ -22,16 +22,16 @@ bool Lab::can_save_slang_preset() const {
 
 void Lab::save_slang_preset(const fs::path& given) {
     if (!can_save_slang_preset())
-        return say("Only RetroArch looks can be saved as .slangp", true);
+        return m_messages.say("Only RetroArch looks can be saved as .slangp", true);
     const fs::path file =
         given.extension() == ".slangp" ? given : fs::path(given.string() + ".slangp");
     const Look& look = m_document->look();
     std::error_code error;
     if (fs::equivalent(file, look.manifest, error))
-        return say("A .slangp file can't reference itself. Choose another name.", true);
+        return m_messages.say("A .slangp file can't reference itself. Choose another name.", true);
     const auto is_read = [&](const fs::path& read) { return fs::equivalent(file, read, error); };
     if (std::ranges::any_of(m_reloader.look_files(), is_read))
-        return say("The open look uses this file. Choose another name.", true);
+        return m_messages.say("The open look uses this file. Choose another name.", true);
     std::map<std::string, double> values;
     std::string left_out;
     for (const Parameter& parameter : look.parameters)
@@ -39,12 +39,13 @@ void Lab::save_slang_preset(const fs::path& given) {
             left_out += (left_out.empty() ? "" : ", ") + parameter.label;
         else if (m_document->is_changed(parameter))
             values[parameter.name] = m_document->value(parameter).number();
-    if (!succeeded(write_atomically(file, simple_slang_preset(look.manifest, values, file))))
+    if (!m_messages.succeeded(
+            write_atomically(file, simple_slang_preset(look.manifest, values, file))))
         return;
     const std::string name = file.filename().string();
-    say(left_out.empty()
-            ? saved_words(name)
-            : fmt::format("Saved \"{}\". A .slangp file can't store {}.", name, left_out));
+    m_messages.say(left_out.empty() ? saved_words(name)
+                                    : fmt::format("Saved \"{}\". A .slangp file can't store {}.",
+                                                  name, left_out));
 }
 
 namespace {
@@ -71,14 +72,14 @@ std::optional<PresetPlace> Lab::preset_on_ring(int by, bool only_starred) {
                              : m_morphing ? m_morphing->file()
                                           : m_document->preset_file();
     if (presets.empty()) {
-        say("This look has no presets yet");
+        m_messages.say("This look has no presets yet");
         return std::nullopt;
     }
     if (!only_starred)
         return preset_beside(presets, present, by);
     auto starred = starred_beside(presets, m_presets.stars(), present, by);
     if (!starred)
-        say("This look has no favourite presets");
+        m_messages.say("This look has no favourite presets");
     return starred;
 }
 
@@ -100,7 +101,7 @@ void Lab::tell_preset(bool had_changes) {
     if (had_changes)
         words = words.empty() ? restore_hint : fmt::format("{} · {}", words, restore_hint);
     if (!words.empty())
-        say(std::move(words));
+        m_messages.say(std::move(words));
 }
 
 void Lab::morph_to(const fs::path& file, double seconds) {
@@ -111,16 +112,16 @@ void Lab::morph_to(const fs::path& file, double seconds) {
     to.name = look.name;
     if (!file.empty()) {
         const auto preset = load_preset(file);
-        if (!succeeded(preset))
+        if (!m_messages.succeeded(preset))
             return;
         if (preset->look != look.id)
-            return say(
+            return m_messages.say(
                 fmt::format("\"{}\" belongs to another look. It can be opened, but not morphed to.",
                             preset->name));
         to = with_checked_media(*preset, look, media_folder(file), m_drive.recent()).preset;
         const auto values = fitted_values(look, to, file);
         const auto modulations = fitted_modulations(look, *preset, file);
-        if (!succeeded(values) || !succeeded(modulations))
+        if (!m_messages.succeeded(values) || !m_messages.succeeded(modulations))
             return;
         to.values = *values;
         to.modulations = *modulations;
@@ -145,13 +146,13 @@ void Lab::go_on_morphing(double wall_seconds) {
         return;
     if (m_morphing->has_arrived()) {
         watch_extra_files();
-        say(fmt::format("Morphed to \"{}\"", m_morphing->name()));
+        m_messages.say(fmt::format("Morphed to \"{}\"", m_morphing->name()));
         const fs::path& file = m_morphing->file();
         if (const auto preset = load_preset(file))
             offer_content(with_checked_media(*preset, m_document->look(), media_folder(file),
                                              m_drive.recent()));
     } else {
-        say("Morph stopped because you changed something else");
+        m_messages.say("Morph stopped because you changed something else");
     }
     m_morphing.reset();  // what was turned goes on as a step of its own
 }

@@ -12,7 +12,7 @@ void Lab::follow_seen() {
     if (seen == executor.seen())
         return;
     const Plan before = executor.plan();
-    if (!succeeded(m_renderer->set_seen(seen)))
+    if (!m_messages.succeeded(m_renderer->set_seen(seen)))
         m_seen = {};
     if (executor.plan() == before)
         return;

@@ -61,7 +61,7 @@ void Lab::follow_settling(double wall_seconds) {
     if (auto made = m_reloader.take_settled(); made && made->programs)
         m_settling.arrival = std::make_unique<Arrival>(std::move(*made));
     if (!m_settling.arrival || is_amid_frame() ||
-        !m_settling.arrival->go_on({m_reloader.drawn_with(), picture_extent()}, seconds_a_turn))
+        !m_settling.arrival->go_on({m_reloader.drawn_with(), m_size.extent()}, seconds_a_turn))
         return;
     LoadedRequest made = std::exchange(m_settling.arrival, nullptr)->take();
     m_reloader.set_shown(joined(*m_programs, made.programs->passes));
@@ -169,7 +169,7 @@ void Lab::follow_own_programs() {
             m_reloader.draw_owed(owed_draws());
         return;
     }
-    if (!m_own.arrival->go_on({m_reloader.drawn_with(), picture_extent()}, seconds_a_turn))
+    if (!m_own.arrival->go_on({m_reloader.drawn_with(), m_size.extent()}, seconds_a_turn))
         return;
     OwnPrograms own = std::exchange(m_own, {});
     if (own.edit)

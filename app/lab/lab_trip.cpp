@@ -23,7 +23,7 @@ void Lab::set_guard() {
         m_trip.trip.reset();
         m_renderer->mend();
     }
-    succeeded(m_renderer->set_guard(guard));
+    m_messages.succeeded(m_renderer->set_guard(guard));
 }
 
 // Once time has stopped, the past that is drawn again shows which pass began it.
@@ -52,7 +52,7 @@ void Lab::stop_at(const Trip& trip) {
         if (!m_trip.has_told && m_trip.answer != TripAnswer::clamp) {
             Diagnostic problem = diagnostic_of(trip, m_renderer->executor().look());
             problem.message = with_sentence(problem.message, "NaN and Inf are clamped.");
-            say(problem);
+            m_messages.say(problem);
         }
         m_trip.has_told = true;
         return;

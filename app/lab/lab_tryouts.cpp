@@ -39,5 +39,5 @@ void Lab::try_out() {
     if (m_document->is_restacking() || is_following_constants() ||
         m_renderer->executor().plan().targets.empty() || m_renderer->replay().is_running())
         return;
-    m_tryouts->update({*m_document, m_player, m_drive, *m_renderer, m_images, picture_extent()});
+    m_tryouts->update({*m_document, m_player, m_drive, *m_renderer, m_images, m_size.extent()});
 }

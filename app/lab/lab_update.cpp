@@ -7,7 +7,7 @@
 #include "lab/document/sharing.h"
 #include "lab/document/users_content.h"
 #include "lab/lab.h"
-#include "lab/rendering/source_lines.h"
+#include "lab/messages/source_lines.h"
 #include "lab/session.h"
 #include "lab/trials/tryouts.h"
 #include "model/look/value_changes.h"
@@ -23,21 +23,18 @@ void Lab::update(double wall_seconds) {
     constexpr double longest_turn = 0.1;  // a rest before it is no reading
     m_loading_seconds =
         is_reading() ? m_loading_seconds + std::min(wall_seconds, longest_turn) : 0.0;
-    if (m_notice && m_notice->goes_by && (m_notice->seconds_left -= wall_seconds) <= 0.0)
-        m_notice.reset();
+    m_messages.update(wall_seconds);
     for (const fs::path& file : m_reloader.update())
         extra_file_changed(file);
     m_turn_begun = std::chrono::steady_clock::now();
     take_reload();
     const double arriving_seconds = seconds_since(m_turn_begun);
-    listen(wall_seconds);
-    choose_size(wall_seconds);
-    const bool was_comparing = m_rate_check.is_running();
-    m_rate_check.update();
-    if (const auto& compared = m_rate_check.outcome(); was_comparing && compared && *compared)
+    m_remote.update(wall_seconds);
+    m_size.update(wall_seconds);
+    const bool was_comparing = m_jobs.rates().is_running();
+    m_jobs.update();
+    if (const auto& compared = m_jobs.rates().outcome(); was_comparing && compared && *compared)
         show_rate_pair((*compared)->worst_place());
-    m_impulse.update();
-    m_export.update();
     const bool is_quiet =
         !is_loading() && !is_amid_frame() && (!m_renderer || m_renderer->has_drawn());
     if (is_quiet)
@@ -63,8 +60,8 @@ void Lab::update(double wall_seconds) {
         begin_drawing(wall_seconds);
     follow_settling(wall_seconds);
     follow_own_programs();
-    note_moves();
-    tell_silence();
+    m_automation.update(m_player.time());
+    m_audio.update();
     follow_heavy_pass();
 }
 
@@ -115,31 +112,12 @@ void Lab::begin_drawing(double wall_seconds) {
         try_out();
 }
 
-// A device that is gone or muted, once; the signal's panel goes on saying so.
-void Lab::tell_silence() {
-    std::string silence = m_player.silence();
-    if (silence == m_told_silence)
-        return;
-    constexpr const char* subject = "sound device";
-    m_told_silence = std::move(silence);
-    if (m_told_silence.empty())
-        mended(subject);
-    else
-        say(m_told_silence, !m_player.draws_muted_input(), subject);
-    if (m_player.draws_muted_input()) {
-        m_notice->choices.push_back(
-            {.name = "Unmute",
-             .deeds = {[](Lab& lab) { lab.succeeded(lab.m_player.mute_input(false)); }}});
-        m_notice->goes_by = false;
-    }
-}
-
 bool Lab::is_moving() const {
     return (m_player.is_playing() && !has_converged()) || is_loading() || m_wanted ||
-           m_own.are_late || (m_notice && m_notice->goes_by) || m_tryouts->is_busy() ||
-           m_morphing || m_hand.is_turning() || m_osc.has_more() || m_chosen_images.is_reading() ||
-           m_rate_check.is_running() || m_impulse.is_running() || m_export.is_running() ||
-           !m_drive.loading().empty() || m_drive.is_source_late() ||
+           m_own.are_late || (m_messages.notice() && m_messages.notice()->goes_by) ||
+           m_tryouts->is_busy() || m_morphing || m_remote.is_busy() ||
+           m_chosen_images.is_reading() || m_jobs.is_running() || !m_drive.loading().empty() ||
+           m_drive.is_source_late() ||
            (m_renderer && (m_renderer->is_amid_frame() || m_renderer->replay().is_running() ||
                            m_renderer->awaits_trip()));
 }
@@ -152,7 +130,7 @@ bool Lab::has_converged() const {
 
 void Lab::take_reload() {
     if (std::string problem = m_reloader.take_watch_problem(); !problem.empty())
-        say(std::move(problem), true);
+        m_messages.say(std::move(problem), true);
     if (m_arrival && !m_reloader.is_newest(m_arrival->loaded()))
         m_arrival.reset();
     const bool is_arriving = m_arrival && m_arrival->loaded().whose != LoadedRequest::Whose::look;
@@ -161,45 +139,20 @@ void Lab::take_reload() {
     constexpr double seconds_a_turn = 0.012;
     const bool waits = is_arriving && is_amid_frame();  // or turning would drop frame after frame
     if (m_arrival && !waits &&
-        m_arrival->go_on({m_reloader.drawn_with(), picture_extent()}, seconds_a_turn))
+        m_arrival->go_on({m_reloader.drawn_with(), m_size.extent()}, seconds_a_turn))
         apply_edit(std::exchange(m_arrival, nullptr)->take());
-}
-
-void Lab::show_problems(const Diagnostics& problems) {
-    m_look_problems.clear();
-    SourceLines lines;
-    for (const Diagnostic& diagnostic : problems) {
-        m_look_problems.push_back({diagnostic, lines.line_of(diagnostic)});
-        m_look_problems.back().diagnostic.message =
-            shortened(diagnostic.message, most_message_bytes);
-    }
-    gather_problems();
 }
 
 // Those of the look, then those of the files that a person chose.
 void Lab::gather_problems() {
-    const auto is_listed = [this](const std::string& subject) {
-        return std::ranges::any_of(m_problems, [&subject](const Problem& problem) {
-            return problem.diagnostic.file == subject;
-        });
+    Diagnostics problems = m_drive.problems();
+    const auto add = [&problems](const Diagnostics& more) {
+        problems.insert(problems.end(), more.begin(), more.end());
     };
-    const std::string subject = m_notice ? m_notice->subject : std::string();
-    const bool was_listed = !subject.empty() && is_listed(subject);
-    const std::vector<Problem> before = std::exchange(m_problems, m_look_problems);
-    for (const Diagnostic& problem : m_drive.problems())
-        m_problems.push_back({problem, {}});
-    for (const Diagnostic& problem : m_chosen_images.problems())
-        m_problems.push_back({problem, {}});
+    add(m_chosen_images.problems());
     if (m_document && m_document->look().driven_by == Driver::signal)
-        for (const Diagnostic& problem : notes_about(m_document->state().signal))
-            m_problems.push_back({problem, {}});
-    const auto is_new = [&before](const Problem& problem) {
-        return std::ranges::find(before, problem.diagnostic, &Problem::diagnostic) == before.end();
-    };
-    if (std::ranges::any_of(m_problems, is_new))
-        m_are_problems_away = false;
-    if (was_listed && !is_listed(subject))
-        mended(subject);
+        add(notes_about(m_document->state().signal));
+    m_messages.set_content_problems(problems);
 }
 
 namespace {
@@ -230,7 +183,8 @@ void Lab::apply(LoadedRequest loaded) {
     const bool is_read = loaded.look && loaded.programs;
     const bool is_reload = loaded.is_reload && m_unopened.empty();
     m_unopened = is_read || is_reload || !m_document ? "" : name_of(loaded.request);
-    show_problems(loaded.problems);
+    m_messages.set_look_problems(loaded.problems);
+    gather_problems();
     if (!m_unopened.empty())
         m_reloader.note_unopened();
     if (!is_read)
@@ -251,7 +205,7 @@ void Lab::apply(LoadedRequest loaded) {
     m_tryouts->stop();  // they draw with the former ones
     if (is_reload && m_document) {
         m_document->replace_look(std::move(*loaded.look));
-        succeeded(m_renderer->replace(m_document->drawn_look(), *m_programs));
+        m_messages.succeeded(m_renderer->replace(m_document->drawn_look(), *m_programs));
         if (loaded.settled)
             draw_settled(std::move(*loaded.settled), loaded.owes_draws);
     } else {
@@ -261,7 +215,7 @@ void Lab::apply(LoadedRequest loaded) {
     show_images(loaded.images);
     m_applied.reset();
     if (!m_opening_file.empty())
-        m_opened_files.push_back(std::exchange(m_opening_file, {}));
+        m_opened_files.add(std::exchange(m_opening_file, {}));
     if (m_when_opened)
         std::exchange(m_when_opened, {})(*this);
 }
@@ -277,7 +231,7 @@ void Lab::open_document(LoadedRequest& loaded) {
         !is_same && had_changes ? std::optional(session_of(*this, {})) : std::nullopt;
     std::optional<Picture> left_picture = left ? small_copy() : std::nullopt;
     if (!is_same) {
-        m_knobs = knobs();
+        m_parameters.store();
         m_switches = {};
     }
     if (is_same)
@@ -304,7 +258,7 @@ void Lab::open_document(LoadedRequest& loaded) {
     m_player.play();
     open_values(request);
     if (!is_same)
-        m_document->set_knobs(knobs_in(m_document->look().stack, m_knobs));
+        m_parameters.load();
     watch_extra_files();
     if (!is_same && (!request.preset || !request.preset_file.empty()))
         m_document->forget_past();
@@ -336,10 +290,9 @@ void Lab::open_values(const OpenRequest& request) {
         with_checked_media(*request.preset, m_document->look(), folder, m_drive.recent());
     Preset preset = std::move(checked.preset);
     const auto warn = [this](Diagnostics& problems) {
-        for (Diagnostic& problem : problems) {
+        for (Diagnostic& problem : problems)
             problem.severity = Severity::warning;
-            m_look_problems.push_back({std::move(problem), {}});
-        }
+        m_messages.add_look_problems(problems);
     };
     // Items of lists by their labels, for one; what does not fit comes as near as it can.
     if (auto fitted = fitted_values(m_document->look(), preset, request.preset_file))
@@ -356,9 +309,8 @@ void Lab::open_values(const OpenRequest& request) {
     } else {
         m_document->open_preset(preset, request.preset_file, content);
     }
-    for (const Diagnostic& note :
-         compare_with_look(*request.preset, m_document->look(), request.preset_file))
-        m_look_problems.push_back({note, {}});
+    m_messages.add_look_problems(
+        compare_with_look(*request.preset, m_document->look(), request.preset_file));
     gather_problems();
 }
 
@@ -401,8 +353,8 @@ void follow(std::optional<DocumentState>& applied, const DocumentState& state) {
 
 void Lab::apply_document() {
     const DocumentState& state = m_document->state();
-    m_board.follow(*m_document);
-    Spec shown = m_board.shown(state.signal);
+    m_drawing.follow();
+    Spec shown = m_drawing.board().shown(state.signal);
     if (m_applied == state && m_applied_signal == shown)
         return;
     const bool is_first = !m_applied;
@@ -412,8 +364,9 @@ void Lab::apply_document() {
     m_renderer->set_values(state.values);
     m_renderer->set_modulations(state.modulations);
     const auto watched = m_chosen_images.files();
-    succeeded(m_chosen_images.show(m_document->look(), state.values, *m_renderer,
-                                   Renderer::Whose::picture, ChosenImages::Reading::beside));
+    m_messages.succeeded(m_chosen_images.show(m_document->look(), state.values, *m_renderer,
+                                              Renderer::Whose::picture,
+                                              ChosenImages::Reading::beside));
     show_variant_images();
     if (m_chosen_images.files() != watched)
         watch_extra_files();
@@ -421,7 +374,7 @@ void Lab::apply_document() {
     Redraw redraw = redraw_after(m_document->look(), names);
     if (is_first || m_applied_signal != shown || m_applied->source != state.source) {
         m_applied_signal = std::move(shown);
-        succeeded(follow_signal());
+        m_messages.succeeded(follow_signal());
         watch_extra_files();
         m_renderer->restart_samples();
         redraw.needs_replay = true;
@@ -430,7 +383,7 @@ void Lab::apply_document() {
         redraw.needs_replay = true;
     if (!is_first && m_applied->overrides != state.overrides) {
         forget_settling();
-        succeeded(m_renderer->replace(m_document->drawn_look(), *m_programs));
+        m_messages.succeeded(m_renderer->replace(m_document->drawn_look(), *m_programs));
         redraw.needs_replay = true;
     }
     follow(m_applied, state);
@@ -442,7 +395,12 @@ void Lab::apply_document() {
 Result<void> Lab::follow_signal() {
     m_renderer->set_beam_fit(beam_fit_of(m_document->state().signal));
     auto followed = m_drive.follow(*m_document, m_player, *m_renderer);
-    if (!followed || !m_board.has_pen())
+    if (!followed || !m_drawing.board().has_pen())
         return followed;
     return m_player.set_signal(m_applied_signal);
+}
+
+void Lab::show_rate_pair(std::size_t pair) {
+    if (const auto& outcome = m_jobs.rates().outcome(); outcome && *outcome)
+        m_messages.succeeded(m_rate_pictures.show(**outcome, pair));
 }

@@ -62,7 +62,7 @@ void PresetCommands::save() {
     if (!document)
         return;
     if (!can_save_over())
-        return m_lab.say("Give the preset a name first", true);
+        return m_lab.messages().say("Give the preset a name first", true);
     save_to(document->preset_file(), document->preset_name());
 }
 
@@ -70,7 +70,7 @@ void PresetCommands::save_as(const std::string& name) {
     if (!m_lab.document())
         return;
     const auto file = m_lab.library().new_preset_path(m_lab.document()->look().id, name);
-    if (m_lab.succeeded(file))
+    if (m_lab.messages().succeeded(file))
         save_to(*file, name);
 }
 
@@ -78,7 +78,7 @@ void PresetCommands::replace(const std::string& name) {
     if (!m_lab.document())
         return;
     const auto file = m_lab.library().preset_path(m_lab.document()->look().id, name);
-    if (m_lab.succeeded(file))
+    if (m_lab.messages().succeeded(file))
         save_to(*file, name);
 }
 
@@ -88,12 +88,12 @@ void PresetCommands::save_to(const fs::path& file, const std::string& name) {
     remember_files(document, recent);
     Preset preset = with_portable_media(document.preset(), media_folder(file), recent);
     preset.name = name;
-    if (!m_lab.succeeded(::save_preset(file, preset, &document.look())))
+    if (!m_lab.messages().succeeded(::save_preset(file, preset, &document.look())))
         return;
     document.set_identity(preset, file);
     document.mark_saved();
     m_lab.watch_extra_files();
-    m_lab.say(saved_words(name));
+    m_lab.messages().say(saved_words(name));
 }
 
 bool PresetCommands::has_source_checkout() const {
@@ -106,7 +106,7 @@ bool PresetCommands::has_source_checkout() const {
 void PresetCommands::save_into_shipped() {
     const Document* document = m_lab.document();
     if (!document || document->preset_file().empty())
-        return m_lab.say("Open or save a preset first", true);
+        return m_lab.messages().say("Open or save a preset first", true);
     const fs::path folder = m_lab.library().roots().program / "presets" / document->look().id;
     save_to(folder / document->preset_file().filename().replace_extension(".json"),
             document->preset_name());
@@ -131,7 +131,7 @@ void PresetCommands::rename(const fs::path& before, const std::string& name) {
     const std::string star = star_name(before);
     const bool was_open = is_open(before);
     const auto file = m_lab.library().rename_preset(before, name);
-    if (!m_lab.succeeded(file))
+    if (!m_lab.messages().succeeded(file))
         return;
     if (m_stars.erase(star) > 0)
         m_stars.insert(star_name(*file));
@@ -142,14 +142,14 @@ void PresetCommands::rename(const fs::path& before, const std::string& name) {
         document.set_identity(identity, *file);
         m_lab.watch_extra_files();
     }
-    m_lab.say(fmt::format("Renamed to \"{}\"", name));
+    m_lab.messages().say(fmt::format("Renamed to \"{}\"", name));
 }
 
 void PresetCommands::duplicate(const fs::path& before) {
     if (!m_lab.document() || before.empty())
         return;
     const auto file = m_lab.library().duplicate_preset(before);
-    if (!m_lab.succeeded(file))
+    if (!m_lab.messages().succeeded(file))
         return;
     const auto copy = load_preset(*file);
     if (is_open(before) && copy) {
@@ -159,7 +159,8 @@ void PresetCommands::duplicate(const fs::path& before) {
         document.set_identity(identity, *file);
         m_lab.watch_extra_files();
     }
-    m_lab.say(fmt::format("Duplicated as \"{}\"", copy ? copy->name : file->stem().string()));
+    m_lab.messages().say(
+        fmt::format("Duplicated as \"{}\"", copy ? copy->name : file->stem().string()));
 }
 
 void PresetCommands::remove(const fs::path& file) {
@@ -167,12 +168,12 @@ void PresetCommands::remove(const fs::path& file) {
     if (!document || file.empty())
         return;
     if (m_lab.library().is_shipped(file))
-        return m_lab.say("Shipped presets can't be deleted", true);
+        return m_lab.messages().say("Shipped presets can't be deleted", true);
     const auto preset = load_preset(file);
     const std::string star = star_name(file);
     const bool was_open = is_open(file);
     const auto trashed = move_to_trash(file);
-    if (!m_lab.succeeded(trashed))
+    if (!m_lab.messages().succeeded(trashed))
         return;
     if (m_lab.is_opening_preset(file))
         m_lab.cancel_opening();
@@ -188,10 +189,10 @@ void PresetCommands::remove(const fs::path& file) {
         document->mark_saved(initial_state(document->look()));
         m_lab.watch_extra_files();
     }
-    m_lab.offer(was_open
-                    ? fmt::format("Deleted \"{}\". Its settings are still loaded.", removal.name)
-                    : fmt::format("Deleted \"{}\"", removal.name),
-                {.name = "Undo", .deeds = {[](Lab& lab) { lab.undo(); }}});
+    m_lab.messages().offer(
+        was_open ? fmt::format("Deleted \"{}\". Its settings are still loaded.", removal.name)
+                 : fmt::format("Deleted \"{}\"", removal.name),
+        {.name = "Undo", .deeds = {[](Lab& lab) { lab.undo(); }}});
     m_removals.push_back(std::move(removal));
 }
 
@@ -214,7 +215,7 @@ bool PresetCommands::undo_removal() {
         return false;
     const Removal removal = std::move(m_removals.back());
     m_removals.pop_back();
-    if (!m_lab.succeeded(restore_from_trash(removal.trashed)))
+    if (!m_lab.messages().succeeded(restore_from_trash(removal.trashed)))
         return true;
     Document& document = *m_lab.mutable_document();
     if (removal.has_star)
@@ -224,22 +225,23 @@ bool PresetCommands::undo_removal() {
         document.mark_saved(removal.saved);
         m_lab.watch_extra_files();
     }
-    m_lab.say(fmt::format("Restored \"{}\"", removal.name));
+    m_lab.messages().say(fmt::format("Restored \"{}\"", removal.name));
     return true;
 }
 
 void PresetCommands::show_in_folder(const fs::path& file) {
-    m_lab.succeeded(open_folder(file.parent_path()));
+    m_lab.messages().succeeded(open_folder(file.parent_path()));
 }
 
 void PresetCommands::offer_move() {
     const std::size_t count = m_lab.library().presets_in_program_folder().size();
     if (count == 0)
         return;
-    m_lab.offer(count == 1 ? "1 of your presets is in the program folder"
-                           : fmt::format("{} of your presets are in the program folder", count),
-                {.name = "Move to my presets",
-                 .deeds = {[](Lab& lab) { lab.presets().move_to_user_folder(); }}});
+    m_lab.messages().offer(count == 1
+                               ? "1 of your presets is in the program folder"
+                               : fmt::format("{} of your presets are in the program folder", count),
+                           {.name = "Move to my presets",
+                            .deeds = {[](Lab& lab) { lab.presets().move_to_user_folder(); }}});
 }
 
 void PresetCommands::move_to_user_folder() {
@@ -247,7 +249,7 @@ void PresetCommands::move_to_user_folder() {
     for (const PresetEntry& preset : m_lab.library().presets_in_program_folder()) {
         const bool was_open = is_open(preset.file);
         const auto moved = m_lab.library().move_to_user_folder(preset);
-        if (!m_lab.succeeded(moved))
+        if (!m_lab.messages().succeeded(moved))
             return;
         ++count;
         if (was_open) {
@@ -258,8 +260,8 @@ void PresetCommands::move_to_user_folder() {
     if (m_lab.document())
         m_lab.watch_extra_files();
     const std::string folder = told_folder(m_lab.library().roots().user / "presets");
-    m_lab.say(count == 1 ? fmt::format("Moved 1 preset to {}", folder)
-                         : fmt::format("Moved {} presets to {}", count, folder));
+    m_lab.messages().say(count == 1 ? fmt::format("Moved 1 preset to {}", folder)
+                                    : fmt::format("Moved {} presets to {}", count, folder));
 }
 
 void PresetCommands::star(const std::string& preset, bool has_star) {

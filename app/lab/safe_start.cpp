@@ -60,18 +60,18 @@ OpenRequest request_of(const UnfinishedOpening& left) {
 void offer_unopened(Lab& lab, const Session& session, const UnfinishedOpening& left) {
     const bool is_session = !session.look.empty() && is_of_session(left, session);
     const auto open_again = [session, left, is_session](Lab& opening) {
-        opening.put_notice_away();
+        opening.messages().dismiss();
         if (is_session)
             restore(opening, session);
         else
             opening.open(request_of(left));
     };
     const fs::path file = left.file();
-    lab.ask(message_about(left),
-            {Choice{.name = "Try again", .deeds = {open_again}},
-             Choice{.name = "Open in editor", .deeds = {[file](Lab& opening) {
-                                                  opening.open_in_editor({file, 1});
-                                              }}}});
+    lab.messages().ask(message_about(left),
+                       {Choice{.name = "Try again", .deeds = {open_again}},
+                        Choice{.name = "Open in editor", .deeds = {[file](Lab& opening) {
+                                                             opening.open_in_editor({file, 1});
+                                                         }}}});
 }
 
 void restore_safely(Lab& lab, const Session& session,
@@ -87,10 +87,11 @@ void restore_safely(Lab& lab, const Session& session,
     if (is_safe && is_first)
         lab.open(first_look);
     if (!missing.empty())
-        lab.say(fmt::format("The look of the last session was not found: {}. Open it from its new "
-                            "location. Its unsaved changes are kept in File > Unsaved changes.",
-                            missing.string()),
-                true);
+        lab.messages().say(
+            fmt::format("The look of the last session was not found: {}. Open it from its new "
+                        "location. Its unsaved changes are kept in File > Unsaved changes.",
+                        missing.string()),
+            true);
     if (left)
         offer_unopened(lab, session, *left);
 }

@@ -149,7 +149,7 @@ Result<void> save_session(const Roots& roots, const Session& session) {
 Session session_of(const Lab& lab, std::map<std::string, double> window) {
     Session session;
     session.window = std::move(window);
-    const PictureSize& size = lab.picture_size();
+    const PictureSize& size = lab.size().chosen();
     session.follows_view = size.follows_view;
     session.fixed_size = size.fixed;
     session.fits_shape = size.fits_shape;
@@ -161,7 +161,7 @@ Session session_of(const Lab& lab, std::map<std::string, double> window) {
     session.is_playing = lab.player().is_playing();
     session.comparison = lab.comparing().chosen();
     session.slots = lab.comparing().all_slots();
-    session.knobs = lab.knobs();
+    session.knobs = lab.parameters().all();
     session.preset_stars = lab.presets().stars();
     const Document* document = lab.document();
     if (!document)
@@ -207,8 +207,8 @@ void keep_locked(const Content& present, Document& document) {
 }  // namespace
 
 void restore(Lab& lab, const Session& session, const std::function<void(Lab&)>& then) {
-    lab.set_picture_size({session.follows_view, session.fixed_size, session.picture_scale,
-                          find_shape(session.picture_shape), session.fits_shape});
+    lab.size().choose({session.follows_view, session.fixed_size, session.picture_scale,
+                       find_shape(session.picture_shape), session.fits_shape});
     lab.transport().set_speed(session.speed);
     lab.transport().set_level(session.level);
     if (session.look.empty())

@@ -38,7 +38,7 @@ public:
     }
     /// The latest one was.
     bool is_sliced() const { return m_is_sliced; }
-    Extent extent() const { return m_lab->picture_extent(); }
+    Extent extent() const { return m_lab->size().extent(); }
     void set(const std::string& name, double value) {
         m_lab->edit([&](Document& document) { document.set_value(name, Value(value)); });
     }

@@ -88,7 +88,7 @@ public:
         m_lab = std::make_unique<Lab>(
             Library({folder, folder / "user", folder / "state", folder / "cache"}), *m_context,
             std::move(*worker));
-        m_lab->set_picture_size({false, {1280, 720}, 1.0});
+        m_lab->size().choose({false, {1280, 720}, 1.0});
         m_lab->open(m_folders.look.folder);
         while (m_lab->player().frame_number() < 10)
             frame();

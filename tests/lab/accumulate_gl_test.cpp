@@ -63,7 +63,7 @@ TEST_CASE("a knob, the camera, a size and an edit begin anew") {
         shown = 12;
     }
     SUBCASE("a size") {
-        small.lab().set_picture_size({false, {10, 8}, 1.0});
+        small.lab().size().choose({false, {10, 8}, 1.0});
     }
     SUBCASE("restart") {
         small.lab().restart();

@@ -111,14 +111,14 @@ TEST_CASE("while a hand turns a constant pictures of values on the way are seen,
 TEST_CASE("a value that does not compile is told at the author's line, and the picture goes on") {
     ConstantLab small;
     small.set("SIZE", 0.0);
-    REQUIRE(small.turn_until([&] { return !small.lab().problems().empty(); }));
-    CHECK(small.lab().problems().front().diagnostic.line == 5);
+    REQUIRE(small.turn_until([&] { return !small.lab().messages().problems().empty(); }));
+    CHECK(small.lab().messages().problems().front().diagnostic.line == 5);
     REQUIRE(small.turn_until([&] { return !small.lab().is_loading(); }));
     CHECK(small.is_at(0.25));
     small.turn(20);
     CHECK_FALSE(small.lab().is_loading());  // it is tried once
     small.set("SIZE", 2.0);
-    CHECK(small.turn_until([&] { return small.lab().problems().empty(); }));
+    CHECK(small.turn_until([&] { return small.lab().messages().problems().empty(); }));
     small.set("LEVEL", 0.5);
     CHECK(small.becomes(0.5));
 }

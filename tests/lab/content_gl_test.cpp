@@ -37,7 +37,7 @@ public:
     void open_song() {
         lab().open_file(folder() / "song.wav");
         REQUIRE(turn_until([&] { return plays_song(); }));
-        lab().take_opened_files();
+        lab().opened_files().take();
     }
     bool plays_song() {
         return lab().document()->state().signal.kind == "audio" && lab().player().sound().sound;
@@ -73,8 +73,8 @@ private:
 
 std::vector<std::string> offers(Lab& lab) {
     std::vector<std::string> names;
-    if (lab.notice())
-        for (const Choice& choice : lab.notice()->choices)
+    if (lab.messages().notice())
+        for (const Choice& choice : lab.messages().notice()->choices)
             names.push_back(choice.name);
     return names;
 }
@@ -85,8 +85,8 @@ TEST_CASE("of presets opened one after the other the notice says once what was k
     small.open_song();
     for (int i = 0; i < 2; ++i) {
         small.open_and_wait(small.preset_file("small", "wave").string());
-        REQUIRE(small.lab().notice().has_value());
-        CHECK(small.lab().notice()->text == "Kept song.wav");
+        REQUIRE(small.lab().messages().notice().has_value());
+        CHECK(small.lab().messages().notice()->text == "Kept song.wav");
         CHECK(offers(small.lab()) == std::vector<std::string>{"Use the preset's signal"});
     }
 }
@@ -98,12 +98,12 @@ TEST_CASE("a preset opens with the user's sound, says so and offers its own sign
     CHECK(small.plays_song());
     CHECK(small.document().preset_name() == "wave");
     CHECK_FALSE(small.document().is_modified());
-    REQUIRE(small.lab().notice().has_value());
-    CHECK(small.lab().notice()->text == "Kept song.wav");
+    REQUIRE(small.lab().messages().notice().has_value());
+    CHECK(small.lab().messages().notice()->text == "Kept song.wav");
     REQUIRE(offers(small.lab()) == std::vector<std::string>{"Use the preset's signal"});
 
     const auto deed = std::get<std::function<void(Document&)>>(
-        small.lab().notice()->choices.front().deeds.front());
+        small.lab().messages().notice()->choices.front().deeds.front());
     small.lab().edit(deed);
     small.turn(2);
     CHECK(small.document().state().signal.kind == "waveform");
@@ -119,7 +119,7 @@ TEST_CASE("the offer of a preset's signal goes by like any notice") {
     small.open_song();
     small.open_and_wait(small.preset_file("small", "wave").string());
     small.lab().update(60.0);
-    CHECK_FALSE(small.lab().notice().has_value());
+    CHECK_FALSE(small.lab().messages().notice().has_value());
 }
 
 TEST_CASE("a preset that is opened with its own signal replaces the user's sound") {
@@ -140,7 +140,7 @@ TEST_CASE("a morph and its end leave the user's sound playing") {
     small.turn(3);
     CHECK(small.document().preset_name() == "wave");
     CHECK(small.plays_song());
-    CHECK(small.lab().notice()->text == "Morphed to \"wave\" · Kept song.wav");
+    CHECK(small.lab().messages().notice()->text == "Morphed to \"wave\" · Kept song.wav");
 }
 
 TEST_CASE("another look of the same kind plays the user's sound, one of the other kind keeps it") {
@@ -159,7 +159,7 @@ TEST_CASE("another look of the same kind plays the user's sound, one of the othe
     CHECK(small.turn_until([&] { return small.plays_song(); }));
     small.open_and_wait(small.preset_file("tube", "bars").string());
     CHECK(small.document().state().source == game);
-    CHECK(small.lab().notice()->text.find("Kept game.exr") != std::string::npos);
+    CHECK(small.lab().messages().notice()->text.find("Kept game.exr") != std::string::npos);
     CHECK(offers(small.lab()) == std::vector<std::string>{"Use the preset's source"});
 }
 

@@ -66,5 +66,5 @@ TEST_CASE("a preset of another program's look opens, and so does the look as it 
     elsewhere.lab().step_preset(1);
     CHECK(elsewhere.turn_until([&] { return elsewhere.is_open("Lighter"); }));
     CHECK(elsewhere.level() == 0.75);
-    CHECK(elsewhere.lab().problems().empty());
+    CHECK(elsewhere.lab().messages().problems().empty());
 }

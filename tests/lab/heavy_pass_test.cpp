@@ -72,13 +72,13 @@ TEST_CASE("a heavy pass that reads a picture may be bypassed, and the picture ha
 TEST_CASE("what may be done about a heavy pass does what the strip and the menu do") {
     SmallLab small;
     const ChoiceList list =
-        heavy_pass_choices(small.document().look().passes[1], small.lab().picture_size());
+        heavy_pass_choices(small.document().look().passes[1], small.lab().size().chosen());
     REQUIRE(list.choices.size() == 2);
     take(list.choices[0], small.lab());
     CHECK(small.lab().pass_switches().bypassed == std::set<std::string>{"show"});
     take(list.choices[1], small.lab());
-    CHECK(small.lab().picture_extent() == Extent{4, 4});  // of 8 x 8
-    CHECK_FALSE(small.lab().notice()->is_problem);
+    CHECK(small.lab().size().extent() == Extent{4, 4});  // of 8 x 8
+    CHECK_FALSE(small.lab().messages().notice()->is_problem);
     small.lab().switch_pass(PassSwitch::bypass, "show");
     CHECK(small.lab().pass_switches().is_empty());
 }

@@ -22,7 +22,7 @@ TEST_CASE("an edited shader shows, and values, clock and history survive") {
     }
     REQUIRE(small.turn_until([&] { return small.shown() == 8 * small.frames(); }));
     CHECK(small.frames() > before);
-    CHECK(small.lab().problems().empty());
+    CHECK(small.lab().messages().problems().empty());
 }
 
 TEST_CASE("an edited include shows") {
@@ -46,8 +46,8 @@ TEST_CASE(
     "a mistake keeps the last good picture and names file, line and source; mending clears it") {
     SmallLab small;
     small.write_by_rename("show.frag", replaced(small_look::show, "* gain", "* gian"));
-    REQUIRE(small.turn_until([&] { return !small.lab().problems().empty(); }));
-    const Problem problem = small.lab().problems().front();
+    REQUIRE(small.turn_until([&] { return !small.lab().messages().problems().empty(); }));
+    const Problem problem = small.lab().messages().problems().front();
     CHECK(problem.diagnostic.file.filename() == "show.frag");
     CHECK(problem.diagnostic.line == 6);
     CHECK(problem.source_line.find("gian") != std::string::npos);
@@ -55,14 +55,14 @@ TEST_CASE(
     CHECK(small.shown() == small.frames());
 
     small.write_by_rename("show.frag", small_look::show);
-    CHECK(small.turn_until([&] { return small.lab().problems().empty(); }));
+    CHECK(small.turn_until([&] { return small.lab().messages().problems().empty(); }));
 }
 
 TEST_CASE("the picture's size is chosen apart from its view, from a quarter to twice") {
     SmallLab small;
-    small.lab().set_view({40, 20});
+    small.lab().size().set_view({40, 20});
     const auto drawn_at = [&small](const PictureSize& size) {
-        small.lab().set_picture_size(size);
+        small.lab().size().choose(size);
         small.turn(1);
         REQUIRE(small.turn_until([&] { return !small.lab().is_amid_frame(); }));
         return small.lab().renderer()->executor().target(1).extent();
@@ -75,44 +75,45 @@ TEST_CASE("the picture's size is chosen apart from its view, from a quarter to t
 
 TEST_CASE("the size is chosen once, from the view that has been as large for half a second") {
     SmallLab small;
-    small.lab().set_picture_size({});
-    small.lab().set_view({40, 20});
+    small.lab().size().choose({});
+    small.lab().size().set_view({40, 20});
     const auto turn_for = [&small](double seconds) {
         for (double left = seconds; left > 0.0; left -= 0.05)
             small.lab().update(0.05);
     };
     turn_for(0.4);
-    small.lab().set_view({60, 20});
-    CHECK(small.lab().picture_extent() == Extent{60, 20});
+    small.lab().size().set_view({60, 20});
+    CHECK(small.lab().size().extent() == Extent{60, 20});
     turn_for(0.4);
-    CHECK(small.lab().picture_size().is_to_be_chosen());
+    CHECK(small.lab().size().chosen().is_to_be_chosen());
     turn_for(0.3);
-    small.lab().set_view({30, 10});
+    small.lab().size().set_view({30, 10});
     turn_for(1.0);
-    CHECK(small.lab().picture_extent() == Extent{60, 20});
-    small.lab().fix_size_to_view();
-    CHECK(small.lab().picture_extent() == Extent{30, 10});
-    small.lab().set_picture_size(PictureSize{true, {}, 1.0});
-    small.lab().set_view({50, 50});
+    CHECK(small.lab().size().extent() == Extent{60, 20});
+    small.lab().size().fix_to_view();
+    CHECK(small.lab().size().extent() == Extent{30, 10});
+    small.lab().size().choose(PictureSize{true, {}, 1.0});
+    small.lab().size().set_view({50, 50});
     turn_for(1.0);
-    CHECK(small.lab().picture_extent() == Extent{50, 50});
+    CHECK(small.lab().size().extent() == Extent{50, 50});
 }
 
 TEST_CASE("the output window offers its display's size to a picture of another fixed size") {
     SmallLab small;  // of 8 x 8 px
-    small.lab().set_view({40, 20});
+    small.lab().size().set_view({40, 20});
     offer_display_size(small.lab(), {8, 8});
-    CHECK_FALSE(small.lab().notice());
+    CHECK_FALSE(small.lab().messages().notice());
     offer_display_size(small.lab(), {40, 20});
-    REQUIRE(small.lab().notice());
-    CHECK(small.lab().notice()->text == "The render size is 8 × 8 px, the display 40 × 20 px");
-    const Choice match = small.lab().notice()->choices.front();
+    REQUIRE(small.lab().messages().notice());
+    CHECK(small.lab().messages().notice()->text ==
+          "The render size is 8 × 8 px, the display 40 × 20 px");
+    const Choice match = small.lab().messages().notice()->choices.front();
     std::get<std::function<void(Lab&)>>(match.deeds.front())(small.lab());
-    CHECK(small.lab().picture_extent() == Extent{40, 20});
+    CHECK(small.lab().size().extent() == Extent{40, 20});
     SmallLab following;
-    following.lab().set_picture_size(PictureSize{true, {}, 1.0});
+    following.lab().size().choose(PictureSize{true, {}, 1.0});
     offer_display_size(following.lab(), {40, 20});
-    CHECK_FALSE(following.lab().notice());
+    CHECK_FALSE(following.lab().messages().notice());
 }
 
 TEST_CASE("a uniform renamed with @was keeps its value") {
@@ -223,5 +224,5 @@ TEST_CASE("a line of text carries the values to another lab") {
     to.turn(1);
     CHECK(to.shown() == to.frames());
     to.lab().paste("afterglow:1:nonsense");
-    CHECK(to.lab().notice()->is_problem);
+    CHECK(to.lab().messages().notice()->is_problem);
 }

@@ -40,9 +40,9 @@ TEST_CASE("a bypass of nothing is a notice, and nothing is switched") {
     SmallLab small;
     small.lab().switch_pass(PassSwitch::bypass, "sum");
     CHECK(small.lab().pass_switches().is_empty());
-    REQUIRE(small.lab().notice());
-    CHECK(small.lab().notice()->is_problem);
-    CHECK(small.lab().notice()->text.find("only its own output") != std::string::npos);
+    REQUIRE(small.lab().messages().notice());
+    CHECK(small.lab().messages().notice()->is_problem);
+    CHECK(small.lab().messages().notice()->text.find("only its own output") != std::string::npos);
 }
 
 TEST_CASE("a frozen pass stays through edits, values and a replay, and comes back with the past") {

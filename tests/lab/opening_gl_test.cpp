@@ -36,8 +36,8 @@ TEST_CASE("what is being opened can be cancelled at any time, and what was open 
         small.turn(30);
         CHECK(open_look(small) == "small");
         CHECK(small.frames() > frames);
-        CHECK(small.lab().problems().empty());
-        CHECK(small.lab().notice()->text == "Cancelled opening \"other\"");
+        CHECK(small.lab().messages().problems().empty());
+        CHECK(small.lab().messages().notice()->text == "Cancelled opening \"other\"");
         small.lab().open("small");
         REQUIRE(small.turn_until([&] { return !small.lab().is_loading(); }));
     }
@@ -82,7 +82,7 @@ TEST_CASE(
     SmallLab small;
     small.lab().cancel_opening();
     CHECK(open_look(small) == "small");
-    CHECK_FALSE(small.lab().notice().has_value());
+    CHECK_FALSE(small.lab().messages().notice().has_value());
     CHECK_FALSE(small.lab().opening().has_value());
     CHECK(small.lab().end_opening());
 }

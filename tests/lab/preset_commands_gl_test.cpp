@@ -62,9 +62,9 @@ TEST_CASE("a shipped preset is not saved over; a name beside it is proposed") {
 TEST_CASE("a shipped preset is neither renamed nor deleted") {
     PresetLab small;
     small.presets().rename(small.shipped_file(), "Other");
-    CHECK(small.lab().notice()->is_problem);
+    CHECK(small.lab().messages().notice()->is_problem);
     small.presets().remove(small.shipped_file());
-    CHECK(small.lab().notice()->is_problem);
+    CHECK(small.lab().messages().notice()->is_problem);
     CHECK(read_text(small.shipped_file()) == PresetLab::text("Amber"));
 }
 
@@ -102,8 +102,8 @@ TEST_CASE("a deleted preset is in the trash, and undo brings it back as it was o
     CHECK(small.document().preset_file().empty());
     CHECK(small.presets().stars().empty());
     CHECK(small.presets().undo_name() == "Delete \"Mine\"");
-    REQUIRE(small.lab().notice()->choices.size() == 1);
-    CHECK(small.lab().notice()->choices.front().name == "Undo");
+    REQUIRE(small.lab().messages().notice()->choices.size() == 1);
+    CHECK(small.lab().messages().notice()->choices.front().name == "Undo");
 
     small.lab().undo();
     CHECK(read_text(file) == text);
@@ -122,7 +122,7 @@ TEST_CASE("a preset that is deleted while it opens does not open") {
     REQUIRE(small.lab().is_opening_preset(file));
     small.presets().remove(file);
     CHECK_FALSE(small.lab().is_opening_preset(file));
-    CHECK(small.lab().notice()->text == "Deleted \"Mine\"");
+    CHECK(small.lab().messages().notice()->text == "Deleted \"Mine\"");
     CHECK(small.document().preset_file() == small.shipped_file());
     small.lab().undo();
     CHECK(fs::exists(file));
@@ -158,8 +158,8 @@ TEST_CASE("presets of the user in the program's folder are offered to be moved, 
     PresetLab small;
     small.open_and_wait(small.old_file().string());
     small.presets().offer_move();
-    REQUIRE(small.lab().notice().has_value());
-    CHECK(small.lab().notice()->text == "1 of your presets is in the program folder");
+    REQUIRE(small.lab().messages().notice().has_value());
+    CHECK(small.lab().messages().notice()->text == "1 of your presets is in the program folder");
     small.presets().move_to_user_folder();
     CHECK_FALSE(fs::exists(small.old_file()));
     CHECK(read_text(small.users_file("old")) == PresetLab::text("Old"));
@@ -178,8 +178,8 @@ TEST_CASE("a shipped look is not written into; a copy of it is offered") {
     small.lab().edit([&half](Document& document) { document.set_override("sum", half); });
     small.lab().write_overrides();
     CHECK(read_text(small.look_folder() / "look.json") == manifest);
-    REQUIRE(small.lab().notice()->choices.size() == 1);
-    CHECK(small.lab().notice()->choices.front().name == "Duplicate look");
+    REQUIRE(small.lab().messages().notice()->choices.size() == 1);
+    CHECK(small.lab().messages().notice()->choices.front().name == "Duplicate look");
     CHECK_FALSE(small.document().state().overrides.empty());
 }
 
@@ -200,8 +200,8 @@ TEST_CASE("F4 on a shipped look that cannot be written to offers a copy") {
     small.lab().open_in_editor({file, 1});
     if (is_root)
         REQUIRE(seteuid(0) == 0);
-    REQUIRE(small.lab().notice().has_value());
-    INFO(small.lab().notice()->text);
-    REQUIRE(small.lab().notice()->choices.size() == 1);
-    CHECK(small.lab().notice()->choices.front().name == "Duplicate look");
+    REQUIRE(small.lab().messages().notice().has_value());
+    INFO(small.lab().messages().notice()->text);
+    REQUIRE(small.lab().messages().notice()->choices.size() == 1);
+    CHECK(small.lab().messages().notice()->choices.front().name == "Duplicate look");
 }

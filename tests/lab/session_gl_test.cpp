@@ -29,7 +29,7 @@ TEST_CASE("unsaved values, undo, redo, preset, time and picture size come back")
     set_gain(small, 3.0);
     set_gain(small, 4.0);
     small.lab().edit([](Document& document) { document.undo(); });
-    small.lab().set_picture_size({false, {16, 8}, 0.5});
+    small.lab().size().choose({false, {16, 8}, 0.5});
     small.turn(5);
     small.lab().transport().pause();
     const double time = small.lab().player().time();
@@ -44,7 +44,7 @@ TEST_CASE("unsaved values, undo, redo, preset, time and picture size come back")
     CHECK(small.document().is_modified());
     CHECK_FALSE(small.lab().player().is_playing());
     CHECK(std::abs(small.lab().player().time() - time) < 1.5 / 60.0);  // a frame may go by
-    CHECK(small.lab().picture_extent() == Extent{8, 4});
+    CHECK(small.lab().size().extent() == Extent{8, 4});
     small.lab().edit([](Document& document) { document.redo(); });
     CHECK(small.document().values().at("gain") == Value(4.0));
     for (int i = 0; i < 2; ++i)
@@ -205,19 +205,19 @@ TEST_CASE("stars, locks and a slider's own ends come back, also when the look wa
     small.lab().edit([](Document& document) {
         document.set_knob("gain", {.is_favourite = true, .is_locked = true});
     });
-    small.lab().set_slider_ends("gain", Limit{1.0, 3.0});
+    small.lab().parameters().set_slider_ends("gain", Limit{1.0, 3.0});
     const KnobSetting gain{true, true, Limit{1.0, 3.0}};
     const Session session = kept(small);
     small.start();
-    small.lab().set_knobs(session.knobs);
+    small.lab().parameters().set_all(session.knobs);
     small.lab().open("small");
     REQUIRE(small.turn_until([&] { return small.lab().document() != nullptr; }));
     CHECK(small.document().knobs() == KnobSettings{{"gain", gain}});
-    small.lab().set_slider_ends("gain", Limit{3.0, 1.0});
-    REQUIRE(small.lab().notice().has_value());
-    CHECK(small.lab().notice()->is_problem);
+    small.lab().parameters().set_slider_ends("gain", Limit{3.0, 1.0});
+    REQUIRE(small.lab().messages().notice().has_value());
+    CHECK(small.lab().messages().notice()->is_problem);
     CHECK(small.document().knobs() == KnobSettings{{"gain", gain}});
-    small.lab().set_slider_ends("gain", std::nullopt);
+    small.lab().parameters().set_slider_ends("gain", std::nullopt);
     CHECK_FALSE(small.document().knobs().at("gain").ends.has_value());
 }
 
@@ -228,11 +228,11 @@ TEST_CASE("beside a locked value one goes through the presets without being warn
         small.lab().edit([&](Document& document) { document.set_value(name, Value(value)); });
     };
     const auto opened_again = [&] {
-        while (small.lab().notice())
+        while (small.lab().messages().notice())
             small.lab().update(10.0);  // what was said before goes by
         small.lab().open(small.lab().library().find_preset("small", "one")->file.string());
         REQUIRE(small.turn_until([&] { return !small.lab().is_loading(); }));
-        return small.lab().notice().has_value();
+        return small.lab().messages().notice().has_value();
     };
     small.lab().edit([](Document& document) { document.set_knob("gain", {.is_locked = true}); });
     set("gain", 3.0);

@@ -347,13 +347,14 @@ TEST_CASE("what is changed is saved as a .slangp that refers to the open one") {
     REQUIRE(slang.lab().can_save_slang_preset());
     slang.lab().edit([](Document& document) { document.set_value("level", Value(0.75)); });
     slang.lab().save_slang_preset(slang.file("a.slangp"));
-    CHECK(slang.lab().notice()->text ==
+    CHECK(slang.lab().messages().notice()->text ==
           "A .slangp file can't reference itself. Choose another name.");
     slang.lab().save_slang_preset(slang.file("mine"));
     slang.open_preset("mine.slangp");
     CHECK(slang.level() == 0.75);
     slang.lab().save_slang_preset(slang.file("a.slangp"));  // would go round in a circle
-    CHECK(slang.lab().notice()->text == "The open look uses this file. Choose another name.");
+    CHECK(slang.lab().messages().notice()->text ==
+          "The open look uses this file. Choose another name.");
     CHECK_FALSE(slang.document().is_modified());
     slang.lab().open("small");
     REQUIRE(slang.turn_until([&] { return slang.document().look().id == "small"; }));
@@ -372,23 +373,23 @@ TEST_CASE("a shader that is open alone is saved as a .slangp that draws it") {
 
 TEST_CASE("a chain's picture keeps its source's shape in the view, until it is asked not to") {
     SlangLab slang;
-    slang.lab().set_view({100, 60});
-    slang.lab().set_picture_size({});
+    slang.lab().size().set_view({100, 60});
+    slang.lab().size().choose({});
     REQUIRE(slang.turn_until([&] { return slang.lab().drive().source().has_value(); }));
-    CHECK(slang.lab().picture_extent() == Extent{80, 60});  // of 320 x 240
+    CHECK(slang.lab().size().extent() == Extent{80, 60});  // of 320 x 240
     slang.lab().edit(
         [](Document& document) { document.set_source("pattern:harbour,size=16x16,aspect=1.25"); });
     REQUIRE(slang.turn_until([&] {
         return slang.lab().drive().source()->extent() == Extent{16, 16};
     }));
-    CHECK(slang.lab().picture_extent() == Extent{75, 60});
+    CHECK(slang.lab().size().extent() == Extent{75, 60});
     PictureSize size;
     size.shape = ViewShape::whole_pixels;
-    slang.lab().set_picture_size(size);
-    CHECK(slang.lab().picture_extent() == Extent{60, 48});
+    slang.lab().size().choose(size);
+    CHECK(slang.lab().size().extent() == Extent{60, 48});
     size.shape = ViewShape::view;
-    slang.lab().set_picture_size(size);
-    CHECK(slang.lab().picture_extent() == Extent{100, 60});
+    slang.lab().size().choose(size);
+    CHECK(slang.lab().size().extent() == Extent{100, 60});
 }
 
 TEST_CASE("the aspect of the original is that of its pixels as they are seen") {

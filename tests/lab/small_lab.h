@@ -67,7 +67,7 @@ public:
         m_context->make_current();
         m_lab = std::make_unique<Lab>(Library(m_roots, std::move(shipped)), *m_context, nullptr,
                                       std::move(midi));
-        m_lab->set_picture_size({false, {8, 8}, 1.0});
+        m_lab->size().choose({false, {8, 8}, 1.0});
     }
     void wait_for_frames() {
         REQUIRE(

@@ -258,13 +258,13 @@ TEST_CASE("any look of a stack is followed when its files change; a mistake leav
     REQUIRE(small.turn_until([&] { return small.value("gain/gain") == 0.25; }));
     REQUIRE(
         write_atomically(other / "show.frag", replaced(gain_text, "uv) *", "uvv) *")).has_value());
-    REQUIRE(small.turn_until([&] { return !small.lab().problems().empty(); }));
-    CHECK(small.lab().problems().front().diagnostic.file == other / "show.frag");
+    REQUIRE(small.turn_until([&] { return !small.lab().messages().problems().empty(); }));
+    CHECK(small.lab().messages().problems().front().diagnostic.file == other / "show.frag");
     CHECK(small.document().look().id == "small+gain");
     small.write("gain.glsl", "uniform float gain = 2.0;  // @range 0 8\n");
     REQUIRE(write_atomically(other / "show.frag", gain_text).has_value());
     REQUIRE(small.turn_until([&] { return small.value("small/gain") == 2.0; }));
-    CHECK(small.turn_until([&] { return small.lab().problems().empty(); }));
+    CHECK(small.turn_until([&] { return small.lab().messages().problems().empty(); }));
 }
 
 TEST_CASE("a stack with its order, bypass and undo comes back at the next start") {

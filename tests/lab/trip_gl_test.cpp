@@ -97,9 +97,11 @@ TEST_CASE("cleared, history begins anew; left as it is, nothing asks again") {
 TEST_CASE("where nobody can be asked it is clamped and told once") {
     Tripping lab;
     lab.lab().set_unattended(true);
-    REQUIRE(lab.turn_until([&] { return lab.lab().notice() && lab.lab().notice()->is_problem; }));
-    CHECK(lab.lab().notice()->text.find("pass 'sum'") != std::string::npos);
-    CHECK(lab.lab().notice()->text.find("pixel (3, 3), frame 40") != std::string::npos);
+    REQUIRE(lab.turn_until([&] {
+        return lab.lab().messages().notice() && lab.lab().messages().notice()->is_problem;
+    }));
+    CHECK(lab.lab().messages().notice()->text.find("pass 'sum'") != std::string::npos);
+    CHECK(lab.lab().messages().notice()->text.find("pixel (3, 3), frame 40") != std::string::npos);
     CHECK_FALSE(lab.lab().trip());
     CHECK(lab.lab().player().is_playing());
     CHECK(std::isfinite(lab.sum(3)));

@@ -1,7 +1,7 @@
 // Where a hand points is where the beam shows: places against pictures of the real looks.
 #include "base/text.h"
-#include "lab/document/beam_place.h"
 #include "lab/document/users_content.h"
+#include "lab/drawing/beam_place.h"
 #include "lab/offline/offline.h"
 #include "problems_of.h"
 

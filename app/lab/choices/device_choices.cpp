@@ -8,7 +8,7 @@
 
 namespace {
 Deed set_sound(const SoundSettings& settings) {
-    return [settings](Lab& lab) { lab.set_sound_settings(settings); };
+    return [settings](Lab& lab) { lab.audio().set_settings(settings); };
 }
 
 Choice sound_choice(std::string name, const SoundSettings& next, bool is_present) {
@@ -82,11 +82,11 @@ void add_sound_numbers(const SoundFacts& facts, std::vector<Choice>& choices) {
 
 Deed change_remote(const std::function<void(RemoteSettings&)>& change) {
     return [change](Lab& lab) {
-        RemoteSettings settings = lab.remote_settings();
-        settings.listens_to_osc = lab.osc().is_listening();
-        settings.listens_to_midi = lab.midi().is_listening();
+        RemoteSettings settings = lab.remote().settings();
+        settings.listens_to_osc = lab.remote().osc().is_listening();
+        settings.listens_to_midi = lab.remote().midi().is_listening();
         change(settings);
-        lab.set_remote_settings(settings);
+        lab.remote().set_settings(settings);
     };
 }
 }  // namespace
@@ -98,7 +98,7 @@ ChoiceList sound_choices(const SoundFacts& facts) {
     list.choices.push_back(
         sound_choice("Send beam to audio output", beam, facts.settings.plays_beam));
     list.choices.push_back(
-        {.name = "Rescan devices", .deeds = {[](Lab& lab) { lab.look_for_sound_devices(); }}});
+        {.name = "Rescan devices", .deeds = {[](Lab& lab) { lab.audio().find_devices(); }}});
     add_devices(facts, &SoundSettings::output, "Output", list.choices);
     add_devices(facts, &SoundSettings::input, "Input", list.choices);
     add_sizes(facts.settings, list.choices);
@@ -119,8 +119,8 @@ ChoiceList remote_choices(const RemoteSettings& settings, bool hears_osc, bool h
           [next = !hears_midi](RemoteSettings& changed) { changed.listens_to_midi = next; });
     offer("Soft takeover", settings.picks_up,
           [](RemoteSettings& changed) { changed.picks_up = !changed.picks_up; });
-    list.choices.push_back(
-        {.name = "Rescan MIDI devices", .deeds = {[](Lab& lab) { lab.look_for_midi_devices(); }}});
+    list.choices.push_back({.name = "Rescan MIDI devices",
+                            .deeds = {[](Lab& lab) { lab.remote().find_midi_devices(); }}});
     list.choices.push_back(
         {.name = "OSC port…",
          .number = AskedNumber{.present = static_cast<double>(settings.osc_port),

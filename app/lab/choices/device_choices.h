@@ -1,7 +1,7 @@
 #pragma once
 
 #include "io/sound/sound_devices.h"
-#include "lab/choice.h"
+#include "lab/messages/choice.h"
 #include "model/devices/remote_settings.h"
 #include "model/devices/sound_settings.h"
 

@@ -62,7 +62,7 @@ ChoiceList comparing_choices(const Lab& lab) {
 }
 
 Deed on_board(const std::function<void(DrawingBoard&, Document&)>& change) {
-    return [change](Lab& lab) { lab.draw(change); };
+    return [change](Lab& lab) { lab.drawing().edit(change); };
 }
 
 void add_pens(const Pen& pen, std::vector<Choice>& choices) {
@@ -152,7 +152,7 @@ ChoiceList trouble_choices(const Lab& lab) {
             list.choices.push_back({.name = name, .deeds = {[to = answer](Lab& changed) {
                                                       changed.answer_trip(to);
                                                   }}});
-    for (const Problem& problem : lab.problems()) {
+    for (const Problem& problem : lab.messages().problems()) {
         const Diagnostic& said = problem.diagnostic;
         list.choices.push_back({.name = fmt::format("{}:{} {}", said.file.filename().string(),
                                                     said.line, said.message),
@@ -200,7 +200,7 @@ void add_further(const Lab& lab, const WindowState& window, Lists& all) {
         cells.push_back(cell.values);
     all.push_back(sheet_choices(sheet.request(), cells, in_hand));
     add_lists(all, listing_choices(document, window));
-    all.push_back(drawing_choices(lab.drawing_board()));
+    all.push_back(drawing_choices(lab.drawing().board()));
 }
 }  // namespace
 
@@ -215,12 +215,12 @@ std::vector<ChoiceList> all_choices(const Lab& lab, const WindowState& window,
     const Player& player = lab.player();
     all.push_back(
         sound_choices({.settings = player.sound_settings(),
-                       .devices = lab.sound_devices(),
+                       .devices = lab.audio().devices(),
                        .level = player.level(),
                        .place = player.time(),
                        .sound_seconds = player.sound().sound ? player.sound_seconds() : 0.0}));
-    all.push_back(
-        remote_choices(lab.remote_settings(), lab.osc().is_listening(), lab.midi().is_listening()));
+    all.push_back(remote_choices(lab.remote().settings(), lab.remote().osc().is_listening(),
+                                 lab.remote().midi().is_listening()));
     all.push_back(include_choices(lab));
     all.push_back(trouble_choices(lab));
     all.push_back(lab.heavy_pass_choices());

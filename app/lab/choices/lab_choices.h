@@ -1,7 +1,7 @@
 #pragma once
 
-#include "lab/choice.h"
 #include "lab/library/shelf.h"
+#include "lab/messages/choice.h"
 
 class Lab;
 struct WindowState;

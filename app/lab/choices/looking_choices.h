@@ -1,8 +1,8 @@
 #pragma once
 
-#include "lab/choice.h"
 #include "lab/inspect/inspected_texture.h"
 #include "lab/lab.h"
+#include "lab/messages/choice.h"
 
 /// What the inspector can look into beside the passes themselves: the source, images, former frames
 /// and mip levels.

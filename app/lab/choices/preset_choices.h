@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lab/choice.h"
+#include "lab/messages/choice.h"
 #include "lab/window/preset_list.h"
 
 /// What can be done with the presets of the open look beside opening them.

@@ -113,7 +113,7 @@ std::string label_of_word(std::string word) {
 
 Deed deed_for(const SignalKind& kind) {
     if (kind.kind == "drawing")
-        return [](Lab& lab) { lab.take_pen(true); };
+        return [](Lab& lab) { lab.drawing().take_pen(true); };
     if (!kind.file_setting.empty())
         return [](WindowState& window) { window.dialog = {.kind = Dialog::Kind::open_file}; };
     if (kind.is_live)

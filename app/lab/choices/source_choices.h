@@ -1,7 +1,7 @@
 #pragma once
 
-#include "lab/choice.h"
 #include "lab/document/document.h"
+#include "lab/messages/choice.h"
 #include "model/picture/source_spec.h"
 
 class Drive;

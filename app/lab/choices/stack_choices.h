@@ -1,8 +1,8 @@
 #pragma once
 
-#include "lab/choice.h"
 #include "lab/document/document.h"
 #include "lab/library/shelf.h"
+#include "lab/messages/choice.h"
 
 /// What can be done to a look of a stack. Looks are told by their tags: what a person chose may
 /// have moved since.

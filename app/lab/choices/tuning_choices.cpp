@@ -44,7 +44,7 @@ Choice end_choice(const Parameter& parameter, bool is_low) {
                     name = parameter.name](double typed) -> Deeds {
         const double end = typed / factor;
         const Limit next = is_low ? Limit{end, ends.high} : Limit{ends.low, end};
-        return {[name, next](Lab& lab) { lab.set_slider_ends(name, next); }};
+        return {[name, next](Lab& lab) { lab.parameters().set_slider_ends(name, next); }};
     };
     return {.name = is_low ? "Slider minimum…" : "Slider maximum…", .number = std::move(asked)};
 }
@@ -58,7 +58,7 @@ void add_ends(const Parameter& declared, const KnobSetting& setting, std::vector
     if (setting.ends)
         choices.push_back(
             {.name = "Reset slider range", .deeds = {[name = declared.name](Lab& lab) {
-                                               lab.set_slider_ends(name, std::nullopt);
+                                               lab.parameters().set_slider_ends(name, std::nullopt);
                                            }}});
 }
 
@@ -82,10 +82,12 @@ void add_midi(const Parameter& parameter, std::vector<Choice>& choices) {
         return;
     const auto count = static_cast<std::size_t>(parameter.type.size());
     for (std::size_t i = 0; i < count; ++i)
-        choices.push_back(
-            {.name = count == 1 ? "MIDI learn"
-                                : fmt::format("MIDI learn: {}", part_label(parameter, i)),
-             .deeds = {[goal = MidiGoal{parameter.name, i}](Lab& lab) { lab.learn_midi(goal); }}});
+        choices.push_back({.name = count == 1
+                                       ? "MIDI learn"
+                                       : fmt::format("MIDI learn: {}", part_label(parameter, i)),
+                           .deeds = {[goal = MidiGoal{parameter.name, i}](Lab& lab) {
+                               lab.remote().learn_midi(goal);
+                           }}});
 }
 
 ChoiceList hand_choices(const Document& document, const Parameter& parameter) {

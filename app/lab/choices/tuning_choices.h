@@ -1,7 +1,7 @@
 #pragma once
 
-#include "lab/choice.h"
 #include "lab/document/document.h"
+#include "lab/messages/choice.h"
 #include "lab/trials/variant_sheet.h"
 #include "lab/window/window_state.h"
 

@@ -165,3 +165,6 @@ private:
 
 /// The state in which a look opens.
 DocumentState initial_state(const Look& look);
+
+/// Empty until a look is open.
+using OpenDocument = std::optional<Document>;

@@ -1,8 +1,8 @@
 #include "lab/offline/impulse.h"
 
 #include "gpu/objects/readback.h"
-#include "lab/document/beam_place.h"
 #include "lab/document/users_content.h"
+#include "lab/drawing/beam_place.h"
 #include "lab/offline/offline.h"
 #include "lab/offline/rate_comparison.h"
 #include "model/look/color.h"

@@ -26,7 +26,7 @@ void SessionKeeper::save(Lab& lab, const WindowState& window) {
         return;
     const auto saved = save_session(m_roots, session);
     if (!saved && !m_has_failed)
-        lab.say(saved.error().front());
+        lab.messages().say(saved.error().front());
     m_has_failed = !saved;
     m_saved = std::move(session);
 }

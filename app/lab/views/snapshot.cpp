@@ -13,7 +13,8 @@ void save_snapshot(Lab& lab, std::filesystem::path file) {
     if (!lab.document() || !lab.renderer())
         return;
     if (!lab.renderer()->has_whole_picture())
-        return lab.say("The picture is still rendering. Try again when it is done.", true);
+        return lab.messages().say("The picture is still rendering. Try again when it is done.",
+                                  true);
     if (file.extension().empty())
         file += ".png";
     const Executor& executor = lab.renderer()->executor();
@@ -23,9 +24,9 @@ void save_snapshot(Lab& lab, std::filesystem::path file) {
     const auto saved =
         save_picture_with_preset(picture, *lab.document(), file, lab.drive().recent());
     if (saved)
-        lab.say(saved_words(file.filename().string()));
+        lab.messages().say(saved_words(file.filename().string()));
     else
-        lab.say(saved.error().front());
+        lab.messages().say(saved.error().front());
 }
 
 namespace {
@@ -53,12 +54,13 @@ void save_target(Lab& lab, const PassView& view, std::filesystem::path file) {
         inspected->choice.from != Input::From::pass ||
         !lab.renderer()->executor().plan().targets[static_cast<std::size_t>(inspected->pass)].onto;
     if (!is_there)
-        return lab.say("This pass isn't being inspected. Open the inspector first.", true);
+        return lab.messages().say("This pass isn't being inspected. Open the inspector first.",
+                                  true);
     if (!lab.renderer()->has_whole_picture())
-        return lab.say("The pass is still rendering. Try again when it is done.", true);
+        return lab.messages().say("The pass is still rendering. Try again when it is done.", true);
     auto closer = CloserLook::make();
     if (!closer)
-        return lab.say(closer.error().front());
+        return lab.messages().say(closer.error().front());
     if (file.extension().empty())
         file += ".exr";
     const gpu::Texture& target = closer->level_of(*inspected);
@@ -67,8 +69,8 @@ void save_target(Lab& lab, const PassView& view, std::filesystem::path file) {
                                  : gpu::read_picture(target);
     const auto saved = picture ? save_picture(*picture, file) : fail(picture.error());
     if (saved)
-        lab.say(fmt::format("Saved \"{}\" to \"{}\"", inspected->choice.label(),
-                            file.filename().string()));
+        lab.messages().say(fmt::format("Saved \"{}\" to \"{}\"", inspected->choice.label(),
+                                       file.filename().string()));
     else
-        lab.say(saved.error().front());
+        lab.messages().say(saved.error().front());
 }

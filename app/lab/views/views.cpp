@@ -137,7 +137,7 @@ ViewOptions options_for(const PassView& view, Encoding encoding) {
 Probe picture_probe(const Lab& lab, const std::array<double, 2>& place) {
     const Executor& executor = lab.renderer()->executor();
     const int shown = lab.picture_pass();
-    const Extent seen_as = lab.picture_extent();
+    const Extent seen_as = lab.size().extent();
     const Extent own = executor.target(shown).extent();
     const auto texel = [](double at, int whole, int length) {
         return static_cast<int>(std::floor(at * length / std::max(whole, 1)));

@@ -32,10 +32,10 @@ bool can_draw(const Scene& scene) {
     return scene.lab.document() && scene.lab.document()->look().driven_by == Driver::signal;
 }
 bool has_pen(const Scene& scene) {
-    return scene.lab.drawing_board().has_pen();
+    return scene.lab.drawing().board().has_pen();
 }
 void take_pen(const Scene& scene, Edits& edits) {
-    edits.add([is_in_hand = !has_pen(scene)](Lab& lab) { lab.take_pen(is_in_hand); });
+    edits.add([is_in_hand = !has_pen(scene)](Lab& lab) { lab.drawing().take_pen(is_in_hand); });
 }
 void show_remote(const Scene&, Edits& edits) {
     edits.show({.kind = Dialog::Kind::remote});

@@ -60,7 +60,7 @@ void duplicate_look(const Scene& scene, Edits& edits) {
 
 void copy_line(const Scene& scene, Edits& edits) {
     edits.copy(scene.lab.share_line());
-    edits.add([](Lab& lab) { lab.say("Copied the preset as one line of text"); });
+    edits.add([](Lab& lab) { lab.messages().say("Copied the preset as one line of text"); });
 }
 
 void paste_line(const Scene&, Edits& edits) {

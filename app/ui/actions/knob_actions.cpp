@@ -54,7 +54,7 @@ void turn(const Scene& scene, Edits& edits) {
     if (next)
         edits.set(parameter.name, *next);
     else
-        edits.add([words = next.error().front().message](Lab& lab) { lab.say(words); });
+        edits.add([words = next.error().front().message](Lab& lab) { lab.messages().say(words); });
 }
 
 void let_go(const Scene& scene, Edits& edits) {

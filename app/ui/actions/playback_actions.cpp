@@ -37,15 +37,15 @@ void start_rates(const Scene&, Edits& edits) {
 }
 
 bool is_recording(const Scene& scene) {
-    return scene.lab.moves().is_running();
+    return scene.lab.automation().recorder().is_running();
 }
 bool has_moves(const Scene& scene) {
-    return !scene.lab.moves().moves().empty();
+    return !scene.lab.automation().recorder().moves().empty();
 }
 // What was recorded is to be kept: the end asks where.
 void record_moves(const Scene& scene, Edits& edits) {
     const bool is_starting = !is_recording(scene);
-    edits.add([is_starting](Lab& lab) { lab.record_moves(is_starting); });
+    edits.add([is_starting](Lab& lab) { lab.automation().record(is_starting); });
     if (!is_starting && has_moves(scene))
         edits.show({.kind = Dialog::Kind::save_moves});
 }

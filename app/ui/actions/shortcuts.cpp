@@ -26,7 +26,7 @@ void escape(const Scene& scene, Edits& edits) {
         edits.arrange([](WindowState& window) { window.output.is_open = false; });
     else if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup))
         ImGui::ClosePopupToLevel(0, true);
-    else if (scene.lab.drawing_board().open_line())
+    else if (scene.lab.drawing().board().open_line())
         edits.end_line();
     else if (!scene.lab.drive().loading().empty())
         edits.add([](Lab& lab) { lab.cancel_loading(); });
@@ -34,8 +34,8 @@ void escape(const Scene& scene, Edits& edits) {
         edits.add([](Lab& lab) { lab.cancel_opening(); });
     else if (scene.lab.renderer() && scene.lab.renderer()->replay().is_running())
         edits.add([](Lab& lab) { lab.cancel_replay(); });
-    else if (scene.lab.midi().learning())
-        edits.add([](Lab& lab) { lab.end_midi_learning(); });
+    else if (scene.lab.remote().midi().learning())
+        edits.add([](Lab& lab) { lab.remote().end_midi_learning(); });
     else if (scene.lab.tryouts().probe().question())
         edits.add([](Lab& lab) { lab.end_step(); });
     else if (scene.lab.morphing())
@@ -45,13 +45,13 @@ void escape(const Scene& scene, Edits& edits) {
     else if (scene.lab.comparing().is_flashing())
         edits.add([](Lab& lab) { lab.flash(false); });
     else if (shows_errors(scene))
-        edits.add([](Lab& lab) { lab.put_problems_away(); });
+        edits.add([](Lab& lab) { lab.dismiss_problems(); });
     else if (scene.window.shows_pass_large)
         edits.arrange([](WindowState& window) { window.shows_pass_large = false; });
     else if (scene.window.is_picture_only)
         edits.arrange([](WindowState& window) { window.is_picture_only = false; });
-    else if (scene.lab.drawing_board().has_pen())
-        edits.add([](Lab& lab) { lab.take_pen(false); });
+    else if (scene.lab.drawing().board().has_pen())
+        edits.add([](Lab& lab) { lab.drawing().take_pen(false); });
 }
 }  // namespace
 
@@ -66,7 +66,7 @@ void run_shortcuts(const Scene& scene, Edits& edits) {
     const bool is_typing = ImGui::GetIO().WantTextInput;
     const bool is_entered = ImGui::IsKeyPressed(gpu::key::enter, false) ||
                             ImGui::IsKeyPressed(gpu::key::pad_enter, false);
-    if (is_entered && !is_typing && scene.lab.drawing_board().open_line())
+    if (is_entered && !is_typing && scene.lab.drawing().board().open_line())
         edits.end_line();
     for (const Action& action : scene.actions.rows()) {
         // A text field has its own copy, paste, undo and letters; saving works from everywhere.

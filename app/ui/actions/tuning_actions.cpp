@@ -33,7 +33,7 @@ template <bool is_up>
 void show_step(const Scene& scene, Edits& edits) {
     if (scene.window.pointed)
         return ask_for_step(*scene.window.pointed, is_up, edits);
-    edits.add([](Lab& lab) { lab.say("Point at a parameter and hold U or Shift+U"); });
+    edits.add([](Lab& lab) { lab.messages().say("Point at a parameter and hold U or Shift+U"); });
 }
 
 void end_step(const Scene&, Edits& edits) {

@@ -61,7 +61,8 @@ void answer(const Choice& choice, const std::string& text, Edits& edits) {
     if (typed.value)
         run(choice.number->answer(*typed.value), edits);
     if (!typed.complaint.empty())
-        edits.add([words = std::move(typed.complaint)](Lab& lab) { lab.say(words, true); });
+        edits.add(
+            [words = std::move(typed.complaint)](Lab& lab) { lab.messages().say(words, true); });
 }
 }  // namespace
 

@@ -13,7 +13,7 @@
 void compare_preset(const ShelfPreset& preset, const Scene& scene, Edits& edits) {
     auto changes = difference_from(preset.entry.file, scene.lab);
     if (!changes) {
-        edits.add([problem = changes.error().front()](Lab& lab) { lab.say(problem); });
+        edits.add([problem = changes.error().front()](Lab& lab) { lab.messages().say(problem); });
         return;
     }
     edits.show({.kind = Dialog::Kind::compare_preset,

@@ -31,7 +31,7 @@ void export_frames(const std::filesystem::path& file, const Scene& scene, Edits&
     ExportWishes wishes{file, scene.window.export_fps, scene.window.export_seconds};
     if (!file.has_extension())
         wishes.file += ".mp4";
-    edits.add([wishes](Lab& lab) { lab.export_frames(wishes); });
+    edits.add([wishes](Lab& lab) { lab.jobs().export_frames(wishes); });
     edits.show({.kind = Dialog::Kind::exporting});
 }
 
@@ -59,6 +59,6 @@ void draw_export_dialog(const Scene& scene, Edits& edits) {
         return;
     const auto draw = [&](const Exported& exported) { draw_exported(exported, edits); };
     draw_work(
-        scene.lab.frame_export(), "Rendering from the start…", draw,
-        [](Lab& lab) { lab.cancel_export(); }, edits);
+        scene.lab.jobs().frame_export(), "Rendering from the start…", draw,
+        [](Lab& lab) { lab.jobs().cancel_export(); }, edits);
 }

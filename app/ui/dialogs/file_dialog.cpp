@@ -118,13 +118,13 @@ void finish(const fs::path& file, const Scene& scene, Edits& edits) {
         edits.add(
             [view = scene.window.inspected, file](Lab& lab) { save_target(lab, view, file); });
     else if (dialog.kind == Dialog::Kind::load_drawing)
-        edits.add([file](Lab& lab) { lab.load_drawing(file); });
+        edits.add([file](Lab& lab) { lab.drawing().load(file); });
     else if (dialog.kind == Dialog::Kind::choose_reference)
         edits.add([file](Lab& lab) { lab.compare_with_file(file); });
     else if (dialog.kind == Dialog::Kind::save_drawing)
-        edits.add([file](Lab& lab) { lab.save_drawing(file); });
+        edits.add([file](Lab& lab) { lab.drawing().save(file); });
     else if (dialog.kind == Dialog::Kind::save_moves)
-        edits.add([file](Lab& lab) { lab.save_moves(file); });
+        edits.add([file](Lab& lab) { lab.automation().save(file); });
     else if (dialog.kind == Dialog::Kind::save_slangp)
         edits.add([file](Lab& lab) { lab.save_slang_preset(file); });
     else

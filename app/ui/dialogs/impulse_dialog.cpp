@@ -227,7 +227,7 @@ void draw_response(const ImpulseResponse& response, const Scene& scene, Edits& e
 }  // namespace
 
 void fire_impulse(const Scene& scene, Edits& edits) {
-    edits.add([place = place_of_flash(scene)](Lab& lab) { lab.fire_impulse(place); });
+    edits.add([place = place_of_flash(scene)](Lab& lab) { lab.jobs().fire_impulse(place); });
     edits.show({.kind = Dialog::Kind::impulse});
 }
 
@@ -237,6 +237,6 @@ void draw_impulse_dialog(const Scene& scene, Edits& edits) {
         return;
     const auto draw = [&](const auto& outcome) { draw_response(outcome, scene, edits); };
     draw_work(
-        scene.lab.impulse(), "Measuring the impulse response…", draw,
-        [](Lab& lab) { lab.cancel_impulse(); }, edits);
+        scene.lab.jobs().impulse(), "Measuring the impulse response…", draw,
+        [](Lab& lab) { lab.jobs().cancel_impulse(); }, edits);
 }

@@ -11,7 +11,7 @@
 #include <cmath>
 
 void compare_rates(Edits& edits) {
-    edits.add([](Lab& lab) { lab.compare_rates(); });
+    edits.add([](Lab& lab) { lab.jobs().compare_rates(); });
     edits.show({.kind = Dialog::Kind::rates});
 }
 
@@ -104,6 +104,6 @@ void draw_rates_dialog(const Scene& scene, Edits& edits) {
         return;
     const auto draw = [&](const auto& outcome) { draw_comparison(outcome, scene, edits); };
     draw_work(
-        scene.lab.rate_check(), "Rendering at 24, 30, 60 and 144 Hz…", draw,
-        [](Lab& lab) { lab.cancel_rate_comparison(); }, edits);
+        scene.lab.jobs().rates(), "Rendering at 24, 30, 60 and 144 Hz…", draw,
+        [](Lab& lab) { lab.jobs().cancel_rates(); }, edits);
 }

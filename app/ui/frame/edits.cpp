@@ -20,7 +20,8 @@ void Edits::finish() {
 
 void Edits::end_line() {
     add([](Lab& lab) {
-        lab.draw([](DrawingBoard& board, Document& document) { board.end_line(document); });
+        lab.drawing().edit(
+            [](DrawingBoard& board, Document& document) { board.end_line(document); });
     });
 }
 

@@ -15,15 +15,15 @@
 namespace {
 void unbind(const MidiGoal& goal, Edits& edits) {
     edits.add([goal](Lab& lab) {
-        RemoteSettings settings = lab.remote_settings();
+        RemoteSettings settings = lab.remote().settings();
         settings.unbind(goal);
-        lab.set_remote_settings(settings);
+        lab.remote().set_settings(settings);
     });
 }
 
 void draw_learn_item(const char* label, const MidiGoal& goal, Edits& edits) {
     if (ImGui::MenuItem(label))
-        edits.add([goal](Lab& lab) { lab.learn_midi(goal); });
+        edits.add([goal](Lab& lab) { lab.remote().learn_midi(goal); });
     edits.mark(fmt::format("midi_learn:{}", goal.component));
 }
 
@@ -71,7 +71,7 @@ void draw_devices(const MidiControl& midi, Edits& edits) {
     dim_text(devices_text(midi));
     same_line_right(ImGui::CalcTextSize("Rescan").x + 2.0f * ImGui::GetStyle().FramePadding.x);
     if (ImGui::Button("Rescan"))
-        edits.add([](Lab& lab) { lab.look_for_midi_devices(); });
+        edits.add([](Lab& lab) { lab.remote().find_midi_devices(); });
     edits.mark("midi_look");
     if (const auto& last = midi.last(); midi.is_listening() && last)
         dim_text(fmt::format("Last message: CC {}, channel {}, value {}", last->controller,
@@ -106,8 +106,8 @@ void draw_midi_items(const Knob& knob, Edits& edits) {
 }
 
 void draw_midi_settings(const Scene& scene, Edits& edits) {
-    const MidiControl& midi = scene.lab.midi();
-    RemoteSettings settings = scene.lab.remote_settings();
+    const MidiControl& midi = scene.lab.remote().midi();
+    RemoteSettings settings = scene.lab.remote().settings();
     ImGui::TextWrapped(
         "Control parameters with MIDI knobs and faders. Right-click a parameter, choose MIDI "
         "learn, then move the knob.");
@@ -120,7 +120,7 @@ void draw_midi_settings(const Scene& scene, Edits& edits) {
     tooltip("A knob takes effect once it passes the current value, so that nothing jumps.");
     edits.mark("midi_picks_up");
     if (is_changed)
-        edits.add([settings](Lab& lab) { lab.set_remote_settings(settings); });
+        edits.add([settings](Lab& lab) { lab.remote().set_settings(settings); });
     draw_devices(midi, edits);
     constexpr std::size_t most_rows = 8;
     const std::size_t rows = std::min(settings.midi.size(), most_rows);

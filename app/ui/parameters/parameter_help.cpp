@@ -182,7 +182,7 @@ void draw_slider_ends(const Knob& knob, const Fonts& fonts, Edits& edits) {
     Limit ends{parameter.range.low * factor, parameter.range.high * factor};
     if (draw_two_ends(knob, ends, fonts, edits))
         edits.add([name, typed = Limit{ends.low / factor, ends.high / factor}](Lab& lab) {
-            lab.set_slider_ends(name, typed);
+            lab.parameters().set_slider_ends(name, typed);
         });
     if (!knob.setting.ends)
         return;
@@ -191,7 +191,7 @@ void draw_slider_ends(const Knob& knob, const Fonts& fonts, Edits& edits) {
                                .high = knob.declared.high * factor};
     if (icon_button("##ends", Icon::reset, fmt::format("Reset to {}", range_text(declared)),
                     theme::dim))
-        edits.add([name](Lab& lab) { lab.set_slider_ends(name, std::nullopt); });
+        edits.add([name](Lab& lab) { lab.parameters().set_slider_ends(name, std::nullopt); });
     edits.mark("reset_slider_ends");
 }
 }  // namespace

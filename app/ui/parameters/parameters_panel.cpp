@@ -166,7 +166,7 @@ void draw_parameter_row(const Parameter& parameter, const Scene& scene, Edits& e
               .look = document.look(),
               .modulation = document.modulation(parameter),
               .period = period_facts(parameter, scene),
-              .midi = bindings_of(parameter, document.look(), scene.lab.remote_settings())};
+              .midi = bindings_of(parameter, document.look(), scene.lab.remote().settings())};
     const Revealed& revealed = scene.window.revealed;
     if (revealed.is_to_be_typed && revealed.parameter == parameter.name)
         knob.typed = revealed.component;

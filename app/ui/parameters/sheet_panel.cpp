@@ -161,7 +161,7 @@ void draw_cell(const VariantSheet::Cell& cell, bool is_present, const Grid& grid
 
 void draw_cells(const VariantSheet& sheet, const Scene& scene, Edits& edits) {
     const Document& document = *scene.lab.document();
-    const Grid grid = grid_for(sheet, scene.lab.picture_extent());
+    const Grid grid = grid_for(sheet, scene.lab.size().extent());
     const auto present = sheet.present(document);
     for (std::size_t i = 0; i < sheet.cells().size(); ++i) {
         const VariantSheet::Cell& cell = sheet.cells()[i];

@@ -26,7 +26,7 @@ void draw_centered(const std::string& text, float y, const ImVec4& color) {
 
 std::vector<const Problem*> errors_of(const Lab& lab) {
     std::vector<const Problem*> errors;
-    for (const Problem& problem : lab.problems())
+    for (const Problem& problem : lab.messages().problems())
         if (problem.diagnostic.severity == Severity::error)
             errors.push_back(&problem);
     return errors;
@@ -86,7 +86,7 @@ void draw_errors(const Scene& scene, Edits& edits) {
     ImGui::SameLine(0.0f, 0.0f);
     if (icon_button("##away", Icon::close, "Dismiss (Esc). The Problems list keeps these errors.",
                     theme::label))
-        edits.add([](Lab& lab) { lab.put_problems_away(); });
+        edits.add([](Lab& lab) { lab.dismiss_problems(); });
     edits.mark("errors_away");
     ImGui::EndChild();
     edits.mark("errors");
@@ -121,7 +121,7 @@ void draw_pill(const Pill& pill, const Scene& scene) {
 }
 
 void draw_notice(const Scene& scene, Edits& edits) {
-    const auto& notice = scene.lab.notice();
+    const auto& notice = scene.lab.messages().notice();
     if (!notice)
         return;
     if (!notice->choices.empty())
@@ -232,7 +232,7 @@ void draw_morph(const Scene& scene) {
 }
 
 void draw_midi_learning(const Scene& scene, Edits& edits) {
-    const auto& goal = scene.lab.midi().learning();
+    const auto& goal = scene.lab.remote().midi().learning();
     const Parameter* parameter = goal && scene.lab.document()
                                      ? find_parameter(scene.lab.document()->look(), goal->parameter)
                                      : nullptr;
@@ -248,7 +248,7 @@ void draw_midi_learning(const Scene& scene, Edits& edits) {
 }  // namespace
 
 bool shows_errors(const Scene& scene) {
-    return !scene.lab.has_put_problems_away() && !errors_of(scene.lab).empty();
+    return !scene.lab.messages().are_problems_dismissed() && !errors_of(scene.lab).empty();
 }
 
 void draw_overlays(const Scene& scene, Edits& edits) {

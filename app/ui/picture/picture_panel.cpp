@@ -35,7 +35,7 @@ void probe_inspected(const Place& place, const Scene& scene, Edits& edits) {
 
 // The look gets the pointer in pixels from the bottom left; the status line what lies under it.
 void tell_pointer(const Place& place, const Scene& scene, Edits& edits) {
-    const Extent extent = scene.lab.picture_extent();
+    const Extent extent = scene.lab.size().extent();
     const double x = place.pixel[0];
     const double y = place.pixel[1];
     if (x < 0.0 || y < 0.0 || x >= extent.width || y >= extent.height)
@@ -59,13 +59,13 @@ void tell_press(const Scene& scene, Edits& edits) {
 
 void follow_pen(const CanvasInput& input, Edits& edits) {
     if (input.pen_down)
-        edits.add([pixel = *input.pen_down](Lab& lab) { lab.pen_down(pixel); });
+        edits.add([pixel = *input.pen_down](Lab& lab) { lab.drawing().pen_down(pixel); });
     for (const auto& pixel : input.pen_path)
-        edits.add([pixel](Lab& lab) { lab.pen_move(pixel); });
+        edits.add([pixel](Lab& lab) { lab.drawing().pen_move(pixel); });
     if (input.is_pen_up)
-        edits.add([](Lab& lab) { lab.pen_up(); });
+        edits.add([](Lab& lab) { lab.drawing().pen_up(); });
     if (input.other_button)
-        edits.add([pixel = *input.other_button](Lab& lab) { lab.other_button(pixel); });
+        edits.add([pixel = *input.other_button](Lab& lab) { lab.drawing().other_button(pixel); });
 }
 
 // What stands in the picture's place; "" where that is the picture.
@@ -131,7 +131,7 @@ void draw_over_texels(const ImVec2& low, const ImVec2& size, const Scene& scene)
 void draw_shown(const Shown& shown, const Scene& scene, Edits& edits, const ImVec2& size) {
     const bool is_large = scene.window.shows_pass_large;
     const bool is_turned = !is_large && scene.lab.document()->look().has_orbit;
-    const bool has_pen = !is_large && scene.lab.drawing_board().has_pen();
+    const bool has_pen = !is_large && scene.lab.drawing().board().has_pen();
     const bool has_press = !is_large && !has_pen && !is_turned && !shown.is_other &&
                            reads_press(scene.lab.document()->look());
     const Extent room = scene.device_pixels(size.x, size.y);

@@ -12,12 +12,13 @@ namespace {
 
 void set_pen(const Pen& pen, Edits& edits) {
     edits.add([pen](Lab& lab) {
-        lab.draw([pen](DrawingBoard& board, Document& document) { board.set_pen(pen, document); });
+        lab.drawing().edit(
+            [pen](DrawingBoard& board, Document& document) { board.set_pen(pen, document); });
     });
 }
 
 void draw_pen_button(const Scene& scene, Edits& edits) {
-    const bool has_pen = scene.lab.drawing_board().has_pen();
+    const bool has_pen = scene.lab.drawing().board().has_pen();
     const ScopedColor back(ImGuiCol_Button, has_pen ? theme::accent_filled : theme::field);
     const char* label = has_pen ? "Done drawing" : "Draw on the picture";
     if (ImGui::Button(label, {ImGui::GetContentRegionAvail().x, 0.0f}))
@@ -78,7 +79,7 @@ void draw_keyframe_numbers(const DrawingBoard& board, Edits& edits) {
             continue;
         const std::size_t keyframe = first + static_cast<std::size_t>(chosen);
         edits.add([keyframe](Lab& lab) {
-            lab.draw([keyframe](DrawingBoard& desk, Document& document) {
+            lab.drawing().edit([keyframe](DrawingBoard& desk, Document& document) {
                 desk.choose_keyframe(keyframe, document);
             });
         });
@@ -104,7 +105,7 @@ void draw_buttons(const std::vector<KeyframeButton>& buttons, Edits& edits) {
         {
             const ScopedDisabled idle(!button.is_enabled);
             if (ImGui::Button(button.label, {width, 0.0f}))
-                edits.add([act = button.act](Lab& lab) { lab.draw(act); });
+                edits.add([act = button.act](Lab& lab) { lab.drawing().edit(act); });
         }
         edits.mark(button.id);
         tooltip(button.help);
@@ -167,7 +168,7 @@ void draw_files(const DrawingBoard& board, Edits& edits) {
 }  // namespace
 
 void draw_drawing_panel(const Scene& scene, Edits& edits) {
-    const DrawingBoard& board = scene.lab.drawing_board();
+    const DrawingBoard& board = scene.lab.drawing().board();
     draw_pen_button(scene, edits);
     if (board.has_pen()) {
         draw_tools(board, edits);

@@ -45,7 +45,7 @@ void draw_volume(const Player& player, const Scene& scene, Edits& edits) {
 }
 
 void apply(const SoundSettings& settings, Edits& edits) {
-    edits.add([settings](Lab& lab) { lab.set_sound_settings(settings); });
+    edits.add([settings](Lab& lab) { lab.audio().set_settings(settings); });
 }
 
 void begin_line(const std::string& label, const std::string& help, const FormColumns& columns) {
@@ -73,7 +73,7 @@ void draw_device(Way way, const Scene& scene, Edits& edits) {
     if (!is_open)
         return;
     if (ImGui::IsWindowAppearing())
-        edits.add([](Lab& lab) { lab.look_for_sound_devices(); });
+        edits.add([](Lab& lab) { lab.audio().find_devices(); });
     const auto offer = [&](const std::string& name, const std::string& label) {
         if (!ImGui::Selectable(label.c_str(), name == chosen))
             return;
@@ -81,7 +81,7 @@ void draw_device(Way way, const Scene& scene, Edits& edits) {
         apply(settings, edits);
     };
     offer("", "System default");
-    for (const SoundDevice& device : scene.lab.sound_devices())
+    for (const SoundDevice& device : scene.lab.audio().devices())
         if (is_out ? device.has_output : device.has_input)
             offer(device.name, device.name);
     ImGui::EndCombo();

@@ -81,7 +81,7 @@ void draw_facts(const Scene& scene, float room) {
     const Player& player = scene.lab.player();
     const Renderer* renderer = scene.lab.renderer();
     std::vector<std::string> facts{clock_text(player.time())};
-    if (scene.lab.moves().is_running())
+    if (scene.lab.automation().recorder().is_running())
         facts.emplace_back("recording automation");
     if (renderer && renderer->replay().is_running())
         facts.push_back(

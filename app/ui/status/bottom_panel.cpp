@@ -22,7 +22,7 @@
 
 namespace {
 std::string problems_text(const Lab& lab) {
-    const std::size_t count = lab.problems().size();
+    const std::size_t count = lab.messages().problems().size();
     return count == 0   ? "No problems"
            : count == 1 ? "1 problem"
                         : fmt::format("{} problems", count);
@@ -65,7 +65,7 @@ void draw_lag(const Scene& scene, Edits& edits) {
 
 // Asked for by nobody, so it takes no more room than a few words.
 void draw_half_size_offer(const Scene& scene, Edits& edits) {
-    const auto half = scene.lab.picture_size().halved();
+    const auto half = scene.lab.size().chosen().halved();
     const Renderer* renderer = scene.lab.renderer();
     const double passes = renderer ? renderer->pass_times().present_total() : 0.0;
     const bool runs = scene.lab.player().is_playing() && !scene.lab.has_converged();
@@ -134,9 +134,9 @@ std::string pointer_text(const Scene& scene) {
 }
 
 void draw_problems(const Scene& scene, Edits& edits) {
-    if (scene.lab.problems().empty())
+    if (scene.lab.messages().problems().empty())
         dim_text("No problems.");
-    for (const Problem& problem : scene.lab.problems()) {
+    for (const Problem& problem : scene.lab.messages().problems()) {
         draw_problem(problem, scene.fonts, edits);
         ImGui::Spacing();
     }
@@ -184,7 +184,7 @@ void draw_bottom_panel(const Scene& scene, Edits& edits) {
 void draw_status_bar(const Scene& scene, Edits& edits) {
     const ScopedStyle<ImVec2> frame(ImGuiStyleVar_FramePadding,
                                     ImVec2(6.0f * scene.scale, 2.0f * scene.scale));
-    const bool has_problems = !scene.lab.problems().empty();
+    const bool has_problems = !scene.lab.messages().problems().empty();
     ImGui::SetCursorPos({ImGui::GetStyle().WindowPadding.x - 6.0f * scene.scale,
                          (ImGui::GetWindowHeight() - ImGui::GetFrameHeight()) * 0.5f});
     {

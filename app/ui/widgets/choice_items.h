@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lab/choice.h"
+#include "lab/messages/choice.h"
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 

@@ -66,7 +66,7 @@ void open_first(const WindowOptions& options, const Session& session, Lab& lab, 
     if (look)
         lab.keep_unsaved(session);
     start.state.first_steps.is_shown = session.look.empty();
-    lab.set_knobs(session.knobs);
+    lab.parameters().set_all(session.knobs);
     lab.set_content(content_of(session));
     (void)lab.transport().mute_input(true);  // until the user asks for a live sound
     lab.set_slots(session.slots);
@@ -146,7 +146,7 @@ private:
     Shelf m_shelf;
     Pace m_pace;
     Waker m_waker;
-    Waker m_midi_waker{m_lab.midi_descriptor(), [] { gpu::Window::wake(); }};
+    Waker m_midi_waker{m_lab.remote().midi().descriptor(), [] { gpu::Window::wake(); }};
     std::optional<Waker> m_remote_waker;  // while another program may turn something
     int m_remote_port = 0;
     std::string m_title;
@@ -206,7 +206,7 @@ void Application::turn() {
     note_pace(wall_seconds);
     follow_output();
     if (const Extent seen = view(); !seen.is_empty())
-        m_lab.set_view(seen);
+        m_lab.size().set_view(seen);
     m_lab.set_unattended(m_state.is_picture_only || m_output.is_open());
     m_lab.look_at(displayed_passes(m_lab, m_state));
     m_lab.update(wall_seconds);
@@ -233,7 +233,7 @@ void Application::turn() {
 void Application::follow_output() {
     const bool was_open = m_output.is_open();
     if (std::string problem = m_output.follow(m_state, m_window); !problem.empty())
-        m_lab.say(std::move(problem), true);
+        m_lab.messages().say(std::move(problem), true);
     if (!was_open && m_output.is_open())
         offer_display_size(m_lab, m_state.views.output);
 }
@@ -291,11 +291,11 @@ bool Application::is_attended(Clock::time_point now) {
 }
 
 void Application::follow_remote() {
-    const int port = m_lab.osc().port();
+    const int port = m_lab.remote().osc().port();
     if (port == m_remote_port)
         return;
     m_remote_port = port;  // another port may well have the same descriptor
-    m_remote_waker.emplace(m_lab.remote_descriptor(), [] { gpu::Window::wake(); });
+    m_remote_waker.emplace(m_lab.remote().osc().descriptor(), [] { gpu::Window::wake(); });
 }
 
 void Application::draw() {
@@ -333,7 +333,7 @@ void Application::draw() {
         edits.open_file(file);
     m_toolkit.end();
     if (std::string complaint = m_toolkit.take_complaint(); !complaint.empty())
-        m_lab.say(std::move(complaint), true);
+        m_lab.messages().say(std::move(complaint), true);
     m_window.swap();
     m_output.show(m_views.output(), m_window);
     if (!m_options.state_file.empty())
@@ -344,7 +344,7 @@ void Application::draw() {
 
 void Application::apply(const Edits& edits) {
     edits.apply(m_lab, m_state);
-    for (const std::filesystem::path& file : m_lab.take_opened_files())
+    for (const std::filesystem::path& file : m_lab.opened_files().take())
         note_use(m_state.recent_files, std::filesystem::absolute(file).lexically_normal().string());
     note_first_steps(m_lab, m_state);
     if (edits.has_verbs() || m_toolkit.has_input())  // a frame shows what the one before it changed
@@ -364,7 +364,7 @@ void Application::apply(const Edits& edits) {
 
 void Application::offer_move() {
     if (m_state.has_offered_move || !m_lab.renderer() || !m_lab.renderer()->has_drawn() ||
-        m_lab.notice())
+        m_lab.messages().notice())
         return;
     m_state.has_offered_move = true;
     m_lab.presets().offer_move();
@@ -406,9 +406,10 @@ Result<bool> run_once(const WindowOptions& options) {
     Lab lab(Library(options.roots), **window, nullptr);
     lab.set_wake([] { gpu::Window::wake(); });
     if (!start.state.views.picture.is_empty())
-        lab.set_view(start.state.views.picture);  // as it was, until the panels say how it is
+        lab.size().set_view(
+            start.state.views.picture);  // as it was, until the panels say how it is
     if (!warnings.empty())
-        lab.say(warnings.front());
+        lab.messages().say(warnings.front());
     lab.look_at(displayed_passes(lab, start.state));
     open_first(options, session, lab, start);
     auto views = Views::make();

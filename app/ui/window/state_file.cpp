@@ -58,7 +58,7 @@ std::string marked_text(const KnobSettings& knobs, bool KnobSetting::*mark) {
 
 std::string problems_json(const Lab& lab) {
     std::vector<std::string> problems;
-    for (const Problem& problem : lab.problems())
+    for (const Problem& problem : lab.messages().problems())
         problems.push_back(
             fmt::format(R"({{"file":{},"line":{},"message":{},"source":{}}})",
                         json_string(problem.diagnostic.file.string()), problem.diagnostic.line,
@@ -246,7 +246,7 @@ std::string document_text(const Lab& lab) {
 
 std::string state_text(const Scene& scene, const Edits& edits) {
     const Lab& lab = scene.lab;
-    const Extent picture = lab.picture_extent();
+    const Extent picture = lab.size().extent();
     return fmt::format(
         R"({{{}"turn":{},"panel_ms":{:.3f},"is_behind":{},"is_loading":{},"opening":{},"reading":{},"is_playing":{},"has_picture":{},"frame":{},"samples":{},"osc":{},"midi":[{},{},{}],"has_converged":{},"time":{:.4f},"shown_share":{:.3f},"picture":[{},{}],"fixed_size":[{},{}],"notice":{},"dialog":{},"inspected":{},"channels":{},"wipe":{},"output":{},"probe":{},"problems":{},"widgets":{}}})",
         lab.document() ? document_text(lab) : std::string(), scene.turn, scene.panel_milliseconds,
@@ -254,12 +254,14 @@ std::string state_text(const Scene& scene, const Edits& edits) {
         json_string(lab.opening() ? words_of(lab.opening()->progress) : std::string()),
         json_string(lab.drive().loading()), lab.player().is_playing(),
         lab.renderer() && lab.renderer()->has_drawn(), lab.player().frame_number(),
-        lab.samples().value_or(Samples{}).held, lab.osc().port(), lab.midi().is_listening(),
-        json_string(lab.midi().learning() ? lab.midi().learning()->parameter : std::string()),
-        lab.remote_settings().midi.size(), lab.has_converged(), lab.player().time(),
-        lab.player().shown_share(), picture.width, picture.height, lab.picture_size().fixed.width,
-        lab.picture_size().fixed.height,
-        json_string(lab.notice() ? lab.notice()->text : std::string()),
+        lab.samples().value_or(Samples{}).held, lab.remote().osc().port(),
+        lab.remote().midi().is_listening(),
+        json_string(lab.remote().midi().learning() ? lab.remote().midi().learning()->parameter
+                                                   : std::string()),
+        lab.remote().settings().midi.size(), lab.has_converged(), lab.player().time(),
+        lab.player().shown_share(), picture.width, picture.height, lab.size().chosen().fixed.width,
+        lab.size().chosen().fixed.height,
+        json_string(lab.messages().notice() ? lab.messages().notice()->text : std::string()),
         static_cast<int>(scene.window.dialog.kind), json_string(scene.window.inspected.pass),
         static_cast<int>(scene.window.inspected.channels),
         lab.compare_mode() == CompareMode::wipe ? fmt::format("{:.3f}", scene.window.wipe_share)

@@ -38,7 +38,7 @@ public:
     }
     void rest() {
         lab().update(0.0);
-        REQUIRE(turn_until([&] { return !lab().is_moving() || lab().notice(); }));
+        REQUIRE(turn_until([&] { return !lab().is_moving() || lab().messages().notice(); }));
         for (int i = 0; i < 3; ++i) {
             lab().update(0.0);
             REQUIRE(turn_until([&] { return !lab().renderer()->replay().is_running(); }));
@@ -94,7 +94,7 @@ TEST_CASE("a slot keeps values and gives them back as one step of undo") {
     CHECK(small.document().values() == Values{{"level", Value(0.75)}, {"unseen", Value(0.125)}});
 
     small.lab().recall_slot(2);
-    CHECK(small.lab().notice()->text == "Slot C is empty");
+    CHECK(small.lab().messages().notice()->text == "Slot C is empty");
     CHECK(small.document().history().redo_name() == "Recall slot B");
 }
 
@@ -193,7 +193,8 @@ TEST_CASE("a picture from a file is compared with, and followed on the disk") {
 TEST_CASE("a picture of another size is shown fitted, which is said") {
     Grey small;
     small.lab().compare_with_file(small.picture_file("wide.png", {32, 16}, {1.0f, 1.0f, 1.0f}));
-    CHECK(small.lab().notice()->text == "Comparing with \"wide.png\" (32 × 16, scaled to 8 × 8)");
+    CHECK(small.lab().messages().notice()->text ==
+          "Comparing with \"wide.png\" (32 × 16, scaled to 8 × 8)");
     CHECK(small.lab().sides()->other == "wide.png · 32 × 16, scaled");
     small.rest();
     const Picture seen = small.views().read_picture();
@@ -205,9 +206,9 @@ TEST_CASE("a picture of another size is shown fitted, which is said") {
 TEST_CASE("a file that is no picture is told, and nothing is compared") {
     Grey small;
     small.lab().compare_with_file(small.look_folder() / "look.json");
-    REQUIRE(small.lab().notice());
-    CHECK(small.lab().notice()->is_problem);
-    CHECK(small.lab().notice()->text.find("look.json") != std::string::npos);
+    REQUIRE(small.lab().messages().notice());
+    CHECK(small.lab().messages().notice()->is_problem);
+    CHECK(small.lab().messages().notice()->text.find("look.json") != std::string::npos);
     CHECK(small.lab().comparing().chosen() == Comparison{});
 }
 

@@ -141,7 +141,7 @@ TEST_CASE("what is turned, edited or resized is so on both sides") {
         CHECK(small.turn_until([&] { return small.shown_beside() == 7 && small.shown() == 7; }));
     }
     SUBCASE("the size") {
-        small.lab().set_picture_size({false, {16, 4}, 1.0});
+        small.lab().size().choose({false, {16, 4}, 1.0});
         small.turn(1);
         CHECK(small.lab().renderer()->variant()->target(1).extent() == Extent{16, 4});
         CHECK(small.lab().renderer()->executor().target(1).extent() == Extent{16, 4});
@@ -165,8 +165,8 @@ TEST_CASE("a look without the switch says that there is nothing to wipe to") {
     small.lab().set_compare_mode(CompareMode::wipe);
     small.turn(1);
     CHECK_FALSE(small.lab().sides());
-    REQUIRE(small.lab().notice());
-    CHECK(small.lab().notice()->text.find("no switch as_written") != std::string::npos);
+    REQUIRE(small.lab().messages().notice());
+    CHECK(small.lab().messages().notice()->text.find("no switch as_written") != std::string::npos);
 }
 
 TEST_CASE("both sides of an accumulating look take all their samples, then rest") {
@@ -194,7 +194,7 @@ public:
         REQUIRE(worker.has_value());
         const Roots roots{AFTERGLOW_SOURCE_DIR, m_folder / "user", m_folder / "state"};
         m_lab = std::make_unique<Lab>(Library(roots), *m_context, std::move(*worker));
-        m_lab->set_picture_size({false, {48, 36}, 1.0});
+        m_lab->size().choose({false, {48, 36}, 1.0});
         m_lab->open(look);
         turn_until([&] { return m_lab->player().frame_number() > 5; });
         m_lab->transport().pause();

@@ -35,11 +35,11 @@ TEST_CASE("a morph goes to a preset's values in its time, as one step of undo an
     CHECK(is_near_on_way(small.lab().morphing()->share(), 0.25));
     small.lab().update(0.5);
     CHECK(is_near_on_way(small.gain(), 3.0));
-    small.lab().record_moves(true);
+    small.lab().automation().record(true);
     small.lab().transport().play();
     small.lab().update(0.5);
-    CHECK(small.lab().moves().moves().back().name == "gain");
-    CHECK(is_near_on_way(small.lab().moves().moves().back().value.number(), 4.0));
+    CHECK(small.lab().automation().recorder().moves().back().name == "gain");
+    CHECK(is_near_on_way(small.lab().automation().recorder().moves().back().value.number(), 4.0));
     small.lab().update(0.75);
     CHECK_FALSE(small.lab().morphing());
     CHECK(small.document().values() == Values{{"gain", Value(5.0)}});
@@ -90,7 +90,7 @@ TEST_CASE("a morph can be left half way, and goes to presets of the same look al
     CHECK_FALSE(small.document().is_modified());
     small.lab().morph_to(small.preset("other", {{"gain", Value(3.0)}}), 1.0);
     CHECK_FALSE(small.lab().morphing());
-    CHECK(small.lab().notice()->text ==
+    CHECK(small.lab().messages().notice()->text ==
           "\"Far\" belongs to another look. It can be opened, but not morphed to.");
 }
 

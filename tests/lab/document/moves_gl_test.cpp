@@ -5,16 +5,16 @@ TEST_CASE("what was recorded in the window is drawn again offline, frame by fram
     SmallLab small;
     small.lab().edit([](Document& document) { document.set_value("gain", Value(3.0)); });
     small.turn(1);
-    small.lab().record_moves(true);
+    small.lab().automation().record(true);
     std::map<int, float> shown;  // by the frame's number
     for (const double gain : {3.0, 0.5, 0.5, 4.0, 1.0, 2.0}) {
         small.lab().edit([&](Document& document) { document.set_value("gain", Value(gain)); });
         small.turn(1);
         shown[static_cast<int>(small.frames())] = small.shown();
     }
-    small.lab().record_moves(false);
+    small.lab().automation().record(false);
     const auto file = small.folder() / "moves.txt";
-    small.lab().save_moves(file);
+    small.lab().automation().save(file);
     auto prepared = prepare({.look = "small", .moves = file.string()}, Library(small.roots()));
     REQUIRE(prepared.has_value());
     auto offline = Offline::create(std::move(*prepared), {8, 8}, 60.0);

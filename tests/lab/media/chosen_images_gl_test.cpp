@@ -120,10 +120,10 @@ TEST_CASE("the notice of a problem goes as soon as the problem does") {
     const fs::path file = small.folder() / "picked.exr";
     pick(small, file);
     small.turn(1);
-    REQUIRE(small.lab().notice().has_value());
-    CHECK(small.lab().notice()->is_problem);
-    REQUIRE(small.lab().problems().size() == 1);
-    CHECK(small.lab().problems().front().diagnostic.file == file);
+    REQUIRE(small.lab().messages().notice().has_value());
+    CHECK(small.lab().messages().notice()->is_problem);
+    REQUIRE(small.lab().messages().problems().size() == 1);
+    CHECK(small.lab().messages().problems().front().diagnostic.file == file);
 
     SUBCASE("the file comes to be") {
         save_grey(file, 0.5f);
@@ -137,19 +137,19 @@ TEST_CASE("the notice of a problem goes as soon as the problem does") {
         small.lab().edit([](Document& document) { document.undo(); });
         small.turn(2);
     }
-    CHECK(small.lab().problems().empty());
-    CHECK_FALSE(small.lab().notice().has_value());
+    CHECK(small.lab().messages().problems().empty());
+    CHECK_FALSE(small.lab().messages().notice().has_value());
 }
 
 TEST_CASE("what is said meanwhile stays when a problem is mended") {
     PickerLab small;
     pick(small, small.folder() / "picked.exr");
     small.turn(1);
-    small.lab().say("Saved");
+    small.lab().messages().say("Saved");
     small.lab().edit([](Document& document) { document.undo(); });
     small.turn(2);
-    REQUIRE(small.lab().notice().has_value());
-    CHECK(small.lab().notice()->text == "Saved");
+    REQUIRE(small.lab().messages().notice().has_value());
+    CHECK(small.lab().messages().notice()->text == "Saved");
 }
 
 TEST_CASE("a preset that is broken and mended on disk leaves no notice") {
@@ -159,10 +159,11 @@ TEST_CASE("a preset that is broken and mended on disk leaves no notice") {
     const fs::path file = small.document().preset_file();
     const std::string good = content_of(file);
     REQUIRE(write_atomically(file, "{ broken").has_value());
-    REQUIRE(
-        small.turn_until([&] { return small.lab().notice() && small.lab().notice()->is_problem; }));
+    REQUIRE(small.turn_until([&] {
+        return small.lab().messages().notice() && small.lab().messages().notice()->is_problem;
+    }));
     REQUIRE(write_atomically(file, good).has_value());
-    CHECK(small.turn_until([&] { return !small.lab().notice().has_value(); }));
+    CHECK(small.turn_until([&] { return !small.lab().messages().notice().has_value(); }));
     CHECK(small.document().values() == Values{{"gain", Value(2.0)}});
 }
 
@@ -237,9 +238,9 @@ TEST_CASE("a panorama that is chosen for a cube is seen all round, and what is n
     choose({{8, 4}, 1, Encoding::display, std::vector<float>(32, 1.0f)}, "white.png");
     CHECK(small.turn_until([&] { return red() == 1.0f; }));
     choose({{5, 3}, 1, Encoding::display, std::vector<float>(15, 1.0f)}, "neither.png");
-    CHECK(small.turn_until([&] { return small.lab().problems().size() == 1; }));
-    CHECK(small.lab().problems().front().diagnostic.file.filename() == "neither.png");
-    CHECK(small.lab().problems().front().diagnostic.message.starts_with(
+    CHECK(small.turn_until([&] { return small.lab().messages().problems().size() == 1; }));
+    CHECK(small.lab().messages().problems().front().diagnostic.file.filename() == "neither.png");
+    CHECK(small.lab().messages().problems().front().diagnostic.message.starts_with(
         "can't be a cube map at 5 x 3 px."));
     CHECK(small.turn_until([&] { return red() == 0.0f; }));
 }
@@ -260,10 +261,11 @@ TEST_CASE("a picture outside of a preset's folder is shown when the user agrees,
     };
     open_with(outside.string());
     CHECK(small.shown() == 0.0f);
-    REQUIRE(small.lab().notice().has_value());
-    CHECK(small.lab().notice()->text == "The preset uses content outside its folder: file \"" +
-                                            outside.string() + "\". It was not loaded.");
-    const Choice use = small.lab().notice()->choices.front();
+    REQUIRE(small.lab().messages().notice().has_value());
+    CHECK(small.lab().messages().notice()->text ==
+          "The preset uses content outside its folder: file \"" + outside.string() +
+              "\". It was not loaded.");
+    const Choice use = small.lab().messages().notice()->choices.front();
     CHECK(use.name == "Use it");
     std::get<std::function<void(Lab&)>>(use.deeds.front())(small.lab());
     CHECK(small.turn_until([&] { return small.shown() == 0.5f; }));

@@ -104,9 +104,9 @@ TEST_CASE("a preset finds its sound again where it was opened, and says when it 
     small.turn(1);
     const Signal* of_another = small.lab().player().signal();
     small.lab().open(file.string());
-    REQUIRE(small.turn_until([&] { return !small.lab().problems().empty(); }));
+    REQUIRE(small.turn_until([&] { return !small.lab().messages().problems().empty(); }));
     CHECK(small.lab().player().signal() != of_another);
-    CHECK(small.lab().notice()->text.find("song.wav") != std::string::npos);
+    CHECK(small.lab().messages().notice()->text.find("song.wav") != std::string::npos);
     CHECK(small.lab().player().signal() != nullptr);  // the look's own
     CHECK(small.document().state().signal.kind == "audio");
     small.lab().presets().save();
@@ -124,23 +124,23 @@ TEST_CASE("a file that is missing keeps its mark for as long as it is named") {
             else
                 document.set_source(file.string());
         });
-        REQUIRE(small.turn_until([&] { return !small.lab().problems().empty(); }));
+        REQUIRE(small.turn_until([&] { return !small.lab().messages().problems().empty(); }));
         small.lab().update(60.0);  // the notice has gone by
         small.lab().edit([](Document& document) { document.set_value("gain", Value(2.0)); });
         small.turn(3);
-        CHECK_FALSE(small.lab().notice().has_value());
-        REQUIRE(small.lab().problems().size() == 1);
-        CHECK(small.lab().problems().front().diagnostic.file == file);
-        CHECK(small.lab().problems().front().diagnostic.severity == Severity::warning);
+        CHECK_FALSE(small.lab().messages().notice().has_value());
+        REQUIRE(small.lab().messages().problems().size() == 1);
+        CHECK(small.lab().messages().problems().front().diagnostic.file == file);
+        CHECK(small.lab().messages().problems().front().diagnostic.severity == Severity::warning);
         small.write("gain.glsl", "uniform float gain = 3.0;\n");  // a reload is no mending
         REQUIRE(small.turn_until(
             [&] { return small.document().look().parameters.back().initial == Value(3.0); }));
-        CHECK(small.lab().problems().size() == 1);
+        CHECK(small.lab().messages().problems().size() == 1);
         small.lab().edit([](Document& document) { document.undo(); });
         small.lab().edit([](Document& document) { document.undo(); });
         INFO(is_sound);
-        CHECK(small.turn_until([&] { return small.lab().problems().empty(); }));
-        for (const Problem& problem : small.lab().problems())
+        CHECK(small.turn_until([&] { return small.lab().messages().problems().empty(); }));
+        for (const Problem& problem : small.lab().messages().problems())
             FAIL_CHECK(to_string(problem.diagnostic));
     }
 }
@@ -153,10 +153,10 @@ TEST_CASE("a sound that breaks off draws as far as it goes, and keeps a mark") {
     small.lab().open_file(song);
     REQUIRE(has_sound(small));
     CHECK(small.lab().player().sound_seconds() == doctest::Approx(0.25));
-    REQUIRE(small.lab().problems().size() == 1);
-    CHECK(small.lab().problems().front().diagnostic.message ==
+    REQUIRE(small.lab().messages().problems().size() == 1);
+    CHECK(small.lab().messages().problems().front().diagnostic.message ==
           "the file ends early: only 0.25 of 1.00 s were read");
-    CHECK(small.lab().notice()->is_problem);
+    CHECK(small.lab().messages().notice()->is_problem);
 }
 
 TEST_CASE("reading a sound can be stopped; what was there before comes back") {
@@ -184,11 +184,11 @@ TEST_CASE(
     REQUIRE(save_picture(grey(0.5f), file).has_value());
     CHECK(painted.turn_until([&] { return painted.shown() == 1.5f; }));
     REQUIRE(write_atomically(file, "no picture").has_value());
-    CHECK(painted.turn_until([&] { return !painted.lab().problems().empty(); }));
+    CHECK(painted.turn_until([&] { return !painted.lab().messages().problems().empty(); }));
     CHECK(painted.shown() == 1.5f);
     REQUIRE(save_picture(grey(0.75f), file).has_value());
     CHECK(painted.turn_until([&] { return painted.shown() == 1.75f; }));
-    CHECK(painted.lab().problems().empty());
+    CHECK(painted.lab().messages().problems().empty());
 
     SmallLab played(on_a_signal);
     const fs::path song = played.folder() / "song.wav";
@@ -199,7 +199,7 @@ TEST_CASE(
     REQUIRE(write_atomically(song, wav(4000)).has_value());
     CHECK(played.turn_until([&] { return seconds() == doctest::Approx(0.5); }));
     REQUIRE(write_atomically(song, "RIFF and nothing more").has_value());
-    CHECK(played.turn_until([&] { return !played.lab().problems().empty(); }));
+    CHECK(played.turn_until([&] { return !played.lab().messages().problems().empty(); }));
     CHECK(seconds() == doctest::Approx(0.5));
 }
 
@@ -224,15 +224,15 @@ TEST_CASE("a chosen file that cannot be read changes nothing, and the message na
         const DocumentState before = small.document().state();
         const Signal* signal = small.lab().player().signal();
         small.lab().open_file(file);
-        REQUIRE(small.turn_until([&] { return small.lab().notice().has_value(); }));
+        REQUIRE(small.turn_until([&] { return small.lab().messages().notice().has_value(); }));
         small.turn(3);
-        CHECK(small.lab().notice()->is_problem);
-        CHECK(small.lab().notice()->text.find(bad.file) != std::string::npos);
+        CHECK(small.lab().messages().notice()->is_problem);
+        CHECK(small.lab().messages().notice()->text.find(bad.file) != std::string::npos);
         CHECK(small.document().state() == before);
         CHECK_FALSE(small.document().history().can_undo());
-        CHECK(small.lab().problems().empty());
+        CHECK(small.lab().messages().problems().empty());
         CHECK(small.lab().player().signal() == signal);
-        CHECK(small.lab().take_opened_files().empty());
+        CHECK(small.lab().opened_files().take().empty());
     }
 }
 
@@ -242,13 +242,13 @@ TEST_CASE("a file that was opened is reported once, whatever it is") {
     REQUIRE(save_picture(grey(0.25f), picture).has_value());
     small.lab().open_file(picture);
     REQUIRE(small.turn_until([&] { return small.shown() == 1.25f; }));
-    CHECK(small.lab().take_opened_files() == std::vector{picture});
+    CHECK(small.lab().opened_files().take() == std::vector{picture});
     small.lab().presets().save_as("grey");
     const fs::path preset = small.document().preset_file();
     small.lab().open_file(preset);
     REQUIRE(small.turn_until([&] { return !small.lab().is_loading(); }));
-    CHECK(small.lab().take_opened_files() == std::vector{preset});
-    CHECK(small.lab().take_opened_files().empty());
+    CHECK(small.lab().opened_files().take() == std::vector{preset});
+    CHECK(small.lab().opened_files().take().empty());
 }
 
 TEST_CASE("a video, a drawing or a model that cannot be read is told, and the lab goes on") {
@@ -280,8 +280,8 @@ TEST_CASE("a video, a drawing or a model that cannot be read is told, and the la
                 document.set_signal({"scene", {{"file", scene.string()}}});
             });
         }
-        REQUIRE(small.turn_until([&] { return !small.lab().problems().empty(); }));
-        const Diagnostic& told = small.lab().problems().front().diagnostic;
+        REQUIRE(small.turn_until([&] { return !small.lab().messages().problems().empty(); }));
+        const Diagnostic& told = small.lab().messages().problems().front().diagnostic;
         CHECK(told.file.filename() == bad.file);
         CHECK(told.message.find(bad.words) != std::string::npos);
         const float frames = small.frames();
@@ -304,7 +304,7 @@ TEST_CASE("a look on a picture shows its pattern, then the person's file") {
     CHECK(small.lab().drive().source_extent() == Extent{4, 4});
 
     small.lab().open_file(small.folder() / "none.exr");
-    REQUIRE(small.turn_until([&] { return small.lab().notice().has_value(); }));
+    REQUIRE(small.turn_until([&] { return small.lab().messages().notice().has_value(); }));
     small.turn(3);
     CHECK(small.shown() == 1.25f);
 }
@@ -331,8 +331,8 @@ TEST_CASE("a picture that a person chose for a sampler is read, and black where 
     CHECK(small.shown() - small.frames() == 0.0f);
     choose(small.folder() / "gone.exr");
     CHECK(small.shown() - small.frames() == 0.0f);
-    REQUIRE(small.lab().problems().size() == 1);
-    CHECK(small.lab().problems().front().diagnostic.file.filename() == "gone.exr");
+    REQUIRE(small.lab().messages().problems().size() == 1);
+    CHECK(small.lab().messages().problems().front().diagnostic.file.filename() == "gone.exr");
 }
 
 TEST_CASE("how a source lies in the picture is a step of its own") {
@@ -354,7 +354,7 @@ TEST_CASE("how a source lies in the picture is a step of its own") {
     small.lab().edit([](Document& document) { document.undo(); });
     CHECK(lies_in({4, 4}));
     small.lab().edit([&](Document& document) { document.set_source(file + ",fit=tall"); });
-    CHECK(small.turn_until([&] { return small.lab().notice().has_value(); }));
+    CHECK(small.turn_until([&] { return small.lab().messages().notice().has_value(); }));
 }
 
 TEST_CASE("numbered pictures follow each other; a gap is told and the lab goes on") {
@@ -366,13 +366,13 @@ TEST_CASE("numbered pictures follow each other; a gap is told and the lab goes o
     small.lab().open_file(small.folder() / "f_%d.exr");
     for (const float number : {1.0f, 2.0f, 4.0f, 1.0f})
         CHECK(small.turn_until([&] { return small.shown() == 1.0f + number; }));
-    REQUIRE(small.lab().notice().has_value());
-    CHECK(small.lab().notice()->text.find("picture 3 is missing") != std::string::npos);
+    REQUIRE(small.lab().messages().notice().has_value());
+    CHECK(small.lab().messages().notice()->text.find("picture 3 is missing") != std::string::npos);
 }
 
 TEST_CASE("a replay shows a pattern that moves as it was at each frame") {
     SmallLab small(on_the_past);
-    small.lab().set_picture_size({false, {64, 48}, 1.0});
+    small.lab().size().choose({false, {64, 48}, 1.0});
     REQUIRE(small.turn_until(
         [&] { return !small.lab().drive().source_extent().is_empty() && small.frames() > 40.0f; }));
     // Ten frames are a step of the clock that the harbour moves by.
@@ -408,10 +408,10 @@ TEST_CASE("an image of the look that is saved anew shows; a broken one is told")
     small.write("grain.exr", content_of(grain));
     REQUIRE(small.turn_until([&] { return small.shown() == 5.0f; }));
     small.write("grain.exr", "no picture");
-    REQUIRE(small.turn_until([&] { return !small.lab().problems().empty(); }));
-    CHECK(small.lab().problems().front().diagnostic.file.filename() == "grain.exr");
+    REQUIRE(small.turn_until([&] { return !small.lab().messages().problems().empty(); }));
+    CHECK(small.lab().messages().problems().front().diagnostic.file.filename() == "grain.exr");
     small.turn(3);
     CHECK(small.shown() == 5.0f);
     small.write("grain.exr", content_of(grain));
-    CHECK(small.turn_until([&] { return small.lab().problems().empty(); }));
+    CHECK(small.turn_until([&] { return small.lab().messages().problems().empty(); }));
 }

@@ -75,15 +75,15 @@ TEST_CASE("a light that fades by the frame is not, and the farthest rates are na
 
 TEST_CASE("a comparison runs beside the lab, can be cancelled and be begun again") {
     Fading lab("decay", "1.0");
-    lab.lab().compare_rates();
-    CHECK(lab.lab().rate_check().is_running());
-    lab.lab().cancel_rate_comparison();
-    CHECK_FALSE(lab.lab().rate_check().is_running());
-    lab.lab().compare_rates();
-    REQUIRE(lab.turn_until([&] { return !lab.lab().rate_check().is_running(); }));
-    REQUIRE(lab.lab().rate_check().outcome());
-    REQUIRE(lab.lab().rate_check().outcome()->has_value());
-    const RateComparison& found = **lab.lab().rate_check().outcome();
+    lab.lab().jobs().compare_rates();
+    CHECK(lab.lab().jobs().rates().is_running());
+    lab.lab().jobs().cancel_rates();
+    CHECK_FALSE(lab.lab().jobs().rates().is_running());
+    lab.lab().jobs().compare_rates();
+    REQUIRE(lab.turn_until([&] { return !lab.lab().jobs().rates().is_running(); }));
+    REQUIRE(lab.lab().jobs().rates().outcome());
+    REQUIRE(lab.lab().jobs().rates().outcome()->has_value());
+    const RateComparison& found = **lab.lab().jobs().rates().outcome();
     REQUIRE(lab.lab().rate_pictures().shown());
     CHECK(lab.lab().rate_pictures().shown()->pair == found.worst_place());
     lab.lab().show_rate_pair(0);

@@ -146,7 +146,7 @@ TEST_CASE("what is turned behind an edit that fails is seen") {
     small.save_times(5);
     REQUIRE(small.turn_until([&] { return small.shown() == 5.0f * small.frames(); }));
     small.write_by_rename("gain.glsl", "uniform float gain = 1.0;  // @range 0 8\nnonsense\n");
-    REQUIRE(small.turn_until([&] { return !small.lab().problems().empty(); }));
+    REQUIRE(small.turn_until([&] { return !small.lab().messages().problems().empty(); }));
     small.set("gain", 2.0);
     REQUIRE(small.turn_until([&] { return small.shown() == 10.0f * small.frames(); }));
 }
@@ -160,7 +160,8 @@ TEST_CASE(
     const auto waits = [&] { return has_waited = has_waited && !small.lab().follows_at_once(); };
     REQUIRE(small.turn_until([&] { return !waits() || small.lab().is_reading(); }));
     small.go_on();
-    REQUIRE(small.turn_until([&] { return !waits() || !small.lab().problems().empty(); }));
+    REQUIRE(
+        small.turn_until([&] { return !waits() || !small.lab().messages().problems().empty(); }));
     CHECK(has_waited);
     small.set("gain", 2.0);
     small.turn(1);
@@ -193,7 +194,7 @@ TEST_CASE("values are right whatever ended the settled programs of an edit") {
     small.turn(1);
     CHECK_FALSE(small.is_settled());
     small.go_on();
-    REQUIRE(small.turn_until([&] { return !small.lab().problems().empty(); }));
+    REQUIRE(small.turn_until([&] { return !small.lab().messages().problems().empty(); }));
     REQUIRE(small.turn_until([&] { return small.lab().follows_at_once(); }));
     small.turn(5);
     CHECK(small.shown() == 15.0f * small.frames());

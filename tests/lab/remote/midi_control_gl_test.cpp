@@ -64,25 +64,25 @@ bool is_at(double a, double b) {
 
 TEST_CASE("a knob is learnt, turns the parameter over its range as one step, and is kept") {
     Turning small;
-    small.lab().learn_midi({"gain"});
-    REQUIRE(small.lab().midi().learning());
-    CHECK(small.lab().midi().devices() == std::vector<std::string>{"nanoKONTROL"});
+    small.lab().remote().learn_midi({"gain"});
+    REQUIRE(small.lab().remote().midi().learning());
+    CHECK(small.lab().remote().midi().devices() == std::vector<std::string>{"nanoKONTROL"});
     small.device.messages.push_back({0x90, 60, 100});  // a key of it is no knob
     small.knob(21, 10);
-    CHECK_FALSE(small.lab().midi().learning());
-    CHECK(small.lab().notice()->text == "CC 21, channel 1 now controls \"Gain\"");
+    CHECK_FALSE(small.lab().remote().midi().learning());
+    CHECK(small.lab().messages().notice()->text == "CC 21, channel 1 now controls \"Gain\"");
     CHECK(small.gain() == 1.0);  // learning turns nothing
     // The range is 0 to 8, so 1 is at 15.875 of 127: there the knob takes hold.
     small.knob(21, 12);
     CHECK(small.gain() == 1.0);
     small.knob(21, 16);
     CHECK(is_at(small.gain(), 8.0 * 16 / 127));
-    small.lab().record_moves(true);
+    small.lab().automation().record(true);
     small.knob(21, 127);
     CHECK(small.gain() == 8.0);
-    REQUIRE_FALSE(small.lab().moves().moves().empty());
-    CHECK(small.lab().moves().moves().back().name == "gain");
-    CHECK(small.lab().moves().moves().back().value == Value(8.0));
+    REQUIRE_FALSE(small.lab().automation().recorder().moves().empty());
+    CHECK(small.lab().automation().recorder().moves().back().name == "gain");
+    CHECK(small.lab().automation().recorder().moves().back().value == Value(8.0));
     CHECK(small.document().history().past().size() == 1);
     small.lab().update(0.6);
     CHECK_FALSE(small.document().history().is_in_gesture());
@@ -90,32 +90,33 @@ TEST_CASE("a knob is learnt, turns the parameter over its range as one step, and
     CHECK(small.gain() == 1.0);
 
     small.begin();  // the program is started again
-    CHECK(small.lab().midi().is_listening());
-    CHECK(small.lab().remote_settings().midi == std::vector<MidiBinding>{{{"gain"}, 1, 21}});
-    RemoteSettings settings = small.lab().remote_settings();
+    CHECK(small.lab().remote().midi().is_listening());
+    CHECK(small.lab().remote().settings().midi == std::vector<MidiBinding>{{{"gain"}, 1, 21}});
+    RemoteSettings settings = small.lab().remote().settings();
     settings.picks_up = false;
-    small.lab().set_remote_settings(settings);
+    small.lab().remote().set_settings(settings);
     small.knob(21, 127);
     CHECK(small.gain() == 8.0);  // it jumps, as was asked for
     settings.unbind({"gain"});
-    small.lab().set_remote_settings(settings);
+    small.lab().remote().set_settings(settings);
     small.knob(21, 0);
     CHECK(small.gain() == 8.0);
 }
 
 TEST_CASE("a device of 14 bits is learnt by its pair, and is as fine as that") {
     Turning small;
-    small.lab().learn_midi({"gain"});
+    small.lab().remote().learn_midi({"gain"});
     small.device.messages.push_back({0xb0, 7, 16});
     small.knob(39, 0);  // right behind
-    CHECK(small.lab().remote_settings().midi == std::vector<MidiBinding>{{{"gain"}, 1, 7, true}});
+    CHECK(small.lab().remote().settings().midi == std::vector<MidiBinding>{{{"gain"}, 1, 7, true}});
     small.device.messages.push_back({0xb0, 7, 16});
     small.knob(39, 1);
     CHECK(is_at(small.gain(), 8.0 * 2049 / 16383));
-    small.lab().learn_midi({"gain"});
+    small.lab().remote().learn_midi({"gain"});
     small.knob(7, 16);
     small.knob(39, 0, 0.5);  // much later: another knob
-    CHECK(small.lab().remote_settings().midi == std::vector<MidiBinding>{{{"gain"}, 1, 7, false}});
+    CHECK(small.lab().remote().settings().midi ==
+          std::vector<MidiBinding>{{{"gain"}, 1, 7, false}});
 }
 
 TEST_CASE("what is locked is refused, and what another look has is left alone") {
@@ -124,14 +125,14 @@ TEST_CASE("what is locked is refused, and what another look has is left alone") 
     settings.listens_to_midi = true;
     settings.picks_up = false;
     settings.midi = {{{"gain"}, 1, 21}, {{"elsewhere"}, 1, 22}};
-    small.lab().set_remote_settings(settings);
+    small.lab().remote().set_settings(settings);
     small.lab().edit([](Document& document) { document.set_knob("gain", {.is_locked = true}); });
     small.knob(21, 127);
     CHECK(small.gain() == 1.0);
-    CHECK(small.lab().notice()->text == "MIDI: 'gain' is locked");
+    CHECK(small.lab().messages().notice()->text == "MIDI: 'gain' is locked");
     small.knob(22, 127);
-    CHECK(small.lab().midi().refused() == 1);
-    CHECK(small.lab().midi().turned() == 0);
+    CHECK(small.lab().remote().midi().refused() == 1);
+    CHECK(small.lab().remote().midi().turned() == 0);
     CHECK(small.document().history().past().empty());
 }
 
@@ -146,7 +147,7 @@ TEST_CASE("a switch has no place to be picked up at: a knob turns it at once") {
     RemoteSettings settings;
     settings.listens_to_midi = true;
     settings.midi = {{{"is_dark"}, 1, 21}};
-    small.lab().set_remote_settings(settings);
+    small.lab().remote().set_settings(settings);
     REQUIRE(settings.picks_up);
     small.knob(21, 127);
     CHECK(small.document().value(*find_parameter(small.document().look(), "is_dark")).number() ==
@@ -159,7 +160,7 @@ TEST_CASE("nothing is turned while another stack is being read") {
     settings.listens_to_midi = true;
     settings.picks_up = false;
     settings.midi = {{{"gain"}, 1, 21}};
-    small.lab().set_remote_settings(settings);
+    small.lab().remote().set_settings(settings);
     small.lab().edit([](Document& document) {
         Stack twice = document.look().stack;
         twice.push_back(twice.front());
@@ -168,26 +169,26 @@ TEST_CASE("nothing is turned while another stack is being read") {
     });
     REQUIRE(small.document().is_restacking());
     small.knob(21, 127);
-    CHECK(small.lab().midi().turned() == 0);
+    CHECK(small.lab().remote().midi().turned() == 0);
 }
 
 TEST_CASE("without a device one message says so, and one that is plugged in later is found") {
     Turning small;
     small.device.plugged.clear();
-    small.lab().learn_midi({"gain"});
-    CHECK_FALSE(small.lab().midi().learning());
-    CHECK(small.lab().notice()->text == "MIDI: no device found");
-    CHECK_FALSE(small.lab().notice()->is_problem);
-    CHECK_FALSE(small.lab().remote_settings().listens_to_midi);
+    small.lab().remote().learn_midi({"gain"});
+    CHECK_FALSE(small.lab().remote().midi().learning());
+    CHECK(small.lab().messages().notice()->text == "MIDI: no device found");
+    CHECK_FALSE(small.lab().messages().notice()->is_problem);
+    CHECK_FALSE(small.lab().remote().settings().listens_to_midi);
     small.device.plugged = {"Faders"};
-    small.lab().look_for_midi_devices();
-    CHECK(small.lab().notice()->text == "Listening to MIDI: Faders");
+    small.lab().remote().find_midi_devices();
+    CHECK(small.lab().messages().notice()->text == "Listening to MIDI: Faders");
     small.device.plugged = {"Faders", "Knobs"};
-    small.lab().learn_midi({"gain"});
-    CHECK(small.lab().midi().devices().size() == 2);
-    small.lab().end_midi_learning();
+    small.lab().remote().learn_midi({"gain"});
+    CHECK(small.lab().remote().midi().devices().size() == 2);
+    small.lab().remote().end_midi_learning();
     small.knob(21, 64);
-    CHECK(small.lab().remote_settings().midi.empty());
+    CHECK(small.lab().remote().settings().midi.empty());
 }
 
 TEST_CASE("this machine's devices are opened or a reason is given") {

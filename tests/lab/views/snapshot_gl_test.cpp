@@ -26,7 +26,7 @@ TEST_CASE("a pass is saved with its numbers as EXR, as it is seen as PNG") {
     const float frames = gpu::read_pixel(small.lab().renderer()->executor().target(0), 0, 0)[0];
     PassView view = view_of("sum");
     CHECK(saved(small, view, "sum.exr").pixels == std::vector<float>(8 * 8 * 4, frames));
-    CHECK(small.lab().notice()->text == "Saved \"sum\" to \"sum.exr\"");
+    CHECK(small.lab().messages().notice()->text == "Saved \"sum\" to \"sum.exr\"");
 
     // Of what is linear, sRGB's half lies at 0.214041.
     view.levels = {frames - 0.214041, frames + 1 - 0.214041};
@@ -42,7 +42,7 @@ TEST_CASE("a pass is saved with its numbers as EXR, as it is seen as PNG") {
 TEST_CASE("what cannot be saved is told, and a name without an ending becomes an EXR") {
     SmallLab small;
     save_target(small.lab(), view_of("show"), small.folder() / "show.bmp");
-    CHECK(small.lab().notice()->is_problem);
+    CHECK(small.lab().messages().notice()->is_problem);
     save_target(small.lab(), view_of("show"), small.folder() / "show");
     CHECK(std::filesystem::exists(small.folder() / "show.exr"));
 }

@@ -1,4 +1,4 @@
-#include "lab/document/drawing_board.h"
+#include "lab/drawing/drawing_board.h"
 
 #include "lab/document/users_content.h"
 #include "signals/drawing/stroke_line.h"

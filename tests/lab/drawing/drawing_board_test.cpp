@@ -1,4 +1,4 @@
-#include "lab/document/drawing_board.h"
+#include "lab/drawing/drawing_board.h"
 
 #include "signals/signal_table.h"
 

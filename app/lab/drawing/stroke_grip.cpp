@@ -1,4 +1,4 @@
-#include "lab/document/stroke_grip.h"
+#include "lab/drawing/stroke_grip.h"
 
 #include "signals/drawing/stroke_line.h"
 

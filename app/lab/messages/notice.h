@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/diagnostic.h"
-#include "lab/choice.h"
+#include "lab/messages/choice.h"
 
 #include <string>
 #include <vector>

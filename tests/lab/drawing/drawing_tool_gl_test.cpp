@@ -20,10 +20,10 @@ std::string strokes_of(const Lab& lab) {
 }
 
 void pull(Lab& lab, const BeamPlace& from, const BeamPlace& to) {
-    const BeamPlacing placing = lab.beam_placing();
-    lab.pen_down(placing.pixel_of(from));
-    lab.pen_move(placing.pixel_of(to));
-    lab.pen_up();
+    const BeamPlacing placing = lab.drawing().placing();
+    lab.drawing().pen_down(placing.pixel_of(from));
+    lab.drawing().pen_move(placing.pixel_of(to));
+    lab.drawing().pen_up();
 }
 
 void write(const std::filesystem::path& file, const std::string& text) {
@@ -43,15 +43,16 @@ std::array<float, 2> lit_heights(const Lab& lab, double seconds) {
 TEST_CASE("with the pen in the hand its keyframe stands still; put down, the keyframes play") {
     SmallLab small(drawn_signal);
     Lab& lab = small.lab();
-    lab.take_pen(true);
+    lab.drawing().take_pen(true);
     CHECK(strokes_of(lab) == "[]");
     pull(lab, {-0.5, -0.5}, {0.5, -0.5});
-    lab.draw([](DrawingBoard& board, Document& document) { board.add_keyframe(document); });
+    lab.drawing().edit(
+        [](DrawingBoard& board, Document& document) { board.add_keyframe(document); });
     pull(lab, {-0.5, 0.5}, {0.5, 0.5});
     CHECK(strokes_of(lab) == "[S-0.5 -0.5 0.5 -0.5][S-0.5 0.5 0.5 0.5]");
     REQUIRE(small.turn_until([&] { return lit_heights(lab, 0.0)[0] > 0.4f; }));
     CHECK(std::abs(lit_heights(lab, 1.0)[1] - 0.5f) < 1e-4f);
-    lab.take_pen(false);
+    lab.drawing().take_pen(false);
     // Half a second each is held, and takes a second to become the other.
     REQUIRE(small.turn_until([&] { return lit_heights(lab, 0.0)[1] < -0.4f; }));
     CHECK(std::abs(lit_heights(lab, 1.0)[1]) < 1e-3f);
@@ -61,28 +62,30 @@ TEST_CASE("with the pen in the hand its keyframe stands still; put down, the key
 TEST_CASE("an SVG that is opened becomes the drawing; what is wrong with one is told") {
     SmallLab small(drawn_signal);
     Lab& lab = small.lab();
-    lab.take_pen(true);
-    lab.save_drawing(small.folder() / "empty.svg");
-    CHECK(lab.notice()->text == "The drawing is empty. Draw something first.");
+    lab.drawing().take_pen(true);
+    lab.drawing().save(small.folder() / "empty.svg");
+    CHECK(lab.messages().notice()->text == "The drawing is empty. Draw something first.");
     pull(lab, {-0.5, -0.5}, {0.5, -0.5});
-    lab.save_drawing(small.folder() / "mine");
-    CHECK(lab.notice()->text == "Saved \"mine.svg\"");
+    lab.drawing().save(small.folder() / "mine");
+    CHECK(lab.messages().notice()->text == "Saved \"mine.svg\"");
     const std::string drawn = strokes_of(lab);
-    lab.draw([](DrawingBoard& board, Document& document) { board.clear_keyframe(document); });
+    lab.drawing().edit(
+        [](DrawingBoard& board, Document& document) { board.clear_keyframe(document); });
     write(small.folder() / "broken.svg", "<svg>\n<path d='M0 0 L'");
     lab.open_file(small.folder() / "broken.svg");
-    CHECK(lab.notice()->text.find("broken.svg:2: ") == 0);
+    CHECK(lab.messages().notice()->text.find("broken.svg:2: ") == 0);
     CHECK(strokes_of(lab) == "[]");
     lab.open_file(small.folder() / "mine.svg");
     CHECK(strokes_of(lab) == drawn);
     CHECK(lab.document()->history().undo_name() == "Load drawing");
-    lab.take_pen(false);
+    lab.drawing().take_pen(false);
     std::string hatching = "<svg><path d='";
     for (std::size_t i = 0; i <= most_drawing_points / 2; ++i)
         hatching += "M" + std::to_string(i) + " 0v10000";
     write(small.folder() / "long.svg", hatching + "'/></svg>");
     lab.open_file(small.folder() / "long.svg");
-    CHECK(lab.notice()->text.find("plays from its file. Its 20002 points") != std::string::npos);
+    CHECK(lab.messages().notice()->text.find("plays from its file. Its 20002 points") !=
+          std::string::npos);
     CHECK(strokes_of(lab).empty());
     REQUIRE(small.turn_until([&] { return lab.player().sound().drawing != nullptr; }));
     CHECK(std::abs(lit_heights(lab, 0.0)[1] - 0.8f) < 0.01f);  // 1.6 from end to end

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lab/document/document.h"
-#include "lab/document/stroke_grip.h"
+#include "lab/drawing/stroke_grip.h"
 
 #include <optional>
 

@@ -1,8 +1,8 @@
-// The part of Lab that draws by hand.
+#include "lab/drawing/drawing_tool.h"
+
 #include "formats/svg/svg_file.h"
 #include "io/files/atomic_file.h"
 #include "lab/document/users_content.h"
-#include "lab/lab.h"
 #include "lab/storage/told_name.h"
 #include "signals/drawing/stroke_line.h"
 #include "signals/signal_table.h"
@@ -30,28 +30,28 @@ double size_in(const Spec& signal) {
 }
 }  // namespace
 
-BeamPlacing Lab::beam_placing() const {
-    return {m_document->look(), m_document->values(), picture_extent(),
+BeamPlacing DrawingTool::placing() const {
+    return {m_document->look(), m_document->values(), m_size.extent(),
             beam_fit_of(m_document->state().signal)};
 }
 
-void Lab::draw(const std::function<void(DrawingBoard&, Document&)>& change) {
+void DrawingTool::edit(const std::function<void(DrawingBoard&, Document&)>& change) {
     if (!m_document)
         return;
     m_board.follow(*m_document);
     change(m_board, *m_document);
 }
 
-void Lab::take_pen(bool is_in_hand) {
+void DrawingTool::take_pen(bool is_in_hand) {
     if (!m_document)
         return;
     if (m_document->look().driven_by != Driver::signal)
-        return say(needs_signal_look, true);
+        return m_messages.say(needs_signal_look, true);
     m_board.follow(*m_document);
     if (is_in_hand && !m_board.drawing()) {
         const Spec& signal = m_document->state().signal;
         if (const std::string file = file_of(signal); signal.kind == "drawing" && !file.empty())
-            load_drawing(file);
+            load(file);
         else
             m_board.replace(Drawing{{{}}}, "New drawing", *m_document);
     }
@@ -60,43 +60,44 @@ void Lab::take_pen(bool is_in_hand) {
     m_board.set_pen(pen, *m_document);
 }
 
-void Lab::pen_down(const PicturePixel& pixel) {
+void DrawingTool::pen_down(const PicturePixel& pixel) {
     if (!m_document)
         return;
-    const BeamPlacing placing = beam_placing();
-    m_board.press(placing.place_of(pixel), placing.pixel_size(), *m_document);
+    const BeamPlacing pixels = placing();
+    m_board.press(pixels.place_of(pixel), pixels.pixel_size(), *m_document);
     if (m_board.drawing() && point_count(*m_board.drawing()) + 2 > most_drawing_points)
-        say(fmt::format("The drawing is full. The limit is {} points.", most_drawing_points), true);
+        m_messages.say(
+            fmt::format("The drawing is full. The limit is {} points.", most_drawing_points), true);
 }
 
-void Lab::pen_move(const PicturePixel& pixel) {
+void DrawingTool::pen_move(const PicturePixel& pixel) {
     if (!m_document)
         return;
-    const BeamPlacing placing = beam_placing();
-    m_board.move(placing.place_of(pixel), placing.pixel_size(), *m_document);
+    const BeamPlacing pixels = placing();
+    m_board.move(pixels.place_of(pixel), pixels.pixel_size(), *m_document);
 }
 
-void Lab::pen_up() {
+void DrawingTool::pen_up() {
     if (m_document)
-        m_board.release(beam_placing().pixel_size(), *m_document);
+        m_board.release(placing().pixel_size(), *m_document);
 }
 
-void Lab::other_button(const PicturePixel& pixel) {
+void DrawingTool::other_button(const PicturePixel& pixel) {
     if (!m_document)
         return;
-    const BeamPlacing placing = beam_placing();
-    m_board.press_other(placing.place_of(pixel), placing.pixel_size(), *m_document);
+    const BeamPlacing pixels = placing();
+    m_board.press_other(pixels.place_of(pixel), pixels.pixel_size(), *m_document);
 }
 
-void Lab::load_drawing(const fs::path& file) {
+void DrawingTool::load(const fs::path& file) {
     if (!m_document)
         return;
     if (m_document->look().driven_by != Driver::signal)
-        return say(needs_signal_look, true);
+        return m_messages.say(needs_signal_look, true);
     const auto loaded = load_svg_drawing(file);
-    if (!succeeded(loaded))
+    if (!m_messages.succeeded(loaded))
         return;
-    m_opened_files.push_back(file);
+    m_opened.add(file);
     const Spec present = m_document->state().signal;
     const Drawing drawing = lightened(to_scale(*loaded, size_in(present)));
     if (point_count(drawing) <= most_drawing_points)
@@ -106,17 +107,17 @@ void Lab::load_drawing(const fs::path& file) {
     played.settings.erase("strokes");
     played.settings["file"] = fs::absolute(file).string();
     m_document->set_signal(with_round_circles(std::move(played)), false, "Load drawing");
-    say(fmt::format("\"{}\" plays from its file. Its {} points are too many to edit.",
-                    file.filename().string(), point_count(drawing)));
+    m_messages.say(fmt::format("\"{}\" plays from its file. Its {} points are too many to edit.",
+                               file.filename().string(), point_count(drawing)));
 }
 
-void Lab::save_drawing(const fs::path& given) {
+void DrawingTool::save(const fs::path& given) {
     if (!m_document)
         return;
     m_board.follow(*m_document);
     if (!m_board.drawing() || !has_strokes(*m_board.drawing()))
-        return say("The drawing is empty. Draw something first.", true);
+        return m_messages.say("The drawing is empty. Draw something first.", true);
     const fs::path file = given.has_extension() ? given : fs::path(given.string() + ".svg");
-    if (succeeded(write_atomically(file, svg_text(*m_board.drawing()))))
-        say(saved_words(file.filename().string()));
+    if (m_messages.succeeded(write_atomically(file, svg_text(*m_board.drawing()))))
+        m_messages.say(saved_words(file.filename().string()));
 }

@@ -1,4 +1,4 @@
-#include "lab/document/beam_place.h"
+#include "lab/drawing/beam_place.h"
 
 #include "model/picture/beam_fit.h"
 

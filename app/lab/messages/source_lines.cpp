@@ -1,4 +1,4 @@
-#include "lab/rendering/source_lines.h"
+#include "lab/messages/source_lines.h"
 
 #include "base/file.h"
 #include "base/printable.h"

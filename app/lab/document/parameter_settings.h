@@ -1,0 +1,27 @@
+#pragma once
+
+#include "lab/document/document.h"
+#include "lab/messages/messages.h"
+#include "model/tuning/knob_settings.h"
+
+/// What the user set about the parameters of all looks: favourites, locks, slider ranges.
+class ParameterSettings {
+public:
+    ParameterSettings(OpenDocument& document, Messages& messages)
+        : m_document(document), m_messages(messages) {}
+
+    /// Of all looks, with the changes in the open one.
+    LookKnobs all() const;
+    void set_all(LookKnobs settings);
+    /// Stores those of the open look, which is about to close.
+    void store() { m_stored = all(); }
+    /// Gives the open look its stored settings.
+    void load();
+    /// Sets the range of a slider; nullopt: the range of the look.
+    void set_slider_ends(const std::string& parameter, const std::optional<Limit>& ends);
+
+private:
+    OpenDocument& m_document;
+    Messages& m_messages;
+    LookKnobs m_stored;
+};

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "lab/drawing/beam_place.h"
+#include "lab/drawing/drawing_board.h"
+#include "lab/library/opened_files.h"
+#include "lab/media/render_size.h"
+#include "lab/messages/messages.h"
+
+#include <functional>
+
+/// Draws by hand on the picture. The drawing becomes the signal of the open look.
+class DrawingTool {
+public:
+    DrawingTool(OpenDocument& document, const RenderSize& size, Messages& messages,
+                OpenedFiles& opened)
+        : m_document(document), m_size(size), m_messages(messages), m_opened(opened) {}
+
+    /// Pen, keyframe and open line.
+    const DrawingBoard& board() const { return m_board; }
+    /// Converts between pixels of the picture and positions of the signal. A look must be open.
+    BeamPlacing placing() const;
+
+    /// Takes up the pen or puts it down. A signal that is not drawn by hand becomes the drawing of
+    /// its file, or else an empty drawing.
+    void take_pen(bool is_in_hand);
+    void pen_down(const PicturePixel& pixel);
+    void pen_move(const PicturePixel& pixel);
+    void pen_up();
+    /// The other button ends a line or deletes a point.
+    void other_button(const PicturePixel& pixel);
+    void edit(const std::function<void(DrawingBoard&, Document&)>& change);
+
+    /// An SVG becomes the drawing. One with too many points to edit plays from its file.
+    void load(const std::filesystem::path& file);
+    void save(const std::filesystem::path& file);  // as SVG
+
+    /// Reads the drawing of the document's signal again where it changed.
+    void follow() { m_board.follow(*m_document); }
+
+private:
+    OpenDocument& m_document;
+    const RenderSize& m_size;
+    Messages& m_messages;
+    OpenedFiles& m_opened;
+    DrawingBoard m_board;
+};

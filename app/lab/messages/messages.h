@@ -1,0 +1,56 @@
+#pragma once
+
+#include "lab/messages/notice.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// What the program reports to the user: one notice, and the list of problems.
+class Messages {
+public:
+    /// Shows a notice for 5 seconds, a problem for 12. `subject` names what the problem is about (a
+    /// file, a device), so that withdraw() finds it.
+    void say(std::string text, bool is_problem = false, std::string subject = {});
+    /// Shows a problem as "FILE:LINE: MESSAGE".
+    void say(const Diagnostic& problem);
+    /// Shows a notice with a button for 8 seconds.
+    void offer(std::string text, Choice choice);
+    /// Shows a notice with buttons until the user chooses or dismisses it.
+    void ask(std::string text, std::vector<Choice> choices, std::string subject = {},
+             bool is_problem = true);
+    /// Adds to the current notice; shows a notice where none is shown or it is a problem.
+    void append(std::string text, Choice choice);
+    /// Shows the first problem of a failed result. Returns whether it succeeded.
+    template <class T>
+    bool succeeded(const Result<T>& result) {
+        if (!result)
+            say(result.error().front());
+        return result.has_value();
+    }
+    const std::optional<Notice>& notice() const { return m_notice; }
+    void dismiss() { m_notice.reset(); }
+    /// Dismisses the notice about a subject: its problem is solved.
+    void withdraw(std::string_view subject);
+    /// Counts down the time of the notice.
+    void update(double wall_seconds);
+
+    /// Problems of the open look, then those of its content.
+    const std::vector<Problem>& problems() const { return m_problems; }
+    void set_look_problems(const Diagnostics& problems);
+    void add_look_problems(const Diagnostics& problems);
+    /// Of signal, source and images. Publishes changes of either list.
+    void set_content_problems(const Diagnostics& problems);
+    /// Hides the problems until a new one occurs.
+    void dismiss_problems() { m_are_problems_dismissed = true; }
+    bool are_problems_dismissed() const { return m_are_problems_dismissed; }
+
+private:
+    bool lists(std::string_view subject) const;
+
+    std::optional<Notice> m_notice;
+    std::vector<Problem> m_look_problems;
+    std::vector<Problem> m_problems;
+    bool m_are_problems_dismissed = false;
+};

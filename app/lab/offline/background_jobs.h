@@ -1,0 +1,41 @@
+#pragma once
+
+#include "lab/media/render_size.h"
+#include "lab/messages/messages.h"
+#include "lab/offline/frame_export.h"
+#include "lab/offline/impulse.h"
+#include "lab/offline/rate_comparison.h"
+#include "lab/storage/background_work.h"
+
+/// Jobs that draw a copy of the document in the background: comparison of frame rates, impulse
+/// response, export of frames.
+class BackgroundJobs {
+public:
+    BackgroundJobs(const OpenDocument& document, const RenderSize& size)
+        : m_document(document), m_size(size) {}
+
+    /// Draws the document at several frame rates.
+    void compare_rates();
+    void cancel_rates() { m_rates.cancel(); }
+    const BackgroundWork<RateComparison>& rates() const { return m_rates; }
+    /// Fires a flash and measures how it falls in every pass.
+    void fire_impulse(const Pin& place);
+    void cancel_impulse() { m_impulse.cancel(); }
+    const BackgroundWork<ImpulseResponse>& impulse() const { return m_impulse; }
+    /// Writes a film or an image sequence.
+    void export_frames(const ExportWishes& wishes);
+    void cancel_export() { m_export.cancel(); }
+    const BackgroundWork<Exported>& frame_export() const { return m_export; }
+
+    void update();
+    bool is_running() const {
+        return m_rates.is_running() || m_impulse.is_running() || m_export.is_running();
+    }
+
+private:
+    const OpenDocument& m_document;
+    const RenderSize& m_size;
+    BackgroundWork<RateComparison> m_rates;
+    BackgroundWork<ImpulseResponse> m_impulse;
+    BackgroundWork<Exported> m_export;
+};

@@ -1,0 +1,28 @@
+#include "lab/playback/audio_control.h"
+
+#include "lab/storage/sound_store.h"
+
+AudioControl::AudioControl(Player& player, const Roots& roots, Messages& messages)
+    : m_player(player), m_roots(roots), m_messages(messages) {
+    if (const auto settings = load_sound_settings(m_roots); m_messages.succeeded(settings))
+        m_messages.succeeded(m_player.set_sound_settings(*settings));
+}
+
+void AudioControl::set_settings(const SoundSettings& settings) {
+    m_messages.succeeded(m_player.set_sound_settings(settings));
+    m_messages.succeeded(save_sound_settings(m_roots, settings));
+}
+
+void AudioControl::update() {
+    std::string error = m_player.silence();
+    if (error == m_reported)
+        return;
+    constexpr const char* subject = "sound device";
+    m_reported = std::move(error);
+    if (m_reported.empty())
+        return m_messages.withdraw(subject);
+    if (!m_player.draws_muted_input())
+        return m_messages.say(m_reported, true, subject);
+    const auto unmute = [this](Lab&) { m_messages.succeeded(m_player.mute_input(false)); };
+    m_messages.ask(m_reported, {{.name = "Unmute", .deeds = {unmute}}}, subject, false);
+}

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "lab/messages/messages.h"
+#include "lab/playback/player.h"
+#include "lab/storage/roots.h"
+
+#include <string>
+#include <vector>
+
+/// Audio devices: their settings, and notices about those that fail.
+class AudioControl {
+public:
+    /// Applies the stored settings to the player.
+    AudioControl(Player& player, const Roots& roots, Messages& messages);
+
+    /// Opens the devices that the settings name, and stores the settings.
+    void set_settings(const SoundSettings& settings);
+    /// The devices as find_devices() found them.
+    const std::vector<SoundDevice>& devices() const { return m_devices; }
+    void find_devices() { m_devices = m_player.sound_devices(); }
+    /// Shows a notice once when a device fails or a live input is muted.
+    void update();
+
+private:
+    Player& m_player;
+    const Roots& m_roots;
+    Messages& m_messages;
+    std::vector<SoundDevice> m_devices;
+    std::string m_reported;  // the last error that was shown
+};
