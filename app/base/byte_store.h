@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-/// Answers that took long to find, kept by their questions, perhaps from one run of the program to
-/// the next. May forget any of them at any time. Thread-safe.
+/// A cache of results that are slow to compute, by key, possibly across runs of the program. May
+/// drop any entry at any time. Thread-safe.
 class ByteStore {
 public:
     ByteStore() = default;

@@ -9,7 +9,7 @@
 namespace {
 constexpr std::ptrdiff_t most_of_a_severity = 256;
 
-// What differs most comes first: paths take long to compare.
+// Compares the most distinctive members first, because comparing paths is slow.
 bool are_same(const Diagnostic& a, const Diagnostic& b) {
     return a.line == b.line && a.message == b.message && a.severity == b.severity &&
            a.file.native() == b.file.native();

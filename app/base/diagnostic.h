@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-/// A place in a person's file.
+/// A location in a user's file.
 struct Location {
     std::filesystem::path file;
     int line = 0;  // from 1; 0: the whole file
@@ -16,7 +16,7 @@ struct Location {
 
 enum class Severity { error, warning };
 
-/// A problem in a person's file or machine, in words that they can act on.
+/// A problem in a user's file or on the machine, with a message that the user can act on.
 struct Diagnostic {
     std::filesystem::path file;
     int line = 0;  // from 1; 0: the whole file
@@ -28,23 +28,23 @@ struct Diagnostic {
 
 using Diagnostics = std::vector<Diagnostic>;
 
-/// A value, or every reason why there is none.
+/// A value, or all errors that prevented it.
 template <class T>
 using Result = tl::expected<T, Diagnostics>;
 
-/// The error side of a Result, with one reason.
+/// The error side of a Result.
 tl::unexpected<Diagnostics> fail(Diagnostic reason);
 tl::unexpected<Diagnostics> fail(Diagnostics reasons);
 
-/// "file:line: error: message", without the parts that are not known.
+/// "file:line: error: message", without the unknown parts.
 std::string to_string(const Diagnostic& diagnostic);
 
-/// One diagnostic a line.
+/// One diagnostic per line.
 std::string to_string(const Diagnostics& diagnostics);
 
 bool has_errors(const Diagnostics& diagnostics);
 
-/// Adds those that are not there yet, up to 256 errors and 256 warnings: nobody reads more, and a
-/// broken file may have millions. One more of each says that there are others.
+/// Adds diagnostics that are not yet listed, up to 256 errors and 256 warnings. A broken file may
+/// have millions. One more of each severity reports that the list is cut.
 void add_new(Diagnostics& all, const Diagnostics& some);
 void add_new(Diagnostics& all, Diagnostic one);

@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace {
-// "1.5e-05" as "1.5e-5".
+// Removes zeros and "+" from the exponent: "1.5e-05" becomes "1.5e-5".
 std::string without_padding(std::string text) {
     const std::size_t power = text.find('e');
     if (power == std::string::npos)

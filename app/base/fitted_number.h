@@ -2,6 +2,6 @@
 
 #include <string>
 
-/// A number in at most so many letters (at least 5), as exactly as these can tell, without needless
-/// zeros: "0.333", "-12.3", "7e-6". Of more digits than a 32-bit float has none is shown.
+/// A number in at most `most` characters (at least 5), as exactly as they allow, without needless
+/// zeros: "0.333", "-12.3", "7e-6". Shows at most 7 digits, the precision of a 32-bit float.
 std::string fitted_number(double number, int most);

@@ -3,6 +3,6 @@
 #include <initializer_list>
 #include <string>
 
-/// The first of these fonts ("DejaVuSans.ttf") that lies in one of the folders where systems keep
-/// fonts, with its path; "" where none does.
+/// The path of the first of these fonts ("DejaVuSans.ttf") found in the system's font folders; ""
+/// if not found.
 std::string find_font_file(std::initializer_list<const char*> names);

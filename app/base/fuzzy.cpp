@@ -10,9 +10,9 @@
 namespace {
 constexpr int letter = 1;
 constexpr int word_start = 8;
-constexpr int follows = 8;  // right behind the letter before
-constexpr int gap = -2;     // letters are left out before it
-constexpr int skips = -1;   // and it is in the middle of a word
+constexpr int follows = 8;  // directly after the previous letter
+constexpr int gap = -2;     // characters are skipped before it
+constexpr int skips = -1;   // after a gap, inside a word
 constexpr int none = std::numeric_limits<int>::min() / 2;
 
 bool is_letter(char c) {
@@ -23,15 +23,15 @@ bool begins_word(std::string_view text, std::size_t at) {
     return is_letter(text[at]) && (at == 0 || !is_letter(text[at - 1]));
 }
 
-// The best fits of a word's first letters that end at each byte of the text, letter by letter.
+// Best score of each prefix of the word that ends at each byte of the text.
 struct Table {
     std::vector<int> scores;          // word × text
-    std::vector<std::size_t> before;  // where the letter before lies
+    std::vector<std::size_t> before;  // position of the previous letter
 };
 
 void fit_letter(std::string_view word, std::string_view text, std::size_t i, Table& table) {
     const std::size_t width = text.size();
-    int best = none;  // of the letter before, somewhere before the previous byte
+    int best = none;  // best score of the previous letter at j - 2 or earlier
     std::size_t best_at = 0;
     for (std::size_t j = 0; j < width; ++j) {
         int& score = table.scores[i * width + j];
@@ -53,7 +53,7 @@ void fit_letter(std::string_view word, std::string_view text, std::size_t i, Tab
     }
 }
 
-// The letters in order, the first of them at a word's beginning.
+// All letters in order; the first one starts a word.
 std::optional<FuzzyMatch> fit_letters(std::string_view word, std::string_view text) {
     if (text.empty() || word.size() > text.size())
         return std::nullopt;

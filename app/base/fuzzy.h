@@ -5,14 +5,14 @@
 #include <string_view>
 #include <vector>
 
-/// How well a text fits what was typed, and by which of its bytes.
+/// How well a text matches a query, and which bytes match.
 struct FuzzyMatch {
-    int score = 0;                    // the higher the better; 0 for an empty query
-    std::vector<std::size_t> places;  // that fit, rising
+    int score = 0;                    // higher is better; 0 for an empty query
+    std::vector<std::size_t> places;  // matching bytes, ascending
 };
 
-/// Fits the words of `query` into `text`, each on its own and in any order, whatever the case: a
-/// word is a piece of the text (of two letters or more), or letters in order of which the first
-/// begins a word ("spa" in "Save preset as"). Letters that follow one another count most, then
-/// those that begin words. Nothing when a word does not fit.
+/// Matches the words of `query` in `text`, each separately, in any order, ignoring case. A word
+/// matches as a substring (two letters or more) or as letters in order. The first of these letters
+/// must start a word ("spa" in "Save preset as"). Consecutive letters score highest, then letters
+/// that start words. nullopt if a word does not match.
 std::optional<FuzzyMatch> fuzzy_match(std::string_view query, std::string_view text);

@@ -18,7 +18,7 @@ void LineMap::append(const Location& first, std::size_t count) {
         const std::size_t last_begin =
             stretches.size() > 1 ? stretches[stretches.size() - 2].end : 0;
         const int next_line = last.first.line + static_cast<int>(last.end - last_begin);
-        // Compared as text: what differs in spelling only is kept as it was written.
+        // Compared as text: a different spelling of the same path is kept.
         if (next_line == first.line && last.first.file.native() == first.file.native()) {
             last.end += count;
             return;

@@ -8,12 +8,11 @@
 #include <initializer_list>
 #include <vector>
 
-/// Where each line of an assembled text was written: line n of the text is lines[n - 1]. Kept as
-/// stretches, so that it is as large as the text has includes, not as it has lines; copies share
-/// them.
+/// The origin of each line of an assembled text: line n of the text is lines[n - 1]. Stored as
+/// ranges, so memory grows with the number of includes, not of lines. Copies share the ranges.
 class LineMap {
 public:
-    /// Lines that follow each other in one file.
+    /// Consecutive lines of one file.
     struct Stretch {
         Location first;
         std::size_t end = 0;  // index into the map, past the last line
@@ -25,7 +24,7 @@ public:
     LineMap(std::initializer_list<Location> lines);
 
     void push_back(const Location& at) { append(at, 1); }
-    /// `count` lines, from `first` on.
+    /// Appends `count` lines, starting at `first`.
     void append(const Location& first, std::size_t count);
 
     std::size_t size() const { return empty() ? 0 : m_stretches->back().end; }
@@ -36,5 +35,5 @@ public:
     bool operator==(const LineMap&) const = default;
 
 private:
-    Shared<std::vector<Stretch>> m_stretches;  // none empty, none that could be one with the next
+    Shared<std::vector<Stretch>> m_stretches;  // no empty ranges; adjacent ones are merged
 };

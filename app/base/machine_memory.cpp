@@ -10,7 +10,7 @@ std::uint64_t machine_memory() {
     for (const char* file :
          {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"}) {
         std::uint64_t bound = 0;
-        if (std::ifstream(file) >> bound && bound > 0)  // "max" is no number
+        if (std::ifstream(file) >> bound && bound > 0)  // "max" is not a number
             bytes = std::min(bytes, bound);
     }
     return bytes;

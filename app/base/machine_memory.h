@@ -2,6 +2,6 @@
 
 #include <cstdint>
 
-/// Bytes of memory that this process may have: those of the machine, or fewer where it runs in a
-/// control group with a bound (a container).
+/// Bytes of memory available to this process: physical memory, or the lower limit of its control
+/// group (container).
 std::uint64_t machine_memory();

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-/// Numbers and texts one after the other as bytes, the same on every machine.
+/// Serialises numbers and texts to bytes, independent of the machine.
 class Packer {
 public:
     void add(std::uint64_t number);
@@ -16,20 +16,19 @@ private:
     std::string m_bytes;
 };
 
-/// Reads what a Packer wrote. From the first fault on nothing is good any more, and all that is
-/// read is 0 or empty.
+/// Reads the bytes of a Packer. After the first error all values read are 0 or empty.
 class Unpacker {
 public:
     explicit Unpacker(std::string_view bytes) : m_rest(bytes) {}
 
     std::uint64_t number();
-    /// A number up to `most`; a larger one is a fault.
+    /// A number up to `most`; a larger one is an error.
     std::uint64_t number(std::uint64_t most);
     std::string_view text();
-    /// How many things follow; more than there are bytes left is a fault.
+    /// The number of elements that follow; more than the bytes left is an error.
     std::size_t count();
     bool is_good() const { return m_is_good; }
-    /// Good, and all has been read.
+    /// No error, and all bytes are read.
     bool is_at_end() const { return m_is_good && m_rest.empty(); }
 
 private:

@@ -36,7 +36,7 @@ PassProgress::State PassProgress::state() const {
 }
 
 namespace {
-/// What is said of a step: before its passes are counted, while it goes on, at a slow pass.
+/// The text for a step: before passes are counted, during the step, and at a slow pass.
 struct StepWords {
     const char* begun;
     const char* counted;

@@ -8,25 +8,25 @@
 #include <string>
 #include <string_view>
 
-/// How far long work on the passes of a look has come: said by the thread that does it, read and
-/// cancelled by others.
+/// Progress of long work on the passes of a look. The working thread reports it; other threads read
+/// it and can cancel the work.
 class PassProgress {
 public:
     enum class Step { reading, linking, drawing };
     struct State {
         Step step = Step::reading;
         std::size_t done = 0;
-        std::size_t total = 0;  // 0: nothing has been said yet
-        std::string pass;       // that is worked on
-        double seconds = 0.0;   // since it is
+        std::size_t total = 0;  // 0: not reported yet
+        std::string pass;       // the current pass
+        double seconds = 0.0;   // since the current pass began
     };
     using Listener = std::function<void(const State&)>;
 
-    /// `listener` is called with each pass, on the thread that works.
+    /// `listener` is called for each pass, on the working thread.
     explicit PassProgress(Listener listener = {});
 
     void begin(Step step, std::size_t total);
-    /// The next pass is begun, and the one before it done; false: nobody wants it any more.
+    /// Starts the next pass, which completes the previous one; false if cancelled.
     bool next(std::string_view pass);
     void cancel() { m_is_cancelled = true; }
     bool is_cancelled() const { return m_is_cancelled; }
@@ -43,5 +43,5 @@ private:
     Clock::time_point m_since = Clock::now();
 };
 
-/// "Linking: 3 of 12 passes", and which pass is slow.
+/// "Linking: 3 of 12 passes", with the name of a slow pass.
 std::string words_of(const PassProgress::State& state);

@@ -11,7 +11,7 @@ bool is_continuation(unsigned char byte) {
     return (byte & 0xC0U) == 0x80U;
 }
 
-// Bytes of the character that begins there (RFC 3629, table 3-7 of Unicode); 0: it is no UTF-8.
+// Bytes of the character at `place` (RFC 3629, table 3-7 of Unicode); 0 if not valid UTF-8.
 std::size_t character_size(std::string_view text, std::size_t place) {
     const unsigned char first = byte_at(text, place);
     const std::size_t size = first < 0x80   ? 1

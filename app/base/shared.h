@@ -4,7 +4,7 @@
 #include <memory>
 #include <utility>
 
-/// A value whose copies are one in memory until one of them is changed. Copies may belong to
+/// A copy-on-write value: copies share memory until one of them changes. Copies may belong to
 /// different threads.
 template <class T>
 class Shared {
@@ -17,13 +17,13 @@ public:
         return m_value ? *m_value : nothing;
     }
     const T* operator->() const { return &**this; }
-    /// To be changed: shared with nobody from here on.
+    /// Write access; makes an unshared copy first if needed.
     T& own() {
         if (!m_value)
             m_value = std::make_shared<T>();
         else if (m_value.use_count() > 1)
             m_value = std::make_shared<T>(*m_value);
-        // What another thread read of it before it let go has been read.
+        // Reads by threads that released their copies happen before the caller's writes.
         std::atomic_thread_fence(std::memory_order_acquire);
         return *m_value;
     }
@@ -33,5 +33,5 @@ public:
     }
 
 private:
-    std::shared_ptr<T> m_value;  // null: as if made without arguments
+    std::shared_ptr<T> m_value;  // null: a default-constructed value
 };

@@ -6,8 +6,7 @@
 #include <string>
 #include <string_view>
 
-/// A long text that is handed on by value: as a string to who reads it, and copied only to be
-/// changed.
+/// A long text passed by value: copy-on-write, and readable as a string.
 class SharedText {
 public:
     SharedText() = default;
@@ -20,7 +19,7 @@ public:
     const std::string* operator->() const { return &*m_text; }
     bool empty() const { return m_text->empty(); }
     std::size_t size() const { return m_text->size(); }
-    /// To be changed.
+    /// Write access.
     std::string& own() { return m_text.own(); }
 
     bool operator==(const SharedText&) const = default;

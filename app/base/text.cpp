@@ -115,7 +115,7 @@ std::string label_from_name(std::string_view name) {
 }
 
 namespace {
-// Levenshtein's distance, two rows at a time.
+// Levenshtein distance, in one row.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> row(b.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t{0});

@@ -9,48 +9,47 @@
 #include <string_view>
 #include <vector>
 
-/// The place where line `line` (from 1) of an assembled text was written; past the end the last
-/// one.
+/// The origin of line `line` (from 1) of an assembled text; the last origin if past the end.
 Location origin_of(const LineMap& lines, int line);
 
-/// The lines of a text without their ends; "\r\n" and "\n" both end a line.
+/// The lines of a text without line ends; "\r\n" and "\n" both end a line.
 std::vector<std::string_view> split_lines(std::string_view text);
 
-/// Pieces between single separators; empty pieces are kept.
+/// Pieces between single separators, including empty pieces.
 std::vector<std::string_view> split(std::string_view text, char separator);
 
 std::string_view trim(std::string_view text);
 
-/// A whole text read as a decimal number, "." as the decimal point in every locale; never infinite
-/// or NaN.
+/// A whole text parsed as a decimal number, with "." as the decimal point in every locale; never
+/// infinite or NaN.
 std::optional<double> parse_number(std::string_view text);
 std::optional<int> parse_integer(std::string_view text);
 
-/// The shortest decimal text that reads back as the same number.
+/// The shortest decimal text that parses to the same number.
 std::string format_number(double number);
 
-/// As format_number, for a value that is kept as a 32-bit float: 0.92, not 0.9200000166893005.
+/// As format_number, for a 32-bit float: 0.92, not 0.9200000166893005.
 std::string format_float(float number);
 
-/// The text with `to` in each place of `from`, which is not empty.
+/// The text with each `from` (not empty) replaced by `to`.
 std::string with_each(std::string_view text, std::string_view from, std::string_view to);
 
-/// Lower-case ASCII letters, all else as it is.
+/// ASCII letters in lower case; other bytes unchanged.
 std::string to_lower(std::string_view text);
 
-/// "scanline_strength" as a person reads it: "Scanline strength".
+/// A readable label: "scanline_strength" becomes "Scanline strength".
 std::string label_from_name(std::string_view name);
 
-/// Of the other candidates, the one that is at most a third of its letters away, else the first
-/// that begins with the name; to say "did you mean".
+/// The candidate with an edit distance of at most a third of the name's length; otherwise the first
+/// that begins with the name. The name itself is skipped. For "did you mean".
 std::optional<std::string> find_similar(std::string_view name,
                                         const std::vector<std::string>& candidates);
 
-/// " (did you mean 'decay'?)", or nothing.
+/// " (did you mean 'decay'?)", or "".
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& candidates);
 
-/// Both texts as sentences, each with its full stop: "file not found. 'noise' shows black."
+/// Both texts as sentences, each with a full stop: "file not found. 'noise' shows black."
 std::string with_sentence(std::string text, std::string_view sentence);
 
-/// A digest of bytes for telling texts apart (FNV-1a, 64 bit); not for secrets.
+/// A digest for comparing texts (FNV-1a, 64 bit); not for secrets.
 std::uint64_t digest_of(std::string_view bytes);

@@ -11,7 +11,7 @@ fs::path folder_from_environment(const char* name, const char* below_home) {
     return fs::path(home && *home ? home : "/") / below_home / "afterglow";
 }
 
-// Not in /tmp: another user may take the place there first.
+// Not in /tmp: another user could create the path there first.
 fs::path runtime_folder() {
     if (const char* folder = std::getenv("XDG_RUNTIME_DIR"); folder && *folder == '/')
         return fs::path(folder) / "afterglow";
