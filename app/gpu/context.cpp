@@ -57,7 +57,7 @@ void Context::release() {
 
 void Context::bury(std::unique_ptr<const Program> object) {
     if (current_context == this)
-        return;  // it ends here
+        return;  // destroyed here
     const std::lock_guard lock(m_mutex);
     m_buried.push_back(std::move(object));
 }
@@ -69,7 +69,7 @@ void Context::end_buried() {
 }
 
 namespace {
-// What the current one has been asked for goes before what `to` is asked for next.
+// Commands of the current context complete before later commands of `to`.
 void hand_over_to(Context& to) {
     const GLsync done = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
     glFlush();

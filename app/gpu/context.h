@@ -11,24 +11,24 @@ namespace gpu {
 
 class Program;
 
-/// What the driver of a context says of itself.
+/// Properties that the driver of a context reports.
 struct Facts {
     std::string renderer;
     std::string vendor;
     std::string version;
-    int largest_texture = 0;          // a side, px
+    int largest_texture = 0;          // side, px
     float largest_point_size = 0.0f;  // px
 };
 
-/// Of the current context.
+/// Reads them from the current context.
 Facts read_facts();
 
-/// Whether the driver has lost the current context, with all that it holds. Contexts that are not
-/// robust are never told.
+/// Whether the driver has lost the current context and all its objects. Always false for contexts
+/// without robustness.
 bool was_reset();
 
-/// What an OpenGL 4.1 core context makes its own: where GL's objects live. Current on one thread at
-/// a time, and on it when it or its objects end.
+/// An OpenGL 4.1 core context, which owns GL objects. Current on at most one thread at a time. It
+/// must be current when it or its objects are destroyed.
 class Context {
 public:
     virtual ~Context();
@@ -36,20 +36,21 @@ public:
     Context& operator=(const Context&) = delete;
 
     /// A context without a window or display server, through EGL, current on this thread. Tries
-    /// graphics devices first, then software; only software where LIBGL_ALWAYS_SOFTWARE is set.
+    /// hardware devices first, then software; only software if LIBGL_ALWAYS_SOFTWARE is set.
     static Result<std::unique_ptr<Context>> headless();
-    /// A context for a helper thread that sees the textures, buffers and programs of `context`; it
-    /// is made on the thread of `context` and is current nowhere.
+    /// A context for a worker thread that shares the textures, buffers and programs of `context`.
+    /// Call it on the thread of `context`. The new context is not current on any thread.
     static Result<std::unique_ptr<Context>> shared_with(const Context& context) {
         return context.make_sharing();
     }
 
-    /// The one that is current on this thread; null: none is.
+    /// The context that is current on this thread, or null.
     static Context* current();
     void make_current();
-    /// Current on no thread; another may take it.
+    /// Makes it current on no thread, so that another thread can use it.
     void release();
-    /// From any thread: `object` ends when this context is current next, or with it.
+    /// From any thread: `object` is destroyed when this context next becomes current, or with this
+    /// context.
     void bury(std::unique_ptr<const Program> object);
     const Facts& facts() const { return m_facts; }
 
@@ -68,11 +69,11 @@ private:
     std::vector<std::unique_ptr<const Program>> m_buried;
 };
 
-/// While it lives another context that shares with the current one is current. Each sees what the
-/// other has drawn before.
+/// Makes another context, shared with the current one, current for its lifetime. Each context sees
+/// the previous draws of the other.
 class ContextScope {
 public:
-    /// Null, or the current one: nothing changes.
+    /// Null or the current context: no change.
     explicit ContextScope(Context* context);
     ~ContextScope();
     ContextScope(const ContextScope&) = delete;
@@ -80,7 +81,7 @@ public:
 
 private:
     Context* m_before = nullptr;
-    Context* m_context = nullptr;  // null: nothing was changed
+    Context* m_context = nullptr;  // null: no change
 };
 
 }  // namespace gpu

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 namespace gpu {
 
 namespace {
-// Mesa calls them "PROCESS:disk$0".
+// Mesa's cache threads are named "PROCESS:disk$0".
 bool writes_cache(const fs::path& thread) {
     std::string name;
     std::getline(std::ifstream(thread / "comm"), name);
@@ -32,7 +32,7 @@ std::vector<fs::path> cache_threads() {
     return found;
 }
 
-// Asleep until there is something to write: "NUMBER (NAME) S ...".
+// Whether the thread sleeps, so has no writes left: "NUMBER (NAME) S ...".
 bool rests(const fs::path& thread) {
     std::string line;
     std::getline(std::ifstream(thread / "stat"), line);
@@ -42,7 +42,7 @@ bool rests(const fs::path& thread) {
 }  // namespace
 
 namespace {
-// As Mesa looks for it: docs/envvars.rst.
+// Mesa's search order: docs/envvars.rst.
 fs::path driver_cache_folder() {
     for (const char* name : {"MESA_SHADER_CACHE_DIR", "MESA_GLSL_CACHE_DIR"})
         if (const char* folder = std::getenv(name); folder && *folder)
@@ -59,7 +59,7 @@ bool has_room(const fs::path& folder, std::size_t bytes) {
     fs::path there = folder;
     while (!fs::is_directory(there, error) && there.has_relative_path())
         there = there.parent_path();
-    // A file without a name, which goes with its descriptor.
+    // An unnamed file; closing its descriptor deletes it.
     const int file = ::open(there.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
     if (file < 0)
         return errno != ENOSPC && errno != EDQUOT;
@@ -69,7 +69,7 @@ bool has_room(const fs::path& folder, std::size_t bytes) {
 }
 
 void check_driver_cache() {
-    // Its index alone takes 1.3 MB.
+    // Mesa's cache index alone takes 1.3 MB.
     constexpr std::size_t enough_bytes = std::size_t{8} << 20;
     static std::once_flag once;
     std::call_once(once, [] {
@@ -77,7 +77,7 @@ void check_driver_cache() {
         if (folder.empty() || has_room(folder, enough_bytes))
             return;
         ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
-        ::setenv("MESA_GLSL_CACHE_DISABLE", "true", 1);  // its name before Mesa 22
+        ::setenv("MESA_GLSL_CACHE_DISABLE", "true", 1);  // the name before Mesa 22
     });
 }
 

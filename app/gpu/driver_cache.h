@@ -8,19 +8,19 @@
 
 namespace gpu {
 
-/// Tells Mesa's drivers to do without their shader cache where its folder cannot take a few MB:
-/// they write it through memory that the disk does not back then, which ends the program (SIGBUS).
-/// To be called before the first context is made; looks once.
+/// Disables the shader cache of Mesa's drivers if its folder has no space for a few MB. On a full
+/// disk their writes to the mapped file end the program (SIGBUS). Call before the first context is
+/// made; checks only once.
 void check_driver_cache();
 
-/// Whether a file of so many bytes can be made in a folder, or in the nearest one above it that
-/// exists. True where that cannot be found out.
+/// Whether a file of `bytes` bytes can be made in a folder, or in its nearest existing parent. True
+/// if unknown.
 bool has_room(const std::filesystem::path& folder, std::size_t bytes);
 
-/// Waits until what the driver has compiled is in its cache, where other contexts find it, or
-/// `most` is over or `progress` is cancelled. Mesa writes that on a thread of least priority, which
-/// a busy machine may leave waiting for long; other drivers have no such thread, and nothing is
-/// waited for.
+/// Waits until compiled shaders are in the driver's cache, where other contexts find them. Returns
+/// after `most` or when `progress` is cancelled. Mesa writes them on a thread of lowest priority,
+/// which can wait long on a busy machine. Other drivers have no such thread, so it returns
+/// immediately.
 void wait_for_driver_cache(std::chrono::milliseconds most, const PassProgress& progress);
 
 }  // namespace gpu

@@ -16,8 +16,7 @@ struct Remark {
     std::string message;
 };
 
-// Takes one piece after the other from the front of a line; once one is missing, all that follow
-// are.
+// Parses pieces from the front of a line; after the first missing piece all others fail too.
 class Scanner {
 public:
     explicit Scanner(std::string_view line) : m_rest(line) {}
@@ -61,7 +60,7 @@ private:
 };
 
 std::optional<Remark> parse_remark(std::string_view line) {
-    int string = 0;  // which of the texts handed to the driver: always the only one
+    int string = 0;  // index of the source string: always 0, the only one
     int number = 0;
     int column = 0;
     std::string kind;

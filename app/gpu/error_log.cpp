@@ -10,11 +10,11 @@ namespace gpu {
 namespace {
 void GLAPIENTRY keep_error(GLenum source, GLenum type, GLuint, GLenum, GLsizei length,
                            const GLchar* message, const void* kept) {
-    if (source == GL_DEBUG_SOURCE_SHADER_COMPILER)  // refused shaders are a Result, not a mistake
+    if (source == GL_DEBUG_SOURCE_SHADER_COMPILER)  // shader errors are a Result
         return;
     if (type != GL_DEBUG_TYPE_ERROR && type != GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR)
         return;
-    // GL hands the pointer back as const; it was given as the log's own list.
+    // GL returns the pointer as const; it was passed as a pointer to the log's list.
     auto* messages = static_cast<std::vector<std::string>*>(const_cast<void*>(kept));
     messages->emplace_back(message, static_cast<std::size_t>(length));
 }

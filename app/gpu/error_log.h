@@ -6,8 +6,8 @@
 
 namespace gpu {
 
-/// Every error that GL reports to the context which was current when this was made: with KHR_debug
-/// in the driver's words, else by its number.
+/// Collects all GL errors of the context that was current at construction: the driver's messages
+/// with KHR_debug, otherwise the error numbers.
 class ErrorLog {
 public:
     ErrorLog();
@@ -15,7 +15,7 @@ public:
     ErrorLog(const ErrorLog&) = delete;
     ErrorLog& operator=(const ErrorLog&) = delete;
 
-    /// What was reported since last asked.
+    /// Returns the errors since the last call.
     std::vector<std::string> take();
 
 private:

@@ -9,7 +9,7 @@
 namespace gpu {
 
 namespace {
-/// While it lives the display's refusals are counted, where they would end the program.
+/// Records X errors during its lifetime; the default handler would end the program.
 class HeardRefusals {
 public:
     explicit HeardRefusals(Display* display)
@@ -30,7 +30,7 @@ private:
         any = true;
         return 0;
     }
-    static inline bool any = false;  // Xlib hands its handler nothing of ours
+    static inline bool any = false;  // static: Xlib handlers get no user data
 
     Display* m_display;
     XErrorHandler m_before;
@@ -66,7 +66,7 @@ bool can_choose_version(Display* display, int screen) {
     return words && std::strstr(words, "GLX_ARB_create_context_profile");
 }
 
-// Contexts share only where both are told of a reset of the driver, or neither.
+// Contexts can share only if their reset notification strategies are the same.
 bool loses_context_on_reset() {
     GLint strategy = 0;
     if (epoxy_has_gl_extension("GL_ARB_robustness"))
@@ -74,7 +74,7 @@ bool loses_context_on_reset() {
     return strategy == GL_LOSE_CONTEXT_ON_RESET_ARB;
 }
 
-// Of the same kind of picture, so that they may share. Null: there is none.
+// Uses the same framebuffer configuration, so that the contexts can share. Null on failure.
 GLXContext made_beside(GLXContext context, Display* display) {
     int kind = 0;
     int screen = 0;
@@ -107,7 +107,7 @@ GLXContext made_beside(GLXContext context, Display* display) {
     return made;
 }
 
-// Some drivers want a window for it.
+// Some drivers require a drawable.
 bool can_be_current_alone(Display* display, GLXContext context) {
     const GLXContext before = glXGetCurrentContext();
     const GLXDrawable draw = glXGetCurrentDrawable();

@@ -6,17 +6,17 @@
 
 namespace gpu {
 
-/// The context that is current on this thread, as GLX names it on its display.
+/// The context that is current on this thread, as GLX handles.
 struct GlxPlace {
-    void* display = nullptr;  // null: it is none of GLX
+    void* display = nullptr;  // null: not a GLX context
     void* context = nullptr;
 };
 GlxPlace current_glx_place();
 
-/// A context that shares with the one there, and has no window: a toolkit looks through all kinds
-/// of pictures that the display has for each window, which takes ten times as long as the context.
-/// `facts` are those of both. To be called on the thread that listens to the display, which
-/// stays open for longer. Null: there is none to be had.
+/// A context without a window that shares with the one at `place`. A toolkit enumerates all
+/// framebuffer configurations for each window, which takes ten times as long as creating the
+/// context. `facts` are those of both contexts. Call it on the thread that handles the display,
+/// which must outlive the context. Null on failure.
 std::unique_ptr<Context> share_through_glx(const GlxPlace& place, const Facts& facts);
 
 }  // namespace gpu

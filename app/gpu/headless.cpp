@@ -25,7 +25,7 @@ bool has_word(const char* words, std::string_view word) {
     return false;
 }
 
-// Extension functions come from EGL itself: epoxy ends the process where it thinks that one is
+// Extension functions come from EGL itself: epoxy ends the process if it finds an extension
 // missing.
 template <class Function>
 Function extension(const char* name) {
@@ -37,7 +37,7 @@ public:
     HeadlessContext(EGLDisplay display, EGLConfig config, EGLContext context, EGLSurface surface)
         : m_display(display), m_config(config), m_context(context), m_surface(surface) {}
 
-    // The display stays open: EGL has one a device for the whole process, and others may use it.
+    // The display stays open: EGL has one per device for the whole process, shared with others.
     ~HeadlessContext() override {
         if (eglGetCurrentContext() == m_context)
             release();
@@ -46,7 +46,7 @@ public:
             eglDestroySurface(m_display, m_surface);
     }
 
-    /// Null where the display has no OpenGL 4.1 core.
+    /// Null if the display does not support OpenGL 4.1 core.
     static std::unique_ptr<HeadlessContext> make(EGLDisplay display, EGLConfig config,
                                                  EGLContext shared) {
         constexpr EGLint wanted[] = {EGL_CONTEXT_MAJOR_VERSION,
@@ -68,7 +68,7 @@ public:
         return std::make_unique<HeadlessContext>(display, config, context, surface);
     }
 
-    /// Makes it current and asks the driver; false where that cannot be done.
+    /// Makes it current and reads the driver's facts; false if it can't become current.
     bool start() {
         make_current();
         if (eglGetCurrentContext() != m_context)
@@ -79,7 +79,7 @@ public:
 
 private:
     void take_thread() override {
-        eglBindAPI(EGL_OPENGL_API);  // EGL keeps it for each thread
+        eglBindAPI(EGL_OPENGL_API);  // the bound API is per thread
         eglMakeCurrent(m_display, m_surface, m_surface, m_context);
     }
 
@@ -123,7 +123,7 @@ std::vector<EGLDeviceEXT> devices(bool software) {
     return wanted;
 }
 
-// Those that draw in hardware first; Mesa's surfaceless platform finds software by itself.
+// Hardware devices first; Mesa's surfaceless platform also finds software drivers.
 std::vector<EGLDisplay> displays() {
     const char* client = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     const bool has_devices = has_word(client, "EGL_EXT_platform_device");

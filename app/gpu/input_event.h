@@ -4,8 +4,8 @@
 
 namespace gpu {
 
-/// What a key is called: ASCII of what it prints in the person's own layout, letters as capitals; a
-/// key that prints nothing has GLFW's number, from 256 on.
+/// Key codes: the ASCII character of the key in the user's keyboard layout, letters as capitals. A
+/// key that prints nothing has GLFW's number, from 256.
 namespace key {
 constexpr int escape = 256;
 constexpr int enter = 257;
@@ -25,7 +25,7 @@ constexpr int right_shift = 344;
 constexpr int last = 348;
 }  // namespace key
 
-/// A key went down or up; what it repeats while it is held is not told.
+/// A key was pressed or released; repeats of a held key are not reported.
 struct KeyEvent {
     int key = 0;
     bool is_down = false;
@@ -41,7 +41,7 @@ struct ButtonEvent {
     bool is_down = false;
 };
 
-/// The pointer is at this place of the window, in its coordinates from the top left.
+/// Pointer position in window coordinates, from the top left.
 struct PointerEvent {
     float x = 0.0f;
     float y = 0.0f;
@@ -49,7 +49,7 @@ struct PointerEvent {
 
 struct PointerLeftEvent {};
 
-/// Notches of the wheel, up and right positive.
+/// Wheel steps; up and right are positive.
 struct WheelEvent {
     float x = 0.0f;
     float y = 0.0f;

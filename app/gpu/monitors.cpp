@@ -1,4 +1,4 @@
-// The displays of the desktop, and a window that covers one.
+// The displays of the desktop, and the full-screen window.
 #include "gpu/window.h"
 
 #include <epoxy/gl.h>
@@ -11,7 +11,7 @@
 namespace gpu {
 
 namespace {
-// Those whose resolution is known.
+// Monitors whose resolution is known.
 std::vector<GLFWmonitor*> handles() {
     int count = 0;
     GLFWmonitor** all = glfwGetMonitors(&count);
@@ -33,7 +33,7 @@ std::vector<Monitor> Window::monitors() {
     return monitors;
 }
 
-// Each asks the display server, and waits for it; this is wanted every turn.
+// Each query blocks on the display server, and this is called every update; cached for 1 s.
 const std::vector<Window::Display>& Window::displays() const {
     const auto now = std::chrono::steady_clock::now();
     if (m_displays_read && now - *m_displays_read < std::chrono::seconds(1))
@@ -65,7 +65,7 @@ std::size_t Window::monitor() const {
 
 double Window::refresh_rate() const {
     const std::size_t own = monitor();
-    const std::vector<Display>& all = displays();  // may have been asked for anew since
+    const std::vector<Display>& all = displays();  // may have been refreshed since
     const int rate = own < all.size() ? all[own].refresh_rate : 0;
     return rate > 0 ? rate : 60.0;
 }
@@ -93,7 +93,7 @@ void Window::show(const Texture* picture) {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glClearColor(0.0f, 0.0f, 0.0f, 1.0f);
     glClear(GL_COLOR_BUFFER_BIT);
-    if (picture) {  // framebuffers are not shared, so this context needs one of its own
+    if (picture) {  // framebuffers are not shared between contexts
         GLuint framebuffer = 0;
         glGenFramebuffers(1, &framebuffer);
         glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);

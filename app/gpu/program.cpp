@@ -65,7 +65,7 @@ std::vector<Uniform> active_uniforms(GLuint program) {
         glGetActiveUniform(program, static_cast<GLuint>(i), longest, &length, &elements, &type,
                            name.data());
         const GLint location = glGetUniformLocation(program, name.c_str());
-        if (location >= 0)  // below 0: inside a block, or GL's own
+        if (location >= 0)  // below 0: in a block, or built in
             uniforms.push_back(make_uniform(name.substr(0, static_cast<std::size_t>(length)),
                                             location, elements, type));
     }
@@ -114,7 +114,7 @@ Result<Program> Program::compiled(const Stage& vertex, const Stage& fragment) {
         glDetachShader(id, (*shader)->get());
     GLint is_good = 0;
     glGetProgramiv(id, GL_LINK_STATUS, &is_good);
-    if (!is_good)  // linkers speak of both stages; the fragment stage is the one people write
+    if (!is_good)  // link errors concern both stages; users write the fragment stage
         return fail(parse_driver_log(program_log(id), fragment));
     program.list_uniforms();
     return program;

@@ -16,27 +16,26 @@ namespace gpu {
 
 void delete_program(GLuint id);
 
-/// A vertex and a fragment stage, compiled and linked.
+/// A linked program of a vertex and a fragment stage.
 class Program {
 public:
-    /// On refusal the driver's words at the author's own files and lines. With a store the driver's
-    /// own form of the program is taken from there, or kept there, as long as the driver says the
-    /// same of itself.
+    /// Errors are the driver's messages at the original files and lines. A store caches program
+    /// binaries. An entry is valid only for the same driver facts.
     static Result<Program> build(const Stage& vertex, const Stage& fragment,
                                  ByteStore* kept = nullptr);
-    /// It was in the store, and the driver took it.
+    /// Whether it was restored from the store.
     bool is_restored() const { return m_is_restored; }
 
-    /// Those that the driver kept.
+    /// The active uniforms.
     const std::vector<Uniform>& uniforms() const { return m_uniforms; }
     const Uniform* find_uniform(std::string_view name) const;
-    /// Below 0: there is none.
+    /// Negative if not found.
     int attribute_location(const char* name) const;
 
-    /// As write_uniform; a name that the program lacks is passed over.
+    /// As write_uniform; ignores names that are not in the program.
     void write(std::string_view uniform, std::span<const double> numbers) const;
     void write(const Uniform& uniform, std::span<const double> numbers) const;
-    /// Which unit a sampler reads; the elements of an array read the following ones.
+    /// Sets the texture unit of a sampler; array elements use consecutive units.
     void set_unit(const Uniform& sampler, int unit) const;
     void use() const;
 
@@ -49,12 +48,13 @@ private:
     void list_uniforms();
 
     std::vector<Uniform> m_uniforms;
-    std::vector<std::size_t> m_by_name;  // places in m_uniforms
+    std::vector<std::size_t> m_by_name;  // indices into m_uniforms
     bool m_is_restored = false;
 };
 
-/// Whoever owns it last, on any thread, has it end in `home`: a driver may take from a context what
-/// it has bound where another one ends a program. Null: in the one that is current then.
+/// The last owner, on any thread, leaves the destruction to `home`: some drivers unbind a context's
+/// program when another context deletes it. Null: the context that is current at that time destroys
+/// it.
 std::shared_ptr<const Program> ending_in(std::shared_ptr<Context> home, Program program);
 
 }  // namespace gpu

@@ -7,13 +7,13 @@
 
 namespace gpu {
 
-/// What a program's binary answers: these texts, for the driver of the current context.
+/// The cache key of a program's binary: these texts and the driver of the current context.
 std::string binary_question(std::string_view vertex, std::string_view fragment);
 
-/// A linked program as the driver keeps it; "" where the driver has no such form.
+/// The binary of a linked program; "" if the driver supports no binaries.
 std::string binary_of(GLuint program);
 
-/// Whether the driver took what binary_of() gave; else the program is as it was made.
+/// Whether the driver accepted a binary from binary_of(); otherwise the program stays unlinked.
 bool load_binary(GLuint program, std::string_view bytes);
 
 }  // namespace gpu

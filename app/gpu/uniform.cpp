@@ -64,7 +64,7 @@ Uniform::Sampled sampled_by(GLenum type) {
     }
 }
 
-// So many components are written at once, at most.
+// The maximum number of components per write.
 constexpr std::size_t most_components = 1024;
 
 template <class Component>

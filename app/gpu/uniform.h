@@ -9,23 +9,23 @@
 
 namespace gpu {
 
-/// A uniform that a linked program really uses.
+/// An active uniform of a linked program.
 struct Uniform {
     enum class Sampled { none, floating, integer, natural, cube, volume, other };
 
-    std::string name;  // an array's without "[0]"
+    std::string name;  // without "[0]" for an array
     GLint location = -1;
-    int count = 1;                     // elements of an array
-    std::optional<NumberType> number;  // none: a sampler, or a type that no parameter has
-    Sampled sampled = Sampled::none;   // of a 2D texture but for cube, volume, other
+    int count = 1;                     // array elements
+    std::optional<NumberType> number;  // nullopt: a sampler, or not a parameter type
+    Sampled sampled = Sampled::none;   // 2D, except cube, volume and other
 };
 
-/// From what glGetActiveUniform says.
+/// From the results of glGetActiveUniform.
 Uniform make_uniform(std::string name, GLint location, GLint count, GLenum type);
 
 /// Writes components in GLSL's order (matrices by column) to a uniform of a program, which need not
-/// be in use. Numbers that an integer cannot hold go to its nearest; components that are missing
-/// are left as they are by whole elements. Nothing for samplers.
+/// be in use. Values out of an integer's range are clamped. Incomplete or missing elements are not
+/// written. Does nothing for samplers.
 void write_uniform(GLuint program, const Uniform& uniform, std::span<const double> numbers);
 
 }  // namespace gpu

@@ -31,11 +31,11 @@ void set_hints(const WindowOptions& options) {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 1);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);  // macOS insists
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);  // required by macOS
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
-    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);  // shown once it is where it belongs
-    // So that a reset of the driver is told, where it can be; the shared contexts do the same.
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);  // shown after it is positioned
+    // Enables notification of driver resets where supported; shared contexts must do the same.
     glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);
     glfwWindowHint(GLFW_MAXIMIZED, options.is_maximised && options.is_visible);
 }
@@ -54,7 +54,7 @@ Result<std::shared_ptr<Window::Library>> Window::open_library() {
 }
 
 namespace {
-// Digits stay digits where a layout has them only with Shift.
+// A digit key stays a digit even if the layout needs Shift for it.
 int key_of(int code, int scancode) {
     const bool is_digit = code >= GLFW_KEY_0 && code <= GLFW_KEY_9;
     const char* name = glfwGetKeyName(code, scancode);
@@ -117,7 +117,7 @@ Window::~Window() {
 }
 
 namespace {
-/// No larger than the part of the display that panels and bars leave free.
+/// Limits the size to the display's area without the desktop's bars.
 Extent fitted(Extent wanted) {
     Extent room = wanted;
     int left = 0;
@@ -135,7 +135,7 @@ Result<std::unique_ptr<Window>> Window::create(const WindowOptions& options, GLF
     if (!library)
         return fail(library.error());
     set_hints(options);
-    if (monitor) {  // as it is, and without going away when the panels are used
+    if (monitor) {  // keep the display's mode, and don't minimise on focus loss
         glfwWindowHint(GLFW_REFRESH_RATE, glfwGetVideoMode(monitor)->refreshRate);
         glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);
     }
@@ -149,7 +149,7 @@ Result<std::unique_ptr<Window>> Window::create(const WindowOptions& options, GLF
 }
 
 namespace {
-// With a display of another kind GLX cannot even be asked.
+// GLX must not be called on another kind of display.
 bool has_glx(GLFWwindow* window) {
     return std::string_view(glfwGetVersionString()).find("GLX") != std::string_view::npos &&
            glfwGetWindowAttrib(window, GLFW_CONTEXT_CREATION_API) == GLFW_NATIVE_CONTEXT_API;
@@ -161,7 +161,7 @@ Result<std::unique_ptr<Window>> Window::open(const WindowOptions& options) {
     if (!window)
         return window;
     GLFWwindow* made = (*window)->m_window;
-    constexpr Extent least{480, 320};  // below that the controls lie on each other
+    constexpr Extent least{480, 320};  // controls overlap below this size
     glfwSetWindowSizeLimits(made, least.width, least.height, GLFW_DONT_CARE, GLFW_DONT_CARE);
     if (options.position && !options.is_maximised)
         glfwSetWindowPos(made, (*options.position)[0], (*options.position)[1]);
@@ -197,7 +197,7 @@ void Window::poll_events() {
 }
 
 void Window::wait_events(double most_seconds) {
-    if (most_seconds > 0)  // GLFW refuses a wait of nothing
+    if (most_seconds > 0)  // GLFW rejects a timeout of 0
         glfwWaitEventsTimeout(most_seconds);
     else
         glfwPollEvents();

@@ -34,71 +34,70 @@ struct Monitor {
     bool operator==(const Monitor&) const = default;
 };
 
-/// A window on the desktop with the context that draws into it. Made and used on the main thread,
-/// but for wake(), make_current() and release().
+/// A desktop window with its own context. Made and used on the main thread, except wake(),
+/// make_current() and release().
 class Window : public Context {
 public:
-    /// Its context is current. Fails in plain words without a display or OpenGL 4.1.
+    /// Its context is current. Fails with a message without a display or OpenGL 4.1.
     static Result<std::unique_ptr<Window>> open(const WindowOptions& options);
     ~Window() override;
 
-    /// The displays there are, the first one first; several may have the same name.
+    /// All displays, the primary one first; names need not be unique.
     static std::vector<Monitor> monitors();
-    /// How many these are; this, monitor() and refresh_rate() as they were within the last second.
+    /// The number of displays. This, monitor() and refresh_rate() are cached for a second.
     std::size_t monitor_count() const { return displays().size(); }
-    /// The display that most of the window's middle is on, by its place in monitors().
+    /// The index in monitors() of the display that contains the window's centre.
     std::size_t monitor() const;
-    /// A window without frame or pointer over all of a display, at its present resolution, that
-    /// shares this one's textures and stays when another window gets the keyboard. This window's
-    /// context is current afterwards.
+    /// A window without frame or pointer that covers a display at its current resolution. It shares
+    /// this window's textures and stays open when another window is focused. Makes this window's
+    /// context current afterwards.
     Result<std::unique_ptr<Window>> open_full_screen(std::size_t monitor);
-    /// Shows a picture alone, its bottom left corner in the window's; null: black. Leaves the
-    /// window's context current.
+    /// Displays only a picture, aligned with the window's bottom left corner; null: black. Leaves
+    /// the window's context current.
     void show(const Texture* picture);
-    /// Asks the desktop for the keyboard.
+    /// Requests keyboard focus.
     void focus();
 
-    /// Handles what has happened since last asked.
+    /// Processes pending events.
     void poll_events();
-    /// As poll_events, but first sleeps until something happens or `most_seconds` are over.
+    /// As poll_events, but first waits for an event, at most `most_seconds`.
     void wait_events(double most_seconds);
-    /// Ends a wait; from any thread.
+    /// Ends a wait; can be called from any thread.
     static void wake();
-    /// Shows what was drawn.
     void swap();
-    /// Whether swap waits for the display.
+    /// Whether swap waits for the vertical retrace.
     void set_vsync(bool is_on);
 
     bool is_close_requested() const;
-    /// The person stays after all.
+    /// Clears the close request.
     void refuse_close();
-    /// Files dropped on it since last asked.
+    /// Files dropped on the window since the last call.
     std::vector<std::filesystem::path> take_dropped_files();
-    /// What mouse and keyboard did since last asked, in order.
+    /// Mouse and keyboard events since the last call, in order.
     std::vector<InputEvent> take_input();
     bool has_input() const { return !m_input.empty(); }
 
     /// Device pixels; empty while minimised.
     Extent framebuffer_size() const;
-    /// Screen coordinates, as WindowOptions takes it.
+    /// Screen coordinates, as in WindowOptions.
     Extent size() const;
     std::array<int, 2> position() const;
     bool is_maximised() const;
     bool is_focused() const;
-    /// Device pixels of a point of text; 1 on a plain display, 2 on a fine one.
+    /// The display's DPI relative to the default: 1 on a standard display, 2 on a high-DPI display.
     float content_scale() const;
-    /// Of the display it is on; 60 where that is not known.
+    /// Of the window's display, Hz; 60 if unknown.
     double refresh_rate() const;
 
     void set_title(const std::string& title);
     std::string clipboard() const;
     void set_clipboard(const std::string& text);
 
-    /// GLFW's window, for a toolkit's backend.
+    /// The GLFW window, for a toolkit's backend.
     void* native() const { return m_window; }
 
 private:
-    struct Library;  // GLFW itself, open as long as any window
+    struct Library;  // GLFW, initialised while any window exists
 
     Window(std::shared_ptr<Library> library, GLFWwindow* window);
     Result<std::unique_ptr<Context>> make_sharing() const override;
@@ -107,16 +106,16 @@ private:
     static Result<std::unique_ptr<Window>> create(const WindowOptions& options, GLFWwindow* shared,
                                                   GLFWmonitor* monitor = nullptr);
     static Result<std::shared_ptr<Library>> open_library();
-    struct Listeners;  // what GLFW calls
-    /// Where a display lies on the desktop.
+    struct Listeners;  // GLFW callbacks
+    /// A display's position on the desktop.
     struct Display {
         std::array<int, 2> low;
         Extent size;
-        int refresh_rate = 0;  // 0: not known
+        int refresh_rate = 0;  // 0: unknown
     };
     const std::vector<Display>& displays() const;
 
-    std::shared_ptr<Library> m_library;  // shared: the last window of several closes it
+    std::shared_ptr<Library> m_library;  // terminates GLFW with the last window
     GLFWwindow* m_window;
     GlxPlace m_glx;
     mutable std::vector<Display> m_displays;

@@ -10,13 +10,14 @@ namespace gpu {
 GLuint new_buffer();
 void delete_buffer(GLuint id);
 
-/// Vertices that are written anew each frame.
+/// Vertices that are rewritten each frame.
 class StreamBuffer {
 public:
     StreamBuffer();
 
     GLuint id() const { return m_name.get(); }
-    /// Replaces what it holds; the driver may still draw the former vertices from their own memory.
+    /// Replaces the contents. The driver may still draw the previous vertices from their own
+    /// memory.
     void write(std::span<const std::byte> bytes);
 
 private:

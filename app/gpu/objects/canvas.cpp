@@ -26,7 +26,7 @@ Result<Canvas> Canvas::make(Extent extent, Format format, bool is_mipmapped) {
     if (!texture)
         return fail(texture.error());
     Canvas canvas(std::move(*texture));
-    // Each level is emptied by itself: where glGenerateMipmap meets new memory, Mesa 22 loses the
+    // Each level is cleared separately: when glGenerateMipmap runs on new memory, Mesa 22 loses the
     // first draw into it.
     for (int level = canvas.m_texture.levels() - 1; level >= 0; --level) {
         glBindFramebuffer(GL_FRAMEBUFFER, canvas.m_name.get());
@@ -56,7 +56,7 @@ void Canvas::bind_part(int x, int y, Extent part) const {
 }
 
 namespace {
-// The nearest that there is where a number has no whole part of the type.
+// The integer part, clamped to the range of the type.
 template <class Whole>
 std::array<Whole, 4> whole_parts(const std::array<float, 4>& rgba) {
     const auto least = static_cast<double>(std::numeric_limits<Whole>::lowest());

@@ -9,29 +9,29 @@ namespace gpu {
 
 void delete_framebuffer(GLuint id);
 
-/// A texture that can be drawn into. Belongs to the context that made it.
+/// A texture that can be a render target. Belongs to the context that made it.
 class Canvas {
 public:
-    /// Every texel is zero.
+    /// All texels are zero.
     static Result<Canvas> make(Extent extent, Format format, bool is_mipmapped = false);
 
     const Texture& texture() const { return m_texture; }
     Texture& texture() { return m_texture; }
-    /// Alone it belongs to no context.
+    /// A texture alone does not belong to a context.
     Texture take_texture() && { return std::move(m_texture); }
 
-    /// From here on draws go to the whole of it.
+    /// Subsequent draws go to the whole canvas.
     void bind() const;
-    /// The same to a rectangle of it, whose lowest left texel is (x, y).
+    /// Subsequent draws go to a rectangle, whose bottom left texel is (x, y).
     void bind_part(int x, int y, Extent part) const;
-    /// Every texel of the largest level; integer formats take the whole part.
+    /// Clears all texels of the largest level; integer formats take the integer part.
     void clear(std::array<float, 4> rgba = {}) const;
     /// Copies the largest level to a canvas of the same size and format.
     void copy_to(const Canvas& other) const;
-    /// The same to a canvas of another size and the same format, linearly filtered.
+    /// Copies to a canvas of another size and the same format, with linear filtering.
     void stretch_to(const Canvas& other) const;
-    /// Copies six squares, side by side, to the faces of a cube of the same format. Where draws go
-    /// stays as it is.
+    /// Copies six squares, stacked vertically, to the faces of a cube of the same format. The draw
+    /// framebuffer stays bound.
     void copy_faces_to(const Texture& cube) const;
 
 private:

@@ -23,7 +23,7 @@ Download::Download(const Canvas& from)
     glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     m_fence.reset(glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0));
-    glFlush();  // or the fence might never be reached
+    glFlush();  // otherwise the fence might never be signalled
 }
 
 bool Download::has_come() const {

@@ -13,19 +13,19 @@ struct DeleteFence {
     void operator()(GLsync fence) const;
 };
 
-/// The texels of a canvas on their way here: asked for in one frame, they come in a later one, so
-/// that nobody waits for the GPU. The canvas may be drawn into again at once.
+/// Asynchronous readback of a canvas: requested in one frame and available in a later one, without
+/// waiting for the GPU. The canvas may be drawn into again immediately.
 class Download {
 public:
-    /// All of a canvas that does not hold whole numbers.
+    /// The whole canvas, which must not have an integer format.
     explicit Download(const Canvas& from);
 
     bool has_come() const;
-    /// RGBA, the bottom row first. Waits where they have not come.
+    /// RGBA, bottom row first. Waits if the texels are not available yet.
     std::vector<float> take();
 
 private:
-    std::size_t m_count;  // of floats
+    std::size_t m_count;  // number of floats
     Name<delete_buffer> m_buffer;
     std::unique_ptr<std::remove_pointer_t<GLsync>, DeleteFence> m_fence;
 };

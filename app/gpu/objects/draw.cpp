@@ -12,7 +12,7 @@ DrawScope::DrawScope() {
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     glEnable(GL_PROGRAM_POINT_SIZE);
-    glEnable(GL_FRAMEBUFFER_SRGB);  // reaches sRGB targets only
+    glEnable(GL_FRAMEBUFFER_SRGB);  // only affects sRGB targets
     set_blend(Blend::replace);
 }
 
@@ -27,7 +27,7 @@ DrawScope::~DrawScope() {
 }
 
 namespace {
-constexpr int all_pixels = 1 << 20;  // of a row or column
+constexpr int all_pixels = 1 << 20;  // larger than any row or column
 }
 
 void limit_columns(int first, int end) {

@@ -6,8 +6,8 @@
 
 namespace gpu {
 
-/// While it lives GL's state is what every pass of a look starts from; after it nothing of that is
-/// left, so that a toolkit may draw next.
+/// Sets the GL state that every pass starts from, for its lifetime. The destructor resets it, so
+/// that a toolkit can draw next.
 class DrawScope {
 public:
     DrawScope();
@@ -16,35 +16,34 @@ public:
     DrawScope& operator=(const DrawScope&) = delete;
 };
 
-/// From here to the end of the scope draws reach only columns `first` to `end` - 1 of a target.
+/// Until the end of the scope, draws affect only columns `first` to `end` - 1 of a target.
 void limit_columns(int first, int end);
-/// The same of rows, counted from the bottom.
+/// The same for rows, counted from the bottom.
 void limit_rows(int first, int end);
-/// They reach all of it again.
+/// Removes these limits.
 void lift_limits();
 
-/// How what is drawn next meets what is there. Alpha is unassociated.
+/// Sets how draws combine with the target. Alpha is unassociated.
 void set_blend(Blend blend);
-/// Colours are added; alpha stays what it is.
+/// Colours are added; the target's alpha is unchanged.
 void set_blend_onto();
 
 /// Three vertices without attributes.
 void draw_triangle();
 void draw_points(int count);
-/// Strips of four vertices, one an instance.
+/// Triangle strips of four vertices, one per instance.
 void draw_quads(int instances);
 
-/// Whether a fragment may read the texel that it writes, and no other, of its own target.
+/// Whether a fragment may read its own texel of its target, and only that texel.
 bool can_read_own_target();
-/// To be called before each such draw.
+/// Call before each such draw.
 void make_own_target_readable();
 
-/// From here on draws go to the window, to `extent` pixels of it.
+/// Subsequent draws go to `extent` pixels of the window.
 void bind_screen(Extent extent);
-/// Fills the window.
 void clear_screen(std::array<float, 4> rgba);
 
-/// Waits until all that was asked for is done; makes objects of this thread good for others.
+/// Waits until all commands are done; objects made on this thread are then usable on others.
 void finish();
 
 }  // namespace gpu

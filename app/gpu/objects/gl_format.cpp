@@ -11,7 +11,6 @@ struct NamedFormat {
     GlFormat gl;
 };
 
-// In the order of Format.
 constexpr auto gl_formats = std::to_array<NamedFormat>({
     {Format::r8, {GL_R8, GL_RED, GL_UNSIGNED_BYTE}},
     {Format::rg8, {GL_RG8, GL_RG, GL_UNSIGNED_BYTE}},

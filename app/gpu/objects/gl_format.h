@@ -6,7 +6,7 @@
 
 namespace gpu {
 
-/// What GL calls a Format, and the layout in which its texels can be handed over without pixels.
+/// The GL internal format of a Format, and a valid layout and type for uploads without pixels.
 struct GlFormat {
     GLint internal = GL_RGBA16F;
     GLenum layout = GL_RGBA;

@@ -13,13 +13,13 @@ GLuint new_end() {
     return id;
 }
 
-// What draws are read from and what they go to.
+// The read and draw framebuffers.
 struct Ends {
     Name<delete_framebuffer> from{new_end()};
     Name<delete_framebuffer> to{new_end()};
 };
 
-// Holds a switch of the context on or off.
+// Sets a capability of the context for its lifetime.
 class SwitchScope {
 public:
     SwitchScope(GLenum what, bool is_on) : m_what(what), m_was_on(glIsEnabled(what) == GL_TRUE) {

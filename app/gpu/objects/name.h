@@ -6,8 +6,8 @@
 
 namespace gpu {
 
-/// Owns the name of one GL object. The context that made it, or one that shares with it, is current
-/// when the owner ends.
+/// Owns the name of one GL object. The destructor needs the context that made the object, or one
+/// that shares with it, to be current.
 template <void (*Delete)(GLuint)>
 class Name {
 public:
@@ -18,7 +18,7 @@ public:
         return *this;
     }
     ~Name() {
-        if (m_id != 0)  // what was moved from may end without a context
+        if (m_id != 0)  // a moved-from name needs no context
             Delete(m_id);
     }
     GLuint get() const { return m_id; }

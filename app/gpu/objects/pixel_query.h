@@ -6,21 +6,21 @@ namespace gpu {
 
 void delete_pixel_query(GLuint id);
 
-/// Whether what was drawn between begin and end has coloured any pixel at all.
+/// An occlusion query: whether the draws between begin and end wrote any pixel.
 class PixelQuery {
 public:
     PixelQuery();
 
-    /// Forgets what was asked before.
+    /// Discards the previous result.
     void begin();
     void end();
 
-    /// Whether the answer is here; never waits.
+    /// Whether the result is available; never waits.
     bool has_come() const;
-    /// Waits where it is not.
+    /// Waits for the result.
     bool is_any() const;
 
-    /// What is drawn up to end_condition() counts only if some pixel was: the GPU sees to it.
+    /// The GPU discards the draws up to end_condition() if the query found no pixel.
     void begin_condition() const;
     static void end_condition();
 

@@ -31,8 +31,8 @@ void with_whole_numbers(std::span<float> floats, GLenum type,
                            [](Whole number) { return static_cast<float>(number); });
 }
 
-// GL hands whole numbers over as such only: `read` gets the type of what the format holds, and
-// where to put so many of them.
+// GL returns the texels of integer formats only as integers. `read` gets the component type of the
+// format and a buffer for the same number of components.
 void with_numbers_of(Format format, std::span<float> floats,
                      const std::function<void(GLenum, void*)>& read) {
     switch (sample_kind_of(format)) {
@@ -73,7 +73,7 @@ Picture read_picture(const Texture& texture) {
 }
 
 namespace {
-// As it is, four channels at a time: with three, a driver goes pixel by pixel.
+// A copy without conversion, with four channels: with three, a driver converts pixel by pixel.
 template <class Numbers>
 void copy_texels(const Texture& texture, GLenum type, RawPicture& raw) {
     if (!std::holds_alternative<Numbers>(raw.pixels))
@@ -104,7 +104,7 @@ void read_raw(const Texture& texture, RawPicture& raw) {
 std::array<float, 4> read_pixel(const Texture& texture, int x, int y) {
     const Extent extent = texture.extent();
     assert(x >= 0 && y >= 0 && x < extent.width && y < extent.height);
-    glFinish();  // Mesa 22.3's llvmpipe reads what another framebuffer has not drawn to its end yet
+    glFinish();  // Mesa 22.3's llvmpipe may read before a draw to another framebuffer has finished
     GLuint id = 0;
     glGenFramebuffers(1, &id);
     const Name<delete_framebuffer> framebuffer(id);

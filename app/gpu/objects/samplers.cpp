@@ -14,7 +14,7 @@ GLint gl_wrap(Wrap wrap) {
         case Wrap::edge:
             return GL_CLAMP_TO_EDGE;
         case Wrap::border:
-            return GL_CLAMP_TO_BORDER;  // transparent black, as a sampler is made
+            return GL_CLAMP_TO_BORDER;  // the default border is transparent black
         case Wrap::repeat:
             return GL_REPEAT;
         case Wrap::mirror:

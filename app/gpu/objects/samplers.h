@@ -10,17 +10,17 @@ namespace gpu {
 
 void delete_sampler(GLuint id);
 
-/// How a texture of the format is read where `wanted` was asked for: integers without a filter.
+/// The sampler used for a texture of the format: integer formats are never filtered.
 Sampler usable_sampler(const Sampler& wanted, Format format);
 
-/// Binds textures to units, each read through a sampler object; one object a kind of sampler.
+/// Binds textures to units, each with a sampler object; equal samplers share an object.
 class Samplers {
 public:
-    /// As usable_sampler says.
+    /// Binds with usable_sampler().
     void bind(int unit, const Texture& texture, const Sampler& sampler);
-    /// Reads as an incomplete texture does.
+    /// Reads like an incomplete texture.
     void bind_nothing(int unit);
-    /// Leaves every unit that was used empty.
+    /// Unbinds all units that were used.
     void release();
 
 private:

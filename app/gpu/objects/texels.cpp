@@ -36,7 +36,7 @@ void recode_row(const float* pixel, int channels, int width, const EncodingCurve
         texel[3] = rgba[3];
     }
 }
-// `count` rows of the texture, from `first` on.
+// `count` rows of the texture, starting at `first`.
 void fill_rows(const Picture& picture, const EncodingCurve* curve, RowOrder rows, int first,
                int count, float* texel) {
     const Extent extent = picture.extent;

@@ -7,18 +7,17 @@
 
 namespace gpu {
 
-/// A picture as Texture::upload takes it: RGBA, its colours (not alpha) taken to the `wanted`
-/// encoding, its rows in the wanted order. `texels` is used again, so that a video makes no new
-/// memory a frame.
+/// Converts a picture for Texture::upload: RGBA, its colours (not alpha) in the `wanted` encoding,
+/// its rows in the wanted order. `texels` is reused, so that a video does not allocate per frame.
 void fill_texels(const Picture& picture, Encoding wanted, std::vector<float>& texels,
                  RowOrder rows = RowOrder::bottom_first);
 
-/// Fills a flat texture of the picture's size, band by band, so that a large picture is not held
-/// twice. `band` is used again.
+/// Fills a flat texture of the picture's size, band by band, so that a large picture is not stored
+/// twice. `band` is reused.
 void upload_picture(Texture& texture, const Picture& picture, Encoding wanted,
                     std::vector<float>& band, RowOrder rows = RowOrder::bottom_first);
 
-/// A texture that holds a picture in the `wanted` encoding.
+/// A new texture with the picture in the `wanted` encoding.
 Result<Texture> texture_of(const Picture& picture, Format format, Encoding wanted);
 
 }  // namespace gpu

@@ -24,7 +24,7 @@ GLuint new_texture() {
     return id;
 }
 
-// Asks without making an error, which a real allocation past the limit would.
+// A proxy texture: an allocation above the limit would raise a GL error.
 bool is_possible(Extent extent, const GlFormat& format) {
     glTexImage2D(GL_PROXY_TEXTURE_2D, 0, format.internal, extent.width, extent.height, 0,
                  format.layout, format.type, nullptr);
@@ -33,7 +33,7 @@ bool is_possible(Extent extent, const GlFormat& format) {
     return width == extent.width;
 }
 
-// Bounded: a lost context reports without end.
+// Bounded: a lost context reports errors endlessly.
 void forget_errors() {
     for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i) {
     }
@@ -86,8 +86,8 @@ bool has_storage() {
 }
 }  // namespace
 
-// In one piece where the driver can: asked level by level, Mesa keeps the textures of all contexts
-// that share them to itself while it clears the memory.
+// All levels at once if the driver supports it. Level by level, Mesa locks the textures of all
+// sharing contexts while it clears the memory.
 void Texture::allocate() const {
     if (!has_storage()) {
         for (int level = 0; level < levels(); ++level)
@@ -115,7 +115,7 @@ void Texture::allocate_level(int level, const Extent& extent) const {
                      extent.height, 0, gl.layout, gl.type, nullptr);
 }
 
-// For who reads it without a sampler object: a toolkit, or a texelFetch from an integer target.
+// For reads without a sampler object: a toolkit, or a texelFetch from an integer target.
 void Texture::set_own_sampling(int levels) const {
     glTexParameteri(target(), GL_TEXTURE_MAX_LEVEL, levels - 1);
     glTexParameteri(target(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);

@@ -13,17 +13,16 @@ namespace gpu {
 
 void delete_texture(GLuint id);
 
-/// A texture, perhaps with its smaller levels: of two dimensions, a cube or a volume. Its row 0 is
-/// the bottom one.
+/// A texture, optionally with mip levels: 2D, a cube or a volume. Row 0 is the bottom row.
 class Texture {
 public:
-    /// Memory for every level; what it holds is undefined. Fails where the machine has not got it.
+    /// Allocates all levels with undefined contents. Fails if the driver can't create the texture.
     static Result<Texture> make(Extent extent, Format format, bool is_mipmapped = false);
-    /// A cube or volume, a face or slice of which is so many texels wide and high.
+    /// A cube or volume whose faces or slices have `side` x `side` texels.
     static Result<Texture> make_solid(PictureShape shape, int side, Format format,
                                       bool is_mipmapped = false);
 
-    /// Of a cube's face, of a volume's slice.
+    /// The size of a cube's face or a volume's slice.
     Extent extent() const { return m_extent; }
     PictureShape shape() const { return m_shape; }
     GLenum target() const;
@@ -31,13 +30,13 @@ public:
     bool is_mipmapped() const { return m_is_mipmapped; }
     int levels() const;
     GLuint id() const { return m_name.get(); }
-    /// As a toolkit that draws textures takes it.
+    /// The name in the type that a UI toolkit expects.
     std::uintptr_t handle() const { return m_name.get(); }
 
-    /// RGBA floats, the bottom row first, extent.width * extent.height * 4 of them a face or
-    /// slice; channels that the format lacks are dropped. Not for integer formats.
+    /// RGBA floats, bottom row first, extent.width * extent.height * 4 per face or slice. Channels
+    /// that the format lacks are dropped. Not for integer formats.
     void upload(std::span<const float> texels);
-    /// The smaller levels from the largest; nothing where there are none.
+    /// Draws the smaller levels from the largest; does nothing without mip levels.
     void generate_mipmaps();
 
 private:

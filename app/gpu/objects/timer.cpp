@@ -18,7 +18,7 @@ Timer::Timer()
 
 void Timer::begin(int parts) {
     collect();
-    m_is_open = m_begun - m_read < ring;  // with all of them under way this frame is not measured
+    m_is_open = m_begun - m_read < ring;  // skips this frame if all queries are pending
     if (!m_is_open)
         return;
     m_parts[m_begun % ring] = parts;
@@ -32,7 +32,7 @@ void Timer::end() {
 }
 
 void Timer::tell(double milliseconds, int parts) {
-    m_read = m_begun;  // what is still under way is older
+    m_read = m_begun;  // pending queries are older
     m_milliseconds = milliseconds;
     m_measured_parts = parts;
 }
@@ -46,7 +46,7 @@ void Timer::collect() {
             return;
         GLuint64 nanoseconds = 0;
         glGetQueryObjectui64v(query, GL_QUERY_RESULT, &nanoseconds);
-        if (m_read > 0) {  // the first one waits for the driver's compiler
+        if (m_read > 0) {  // skips the first query, which includes shader compilation
             m_milliseconds = static_cast<double>(nanoseconds) * 1e-6;
             m_measured_parts = m_parts[m_read % ring];
         }

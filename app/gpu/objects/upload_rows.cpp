@@ -7,7 +7,7 @@
 namespace gpu {
 
 namespace {
-// The nearest code of 8 bits; 0 for what is no number.
+// The nearest 8-bit code; 0 for NaN.
 std::uint8_t code_of(float number) {
     return static_cast<std::uint8_t>(number > 0 ? std::min(number, 1.0f) * 255.0f + 0.5f : 0.0f);
 }

@@ -8,10 +8,10 @@
 
 namespace gpu {
 
-/// Fills rows of a face of the bound texture with RGBA floats, from row `first` on; `band` is the
-/// texture's width and the number of rows. Some rows at a time: other contexts that share textures
-/// wait for each call. What is kept in bytes goes as bytes, which Mesa copies many times as fast as
-/// it rounds.
+/// Uploads RGBA floats to rows of a face of the bound texture, starting at row `first`. `band` is
+/// the texture's width and the number of rows. Uploads a few rows at a time, because other contexts
+/// that share textures wait for each call. Byte formats are uploaded as bytes, which Mesa copies
+/// many times faster than it rounds floats.
 void upload_rows(GLenum face, int first, Extent band, bool are_bytes,
                  std::span<const float> texels);
 
