@@ -18,7 +18,7 @@ constexpr std::string_view kept_format = "afterglow-kept 1";
 constexpr std::string_view kept_extension = ".kept";
 constexpr std::size_t most_answer_bytes = std::size_t{32} << 20;
 
-// After so many new bytes the folder is looked through.
+// The folder is scanned after this number of new bytes.
 std::uintmax_t patience_of(std::uintmax_t most_bytes) {
     return most_bytes / 16;
 }
@@ -66,14 +66,14 @@ void KeptFiles::keep(std::string_view question, std::string_view answer) {
     if (size > std::min<std::uintmax_t>(most_answer_bytes, m_most_bytes))
         return;
     if (!write(file_of(asked), packer.bytes()))
-        return;  // as the type says
+        return;  // not cached
     const std::scoped_lock lock(m_mutex);
     m_unlooked_bytes += size;
     if (m_unlooked_bytes >= patience_of(m_most_bytes))
         make_room();
 }
 
-// Nobody waits for the disk: what a crash of the machine leaves of a file is told by its digest.
+// Not synced to disk: the digest detects a file that a crash has truncated.
 bool KeptFiles::write(const fs::path& file, std::string_view bytes) const {
     std::error_code error;
     fs::create_directories(m_folder, error);
@@ -100,7 +100,7 @@ void KeptFiles::make_room() {
         const std::uintmax_t bytes = it->file_size(gone);
         const fs::file_time_type used = it->last_write_time(gone);
         if (gone)
-            continue;  // another program was faster
+            continue;  // removed by another program
         all.push_back({used, bytes, it->path()});
         sum += bytes;
     }

@@ -6,13 +6,12 @@
 #include <filesystem>
 #include <mutex>
 
-/// A ByteStore in a folder of the person's, one file an answer. What cannot be read, is cut short
-/// or answers another question is as if it were not there, and replaced; what cannot be written is
-/// found anew the next time.
+/// A ByteStore in a folder, one file per entry. An entry that can't be read, is truncated or has
+/// another key counts as missing and is replaced. Write errors are ignored.
 class KeptFiles : public ByteStore {
 public:
-    /// `origin` says who answers: what another one has kept is not found. At most about
-    /// `most_bytes` are kept; what has not been asked for longest goes first.
+    /// `origin` is part of each key: entries of other origins are not found. Keeps about
+    /// `most_bytes` at most; the least recently used entries are removed first.
     KeptFiles(std::filesystem::path folder, std::string origin,
               std::uintmax_t most_bytes = std::uintmax_t{128} << 20);
 
@@ -29,5 +28,5 @@ private:
     std::string m_origin;
     std::uintmax_t m_most_bytes;
     std::mutex m_mutex;
-    std::uintmax_t m_unlooked_bytes;  // kept since the folder was last looked through
+    std::uintmax_t m_unlooked_bytes;  // written since the folder was last scanned
 };

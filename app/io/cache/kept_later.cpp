@@ -16,7 +16,7 @@ void KeptLater::keep(std::string_view question, std::string_view answer) {
     m_owed.insert_or_assign(std::string(question), std::string(answer));
 }
 
-// Until it lies in the store an answer is found here.
+// An entry stays readable here until it is in the store.
 void KeptLater::write_owed() {
     std::unique_lock lock(m_mutex);
     while (!m_owed.empty()) {

@@ -6,11 +6,10 @@
 #include <memory>
 #include <mutex>
 
-/// A ByteStore in front of another one, to which answers go when write_owed() is called: whoever
-/// waits for what an answer is needed for does not wait for a file to be written as well.
+/// A write-behind cache in front of another ByteStore. Entries are written to it by write_owed(),
+/// so that keep() does not wait for files.
 class KeptLater : public ByteStore {
 public:
-    /// `store` is not null.
     explicit KeptLater(std::shared_ptr<ByteStore> store) : m_store(std::move(store)) {}
 
     std::optional<std::string> find(std::string_view question) override;
@@ -20,5 +19,5 @@ public:
 private:
     std::shared_ptr<ByteStore> m_store;
     std::mutex m_mutex;
-    std::map<std::string, std::string, std::less<>> m_owed;  // answers by their questions
+    std::map<std::string, std::string, std::less<>> m_owed;  // values by key
 };

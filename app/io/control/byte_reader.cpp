@@ -21,7 +21,7 @@ const sockaddr* general(const sockaddr_un& address) {
     return reinterpret_cast<const sockaddr*>(&address);
 }
 
-// The name must fit.
+// `name` must fit in sun_path.
 sockaddr_un address_of(const std::string& name) {
     sockaddr_un address = {};
     address.sun_family = AF_UNIX;
@@ -29,7 +29,7 @@ sockaddr_un address_of(const std::string& name) {
     return address;
 }
 
-// A program that was killed leaves its socket behind, and nobody answers there.
+// Removes the unused socket of a program that was killed.
 Result<void> clear_place(const fs::path& path, const sockaddr_un& address) {
     struct stat status = {};
     if (::lstat(path.c_str(), &status) != 0)
@@ -57,7 +57,7 @@ Result<void> ByteReader::make_stop() {
 }
 
 Result<std::unique_ptr<ByteReader>> ByteReader::read_stdin(ByteSink& sink) {
-    // To read from a terminal in the background would stop the program.
+    // Reading from a terminal in the background would stop the program.
     if (::isatty(STDIN_FILENO) == 1 && ::tcgetpgrp(STDIN_FILENO) != ::getpgrp())
         return fail(
             {"stdin", 0, "another program uses this terminal. Send the beam through a pipe."});
@@ -82,7 +82,8 @@ Result<std::unique_ptr<ByteReader>> ByteReader::listen(const fs::path& path, Sen
     return reader;
 }
 
-// Made beside its place and moved there when it listens: who sees the socket is answered.
+// Created under a temporary name and renamed once it listens, so that every visible socket accepts
+// connections.
 Result<void> ByteReader::make_socket(const fs::path& path) {
     const std::string made = path.string() + '~';
     if (made.size() >= sizeof sockaddr_un::sun_path)
@@ -97,7 +98,7 @@ Result<void> ByteReader::make_socket(const fs::path& path) {
     if (::bind(listener.get(), general(address), sizeof address) != 0)
         return cannot(path, "can't create the socket");
     constexpr int waiting = 8;
-    // Only the person's own programs may draw.
+    // Only this user's programs may connect.
     if (::chmod(made.c_str(), S_IRUSR | S_IWUSR) != 0 || ::listen(listener.get(), waiting) != 0)
         return cannot(path, "can't open the socket");
     m_socket_file.emplace(path);
@@ -113,7 +114,7 @@ ByteReader::~ByteReader() {
         m_thread.join();
 }
 
-// False when the thread is to end.
+// False if the thread must end.
 bool ByteReader::wait_for(int descriptor) const {
     std::array<pollfd, 2> waited{pollfd{m_stop_reader.get(), POLLIN, 0},
                                  pollfd{descriptor, POLLIN, 0}};
@@ -122,7 +123,7 @@ bool ByteReader::wait_for(int descriptor) const {
     return waited[0].revents == 0;
 }
 
-// Whether anything came.
+// Whether any data was received.
 bool ByteReader::read_all(int descriptor) {
     std::array<char, 16384> bytes;
     bool has_begun = false;
@@ -149,7 +150,7 @@ void ByteReader::serve(Senders senders) {
         const Descriptor sender(::accept4(m_listener.get(), nullptr, nullptr, SOCK_CLOEXEC));
         if (sender.is_open()) {
             if (read_all(sender.get()) && senders == Senders::one) {
-                m_listener = Descriptor();  // the next one is told at once that nobody listens
+                m_listener = Descriptor();  // the next sender is refused at once
                 return;
             }
         } else if (errno != EAGAIN && errno != EINTR && errno != ECONNABORTED) {

@@ -11,27 +11,27 @@
 #include <string_view>
 #include <thread>
 
-/// Where bytes of another program go; called on the reader's thread. take() may wait, and lets the
-/// sender wait meanwhile.
+/// Receives bytes from another program; called on the reader's thread. take() may block, which also
+/// blocks the sender.
 class ByteSink {
 public:
     virtual ~ByteSink() = default;
 
-    virtual void begin() = 0;  // a sender is there
+    virtual void begin() = 0;  // a sender has connected
     virtual void take(std::string_view bytes) = 0;
-    virtual void end() = 0;  // it sends nothing more
+    virtual void end() = 0;  // the sender has finished
     virtual void fail_with(const std::string& why) = 0;
 };
 
-/// Reads what other programs send, on a thread of its own. It ends at once with its owner, if the
-/// sink waits for nothing then.
+/// Reads bytes from other programs on its own thread. The destructor joins the thread, immediately
+/// unless the sink blocks.
 class ByteReader {
 public:
-    /// The program's standard input.
+    /// Reads the program's standard input.
     static Result<std::unique_ptr<ByteReader>> read_stdin(ByteSink& sink);
     enum class Senders { one, one_after_the_other };
-    /// A Unix socket, made at `path` for as long as this lives. Who connects and sends nothing is
-    /// no sender.
+    /// Listens on a Unix socket at `path`, which exists while this object lives. A connection
+    /// without data does not count as a sender.
     static Result<std::unique_ptr<ByteReader>> listen(const std::filesystem::path& path,
                                                       Senders senders, ByteSink& sink);
     ~ByteReader();

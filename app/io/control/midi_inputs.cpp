@@ -13,16 +13,16 @@
 namespace {
 constexpr const char* our_name = "Afterglow";
 
-// What the library says is told by what it does not do.
+// Errors are detected by their effects, not by RtMidi's messages.
 void ignore_midi_error(RtMidiError::Type, const std::string&, void*) {}
 
-/// Messages on their way from the devices' threads, and a bell for who sleeps.
+/// Messages from the device threads, with an eventfd that wakes a sleeping reader.
 class MidiQueue {
 public:
     MidiQueue() : m_bell(::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) {}
 
     void put(const std::vector<unsigned char>& message) {
-        constexpr std::size_t most = 4096;  // who takes none out is not there
+        constexpr std::size_t most = 4096;  // drops messages that are not read
         {
             const std::lock_guard lock(m_mutex);
             if (m_messages.size() >= most)
@@ -72,7 +72,7 @@ private:
         static_cast<MachineMidi*>(self)->m_queue.put(*message);
     }
 
-    MidiQueue m_queue;  // outlives those that put into it
+    MidiQueue m_queue;  // outlives the inputs that write to it
     std::vector<std::unique_ptr<RtMidiIn>> m_inputs;
     std::vector<std::string> m_names;
 };
@@ -83,7 +83,7 @@ std::unique_ptr<RtMidiIn> make_input() {
     return input;
 }
 
-// The system's own loop from its programs to its programs is no device.
+// ALSA's loopback port between programs and our own ports are not devices.
 bool is_device(const std::string& name) {
     return !name.starts_with("Midi Through") && !name.starts_with(our_name);
 }
@@ -107,7 +107,7 @@ void MachineMidi::open_all() {
 
 Result<void> MachineMidi::open() {
     close();
-    // Asked first, as the library would write of it on stderr.
+    // Checked first: the library would print an error to stderr.
     constexpr const char* sequencer = "/dev/snd/seq";
     if (::access(sequencer, R_OK | W_OK) != 0)
         return fail(

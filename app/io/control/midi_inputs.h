@@ -8,22 +8,23 @@
 #include <string>
 #include <vector>
 
-/// The MIDI devices that are listened to, all that there are.
+/// The MIDI input devices: listens to all connected devices.
 class MidiInputs {
 public:
     virtual ~MidiInputs() = default;
 
-    /// Listens to the devices that there are now. Fails where there is none, or no MIDI at all;
-    /// then nothing is listened to.
+    /// Listens to all devices that are connected now. Fails, with nothing open, if no device is
+    /// connected or the system has no MIDI.
     virtual Result<void> open() = 0;
     virtual void close() = 0;
-    /// Of the devices that are listened to.
+    /// The names of the open devices.
     virtual std::vector<std::string> names() const = 0;
-    /// The next message that has come, whole; none when there is none. Never waits.
+    /// The next complete message; nullopt if none is queued. Never waits.
     virtual std::optional<std::vector<std::uint8_t>> take() = 0;
-    /// Becomes readable when a message has come, the same as long as this lives; -1: never.
+    /// Becomes readable when a message has been received. The same for the object's lifetime; -1:
+    /// never.
     virtual int descriptor() const = 0;
 };
 
-/// Those of this machine.
+/// The MIDI inputs of this machine.
 std::unique_ptr<MidiInputs> machine_midi_inputs();

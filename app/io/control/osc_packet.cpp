@@ -11,10 +11,10 @@ namespace {
 using Bytes = std::span<const std::uint8_t>;
 using Messages = std::vector<OscMessage>;
 
-constexpr std::size_t part_size = 4;  // all parts are so many bytes, or a multiple
-constexpr int deepest = 8;            // bundles in bundles
+constexpr std::size_t part_size = 4;  // bytes; all sizes are a multiple of it
+constexpr int deepest = 8;            // nesting of bundles
 
-/// Takes parts off the front of a packet; nothing where it ends before.
+/// Reads parts from the front of a packet; nullopt if the packet is too short.
 class OscReader {
 public:
     explicit OscReader(Bytes bytes) : m_rest(bytes) {}
@@ -30,7 +30,6 @@ public:
         return taken;
     }
 
-    // Big-endian.
     template <class T>
     std::optional<T> number() {
         const auto bytes = take(sizeof(T));
@@ -42,7 +41,7 @@ public:
         return value;
     }
 
-    // Ended by a zero, and by more of them up to a whole part.
+    // Terminated by a zero byte and padded with zero bytes to a multiple of part_size.
     std::optional<std::string> text() {
         const auto end = std::ranges::find(m_rest, std::uint8_t{0});
         if (end == m_rest.end())

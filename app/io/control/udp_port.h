@@ -7,16 +7,16 @@
 #include <optional>
 #include <vector>
 
-/// A port of this machine that packets come to from programs on this machine alone (127.0.0.1).
+/// A UDP port that receives packets only from programs on this machine (127.0.0.1).
 class UdpPort {
 public:
-    /// 1 .. 65535; 0: any that is free.
+    /// 1 .. 65535; 0: any free port.
     static Result<UdpPort> open(int port);
 
     int number() const { return m_number; }
-    /// Becomes readable when a packet has come.
+    /// Becomes readable when a packet has been received.
     int descriptor() const { return m_socket.get(); }
-    /// The next packet that has come; none when there is none. Never waits.
+    /// The next received packet; nullopt if none is queued. Never waits.
     std::optional<std::vector<std::uint8_t>> take() const;
 
 private:

@@ -22,7 +22,7 @@ std::string system_reason() {
     return std::strerror(errno);
 }
 
-// The file that a chain of links ends at, which need not exist.
+// The target of a chain of symbolic links, which need not exist.
 Result<fs::path> target_of(fs::path file) {
     constexpr int longest_chain = 40;
     const fs::path asked = file;
@@ -38,15 +38,15 @@ Result<fs::path> target_of(fs::path file) {
     return unwritable(asked, "its symbolic links form a loop");
 }
 
-// So that the rename itself reaches the disk. Where that fails the new file is in its place all the
-// same, flushed, and only a loss of power could bring the old one back: that is no failure.
+// Makes the rename durable. On failure the new file is still in place and flushed. Only a power
+// loss could restore the old one, so this is not an error.
 void flush_folder(const fs::path& folder) {
     const Descriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (descriptor.is_open())
         static_cast<void>(::fsync(descriptor.get()));
 }
 
-// The permissions to keep, nothing for a new file, or why `target` must not be replaced.
+// The permissions to keep, nullopt for a new file, or the reason why `target` can't be replaced.
 Result<std::optional<mode_t>> mode_to_keep(const fs::path& file, const fs::path& target) {
     struct stat status = {};
     if (::stat(target.c_str(), &status) != 0)

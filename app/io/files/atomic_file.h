@@ -8,28 +8,28 @@
 
 class TemporaryFile;
 
-/// What a program that was killed while it saved has left in a folder
-/// (".afterglow-PROCESS-COUNT.tmp"): removed, or left to a save that has looked for it already.
+/// Temporary files of a program that was killed while saving (".afterglow-PROCESS-COUNT.tmp").
+/// `left` is for further saves to a folder that was already cleaned.
 enum class Leftovers { removed, left };
 
-/// A file that is written beside its place and takes it when it is whole: at every moment, also
-/// after a crash, there is the old one or the new one. Missing folders are made; a link's target is
-/// replaced and the link stays; permissions stay. What is not finished goes with its owner, and
-/// with the program when a signal such as Ctrl+C ends it.
+/// Writes a file under a temporary name and renames it when complete. At any time, also after a
+/// crash, the path has the old or the new content. Missing folders are created, symbolic links are
+/// followed, and permissions are kept. An unfinished file is removed by the destructor, or when a
+/// signal such as Ctrl+C ends the program.
 class AtomicFile {
 public:
-    /// Refuses what is not a regular file and what is read-only. Of leftovers only those go that
-    /// nobody is writing.
+    /// Rejects a path that is not a regular file or is read-only. Removes only leftovers that no
+    /// program is writing.
     static Result<AtomicFile> create(const std::filesystem::path& file,
                                      Leftovers leftovers = Leftovers::removed);
     AtomicFile(AtomicFile&& other) noexcept;
     AtomicFile& operator=(AtomicFile&& other) noexcept;
     ~AtomicFile();
 
-    /// As an open file of the system, for another program to write.
+    /// The open file, for another program to write to.
     int descriptor() const;
     Result<void> write(std::string_view bytes);
-    /// It is whole: flushed, and in its place.
+    /// Flushes the file and renames it to its path.
     Result<void> finish();
 
 private:
@@ -37,16 +37,16 @@ private:
                const std::filesystem::path& folder);
     tl::unexpected<Diagnostics> refused() const;
 
-    std::filesystem::path m_file;  // as it was asked for
+    std::filesystem::path m_file;  // as requested
     std::filesystem::path m_target;
     std::filesystem::path m_folder;
     std::unique_ptr<TemporaryFile> m_temporary;
 };
 
-/// Makes `bytes` the whole content of `file` in one step, as an AtomicFile does.
+/// Replaces the content of `file` by `bytes` in one step, with an AtomicFile.
 Result<void> write_atomically(const std::filesystem::path& file, std::string_view bytes,
                               Leftovers leftovers = Leftovers::removed);
 
-/// Whether write_atomically could write `file`, as far as that can be told beforehand: before long
-/// work whose result it is to hold.
+/// Whether write_atomically could write `file`, as far as can be checked in advance. For use before
+/// long work whose result goes there.
 Result<void> check_writable(const std::filesystem::path& file);

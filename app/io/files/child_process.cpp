@@ -21,7 +21,7 @@
 extern char** environ;
 
 namespace {
-// What is given to posix_spawn, and taken back.
+// Owns a posix_spawn_file_actions_t.
 class FileActions {
 public:
     FileActions() { posix_spawn_file_actions_init(&m_actions); }
@@ -55,7 +55,7 @@ Result<InputLink> make_input() {
     return InputLink{Descriptor(ends[0]), Descriptor(ends[1])};
 }
 
-// The same file by a number that none of what a program is given takes.
+// A duplicate with a number above those of the files that the child gets.
 Descriptor out_of_the_way(int descriptor) {
     constexpr int first_free = ChildProcess::given_output + 1;
     return Descriptor(descriptor < 0 ? -1 : ::fcntl(descriptor, F_DUPFD_CLOEXEC, first_free));

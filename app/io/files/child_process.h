@@ -10,19 +10,19 @@
 #include <sys/types.h>
 #include <vector>
 
-/// Another program that was started for what it writes or makes; ended with its owner.
+/// A child process that is started for its output; the destructor kills it.
 class ChildProcess {
 public:
-    /// What a program gets besides its words.
+    /// The files that the child gets, besides its arguments.
     struct Files {
-        int inputs = 0;   // that it is fed: none, its standard input, or second_input too
-        int output = -1;  // a file that it finds as given_output; -1: none
+        int inputs = 0;   // 0, 1 (its standard input) or 2 (also second_input)
+        int output = -1;  // a file that it gets as given_output; -1: no file
     };
     static constexpr int second_input = 3;
     static constexpr int given_output = 4;
 
-    /// Starts the program of that name from $PATH. An error without a file: the program is not
-    /// installed, or the system has no room for it.
+    /// Starts a program from $PATH. Errors have no file: the program is not installed, or the
+    /// system lacks resources.
     static Result<ChildProcess> start(const std::vector<std::string>& command, Files files);
     static Result<ChildProcess> start(const std::vector<std::string>& command) {
         return start(command, {0, -1});
@@ -32,22 +32,22 @@ public:
     ChildProcess& operator=(ChildProcess&& other) noexcept;
     ~ChildProcess();
 
-    /// The next bytes of its output, up to `size`; fewer only at the output's end.
+    /// Reads the next bytes of its output, up to `size`; fewer only at the end of the output.
     std::size_t read(char* bytes, std::size_t size);
-    /// All that is left of its output, at most `most` bytes.
+    /// Reads the remaining output, at most `most` bytes.
     std::string read_all(std::size_t most);
-    /// The same, but nothing where its output has not ended within so many seconds.
+    /// As read_all; nullopt if the output has not ended within `seconds`.
     std::optional<std::string> read_all_within(double seconds, std::size_t most);
-    /// Feeds one of its inputs, from 0, and waits while it has enough; false where it reads no
-    /// more. Each on a thread of its own, if need be.
+    /// Writes to one of its inputs, from 0, and blocks while its buffer is full. False if the child
+    /// no longer reads it. Each input may be fed from its own thread.
     bool feed(int input, std::string_view bytes) const;
-    /// There is no more of this input.
+    /// Closes an input.
     void end_input(int input) { m_inputs[static_cast<std::size_t>(input)] = Descriptor(); }
-    /// Ends it at once, if it has not ended.
+    /// Kills it if it is still running.
     void end();
-    /// Waits for its end; true when it was satisfied.
+    /// Waits for it to exit; true if the exit status is 0.
     bool finish();
-    /// What it has said on stderr so far: the first line.
+    /// The first line of its stderr so far.
     std::string complaint() const;
 
 private:
@@ -59,8 +59,8 @@ private:
           m_output(std::move(output)),
           m_complaints(std::move(complaints)) {}
 
-    pid_t m_process = -1;     // -1: has ended
-    Inputs m_inputs;          // sockets, which end nobody by a signal
-    Descriptor m_output;      // a pipe's end
-    Descriptor m_complaints;  // a file in memory, which never makes the program wait
+    pid_t m_process = -1;     // -1: has exited
+    Inputs m_inputs;          // sockets: a failed write raises no signal
+    Descriptor m_output;      // read end of a pipe
+    Descriptor m_complaints;  // a file in memory, so the child never blocks on stderr
 };

@@ -3,7 +3,7 @@
 #include <unistd.h>
 #include <utility>
 
-/// The one owner of an open file of the system.
+/// Owns a file descriptor.
 class Descriptor {
 public:
     explicit Descriptor(int number = -1) : m_number(number) {}
@@ -19,7 +19,7 @@ public:
 
     int get() const { return m_number; }
     bool is_open() const { return m_number >= 0; }
-    /// Closes now; false where the system reports that written bytes were lost.
+    /// Closes now; false if the system reports that written bytes were lost.
     bool close() { return ::close(std::exchange(m_number, -1)) == 0; }
 
 private:

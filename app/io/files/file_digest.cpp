@@ -13,7 +13,7 @@
 #include <zlib.h>
 
 Result<std::string> file_digest(const std::filesystem::path& file, Work* work) {
-    // Also says what is not there or no file; opening a pipe would wait forever.
+    // Also checks that it is a regular file; opening a pipe would block forever.
     if (const auto start = read_start(file, 1); !start)
         return fail(start.error());
     const Descriptor descriptor(::open(file.c_str(), O_RDONLY | O_CLOEXEC));

@@ -6,6 +6,6 @@
 #include <filesystem>
 #include <string>
 
-/// The CRC-32 of a regular file's bytes as eight hexadecimal digits: tells whether a sound or
-/// picture is the one that a preset was judged on, and is no protection against a forger.
+/// The CRC-32 of a regular file's bytes as eight hexadecimal digits. Identifies the sound or
+/// picture that a preset was made with; not secure against forgery.
 Result<std::string> file_digest(const std::filesystem::path& file, Work* work = nullptr);

@@ -19,7 +19,7 @@ constexpr std::uint32_t gone = IN_DELETE | IN_MOVED_FROM;
 constexpr std::uint32_t folder_gone = IN_IGNORED | IN_DELETE_SELF | IN_MOVE_SELF | IN_UNMOUNT;
 constexpr std::uint32_t watched_events =
     IN_CLOSE_WRITE | IN_MOVED_TO | IN_CREATE | gone | IN_DELETE_SELF | IN_MOVE_SELF | IN_ONLYDIR;
-// Editors that save by rename leave the name empty for some milliseconds at most.
+// Editors that save by rename leave the name missing for some milliseconds at most.
 constexpr std::chrono::milliseconds patience{200};
 
 bool add_to_poll(int poll, int descriptor) {
@@ -28,7 +28,7 @@ bool add_to_poll(int poll, int descriptor) {
     return ::epoll_ctl(poll, EPOLL_CTL_ADD, descriptor, &event) == 0;
 }
 
-// A link, or a further name of a file: complete as soon as it is there, nobody closes it.
+// A link or an additional hard link: complete when created, without a close event.
 bool is_complete_when_created(const fs::path& file) {
     struct stat status = {};
     return ::lstat(file.c_str(), &status) == 0 && (S_ISLNK(status.st_mode) || status.st_nlink > 1);
@@ -128,7 +128,7 @@ Diagnostics FileWatcher::place_watches() {
 }
 
 bool FileWatcher::place_watch(const fs::path& place, const fs::path& file, Folders& folders) const {
-    // The nearest folder that exists tells when the next one on the way appears.
+    // A watch on the nearest existing folder reports when the next folder of the path appears.
     for (fs::path next = place; next.has_relative_path(); next = next.parent_path()) {
         const int number =
             ::inotify_add_watch(m_events.get(), next.parent_path().c_str(), watched_events);
@@ -219,7 +219,7 @@ void FileWatcher::settle_missing() {
     std::set<fs::path> waiting;
     for (const fs::path& file : m_missing) {
         if (stamp_of(file))
-            continue;  // it is back, and reported when it is closed
+            continue;  // it exists again, and is reported when it is closed
         (is_over ? m_changed : waiting).insert(file);
     }
     m_missing = std::move(waiting);

@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
-/// Tells which files were saved. It watches their folders, so that a save in place, a save by
-/// rename (vim, emacs), a file or folder that appears later and a file that goes away are all seen.
-/// A file is reported when it is closed or moved into place, so never half-written.
+/// Reports which files were saved. Watches their folders to detect saves in place, saves by rename
+/// (vim, emacs), and files or folders that appear or disappear. A file is reported when it is
+/// closed or renamed into place, so never half-written.
 class FileWatcher {
 public:
     static Result<FileWatcher> start();
@@ -22,19 +22,19 @@ public:
     FileWatcher& operator=(FileWatcher&& other) noexcept;
     ~FileWatcher();
 
-    /// Watches these files, which need not exist, in place of those before. Changes that were seen
-    /// but not yet taken are kept for files that stay. Fails for files that the system cannot
-    /// watch.
+    /// Watches these files, which need not exist, instead of the previous ones. Changes not yet
+    /// taken are kept for files in both lists. Fails for files that the system can't watch.
     Result<void> watch(const std::vector<std::filesystem::path>& files);
 
-    /// The files that changed since last asked, each once, named as in watch(). Never waits.
+    /// The files that changed since the last call, each once, with the names given to watch().
+    /// Never waits.
     std::vector<std::filesystem::path> take_changed();
 
-    /// Becomes readable (poll, epoll) when take_changed() may have something to tell.
+    /// Becomes readable (poll, epoll) when take_changed() may return files.
     int descriptor() const { return m_poll.get(); }
 
 private:
-    // Of a file's content, to see a change that no event told of.
+    // Identifies a file's content, to detect a change without an event.
     struct Stamp {
         std::int64_t seconds = 0;
         std::int64_t nanoseconds = 0;
@@ -42,8 +42,9 @@ private:
         std::uint64_t number = 0;
         bool operator==(const Stamp&) const = default;
     };
-    using Folder = std::multimap<std::string, std::filesystem::path>;  // name in it -> watched file
-    using Folders = std::map<int, Folder>;                             // by inotify's number
+    using Folder = std::multimap<std::string, std::filesystem::path>;  // name in the folder ->
+                                                                       // watched file
+    using Folders = std::map<int, Folder>;                             // by inotify watch number
 
     FileWatcher(Descriptor events, Descriptor timer, Descriptor poll);
 
@@ -59,13 +60,13 @@ private:
     void settle_missing();
 
     Descriptor m_events;  // inotify
-    Descriptor m_timer;   // ends the wait for a file that went away
-    Descriptor m_poll;    // both of them
-    std::map<std::filesystem::path, std::optional<Stamp>> m_files;  // no stamp: not there
+    Descriptor m_timer;   // ends the wait for a missing file
+    Descriptor m_poll;    // polls both
+    std::map<std::filesystem::path, std::optional<Stamp>> m_files;  // nullopt: missing
     Folders m_folders;
     std::set<std::filesystem::path> m_changed;
-    std::set<std::filesystem::path> m_missing;  // may come back within moments (save by rename)
+    std::set<std::filesystem::path> m_missing;  // may be replaced within moments (save by rename)
     std::chrono::steady_clock::time_point m_missing_until;
-    bool m_is_placed = false;  // all of m_files could be watched
-    bool m_is_moved = false;   // a folder or link on the way to a file came or went
+    bool m_is_placed = false;  // all of m_files are watched
+    bool m_is_moved = false;   // a folder or link on the path of a file changed
 };

@@ -8,16 +8,17 @@
 #include <unistd.h>
 
 namespace {
-// A signal's handler can reach nothing else.
+// Static data only: a signal handler can access nothing else.
 constexpr std::size_t most_kept = 16;
 constexpr std::size_t longest_name = 4096;
 struct PassingName {
     std::atomic<bool> is_set = false;
-    std::array<char, longest_name> text{};  // here, as the owner's may end beside the handler
+    std::array<char, longest_name> text{};  // a copy: the owner's text may be destroyed while the
+                                            // handler runs
 };
 std::array<PassingName, most_kept> passing_names{};
 
-// Of whoever makes or ends such a file, on any thread; the handler never takes it.
+// Locked to add or remove a file, on any thread; the handler never locks it.
 std::mutex& passing_mutex() {
     static std::mutex mutex;
     return mutex;
@@ -31,8 +32,8 @@ void remove_and_end(int number) {
     (void)std::raise(number);
 }
 
-// Without a free one, or for a longer name, the file only goes with its owner. To be called with
-// the mutex held.
+// Without a free slot, or if the name is too long, only the destructor removes the file. Call with
+// the mutex locked.
 std::size_t take_slot(const std::string& name) {
     if (name.size() >= longest_name)
         return most_kept;
@@ -51,7 +52,7 @@ bool is_any_left() {
                        [](const PassingName& name) { return name.is_set.load(); });
 }
 
-// From one handler to another; one that the program or its parent has chosen stays.
+// Replaces one handler by another; keeps any other handler of the program or its parent.
 void replace_handlers(void (*from)(int), void (*to)(int)) {
     struct sigaction action = {};
     action.sa_handler = to;
@@ -75,6 +76,6 @@ PassingFile::~PassingFile() {
     const std::lock_guard lock(passing_mutex());
     if (m_slot < most_kept)
         passing_names[m_slot].is_set = false;
-    if (!is_any_left())  // the next one's handlers are the same
+    if (!is_any_left())  // the next file installs the handlers again
         replace_handlers(remove_and_end, SIG_DFL);
 }

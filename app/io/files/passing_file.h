@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 
-/// A file that is removed with its owner, and also when a signal such as Ctrl+C ends the program.
-/// On any thread.
+/// A file that is removed by the destructor, and also when a signal such as Ctrl+C ends the
+/// program. Thread-safe.
 class PassingFile {
 public:
     explicit PassingFile(const std::filesystem::path& file);
@@ -15,5 +15,5 @@ public:
 
 private:
     std::string m_name;
-    std::size_t m_slot = 0;  // where the handler finds the name
+    std::size_t m_slot = 0;  // index of the name for the signal handler
 };

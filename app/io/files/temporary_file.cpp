@@ -15,7 +15,7 @@ namespace {
 constexpr std::string_view name_start = ".afterglow-";
 constexpr std::string_view name_end = ".tmp";
 
-// Whether a name is one of TemporaryFile's: ".afterglow-", a process, "-", a count, ".tmp".
+// Whether a TemporaryFile has such a name: ".afterglow-", process, "-", count, ".tmp".
 bool is_temporary_name(std::string_view name) {
     if (name.size() <= name_start.size() + name_end.size() || !name.starts_with(name_start) ||
         !name.ends_with(name_end))
@@ -30,7 +30,7 @@ bool is_temporary_name(std::string_view name) {
            is_number(name.substr(dash + 1));
 }
 
-// Whether `path` still names the file that was opened.
+// Whether `path` still refers to the opened file.
 bool is_still(const Descriptor& opened, const fs::path& path) {
     struct stat own = {};
     struct stat named = {};
@@ -88,10 +88,11 @@ bool TemporaryFile::take_place_of(const fs::path& target) {
     return ::rename(m_path.c_str(), target.c_str()) == 0;
 }
 
-// The lock says for as long as the file has this name that its writer lives. Another program
-// may have come before it and have taken the file for a leftover.
+// The lock shows that the writer is alive, while the file has this name. Another program may have
+// removed the file as a leftover before it was locked.
 bool TemporaryFile::is_taken_away() {
     if (::flock(m_descriptor.get(), LOCK_EX | LOCK_NB) != 0)
-        return errno == EWOULDBLOCK;  // else there are no locks here, and nobody clears up
+        return errno == EWOULDBLOCK;  // otherwise locks are unsupported, and no program removes
+                                      // leftovers
     return !is_still(m_descriptor, m_path);
 }

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <sys/types.h>
 
-/// A file beside another one, whose place it may take; else it goes with its owner. Where something
-/// fails errno says why.
+/// A temporary file in the folder of its target, which it can replace; otherwise the destructor
+/// removes it. errno has the reason of a failure.
 class TemporaryFile {
 public:
     explicit TemporaryFile(const std::filesystem::path& folder);
@@ -18,7 +18,7 @@ public:
     int descriptor() const { return m_descriptor.get(); }
     bool set_mode(mode_t mode);
     bool write(std::string_view bytes);
-    /// What was written reaches the disk.
+    /// Flushes written data to the disk.
     bool flush();
     bool take_place_of(const std::filesystem::path& target);
 
@@ -27,9 +27,9 @@ private:
 
     std::filesystem::path m_path;
     Descriptor m_descriptor;
-    std::optional<PassingFile> m_passing;  // no other file is ever given this name
+    std::optional<PassingFile> m_passing;  // the name is never reused
 };
 
-/// Removes what programs that were killed while they saved have left in a folder. Where the writer
-/// lives, in whichever program or container, it holds the file's lock.
+/// Removes the temporary files in a folder whose programs were killed while saving. A living
+/// writer, in any program or container, holds the file's lock.
 void remove_leftovers(const std::filesystem::path& folder);

@@ -22,7 +22,7 @@ fs::path home_trash() {
     return fs::path(home && *home ? home : "/") / ".local/share/Trash";
 }
 
-// The folder in which a file's volume is mounted.
+// The mount point of a file's volume.
 fs::path top_of_volume(const fs::path& file) {
     struct stat here = {};
     struct stat above = {};
@@ -33,7 +33,7 @@ fs::path top_of_volume(const fs::path& file) {
     return top;
 }
 
-// All but RFC 2396's unreserved letters and "/".
+// Encodes all except RFC 2396's unreserved characters and "/".
 std::string percent_encoded(const std::string& path) {
     std::string encoded;
     for (const char letter : path)
@@ -78,7 +78,7 @@ Result<fs::path> reserve_name(const fs::path& trash, const fs::path& file,
     return fail({trash, 0, "the trash contains too many files with this name"});
 }
 
-// `told`: the path as the info file has it.
+// `told`: the path for the info file.
 Result<TrashedFile> move_into(const fs::path& trash, const fs::path& file, const fs::path& told) {
     std::error_code error;
     for (const char* part : {"files", "info"})

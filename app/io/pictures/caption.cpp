@@ -15,7 +15,7 @@ constexpr std::array<float, 4> ink{0.86f, 0.88f, 0.86f, 1.0f};
 constexpr char32_t ellipsis = U'…';
 constexpr std::size_t largest_font = 64 << 20;  // bytes
 
-// The code points of a UTF-8 text; what is none becomes U+FFFD.
+// The code points of a UTF-8 text; an invalid sequence becomes U+FFFD.
 std::u32string code_points(const std::string& text) {
     std::u32string points;
     std::size_t i = 0;
@@ -55,7 +55,8 @@ public:
         return font;
     }
 
-    /// Where the text ends that starts at 0, in pixels. Calls `place(glyph, x)` for each letter.
+    /// The width of the text in pixels. Calls `place(glyph, x)` for each glyph; the first has x =
+    /// 0.
     template <class Place>
     float walk(const std::u32string& text, const Place& place) const {
         float x = 0.0f;
@@ -79,7 +80,7 @@ public:
         return walk(text, [](int, float) {});
     }
 
-    /// Adds a letter whose baseline starts at x, y to what lies there.
+    /// Blends a glyph, with its origin at x, y on the baseline, over the picture.
     void draw(int glyph, float x, int y, Picture& picture) const {
         const float whole = std::floor(x);
         int width = 0;
@@ -116,7 +117,7 @@ private:
         }
     }
 
-    std::unique_ptr<std::string> m_bytes;  // stays in its place: m_info points into it
+    std::unique_ptr<std::string> m_bytes;  // on the heap: m_info points into it
     stbtt_fontinfo m_info{};
     float m_scale = 1.0f;
 };

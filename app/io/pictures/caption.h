@@ -5,14 +5,14 @@
 
 #include <string>
 
-/// Where one line of text stands in a picture, in pixels from the top left.
+/// The position of a line of text in a picture, in pixels from the top left.
 struct CaptionPlace {
     int left = 0;
     int baseline = 0;
-    int width = 0;   // what does not fit ends in "…"
-    int height = 0;  // of the letters
+    int width = 0;   // longer text is cut and ends in "…"
+    int height = 0;  // of the font
 };
 
-/// Writes a line of light grey text into a picture. Fails where the system has no font that we
-/// know.
+/// Draws a line of light grey text into a picture. Fails if the system has none of the fonts that
+/// we use.
 Result<void> draw_caption(Picture& picture, const CaptionPlace& place, const std::string& text);

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-/// The names of one picture, or of a sequence of them.
+/// The file name of one picture, or those of a sequence.
 class FrameNames {
 public:
     FrameNames(std::string before, int digits, std::string after)
@@ -20,5 +20,5 @@ private:
     std::string m_after;
 };
 
-/// "out.png", or with one %d, %04d or the like: "out_%04d.png".
+/// Parses "out.png", or a name with one %d, %04d or similar: "out_%04d.png".
 Result<FrameNames> parse_frame_names(const std::string& text);

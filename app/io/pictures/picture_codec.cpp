@@ -5,8 +5,8 @@
 #include <dlfcn.h>
 
 namespace {
-// By its name alone, so that the loader looks where the program's run path says: beside it in the
-// build, in the library folder once installed.
+// Loaded by its file name only. The loader then searches the program's run path: its own folder in
+// the build, the library folder when installed.
 Result<const PictureCodec*> load_module() {
     void* const module = ::dlopen(picture_codec_file, RTLD_LAZY | RTLD_LOCAL);
     void* const symbol = module ? ::dlsym(module, picture_codec_symbol) : nullptr;

@@ -12,8 +12,8 @@
 namespace fs = std::filesystem;
 
 namespace {
-// What can be told before a library sees the file. libpng would print a damaged PNG's mistakes on
-// stderr, so its header and check sums are looked at first.
+// Checks a file before a library reads it. libpng would print the errors of a damaged PNG to
+// stderr, so its header and checksums are checked first.
 Result<void> check_file(const fs::path& file) {
     const auto start = read_start(file, png_signature().size());
     if (!start)
@@ -33,7 +33,7 @@ Result<void> check_file(const fs::path& file) {
     return {};
 }
 
-// What was said without a file, of this one.
+// Sets the file of diagnostics without a file.
 Diagnostics about_file(Diagnostics diagnostics, const fs::path& file) {
     for (Diagnostic& diagnostic : diagnostics)
         diagnostic.file = file;

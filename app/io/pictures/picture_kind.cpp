@@ -9,7 +9,7 @@ using namespace std::string_view_literals;
 namespace {
 struct Kind {
     const char* name;
-    std::size_t at;  // of the mark, from the file's start
+    std::size_t at;  // offset of the signature in the file
     std::string_view mark;
 };
 
@@ -33,5 +33,5 @@ std::string picture_kind(std::string_view start, const std::filesystem::path& fi
             return kind.name;
     if (is_pnm(start))
         return "pnm";
-    return to_lower(file.extension().string()) == ".tga" ? "targa" : "";  // it has no mark
+    return to_lower(file.extension().string()) == ".tga" ? "targa" : "";  // TGA has no signature
 }

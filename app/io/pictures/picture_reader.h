@@ -6,16 +6,16 @@
 #include <cstdint>
 #include <optional>
 
-/// Pictures that follow each other, read one at a time; used by one thread at a time.
+/// Reads a sequence of pictures one at a time; not thread-safe.
 class PictureReader {
 public:
     virtual ~PictureReader() = default;
 
-    /// The picture with that number, from 0; nothing where there are only so many. Quickest for
-    /// each number after the one before it. An error is of this picture; the next may be good.
+    /// The picture with this number, from 0; nullopt after the last. Fastest for consecutive
+    /// numbers. An error concerns only this picture; the next may be good.
     virtual Result<std::optional<Picture>> read(std::int64_t number) = 0;
-    /// How many there are; nothing until that is known.
+    /// The number of pictures; nullopt while unknown.
     virtual std::optional<std::int64_t> count() const = 0;
-    /// Pictures a second, as the file says; 0: it does not say.
+    /// Pictures per second from the file; 0 if unknown.
     virtual double rate() const { return 0.0; }
 };

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 namespace {
 constexpr std::size_t most_digits = 9;
 
-// "frame_%04d.png": what stands before and after the number, and how many digits it has at least.
+// "frame_%04d.png": the text before and after the number, and the minimum number of digits.
 struct Name {
     std::string before;
     std::string after;
@@ -37,7 +37,7 @@ bool is_digit(char letter) {
     return letter >= '0' && letter <= '9';
 }
 
-// The number of a file; as printf writes it, so with zeros only up to the width.
+// The number in a file name as printf formats it: zeros only up to the width.
 std::optional<int> number_of(const std::string& file, const Name& name) {
     if (!file.starts_with(name.before) || !file.ends_with(name.after) ||
         file.size() <= name.before.size() + name.after.size())
@@ -87,7 +87,7 @@ public:
 private:
     fs::path m_name;
     std::map<int, fs::path> m_files;  // by number
-    Extent m_extent;                  // of the first that was read
+    Extent m_extent;                  // of the first picture read
 };
 }  // namespace
 

@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <memory>
 
-/// Whether a name stands for numbered pictures: it holds %d or %04d.
+/// Whether a name is a pattern for numbered pictures, with %d or %04d.
 bool is_sequence_name(const std::filesystem::path& name);
 
-/// The pictures of "frame_%04d.png" from the lowest number that is there to the highest. A number
-/// that is missing in between is a problem when it is asked for.
+/// The pictures of "frame_%04d.png" from the lowest existing number to the highest. Reading a
+/// missing number in between is an error.
 Result<std::unique_ptr<PictureReader>> open_sequence(const std::filesystem::path& name);

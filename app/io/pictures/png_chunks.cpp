@@ -8,7 +8,7 @@
 #include <zlib.h>
 
 namespace {
-// Length, type and check sum take four bytes each (PNG specification, 5.3).
+// Length, type and checksum have four bytes each (PNG specification, 5.3).
 constexpr std::size_t word_size = 4;
 
 std::uint32_t number_at(std::string_view bytes, std::size_t at) {
@@ -77,7 +77,7 @@ std::string fault_of_png(const std::vector<PngChunk>& chunks) {
     constexpr std::uint32_t most = 0x7fffffff;
     if (width < 1 || height < 1 || width > most || height > most)
         return fmt::format("the PNG is damaged: its size is {} x {} px", width, height);
-    // The bit depths that a colour type has.
+    // The valid bit depths of each colour type.
     const std::map<int, std::string_view> depths{{0, "\x01\x02\x04\x08\x10"},
                                                  {2, "\x08\x10"},
                                                  {3, "\x01\x02\x04\x08"},

@@ -10,7 +10,7 @@
 #include <png.h>
 
 namespace {
-/// What libpng's calls back find.
+/// The data of libpng's callbacks.
 struct PngTarget {
     std::string bytes;
     std::string error;
@@ -30,7 +30,7 @@ void flush_nothing(png_structp) {}
 
 void ignore_warning(png_structp, png_const_charp) {}
 
-// libpng leaves by a long jump, so nothing here has a destructor.
+// libpng reports errors with longjmp, so nothing here may have a destructor.
 bool write_png(png_structp png, png_infop info, Extent extent, int channels,
                const std::uint8_t* bytes) {
     if (setjmp(png_jmpbuf(png)))

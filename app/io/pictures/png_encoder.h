@@ -7,11 +7,11 @@
 #include <span>
 #include <string>
 
-/// The bytes of an 8-bit RGB PNG marked as sRGB, of display_bytes(), row 0 on top; made fast:
-/// deflate at its first level on differences to the pixel on the left. The same pixels give the
-/// same bytes; errors carry no file.
+/// The bytes of an 8-bit RGB PNG marked as sRGB, from display_bytes(), row 0 at the top. Optimised
+/// for speed: deflate level 1 on differences to the left pixel. The same pixels give the same
+/// bytes; errors have no file.
 Result<std::string> encode_png(Extent extent, std::span<const std::uint8_t> rgb);
 Result<std::string> encode_png(const Picture& picture);
 
-/// The same as RGBA, of display_bytes_with_alpha().
+/// As RGBA, from display_bytes_with_alpha().
 Result<std::string> encode_png_with_alpha(Extent extent, std::span<const std::uint8_t> rgba);

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 bool DeviceWatch::served(double seconds, Clock::time_point now) noexcept {
-    constexpr double most_ahead = 5.0;  // s; sound servers take two at once
-    constexpr double fastest = 1.5;     // no device's clock is that far off
+    constexpr double most_ahead = 5.0;  // s; sound servers request two at once
+    constexpr double fastest = 1.5;     // no device's clock is this fast
     const double passed = std::chrono::duration<double>(now - m_served.load()).count();
     m_ahead = std::max(0.0, m_ahead - fastest * passed) + seconds;
     m_served = now;

@@ -9,8 +9,8 @@
 namespace {
 void say_nothing(const char*, int, const char*, int, const char*, ...) {}
 
-// ALSA tells of each device that it does not find on stderr. It is in the process only where
-// RtAudio was built with it, so its function is looked for by name.
+// ALSA prints an error to stderr for each missing device. It is linked only if RtAudio was built
+// with it, so its function is looked up by name.
 void silence_alsa() {
     using SetHandler = int (*)(decltype(&say_nothing));
     if (void* const found = dlsym(RTLD_DEFAULT, "snd_lib_error_set_handler"))
@@ -66,7 +66,7 @@ OpenedOutput open_stereo_output(RtAudio& audio, const SoundSettings& settings,
     parameters.nChannels = 2;
     RtAudio::StreamOptions options;
     options.streamName = name;
-    options.numberOfBuffers = 4;  // a sound server left to itself holds seconds
+    options.numberOfBuffers = 4;  // with the default a sound server buffers seconds
     auto frames = static_cast<unsigned int>(settings.buffer);
     audio.openStream(&parameters, nullptr, RTAUDIO_FLOAT32, device.rate, &frames, fill, self,
                      &options, ignore_while_running);

@@ -10,43 +10,41 @@
 #include <string>
 #include <vector>
 
-/// What the sound library has for this machine, sound servers first: they share a device with other
+/// The usable APIs of RtAudio on this machine, sound servers first: they share a device with other
 /// programs.
 std::vector<RtAudio::Api> usable_sound_apis();
 
 enum class SoundDirection { out, in };
 
-/// A device, and the rate to open it with: its own where the settings name none.
+/// A device and the rate to open it with: its preferred rate if the settings have none.
 struct ChosenSoundDevice {
     unsigned int id = 0;
     RtAudio::DeviceInfo info;
-    unsigned int rate = 0;  // samples a second
+    unsigned int rate = 0;  // samples per second
 };
 
-/// The device that the settings name, or the default. Throws RtAudioError, also when there is none.
+/// The device named by the settings, or the default. Throws RtAudioError, also if it is not found.
 ChosenSoundDevice choose_sound_device(RtAudio& audio, const SoundSettings& settings,
                                       SoundDirection direction);
 
 struct OpenedOutput {
     std::string device;
-    unsigned int rate = 0;          // samples a second
-    double buffered_seconds = 0.0;  // that it may hold
+    unsigned int rate = 0;          // samples per second
+    double buffered_seconds = 0.0;  // latency of the buffers
 };
 
-/// Opens an output of 32-bit stereo, which is not started yet; `fill` gets `self` on the device's
-/// thread. `name` is what a sound server shows. Throws RtAudioError.
+/// Opens a 32-bit float stereo output without starting it. `fill` gets `self` on the device's
+/// thread. `name` is displayed by a sound server. Throws RtAudioError.
 OpenedOutput open_stereo_output(RtAudio& audio, const SoundSettings& settings,
                                 const std::string& name, RtAudioCallback fill, void* self);
 
-/// What a stream's function gives so that it is called no more.
+/// The return value of a stream callback that ends the stream.
 constexpr int end_of_stream = 2;
 
-/// For openStream: without it RtAudio throws in the device's thread. DeviceWatch sees a
-/// failure.
+/// For openStream: without it RtAudio throws on the device's thread. DeviceWatch detects failures.
 void ignore_while_running(RtAudioError::Type, const std::string&);
 
-/// Calls `open` for each usable API until it gives true. An error is its last reason for not doing
-/// so.
+/// Calls `open` for each usable API until it returns true. Otherwise the error has the last reason.
 Result<void> try_sound_apis(SoundDirection direction,
                             const std::function<bool(RtAudio::Api)>& open);
 

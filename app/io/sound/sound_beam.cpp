@@ -9,7 +9,7 @@
 namespace {
 using Clock = DeviceWatch::Clock;
 
-/// An open stream of an output device: 32-bit stereo.
+/// An open stream of an output device: 32-bit float stereo.
 class SoundBeam : public BeamOutput {
 public:
     explicit SoundBeam(RtAudio::Api api) : m_stream(api) { m_stream.showWarnings(false); }
@@ -44,7 +44,7 @@ private:
     std::string m_name;
     std::optional<BeamQueue> m_queue;
     DeviceWatch m_watch;
-    RtAudio m_stream;  // ends, and with it the thread, before what the thread uses
+    RtAudio m_stream;  // destroyed first, which ends the thread that uses the members above
 };
 }  // namespace
 

@@ -2,5 +2,5 @@
 
 #include "io/sound/sound_devices.h"
 
-/// The output device that the settings name, for a beam. An error says why it cannot be had.
+/// Opens the output device of the settings for a beam.
 Result<std::unique_ptr<BeamOutput>> open_sound_beam(const SoundSettings& settings);

@@ -9,7 +9,7 @@
 namespace {
 using Clock = DeviceWatch::Clock;
 
-/// An open stream of an input device: 32-bit.
+/// An open stream of an input device: 32-bit float.
 class Capture : public SoundCapture {
 public:
     explicit Capture(RtAudio::Api api) : m_stream(api) { m_stream.showWarnings(false); }
@@ -33,7 +33,7 @@ public:
         m_sound = std::make_shared<LiveSound>(static_cast<int>(rate), std::max(m_channels, 2));
         m_stream.openStream(nullptr, &parameters, RTAUDIO_FLOAT32, rate, &frames, take, this,
                             &options, ignore_while_running);
-        // A trigger looks a little ahead, and two traces take turns of 1/60 s.
+        // A trigger looks ahead a little, and two traces alternate every 1/60 s.
         constexpr double looked_ahead = 0.025;
         m_behind = looked_ahead + 2.0 * frames / rate;
         m_clock.buffer_filled({0.0, 1.0, 0}, Clock::now());
@@ -67,7 +67,7 @@ private:
     std::shared_ptr<LiveSound> m_sound;  // shared with the signals that draw it
     SoundClock m_clock;
     DeviceWatch m_watch;
-    RtAudio m_stream;  // ends, and with it the thread, before what the thread uses
+    RtAudio m_stream;  // destroyed first, which ends the thread that uses the members above
 };
 }  // namespace
 

@@ -2,6 +2,6 @@
 
 #include "io/sound/sound_devices.h"
 
-/// The input device that the settings name. An error says why it cannot be had.
+/// Opens the input device of the settings.
 Result<std::unique_ptr<SoundCapture>> open_sound_capture(const SoundSettings& settings,
                                                          int channels);

@@ -11,7 +11,7 @@ void SoundClock::buffer_filled(const SoundPlayer::Mixed& buffer, Time now) noexc
     ++m_version;
 }
 
-// Reads again when a buffer came in between, which is at most once in some milliseconds.
+// Retries if a buffer was filled in between, which happens at most once in some milliseconds.
 SoundClock::Snapshot SoundClock::latest() const {
     for (;;) {
         const std::uint64_t before = m_version;
@@ -29,7 +29,7 @@ void SoundClock::jumped(std::uint64_t jump, double seconds) {
 
 double SoundClock::heard_seconds(Time now, double latency_seconds) {
     constexpr double longest_gap =
-        0.1;  // a device that is later than this has nothing more to play
+        0.1;  // s; after a longer gap the device has nothing more to play
     const Snapshot snapshot = latest();
     if (snapshot.buffer.jump < m_jump_asked || snapshot.time == Time{})
         return m_heard;
@@ -53,8 +53,7 @@ void SoundClock::follow(double target, double speed, double passed) {
         const double expected = m_heard + passed * speed;
         next = expected + (target - expected) * std::min(passed / settle_seconds, 1.0);
     } else {
-        next =
-            std::min(target, m_heard + passed);  // what is already on its way is heard to its end
+        next = std::min(target, m_heard + passed);  // queued sound is heard to its end
     }
     m_heard = std::max(m_heard, next);
 }

@@ -8,7 +8,7 @@
 namespace {
 class MachineSoundDevices : public SoundDevices {
 public:
-    // Of the first API that has any, as that is where open_output() and open_capture() look first.
+    // From the first API that has devices, the order that open_output() and open_capture() use.
     std::vector<SoundDevice> list() override {
         std::vector<SoundDevice> devices;
         for (const RtAudio::Api api : usable_sound_apis()) {
@@ -21,7 +21,7 @@ public:
                                            info.inputChannels > 0, info.isDefaultOutput,
                                            info.isDefaultInput});
             } catch (const RtAudioError&) {
-                continue;  // a server that is not there has no devices
+                continue;  // the server isn't running
             }
             if (!devices.empty())
                 break;

@@ -37,7 +37,7 @@ Result<void> check(const std::filesystem::path& file, const SF_INFO& info) {
     return {};
 }
 
-// A float file may hold anything; far beyond full scale nothing can be heard or seen.
+// A float file may contain any value. Values far beyond full scale can't be heard or seen.
 float sane(float sample) {
     constexpr float most = 1000.0f;
     if (std::isnan(sample))
@@ -45,8 +45,8 @@ float sane(float sample) {
     return std::min(std::max(sample, -most), most);
 }
 
-// Block by block until nothing more comes: the length that a header claims is never believed.
-// `claimed` is only for telling how far it has come.
+// Reads block by block to the end, because the length in a header is not reliable. `claimed` is
+// only used for progress.
 Result<void> read_samples(const std::filesystem::path& file, SNDFILE* source, double claimed,
                           Sound& sound, Work* work) {
     std::array<float, 8192> block;
@@ -73,9 +73,9 @@ Result<void> read_samples(const std::filesystem::path& file, SNDFILE* source, do
         work->share = claimed > 0.0 ? std::min(done / claimed, 1.0) : 0.0;
     }
 }
-// The library cuts what a WAV or AIFF file announces to what is there, and tells only in its log:
-// "data : 320000 (should be 99956)". A header that was written before the length was known holds
-// none, or the largest number that fits.
+// libsndfile reduces the announced length of a WAV or AIFF file to the actual length. It reports
+// this only in its log: "data : 320000 (should be 99956)". A header that was written before the
+// length was known has no length, or the largest number.
 double announced_share(std::string_view log) {
     constexpr double unknown = 2147483647.0;
     for (const std::string_view line : split_lines(log)) {
@@ -93,7 +93,7 @@ double announced_share(std::string_view log) {
     return 1.0;
 }
 
-// What a file that breaks off holds of what it announces; nothing for one that is whole.
+// A warning with the announced and actual length of a truncated file; nullopt if complete.
 std::optional<Diagnostic> find_break(const std::filesystem::path& file, SNDFILE* source,
                                      sf_count_t announced, const Sound& sound) {
     std::array<char, 16384> text{};
@@ -104,7 +104,7 @@ std::optional<Diagnostic> find_break(const std::filesystem::path& file, SNDFILE*
         return Diagnostic{file, 0, std::move(message), Severity::warning};
     };
     constexpr double slack = 1.01;  // encoders pad
-    if (announced == SF_COUNT_MAX)  // of an OGG, which tells its length in its last page
+    if (announced == SF_COUNT_MAX)  // an OGG file, whose length is in its last page
         return note(fmt::format("the file ends early: only {:.2f} s were read", sound.seconds()));
     const double whole =
         std::max(static_cast<double>(announced), read * announced_share(log)) / sound.rate;
@@ -113,10 +113,11 @@ std::optional<Diagnostic> find_break(const std::filesystem::path& file, SNDFILE*
                                 sound.seconds(), whole));
     return std::nullopt;
 }
-// Where the data of a WAV begins whose header tells no length, as programs leave it that die while
-// they record: 0 in the header and sound, no further chunks, behind it. Nothing: no such file.
+// The data offset of a WAV without a length in its header, as left by programs that crash while
+// recording. Its data length is 0, and sound without further chunks follows. nullopt for other
+// files.
 std::optional<std::size_t> unfinished_data(std::string_view wav) {
-    constexpr std::size_t head = 8;  // of a chunk: its name and its length
+    constexpr std::size_t head = 8;  // of a chunk: its name and length
     if (!wav.starts_with("RIFF") || wav.substr(head, 4) != "WAVE")
         return std::nullopt;
     const auto length_at = [&](std::size_t at) {
@@ -147,7 +148,7 @@ std::string with_length(std::string wav, std::size_t data) {
     return wav;
 }
 
-// What such a WAV holds; nothing where the file is no such WAV or cannot be read.
+// The sound of such a WAV; nullopt for other files or on an error.
 std::optional<Sound> load_unfinished_wav(const std::filesystem::path& file, Work* work) {
     const auto bytes = read_bytes(file);
     const auto data = bytes ? unfinished_data(*bytes) : std::nullopt;
@@ -168,15 +169,15 @@ std::optional<Sound> load_unfinished_wav(const std::filesystem::path& file, Work
 }  // namespace
 
 Result<Sound> load_sound(const std::filesystem::path& file, Work* work, Diagnostics* notes) {
-    // Also says what is not there or no file; opening a pipe would wait forever.
+    // Also checks that it is a regular file; opening a pipe would block forever.
     const auto start = read_start(file, 1);
     if (!start)
         return fail(start.error());
     if (start->empty())
         return fail({file, 0, "the file is empty"});
 
-    // By its content alone: told a name, libsndfile takes any bytes called .mp3 for MPEG frames,
-    // and the decoder then complains on stderr.
+    // By content only: with a name, libsndfile takes any file called .mp3 for MPEG frames, and its
+    // decoder prints errors to stderr.
     const Descriptor descriptor(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
     SF_INFO info{};
     const SoundFile source(sf_open_fd(descriptor.get(), SFM_READ, &info, SF_FALSE));

@@ -6,12 +6,13 @@
 
 #include <filesystem>
 
-/// The longest sound that is read, and the most memory that its samples may take.
+/// The longest sound that is read, and the maximum number of its samples.
 inline constexpr int most_sound_seconds = 3600;
 inline constexpr std::size_t most_sound_samples = std::size_t{1} << 29;  // 2 GiB
 
-/// Decodes a WAV, FLAC, OGG or MP3 file (and what else libsndfile reads) as it is: no mixing, no
-/// other rate. Samples that are not finite become 0. At most 8 channels, 1 h and 2 GiB; of a file
-/// that breaks off, what is there, and a note that says how much. Fails when `work` is cancelled.
+/// Decodes a WAV, FLAC, OGG or MP3 file (and others that libsndfile reads) without mixing or
+/// resampling. Samples that are NaN become 0, others are clamped. At most 32 channels, 1 h and 2
+/// GiB. A truncated file is read as far as possible, with a note of its length. Fails when `work`
+/// is cancelled.
 Result<Sound> load_sound(const std::filesystem::path& file, Work* work = nullptr,
                          Diagnostics* notes = nullptr);

@@ -12,7 +12,7 @@
 namespace {
 using Clock = DeviceWatch::Clock;
 
-/// An open stream of an output device: 32-bit stereo.
+/// An open stream of an output device: 32-bit float stereo.
 class Output : public SoundOutput {
 public:
     explicit Output(RtAudio::Api api) : m_stream(api) { m_stream.showWarnings(false); }
@@ -63,7 +63,7 @@ private:
         return device.m_watch.served(frames / device.m_rate, now) ? 0 : end_of_stream;
     }
 
-    // From filling a buffer to hearing it: what the driver says, else what it may hold.
+    // From filling a buffer to hearing it: reported by the driver, otherwise the buffered time.
     double latency_seconds() {
         const long frames = m_stream.getStreamLatency();
         return frames > 0 ? static_cast<double>(frames) / m_rate : m_buffered_seconds;
@@ -75,7 +75,7 @@ private:
     std::optional<SoundPlayer> m_player;
     SoundClock m_clock;
     DeviceWatch m_watch;
-    RtAudio m_stream;  // ends, and with it the thread, before what the thread uses
+    RtAudio m_stream;  // destroyed first, which ends the thread that uses the members above
 };
 }  // namespace
 

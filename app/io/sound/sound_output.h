@@ -2,6 +2,5 @@
 
 #include "io/sound/sound_devices.h"
 
-/// The output device that the settings name, for a sound. An error says why it cannot be had;
-/// nothing is written to stderr.
+/// Opens the output device of the settings for a sound. Prints nothing to stderr.
 Result<std::unique_ptr<SoundOutput>> open_sound_output(const SoundSettings& settings);

@@ -4,14 +4,14 @@
 #include <cmath>
 
 namespace {
-// Also for what is not a number: the low end.
+// NaN becomes `low`.
 double bounded(double value, double low, double high) {
     return value >= low ? std::min(value, high) : low;
 }
 }  // namespace
 
 void SoundPlayer::play(std::shared_ptr<const Sound> sound, double start_seconds) {
-    m_track = nullptr;  // the old sound is not heard from its beginning
+    m_track = nullptr;  // the old sound must not restart
     seek(0.0);
     if (sound) {
         const double start = bounded(start_seconds, 0.0, sound->seconds()) * sound->rate;
@@ -22,8 +22,8 @@ void SoundPlayer::play(std::shared_ptr<const Sound> sound, double start_seconds)
     drop_unused_tracks();
 }
 
-// mix() says what it reads before it looks again whether that is still the track, so a track that
-// is neither is never touched again.
+// mix() publishes the track that it reads, then checks that it is still current. A track that is
+// neither current nor in use is therefore never read again.
 void SoundPlayer::drop_unused_tracks() {
     const Track* current = m_track;
     const Track* in_use = m_in_use;
@@ -97,7 +97,7 @@ void SoundPlayer::add_sound(const Track& track, const Pace& pace,
         const float* from = samples + below * channels;
         const float* to = is_last ? samples : from + channels;
         const auto part = static_cast<float>(place - static_cast<double>(below));
-        const float weight = is_last && !pace.loops ? 0.0f : part;  // after the end comes silence
+        const float weight = is_last && !pace.loops ? 0.0f : part;  // silence after the end
         stereo[i] = from[0] * (1.0f - part) + to[0] * weight;
         stereo[i + 1] = from[right] * (1.0f - part) + to[right] * weight;
         place += pace.step;

@@ -9,41 +9,41 @@
 #include <span>
 #include <vector>
 
-/// Plays one sound into buffers for a device: what a SoundOutput does, without the device. One
-/// thread controls it and one other calls mix(), which neither waits nor allocates nor frees.
+/// Plays one sound into a device's buffers: a SoundOutput without the device. One thread controls
+/// it and another calls mix(), which never waits, allocates or frees.
 class SoundPlayer {
 public:
     explicit SoundPlayer(int device_rate) : m_device_rate(device_rate) {}
 
-    /// The part from `start_seconds` on: its time 0, and where it loops to. Null is silence. The
-    /// sound has a rate and a channel.
+    /// Plays the part from `start_seconds`, which is time 0 and the start of the loop. Null is
+    /// silence. The sound has a rate and a channel.
     void play(std::shared_ptr<const Sound> sound, double start_seconds = 0.0);
     void set_paused(bool paused) { m_is_paused = paused; }
-    /// Goes on at this time of the sound; when it loops, also one beyond its end.
+    /// Continues at this time of the sound; with a loop also beyond its end.
     void seek(double seconds);
     void set_loop(bool loops) { m_loops = loops; }
     /// 0 .. 2; reached over the length of a buffer, so that nothing clicks.
     void set_level(double level);
-    /// 0.01 .. 4; the pitch follows.
+    /// 0.01 .. 4; changes the pitch too.
     void set_speed(double speed);
 
-    /// What a buffer holds.
+    /// The contents of a buffer.
     struct Mixed {
-        double begin_seconds = 0.0;       // in the sound; goes on counting from loop to loop
-        double seconds_per_second = 0.0;  // 0 paused or at the end, else the speed
-        std::uint64_t jump = 0;           // the last seek that it follows
+        double begin_seconds = 0.0;       // in the sound; counts on from loop to loop
+        double seconds_per_second = 0.0;  // 0 if paused or at the end, otherwise the speed
+        std::uint64_t jump = 0;           // the last seek before this buffer
     };
-    /// Fills in left and right in turn, within -1 .. 1; straight lines between the sound's own
-    /// samples, of which the first two channels are heard. For the device's thread.
+    /// Fills `stereo` with interleaved left and right samples within -1 .. 1. Interpolates linearly
+    /// between samples of the sound's first two channels. Call it on the device's thread.
     Mixed mix(std::span<float> stereo) noexcept;
 
-    /// The number of the last seek that was asked for; a new sound is one too.
+    /// The number of the last requested seek; a new sound counts as one.
     std::uint64_t jump() const { return m_jump; }
 
 private:
     struct Track {
         std::shared_ptr<const Sound> sound;  // shared with the signal that draws it
-        std::size_t first = 0;               // frame that it starts with
+        std::size_t first = 0;               // frame to start from
 
         std::size_t frame_count() const { return sound->frame_count() - first; }
         const float* samples() const {
@@ -52,7 +52,7 @@ private:
     };
 
     struct Pace {
-        double step = 1.0;  // samples of the sound a sample of the device
+        double step = 1.0;  // samples of the sound per sample of the device
         bool loops = false;
     };
 
@@ -73,7 +73,7 @@ private:
     std::atomic<double> m_seek_seconds = 0.0;
     std::atomic<std::uint64_t> m_jump = 0;
 
-    // Of the device's thread.
+    // Used only by the device's thread.
     std::uint64_t m_jump_followed = 0;
-    double m_position = 0.0;  // samples of the sound
+    double m_position = 0.0;  // in samples of the sound
 };

@@ -28,7 +28,7 @@ Result<void> save_sound(const Sound& sound, const std::filesystem::path& file) {
     SNDFILE* const target = sf_open_virtual(&memory, SFM_WRITE, &info, &bytes);
     if (!target)
         return fail({file, 0, fmt::format("can't write the sound: {}", sf_strerror(nullptr))});
-    // Without the chunk of peaks, which holds the time of writing.
+    // Without the peak chunk, which contains the time of writing.
     sf_command(target, SFC_SET_ADD_PEAK_CHUNK, nullptr, SF_FALSE);
     sf_command(target, SFC_SET_CLIPPING, nullptr, SF_TRUE);
     const auto frames = static_cast<sf_count_t>(sound.frame_count());

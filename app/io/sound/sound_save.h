@@ -5,6 +5,6 @@
 
 #include <filesystem>
 
-/// By extension: `.wav` of 32-bit floats, or `.flac` of 24 bits, where what is beyond -1..1 is cut
-/// off. The same samples give the same bytes; atomic.
+/// By extension: `.wav` with 32-bit floats, or `.flac` with 24 bits, clipped to -1..1. The same
+/// samples give the same bytes; the write is atomic.
 Result<void> save_sound(const Sound& sound, const std::filesystem::path& file);

@@ -13,13 +13,13 @@ namespace fs = std::filesystem;
 namespace {
 using Words = std::vector<std::string>;
 
-constexpr double most_gif_rate = 50.0;  // browsers take what is faster for a mistake
+constexpr double most_gif_rate = 50.0;  // browsers treat a higher rate as an error
 
 std::string ending_of(const fs::path& file) {
     return to_lower(file.extension().string());
 }
 
-// Of how many pictures one is kept.
+// The step between the pictures that are kept.
 int step_of(const fs::path& file, const FilmRate& rate) {
     if (ending_of(file) != ".gif")
         return 1;
@@ -30,7 +30,7 @@ void add_words(Words& words, const Words& more) {
     words.insert(words.end(), more.begin(), more.end());
 }
 
-// H.264 with a quarter of the colours has even sides: the last row and column are there twice.
+// H.264 with 4:2:0 needs even sides: the last row and column are repeated.
 std::string evened(Extent extent) {
     const int right = extent.width % 2;
     const int below = extent.height % 2;
@@ -41,7 +41,7 @@ std::string evened(Extent extent) {
 }
 
 Words picture_words(const std::string& ending, Extent extent) {
-    if (ending == ".gif")  // a palette a picture: none has to wait for the last
+    if (ending == ".gif")  // one palette per picture, so none waits for the last picture
         return {"-vf",
                 "split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1:dither="
                 "bayer:bayer_scale=3",
@@ -70,8 +70,8 @@ Words picture_words(const std::string& ending, Extent extent) {
 Words sound_words(const std::string& ending) {
     if (ending == ".mp4")
         return {"-c:a", "aac", "-b:a", "256k"};
-    // Opus begins before the sound does. WebM has a word for that; with times below 0 beside it
-    // ffmpeg 5 shows the pictures as much too late.
+    // Opus starts before the sound, for which WebM has a field. With additional negative
+    // timestamps, ffmpeg 5 shows the pictures too late by that time.
     return {"-c:a", "libopus", "-b:a", "256k", "-bsf:a", "setts=pts=PTS-STARTPTS:dts=DTS-STARTDTS"};
 }
 
@@ -102,7 +102,7 @@ Words command_of(const std::string& ending, const FilmFormat& format, int step) 
     if (has_sound)
         add_words(words, sound_words(ending));
     add_words(words, picture_words(ending, format.extent));
-    // Already open: nothing comes to be where the film was cancelled meanwhile.
+    // Already open, so a cancelled film never creates a file.
     words.push_back(fmt::format("file:/dev/fd/{}", ChildProcess::given_output));
     return words;
 }
@@ -142,7 +142,7 @@ FilmFile::FilmFile(fs::path file, FilmFormat format, AtomicFile target, ChildPro
 
 FilmFile::~FilmFile() {
     m_process.end_input(0);
-    m_process.end();  // then nobody reads the sound
+    m_process.end();  // then feed_sound() fails and returns
     if (m_sound.joinable())
         m_sound.join();
 }
@@ -157,7 +157,7 @@ void FilmFile::feed_sound() {
         const std::string_view bytes(reinterpret_cast<const char*>(samples.data()),
                                      samples.size() * sizeof(float));
         if (!m_process.feed(1, bytes))
-            break;  // ffmpeg has ended: the pictures' side tells why
+            break;  // ffmpeg has ended: add() or finish() reports the reason
     }
     m_process.end_input(1);
 }
@@ -184,7 +184,8 @@ Result<void> FilmFile::finish() {
     if (m_sound.joinable())
         m_sound.join();
     const bool is_good = m_process.finish();
-    if (!is_good || !m_process.complaint().empty())  // on a full disk it complains and is satisfied
+    if (!is_good || !m_process.complaint().empty())  // on a full disk ffmpeg prints an error but
+                                                     // succeeds
         return failed();
     return m_target.finish();
 }

@@ -15,11 +15,11 @@
 #include <thread>
 #include <vector>
 
-/// The sound of a film, in stereo; it begins with the first picture.
+/// The stereo sound of a film; it starts with the first picture.
 struct FilmSound {
-    int rate = 0;            // samples a second; 0: there is no sound
-    std::int64_t count = 0;  // samples of each channel
-    /// The samples first, first + 1, ...: left and right in turn. On a thread of its own.
+    int rate = 0;            // samples per second; 0: no sound
+    std::int64_t count = 0;  // samples per channel
+    /// Reads interleaved left and right samples from index `first`. Called on its own thread.
     std::function<void(std::int64_t first, std::span<float> samples)> read = {};
 };
 
@@ -29,15 +29,15 @@ struct FilmFormat {
     FilmSound sound = {};
 };
 
-/// Whether a file's name says that it is a film that can be written: .mp4, .webm or .gif.
+/// Whether the extension is a film format that can be written: .mp4, .webm or .gif.
 bool is_film_name(const std::filesystem::path& file);
 
-/// A film that is being written by the program ffmpeg: .mp4 (H.264, AAC), .webm (VP9, Opus) or .gif
-/// (no sound, at most 50 pictures a second: every second one, or fewer, of more). Its colours are
-/// those of BT.709. Whole at the end, or not there at all.
+/// A film that is written by ffmpeg: .mp4 (H.264, AAC), .webm (VP9, Opus) or .gif. A GIF has no
+/// sound and at most 50 pictures per second; at higher rates only every second (or third, ...) is
+/// kept. BT.709 colours. The file appears only when complete.
 class FilmFile {
 public:
-    /// Fails where the file cannot be written, and where ffmpeg is missing.
+    /// Fails if the file can't be written or ffmpeg is missing.
     static Result<std::unique_ptr<FilmFile>> create(const std::filesystem::path& file,
                                                     FilmFormat format);
     ~FilmFile();
@@ -45,7 +45,7 @@ public:
     FilmFile& operator=(const FilmFile&) = delete;
 
     const Extent& extent() const { return m_format.extent; }
-    /// The next picture: display_bytes(); waits while ffmpeg is busy.
+    /// Adds the next picture, from display_bytes(); waits while ffmpeg is busy.
     Result<void> add(std::span<const std::uint8_t> rgb);
     Result<void> finish();
 
@@ -59,6 +59,6 @@ private:
     FilmFormat m_format;
     AtomicFile m_target;
     ChildProcess m_process;
-    std::int64_t m_count = 0;  // pictures that were added
+    std::int64_t m_count = 0;  // number of pictures added
     std::thread m_sound;
 };

@@ -6,13 +6,13 @@
 #include <utility>
 
 namespace {
-// More would only wait: a frame is drawn on all cores, and libraries have threads of their own.
+// More would only wait: drawing uses all cores, and libraries have their own threads.
 unsigned encoder_count() {
     constexpr unsigned most = FramePipeline::most_frames - 2;  // one is drawn, one is next
     return std::clamp(std::thread::hardware_concurrency(), 1u, most);
 }
 
-// Drawing goes first: it has stretches on one thread, which encoding then fills.
+// Gives drawing priority: it has single-threaded stretches, which encoding then fills.
 void step_back() {
     constexpr int behind = 5;
     const auto self = static_cast<id_t>(::gettid());
@@ -88,7 +88,7 @@ void FramePipeline::make(Slot& slot, Lock& lock) {
     slot.state = Slot::State::made;
 }
 
-// Whoever has made the frame that is next delivers it, and those behind it that wait.
+// The thread that made the next frame delivers it, and the made frames after it.
 void FramePipeline::deliver_made(Lock& lock) {
     if (m_is_delivering)
         return;
@@ -102,7 +102,7 @@ void FramePipeline::deliver_made(Lock& lock) {
         lock.lock();
         if (!done) {
             note_error(slot->turn, std::move(done.error()));
-            free(*slot);  // m_delivered stays: none behind it will be delivered
+            free(*slot);  // m_delivered is unchanged, so no later frame is delivered
             break;
         }
         ++m_delivered;

@@ -13,8 +13,8 @@
 #include <thread>
 #include <vector>
 
-/// Pictures on their way to files: while one thread draws, others encode. Never more than
-/// most_frames are in memory; who draws waits until one is done with.
+/// Encodes pictures on several threads while one thread draws. At most most_frames are in memory;
+/// the drawing thread waits for a free one.
 class FramePipeline {
 public:
     static constexpr int most_frames = 6;
@@ -23,34 +23,34 @@ public:
         std::int64_t number = 0;
         RawPicture picture;
     };
-    /// What is made of a frame.
+    /// The result of encoding a frame.
     struct Made {
         std::string bytes;
         std::vector<Light> cells;
     };
     struct Stages {
-        /// On several threads at once.
+        /// Runs on several threads in parallel.
         std::function<Result<Made>(const Frame& frame)> make;
-        /// One after the other, in the order of push(); on any of the threads.
+        /// Runs one at a time in the order of push(), on any of the threads.
         std::function<Result<void>(std::int64_t number, Made made)> deliver;
-        /// Drawing goes first: pays where much is to be made of a frame.
+        /// Encode at a lower priority than drawing; useful if encoding is expensive.
         bool steps_back = false;
     };
 
     explicit FramePipeline(Stages stages);
-    /// What is not begun is dropped.
+    /// Drops frames that are not started.
     ~FramePipeline();
     FramePipeline(const FramePipeline&) = delete;
     FramePipeline& operator=(const FramePipeline&) = delete;
 
-    /// A frame to be filled, which has the memory of an earlier one; waits for it. Null where
-    /// something has failed: finish() says what.
+    /// A frame to fill, with the memory of an earlier one; waits for it. Null after an error, which
+    /// finish() returns.
     Frame* next();
-    /// The frame that next() gave goes on its way.
+    /// Queues the frame from next() for encoding.
     void push(Frame* frame);
-    /// Waits until all is delivered; else says what is wrong with the first frame that failed.
+    /// Waits until all frames are delivered; otherwise returns the error of the first failed frame.
     Result<void> finish();
-    /// Drops what is not begun, and waits for the rest.
+    /// Drops frames that are not started, and waits for the others.
     void cancel();
 
 private:
@@ -76,11 +76,11 @@ private:
     std::mutex m_mutex;
     std::condition_variable m_changed;
     std::vector<Slot> m_slots;
-    std::uint64_t m_pushed = 0;     // turns given out
-    std::uint64_t m_delivered = 0;  // the turn that is next
+    std::uint64_t m_pushed = 0;     // number of frames pushed
+    std::uint64_t m_delivered = 0;  // the next turn
     bool m_is_delivering = false;
     bool m_is_ending = false;
-    bool m_is_dropping = false;  // nothing is begun any more
+    bool m_is_dropping = false;  // no further frame is started
     std::uint64_t m_failed_turn = 0;
     std::optional<Diagnostics> m_error;
     std::vector<std::thread> m_threads;

@@ -16,19 +16,19 @@ namespace fs = std::filesystem;
 namespace {
 constexpr int largest_frame_side = 8192;
 
-// FFmpeg's names of what is_video_file() lists. A playlist under such a name would open other files
-// (hls, concat, dash, imf), and so would an image sequence.
+// FFmpeg's names of the formats in is_video_file(). A playlist with such a name would open other
+// files (hls, concat, dash, imf), and so would an image sequence.
 constexpr const char* read_formats =
     "mov,matroska,avi,mpeg,mpegvideo,mpegts,m4v,ogg,gif,yuv4mpegpipe";
 
 struct Facts {
-    Extent extent;     // upright
-    std::string rate;  // pictures a second, "30000/1001"
+    Extent extent;     // after rotation
+    std::string rate;  // pictures per second, "30000/1001"
     double rate_number = 0.0;
-    bool is_deep = false;  // more than 8 bits a channel
+    bool is_deep = false;  // more than 8 bits per channel
 };
 
-// The file, whatever its name begins with.
+// Marks a path as a file, even if its name starts like a protocol.
 std::string as_input(const fs::path& file) {
     return "file:" + file.string();
 }
@@ -55,8 +55,8 @@ double ratio(const std::string& text) {
     return above && below && *below > 0.0 ? *above / *below : 0.0;
 }
 
-// The first is the finest that all times are a multiple of; where pictures come at uneven times
-// that can be thousands a second.
+// `finest` is the lowest rate that all timestamps are a multiple of. With irregular timestamps it
+// can be thousands per second.
 std::string rate_of(const std::string& finest, const std::string& mean) {
     constexpr double as_good_as_even = 0.01;
     const double difference = ratio(finest) - ratio(mean);
@@ -178,7 +178,7 @@ private:
         return {};
     }
 
-    // A video that breaks off is shown as far as it goes; what is wrong is told once.
+    // A truncated video is read as far as possible; its error is reported once.
     Result<std::optional<Picture>> at_end() {
         m_count = m_next;
         const bool is_good = m_process->finish();
@@ -215,8 +215,8 @@ private:
     fs::path m_file;
     Facts m_facts;
     std::optional<ChildProcess> m_process;
-    std::int64_t m_next = 0;  // number of the picture that the process gives next
-    std::string m_bytes;      // of the latest
+    std::int64_t m_next = 0;  // number of the next picture from the process
+    std::string m_bytes;      // of the latest picture
     std::optional<std::int64_t> m_count;
 };
 }  // namespace

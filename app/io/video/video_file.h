@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <memory>
 
-/// Whether a file's name says that it is a video.
+/// Whether the extension is that of a video.
 bool is_video_file(const std::filesystem::path& file);
 
-/// The pictures of a video at its constant rate, display-encoded RGB, read by the programs ffprobe
-/// and ffmpeg in the order of time; going back begins anew. Only the file itself is read, no other
-/// that it names.
+/// The pictures of a video at a constant rate, display-encoded RGB, read by ffprobe and ffmpeg in
+/// order of time. Reading backwards restarts from the beginning. Only the file itself is read, not
+/// files that it refers to.
 Result<std::unique_ptr<PictureReader>> open_video(const std::filesystem::path& file);

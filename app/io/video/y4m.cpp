@@ -5,8 +5,8 @@
 #include <cassert>
 
 namespace {
-// BT.709, items 3.2 to 3.4, in ten thousandths: Y = 0.2126 R + 0.7152 G + 0.0722 B,
-// Cb = (B - Y) / 1.8556, Cr = (R - Y) / 1.5748; item 3.5 gives black, white and grey their numbers.
+// BT.709, items 3.2 to 3.4, in units of 1/10000: Y = 0.2126 R + 0.7152 G + 0.0722 B, Cb = (B - Y) /
+// 1.8556, Cr = (R - Y) / 1.5748. Item 3.5 gives the codes of black, white and grey.
 constexpr int red = 2126;
 constexpr int green = 7152;
 constexpr int blue = 722;
@@ -19,7 +19,7 @@ constexpr int grey = 128;
 constexpr int blue_span = 2 * (whole - blue);
 constexpr int red_span = 2 * (whole - red);
 
-// `offset` + numerator / denominator, to the nearest; never below 0.
+// `offset` + numerator / denominator, rounded; never negative.
 template <int Denominator, int Offset>
 std::uint8_t rounded(int numerator) {
     return static_cast<std::uint8_t>(
