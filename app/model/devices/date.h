@@ -1,6 +1,6 @@
 #pragma once
 
-/// A day and the time in it.
+/// A date and the time of day.
 struct Date {
     int year = 2000;
     int month = 1;         // from 1
@@ -10,9 +10,8 @@ struct Date {
     bool operator==(const Date&) const = default;
 };
 
-/// The date of time 0 wherever a file is drawn, so that it can be drawn again: 2000-01-01,
-/// midnight.
+/// The date of time 0 for renders to files, so that they are reproducible: 2000-01-01, midnight.
 constexpr Date date_of_renders{};
 
-/// So many seconds later.
+/// The date `seconds` later.
 Date date_after(const Date& date, double seconds);

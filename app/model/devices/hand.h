@@ -3,38 +3,38 @@
 #include <array>
 #include <bitset>
 
-/// The left button over a picture; places in pixels from its bottom left.
+/// The left button over a picture; positions in pixels from its bottom left.
 struct Press {
-    std::array<double, 2> last{};   // where the pointer was last while it was held
-    std::array<double, 2> first{};  // where it went down
+    std::array<double, 2> last{};   // last position while held
+    std::array<double, 2> first{};  // position of the press
     bool is_down = false;
-    bool is_new = false;  // went down since the frame before
+    bool is_new = false;  // pressed since the previous frame
 
     bool operator==(const Press&) const = default;
-    /// As Shadertoy tells it: `last`, then `first`, whose x is positive while the button is down
-    /// and whose y only in the first frame of that; otherwise they are negative.
+    /// As Shadertoy's iMouse: `last`, then `first`. The x of `first` is positive while the button
+    /// is down, and its y only in the first frame; otherwise they are negative.
     std::array<double, 4> numbers() const;
 };
 
-/// The keys of a keyboard, by the numbers that browsers give them ('A' is 65, the left arrow 37).
+/// The keyboard by the key codes of browsers ('A' is 65, the left arrow 37).
 struct Keys {
     static constexpr std::size_t count = 256;
     using Flags = std::bitset<count>;
 
     Flags down;
-    Flags pressed;  // went down since the frame before
-    Flags toggled;  // were pressed an odd number of times
+    Flags pressed;  // pressed since the previous frame
+    Flags toggled;  // pressed an odd number of times
 
     bool operator==(const Keys&) const = default;
 };
 
-/// What a person's hand does to the picture of a look.
+/// Mouse and keyboard input of a look.
 class Hand {
 public:
     void move(const std::array<double, 2>& place);
     void set_button(bool is_down);
     void set_key(std::size_t key, bool is_down);
-    /// A frame has seen it: nothing is new any more.
+    /// Call after a frame is drawn: resets the new presses.
     void note_drawn();
 
     const std::array<double, 2>& place() const { return m_place; }

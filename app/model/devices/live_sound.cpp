@@ -26,7 +26,7 @@ void LiveSound::read(std::int64_t first, std::span<float> samples) const {
     const auto kept = static_cast<std::size_t>(m_channels);
     const auto frames = static_cast<std::int64_t>(m_samples.size() / kept);
     const std::int64_t end = frame_count();
-    // The oldest second may be written over meanwhile.
+    // The oldest second may be overwritten during the call.
     const std::int64_t begin = end - frames + m_rate;
     for (std::size_t i = 0; i + kept <= samples.size(); i += kept, ++first) {
         const bool is_there = first >= 0 && first >= begin && first < end;

@@ -5,21 +5,21 @@
 #include <span>
 #include <vector>
 
-/// The last seconds of a sound that is coming in. One thread writes and others read; nobody waits.
+/// The last 16 seconds of a live sound. One thread writes and others read, without waiting.
 class LiveSound {
 public:
     explicit LiveSound(int rate, int channels = 2);
 
     int rate() const { return m_rate; }
     int channels() const { return m_channels; }
-    /// Sample frames that have come in so far.
+    /// Sample frames received so far.
     std::int64_t frame_count() const { return m_count.load(std::memory_order_acquire); }
     double seconds() const { return static_cast<double>(frame_count()) / m_rate; }
 
-    /// Interleaved; where more channels are kept than come in, the last one is in all the others.
+    /// Interleaved samples; additional stored channels repeat the last channel.
     void write(std::span<const float> samples, int channels) noexcept;
-    /// All channels in turn of the frames first, first + 1, ...; silence where they are forgotten
-    /// or yet to come.
+    /// Interleaved samples of all channels, starting at frame `first`. Silence for frames that are
+    /// overwritten or not yet received.
     void read(std::int64_t first, std::span<float> samples) const;
 
 private:
@@ -27,6 +27,6 @@ private:
 
     int m_rate;
     int m_channels;
-    std::vector<std::atomic<float>> m_samples;  // all channels in turn, by frame number
+    std::vector<std::atomic<float>> m_samples;  // interleaved, by frame number
     std::atomic<std::int64_t> m_count = 0;
 };

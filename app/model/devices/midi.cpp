@@ -6,7 +6,7 @@
 
 namespace {
 constexpr int lower_half =
-    32;  // controllers 0 .. 31 have theirs so much higher (MIDI 1.0, table 3)
+    32;  // offset of the lower 7 bits of controllers 0 .. 31 (MIDI 1.0, table 3)
 }
 
 std::optional<MidiTurn> parse_midi(std::span<const std::uint8_t> bytes) {

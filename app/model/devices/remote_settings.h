@@ -4,16 +4,16 @@
 
 #include <vector>
 
-/// What other programs and devices may turn; the user's settings, in no preset.
+/// Settings for control by other programs and devices. User settings, not part of presets.
 struct RemoteSettings {
     bool listens_to_osc = false;
     int osc_port = 9000;
     bool listens_to_midi = false;
-    bool picks_up = true;  // a knob turns nothing before it has come by its value
+    bool picks_up = true;  // soft takeover: a knob must first pass the current value
     std::vector<MidiBinding> midi = {};
 
     bool operator==(const RemoteSettings&) const = default;
-    /// A goal has one controller: the former one is let go.
+    /// A goal has one controller: replaces the previous binding.
     void bind(const MidiBinding& binding);
     void unbind(const MidiGoal& goal);
 };

@@ -5,7 +5,7 @@
 
 /// Decoded sound in memory: floats, nominally -1..1, interleaved channels.
 struct Sound {
-    int rate = 0;  // sample frames a second
+    int rate = 0;  // sample frames per second
     int channels = 0;
     std::vector<float> samples;
 

@@ -6,51 +6,51 @@
 #include <string>
 #include <vector>
 
-/// What the program itself says in a uniform of a pass. Sizes are in pixels.
+/// A value that the program writes to a uniform of a pass. Sizes are in pixels.
 enum class BuiltIn {
-    time,          // of the frame's end, s
+    time,          // at the frame's end, s
     time_delta,    // s
     frame,         // from 1, after the pass's modulo
     samples,       // accumulated so far
     target_size,   // of the pass
     output_size,   // of the whole picture
-    source_size,   // of what the look reads as the source
+    source_size,   // of the picture that the look reads as the source
     source_lines,  // start, pitch, count: see RasterAxis
     source_columns,
     mouse,          // from the bottom left of the picture
-    view,           // orbit: the object's turn, a matrix
-    camera,         // orbit: the camera's
+    view,           // orbit: the object's rotation, a matrix
+    camera,         // orbit: the camera's matrix
     drawn_onto,     // whether passes draw onto its target, or onto one that it reads
     frame_before,   // from 0, after the pass's modulo
-    microseconds,   // since the frame before
-    source_aspect,  // width to height, as it is to be seen
-    time_before,    // of the frame's start, s: 0 in the first one
-    delta_before,   // since the frame before, s: 0 in the first one
+    microseconds,   // since the previous frame
+    source_aspect,  // width / height as displayed
+    time_before,    // at the frame's start, s: 0 in the first frame
+    delta_before,   // since the previous frame, s: 0 in the first frame
     date,           // year, month from 1, day, seconds since midnight
-    date_from_0,    // the same, its month from 0
-    quad_to_clip,   // the matrix that draws the quad over the whole target, a picture's top on top
-    frame_rate,     // frames a second, by time_delta
+    date_from_0,    // as date, but month from 0
+    quad_to_clip,   // matrix that maps the quad to the whole target, a picture's top at the top
+    frame_rate,     // frames per second, from time_delta
     press,          // of the mouse: see Press::numbers
-    // width, height, and 1 for the shape of a pixel:
+    // width, height, and 1 for the pixel aspect ratio:
     target_resolution,
-    input_resolution,  // of what `of` reads
+    input_resolution,  // of the input `of`
     // width, height, 1/width, 1/height:
     target_extent,
     output_extent,
-    input_extent,  // of what `of` reads
+    input_extent,  // of the input `of`
 };
 
-/// A uniform that no person turns, and what it says.
+/// A uniform that the program sets, not the user, and its value.
 struct BuiltInUniform {
     std::string name;
     BuiltIn says = BuiltIn::time;
-    std::optional<Input> of = std::nullopt;  // of input_extent and input_resolution
+    std::optional<Input> of = std::nullopt;  // for input_extent and input_resolution
 
     bool operator==(const BuiltInUniform&) const = default;
 };
 
-/// Those that a look of Afterglow's own has: `u_time` and so on.
+/// The uniforms of Afterglow's own looks: `u_time` and so on.
 const std::vector<BuiltInUniform>& own_built_ins();
 
-/// Whether it says something else in the next frame.
+/// Whether the value changes from frame to frame.
 bool tells_time(BuiltIn says);

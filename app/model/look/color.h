@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-/// IEC 61966-2-1 (sRGB): a linear component 0..1 to its display-encoded value, and back.
+/// IEC 61966-2-1 (sRGB): display-encodes a linear component 0..1, and back.
 inline double srgb_encode(double linear) {
     if (linear <= 0.0031308)
         return 12.92 * linear;

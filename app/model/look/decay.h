@@ -6,24 +6,25 @@
 #include <string>
 #include <string_view>
 
-// A light that fades by the same factor every sixtieth of a second: left after t seconds is
-// factor^(60 t). Half is left after h seconds where factor = 2^(-1 / (60 h)).
+// Light that decays by a constant factor per 1/60 s: after t seconds factor^(60 t) is left. The
+// half-life is h seconds if factor = 2^(-1 / (60 h)).
 
-/// Whether a parameter is such a factor: a number up to 1 with the unit "per 1/60 s".
+/// Whether a parameter is such a factor: a number of at most 1 with the unit "per 1/60 s".
 bool is_decay(const Parameter& parameter);
 
-/// Seconds until `share` of the light is left; 0 for a factor of 0 or less, infinite from 1 on.
+/// Seconds until `share` of the light is left; 0 for a factor of at most 0, infinite for at least
+/// 1.
 double seconds_to(double share, double factor);
 inline double half_life(double factor) {
     return seconds_to(0.5, factor);
 }
 
-/// The factor with which `share` (0..1, both left out) is left after `seconds` (above 0).
+/// The factor for which `share` (0..1, exclusive) is left after `seconds` (above 0).
 double factor_leaving(double share, double seconds);
 
-/// Reads "120 ms" and "0.5 s", a half-life, and "10% 0.4 s", what is left and when; a comma may
-/// stand for the point. None where the text says no such thing.
+/// Parses a half-life ("120 ms", "0.5 s") or a remaining share and its time ("10% 0.4 s"). Accepts
+/// a decimal comma. nullopt for other text.
 std::optional<double> parse_decay(std::string_view text);
 
-/// "139 ms", "1.4 s": three digits or fewer; "forever" where it is infinite.
+/// "139 ms", "1.4 s": at most three digits; "forever" if infinite.
 std::string duration_text(double seconds);

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-/// The texel of a target.
+/// The texel format of a target.
 enum class Format {
     r8,
     rg8,
@@ -39,25 +39,24 @@ enum class Format {
     rgba32i,
 };
 
-/// The numbers that samplers read in a target and that stages write into it: fractions and light,
-/// whole ones from 0, or whole ones of either sign.
+/// The type that samplers read and shaders write: float, unsigned integer or signed integer.
 enum class SampleKind { floating, natural, integer };
 
 struct FormatFacts {
     Format format = Format::rgba16f;
-    std::string_view name;  // in look.json
+    std::string_view name;  // name in look.json
     int channels = 4;
-    int bytes = 8;  // a texel
+    int bytes = 8;  // per texel
     bool is_float = true;
     bool is_integer = false;
-    bool is_signed = false;  // of an integer one
+    bool is_signed = false;  // for integer formats
 };
 
 const std::vector<FormatFacts>& all_formats();
 const FormatFacts& facts_of(Format format);
 SampleKind sample_kind_of(Format format);
-/// The same numbers, but red alone; none for what has no such form.
+/// The same type with a red channel only; nullopt if there isn't one.
 std::optional<Format> one_channel_of(Format format);
-/// The same channels in floats of 16 bits; none for what has no floats of 32.
+/// The same channels as 16-bit floats; nullopt if the format isn't a 32-bit float format.
 std::optional<Format> half_floats_of(Format format);
 std::optional<Format> parse_format(std::string_view name);

@@ -4,12 +4,12 @@
 #include <utility>
 #include <vector>
 
-/// Folders outside of a look that its shaders may include files from.
+/// Folders outside a look that its shaders may include files from.
 struct IncludeFolders {
-    std::filesystem::path shared;              // the program's shaders/include; "": none
-    std::vector<std::filesystem::path> named;  // by --include or the settings, searched last
+    std::filesystem::path shared;              // the program's shaders/include; "": not available
+    std::vector<std::filesystem::path> named;  // from --include or the settings; searched last
 
-    // Implicit: most callers have the program's folder alone.
+    // Implicit: most callers only have the program's folder.
     IncludeFolders(std::filesystem::path shared_folder = {},
                    std::vector<std::filesystem::path> named_folders = {})
         : shared(std::move(shared_folder)), named(std::move(named_folders)) {}

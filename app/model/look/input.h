@@ -8,28 +8,29 @@
 enum class Filter { nearest, linear };
 enum class Wrap { edge, border, repeat, mirror };
 
-/// How a texture is read by one input of one pass.
+/// The sampling of a texture by one input of one pass.
 struct Sampler {
     Filter filter = Filter::linear;
     Wrap wrap = Wrap::edge;
     bool mipmap = false;
-    std::optional<Filter> between_levels = std::nullopt;  // of a mipmap; none: as `filter`
+    std::optional<Filter> between_levels = std::nullopt;  // between mip levels; nullopt: as
+                                                          // `filter`
 
     bool operator==(const Sampler&) const = default;
 };
 
-/// A sampler uniform of a pass and what it reads.
+/// A sampler uniform of a pass and the texture that it reads.
 struct Input {
     enum class From { pass, source, image, keyboard, sound };
 
     std::string uniform;
     From from = From::pass;
-    std::string name;    // of the pass or image, or of the parameter that chooses one
+    std::string name;    // of the pass or image, or of the parameter that selects one
     int frames_ago = 0;  // pass and source only
     Sampler sampler;
     SoundTexture sound = {};  // sound only
 
     bool operator==(const Input&) const = default;
-    /// "persistence@1", "source", "noise": as look.json says it.
+    /// As in look.json: "persistence@1", "source", "noise".
     std::string reference() const;
 };

@@ -106,7 +106,7 @@ Values changed_values(const Look& look, const Values& values) {
 
 std::vector<std::string> orphans(const Look& look, const Values& values) {
     std::vector<std::string> names;
-    // Mostly there is none, which is soon said also of a thousand values.
+    // Fast path: usually there are none, even among a thousand values.
     const auto known = std::ranges::count_if(look.parameters, [&](const Parameter& parameter) {
         return values.contains(parameter.name);
     });
@@ -123,7 +123,7 @@ Values renamed_values(const Look& look, Values values) {
 }
 
 namespace {
-// With numbers as older programs wrote them, so that their digests still fit.
+// Formats numbers like earlier versions, so that their digests still match.
 std::string digest_text(const Value& value) {
     if (value.numbers.empty())
         return value.path;
@@ -157,7 +157,7 @@ std::string letters_of(const std::string& line) {
     return letters;
 }
 
-// Of older programs: over all lines at once, but for those left out.
+// The digest of earlier versions: of all lines together, except `one` and `other`.
 std::string digest_without(const std::vector<std::string>& lines, std::size_t one,
                            std::size_t other) {
     std::string text;
@@ -169,7 +169,7 @@ std::string digest_without(const std::vector<std::string>& lines, std::size_t on
 }
 
 bool covers_old_digest(const std::vector<std::string>& lines, std::string_view digest) {
-    constexpr std::size_t most = 200;  // parameters, of which pairs are tried
+    constexpr std::size_t most = 200;  // limit for trying pairs of parameters
     const std::size_t none = lines.size();
     if (digest_without(lines, none, none) == digest)
         return true;

@@ -30,7 +30,7 @@ glm::dquat camera_turn(const Orbit& orbit) {
            glm::angleAxis(-glm::radians(orbit.elevation_degrees), to_the_right);
 }
 
-// Neat in a preset, and finer than a hand can drag.
+// Short in a preset, and finer than a mouse drag.
 double rounded_degrees(double degrees) {
     return std::round(degrees * 100.0) / 100.0;
 }
@@ -167,7 +167,7 @@ Value value_from(const Orbit& orbit, OrbitPart part) {
     return orbit.distance;
 }
 
-// "caffeine/" of "caffeine/orbit_turn": what the parts of one orbit in a stack have in common.
+// The common prefix of an orbit's parameters in a stack: "caffeine/" of "caffeine/orbit_turn".
 std::string owner_of(const Parameter& parameter) {
     return parameter.name.substr(0, parameter.name.rfind('/') + 1);
 }

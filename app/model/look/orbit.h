@@ -6,40 +6,40 @@
 #include <functional>
 #include <vector>
 
-/// How the mouse has turned what a look shows: the object by itself, and the camera around it.
+/// Rotation by the mouse: of the object, and of the camera around it.
 struct Orbit {
     std::array<double, 3> turn_degrees{};  // about x, then y, then z
     double azimuth_degrees = 0.0;          // of the camera, to the right
     double elevation_degrees = 0.0;        // of the camera, upwards; -90 .. 90
-    double distance = 1.0;                 // times the look's own
+    double distance = 1.0;                 // relative to the look's own distance
 
     bool operator==(const Orbit&) const = default;
 };
 
-/// A matrix by columns, as a mat4 uniform takes it.
+/// A column-major matrix for a mat4 uniform.
 using Matrix = std::array<double, 16>;
 
-/// `u_view`: turns points of the object.
+/// `u_view`: rotates points of the object.
 Matrix view_matrix(const Orbit& orbit);
-/// `u_camera`: takes places and directions of the resting camera, seen from what it looks at, to
-/// where it has moved. Its lengths grow with the distance.
+/// `u_camera`: maps positions and directions of the default camera, relative to its target, to the
+/// moved camera. Lengths scale with the distance.
 Matrix camera_matrix(const Orbit& orbit);
 
-/// A drag over the picture, in degrees: the object follows the hand, however camera and object
-/// stand.
+/// A drag over the picture, in degrees: the object follows the pointer at any orientation of camera
+/// and object.
 Orbit with_object_turned(Orbit orbit, double right, double up);
-/// The scene follows the hand: the camera goes the other way.
+/// The scene follows the pointer, so the camera moves in the opposite direction.
 Orbit with_camera_moved(Orbit orbit, double right, double up);
-/// `factor` below 1 is nearer.
+/// `factor` below 1 moves closer.
 Orbit with_distance_scaled(Orbit orbit, double factor);
 
-/// The parameters of an orbit, for the passes that declare `u_view` and `u_camera`; none for a
-/// matrix that no pass declares. So an orbit is in presets, undo and `--set` as all else is.
+/// The parameters of an orbit, for the passes that declare `u_view` and `u_camera`; nothing for a
+/// matrix that no pass declares. Presets, undo and `--set` treat them like other parameters.
 std::vector<Parameter> orbit_parameters(const std::vector<int>& view_passes,
                                         const std::vector<int>& camera_passes);
-/// The orbit that a pass is given.
+/// The orbit of a pass.
 Orbit orbit_of(const Look& look, const Values& values, int pass);
-/// Sets the parameters of each of the look's orbits (in a stack there may be several) to what
-/// `change` makes of it.
+/// Applies `change` to each of the look's orbits (a stack may have several) and sets its
+/// parameters.
 Values with_orbits_changed(const Look& look, Values values,
                            const std::function<Orbit(const Orbit&)>& change);

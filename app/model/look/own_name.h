@@ -2,8 +2,7 @@
 
 #include <string>
 
-/// What a pass of a stack is called within its look: "mask" of "crt/mask". Others are called so
-/// anyway.
+/// The name of a stack's pass within its look: "mask" of "crt/mask". Other names are unchanged.
 inline std::string own_name(const std::string& pass) {
     return pass.substr(pass.find('/') + 1);
 }

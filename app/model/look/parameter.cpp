@@ -106,7 +106,7 @@ std::optional<double> number_from(const Parameter& parameter, std::string_view t
     return parse_number(text);
 }
 
-// Why a text is none of its values.
+// Why a text is not a valid value.
 std::string refusal_of(const Parameter& parameter, std::string_view text) {
     std::vector<std::string> labels;
     for (const Item& item : parameter.items)

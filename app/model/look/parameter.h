@@ -24,12 +24,12 @@ struct NumberType {
 /// "float", "ivec3", "mat4", "mat2x3".
 std::string glsl_name(const NumberType& type);
 
-/// How a person turns a parameter.
+/// The type of control for a parameter.
 enum class Control { slider, list, color, point, angle, event, image, sound };
 
 enum class Scale { linear, logarithmic };
 
-/// The soft ends of a slider; a typed value may go beyond them.
+/// The range of a slider; typed values may exceed it.
 struct Range {
     double low = 0.0;
     double high = 1.0;
@@ -38,7 +38,7 @@ struct Range {
     bool operator==(const Range&) const = default;
 };
 
-/// Ends that no value may pass.
+/// Limits that no value may exceed.
 struct Limit {
     double low = 0.0;
     double high = 1.0;
@@ -46,19 +46,19 @@ struct Limit {
     bool operator==(const Limit&) const = default;
 };
 
-/// One choice of a list.
+/// An item of a list.
 struct Item {
     double value = 0.0;
     std::string label;
-    std::string was = {};  // a former label, which is still read; "" when there is none
+    std::string was = {};  // previous label, still accepted; "" without one
 
     bool operator==(const Item&) const = default;
 };
 
-/// What a parameter is of a look's orbit; see model/look/orbit.h.
+/// The part of a look's orbit that a parameter sets; see model/look/orbit.h.
 enum class OrbitPart { none, turn, azimuth, elevation, distance };
 
-/// A uniform of a pass that a parameter drives.
+/// A uniform of a pass that a parameter sets.
 struct Binding {
     int pass = 0;  // index into Look::passes
     std::string uniform;
@@ -66,53 +66,52 @@ struct Binding {
     bool operator==(const Binding&) const = default;
 };
 
-/// One knob of a look: what the shaders declare about it. Its value is kept apart, in Values.
+/// A parameter of a look, as its shaders declare it. Its value is stored separately, in Values.
 struct Parameter {
     std::string name;   // unique within its look
-    std::string label;  // what a panel shows
+    std::string label;  // shown in the panel
     std::string unit;
-    std::string period;  // an expression: px of what repeats on pixels; 0: nothing does
-    std::string group;   // "": under the name of its first pass
+    std::string period;  // expression: px of a pattern that repeats on the pixel grid; 0: no
+                         // pattern
+    std::string group;   // "": listed under the name of its first pass
     std::string help;
     NumberType type;
     Control control = Control::slider;
     Value initial;  // the default
     Range range;
-    std::vector<Range> axes;  // of a point whose axes have ranges of their own, within `range`
+    std::vector<Range> axes;  // of a point with a range per axis, within `range`
     std::optional<Limit> limit;
     Scale scale = Scale::linear;
     std::vector<Item> items;
-    std::vector<std::string> parts;  // what a vector's components are called; empty: x, y, z, w
-    std::optional<Value> identity;   // the value that does nothing
-    std::string was;                 // a former name, "" when there is none
+    std::vector<std::string> parts;  // labels of a vector's components; empty: x, y, z, w
+    std::optional<Value> identity;   // the value without an effect
+    std::string was;                 // previous name; "" without one
     bool is_hidden = false;
-    bool is_constant = false;              // no uniform: with another value the look is made anew
-    Encoding encoding = Encoding::linear;  // of a colour, as shaders read it; its value is linear
-    OrbitPart orbit = OrbitPart::none;     // its number becomes a part of a matrix
+    bool is_constant = false;              // not a uniform: a new value rebuilds the look
+    Encoding encoding = Encoding::linear;  // of a colour in shaders; its value is linear
+    OrbitPart orbit = OrbitPart::none;     // not none: its value becomes part of a matrix
     std::vector<Binding> bindings;
     Location declared;
 
     bool operator==(const Parameter&) const = default;
 };
 
-/// "float", "vec3", "color", "point", "list", "event", "image", "sound": the type as `describe`
-/// says it.
+/// The type for `describe`: "float", "vec3", "color", "point", "list", "event", "image", "sound".
 std::string type_name(const Parameter& parameter);
 
-/// The ends of one component.
+/// The range of one component.
 const Range& range_of(const Parameter& parameter, std::size_t component);
 
-/// What a component of a vector is called: "Red", or "x".
+/// The label of a vector's component: "Red", or "x".
 std::string part_label(const Parameter& parameter, std::size_t component);
 
-/// The nearest value that the parameter allows: within its limit, of its size, whole where it
-/// counts.
+/// The nearest valid value: within the limit, with the number of components, rounded for integers.
 Value clamped(const Parameter& parameter, Value value);
 
-/// Why so many numbers are refused.
+/// The error for a wrong number of components.
 std::string wrong_count(std::string_view name, std::size_t expected, std::size_t given);
 
-/// Reads what a person typed or gave to `--set`: numbers between commas, an item's label,
-/// true/false, #rrggbb for a colour (taken as display-encoded sRGB, kept linear), or a path. Errors
-/// name the parameter, not a file.
+/// Parses a typed value or one of `--set`: comma-separated numbers, an item's label, true/false, a
+/// path, or #rrggbb. A hexadecimal colour is display-encoded sRGB and becomes linear. Errors name
+/// the parameter, not a file.
 Result<Value> parse_value(const Parameter& parameter, std::string_view text);

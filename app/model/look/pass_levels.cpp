@@ -7,14 +7,14 @@
 #include <optional>
 
 namespace {
-constexpr std::size_t least_levels = 3;  // two passes are no ladder
+constexpr std::size_t least_levels = 3;  // two passes are not a pyramid
 
 struct StemAndNumber {
     std::string stem;
     int number = 0;
 };
 
-// None for a name that is but a number, or a number beyond counting.
+// nullopt if the name is only a number, or the number is too large.
 std::optional<StemAndNumber> numbered(const std::string& name) {
     StemAndNumber parts{name_without_number(name)};
     if (own_name(parts.stem).empty())
@@ -24,7 +24,7 @@ std::optional<StemAndNumber> numbered(const std::string& name) {
     return read.ec == std::errc() && read.ptr == end ? std::optional(parts) : std::nullopt;
 }
 
-// By how much the number goes on from one pass to the next: 1 or -1; 0 where it does not.
+// The step between the numbers of two passes: 1 or -1; 0 otherwise.
 int pace_of(const SizedName& from, const SizedName& to) {
     const auto first = numbered(from.name);
     const auto next = numbered(to.name);
@@ -35,7 +35,7 @@ int pace_of(const SizedName& from, const SizedName& to) {
     return next->number == first->number - 1 ? -1 : 0;
 }
 
-// 1: it grows; -1: it shrinks; 0: neither of them, as a whole.
+// 1: grows; -1: shrinks; 0: the same size, or mixed.
 int growth_of(Extent from, Extent to) {
     if (from == to)
         return 0;
@@ -44,7 +44,7 @@ int growth_of(Extent from, Extent to) {
     return to.width <= from.width && to.height <= from.height ? -1 : 0;
 }
 
-// From the first of the passes on; 1 where it is no level.
+// The number of levels that start with the first pass; 1 if it is not a level.
 std::size_t levels_at(std::span<const SizedName> passes) {
     if (passes.size() < least_levels)
         return 1;

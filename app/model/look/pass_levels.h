@@ -7,16 +7,16 @@
 #include <string>
 #include <vector>
 
-/// A pass by what tells levels of one pyramid from passes that are only numbered.
+/// The properties of a pass that identify the levels of a pyramid.
 struct SizedName {
     std::string name;
     Extent extent;
 };
 
-/// "bloom_down_" of "bloom_down_3".
+/// "bloom_down_" for "bloom_down_3".
 std::string name_without_number(const std::string& name);
 
-/// How many passes behind each other are levels of one pyramid, of all of them in order: 1 for each
-/// that is none. Levels are three or more whose names differ in the number at their end, which goes
-/// up or down by one, and whose sizes go only up or only down.
+/// The number of consecutive passes that are levels of one pyramid, for all passes in order; 1 for
+/// a pass that is not a level. Levels are three or more passes. Their names end in a number that
+/// increases or decreases by one, and their sizes only grow or only shrink.
 std::vector<std::size_t> count_levels(std::span<const SizedName> passes);

@@ -6,25 +6,25 @@
 #include <string>
 #include <vector>
 
-/// Whether numbers are amounts of light or what a display is sent (sRGB).
+/// Whether values are linear light or display-encoded (sRGB).
 enum class Encoding { linear, display };
 
-/// Which row of a texture comes first, at v = 0: GL's own order, or that of files and of shaders
-/// made for Vulkan.
+/// The row of a texture at v = 0: the bottom in GL, the top in files and in shaders made for
+/// Vulkan.
 enum class RowOrder { bottom_first, top_first };
 
-/// What a picture's rows are: one picture; the faces of a cube, one below the other, +x -x +y -y +z
-/// -z, each as wide as high; or the slices of a volume, likewise, as many as one is wide.
+/// The layout of a picture's rows. cube: six square faces, stacked in the order +x -x +y -y +z -z.
+/// volume: square slices, stacked, their number equal to their width.
 enum class PictureShape { flat, cube, volume };
 
-/// Pixels in memory: floats, interleaved channels, row 0 on top.
+/// Pixels in memory: floats, interleaved channels, row 0 at the top.
 struct Picture {
     Extent extent;
     int channels = 4;  // 1 grey, 3 RGB, 4 RGBA (unassociated alpha)
     Encoding encoding = Encoding::linear;
     std::vector<float> pixels;  // extent.height rows of extent.width * channels
     PictureShape shape = PictureShape::flat;
-    std::string note = {};  // what is amiss with the file that it was read from; "": nothing
+    std::string note = {};  // problem of the file that it was read from; "": no problem
 
     bool operator==(const Picture&) const = default;
     std::size_t index(int x, int y) const {

@@ -6,27 +6,27 @@
 #include <string>
 #include <string_view>
 
-/// What a stage may have before it is given to a compiler. Compilers and drivers take memory and
-/// time without a bound of their own.
+/// Limits for a stage, checked before compilation. Compilers and drivers do not limit their own use
+/// of memory and time.
 struct ShaderLimits {
-    double variable_bytes = 1 << 20;  // of all variables, arrays of functions once a call
-    double indexed_bytes = 64 << 10;  // of variables that are arrays with a computed index
-    double uniforms = 1024;           // members of structs and blocks count one each
-    double struct_members = 4096;     // of one struct, members of its members included
-    double depth = 64;                // of structs in structs, and of calls in calls
-    double instructions = 500'000;    // with every call inlined
-    double inlined_calls = 24'000;    // calls, those of called functions included
+    double variable_bytes = 1 << 20;  // of all variables; arrays in functions count once per call
+    double indexed_bytes = 64 << 10;  // of array variables with a computed index
+    double uniforms = 1024;           // each member of structs and blocks counts
+    double struct_members = 4096;     // of one struct, including nested members
+    double depth = 64;                // of nested structs, and of nested calls
+    double instructions = 500'000;    // after inlining of all calls
+    double inlined_calls = 24'000;    // including the calls of called functions
     double switch_cases = 1280;       // of one switch
-    double compared_values = 4096;    // by == and != of arrays and structs, with calls inlined
+    double compared_values = 4096;    // by == and != of arrays and structs, after inlining
 
     bool operator==(const ShaderLimits&) const = default;
 };
 
-/// A limit by the name that --limit takes.
+/// A limit and its name for --limit.
 struct ShaderLimit {
     std::string_view name;
     double ShaderLimits::*value;
-    std::string_view about;  // what it counts, for the help
+    std::string_view about;  // what it counts, for the help text
 };
 
 inline constexpr std::array shader_limits{
@@ -44,9 +44,9 @@ inline constexpr std::array shader_limits{
                 "compared values in arrays and structs"},
 };
 
-/// Sets the limit that "NAME=VALUE" names; VALUE is a whole number from 1 to 1e12. An error names
-/// the limits that exist.
+/// Sets the limit in "NAME=VALUE"; VALUE is an integer from 1 to 1e12. An error lists the names of
+/// all limits.
 Result<void> set_limit(ShaderLimits& limits, std::string_view text);
 
-/// All values in one line, in the order of `shader_limits`.
+/// All values on one line, in the order of `shader_limits`.
 std::string to_string(const ShaderLimits& limits);

@@ -21,11 +21,11 @@ std::string to_string(const Spec::Setting& setting) {
 }  // namespace
 
 namespace {
-/// One piece between commas, without its quotes.
+/// The text between two commas, without its quotes.
 struct Piece {
-    std::string key;  // "": there is none
+    std::string key;  // "": no key
     std::string value;
-    std::string whole;  // as it is written, blanks and all
+    std::string whole;  // as written, with blanks
     bool has_key = false;
     bool is_quoted = false;
 };
@@ -36,7 +36,7 @@ bool is_key(std::string_view text) {
                                 "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") == std::string_view::npos;
 }
 
-/// Splits settings at their commas, but for those in quotes.
+/// Splits settings at commas outside quotes.
 class PieceReader {
 public:
     explicit PieceReader(std::string_view text) : m_text(text) {}
@@ -68,7 +68,7 @@ public:
     }
 
 private:
-    // What stands from `at` up to the quotes that close; what follows up to the comma is dropped.
+    // The text from `at` to the closing quote; text between the quote and the comma is dropped.
     std::string quoted(std::size_t at) {
         std::string value;
         for (; at < m_text.size() && m_text[at] != '"'; ++at) {
@@ -86,7 +86,8 @@ private:
     bool m_is_unclosed = false;
 };
 
-// "a=b.wav" as a first piece: no setting of the kind, and no word or number.
+// Whether the first piece is bare text, as in "a=b.wav": not a setting, and not a plain word or
+// number.
 bool is_bare_text(const Piece& piece, std::string_view kind, HasSetting has_setting) {
     if (!piece.has_key)
         return true;
@@ -104,7 +105,7 @@ Result<Spec> parse_spec(std::string_view text, HasSetting has_setting) {
     if (colon == std::string_view::npos)
         return spec;
     PieceReader reader(text.substr(colon + 1));
-    std::string* bare = nullptr;  // while what follows may belong to it
+    std::string* bare = nullptr;  // the bare text, while pieces without a key belong to it
     for (bool is_first = true; !reader.is_at_end(); is_first = false) {
         const Piece piece = reader.next();
         if (is_first && is_bare_text(piece, spec.kind, has_setting)) {
@@ -127,7 +128,7 @@ Result<Spec> parse_spec(std::string_view text, HasSetting has_setting) {
 }
 
 namespace {
-// As parse_spec() reads it again. Without a key '=' would tell of one.
+// In the form that parse_spec() reads. A bare text with '=' needs quotes.
 std::string written(const std::string& key, const Spec::Setting& setting) {
     std::string text = to_string(setting);
     const bool is_text = std::holds_alternative<std::string>(setting);

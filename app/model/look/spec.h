@@ -6,8 +6,8 @@
 #include <string>
 #include <variant>
 
-/// A signal or test pattern asked for by kind and settings: "lissajous:x=3,y=2".
-/// What the kinds and their settings mean is the business of signals/.
+/// A signal or test pattern, given by its kind and settings: "lissajous:x=3,y=2". The kinds and
+/// settings are defined in signals/.
 struct Spec {
     using Setting = std::variant<double, std::string>;
 
@@ -17,14 +17,14 @@ struct Spec {
     bool operator==(const Spec&) const = default;
 };
 
-/// Whether a kind has a setting of that name.
+/// Whether a kind has a setting with this name.
 using HasSetting = bool (*)(std::string_view kind, std::string_view key);
 
-/// Reads "kind" or "kind:key=value,key=value"; the first setting may be a bare text, kept under the
-/// key "" (`text:HELLO`, `audio:song.wav,mode=xy`). Its commas belong to it up to the first
-/// `,key=value`. A value may stand in quotes: "..." with \" and \\ for these signs. `has_setting`
-/// tells `a=b.wav`, a file, from a setting; null: both are settings. Only the grammar is checked.
+/// Parses "kind" or "kind:key=value,key=value". The first setting may be a bare text (`text:HELLO`,
+/// `audio:song.wav,mode=xy`), stored with the key "". It includes its commas up to the first
+/// `,key=value`. A value may be in quotes: "..." with \" and \\ for these characters. `has_setting`
+/// distinguishes a file `a=b.wav` from a setting; null: both are settings. Checks only the grammar.
 Result<Spec> parse_spec(std::string_view text, HasSetting has_setting = nullptr);
 
-/// The text that parse_spec reads as the same spec.
+/// Formats a spec so that parse_spec reads the same spec.
 std::string to_string(const Spec& spec);

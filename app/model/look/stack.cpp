@@ -18,7 +18,7 @@ bool has_tag(const Stack& stack, const std::string& tag) {
     return std::ranges::find(stack, tag, &StackPart::tag) != stack.end();
 }
 
-// The part that a full name begins with.
+// The part whose scope is the prefix of a full name.
 std::optional<std::size_t> part_of(const std::string& name, const Stack& stack) {
     for (std::size_t i = 0; i < stack.size(); ++i)
         if (name.starts_with(scope_of(stack, i)))

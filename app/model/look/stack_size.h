@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-/// Looks of one stack. Names, keys and passes of a stack are compared with each other.
+/// Maximum number of looks in a stack, whose names, keys and passes are compared with each other.
 constexpr std::size_t most_stacked_looks = 64;
 
-/// Why a stack as written, "phosphor+crt", is too large; "" where it is not.
+/// The error if a stack "phosphor+crt" is too large; "" if it isn't.
 std::string fault_of_stack_size(std::string_view stack_id);

@@ -2,8 +2,8 @@
 
 #include "model/look/look.h"
 
-/// A picture that a look holds: what a pass drew so many frames ago, the source, an image; or one
-/// of its smaller levels.
+/// A texture of a look: a pass's output of n frames ago, the source, an image, or a mip level of
+/// these.
 struct TextureChoice {
     Input::From from = Input::From::pass;
     std::string name;  // of the pass or image
@@ -15,7 +15,7 @@ struct TextureChoice {
     bool is_present_pass() const {
         return from == Input::From::pass && frames_ago == 0 && level == 0;
     }
-    /// The same of this frame, and its largest level.
+    /// The same texture of this frame, at its largest level.
     TextureChoice present() const { return {from, name, 0, 0, sound}; }
     /// "persistence@1", "source", "noise mip 2".
     std::string label() const;

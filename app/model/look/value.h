@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-/// What a parameter is set to: its components in GLSL's order, or the path of a picture or sound.
+/// The value of a parameter: its components in GLSL's order, or the path of a picture or sound.
 struct Value {
-    std::vector<double> numbers;  // one a component; bool as 0 or 1; matrices by column
+    std::vector<double> numbers;  // one per component; bool as 0 or 1; matrices by column
     std::string path;
 
     Value() = default;
@@ -15,12 +15,12 @@ struct Value {
     static Value of_path(std::string path);
 
     bool operator==(const Value&) const = default;
-    /// The only or first component; 0 when there is none.
+    /// The only or first component; 0 without components.
     double number() const { return numbers.empty() ? 0.0 : numbers.front(); }
 };
 
 /// Values by parameter name (in a stack by full key, "crt/exposure").
 using Values = std::map<std::string, Value>;
 
-/// "0.92", "0.2,1,0.3" or the path: what `--set name=` takes.
+/// The text for `--set name=`: "0.92", "0.2,1,0.3" or the path.
 std::string to_string(const Value& value);

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 namespace {
-// Sorted. One that is not there may still have the value that it has at first.
+// Sorted. A missing value may still equal the other by its default.
 std::vector<std::string> names_of_differences(const Values& before, const Values& now) {
     std::vector<std::string> names;
     auto one = before.begin();

@@ -2,10 +2,10 @@
 
 #include "model/look/look.h"
 
-/// Parameters that have another value than before, by name in the order of the alphabet. However
-/// many there are, hardly more than a walk over both where few were turned.
+/// The names of parameters with changed values, in alphabetical order. If few values changed, this
+/// costs little more than a walk over both maps.
 std::vector<std::string> changed_parameters(const Look& look, const Values& before,
                                             const Values& now);
 
-/// Makes `held` the same as `now`, which costs much less than a copy where they hardly differ.
+/// Makes `held` equal to `now`; much faster than a copy if they are similar.
 void follow_values(Values& held, const Values& now);

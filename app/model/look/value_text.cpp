@@ -56,7 +56,7 @@ std::string value_text(const Parameter& parameter, const Value& value, int digit
 
 bool is_period(const Parameter& parameter) {
     return parameter.control == Control::slider && parameter.type == NumberType{} &&
-           (parameter.unit == "px per period" || parameter.unit == "px a period");  // older looks
+           (parameter.unit == "px per period" || parameter.unit == "px a period");  // earlier looks
 }
 
 std::string_view shown_unit(const Parameter& parameter) {

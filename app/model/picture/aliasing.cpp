@@ -12,7 +12,7 @@
 #include <numbers>
 
 namespace {
-// What stands before the names of the parameter's own look.
+// The name prefix of the parameter's look.
 std::string scope_of(const Parameter& parameter, const Look& look) {
     if (parameter.bindings.empty())
         return {};
@@ -34,7 +34,7 @@ std::map<std::string, double> names_for(const std::string& scope,
     return names;
 }
 
-// A parameter's period at one value after another.
+// Evaluates a parameter's period at several values.
 class PeriodReader {
 public:
     PeriodReader(const Parameter& parameter, const PeriodTerms& terms) : m_parameter(parameter) {
@@ -45,7 +45,7 @@ public:
         m_name = parameter.name.substr(scope.size());
     }
 
-    // 0 where there is none.
+    // 0 without a period.
     double at(double value) {
         if (m_parameter.period.empty())
             return is_period(m_parameter) ? value : 0.0;

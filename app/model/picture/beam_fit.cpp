@@ -3,7 +3,7 @@
 #include <algorithm>
 
 namespace {
-// Of -1..1 along each axis in half pictures.
+// The fraction of the picture's width and height that a square with this side covers.
 std::array<double, 2> shares_of(Extent picture, double side) {
     return {side / picture.width, side / picture.height};
 }

@@ -15,7 +15,7 @@ std::uint8_t display_byte(float value, Encoding encoding) {
 }
 
 namespace {
-// Of every number that there is of 8 or 16 bits.
+// For all values of 8 or 16 bits.
 template <class Number>
 struct KnownBytes {
     explicit KnownBytes(Encoding encoding) : bytes(std::size_t{1} << (8 * sizeof(Number))) {
@@ -32,7 +32,7 @@ const std::uint8_t* known_bytes(Encoding encoding) {
     return (encoding == Encoding::linear ? linear : display).bytes.data();
 }
 
-/// What becomes of a number: of a colour, and of alpha.
+/// Conversion of a colour component, and of alpha.
 template <class Byte, class Alpha>
 struct ByteOf {
     Byte color;
@@ -41,7 +41,7 @@ struct ByteOf {
 template <class Byte, class Alpha>
 ByteOf(Byte, Alpha) -> ByteOf<Byte, Alpha>;
 
-// `Sent` channels of each pixel.
+// Writes `Sent` channels per pixel.
 template <int Sent, class Number, class Bytes>
 std::uint8_t* put_row(const Number* from, int width, int channels, std::uint8_t* to,
                       const Bytes& byte) {

@@ -6,19 +6,19 @@
 #include <cstdint>
 #include <vector>
 
-/// What a display of 8 bits a channel is sent: display values to the nearest 1/255, linear ones
-/// clamped and sRGB-encoded (IEC 61966-2-1), NaN black.
+/// The value for an 8-bit display: display values are rounded to 1/255, linear values clamped and
+/// sRGB-encoded (IEC 61966-2-1). NaN becomes black.
 std::uint8_t display_byte(float value, Encoding encoding);
 
-/// RGB, row 0 on top; grey on all three channels, alpha left out.
+/// RGB, row 0 at the top; grey is repeated in all channels, alpha is dropped.
 std::vector<std::uint8_t> display_bytes(const Picture& picture);
-/// The same bytes as of picture_of(picture).
+/// The same bytes as for picture_of(picture).
 std::vector<std::uint8_t> display_bytes(const RawPicture& picture);
 
-/// RGBA: the same colours, and alpha to the nearest 1/255, which is no light and never encoded; 255
-/// where the picture has none.
+/// RGBA: the same colours, and alpha rounded to 1/255 without encoding; 255 for pictures without
+/// alpha.
 std::vector<std::uint8_t> display_bytes_with_alpha(const Picture& picture);
 std::vector<std::uint8_t> display_bytes_with_alpha(const RawPicture& picture);
 
-/// Whether a picture has alpha that is anywhere below 1, as 255 shades tell it.
+/// Whether any alpha of a picture is below 1 after rounding to 1/255.
 bool is_transparent(const Picture& picture);

@@ -2,9 +2,9 @@
 
 #include "model/look/picture.h"
 
-/// From amounts of light to what a display is sent (sRGB, IEC 61966-2-1), or back; odd about 0. A
-/// table of 65536 steps, read linearly between them, is within 1e-7 of the formula and some twenty
-/// times as fast; what lies outside 0..1 takes the formula itself.
+/// Converts linear light to display-encoded values (sRGB, IEC 61966-2-1), or back; odd about 0. A
+/// table of 65536 steps with linear interpolation is within 1e-7 of the formula and about twenty
+/// times faster. Values outside 0..1 use the formula.
 class EncodingCurve {
 public:
     explicit EncodingCurve(double (*formula)(double));
@@ -25,8 +25,8 @@ private:
     std::vector<float> m_table;
 };
 
-/// Null: the colours stay as they are.
+/// Null if the encodings are equal.
 const EncodingCurve* curve_between(Encoding from, Encoding to);
 
-/// Takes the colours (not alpha) of a picture to another encoding.
+/// Converts the colours (not alpha) of a picture to another encoding.
 void recode(Picture& picture, Encoding wanted);

@@ -11,7 +11,7 @@ using Samples = std::span<const double>;
 
 std::optional<double> time_to(double share, Samples seconds, Samples light, std::size_t peak) {
     const double level = share * light[peak];
-    std::size_t last = light.size() - 1;  // that is above
+    std::size_t last = light.size() - 1;  // the last sample above the level
     while (last > peak && light[last] <= level)
         --last;
     if (last + 1 == light.size())
@@ -43,7 +43,7 @@ std::optional<double> fitted_half_life(Samples seconds, Samples light, std::size
     if (spread <= 0.0)
         return std::nullopt;
     const double slope = (count * sum_xy - sum_x * sum_y) / spread;
-    constexpr double still = 1e-9;  // a second
+    constexpr double still = 1e-9;  // per second
     return slope < -still ? std::optional(-std::numbers::ln2 / slope) : std::nullopt;
 }
 }  // namespace

@@ -3,20 +3,19 @@
 #include <optional>
 #include <span>
 
-/// How light falls after a flash. Times in seconds, from the light's peak on.
+/// The decay of light after a flash. Times in seconds after the peak.
 struct Fall {
     double peak = 0.0;               // light
-    double peak_seconds = 0.0;       // on the clock of the samples
-    std::optional<double> to_tenth;  // until it stays at a tenth of the peak or below
+    double peak_seconds = 0.0;       // in the time of the samples
+    std::optional<double> to_tenth;  // until the light stays at or below a tenth of the peak
     std::optional<double> to_hundredth;
     std::optional<double> to_thousandth;
-    std::optional<double> half_life;  // of the exponential that fits best down to a hundredth
+    std::optional<double> half_life;  // of the best exponential fit down to a hundredth
 
     bool operator==(const Fall&) const = default;
 };
 
-/// Of samples of light at times that go up. Between two samples light is taken to fall
-/// exponentially; what is not reached within the samples is none. The fit is a straight line
-/// through the logarithms, by least squares; a light that does not fall, or within one sample, has
-/// none.
+/// For samples of light at ascending times, with exponential interpolation. Levels not reached
+/// within the samples are nullopt. The fit is a line through the logarithms, by least squares. It
+/// is nullopt if the light does not decrease, or decays within one sample.
 Fall fall_of(std::span<const double> seconds, std::span<const double> light);

@@ -2,18 +2,17 @@
 
 #include <string>
 
-/// Frames a second as two whole numbers, as films have it: 30000/1001.
+/// Frames per second as a fraction of two integers, as in films: 30000/1001.
 struct FilmRate {
     int above = 60;
     int below = 1;
 
     double number() const { return static_cast<double>(above) / below; }
-    /// "30000/1001" with '/' between.
+    /// "30000/1001" for '/'.
     std::string text(char between) const {
         return std::to_string(above) + between + std::to_string(below);
     }
 };
 
-/// With the smallest number below that comes within a thousand millionth of it; up to 1000 a
-/// second.
+/// The fraction with the smallest denominator whose relative error is at most 1e-9; up to 1000 fps.
 FilmRate film_rate_of(double fps);

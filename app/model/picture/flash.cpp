@@ -14,8 +14,8 @@ constexpr auto cell_count = static_cast<std::size_t>(flash_cells.width * flash_c
 constexpr std::size_t quarter =
     static_cast<std::size_t>(flash_field.width * flash_field.height) / 4;
 constexpr double period_seconds = 1.0;
-constexpr double same_moment = 1e-6;  // s; what is a whole period ago does not count
-constexpr float rounding = 1e-5f;     // a change of 0.1 that floats make 0.0999999 is one
+constexpr double same_moment = 1e-6;  // s; an event exactly one period ago does not count
+constexpr float rounding = 1e-5f;     // a change of 0.1 that floats round to 0.0999999 counts
 
 float red_number(const Light& light) {
     return std::max(0.0f, (light[0] - light[1] - light[2]) * 320.0f);
@@ -27,8 +27,8 @@ bool is_saturated_red(const Light& light) {
 }
 }  // namespace
 
-// What turned around since the last extreme, by at least what counts, is a change; the extremes go
-// on from there.
+// A reversal since the last extreme by at least the counted amount is a change. The new extremes
+// start there.
 template <class Counts>
 bool FlashCounter::Swing::add(const State& now, Counts counts) {
     if (std::exchange(is_new, false))
@@ -89,12 +89,12 @@ void FlashCounter::Tally::note(double seconds, std::vector<std::uint16_t> cells)
     }
 }
 
-// The greatest number of flashes that more than a quarter of the cells of a field have reached.
+// The largest number of flashes that more than a quarter of the cells of a field have.
 int FlashCounter::Tally::flashes() const {
     const int most = *std::ranges::max_element(changes) / 2;  // two changes are a flash
     const int width = flash_cells.width;
     for (int wanted = most; wanted > 0; --wanted) {
-        // Sums over all above and to the left make any field's count three additions.
+        // A summed-area table gives the count of any field with three additions.
         std::vector<std::size_t> sums(
             static_cast<std::size_t>((width + 1) * (flash_cells.height + 1)));
         const auto at = [&](int x, int y) -> std::size_t& {

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 namespace {
-constexpr int places = 8;  // in a row of a cell
+constexpr int places = 8;  // samples per row of a cell
 
 float light_of(float stored, Encoding encoding) {
     if (!(stored > 0.0f))  // NaN too
@@ -16,7 +16,7 @@ float light_of(float stored, Encoding encoding) {
     return static_cast<float>(encoding == Encoding::display ? srgb_decode(number) : number);
 }
 
-// Of every number that there is of 8 or 16 bits.
+// For all values of 8 or 16 bits.
 template <class Number>
 struct KnownLights {
     explicit KnownLights(Encoding encoding) : lights(std::size_t{1} << (8 * sizeof(Number))) {
@@ -33,7 +33,7 @@ const float* known_lights(Encoding encoding) {
     return (encoding == Encoding::linear ? linear : display).lights.data();
 }
 
-// `light` gives that of a channel of the pixel at x, y from the top left.
+// `light` returns a channel of the pixel at x, y from the top left.
 template <class LightAt>
 std::vector<Light> cells_by(Extent extent, const LightAt& light) {
     std::vector<Light> cells(static_cast<std::size_t>(flash_cells.width * flash_cells.height));

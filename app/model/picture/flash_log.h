@@ -8,28 +8,28 @@
 #include <span>
 #include <string>
 
-/// The cells of a picture: of each the mean of 64 places, as linear light 0..1.
+/// The cells of a picture: the mean of 64 samples each, as linear light 0..1.
 std::vector<Light> cells_of(const Picture& picture);
-/// The same cells as of picture_of(picture).
+/// The same cells as for picture_of(picture).
 std::vector<Light> cells_of(const RawPicture& picture);
 
-/// Watches a run of pictures for flashes beyond the limit.
+/// Checks a series of pictures for flashes above the limit.
 class FlashLog {
 public:
-    /// The next picture, and when it is seen; times go up.
+    /// Adds the next picture and its display time; times ascend.
     void add(const Picture& picture, double seconds) { add(cells_of(picture), seconds); }
     void add(std::span<const Light> cells, double seconds);
 
-    /// The most within any second.
+    /// The maximum within any second.
     const Flashes& most() const { return m_most; }
-    /// "up to 6 general and 0 red flashes within a second, first beyond the limit at 0.70 s, ...";
-    /// none while all is within it.
+    /// "the picture flashes up to 6 times a second (0 in red); the limit of WCAG 2.3.1 is 3. ...";
+    /// nullopt if the limit is not exceeded.
     std::optional<std::string> warning() const;
 
 private:
     FlashCounter m_counter;
     Flashes m_most;
-    std::optional<double> m_first;  // s, of what is beyond
+    std::optional<double> m_first;  // s, of pictures above the limit
     double m_last = 0.0;
     int m_count = 0;  // pictures
 };

@@ -29,7 +29,7 @@ double format_limit(Format format) {
         case Format::rgb10_a2:
             return 1.0;
         case Format::r11f_g11f_b10f:
-            return 64512.0;  // of blue, which has the fewest digits: (2 - 2^-5) 2^15
+            return 64512.0;  // of blue, which has the fewest bits: (2 - 2^-5) 2^15
         case Format::r16f:
         case Format::rg16f:
         case Format::rgba16f:
@@ -69,7 +69,7 @@ double format_limit(Format format) {
 }
 
 namespace {
-// In a stack "phosphor/ceiling".
+// Also with the prefix of a stack: "phosphor/ceiling".
 bool is_ceiling(const Parameter& parameter) {
     const std::string& name = parameter.name;
     return name.substr(name.rfind('/') + 1) == "ceiling" && parameter.type.size() == 1;

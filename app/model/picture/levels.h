@@ -2,7 +2,7 @@
 
 #include "model/picture/statistics.h"
 
-/// Which numbers a view shows as black and as white; what lies between is spread evenly.
+/// The values that a view shows as black and white; the mapping between them is linear.
 struct Levels {
     double black = 0.0;
     double white = 1.0;  // above black
@@ -10,10 +10,10 @@ struct Levels {
     bool operator==(const Levels&) const = default;
 };
 
-/// With another end; where that would cross the other one, it is pushed along at its distance.
+/// Changes one end. If it would cross the other end, that end moves along at the same distance.
 Levels with_black(const Levels& levels, double black);
 Levels with_white(const Levels& levels, double white);
 
-/// From the least to the greatest finite number. No share of them is cut off: in the picture of a
-/// scope the beam is that share. One number alone is seen against zero.
+/// From the smallest to the largest finite number, without cutting off a fraction: in a picture of
+/// a scope, the beam is that fraction. A uniform picture is shown relative to zero.
 Levels fitted_levels(const Statistics& statistics);

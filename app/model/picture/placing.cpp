@@ -8,21 +8,21 @@
 namespace {
 constexpr int most_side = 16384;
 
-// How the pixels of the picture become those of what is made.
+// The mapping from the pixels of a picture to those of the result.
 struct Placing {
     Extent made;
     int repeat_x = 1;
     int repeat_y = 1;
-    int shrink = 1;  // so many pixels along each side become one, before all else
+    int shrink = 1;  // this number of pixels per side is averaged first
 };
 
 int side_of(double length) {
     return std::clamp(static_cast<int>(std::lround(length)), 1, most_side);
 }
 
-// Only one side differs from the picture's own.
+// Changes only one side of the picture.
 Placing fitted(Extent picture, double shape, bool is_whole) {
-    const double wide = picture.height * shape;  // the width that has the viewport's shape
+    const double wide = picture.height * shape;  // the width for the viewport's shape
     const bool adds_width = wide > picture.width;
     if (adds_width == is_whole)
         return {{side_of(wide), picture.height}};
@@ -33,7 +33,7 @@ Extent shrunk(Extent extent, int times) {
     return {std::max(extent.width / times, 1), std::max(extent.height / times, 1)};
 }
 
-// A strip of 16384 x 1 pixels in a square would take a gigabyte of black.
+// Limits memory: a strip of 16384 x 1 pixels in a square would need a gigabyte of black.
 Placing fitted_in_memory(Extent picture, double shape, bool is_whole) {
     constexpr double most_pixels = 1 << 25;
     Placing placing = fitted(picture, shape, is_whole);
@@ -57,23 +57,23 @@ Placing placing_of(Extent picture, const SourceSpec& source, Extent viewport) {
         return {viewport, std::max(1, static_cast<int>(std::lround(tall * aspect))), tall};
     }
     const double shape =
-        static_cast<double>(viewport.width) / viewport.height / aspect;  // in pixels
+        static_cast<double>(viewport.width) / viewport.height / aspect;  // in pixels of the picture
     return fitted_in_memory(picture, shape, source.fit == Fit::whole);
 }
 
-// Of what is made, px.
+// The part of the result that shows the picture, px.
 Extent shown_extent(Extent picture, const Placing& placing) {
     const Extent smaller = placing.shrink > 1 ? shrunk(picture, placing.shrink) : picture;
     return {smaller.width * placing.repeat_x, smaller.height * placing.repeat_y};
 }
 
-// From the left and from the top; below 0 where the picture is cut.
+// From the left and the top; negative if the picture is cropped.
 std::pair<int, int> first_pixel(Extent made, Extent shown) {
     return {static_cast<int>(std::floor((made.width - shown.width) / 2.0)),
             static_cast<int>(std::floor((made.height - shown.height) / 2.0))};
 }
 
-// Each pixel is the mean of `times` x `times` pixels, as they are stored; fewer at the last edges.
+// Each pixel is the mean of `times` x `times` stored values; fewer at the right and bottom edges.
 Picture averaged(const Picture& picture, int times) {
     Picture made{shrunk(picture.extent, times), picture.channels, picture.encoding, {}};
     const auto channels = static_cast<std::size_t>(picture.channels);
@@ -129,7 +129,7 @@ double placed_aspect(const SourceSpec& source, Extent picture) {
 }
 
 namespace {
-// `shown`: as many pixels of what is made as the source's lines take; `first` of them.
+// `shown`: pixels of the result that the source's lines cover, starting at `first`.
 RasterAxis lines_of(int count, int shown, int first, int made) {
     return {static_cast<double>(first) / made, static_cast<double>(shown) / count / made, count};
 }

@@ -7,32 +7,31 @@
 #include <optional>
 #include <string_view>
 
-/// The size of what placed() makes.
+/// The size of the result of placed().
 Extent placed_extent(Extent picture, const SourceSpec& source, Extent viewport);
 
-/// The picture as a look reads it that draws `viewport` pixels and takes its source from side to
-/// side: cut, or with black around it, by the fit and pixel aspect of `source`. Its own pixels stay
-/// as they are, but for Fit::integer, which repeats each until a pixel is one of the viewport, and
-/// where more than 33 million pixels would be made, of which means are taken first.
+/// The picture for a look that draws `viewport` pixels and maps its source to the whole target. It
+/// is cropped or gets a black border, by the fit and pixel aspect of `source`. Pixels are
+/// unchanged, except for Fit::integer, which repeats them to match pixels of the viewport. Results
+/// of more than 33 million pixels are averaged down first.
 Picture placed(const Picture& picture, const SourceSpec& source, Extent viewport);
 
-/// Width to height of a pixel of what placed() makes of a picture.
+/// Width / height of a pixel in the result of placed().
 double placed_aspect(const SourceSpec& source, Extent picture);
 
-/// Where the lines and columns of a picture lie in what placed() makes of it.
+/// The position of a picture's lines and columns in the result of placed().
 SourceRaster placed_raster(Extent picture, const SourceSpec& source, Extent viewport);
 
-/// What shape a picture has that is as large as its view.
+/// The shape of a picture within its view.
 enum class ViewShape {
-    view,          // it fills the view
-    source,        // that of the source, by its pixels' aspect
-    whole_pixels,  // each of the source's lines the same whole number of lines; where not even one
-                   // fits, as `source`
+    view,          // fills the view
+    source,        // of the source, with its pixel aspect
+    whole_pixels,  // scales the source by an integer; if not even 1 fits, as `source`
 };
 
 /// "view", "source", "whole pixels".
 std::string_view shape_name(ViewShape shape);
 std::optional<ViewShape> find_shape(std::string_view name);
 
-/// The largest picture of that shape in a view, px; the view itself for an empty source.
+/// The largest picture of this shape in a view, px; the view itself for an empty source.
 Extent shaped(Extent view, ViewShape shape, Extent source, double pixel_aspect);

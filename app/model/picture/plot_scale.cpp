@@ -9,7 +9,7 @@ double rounded_up(double number) {
     if (!(number > 0.0) || !std::isfinite(number))
         return 0.0;
     const double power = std::pow(10.0, std::floor(std::log10(number)));
-    constexpr double slack = 1.0 - 1e-6;  // what is a step but for rounding
+    constexpr double slack = 1.0 - 1e-6;  // for rounding errors
     for (const double step : steps)
         if (number * slack <= step * power)
             return step * power;
@@ -31,7 +31,7 @@ std::vector<double> even_numbers(const PlotRange& range, int most) {
         if (last - first + 1.0 > most)
             continue;
         for (double i = first; i <= last; i += 1.0)
-            numbers.push_back(i * apart + 0.0);  // -0 is no number to read
+            numbers.push_back(i * apart + 0.0);  // avoids -0
         break;
     }
     return numbers;

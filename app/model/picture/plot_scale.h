@@ -2,7 +2,7 @@
 
 #include <vector>
 
-/// What a plot of numbers reaches over.
+/// The range of a plot.
 struct PlotRange {
     double low = 0.0;
     double high = 1.0;
@@ -11,24 +11,24 @@ struct PlotRange {
     double share(double number) const { return (number - low) / (high - low); }
 };
 
-/// The next larger of 1, 1.5, 2, 3, 4, 5, 6, 8 and 10 times a power of ten: an end for a plot that
-/// does not move with each number. 0 for 0.
+/// The next larger of 1, 1.5, 2, 3, 4, 5, 6, 8 and 10 times a power of ten; 0 for 0. Used for the
+/// end of a plot, so that it does not change with each number.
 double rounded_up(double number);
 
-/// Even numbers within a range, at most so many (at least 2): each 1, 2 or 5 times a power of ten
-/// further than the one before, with 0 among them where it lies within.
+/// Evenly spaced numbers in a range, at most `most` (at least 2). Their distance is 1, 2 or 5 times
+/// a power of ten; 0 is included if in range.
 std::vector<double> even_numbers(const PlotRange& range, int most);
 
-/// A range that grows as soon as numbers need it, and shrinks only when they have needed less for a
-/// while: a plot that stays readable while they move.
+/// A range that grows immediately when needed, but shrinks only after a smaller range was
+/// sufficient for a while. Keeps a changing plot readable.
 class SteadyRange {
 public:
-    /// From 0 or the least number to the greatest one, both rounded_up().
+    /// From 0 or the smallest number to the largest one, both rounded_up().
     void cover(double least, double greatest, double seconds);
     const PlotRange& present() const { return m_range; }
 
 private:
     PlotRange m_range{};
     bool m_is_new = true;
-    double m_needed = 0.0;  // s, when all of it was needed last
+    double m_needed = 0.0;  // s, when the whole range was last needed
 };

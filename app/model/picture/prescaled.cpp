@@ -4,8 +4,8 @@
 #include <numeric>
 
 namespace {
-// Where neighbouring columns or rows differ: the greatest common divisor of their places, and how
-// many there are.
+// Positions where neighbouring columns or rows differ: their greatest common divisor and their
+// number.
 struct Changes {
     int divisor = 0;
     int count = 0;
@@ -33,7 +33,7 @@ bool is_column_new(const Picture& picture, int x) {
     return false;
 }
 
-// Ends at the first change that leaves no divisor but 1.
+// Stops when the divisor is 1.
 template <class IsNew>
 Changes changes_along(int length, const IsNew& is_new) {
     Changes changes{length};

@@ -2,14 +2,14 @@
 
 #include "model/look/picture.h"
 
-/// How many pixels along both sides show one pixel of the original, where a picture was enlarged by
-/// a whole number with nearest-neighbour sampling: 2 to 8. 1 for any other picture, and for one
-/// that changes at fewer than eight columns or rows, which tells too little.
+/// The integer factor, 2 to 8, by which a picture was enlarged with nearest-neighbour sampling. 1
+/// for other pictures, and for pictures with changes at fewer than eight columns or rows, which are
+/// not sufficient evidence.
 int found_prescale(const Picture& picture);
 
-/// The original of a picture that shows each pixel as `times` x `times` pixels, at least 1 x 1: the
-/// middle one of each. What is left over at the right and at the bottom is cut off.
+/// The original of a picture that shows each pixel as `times` x `times` pixels: the middle pixel of
+/// each block, at least 1 x 1. Remaining pixels at the right and bottom are dropped.
 Picture without_prescale(const Picture& picture, int times);
 
-/// The size of what without_prescale() makes.
+/// The size of the result of without_prescale().
 Extent extent_without_prescale(Extent extent, int times);

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-// By a product, as drivers have it: then it is what GL gives where it is asked for floats.
+// A multiplication, as in drivers: gives the same value as reading floats from GL.
 float number_of(std::uint8_t byte) {
     return static_cast<float>(byte) * (1.0f / 255.0f);
 }

@@ -6,15 +6,15 @@
 #include <variant>
 #include <vector>
 
-/// A picture as it is read of a target, for another thread to go on with: bytes (255 for 1) and
-/// half floats stay such, and row 0 is the bottom one.
+/// A picture as read from a target, for another thread. Bytes (255 is 1) and half floats are not
+/// converted, and row 0 is the bottom row.
 struct RawPicture {
     using Bytes = std::vector<std::uint8_t>;
     using Halves = std::vector<std::uint16_t>;
     using Floats = std::vector<float>;
 
     Extent extent;
-    int channels = 4;  // as a Picture's
+    int channels = 4;  // as in Picture
     Encoding encoding = Encoding::linear;
     std::variant<Bytes, Halves, Floats> pixels;
 
@@ -23,12 +23,12 @@ struct RawPicture {
     }
 };
 
-/// The number that a channel stands for: bits of a half float are those of IEEE 754 binary16.
+/// The value of a channel; half floats are in IEEE 754 binary16.
 float number_of(std::uint8_t byte);
 float number_of(std::uint16_t half);
 inline float number_of(float number) {
     return number;
 }
 
-/// The same pixels as floats, row 0 on top.
+/// The same pixels as floats, row 0 at the top.
 Picture picture_of(const RawPicture& raw);

@@ -11,11 +11,11 @@
 namespace {
 constexpr int cube_faces = 6;
 
-/// Where a face lies in a cross, in squares from the top left.
+/// The position of a face in a cross, in squares from the top left.
 struct Place {
     int column;
     int row;
-    bool is_turned = false;  // upside down
+    bool is_turned = false;  // rotated by 180 degrees
 };
 
 constexpr std::array<Place, cube_faces> wide_cross{
@@ -53,7 +53,7 @@ Picture from_row(const Picture& flat, int side, int layers, PictureShape shape) 
     return solid;
 }
 
-// Bilinearly, at a place in texels; round the horizon the picture goes on.
+// Bilinear, at a position in texels; wraps around horizontally.
 void append_sample(const Picture& flat, double x, double y, Picture& solid) {
     const int width = flat.extent.width;
     const auto left = static_cast<int>(std::floor(x - 0.5));

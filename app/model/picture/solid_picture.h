@@ -3,8 +3,8 @@
 #include "base/diagnostic.h"
 #include "model/look/picture.h"
 
-/// Where a texel of a cube's face is seen from its middle, not normalised: GL's table of faces, s
-/// and t from 0 to 1.
+/// The direction from a cube's centre to a texel of a face, not normalised: OpenGL's table of
+/// faces, s and t from 0 to 1.
 struct Direction {
     double x;
     double y;
@@ -12,9 +12,9 @@ struct Direction {
 };
 Direction cube_direction(int face, double s, double t);
 
-/// A flat picture as the cube or volume that it is a drawing of, told by its shape. A cube: six
-/// squares beside or below each other in GL's order, a cross of 4 x 3 or 3 x 4 squares round +z, or
-/// a panorama twice as wide as high (longitude and latitude, +z in its middle, sampled bilinearly).
-/// A volume: as many square slices beside or below each other as one is wide. A single pixel fills
-/// either. Says what is wanted where it is none of them.
+/// Converts a flat picture to a cube or volume, by its proportions. A cube is six squares in a row
+/// or column in GL's order, or a cross (4 x 3 or 3 x 4) around +z. A 2:1 panorama also gives a cube
+/// (longitude and latitude, +z in the middle, sampled bilinearly). A volume is a row or column of
+/// square slices, their number equal to their width. A single pixel fills either. Otherwise the
+/// error lists the valid layouts.
 Result<Picture> solid_of(const Picture& flat, PictureShape wanted);

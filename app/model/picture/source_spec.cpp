@@ -56,7 +56,7 @@ Result<void> take_prescale(std::string_view setting, std::string_view word, Sour
     return {};
 }
 
-// One setting at the end of a source; nothing where the text is none.
+// A setting at the end of a source; nullopt if the text is not a setting.
 std::optional<Result<void>> take_setting(std::string_view setting, SourceSpec& source) {
     const std::string_view key = setting.substr(0, setting.find('='));
     const std::string_view word = setting.substr(std::min(key.size() + 1, setting.size()));
@@ -105,7 +105,7 @@ std::optional<Fit> find_fit(std::string_view name) {
 
 Result<SourceSpec> parse_source(std::string_view text, const SourceSpec& usual) {
     SourceSpec source = usual;
-    // From the end on, so that the first of two equal settings would win; none is there twice.
+    // From the end, so the first of two equal settings wins.
     std::vector<std::string_view> pieces = split(text, ',');
     std::vector<std::string_view> own;
     while (pieces.size() > 1) {

@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <vector>
 
-/// What the numbers of a picture come to. A pixel with a number that is not finite is counted apart
-/// and left out of all else.
+/// Statistics of a picture's values. A pixel with a non-finite value is only counted, and left out
+/// of everything else.
 struct Statistics {
-    double minimum = 0.0;  // these three over all channels; 0 where no pixel is finite
+    double minimum = 0.0;  // these three over all channels; 0 without finite pixels
     double maximum = 0.0;
     double mean = 0.0;
     std::size_t finite = 0;        // pixels
@@ -21,16 +21,16 @@ struct Statistics {
 
 Statistics statistics_of(const Picture& picture);
 
-/// How often numbers occur between two ends, in bins of equal width.
+/// Counts of values in a range, in bins of equal width.
 struct Histogram {
-    std::vector<std::vector<std::uint32_t>> bins;  // of each channel
-    std::uint32_t below = 0;                       // of all channels together
+    std::vector<std::vector<std::uint32_t>> bins;  // per channel
+    std::uint32_t below = 0;                       // of all channels
     std::uint32_t above = 0;
-    std::uint32_t finite = 0;  // numbers, those outside included
+    std::uint32_t finite = 0;  // values, including those out of range
 
-    std::uint32_t highest() const;  // count of any bin
+    std::uint32_t highest() const;  // largest count of any bin
 };
 
-/// Of each channel on its own. `high` itself falls into the last bin; `low` lies below it. What is
-/// not finite is not counted.
+/// Per channel. `high` is in the last bin; values below `low` are counted as below. Non-finite
+/// values are not counted.
 Histogram histogram_of(const Picture& picture, double low, double high, std::size_t bins);

@@ -4,13 +4,13 @@
 #include <utility>
 
 namespace {
-/// Places in the order of drawing, both within.
+/// Indices in drawing order, inclusive.
 struct Span {
     std::size_t first = 0;
     std::size_t last = 0;
 };
 
-/// One input that a pass reads of another.
+/// An input that reads another pass.
 struct Reading {
     std::size_t reader;
     std::size_t read;
@@ -30,12 +30,12 @@ std::vector<Reading> readings_of(const Look& look, const PlanTerms& terms, const
     return all;
 }
 
-// What it reads of a pass that comes later in the look is of the frame before.
+// An input that reads a pass drawn later in the look gets its previous frame.
 bool reads_late(const Reading& reading) {
     return reading.frames_ago == 0 && reading.read >= reading.reader;
 }
 
-/// Who may have a picture in common, and when it needs it.
+/// Which passes may share a picture, and when each needs it.
 class Lifetimes {
 public:
     Lifetimes(const Look& look, const PlanTerms& terms, const Plan& plan)
@@ -62,7 +62,7 @@ public:
         });
     }
 
-    /// Of the newest picture, until it is read no more or changes places with the oldest.
+    /// Of the newest picture, until its last read or until it is swapped with the oldest one.
     Span span_of(std::size_t pass) const {
         Span span{m_places[pass], m_places[pass]};
         for (std::size_t guest = 0; guest < m_order.size(); ++guest)
@@ -71,14 +71,14 @@ public:
         for (const Reading& reading : m_readings)
             if (reading.read == pass && reading.frames_ago == m_plan.targets[pass].slots - 1)
                 span.last = std::max(span.last, m_places[reading.reader]);
-        // Where numbers that are not finite began is looked for behind the frame.
+        // The search for the origin of non-finite values reads it after the frame.
         const bool holds_floats = facts_of(m_plan.targets[pass].format).is_float;
         if (holds_floats && !is_ring(pass) && m_makes_ring[pass])
             span.last = m_order.size() - 1;
         return span;
     }
 
-    /// Whether nothing changes when the pass is drawn behind all others.
+    /// Whether drawing the pass after all others changes nothing.
     bool may_be_last(std::size_t pass) const {
         return is_ring(pass) && may_have_common(pass) &&
                std::ranges::none_of(m_readings, [&](const Reading& reading) {
@@ -104,8 +104,8 @@ private:
     const Plan& m_plan;
     std::vector<Reading> m_readings;
     std::vector<std::size_t> m_order;
-    std::vector<std::size_t> m_places;  // of the passes in it
-    std::vector<bool> m_makes_ring;     // later frames are made of what it draws
+    std::vector<std::size_t> m_places;  // index of each pass in the order
+    std::vector<bool> m_makes_ring;     // later frames depend on its output
 };
 
 CommonPicture picture_of(const PlannedTarget& target) {
@@ -125,7 +125,7 @@ void drop_unused(const Look& look, const PlanTerms& terms, Plan& plan) {
     }
 }
 
-// A picture that one pass alone would draw into is its own again.
+// A picture that only one pass uses is not shared.
 void drop_lonely(Plan& plan) {
     std::vector<CommonPicture> kept;
     for (std::size_t i = 0; i < plan.common.size(); ++i) {
@@ -142,10 +142,11 @@ void drop_lonely(Plan& plan) {
             target.held_until = 0;
 }
 
-// In the order of drawing each takes the first picture of its kind that is free: as few as can be.
+// In drawing order, each pass takes the first free picture of its kind, which minimises their
+// number.
 Plan with_order_kept(const Look& look, Plan plan, const PlanTerms& terms) {
     const Lifetimes lifetimes(look, terms, plan);
-    std::vector<std::size_t> busy_until;  // places, of the pictures in common
+    std::vector<std::size_t> busy_until;  // index in drawing order, per common picture
     for (const std::size_t pass : lifetimes.order()) {
         if (!lifetimes.may_have_common(pass))
             continue;

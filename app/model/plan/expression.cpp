@@ -14,7 +14,7 @@ double finite(double number) {
     return std::isfinite(number) ? number : 0.0;
 }
 
-// A recursive-descent reader; on a mistake m_problem is set and what follows is of no account.
+// A recursive-descent parser. After an error m_problem is set and the result is ignored.
 class Reader {
 public:
     Reader(std::string_view text, const std::map<std::string, double>& names)

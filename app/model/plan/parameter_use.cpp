@@ -4,7 +4,7 @@
 #include <cctype>
 
 namespace {
-// "$scale", but not the start of "$scale_x".
+// Finds "$scale", but not as the start of "$scale_x".
 bool reads(const std::string& expression, const std::string& name) {
     const auto goes_on = [](char c) {
         return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
@@ -19,7 +19,7 @@ bool reads(const std::string& expression, const std::string& name) {
     return false;
 }
 
-// `name` as the pass's own look calls it.
+// `name` is relative to the pass's look.
 bool follows(const Pass& pass, const std::string& name) {
     return std::ranges::any_of(pass.size, [&](const Side& side) {
         return side.by == Side::By::expression && reads(side.expression, name);

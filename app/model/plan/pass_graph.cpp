@@ -26,7 +26,7 @@ void add_edges(const Look& look, std::size_t reader, PassGraph& graph) {
         if (input.from == Input::From::pass && !find_pass(look, input.name))
             continue;
         const std::size_t from = node_read_by(input, graph.nodes);
-        // What this frame has not drawn yet can only be meant as the last frame drew it.
+        // A pass that is not drawn yet in this frame is read from the previous frame.
         const bool is_later = input.from == Input::From::pass && from >= reader;
         const int ago = is_later ? std::max(input.frames_ago, 1) : input.frames_ago;
         const auto same = std::ranges::find_if(graph.edges, [&](const Edge& edge) {
@@ -43,7 +43,7 @@ bool is_forward(const Edge& edge, const PassGraph& graph) {
     return edge.frames_ago == 0 || graph.nodes[edge.from].kind != Input::From::pass;
 }
 
-// Passes as far left as what they read lets them; pictures from outside right before their first
+// Passes are as far left as their inputs allow; other inputs are directly before their first
 // reader.
 void place_columns(std::size_t passes, PassGraph& graph) {
     for (std::size_t i = 0; i < passes; ++i)
@@ -64,11 +64,11 @@ void place_columns(std::size_t passes, PassGraph& graph) {
         graph.columns = std::max(graph.columns, node.column + 1);
 }
 
-/// A node, or the place where an edge crosses a column.
+/// A node, or the point where an edge crosses a column.
 struct Stop {
     std::optional<std::size_t> node;
     std::size_t edge = 0;
-    std::vector<std::pair<int, std::size_t>> neighbours;  // column and place in it
+    std::vector<std::pair<int, std::size_t>> neighbours;  // column and index in it
 };
 using Columns = std::vector<std::vector<Stop>>;
 
@@ -99,10 +99,10 @@ Columns stops_of(const PassGraph& graph, std::vector<std::size_t>& place_of_node
     return columns;
 }
 
-/// Rows by column and place.
+/// Rows by column and index.
 using Rows = std::vector<std::vector<double>>;
 
-// In the order of the wanted rows, one apart, about the middle.
+// In the order of the wanted rows, 1 apart and centred.
 void spread(std::vector<double>& rows) {
     std::vector<std::size_t> order(rows.size());
     for (std::size_t i = 0; i < order.size(); ++i)
@@ -125,8 +125,9 @@ void pull(const Columns& columns, std::size_t column, Rows& rows) {
     spread(rows[column]);
 }
 
-// Each near the middle of what it is joined to, to and fro (Sugiyama, Tagawa and Toda, "Methods for
-// visual understanding of hierarchical system structures", IEEE Trans. SMC 11 (1981)).
+// Moves each node to the mean of its neighbours, in sweeps to the right and left. Source: Sugiyama,
+// Tagawa and Toda, "Methods for visual understanding of hierarchical system structures", IEEE
+// Trans. SMC 11 (1981).
 Rows rows_of(const Columns& columns) {
     Rows rows;
     for (const auto& column : columns) {

@@ -7,48 +7,48 @@
 #include <string>
 #include <vector>
 
-/// What a person may switch about a pass, to find out what it does.
+/// Debugging switches of a pass.
 enum class PassSwitch {
-    bypass,  // hands on what it reads
-    freeze,  // keeps what it drew last
-    solo,    // is seen in the place of the picture
-    stop,    // the same, and later passes are not drawn
+    bypass,  // passes its first input through
+    freeze,  // keeps its last picture
+    solo,    // is displayed instead of the picture
+    stop,    // likewise, and later passes are not drawn
 };
 
-/// The passes that are switched, by their names. Part of no preset.
+/// The switched passes, by name. Not part of presets.
 struct PassSwitches {
     std::set<std::string> bypassed;
     std::set<std::string> frozen;
     std::string solo;  // "": none
-    std::string last;  // that is drawn; "": all are
+    std::string last;  // the last pass that is drawn; "": all are drawn
 
     bool operator==(const PassSwitches&) const = default;
     bool is_empty() const { return *this == PassSwitches{}; }
     bool has(PassSwitch which, const std::string& pass) const;
 };
 
-/// With one of them turned on, or off where it is on. At most one pass is seen alone or stopped at.
-/// Fails with the reason where it cannot be.
+/// Toggles a switch of a pass. At most one pass has solo or stop. Fails if the switch is not
+/// possible.
 Result<PassSwitches> switched(const Look& look, PassSwitches switches, PassSwitch which,
                               const std::string& pass);
 
-/// Those of passes that the look has.
+/// The switches of passes that exist in the look.
 PassSwitches known_switches(const Look& look, PassSwitches switches);
 
-/// What a bypassed pass hands on: what its first input reads, its own past left out, and an image
-/// only where there is nothing else. Null: nothing.
+/// The input that a bypassed pass passes through: the first input that isn't its own output;
+/// otherwise an image. Null without such an input.
 const Input* handed_on(const Pass& pass);
 
-/// The pass that is seen as the picture.
+/// The pass that is displayed as the picture.
 std::size_t picture_pass(const Look& look, const PassSwitches& switches);
 
-/// What is done about a pass in every frame.
+/// How a pass is handled in each frame.
 enum class PassRun {
     drawn,
-    bypassed,  // its target gets what handed_on() reads
-    frozen,    // keeps its last picture, and was always so for who reads its past
-    left_out,  // the same, but it is forgotten with the rest of the past
+    bypassed,  // its target gets the input of handed_on()
+    frozen,    // keeps its last picture, which is also its whole history
+    left_out,  // likewise, but discarded with its history
 };
 
-/// One a pass; empty where all are drawn.
+/// One per pass; empty if all are drawn.
 std::vector<PassRun> runs_of(const Look& look, const PassSwitches& switches);

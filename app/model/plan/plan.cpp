@@ -14,7 +14,7 @@ Look with_overrides(Look look, const PassOverrides& overrides) {
         const bool shares_changed =
             pass.onto && (overrides.contains(pass.name) || overrides.contains(pass.onto->pass));
         if (shares_changed)
-            pass.onto.reset();  // what is seen of either is not what the look meant
+            pass.onto.reset();  // the look did not intend it for an overridden pass
         const auto own = overrides.find(pass.name);
         if (own != overrides.end()) {
             if (own->second.format) {
@@ -40,9 +40,9 @@ struct Measures {
     Extent source;
     const Look& look;
     const Values& values;
-    mutable std::map<std::string, std::map<std::string, double>> names_of_scopes = {};  // so far
+    mutable std::map<std::string, std::map<std::string, double>> names_of_scopes = {};  // cache
 
-    // What an expression of a pass may speak of: in a stack the parameters of its own look.
+    // The names in expressions of a pass: in a stack the parameters of its own look.
     const std::map<std::string, double>& names_for(const Pass& pass) const {
         const auto [found, is_new] = names_of_scopes.try_emplace(pass.scope);
         std::map<std::string, double>& names = found->second;
@@ -62,7 +62,7 @@ struct Measures {
     }
 };
 
-/// What a side may be measured by, px.
+/// Reference lengths of a side, px.
 struct Lengths {
     int viewport;
     int source;
@@ -130,7 +130,7 @@ Result<Format> format_of(const Pass& pass, const Measures& measures) {
     return *is_half ? half_floats_of(format).value_or(format) : format;
 }
 
-// 0 where it comes to no length.
+// 0 if it is not a finite length.
 Result<double> spot_length(const Pass& pass, std::size_t axis, int texels,
                            const Measures& measures) {
     if (pass.spot[axis].empty())
@@ -153,7 +153,7 @@ Result<BeamSpot> spot_in(const Pass& pass, Extent extent, const Measures& measur
     return BeamSpot{*across, *up};
 }
 
-// The pass whose target it may share in this plan.
+// The pass whose target it shares in this plan.
 Result<std::optional<std::size_t>> host_of(const Look& look, std::size_t guest,
                                            const Measures& measures, const PlanTerms& terms) {
     const Pass& pass = look.passes[guest];
@@ -195,8 +195,7 @@ void add_lifetimes(const Look& look, const PlanTerms& terms, Plan& plan) {
                 continue;
             PlannedTarget& target = plan.targets[static_cast<std::size_t>(*read)];
             target.slots = std::max(target.slots, input.frames_ago + 1);
-            const bool has_levels =
-                !facts_of(target.format).is_integer;  // their mean would be none
+            const bool has_levels = !facts_of(target.format).is_integer;  // integers have no mean
             target.mipmapped = target.mipmapped || (input.sampler.mipmap && has_levels);
         }
     }
@@ -312,7 +311,7 @@ bool is_driven(const Look& look, std::size_t pass,
                const std::vector<const Parameter*>& parameters) {
     const Pass& read = look.passes[pass];
     return std::ranges::any_of(parameters, [&](const Parameter* parameter) {
-        // How many samples there are does not change what they are samples of.
+        // The number of samples does not change their content.
         const bool counts_samples = read.accumulate && (read.repeat == Count(parameter->name) ||
                                                         read.converge == Count(parameter->name));
         return !counts_samples && is_used_by(look, pass, *parameter);

@@ -7,43 +7,43 @@
 #include <string>
 #include <vector>
 
-/// What a person changed about a pass while looking into it; kept apart from the look.
+/// The user's changes to a pass for inspection, stored apart from the look.
 struct PassOverride {
     std::optional<Format> format;
-    std::optional<double> scale;   // of the viewport, both sides
-    std::optional<Filter> filter;  // of every input that reads this pass
+    std::optional<double> scale;   // of the viewport, for both sides
+    std::optional<Filter> filter;  // for all inputs that read this pass
 
     bool operator==(const PassOverride&) const = default;
     bool is_empty() const { return !format && !scale && !filter; }
 };
 
-/// By the pass's name.
+/// By name of the pass.
 using PassOverrides = std::map<std::string, PassOverride>;
 
-/// The look with its passes as a person overrode them.
+/// The look with overridden passes.
 Look with_overrides(Look look, const PassOverrides& overrides);
 
 /// The target of one pass.
 struct PlannedTarget {
     Extent extent;
     Format format = Format::rgba16f;
-    int slots = 1;           // pictures kept: the current one and those that some input still reads
-    bool mipmapped = false;  // some input reads its smaller levels
-    // The place of the pass onto whose target it is drawn: then it has none of its own but a texel
-    // of transparent black, which whatever reads it gets, and extent and format are that target's.
+    int slots = 1;  // stored pictures: the current one and previous ones that are still read
+    bool mipmapped = false;  // some input reads mip levels
+    // Index of the pass whose target it is drawn onto. It then has only a texel of transparent
+    // black of its own, which its readers get. Extent and format are those of that target.
     std::optional<std::size_t> onto = std::nullopt;
-    // The place in Plan::common of what its newest picture is drawn into: one of `slots` is not its
-    // own then. Behind the pass `held_until` others may draw there; where the target keeps former
-    // pictures, the newest one changes places with the oldest at that time.
+    // Index in Plan::common of the picture for its newest output, which replaces one of its
+    // `slots`. After the pass `held_until`, others may draw there. If the target keeps previous
+    // pictures, the newest one is then swapped with the oldest.
     std::optional<std::size_t> common = std::nullopt;
     std::size_t held_until = 0;
-    bool is_drawn_last = false;  // behind all others, as only later frames read it
-    bool is_unused = false;      // never drawn nor looked at: it has but a texel
+    bool is_drawn_last = false;  // after all others; only later frames read it
+    bool is_unused = false;      // neither drawn nor displayed: a single texel
 
     bool operator==(const PlannedTarget&) const = default;
 };
 
-/// A picture that is no pass's own.
+/// A picture that several passes share.
 struct CommonPicture {
     Extent extent;
     Format format = Format::rgba16f;
@@ -52,25 +52,25 @@ struct CommonPicture {
     bool operator==(const CommonPicture&) const = default;
 };
 
-/// What must be allocated to draw a frame of a look at a size.
+/// Everything to allocate for drawing frames of a look at a size.
 struct Plan {
-    std::vector<PlannedTarget> targets;      // one a pass, in the same order
+    std::vector<PlannedTarget> targets;      // one per pass, in the same order
     int source_slots = 1;                    // source pictures kept
-    std::vector<CommonPicture> common = {};  // that several passes draw into, one after the other
+    std::vector<CommonPicture> common = {};  // each shared by several passes, one after the other
 
     bool operator==(const Plan&) const = default;
 };
 
-/// What a plan depends on besides look, sizes and values.
+/// The conditions of a plan besides look, sizes and values.
 struct PlanTerms {
     int largest_side = 16384;         // of a target, px
-    std::vector<bool> seen = {};      // passes whose own pictures somebody looks at; empty: all
-    std::vector<bool> kept = {};      // passes that draw nothing of their own; empty: none
-    std::vector<bool> left_out = {};  // those of them that are not even to be there
-    // No frame is ever drawn again in part, so that a picture may be drawn over as soon as the last
-    // of its frame has read it.
+    std::vector<bool> seen = {};      // displayed passes; empty: all
+    std::vector<bool> kept = {};      // passes that are bypassed, frozen or left out; empty: none
+    std::vector<bool> left_out = {};  // passes that need not exist; empty: none
+    // No frame is partially redrawn, so a picture may be overwritten after its last read in the
+    // frame.
     bool draws_once = false;
-    // Of each pass's inputs those that its program reads; empty: all. Counts with draws_once.
+    // Inputs of each pass that its program reads; empty: all. Only used with draws_once.
     std::vector<std::vector<bool>> read = {};
 
     bool is_seen(std::size_t pass) const { return pass >= seen.size() || seen[pass]; }
@@ -79,47 +79,47 @@ struct PlanTerms {
     bool must_stand_alone(std::size_t pass) const;
 };
 
-/// Sizes, formats and lifetimes of the targets for a picture of `viewport` pixels.
-/// Fails where an expression cannot be read or a target would be empty or too large.
+/// Sizes, formats and lifetimes of the targets for a picture of `viewport` pixels. Fails if an
+/// expression is invalid, or if a target would be empty or too large.
 Result<Plan> plan_targets(const Look& look, Extent viewport, Extent source, const Values& values,
                           const PlanTerms& terms = {});
 
-/// Passes by place, in the order in which they are drawn: those that are drawn onto another's
-/// target come right behind that one, the rest as the look has them, but for those drawn last.
+/// Pass indices in drawing order. Passes drawn onto another's target directly follow that pass. The
+/// others are in the order of the look, except those drawn last.
 std::vector<std::size_t> draw_order(const Plan& plan);
 
-/// Whether something is drawn onto the target of the pass, or onto one that it reads.
+/// Whether another pass is drawn onto the target of this pass, or of one that it reads.
 bool meets_drawn_onto(const Look& look, const Plan& plan, std::size_t pass);
 
-/// The smallest spot of a pass of segments whose target has `extent`; where its look does not say
-/// so, half a texel of a target that the signal fills. Fails where an expression cannot be read.
+/// The smallest spot of a `segments` pass whose target has `extent`. The default is half a texel of
+/// a target that the signal fills. Fails if an expression is invalid.
 Result<BeamSpot> spot_of(const Look& look, const Pass& pass, Extent viewport, Extent extent,
                          const Values& values);
 
-/// The size of what a pass's look reads as the source: of the picture `source`, or in a stack of
-/// the target of the look before.
+/// The size of the source of a pass's look: of the picture `source`, or in a stack of the previous
+/// look's target.
 Extent source_extent_of(const Look& look, const Pass& pass, const Plan& plan, Extent source);
 
-/// Bytes that the targets hold, all of them or what is a target's own.
+/// Bytes of all targets, or of a target's own pictures.
 std::size_t memory_of(const Plan& plan);
 std::size_t memory_of(const PlannedTarget& target);
 
-/// What drawing the present frame again with other values takes.
+/// What to draw to show the current frame with other values.
 struct Redraw {
-    std::vector<bool> passes;   // those that the change reaches within a frame
-    bool needs_replay = false;  // it also reaches earlier frames that this one is made of
+    std::vector<bool> passes;   // affected by the change within a frame
+    bool needs_replay = false;  // earlier frames that this one depends on are affected too
 };
 
-/// The passes that `changed` ones reach within a frame, these included.
+/// The passes affected by `changed` passes within a frame, including these.
 std::vector<bool> reached_from(const Look& look, std::vector<bool> changed);
 
-/// For a paused picture: what shows a change of these passes, one flag each.
+/// For a paused picture: what a change of these passes requires, one flag per pass.
 Redraw redraw_of(const Look& look, std::vector<bool> changed);
-/// The same for a change of these parameters.
+/// As redraw_of, for a change of these parameters.
 Redraw redraw_after(const Look& look, const std::vector<std::string>& parameters);
 
-/// Passes on which the picture of `pass` depends, itself included; over all frames.
+/// Passes that the picture of `pass` depends on, including itself, over all frames.
 std::vector<bool> needed_for(const Look& look, int pass);
 
-/// Passes that later frames are made of: what must be drawn of a frame that nobody looks at.
+/// Passes that later frames depend on: those to draw in a frame that is not displayed.
 std::vector<bool> carried_passes(const Look& look);

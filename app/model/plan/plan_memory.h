@@ -4,6 +4,6 @@
 
 #include <cstdint>
 
-/// About how many bytes drawing by a plan takes: its targets with all pictures that they keep, and
-/// their smaller levels (a third more); `picture` once more, read as 32-bit floats and encoded.
+/// Approximate bytes for drawing by a plan. Includes its targets with all stored pictures and mip
+/// levels (a third more), and `picture` read as 32-bit floats and encoded.
 std::uint64_t estimated_bytes(const Plan& plan, Extent picture);

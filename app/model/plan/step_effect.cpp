@@ -12,14 +12,14 @@ namespace {
 constexpr double levels = 255.0;
 constexpr double least_shown_share = 1e-4;
 
-// Whether `reader` reads what `pass` draws, in this frame or later.
+// Whether `reader` reads the output of `pass`, in this frame or a later one.
 bool reads(const Look& look, std::size_t reader, std::size_t pass) {
     return std::ranges::any_of(look.passes[reader].inputs, [&](const Input& input) {
         return input.from == Input::From::pass && input.name == look.passes[pass].name;
     });
 }
 
-// A pass draws the same although it uses the parameter or reads one that has changed.
+// Whether a pass draws the same although it uses the parameter or reads a changed pass.
 bool ends_in(const Look& look, std::size_t pass, const Parameter& parameter,
              const std::vector<PassChange>& changes) {
     if (changes[pass].has_changed())
@@ -57,7 +57,7 @@ double change_place(const PassChange& change) {
     const double share = change_share(change);
     if (share <= 0.0)
         return 0.0;
-    constexpr double least_seen = 0.02;  // of the bar: something changes at all
+    constexpr double least_seen = 0.02;  // of the bar, for any change
     const double place = 1.0 - std::log(share) / std::log(least_shown_share);
     return std::clamp(place, least_seen, 1.0);
 }

@@ -9,10 +9,10 @@
 #include <optional>
 #include <string>
 
-/// What the present picture is compared with.
+/// What the current picture is compared with.
 struct Other {
     enum class Kind {
-        article,  // the same look with every `as_written` turned
+        article,  // the same look with every switch `as_written` on
         slot,     // the same look with a slot's values
         file,     // a picture
     };
@@ -24,23 +24,23 @@ struct Other {
     bool operator==(const Other&) const = default;
 };
 
-/// How two pictures are seen together.
+/// How two pictures are displayed together.
 enum class CompareMode { off, wipe, side_by_side, difference };
 
-/// What a picture of a difference shows of two stored numbers a (ours) and b (the other).
+/// The value in a difference picture of two stored numbers a (ours) and b (the other).
 enum class DifferenceMeasure {
     absolute,  // |a - b|
     relative,  // |a - b| / max(|b|, relative_floor)
     squared,   // (a - b)^2
 };
 
-/// Below this a number of the other picture counts as this large, or noise in the dark would be all
-/// that a relative difference shows.
+/// A smaller number of the other picture counts as this large. Otherwise a relative difference
+/// would show only noise in dark areas.
 constexpr double relative_floor = 0.01;
 
 double difference_of(double ours, double other, DifferenceMeasure measure);
 
-/// What a person chose to compare with, and how.
+/// The user's choice of comparison.
 struct Comparison {
     Other other = {};
     CompareMode mode = CompareMode::off;
@@ -51,23 +51,23 @@ struct Comparison {
     bool operator==(const Comparison&) const = default;
 };
 
-/// By how many stops the light of the other picture is to be multiplied so that its mean luminance
-/// is ours. None where one of them has no light.
+/// The stops to multiply the other picture's light by, so that its mean luminance equals ours.
+/// nullopt if either has no light.
 std::optional<double> matching_stops(double our_luminance, double other_luminance);
 
-/// Values that a person keeps at hand.
+/// Values that the user has stored in a slot.
 struct Slot {
-    std::string preset;  // that was open; "": none
-    Values values;       // what differs from the defaults
+    std::string preset;  // the preset that was open; "" without one
+    Values values;       // values that differ from the defaults
 
     bool operator==(const Slot&) const = default;
 };
 
-/// A, B and C; none: empty.
+/// A, B and C; nullopt: empty.
 using Slots = std::array<std::optional<Slot>, 3>;
 
 /// "A".
 std::string slot_name(std::size_t slot);
 
-/// The slots of each look, or stack, by its id.
+/// The slots of each look or stack, by its id.
 using LookSlots = std::map<std::string, Slots>;

@@ -4,15 +4,15 @@
 
 #include <string>
 
-/// Whether the user's signal or source stays when a preset or another look is opened.
+/// Whether the user's signal or source is kept when a preset or another look is opened.
 struct ContentLocks {
-    bool signal = false;  // in looks that a signal drives
-    bool source = false;  // in looks that process a picture
+    bool signal = false;  // for looks that a signal drives
+    bool source = false;  // for looks that process a picture
 
     bool operator==(const ContentLocks&) const = default;
 };
 
-/// What the user views through looks, one of each kind.
+/// The user's own signal and source.
 struct Content {
     Spec signal;
     std::string source;

@@ -6,23 +6,23 @@
 #include <optional>
 #include <string>
 
-/// Values for a look's parameters, and the signal or source they were judged on.
+/// Values for a look's parameters, and the signal or source they were tuned with.
 struct Preset {
     std::string look;    // id, or "a+b"
-    std::string digest;  // look_digest at the time of saving; "": not known
+    std::string digest;  // look_digest when saved; "": unknown
     std::string name;
     std::string about;
     std::string author;
     std::optional<Spec> signal;
-    std::string source;        // "pattern:smpte", a picture's path, or "": the look's own
-    std::string media_digest;  // of the person's file that signal or source names; "": none
-    Values values;             // what differs from the defaults, orphans included
-    std::vector<std::string> bypass = {};  // keys of the looks of a stack that draw nothing
-    Modulations modulations = {};          // what moves by itself, orphans included
+    std::string source;        // "pattern:smpte", the path of a picture, or "": the look's default
+    std::string media_digest;  // of the user's file in `signal` or `source`; "" without one
+    Values values;             // values that differ from the defaults, including orphans
+    std::vector<std::string> bypass = {};  // keys of a stack's looks that are not drawn
+    Modulations modulations = {};          // including orphans
 
     bool operator==(const Preset&) const = default;
 };
 
-/// What a person is told when a preset was made for another state of the look; empty when all fits.
+/// Warnings if a preset was made for another version of the look; empty if it fits.
 Diagnostics compare_with_look(const Preset& preset, const Look& look,
                               const std::filesystem::path& file);

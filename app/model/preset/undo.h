@@ -5,8 +5,7 @@
 #include <utility>
 #include <vector>
 
-/// What was, what is and what was undone of one value. A gesture (a drag of one slider) is one
-/// step.
+/// A value with undo and redo. A gesture (a drag of one slider) is one step.
 template <class State>
 class Undo {
 public:
@@ -15,13 +14,12 @@ public:
     const State& current() const { return m_current; }
     bool can_undo() const { return !m_past.empty(); }
     bool can_redo() const { return !m_future.empty(); }
-    /// What undo() would take back, in words for a menu; "" when there is nothing.
+    /// The name of the step that undo() reverts, for a menu; "" without a step.
     std::string undo_name() const { return can_undo() ? m_past.back().name : std::string(); }
     std::string redo_name() const { return can_redo() ? m_future.back().name : std::string(); }
 
-    /// Makes `next` the current state. Changes of one gesture (same non-empty name, not yet
-    /// finished) replace each other; a change that changes nothing is no step. `is_marked`: kept
-    /// with the step, see Step.
+    /// Makes `next` the current state. Changes of one gesture (same name, not yet finished) are one
+    /// step. An unchanged state is not a step. `is_marked`: stored with the step, see Step.
     void change(State next, std::string name, bool goes_on = false, bool is_marked = false) {
         if (next == m_current)
             return;
@@ -33,7 +31,7 @@ public:
         m_open = goes_on;
     }
 
-    /// Ends the gesture that is under way; the next change is a step of its own.
+    /// Ends the current gesture; the next change is a new step.
     void finish() { m_open = false; }
     bool is_in_gesture() const { return m_open; }
 
@@ -57,13 +55,13 @@ public:
         m_open = false;
     }
 
-    /// Applies a function to the current state alone, without a step.
+    /// Applies a function to the current state only, without a step.
     template <class Function>
     void amend(const Function& function) {
         function(m_current);
     }
 
-    /// Applies a function to every state, past and to come (a parameter that was renamed by an
+    /// Applies a function to all states, past and future (for a parameter that was renamed by an
     /// edit).
     template <class Function>
     void rewrite(const Function& function) {
@@ -74,13 +72,13 @@ public:
             function(step.state);
     }
 
-    /// A state, and the step that led away from it.
+    /// A state, and the step that changed it.
     struct Step {
         State state;
         std::string name;
-        bool is_marked = false;  // the owner treats undo and redo of this step in its own way
+        bool is_marked = false;  // the owner handles undo and redo of this step separately
     };
-    /// For saving a session and bringing it back.
+    /// For saving and restoring a session.
     const std::vector<Step>& past() const { return m_past; }
     const std::vector<Step>& future() const { return m_future; }
     static Undo restored(std::vector<Step> past, State current, std::vector<Step> future) {

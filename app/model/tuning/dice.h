@@ -4,7 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
-/// Even numbers in 0..1; SplitMix64 (Steele, Lea and Flood 2014), the same on every machine.
+/// Uniform random numbers in 0..1; SplitMix64 (Steele, Lea and Flood 2014), the same on all
+/// machines.
 class Dice {
 public:
     explicit Dice(std::uint64_t seed) : m_state(seed) {}

@@ -5,23 +5,23 @@
 
 #include <cstddef>
 
-/// Whether a knob of a device can turn it: single numbers, switches, lists, triggers and the
-/// numbers of vectors; no files, colours or matrices.
+/// Whether a device's knob can control it: numbers, switches, lists, triggers and vector
+/// components; not files, colours or matrices.
 bool can_be_turned(const Parameter& parameter);
 
-/// Whether it has values between its values, so that a jump would be seen as one.
+/// Whether it has intermediate values, so that a jump would be visible.
 bool is_gradual(const Parameter& parameter);
 
-/// A number of a parameter, and the ends that a person gave its slider.
+/// A number of a parameter, and the user's ends of its slider.
 struct TurnedNumber {
     const Parameter& parameter;
     const KnobSetting& setting;
     std::size_t component = 0;
 };
 
-/// The value with that number so far along the slider, 0 low .. 1 high, at a step where there are
-/// steps. Each item of a list has an equal part of the way; a switch is on from the middle.
+/// The value with this number at `share` of the slider, 0 low .. 1 high, rounded to a step if it
+/// has steps. Items of a list have equal parts; a switch is on from the middle.
 Value value_at_share(const TurnedNumber& turned, Value present, double share);
 
-/// How far along the slider it is, 0 .. 1; in a list the middle of its item's part.
+/// The position on the slider, 0 .. 1; for a list the middle of its item's part.
 double share_at(const TurnedNumber& turned, const Value& value);

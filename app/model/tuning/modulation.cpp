@@ -68,7 +68,7 @@ Figures envelope_figures() {
 }
 
 Figures beat_figures() {
-    constexpr double longest = 0.5;  // a beat is remembered for two seconds
+    constexpr double longest = 0.5;  // a beat is stored for two seconds
     return {{.key = "threshold",
              .label = "Threshold",
              .unit = "×",
@@ -85,7 +85,7 @@ const ModulationWord<T>& word_of(const std::vector<ModulationWord<T>>& words, T 
     return *std::ranges::find(words, value, &ModulationWord<T>::value);
 }
 
-// The share of a turn that has gone by, 0 <= share < 1.
+// The fraction of a cycle, 0 <= share < 1.
 double share_of_turn(double turns) {
     return turns - std::floor(turns);
 }
@@ -97,7 +97,7 @@ bool drives_size(const Look& look, const Parameter& parameter) {
     return false;
 }
 
-// Of the parameter's own name, so that it is the same in every stack.
+// From the name without a scope, so that it is the same in every stack.
 std::uint64_t seed_of(const std::string& name) {
     return digest_of(name.substr(name.rfind('/') + 1));
 }
@@ -209,7 +209,7 @@ double lfo_at(const Modulation& modulation, double seconds, std::uint64_t seed) 
     switch (modulation.shape) {
         case LfoShape::sine:
             return std::sin(2.0 * std::numbers::pi * share);
-        case LfoShape::triangle:  // in step with the sine
+        case LfoShape::triangle:  // in phase with the sine
             return 1.0 - 4.0 * std::abs(share_of_turn(turns + 0.25) - 0.5);
         case LfoShape::saw:
             return 2.0 * share - 1.0;
@@ -219,7 +219,7 @@ double lfo_at(const Modulation& modulation, double seconds, std::uint64_t seed) 
             break;
     }
     const auto step = static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(turns)));
-    constexpr std::uint64_t apart = 0xd1342543de82ef95u;  // odd: each step has a seed of its own
+    constexpr std::uint64_t apart = 0xd1342543de82ef95u;  // odd: gives each step its own seed
     return 2.0 * Dice(seed ^ (step * apart)).roll() - 1.0;
 }
 

@@ -8,7 +8,7 @@ namespace {
 constexpr double full_turn = 2.0 * std::numbers::pi;
 
 bool goes_all_round(const Parameter& parameter) {
-    constexpr double slack = 1e-3;  // ends are written to a few digits
+    constexpr double slack = 1e-3;  // ends are written with few digits
     return parameter.control == Control::angle &&
            parameter.range.high - parameter.range.low >= full_turn - slack;
 }
@@ -27,7 +27,7 @@ double between(const Parameter& parameter, double from, double to, double share)
     return from + (to - from) * share;
 }
 
-// An angle that has left its slider by the shorter way comes in at the other end.
+// An angle that leaves its slider on the shorter way enters at the other end.
 double within(const Parameter& parameter, double angle) {
     const Range& range = parameter.range;
     if (!goes_all_round(parameter) || (angle >= range.low && angle <= range.high))

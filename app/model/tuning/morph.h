@@ -2,8 +2,7 @@
 
 #include "model/look/look.h"
 
-/// The look's values on the way from one set to another, at `share` 0 .. 1 of it. Numbers go
-/// straight, on logarithmic sliders in equal ratios; colours as the linear light that they are;
-/// angles that go all round the shorter way. Whole numbers, lists, switches and files change at
-/// half.
+/// Interpolates between two sets of a look's values, at `share` 0 .. 1. Numbers are linear, on
+/// logarithmic sliders in equal ratios; colours are linear light. Angles with a full circle take
+/// the shorter way. Integers, lists, switches and files change at 0.5.
 Values morphed(const Look& look, const Values& from, const Values& to, double share);

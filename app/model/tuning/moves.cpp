@@ -3,13 +3,13 @@
 #include <algorithm>
 
 namespace {
-constexpr double slack = 1e-6;  // s, what a file tells
+constexpr double slack = 1e-6;  // s, the resolution of a file
 
 bool is_later(double seconds, const Move& move) {
     return seconds + slack < move.seconds;
 }
 
-// Among the last moves.
+// Searches the moves at the end of the list.
 Move* find_at(Moves& moves, double seconds, const std::string& name) {
     for (auto move = moves.rbegin(); move != moves.rend() && move->seconds == seconds; ++move)
         if (move->name == name)
@@ -60,7 +60,7 @@ void MovesRecorder::note(const Values& values, double seconds) {
         if (!is_recorded(parameter) || now == value_of(parameter, m_last))
             continue;
         if (Move* same = find_at(m_moves, seconds, parameter.name))
-            same->value = now;  // turned again while time rests
+            same->value = now;  // changed again at the same time
         else
             m_moves.push_back({seconds, parameter.name, now});
     }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-/// A parameter that was turned: from this time on it has this value.
+/// A change of a parameter: its value from this time.
 struct Move {
     double seconds = 0.0;  // on the clock of the picture
     std::string name;
@@ -14,22 +14,22 @@ struct Move {
     bool operator==(const Move&) const = default;
 };
 
-/// By their times, the first one first.
+/// In order of time.
 using Moves = std::vector<Move>;
 
-/// Whether moves tell of the parameter: of all but files.
+/// Whether changes of the parameter are recorded: all except files.
 bool is_recorded(const Parameter& parameter);
 
-/// Goes through moves as time goes on.
+/// Reads moves in order of time.
 class MovesReader {
 public:
     explicit MovesReader(Moves moves = {}) : m_moves(std::move(moves)) {}
 
     bool is_empty() const { return m_moves.empty(); }
-    /// Whether one of them is the parameter's.
+    /// Whether a move changes the parameter.
     bool has(const std::string& name) const;
-    /// The values that have come since last asked: of each parameter the last one at or before this
-    /// time, to the millionth of a second that a file tells.
+    /// The values since the last call: for each parameter the last one at or before this time,
+    /// within a file's resolution of 1 us.
     Values take(double seconds);
     void start_again() { m_next = 0; }
 
@@ -38,20 +38,20 @@ private:
     std::size_t m_next = 0;
 };
 
-/// Writes down what is turned.
+/// Records changes of parameters.
 class MovesRecorder {
 public:
-    /// From here on. What differs from the defaults now is told at time 0, so that the moves say
-    /// all; of two parameters that change at once the look's first comes first.
+    /// Starts recording. Values that differ from the defaults are recorded at time 0, so that the
+    /// moves are complete. Simultaneous changes are in the order of the look.
     void start(Look look, const Values& values);
     bool is_running() const { return m_is_running; }
     void stop() { m_is_running = false; }
 
-    /// The values of the frame that ends at this time. When the clock has gone back, what was
-    /// recorded after it is recorded over.
+    /// Records the values of the frame that ends at this time. If the clock has gone back, later
+    /// moves are replaced.
     void note(const Values& values, double seconds);
     const Moves& moves() const { return m_moves; }
-    /// As it was at the start.
+    /// The look at the start.
     const Look& look() const { return m_look; }
 
 private:

@@ -61,7 +61,7 @@ Result<Value> one_step(const Parameter& parameter, const Value& value, std::size
         return next_item(parameter, value, up);
     if (parameter.control == Control::color)
         return brighter(parameter, value, up);
-    constexpr std::size_t upward = 1;  // of a point
+    constexpr std::size_t upward = 1;  // y of a point
     const std::size_t chosen = parameter.control == Control::point ? upward : component;
     Value next = value;
     double& number = next.numbers[std::min(chosen, next.numbers.size() - 1)];

@@ -4,13 +4,12 @@
 
 #include <cstdint>
 
-/// Whether a roll of the dice turns the parameter: a person sees it and turns it between two ends,
-/// in a list, a box or a colour. Not what says how much is computed, the view, matrices, triggers
-/// and files.
+/// Whether Randomise changes the parameter: it is visible and has a range, a list, a checkbox or a
+/// colour. Excludes iteration counts, the orbit, matrices, triggers and files.
 bool is_randomised(const Look& look, const Parameter& parameter);
 
-/// `values` with every such parameter that is not locked somewhere on its slider, all places alike
-/// (on a logarithmic one: all ratios), at a step where it has steps; colours evenly to the eye,
-/// their alpha as it is. The same seed gives the same; what one gets does not depend on the others.
+/// `values` with random values for all such parameters that are not locked. Positions are uniform
+/// on the slider (logarithmic: uniform ratios), at steps if it has steps. Colours are uniform in
+/// sRGB; alpha is unchanged. The same seed gives the same values, independently for each parameter.
 Values randomised_values(const Look& look, const Values& values, const KnobSettings& knobs,
                          std::uint64_t seed);

@@ -40,7 +40,7 @@ double Steps::nearest(double wanted) const {
 std::optional<Steps> steps_in(const Range& range, double origin) {
     if (!(range.step > 0.0))
         return std::nullopt;
-    constexpr double slack = 1e-6;  // ends are decimals, which doubles only come near to
+    constexpr double slack = 1e-6;  // ends are decimals, which doubles only approximate
     const double low = std::ceil((range.low - origin) / range.step - slack);
     const double high = std::floor((range.high - origin) / range.step + slack);
     if (!(high >= low))

@@ -4,32 +4,31 @@
 
 #include <optional>
 
-/// Where a value lies between the ends of a slider, 0 low .. 1 high, and back. A logarithmic slider
-/// whose low end is not above zero follows a cubic instead, which also gives small values the most
-/// room.
+/// The position of a value on a slider, 0 low .. 1 high, and back. A logarithmic slider whose low
+/// end is not above zero uses a cubic instead, which also gives small values the most room.
 double place_in(const Range& range, Scale scale, double value);
 double value_at(const Range& range, Scale scale, double place);
 
-/// The nearest number within `range` that reads well: there are about a thousand of them over a
-/// slider (a logarithmic one: as many of each size), `coarseness` times fewer.
+/// The nearest short decimal within `range`. A slider has about a thousand of them (a logarithmic
+/// slider: the same number per magnitude), divided by `coarseness`.
 double readable(const Range& range, Scale scale, double value, double coarseness = 1.0);
 
-/// The values that a slider with steps stops at.
+/// The values of a slider with steps.
 struct Steps {
     double first = 0.0;
     double step = 1.0;
-    double count = 1.0;  // whole, at least 1
+    double count = 1.0;  // integer, at least 1
 
     double value(double index) const { return first + index * step; }
     double nearest(double value) const;
 };
 
-/// Those within `range`, counted from `origin`: "@range 3 25 2" stops at odd numbers, also after
-/// a person has moved its ends. None where there is no step, or no stop within.
+/// The steps within `range`, counted from `origin`: "@range 3 25 2" stops at odd numbers, also
+/// after the user has changed its ends. nullopt without a step, or without a stop in the range.
 std::optional<Steps> steps_in(const Range& range, double origin);
 
-/// The step that the parameter is turned by, 0 for any value; whole numbers have one of 1 at least.
+/// The step of the parameter, 0 for any value; at least 1 for integers.
 double step_of(const Parameter& parameter);
 
-/// Whether each number of a vector is turned on its own, by a slider on a line of its own.
+/// Whether each component of a vector has its own slider on its own line.
 bool has_parts(const Parameter& parameter);
