@@ -17,7 +17,7 @@ WindowOptions window_options(const std::string& look, Roots roots) {
     return options;
 }
 
-// A window; where none can be had one with software OpenGL; where there is no display a picture.
+// Opens a window. If that fails, retries with software OpenGL, then renders a picture.
 int open_window(const std::string& look, const DataFolders& data) {
     auto roots = find_roots(
         data.data.empty() ? std::nullopt : std::optional<std::filesystem::path>(data.data),

@@ -1,1 +1,1 @@
-// Compiled for its precompiled header only, which all layers share; see CMakeLists.txt.
+// Compiled only for its precompiled header, which all layers share; see CMakeLists.txt.

@@ -1,4 +1,4 @@
-// Writes the list of the files that the program is shipped with, as C++; runs at build time.
+// Writes the list of shipped files as C++; runs at build time.
 #include "base/file.h"
 #include "base/text.h"
 

@@ -20,7 +20,7 @@
 namespace {
 using Clock = std::chrono::steady_clock;
 
-// Of /proc/self/statm, in pages: the sixth number is data and stack.
+// Data and stack: the sixth number of /proc/self/statm, in pages.
 std::size_t data_bytes() {
     std::ifstream statm("/proc/self/statm");
     std::size_t pages = 0;
@@ -43,14 +43,14 @@ void write_all(int descriptor, std::string_view text) {
     }
 }
 
-// Leaves without the program's own end: its objects belong to the parent.
+// Exits without the program's cleanup: its objects belong to the parent.
 [[noreturn]] void work_in_child(const std::function<std::string()>& work, const ChildBounds& bounds,
                                 int output) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGABRT, SIGSEGV, SIGBUS, SIGXCPU})
         ::signal(signal, SIG_DFL);
     if (const int nothing = ::open("/dev/null", O_WRONLY); nothing >= 0)
-        ::dup2(nothing, STDERR_FILENO);  // what libraries have to say there
+        ::dup2(nothing, STDERR_FILENO);  // hides messages of libraries
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_DATA, data_bytes() + bounds.memory_bytes);
     limit(RLIMIT_CPU, static_cast<std::size_t>(std::ceil(bounds.seconds)) + 1);
@@ -62,7 +62,7 @@ void write_all(int descriptor, std::string_view text) {
     ::_exit(0);
 }
 
-// Reads to the end of the output; "" or which bound was met.
+// Reads to the end of the output; returns "" or the exceeded limit.
 std::string read_bounded(int input, const ChildBounds& bounds, std::string& text) {
     const auto end = Clock::now() + std::chrono::duration<double>(bounds.seconds);
     std::array<char, 65536> block{};

@@ -4,18 +4,18 @@
 #include <functional>
 #include <string>
 
-/// What a piece of work may take.
+/// Limits of a child process.
 struct ChildBounds {
     double seconds = 0.0;
-    std::size_t memory_bytes = 0;  // besides what the program has already
+    std::size_t memory_bytes = 0;  // in addition to the program's present use
     std::size_t output_bytes = 0;
 };
 
 struct ChildOutput {
     std::string text;
-    std::string problem;  // "": the work was done
+    std::string problem;  // "": success
 };
 
-/// Does the work in a child process and gives its text: a library that takes too long, takes too
-/// much memory or crashes on a file then ends nothing else. `problem` says which bound was met.
+/// Runs `work` in a child process and returns its text. A library that needs too much time or
+/// memory, or crashes on a file, then affects nothing else. `problem` has the exceeded limit.
 ChildOutput run_bounded(const std::function<std::string()>& work, const ChildBounds& bounds);

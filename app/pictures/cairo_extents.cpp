@@ -1,7 +1,7 @@
-// Stands in for two functions of Cairo where librsvg calls them, as a library that is loaded with
-// this module finds the module's functions first. librsvg asks for the extents of each shape, which
-// Cairo finds from all crossings of its lines: of a line with 5,000 corners that takes seconds. No
-// outline depends on them, and the corners' own extents take no time.
+// Replaces two functions of Cairo for librsvg: a library that is loaded with this module finds the
+// module's functions first. librsvg requests the extents of each shape, which Cairo computes from
+// all intersections of its lines. For a line with 5,000 corners this takes seconds. No outline
+// depends on these extents, and those of the corners take no time.
 #include <cairo.h>
 
 extern "C" void cairo_fill_extents(cairo_t* context, double* x1, double* y1, double* x2,

@@ -16,13 +16,13 @@ namespace fs = std::filesystem;
 
 namespace {
 constexpr int largest_side = 16384;
-// As floats in memory, and as RGBA floats on the GPU: 34 million pixels of RGB, 30 of RGBA.
+// As floats in memory and RGBA floats on the GPU: 34 million pixels of RGB, 30 million of RGBA.
 constexpr std::int64_t most_bytes = std::int64_t{920} << 20;
 
-// Marks a file of ours whose alpha is data that the colours were never multiplied by.
+// Marks our files, whose colours are not multiplied by alpha.
 constexpr const char* as_stored = "afterglowAsStored";
 
-// The library's message without its own names, control characters and repeated lines.
+// The first line of the library's message, without control characters, cut to 200 bytes.
 std::string cleaned(std::string_view message) {
     const auto lines = split_lines(message);
     std::string text(trim(lines.empty() ? message : lines.front()));
@@ -89,7 +89,7 @@ std::vector<float> rgba_from_grey_alpha(const std::vector<float>& grey_alpha) {
     return rgba;
 }
 
-// Cameras store a turned picture and say so.
+// Cameras store rotated pictures with an orientation tag.
 void turn_upright(Picture& picture, const OIIO::ImageSpec& spec) {
     const int orientation = spec.get_int_attribute("Orientation", 1);
     if (orientation == 1)
@@ -108,8 +108,8 @@ void turn_upright(Picture& picture, const OIIO::ImageSpec& spec) {
     picture.pixels = std::move(pixels);
 }
 
-// An EXR's pixels may be a part of the picture, or go beyond it: what it is shown in is its display
-// window (OpenEXR, "Technical Introduction"), black where it has no pixels.
+// An EXR's pixels may cover only a part of the picture, or extend beyond it. The displayed part is
+// its display window (OpenEXR, "Technical Introduction"), black where it has no pixels.
 void show_window(Picture& picture, const OIIO::ImageSpec& spec) {
     Picture whole{{spec.full_width, spec.full_height}, picture.channels, picture.encoding, {}};
     const auto channels = static_cast<std::size_t>(whole.channels);
@@ -132,7 +132,7 @@ bool has_other_window(const OIIO::ImageSpec& spec) {
            spec.height != spec.full_height;
 }
 
-// What a library goes on after.
+// For errors after which a library continues.
 std::string note_of(const std::string& error) {
     if (error.empty())
         return {};
@@ -176,7 +176,7 @@ Result<Picture> read_picture(const fs::path& file, const std::string& kind) {
     return picture;
 }
 
-/// Pixels for an EXR, from the top row on.
+/// Pixels for an EXR, starting with the top row.
 struct ExrPixels {
     Extent extent;
     int channels = 4;
@@ -191,7 +191,7 @@ Result<std::string> write_exr(const ExrPixels& pixels) {
                          pixels.stored_as);
     spec.attribute("compression", "zip");
     spec.attribute(as_stored, 1);
-    spec.attribute("DateTime", "");  // else the library writes the time of day
+    spec.attribute("DateTime", "");  // otherwise the library writes the current time
     std::vector<unsigned char> bytes;
     OIIO::Filesystem::IOVecOutput memory(bytes);
     const char* const name = "picture.exr";
@@ -213,7 +213,7 @@ Result<std::string> write_picture_exr(const Picture& picture, bool half) {
     return write_exr(pixels);
 }
 
-// From the last row that it has up.
+// Starts at the last stored row, which is the top.
 template <class Number>
 Result<std::string> write_rows_exr(const RawPicture& picture, const std::vector<Number>& numbers,
                                    OIIO::TypeDesc type) {
@@ -231,7 +231,7 @@ Result<std::string> write_raw_exr(const RawPicture& picture) {
                           OIIO::TypeDesc::FLOAT);
 }
 
-// The library's exceptions end here.
+// Converts the library's exceptions to errors.
 template <class T, class Function>
 Result<T> guarded(const fs::path& file, const Function& function) {
     try {

@@ -16,13 +16,13 @@
 namespace fs = std::filesystem;
 
 namespace {
-// Of the page's longer side. Cairo keeps 1/256 of a unit, and numbers up to 2^23; letters have at
-// most 65535 units, which some are larger than at first.
+// Units of the page's longer side, tried in this order. Cairo has a resolution of 1/256 unit and a
+// limit of 2^23. Letters are limited to 65535 units, which large ones exceed with the first value.
 constexpr std::array page_units{32768.0, 1024.0};
-// Cairo drops fills without area only where they are level or upright. A beam draws them.
+// Cairo drops fills without area only if they are horizontal or vertical. A beam draws them.
 constexpr double page_turn = 0.5;  // radians
 
-// What would become pixels. Opacity stays: what has none at all is not drawn.
+// Hides everything that would become pixels. Opacity stays: elements with opacity 0 are not drawn.
 constexpr std::string_view plain_style =
     "*{filter:none !important;mask:none !important;mix-blend-mode:normal !important;"
     "isolation:auto !important} image{display:none !important}";
@@ -40,7 +40,7 @@ using Stream = std::unique_ptr<GInputStream, Freed<g_object_unref>>;
 using Surface = std::unique_ptr<cairo_surface_t, Freed<cairo_surface_destroy>>;
 using Context = std::unique_ptr<cairo_t, Freed<cairo_destroy>>;
 
-/// The rectangle that is drawn, in units of the viewBox, else in CSS px.
+/// The rectangle to draw, in units of the viewBox, otherwise in CSS px.
 struct Page {
     double x = 0.0;
     double y = 0.0;
@@ -48,7 +48,7 @@ struct Page {
     double height = 0.0;
 };
 
-// "3 a message": its line, 0 for none.
+// "E3 a message": the line (0 if unknown) and the message.
 std::string failure(int line, std::string_view message) {
     return fmt::format("E{} {}", line, message);
 }
@@ -59,8 +59,8 @@ int number_at(std::string_view text) {
     return number;
 }
 
-// libxml2 writes "... on line 4 column 7 of data: what is wrong", and its SAX reader "... in
-// (null):4:7: what is wrong".
+// libxml2 writes "... on line 4 column 7 of data: REASON", and its SAX reader "... in (null):4:7:
+// REASON".
 std::string failure(const GError* error) {
     std::string_view message = error ? error->message : "no reason given";
     message = message.substr(0, message.find_last_not_of(" \n") + 1);
@@ -100,14 +100,14 @@ std::optional<Page> page_of(RsvgHandle* handle) {
     return std::nullopt;
 }
 
-// Of an SVG that has neither a size nor a viewBox: what it draws, in CSS px.
+// For an SVG with neither a size nor a viewBox: the extents of its drawing, in CSS px.
 std::optional<Page> drawn_page(RsvgHandle* handle, GError** error) {
     constexpr RsvgRectangle usual{0.0, 0.0, 300.0, 150.0};  // CSS 2.1, 10.3.2
     RsvgRectangle ink{};
     RsvgRectangle drawn{};
     if (!rsvg_handle_get_geometry_for_layer(handle, nullptr, &usual, &ink, &drawn, error))
         return std::nullopt;
-    // Texts are not in it.
+    // The extents exclude texts.
     const double left = std::min(drawn.x, usual.x);
     const double top = std::min(drawn.y, usual.y);
     const double width = std::max(drawn.x + drawn.width, usual.width) - left;
@@ -121,7 +121,7 @@ cairo_status_t append(void* text, const unsigned char* bytes, unsigned count) {
     return CAIRO_STATUS_SUCCESS;
 }
 
-// The turned page lies in the middle of a square surface.
+// The rotated page is in the middle of a square surface.
 std::string draw(RsvgHandle* handle, const Page& page, bool has_page, double units) {
     const double scale = units / std::max(page.width, page.height);
     const double side = 1.5 * units;

@@ -6,5 +6,5 @@
 #include <string>
 #include <string_view>
 
-/// As PictureCodec::svg_paths.
+/// See PictureCodec::svg_paths.
 Result<std::string> svg_paths(std::string_view bytes, const std::filesystem::path& file);
