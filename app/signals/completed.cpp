@@ -37,7 +37,7 @@ std::string text_of(const Spec::Setting& value) {
     return number ? format_number(*number) : std::get<std::string>(value);
 }
 
-// Each of these says what is wrong with a value; "" when nothing is.
+// These functions return a description of the problem, or "".
 std::string number_problem(const SettingFacts& facts, const Spec::Setting& value) {
     const double* number = std::get_if<double>(&value);
     if (!number || !std::isfinite(*number))
@@ -80,7 +80,7 @@ Spec::Setting initial_of(const SettingFacts& facts) {
     return facts.initial_word;
 }
 
-// The bare first word put under the key that it stands for.
+// Moves the bare first word to the key that it stands for.
 Result<Spec> with_bare_word_named(const SignalKind& kind, Spec spec) {
     const auto bare = spec.settings.find("");
     if (bare == spec.settings.end())

@@ -61,10 +61,10 @@ Result<std::unique_ptr<Signal>> make_spectrum(const Settings& settings,
     return std::make_unique<SoundSpectrum>(std::move(sound), plug, knobs);
 }
 
-/// The sound's channels, two at a time.
+/// Opens two channels of the sound.
 using Open = std::function<std::shared_ptr<const SampleStream>(const StreamChannels&)>;
 
-// Which channels are what of the beam has a say in xy alone.
+// Only xy mode maps channels to properties of the beam.
 Result<std::unique_ptr<Signal>> make_mapped(const Settings& settings, const Open& open,
                                             int channels) {
     const ChannelMap map = channel_map(settings);

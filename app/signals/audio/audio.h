@@ -2,7 +2,7 @@
 
 #include "signals/signal/signal_kind.h"
 
-/// A sound on a scope: left across and right up (xy), or one trace over time (waveform).
+/// A sound on a scope: left as x and right as y (xy), or one trace over time (waveform).
 SignalKind audio_kind();
-/// The same for a sound that comes in from a device.
+/// The same for live sound from an audio device.
 SignalKind microphone_kind();

@@ -6,7 +6,7 @@
 namespace {
 constexpr int blocks_a_second = 10;
 constexpr float least_peak = 0.01f;
-constexpr double live_delay = 2.0;  // blocks, so that those which are looked at are whole
+constexpr double live_delay = 2.0;  // blocks, so that all blocks read are complete
 }  // namespace
 
 AutoGain::AutoGain(const SampleStream& sound)
@@ -32,8 +32,8 @@ float AutoGain::peak_of(std::int64_t block) const {
     return known.value;
 }
 
-// At a block's begin. The block that begins here counts too: on the way from one gain to the next
-// nothing may stick out.
+// The gain at the start of a block. Includes the peak of that block, so that nothing exceeds full
+// scale while the gain is interpolated.
 float AutoGain::gain_at(std::int64_t block) const {
     float peak = least_peak;
     for (std::int64_t i = block - blocks_a_second; i <= block; ++i) {

@@ -5,15 +5,15 @@
 #include <array>
 #include <cstdint>
 
-/// The gain that lets the peak of the last second of a sound just fit, at most 40 dB. It follows
-/// from the sound and the place alone: peaks of blocks of 0.1 s are found ahead of time, those of a
-/// live sound as soon as they are whole, so that its first loud moment may stick out.
+/// The gain that normalises the peak of the last second to full scale, at most 40 dB. It depends on
+/// the sound and the position only. Peaks of blocks of 0.1 s are read ahead. A live sound's peaks
+/// are known only when a block is complete, so its first loud moment may exceed full scale.
 class AutoGain {
 public:
-    /// Of a stream that must live on.
+    /// The stream must outlive this object.
     explicit AutoGain(const SampleStream& sound);
 
-    /// At a place in samples of the sound.
+    /// At a position in samples of the sound.
     float at(double place) const;
 
 private:
@@ -26,8 +26,8 @@ private:
 
     const SampleStream& m_sound;
     std::int64_t m_block;                    // samples
-    std::int64_t m_count;                    // of blocks
-    mutable std::array<Peak, 64> m_peaks;    // the latest ones, by their number
-    mutable std::int64_t m_below = -1;       // the block whose gains are known
-    mutable std::array<float, 2> m_gains{};  // at its begin and end
+    std::int64_t m_count;                    // number of blocks
+    mutable std::array<Peak, 64> m_peaks;    // the latest ones, by block number
+    mutable std::int64_t m_below = -1;       // the block for which m_gains is valid
+    mutable std::array<float, 2> m_gains{};  // at its start and end
 };

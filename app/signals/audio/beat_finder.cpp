@@ -10,7 +10,7 @@ constexpr std::int64_t stretches_back = 200;
 constexpr double bass_hertz = 150.0;
 constexpr double silence = 1e-7;  // mean square, 70 dB below full scale
 
-// The value of a stretch, remembered or made.
+// The cached value of a stretch, computed if missing.
 template <class Memory, class Make>
 auto remembered(Memory& memory, std::int64_t stretch, const Make& make) {
     const auto count = static_cast<std::int64_t>(memory.size());

@@ -5,15 +5,16 @@
 #include <array>
 #include <optional>
 
-/// Finds the beats of a sound: stretches of 10 ms whose bass is louder than the mean of the last
-/// second, the first one after 0.2 s without any. After F. Patin, "Beat Detection Algorithms",
-/// 2003, with a low-pass before it. Each beat follows from the 1.3 s before it alone.
+/// Detects beats: stretches of 10 ms whose bass is louder than the mean of the last second, the
+/// first one after 0.2 s without any. After F. Patin, "Beat Detection Algorithms", 2003, with a
+/// low-pass filter first. Each beat depends only on the 1.3 s before it.
 class BeatFinder {
 public:
-    /// Of the left input, which must live on. `threshold`: how many times the mean's energy.
+    /// Reads the left input, which must outlive this object. `threshold`: energy relative to the
+    /// mean.
     BeatFinder(const SoundInput& input, double threshold);
 
-    /// When the last beat was known that is at most 2 s old at this time.
+    /// The time at which the last beat was detected; nullopt when it is more than 2 s ago.
     std::optional<double> last_beat(double seconds) const;
 
 private:
@@ -23,7 +24,7 @@ private:
         T value{};
     };
     template <class T>
-    using Memory = std::array<Known<T>, 1024>;  // by the stretch's number, the latest one
+    using Memory = std::array<Known<T>, 1024>;  // by stretch number; keeps the latest
 
     double energy(std::int64_t stretch) const;
     bool is_loud(std::int64_t stretch) const;

@@ -5,10 +5,10 @@
 
 namespace {
 constexpr std::int64_t stretches_in_block = 100;
-constexpr double memory = 12.0;          // time constants: what was before is 6e-6 of it
-constexpr std::size_t most_states = 64;  // while a time constant is being turned
+constexpr double memory = 12.0;          // in time constants: older peaks contribute less than 6e-6
+constexpr std::size_t most_states = 64;  // limit while the user changes a time constant
 
-// The share of the way that is gone in a stretch.
+// Fraction of the difference that is covered in one stretch.
 double pull_of(double time_constant) {
     return -std::expm1(-1.0 / (Envelopes::stretches_a_second * time_constant));
 }

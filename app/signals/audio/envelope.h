@@ -6,23 +6,23 @@
 #include <map>
 #include <utility>
 
-/// Follows the peaks of something up with one time constant and down with another. What it gives
-/// follows from the peaks of the time before alone, however that is cut into frames: it goes in
-/// stretches of 10 ms, and begins anew from silence each second, long enough before it.
+/// An envelope follower with one time constant for attack and one for release. It works in
+/// stretches of 10 ms. Each second it restarts from silence, far enough back. The result therefore
+/// depends on previous peaks only, not on the division into frames.
 class Envelopes {
 public:
     static constexpr double stretches_a_second = 100.0;
-    /// Of the stretch [n, n + 1) / 100 s, n >= 0; asked about once it has gone by.
+    /// The peak of the stretch [n, n + 1) / 100 s, n >= 0. Called after the stretch has ended.
     using Peak = std::function<double(std::int64_t stretch)>;
 
     explicit Envelopes(Peak peak) : m_peak(std::move(peak)) {}
 
-    /// After the last stretch that has ended. Time constants in seconds.
+    /// Value after the last complete stretch. Time constants in seconds.
     double at(double seconds, double attack, double release) const;
 
 private:
     struct State {
-        std::int64_t next = -1;  // the stretch that it is ready for
+        std::int64_t next = -1;  // the stretch to process next
         double level = 0.0;
     };
     struct Known {
@@ -33,6 +33,6 @@ private:
     double peak_of(std::int64_t stretch) const;
 
     Peak m_peak;
-    mutable std::array<Known, 4096> m_peaks{};  // by the stretch's number, the latest one
-    mutable std::map<std::pair<double, double>, State> m_states;  // by the time constants
+    mutable std::array<Known, 4096> m_peaks{};  // by stretch number; keeps the latest
+    mutable std::map<std::pair<double, double>, State> m_states;  // by time constants
 };

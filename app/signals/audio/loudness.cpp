@@ -45,7 +45,7 @@ SoundLoudness::SoundLoudness(std::shared_ptr<const SampleStream> sound)
       m_envelopes([this](std::int64_t stretch) { return sound_peak(*m_sound, stretch); }) {}
 
 std::optional<double> SoundLoudness::seconds_since_beat(double seconds, double threshold) const {
-    constexpr std::size_t most = 8;  // while a threshold is being turned
+    constexpr std::size_t most = 8;  // limit while the user changes a threshold
     if (!m_beats.contains(threshold) && m_beats.size() >= most)
         m_beats.clear();
     const auto& [same, finder] = *m_beats.try_emplace(threshold, m_input, threshold).first;

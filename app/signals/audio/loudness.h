@@ -5,7 +5,7 @@
 #include "signals/audio/envelope.h"
 #include "signals/audio/sound_input.h"
 
-/// How loud a sound is, and its beats.
+/// The loudness of a sound and its beats.
 class SoundLoudness : public Loudness {
 public:
     explicit SoundLoudness(std::shared_ptr<const SampleStream> sound);
@@ -24,7 +24,7 @@ private:
 
 class Signal;
 
-/// How far a beam goes from the middle, for a signal that is no sound; it has no beats.
+/// For signals other than sound: the distance of the beam from the centre. Has no beats.
 class BeamLoudness : public Loudness {
 public:
     explicit BeamLoudness(std::shared_ptr<const Signal> signal);

@@ -10,7 +10,7 @@ LowPass::LowPass(double rate, double hertz, Read read)
       m_block(std::max<std::int64_t>(static_cast<std::int64_t>(rate / 10.0), 1)),
       m_memory(0),
       m_pull(0.0f) {
-    // What is further back than ten time constants counts for less than 5e-5.
+    // Samples older than ten time constants contribute less than 5e-5.
     constexpr double memory = 10.0;
     const double samples = rate / (2.0 * std::numbers::pi * hertz);
     m_memory = static_cast<std::int64_t>(std::ceil(memory * samples));
@@ -22,7 +22,7 @@ void LowPass::follow(StereoSample sample) const {
     m_state.right += m_pull * (sample.right - m_state.right);
 }
 
-// To the state before `sample`, from the begin of its block and the memory before that.
+// Computes the state before `sample`, from the start of its block and m_memory before that.
 void LowPass::settle(std::int64_t sample) const {
     const std::int64_t block = sample - ((sample % m_block) + m_block) % m_block;
     m_state = {};

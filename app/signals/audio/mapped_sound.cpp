@@ -12,7 +12,7 @@ float light(float from, float to, float part) {
     return std::max(std::lerp(from, to, part), 0.0f);
 }
 
-/// The samples that a number of up-sampled ones lie between.
+/// The original samples around a range of up-sampled ones.
 std::vector<StereoSample> samples_around(const SampleStream& stream, std::int64_t first,
                                          std::size_t count, int factor) {
     std::vector<StereoSample> samples(count / static_cast<std::size_t>(factor) + 3);

@@ -4,17 +4,17 @@
 #include "signals/audio/sample_stream.h"
 #include "signals/signal/signal.h"
 
-/// A sound in X-Y of which further channels are the beam's current and colour. Between the sound's
-/// samples these go on in straight lines: a beam that is switched off must not ring.
+/// A sound in X-Y mode with channels for the beam's current and colour. These are interpolated
+/// linearly: a blanked beam must not ring.
 class MappedSound : public Signal {
 public:
-    /// What the channels that a map names are read from.
+    /// The streams for the channels of a map.
     struct Streams {
         std::shared_ptr<const SampleStream> current_and_red;
         std::shared_ptr<const SampleStream> green_and_blue;
     };
 
-    /// `place` draws every sample of the sound `factor` times, full current being even.
+    /// `place` draws each sample of the sound `factor` times at constant full current.
     MappedSound(std::unique_ptr<Signal> place, Streams streams, const ChannelMap& map, int factor);
 
     void trace(const TimeSpan& span, Beam& beam) const override;

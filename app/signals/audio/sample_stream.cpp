@@ -4,7 +4,7 @@
 #include <array>
 
 namespace {
-/// Finds left and right in a frame of several channels.
+/// Selects left and right in a frame of several channels.
 class Picker {
 public:
     Picker(const StreamChannels& channels, int count)
@@ -51,7 +51,7 @@ private:
         return m_picker.from(frame);
     }
 
-    std::shared_ptr<const Sound> m_sound;  // shared with the signal's owner and the sound device
+    std::shared_ptr<const Sound> m_sound;  // shared with the signal's owner and the audio device
     SoundPart m_part;
     Picker m_picker;
     std::int64_t m_length;
@@ -82,7 +82,8 @@ public:
     }
 
 private:
-    std::shared_ptr<const LiveSound> m_sound;  // shared with the device's thread, which writes it
+    std::shared_ptr<const LiveSound> m_sound;  // shared with the audio device thread, which writes
+                                               // it
     std::int64_t m_first;
     Picker m_picker;
 };

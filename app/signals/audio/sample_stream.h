@@ -9,7 +9,7 @@
 #include <memory>
 #include <span>
 
-/// Stereo samples by their number, from 0 on: where the signals of a sound read from.
+/// Stereo samples by number, from 0: the input of all sound signals.
 class SampleStream {
 public:
     virtual ~SampleStream() = default;
@@ -17,36 +17,36 @@ public:
     static constexpr std::int64_t endless = std::numeric_limits<std::int64_t>::max() / 64;
 
     virtual int rate() const = 0;
-    /// Samples, endless where they never end.
+    /// In samples; `endless` for a stream without an end.
     virtual std::int64_t length() const = 0;
-    /// Whether it begins again after its length; else there is silence on both sides.
+    /// Whether it repeats after its length. Otherwise both sides are silent.
     virtual bool loops() const = 0;
-    /// Whether samples come in only as time goes by.
+    /// Whether samples arrive in real time.
     virtual bool is_live() const = 0;
-    /// The samples first, first + 1, ...; any number.
+    /// The samples first, first + 1, ...; `first` may be any number.
     virtual void read(std::int64_t first, std::span<StereoSample> samples) const = 0;
 };
 
-/// Which part of a sound is read, and how it goes on at its ends.
+/// The part of a sound to read, and whether it loops.
 struct SoundPart {
-    std::int64_t first = 0;  // sample frame where it begins
+    std::int64_t first = 0;  // sample frame of its start
     bool loops = false;
 };
 
-/// The channels that are read as left and right, from 1; 0: none, silence. Beyond the last one it
-/// is the last one, so that mono is on both sides.
+/// The channels read as left and right, from 1; 0: silence. A number above the last channel means
+/// the last one, so mono is on both sides.
 struct StreamChannels {
     int left = 1;
     int right = 2;
 };
 
-/// A sound in memory, which has a rate, a channel and, from part.first on, a sample.
+/// A sound in memory. It must have a rate, a channel and a sample from part.first on.
 std::shared_ptr<const SampleStream> stream_of(std::shared_ptr<const Sound> sound,
                                               const SoundPart& part,
                                               const StreamChannels& channels = {});
 
-/// A sound that comes in; its sample 0 is the frame `first`, which may be one to come or before
-/// all.
+/// A live sound. Its sample 0 is the frame `first`, which may be in the future or before the first
+/// frame.
 std::shared_ptr<const SampleStream> stream_of(std::shared_ptr<const LiveSound> sound,
                                               std::int64_t first,
                                               const StreamChannels& channels = {});

@@ -5,7 +5,7 @@
 #include <limits>
 
 namespace {
-constexpr double coupling_hertz = 5.0;  // of scopes' inputs: 10 Hz or less
+constexpr double coupling_hertz = 5.0;  // scope inputs: 10 Hz or less
 }  // namespace
 
 SoundInput::SoundInput(std::shared_ptr<const SampleStream> sound, const SoundPlug& plug)

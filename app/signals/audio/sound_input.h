@@ -8,7 +8,7 @@
 #include <array>
 #include <optional>
 
-/// What of a sound goes to a scope's two channels.
+/// Which channels of a sound go to the scope's two channels.
 enum class SoundChannels { both, mean, left, right };
 
 struct SoundPlug {
@@ -25,7 +25,7 @@ struct SoundPlug {
     }
 };
 
-/// A sound as the two inputs of a scope, in volts behind gain and coupling.
+/// A sound as the two inputs of a scope, in volts after gain and coupling.
 class SoundInput {
 public:
     SoundInput(std::shared_ptr<const SampleStream> sound, const SoundPlug& plug);
@@ -33,20 +33,20 @@ public:
     SoundInput& operator=(const SoundInput&) = delete;
 
     int factor() const { return m_samples.factor(); }
-    double rate() const { return m_rate; }  // up-sampled samples a second
-    /// Up-sampled samples until the sound ends; endless when it loops or is live.
+    double rate() const { return m_rate; }  // up-sampled samples per second
+    /// Number of up-sampled samples; endless for looping or live sound.
     std::int64_t count() const;
-    double seconds() const;  // infinite when it never ends
+    double seconds() const;  // infinite for endless sound
 
-    /// Up-sampled.
+    /// Reads up-sampled samples.
     void read(std::int64_t first, std::span<StereoSample> volts) const;
-    /// At the sound's own samples.
+    /// Reads at the sound's own sample rate.
     void read_originals(std::int64_t first, std::span<StereoSample> volts) const;
 
 private:
     StereoSample plugged(StereoSample sample) const;
     void read_plugged(std::int64_t first, std::span<StereoSample> samples) const;
-    float gain_at(double place) const;  // in samples of the sound
+    float gain_at(double place) const;  // position in samples of the sound
     void couple(StereoSample& sample, StereoSample slow) const;
     LowPass low_pass() const;
 
@@ -55,11 +55,11 @@ private:
     double m_rate;
     bool m_is_ac;
     std::optional<AutoGain> m_gain;
-    LowPass m_slow;            // for read(); a state each, as both go on where they were
+    LowPass m_slow;            // for read(); separate, because both filters keep a position
     LowPass m_slow_originals;  // for read_originals()
 };
 
-/// Reads an input ahead in blocks, up to `end`, for samples that are asked for mostly in order.
+/// Reads an input ahead in blocks, up to `end`, for mostly sequential access.
 class SoundReader {
 public:
     SoundReader(const SoundInput& input, std::int64_t end) : m_input(input), m_end(end) {}
@@ -70,6 +70,6 @@ private:
     const SoundInput& m_input;
     std::int64_t m_end;
     std::int64_t m_first = 0;
-    std::int64_t m_filled = 0;  // the sample after the block
+    std::int64_t m_filled = 0;  // one past the last sample of the block
     std::array<StereoSample, 2048> m_block;
 };

@@ -3,7 +3,7 @@
 #include "signals/audio/triggered_sweeps.h"
 
 namespace {
-// By the channels of the scope.
+// By scope channel.
 std::array<bool, 2> shown(const SoundPlug& plug) {
     if (plug.is_swapped)
         return {plug.shows_right(), plug.shows_left()};
@@ -30,7 +30,7 @@ SoundScope::SoundScope(std::shared_ptr<const SampleStream> sound, const SoundPlu
       m_sweeps(sweeps_of(m_input, plug, knobs, m_scope.sweep_samples())) {}
 
 void SoundScope::trace(const TimeSpan& span, Beam& beam) const {
-    // A sweep with two traces may go on a little beyond the span.
+    // A sweep with two traces can extend slightly beyond the span.
     const auto ahead = static_cast<std::int64_t>(m_input.rate() / 60.0) + 2;
     SoundReader reader(m_input, instants_in(span, m_input.rate()).end + ahead);
     m_scope.trace(span, m_input.count(), *m_sweeps, beam,

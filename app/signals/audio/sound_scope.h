@@ -4,7 +4,7 @@
 #include "signals/scope/scope.h"
 #include "signals/signal/signal.h"
 
-/// A sound on a scope, over time or one channel against the other, every sample drawn once.
+/// A sound on a scope: traces over time, or one channel against the other. Draws each sample once.
 class SoundScope : public Signal {
 public:
     SoundScope(std::shared_ptr<const SampleStream> sound, const SoundPlug& plug,

@@ -22,12 +22,12 @@ SoundSpectrum::SoundSpectrum(std::shared_ptr<const SampleStream> sound, const So
         m_columns.push_back({bin_at(i), bin_at(i + 1)});
 }
 
-// The loudest of a column's bins; between two bins a straight line from one to the other.
+// The loudest of a column's bins. Interpolates linearly in decibels between two bins.
 double SoundSpectrum::decibels_of(const Column& column,
                                   const std::vector<float>& amplitudes) const {
     const auto last = amplitudes.size() - 1;
     if (column.low >= static_cast<double>(last))
-        return m_knobs.floor_decibels;  // beyond half the sound's rate there is nothing
+        return m_knobs.floor_decibels;  // above the Nyquist frequency
     const auto below = static_cast<std::size_t>(column.low);
     const auto end = std::min(static_cast<std::size_t>(column.high), last);
     if (end == below) {
@@ -64,7 +64,7 @@ BeamPoint SoundSpectrum::on_line(std::int64_t place) const {
 
 BeamPoint SoundSpectrum::on_ring(std::int64_t place) const {
     const double turns = static_cast<double>(place + 1) / points;
-    const double along = 1.0 - std::abs(2.0 * turns - 1.0);  // 0 on top .. 1 at the bottom
+    const double along = 1.0 - std::abs(2.0 * turns - 1.0);  // 0 at the top .. 1 at the bottom
     const auto column = static_cast<std::size_t>(along * (points - 1));
     const double room = std::max(1.0 - m_knobs.radius * (1.0 + m_knobs.pulse), 0.0);
     const double radius = m_ring + room * m_levels[column];

@@ -4,9 +4,9 @@
 #include "signals/audio/spectrum.h"
 #include "signals/signal/signal.h"
 
-/// How a spectrum is drawn.
+/// Settings of a spectrum display.
 struct SpectrumKnobs {
-    int size = 2048;  // samples a transform
+    int size = 2048;  // samples per transform
     double smoothing_seconds = 0.1;
     double low_hertz = 20.0;
     double high_hertz = 20000.0;
@@ -19,8 +19,9 @@ struct SpectrumKnobs {
     double beat_decay_seconds = 0.3;
 };
 
-/// The spectrum of a sound, 60 times a second: low frequencies left, or on a ring on top and high
-/// ones at the bottom of both its sides. The frequency scale is logarithmic.
+/// The spectrum of a sound at 60 Hz. As a line, low frequencies are on the left. On a ring they are
+/// at the top, and high frequencies at the bottom of both sides. The frequency scale is
+/// logarithmic.
 class SoundSpectrum : public Signal {
 public:
     SoundSpectrum(std::shared_ptr<const SampleStream> sound, const SoundPlug& plug,
@@ -30,9 +31,9 @@ public:
     double seconds() const override { return m_input.seconds(); }
 
 private:
-    static constexpr std::int64_t points = 4096;  // a hop
+    static constexpr std::int64_t points = 4096;  // per hop
 
-    /// The part of a column's frequencies, in bins.
+    /// The frequency range of a column, in bins.
     struct Column {
         double low = 0.0;
         double high = 0.0;
@@ -48,7 +49,7 @@ private:
     BeatFinder m_beats;
     double m_charge;
     std::vector<Column> m_columns;
-    mutable std::int64_t m_hop = INT64_MIN;  // that is shown
+    mutable std::int64_t m_hop = INT64_MIN;  // of m_levels and m_ring
     mutable std::vector<float> m_levels;     // of its columns, 0 floor .. 1 ceiling
-    mutable double m_ring = 0.0;             // its radius
+    mutable double m_ring = 0.0;             // radius of the ring
 };

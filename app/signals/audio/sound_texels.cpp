@@ -5,10 +5,10 @@
 
 namespace {
 constexpr int transform_size = 2048;     // samples
-constexpr std::size_t level_size = 512;  // samples that one column is the largest of
-// Web Audio API, AnalyserNode: what is kept of the last value (smoothingTimeConstant), the ends of
-// its decibels, and the magnitude that it gives a sine of full scale, as its transform divides by
-// the size and knows no gain of Blackman's window, whose mean is 0.42.
+constexpr std::size_t level_size = 512;  // samples; each column is their largest
+// Web Audio API, AnalyserNode: the smoothingTimeConstant, the ends of its decibel range, and the
+// magnitude of a full-scale sine. Its transform divides by the size and does not correct for the
+// Blackman window, whose mean is 0.42.
 constexpr double analyser_keeps = 0.8;
 constexpr double analyser_floor = -100.0;
 constexpr double analyser_ceiling = -30.0;
@@ -64,7 +64,7 @@ void SoundStreamTexels::read_wave(std::int64_t end, std::span<float> levels) con
     }
 }
 
-// Each column is the loudest of its bins; where there are fewer bins than columns they repeat.
+// Each column is the loudest of its bins. With fewer bins than columns, bins repeat.
 void SoundStreamTexels::read_spectrum(const Spectrum& spectrum, std::int64_t hop,
                                       std::span<float> levels) const {
     constexpr std::size_t bins = transform_size / 2;

@@ -5,7 +5,7 @@
 
 #include <memory>
 
-/// The texels of sound textures, of a sound.
+/// Fills sound textures from a sound.
 class SoundStreamTexels : public SoundTexels {
 public:
     explicit SoundStreamTexels(std::shared_ptr<const SampleStream> sound);

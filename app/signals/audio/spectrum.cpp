@@ -8,14 +8,14 @@
 #include <cmath>
 
 namespace {
-/// A window as a sum of cosines.
+/// A window function as a sum of cosines.
 struct Weights {
     double mean;
-    double once;   // of the cosine that goes round once
-    double twice;  // and twice
+    double once;   // coefficient of the cosine with one period
+    double twice;  // with two periods
 };
 
-// Blackman's with alpha = 0.16, as Web Audio has it.
+// The Blackman window with alpha = 0.16, as in Web Audio.
 Weights weights_of(SpectrumWindow window) {
     return window == SpectrumWindow::hann ? Weights{0.5, 0.5, 0.0} : Weights{0.42, 0.5, 0.08};
 }
@@ -38,7 +38,7 @@ struct Spectrum::Transform {
     Transform(const Transform&) = delete;
     Transform& operator=(const Transform&) = delete;
 
-    /// Of the last samples before `end`.
+    /// Transforms the last samples before `end`.
     void run(const SoundInput& input, std::int64_t end) {
         input.read_originals(end - static_cast<std::int64_t>(volts.size()), volts);
         for (std::size_t i = 0; i < volts.size(); ++i)
@@ -59,7 +59,7 @@ Spectrum::Spectrum(const SoundInput& input, int size, double smoothing_seconds,
       m_rate(input.rate() / input.factor()),
       m_hertz_per_bin(m_rate / size),
       m_kept(smoothing_seconds > 0.0 ? std::exp(-1.0 / (hops_a_second * smoothing_seconds)) : 0.0),
-      // What is further back counts for less than e^-10, 87 dB down.
+      // Older hops contribute less than e^-10, 87 dB down.
       m_memory(static_cast<std::int64_t>(std::ceil(10.0 * smoothing_seconds * hops_a_second))),
       m_full_scale(2.0 / (weights_of(window).mean * size)),
       m_transform(std::make_unique<Transform>(static_cast<std::size_t>(size), weights_of(window))),

@@ -22,12 +22,12 @@ TriggeredSweeps::TriggeredSweeps(const SoundInput& input, const Trigger& trigger
       m_patience(patience_seconds * input.rate()),
       m_epoch_length(std::numeric_limits<std::int64_t>::max() / 64) {
     if (trigger.mode == Trigger::Mode::single)
-        return;  // one search, from time 0 on
+        return;  // one search from time 0
     const double epoch = std::max(least_epoch_seconds * input.rate(), sweeps_an_epoch * m_busy);
     m_epoch_length = static_cast<std::int64_t>(std::ceil(epoch / input.factor()));
 }
 
-// Starts a little earlier, so that it is known whether the sound fires the trigger at all.
+// Starts earlier by m_patience, to find out whether the sound fires the trigger at all.
 void TriggeredSweeps::begin(std::int64_t epoch) const {
     const auto factor = static_cast<double>(m_input.factor());
     const std::int64_t first = epoch * m_epoch_length;
@@ -54,8 +54,8 @@ void TriggeredSweeps::begin_unasked(double now) const {
         sweep_from(at);
 }
 
-// `level` is the next sample's above the trigger's; it is crossed where a straight line from the
-// last sample does so.
+// `level` is the next sample relative to the trigger level. The crossing is interpolated linearly
+// between samples.
 void TriggeredSweeps::follow(float level) const {
     const auto factor = static_cast<double>(m_input.factor());
     const double now = static_cast<double>(m_next) * factor + 1.0;
@@ -76,7 +76,7 @@ void TriggeredSweeps::find_up_to(std::int64_t sample) const {
     const auto level = static_cast<float>(m_trigger.level);
     const float slope = m_trigger.is_rising ? 1.0f : -1.0f;
     if (std::isinf(m_ready))
-        return;  // the single sweep is found
+        return;  // the single sweep was found
     while ((m_next - 1) * m_input.factor() <= sample) {
         m_input.read_originals(m_next, volts);
         for (const StereoSample& both : volts)

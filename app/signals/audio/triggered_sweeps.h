@@ -5,12 +5,12 @@
 
 #include <vector>
 
-/// The sweeps that a sound triggers. They are found as they are asked for; to find them at any time
-/// without all that was before, the scope is armed anew every few seconds, which cuts the sweep
-/// that then goes on.
+/// Sweeps triggered by a sound, found on demand. The scope is re-armed every few seconds, so that
+/// the sweeps at any time do not depend on the whole history. This cuts off the sweep in progress.
 class TriggeredSweeps : public Sweeps {
 public:
-    /// Of one channel (0 or 1) of an input, which must live on. `length` in up-sampled samples.
+    /// Reads one channel (0 or 1) of an input that must outlive this object. `length` in up-sampled
+    /// samples.
     TriggeredSweeps(const SoundInput& input, const Trigger& trigger, std::size_t channel,
                     bool is_inverted, double length);
 
@@ -29,14 +29,14 @@ private:
     float m_sign;
     double m_length;
     double m_busy;                // sweep and hold-off
-    double m_patience;            // without a trigger, before `automatic` runs on
+    double m_patience;            // time without a trigger before `automatic` starts a sweep
     std::int64_t m_epoch_length;  // samples of the sound
 
-    // What was found in the present epoch; instants as in Sweep.
+    // State of the current epoch; instants as in Sweep.
     mutable std::int64_t m_epoch = -1;
-    mutable std::int64_t m_next = 0;  // sample of the sound that is looked at next
-    mutable float m_last = 0.0f;      // above the trigger's level
-    mutable double m_ready = 0.0;     // when the next sweep may begin
-    mutable double m_event = 0.0;     // the last trigger, whether it began a sweep or not
+    mutable std::int64_t m_next = 0;  // next sample of the sound to examine
+    mutable float m_last = 0.0f;      // the last sample relative to the trigger level
+    mutable double m_ready = 0.0;     // earliest start of the next sweep
+    mutable double m_event = 0.0;     // the last trigger, whether or not it started a sweep
     mutable std::vector<double> m_starts;
 };

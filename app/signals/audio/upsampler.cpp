@@ -6,7 +6,7 @@
 #include <numbers>
 
 namespace {
-// The modified Bessel function of the first kind and order 0, by its series.
+// The modified Bessel function of the first kind, order 0, by its power series.
 double bessel(double x) {
     double sum = 1.0;
     double term = 1.0;
@@ -22,7 +22,7 @@ double sinc(double x) {
     return x == 0.0 ? 1.0 : std::sin(angle) / angle;
 }
 
-// J. F. Kaiser's window; beta 8 leaves images 80 dB down.
+// The Kaiser window (J. F. Kaiser); beta 8 attenuates images by 80 dB.
 double kaiser(double x) {
     constexpr double beta = 8.0;
     return std::abs(x) >= 1.0 ? 0.0 : bessel(beta * std::sqrt(1.0 - x * x)) / bessel(beta);
@@ -36,7 +36,7 @@ Upsampler::Upsampler(std::shared_ptr<const SampleStream> sound, int factor)
         m_phases.push_back(phase_of(static_cast<double>(phase) / factor));
 }
 
-// Weights that sum to 1, so that a level that never changes stays exactly what it is.
+// The weights sum to 1, so that a constant level stays exactly constant.
 Upsampler::Phase Upsampler::phase_of(double fraction) {
     std::array<double, taps> weights{};
     double sum = 0.0;
@@ -51,7 +51,7 @@ Upsampler::Phase Upsampler::phase_of(double fraction) {
     return phase;
 }
 
-// Eight sums side by side: the compiler makes vector code of them, and the order never changes.
+// Eight independent sums: the compiler vectorises them, and the order of additions is fixed.
 StereoSample Upsampler::filtered(const StereoSample* window, const Phase& phase) {
     std::array<float, 8> sums{};
     for (std::size_t i = 0; i < taps; i += 4) {

@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-/// A sound with `factor` times as many samples, through all of its own: sample k * factor is the
-/// sound's sample k bit for bit, those between follow from 32 of them by a Kaiser-windowed sinc.
+/// A sound up-sampled by `factor`. Sample k * factor is bit-identical to the sound's sample k. The
+/// others are interpolated from 32 samples with a Kaiser-windowed sinc.
 class Upsampler {
 public:
     /// The factor is 1 .. 16.
@@ -17,20 +17,20 @@ public:
 
     const SampleStream& sound() const { return *m_sound; }
     int factor() const { return m_factor; }
-    /// Up-sampled samples first, first + 1, ...; first may be any number.
+    /// Up-sampled samples first, first + 1, ...; `first` may be any number.
     void read(std::int64_t first, std::span<StereoSample> samples) const;
 
 private:
     static constexpr int taps = 32;
-    static constexpr int before = taps / 2 - 1;  // taps that reach back from the sample
-    static constexpr std::int64_t block = 128;   // originals that are worked on at once
+    static constexpr int before = taps / 2 - 1;  // taps before the sample
+    static constexpr std::int64_t block = 128;   // original samples processed at once
     using Window = std::array<StereoSample, static_cast<std::size_t>(block) + taps>;
     using Phase = std::array<float, std::size_t{2} * taps>;  // each weight twice: left, right
 
     static Phase phase_of(double fraction);
     static StereoSample filtered(const StereoSample* window, const Phase& phase);
 
-    std::shared_ptr<const SampleStream> m_sound;  // shared with what else reads it
+    std::shared_ptr<const SampleStream> m_sound;  // shared with other readers
     int m_factor;
     std::vector<Phase> m_phases;
 };

@@ -5,9 +5,9 @@
 #include <cmath>
 
 namespace {
-constexpr double instant_slack = 1e-10;  // s: instants that were computed in two ways
+constexpr double instant_slack = 1e-10;  // s: tolerance for instants computed in two ways
 
-// Charge against that of full current in the same time.
+// Charge relative to full current over the same time.
 double current_of(double charge, double seconds) {
     return seconds > 0.0 ? charge / (charge_of_point(1.0) * seconds) : 0.0;
 }

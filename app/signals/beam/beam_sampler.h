@@ -6,33 +6,34 @@
 #include <limits>
 #include <vector>
 
-/// Tells where the beam is at even instants, on the straight way from point to point.
+/// Samples the beam's position at regular instants, with linear interpolation between points.
 class BeamSampler {
 public:
     struct Format {
-        double step = 1.0 / 48000.0;  // s of the signal from one sample to the next
-        int channels = 2;             // 2: x, y; 3: the current, too, 1 full
+        double step = 1.0 / 48000.0;  // s of the signal between samples
+        int channels = 2;             // 2: x, y; 3: also the current, 1 = full
     };
 
-    /// Where no point comes for so long the beam rests; otherwise it is on its way to the next one.
+    /// After `rest_seconds` without a point the beam stays still. Before that it moves towards the
+    /// next point.
     explicit BeamSampler(double rest_seconds = std::numeric_limits<double>::infinity())
         : m_rest_seconds(rest_seconds) {}
 
-    /// The first sample is one step after this time. The beam stays where it was.
+    /// The first sample is one step after this time. The beam keeps its position.
     void start_at(double seconds);
-    /// Appends what the points of the span tell of the next samples.
+    /// Appends the samples that the points of the span determine.
     void take(const TimeSpan& span, const Beam& beam, const Format& format,
               std::vector<float>& samples);
-    /// Appends one more sample, of the beam at rest.
+    /// Appends one more sample of the stationary beam.
     void rest(const Format& format, std::vector<float>& samples);
 
 private:
-    /// The beam at one instant.
+    /// State of the beam at one instant.
     struct Instant {
         double time = 0.0;
         double x = 0.0;
         double y = 0.0;
-        double current = 0.0;  // on the way to it
+        double current = 0.0;  // on the way to this position
     };
 
     void go_to(const Instant& next, const Format& format, std::vector<float>& samples);

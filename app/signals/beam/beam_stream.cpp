@@ -2,7 +2,7 @@
 
 #include "signals/beam/beam_sampler.h"
 
-// Its neighbours tell where the beam comes from and where it goes.
+// A block is sampled with the adjacent spans, from which the beam comes and to which it goes.
 const std::vector<float>& BeamStream::block(std::int64_t number) const {
     constexpr std::size_t most = 32;
     if (const auto known = m_blocks.find(number); known != m_blocks.end())

@@ -6,7 +6,7 @@
 #include <map>
 #include <vector>
 
-/// A beam that is heard: left is x, right is y, at 48 kHz, as beam_sound() has it.
+/// A beam as an audio stream: left is x, right is y, at 48 kHz, like beam_sound().
 class BeamStream : public SampleStream {
 public:
     explicit BeamStream(std::shared_ptr<const Signal> signal) : m_signal(std::move(signal)) {}
@@ -24,6 +24,6 @@ private:
 
     const std::vector<float>& block(std::int64_t number) const;
 
-    std::shared_ptr<const Signal> m_signal;  // shared with who draws it
+    std::shared_ptr<const Signal> m_signal;  // shared with the renderer
     mutable std::map<std::int64_t, std::vector<float>> m_blocks;
 };

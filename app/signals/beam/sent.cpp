@@ -12,7 +12,7 @@ public:
     void trace(const TimeSpan& span, Beam& beam) const override { m_beam->trace(span, beam); }
 
 private:
-    std::shared_ptr<SentBeam> m_beam;  // shared with the thread that reads
+    std::shared_ptr<SentBeam> m_beam;  // shared with the reading thread
 };
 
 Result<std::unique_ptr<Signal>> make_sent(const Settings&, const SignalMedia& media) {

@@ -6,5 +6,5 @@
 SignalKind stdin_kind();
 SignalKind socket_kind();
 
-/// How the bytes of such a signal are to be read.
+/// The byte format of such a signal.
 SentFormat sent_format(const Settings& settings);

@@ -7,10 +7,11 @@
 #include <cmath>
 
 namespace {
-constexpr double end_slack = 1e-9;   // s: ends of spans that were computed in two ways
-constexpr double most_ahead = 0.25;  // s that a sender may be ahead
-constexpr double cushion = 0.03;  // s that a late sender gets, so that it is not late again at once
-constexpr double kept_seconds = 2.0;  // s, to show again what led to the present picture
+constexpr double end_slack = 1e-9;   // s: tolerance for span ends computed in two ways
+constexpr double most_ahead = 0.25;  // s: how far a sender may be ahead
+constexpr double cushion = 0.03;  // s: delay added for a late sender, so that its next point is not
+                                  // late
+constexpr double kept_seconds = 2.0;  // s: history that is kept for replays
 constexpr std::size_t most_legs = 1000000;
 constexpr double finest_rate = 4096.0 * 60.0;
 }  // namespace
@@ -70,7 +71,7 @@ void SentBeam::start_at(double seconds) {
     m_changed.notify_all();
 }
 
-// As long as points come the patience begins again with each.
+// Each new point restarts the timeout.
 void SentBeam::wait_for_points(std::unique_lock<std::mutex>& lock, double until) {
     const auto is_done = [&] { return m_is_closed || m_has_ended || m_end > until + end_slack; };
     if (std::isinf(m_patience_seconds)) {
@@ -101,7 +102,7 @@ void SentBeam::trace(const TimeSpan& span, Beam& beam) {
         trace_leg(*leg, span, beam);
 }
 
-// A lit way is cut finely, so that its light is laid down evenly.
+// A lit segment is subdivided finely to distribute its light evenly.
 void SentBeam::trace_leg(const Leg& leg, const TimeSpan& span, Beam& beam) const {
     const bool is_lit = leg.current > 0.0f;
     const double steps = is_lit ? std::max(1.0, std::ceil(leg.seconds * finest_rate - 1e-6)) : 1.0;

@@ -12,32 +12,32 @@
 #include <mutex>
 #include <span>
 
-/// The beam that another program sends, on its way from the thread that reads to the one that
-/// draws. The sender waits while it is well ahead of what is drawn, so little is kept.
+/// A beam from another program: a queue from the reading thread to the drawing thread. The sender
+/// blocks when it is too far ahead, so the queue stays short.
 class SentBeam {
 public:
     enum class Pace {
-        live,     // time goes on without the sender: what comes late is drawn when it comes
+        live,     // time does not wait for the sender: late points are drawn on arrival
         waiting,  // drawing waits for the sender: the same points give the same beam
     };
     explicit SentBeam(Pace pace, double start = 0.0) : m_pace(pace), m_now(start), m_end(start) {}
 
-    /// Drawing waits no longer than so many seconds without a point; then it goes on without the
-    /// sender. At first it waits for ever.
+    /// Drawing waits at most this long for a point, then continues without the sender. The default
+    /// is no limit.
     void set_patience(double seconds) { m_patience_seconds = seconds; }
-    /// Whether that happened.
+    /// Whether the wait timed out.
     bool has_timed_out() const { return m_has_timed_out; }
 
-    // The sender's side.
+    // For the sender's thread.
     void append(std::span<const SentPoint> points);
-    /// Nothing more comes; drawing no longer waits.
+    /// End of input; drawing no longer waits.
     void end();
 
-    // The side that draws.
+    // For the drawing thread.
     void trace(const TimeSpan& span, Beam& beam);
-    /// Forgets what has come; the next point comes after this time.
+    /// Discards all points. The next point comes after this time.
     void start_at(double seconds);
-    /// Nobody draws any more: neither side waits.
+    /// Stops drawing: neither thread waits.
     void close();
 
 private:
@@ -45,7 +45,7 @@ private:
         float x = 0.0f;
         float y = 0.0f;
     };
-    /// The way to a point; the time of its end is the next one's begin.
+    /// The path to a point. Its end time is the start time of the next leg.
     struct Leg {
         double begin = 0.0;
         double seconds = 0.0;
@@ -66,11 +66,11 @@ private:
     std::mutex m_mutex;
     std::condition_variable m_changed;
     std::deque<Leg> m_legs;
-    double m_now;  // drawn so far, s
-    double m_end;  // of the last leg, s
+    double m_now;  // s, drawn up to here
+    double m_end;  // s, end of the last leg
     Place m_last;
     bool m_has_last = false;
-    bool m_has_tints = false;  // some point had a colour
+    bool m_has_tints = false;  // some point has a colour
     bool m_has_ended = false;
     std::atomic<bool> m_has_timed_out = false;
     double m_patience_seconds = std::numeric_limits<double>::infinity();

@@ -17,7 +17,7 @@ struct Range {
     double low;
     double high;
 };
-// Far enough for any picture, and short enough that no point lays down light without end.
+// Large enough for any picture, and small enough to bound the light of a point.
 constexpr std::array<Range, 7> ranges{{{"x", -1000, 1000},
                                        {"y", -1000, 1000},
                                        {"intensity", 0, 1000},
@@ -27,7 +27,7 @@ constexpr std::array<Range, 7> ranges{{{"x", -1000, 1000},
                                        {"blue", 0, 1000}}};
 constexpr std::size_t seconds_place = 3;
 
-using Numbers = std::array<double, ranges.size()>;  // as ranges
+using Numbers = std::array<double, ranges.size()>;  // in the order of `ranges`
 
 SentPoint point_of(const Numbers& values, bool has_tint) {
     const auto value = [&](std::size_t i) { return static_cast<float>(values[i]); };
@@ -48,7 +48,7 @@ std::vector<std::string_view> words_of(std::string_view line) {
     return words;
 }
 
-// A line may hold anything: what is shown of it stays on one line of a terminal.
+// A line can hold any bytes. The excerpt in a message stays on one line of a terminal.
 std::string shown(std::string_view word) {
     constexpr std::size_t most = 40;
     std::string text(word.substr(0, most));
@@ -94,7 +94,7 @@ void SentReader::take_text(std::string_view bytes, std::vector<SentPoint>& point
     keep(bytes);
 }
 
-// No more of an endless line than is needed to see that it is too long.
+// Keeps only enough of an endless line to detect that it is too long.
 void SentReader::keep(std::string_view part) {
     m_rest += part.substr(0, longest_line + 1 - std::min(m_rest.size(), longest_line + 1));
     m_is_too_long = m_rest.size() > longest_line;

@@ -10,38 +10,39 @@
 #include <string_view>
 #include <vector>
 
-/// What another program sends: the beam goes evenly on to x, y within `seconds`.
+/// A point from another program: the beam moves to x, y at constant speed within `seconds`.
 struct SentPoint {
     float x = 0.0f;        // -1 left .. 1 right
     float y = 0.0f;        // -1 bottom .. 1 top
-    float current = 0.0f;  // on the way; 1 full, 0 blanked
+    float current = 0.0f;  // during the movement; 1 full, 0 blanked
     double seconds = 0.0;
-    std::optional<BeamTint> tint = {};  // none: white
+    std::optional<BeamTint> tint = {};  // nullopt: white
 
     bool operator==(const SentPoint&) const = default;
 };
 
 struct SentFormat {
-    bool is_raw = false;                     // 32-bit floats, little-endian; else lines of text
+    bool is_raw = false;                     // 32-bit floats, little-endian; otherwise lines of
+                                             // text
     int channels = 3;                        // raw
-    ChannelMap map = {.intensity = 3};       // raw: a channel beyond the last one is none
-    double seconds = 1.0 / (4096.0 * 60.0);  // of a point that says no time of its own
+    ChannelMap map = {.intensity = 3};       // raw: a channel above `channels` is unused
+    double seconds = 1.0 / (4096.0 * 60.0);  // duration of a point that has none
 };
 
-/// Turns bytes into points as they come, however they are cut. What cannot be read is passed over.
+/// Parses a byte stream into points, in chunks of any size. Skips what it cannot parse.
 class SentReader {
 public:
-    /// The name stands for the file in what is told.
+    /// `name` is used as the file in diagnostics.
     SentReader(const SentFormat& format, std::string name)
         : m_format(format), m_name(std::move(name)) {}
 
     void take(std::string_view bytes, std::vector<SentPoint>& points);
-    /// Nothing more comes: a last line needs no end.
+    /// End of input; the last line needs no line end.
     void finish(std::vector<SentPoint>& points);
 
-    /// The first thing that could not be read.
+    /// The first parse error.
     const std::optional<Diagnostic>& problem() const { return m_problem; }
-    /// How many lines, or raw points, could not be read.
+    /// Number of lines or raw points with errors.
     std::int64_t bad_count() const { return m_bad_count; }
 
     static constexpr std::size_t longest_line = 1000;
@@ -56,9 +57,9 @@ private:
 
     SentFormat m_format;
     std::string m_name;
-    std::string m_rest;  // the beginning of a line or of a raw point
+    std::string m_rest;  // start of an incomplete line or raw point
     bool m_is_too_long = false;
-    std::int64_t m_number = 0;  // lines or raw points so far
+    std::int64_t m_number = 0;  // number of lines or raw points read
     std::int64_t m_bad_count = 0;
     std::optional<Diagnostic> m_problem;
 };

@@ -20,7 +20,7 @@ std::string text_of(const Stroke& stroke) {
     return text + (stroke.is_closed ? "z" : "");
 }
 
-// Numbers between single blanks, each within what a beam could be asked for; none where one is not.
+// Parses numbers separated by single spaces, each within the limit. Empty on error.
 std::vector<double> numbers_in(std::string_view text) {
     std::vector<double> numbers;
     for (const std::string_view piece : split(text, ' ')) {
@@ -109,7 +109,7 @@ Drawing to_scale(const Drawing& drawing, double side) {
 }
 
 double kept_coordinate(double value) {
-    return std::round(value * 1e4) / 1e4 + 0.0;  // + 0: never -0
+    return std::round(value * 1e4) / 1e4 + 0.0;  // + 0 avoids -0
 }
 
 std::string to_text(const Drawing& drawing) {

@@ -1,4 +1,4 @@
-// The signal of what a person drew: keyframes that turn into each other.
+// The signal of a drawing by the user: keyframes that morph into each other.
 #include "signals/drawing/drawing.h"
 #include "signals/drawing/drawn.h"
 #include "signals/drawing/drawn_settings.h"
@@ -19,7 +19,7 @@ ScenePath path_of(const std::vector<BeamPlace>& line) {
     return path;
 }
 
-/// The drawing at any time.
+/// The drawing as a function of time.
 class MovingDrawing {
 public:
     MovingDrawing(const Drawing& drawing, const Settings& settings)
@@ -36,8 +36,8 @@ public:
         return scene_of(m_steps[moment.step], moment.share);
     }
 
-    /// A line between two others is nowhere longer than the longer of them, so that the ends of
-    /// each step tell how long a drawing takes at most.
+    /// An interpolated line is never longer than the longer of the two. The start and end of each
+    /// step therefore give the maximum duration.
     double seconds() const {
         double longest = 1.0 / m_beam.refresh;
         for (const auto& morphs : m_steps)

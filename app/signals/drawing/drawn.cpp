@@ -1,4 +1,4 @@
-// Signals that draw paths: a text, a scene of a file.
+// Signals that draw paths: a text, a scene file.
 #include "signals/drawing/drawn.h"
 
 #include "signals/drawing/drawn_settings.h"
@@ -21,7 +21,7 @@ Result<std::unique_ptr<Signal>> signal_of(BeamScene scene, const Settings& setti
     return made;
 }
 
-// "\n" as a person types it in a line of its own.
+// Replaces "\n", as typed in a single-line field.
 std::string with_line_ends(std::string_view text) {
     std::string lines;
     for (std::size_t i = 0; i < text.size(); ++i) {

@@ -3,7 +3,7 @@
 #include "signals/signal/points.h"
 #include "signals/signal/settings.h"
 
-// What the signals that draw paths have in common.
+// Settings shared by the signals that draw paths.
 
 inline SettingFacts size_setting(double initial, std::string help) {
     return {.key = "size",
@@ -40,7 +40,7 @@ inline SettingFacts speed_setting() {
             .limit = {1, 1e6}};
 }
 
-/// Points a second.
+/// Points per second.
 inline double rate_of(const Settings& settings) {
     return settings.number("points") * 60.0;
 }

@@ -3,23 +3,23 @@
 #include <cstddef>
 #include <vector>
 
-/// How keyframes follow each other.
+/// Playback order of keyframes.
 enum class KeyframePlay {
-    loop,            // after the last comes the first
+    loop,            // the first follows the last
     back_and_forth,  // to the last and back
-    once,            // to the last, which stays
-    still            // one of them stays
+    once,            // stops at the last
+    still            // a single keyframe
 };
 
-/// When which keyframe is seen: each is held, and then turns into the next.
+/// The timing of keyframes: each is held, then morphs into the next.
 struct KeyframeOrder {
-    std::vector<std::size_t> keyframes;  // in the order of their coming; never empty
-    bool comes_round = false;            // after the last of them comes the first
+    std::vector<std::size_t> keyframes;  // in playback order; never empty
+    bool comes_round = false;            // the first follows the last
     double hold_seconds = 0.0;
     double morph_seconds = 0.0;
-    bool is_eased = true;  // begins and ends gently: 3 x^2 - 2 x^3
+    bool is_eased = true;  // smoothstep, 3 x^2 - 2 x^3
 
-    /// The step from keyframes[step] to the next, and how much of its way is gone, 0..1.
+    /// The step from keyframes[step] to the next, and its progress, 0..1.
     struct Moment {
         std::size_t step = 0;
         double share = 0.0;
@@ -30,5 +30,5 @@ struct KeyframeOrder {
     std::size_t end_of(std::size_t step) const { return keyframes[(step + 1) % keyframes.size()]; }
 };
 
-/// The order of `count` keyframes; `still_at` is the one that stays, from 0, where one does.
+/// The order of `count` keyframes. `still_at` is the keyframe for KeyframePlay::still, from 0.
 KeyframeOrder order_of(KeyframePlay play, std::size_t count, std::size_t still_at);

@@ -8,7 +8,7 @@
 namespace {
 using Line = std::vector<BeamPlace>;
 
-// The share of the line's length at each of its points, 0..1.
+// The arc length at each point as a fraction of the line's length, 0..1.
 std::vector<double> shares_of(const Line& line) {
     std::vector<double> shares(line.size(), 0.0);
     for (std::size_t i = 1; i < line.size(); ++i)
@@ -54,7 +54,7 @@ double way_between(const Line& a, const Line& b) {
     return sum;
 }
 
-// A closed line that begins at another of its corners.
+// A closed line, rotated to start at another corner.
 Line begun_at(const Line& line, std::size_t corner) {
     Line turned(line.begin() + static_cast<std::ptrdiff_t>(corner), line.end() - 1);
     turned.insert(turned.end(), line.begin(),
@@ -62,11 +62,11 @@ Line begun_at(const Line& line, std::size_t corner) {
     return turned;
 }
 
-// Of the ways to begin the closed line `to`, and to go round it, the one nearest to `from`.
+// Rotates the closed line `to`, reversed if needed, for the smallest distance to `from`.
 Line aligned(const Line& from, const Line& to) {
     constexpr std::size_t samples = 48;
     constexpr std::size_t most_tries = 64;
-    constexpr double clearly = 1.0 - 1e-9;  // as it was drawn, unless another is better
+    constexpr double clearly = 1.0 - 1e-9;  // as drawn, unless another is better
     const Line places = places_at(from, even_shares(samples));
     const std::size_t stride = std::max<std::size_t>(1, (to.size() - 1) / most_tries);
     Line best = to;
@@ -85,7 +85,7 @@ Line aligned(const Line& from, const Line& to) {
     return best;
 }
 
-// The middle of a line's length, weighed by it.
+// The centre of a line, weighted by length.
 BeamPlace middle_of(const Line& line) {
     const double length = length_of(line);
     if (length <= 0.0)
@@ -99,7 +99,7 @@ BeamPlace middle_of(const Line& line) {
     return middle;
 }
 
-// How far apart two lines are in the mean, at the same shares of their lengths.
+// The mean distance of two lines at equal fractions of their lengths.
 double way_apart(const Line& a, const Line& b) {
     double sum = 0.0;
     for (std::size_t i = 0; i < a.size(); ++i)
@@ -119,9 +119,8 @@ std::vector<Line> sampled(const Keyframe& strokes) {
 
 using Partners = std::vector<std::optional<std::size_t>>;
 
-// For each of `more` which of `fewer` belongs to it: all of them in their order, so that together
-// they have the least way to go. least[i][j] is that way for the first i of `fewer` among the first
-// j of `more`.
+// Assigns all of `fewer`, in order, to elements of `more` with the smallest total distance.
+// least[i][j] is that distance for the first i of `fewer` and the first j of `more`.
 Partners nearest_partners(const std::vector<Line>& fewer, const std::vector<Line>& more) {
     constexpr double never = std::numeric_limits<double>::infinity();
     std::vector<std::vector<double>> least(fewer.size() + 1,
@@ -140,7 +139,7 @@ Partners nearest_partners(const std::vector<Line>& fewer, const std::vector<Line
 }
 
 Partners partners_of(const Keyframe& fewer, const Keyframe& more) {
-    constexpr std::size_t most_tries = 100000;  // beyond it a person would wait
+    constexpr std::size_t most_tries = 100000;  // limits the delay
     if (fewer.size() < more.size() && fewer.size() * more.size() <= most_tries)
         return nearest_partners(sampled(fewer), sampled(more));
     Partners partners(more.size());

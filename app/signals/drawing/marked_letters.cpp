@@ -5,8 +5,8 @@
 
 namespace {
 struct Mark {
-    char32_t combining;        // of Unicode
-    std::string_view strokes;  // as those of a glyph; 0 to 2 up from 1 over, or 2 under the letter
+    char32_t combining;        // in Unicode
+    std::string_view strokes;  // like a glyph's; 0 to 2 up from 1 above or 2 below the letter
     bool is_above;
     std::u32string_view letters;  // with the mark
     std::string_view bases;       // without it, in the same order
@@ -31,7 +31,7 @@ constexpr std::array marks{
     Mark{0x326, "2210", false, U"ȘșȚț", "SsTt"},                               // comma
 };
 
-// Letters that are no others with a mark, large and small.
+// Letters that are not a base letter with a mark, large and small.
 struct Special {
     char32_t large;
     char32_t small;
@@ -55,7 +55,7 @@ constexpr std::array specials{
     Special{U'K', U'ĸ', "0600 460340"},
     Special{U'S', U'ſ', "453616050413334241301001"},
     Special{U'N', U'ŉ', "00064046 0605"},
-    // Signs that names and titles have.
+    // Signs used in names and titles.
     Special{U'¡', 0, "2024 2526"},
     Special{U'¿', 0, "41301001122324 2526"},
     Special{U'·', 0, "2333"},

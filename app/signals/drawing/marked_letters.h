@@ -3,17 +3,17 @@
 #include <optional>
 #include <string_view>
 
-/// A letter beyond ASCII as the stroke font draws it. Strokes are written as in stroke_font.cpp.
+/// A non-ASCII letter of the stroke font. Strokes are written as in stroke_font.cpp.
 struct MarkedLetter {
-    char base = 0;             // a letter of ASCII with a mark; 0: none
-    std::string_view strokes;  // of a letter of its own; "": the base's
+    char base = 0;             // ASCII letter below the mark; 0: none
+    std::string_view strokes;  // of a separate glyph; "": the base's
     std::string_view mark;     // strokes above or below the base; "": none
     bool is_mark_above = true;
-    bool is_small = false;  // of a letter of its own
+    bool is_small = false;  // of a separate glyph
 };
 
-/// Letters of Latin-1 and Latin Extended-A and some signs; nothing for all others.
+/// Letters of Latin-1 and Latin Extended-A and some signs; nullopt for others.
 std::optional<MarkedLetter> find_marked_letter(char32_t letter);
 
-/// The letter that a base and a combining mark of Unicode make, of those that are known here.
+/// The letter composed of a base and a combining mark, if the font has it.
 std::optional<char32_t> composed_letter(char32_t base, char32_t combining);

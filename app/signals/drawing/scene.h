@@ -9,70 +9,71 @@
 #include <memory>
 #include <vector>
 
-/// A corner of a path: half screens from its item's middle, y up, z towards the eye.
+/// A corner of a path: half screens from its item's centre, y up, z towards the eye.
 struct ScenePoint {
     double x = 0.0;
     double y = 0.0;
     double z = 0.0;
-    double current = 1.0;  // on the way to it, 1 is full
+    double current = 1.0;  // on the way to it; 1 is full
 
     bool operator==(const ScenePoint&) const = default;
 };
 
-/// What the beam draws without leaving off.
+/// A line that the beam draws without a gap.
 struct ScenePath {
     std::vector<ScenePoint> points;
-    bool is_smooth = false;  // has no corners on which to dwell, but at its ends
+    bool is_smooth = false;  // dwells at its ends only
 
     bool operator==(const ScenePath&) const = default;
 };
 
-/// Paths that are placed and turned together: scaled, turned about x, then y, then z, moved.
+/// Paths with a common transform: scale, rotation about x, then y, then z, translation.
 struct SceneItem {
     std::vector<ScenePath> paths;
     std::array<double, 2> at{};  // half screens
     double scale = 1.0;
     std::array<double, 3> turn{};  // degrees at time 0, counter-clockwise
     std::array<double, 3> spin{};  // degrees/s
-    double perspective = 0.0;      // half screens from the eye to the item's middle; 0: from afar
-    double current = 1.0;          // times that of the points
-    double speed = 1.0;            // times the scene's beam speed
+    double perspective = 0.0;      // half screens from the eye to the item's centre; 0:
+                                   // orthographic
+    double current = 1.0;          // factor of the points' current
+    double speed = 1.0;            // factor of the scene's beam speed
     double dwell_seconds = 0.0;    // at each corner
 
     bool operator==(const SceneItem&) const = default;
 };
 
-/// What a beam draws over and over: items in order, and how it moves on and between them.
+/// A scene that the beam draws repeatedly: items in order, and the beam's speeds.
 struct BeamScene {
     std::vector<SceneItem> items;
     double beam_speed = 1000.0;  // half screens/s
     double move_speed = 5000.0;  // between paths
     double move_current = 0.0;   // 0: blanked
-    double refresh = 60.0;  // at most so many drawings a second; 0: as many as there is time for
+    double refresh = 60.0;       // maximum drawings per second; 0: no maximum
 
     bool operator==(const BeamScene&) const = default;
 };
 
-/// So many points hold any scene that a beam could draw while someone looks.
+/// More points than a beam could draw at a visible refresh rate.
 constexpr std::size_t most_scene_points = 400000;
 
 std::size_t point_count(const BeamScene& scene);
 
-/// The scene as a signal, at `rate` points a second or more: each straight way is cut evenly, and
-/// its ends are always points. Things turn from one drawing to the next; how long each way takes is
-/// settled by its length in space, so that every drawing takes equally long. Refuses a scene that
-/// draws nothing.
+/// The scene as a signal with at least `rate` points per second. Each straight segment is divided
+/// evenly, and its ends are always points. Rotation changes between drawings only. The duration of
+/// a segment depends on its length in space, so every drawing takes the same time. Error: a scene
+/// that draws nothing.
 Result<std::unique_ptr<Signal>> make_scene_signal(std::shared_ptr<const BeamScene> scene,
                                                   double rate);
 
-/// A scene that is another one each time the beam begins to draw it.
+/// A scene that changes at the start of each drawing.
 struct ChangingScene {
-    std::function<BeamScene(double seconds)> at;  // as it is drawn from then on
-    double seconds = 1.0 / 60.0;  // from one beginning to the next: no drawing takes longer
+    std::function<BeamScene(double seconds)> at;  // the scene drawn from that time on
+    double seconds = 1.0 / 60.0;                  // between starts; no drawing takes longer
 };
 
-/// As make_scene_signal; there may be nothing to draw, for a time or for ever.
+/// Like make_scene_signal(), but the scene may be empty.
 std::unique_ptr<Signal> make_changing_scene_signal(ChangingScene scene, double rate);
 
-/// How long the beam takes to draw it and to come back.
+/// Duration of a drawing, including the return to its start.
 double drawing_seconds(BeamScene scene);

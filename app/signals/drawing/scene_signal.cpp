@@ -10,7 +10,7 @@
 namespace {
 using Vector = std::array<double, 3>;
 
-/// An item's turn at one instant.
+/// The rotation of an item at one instant.
 class Pose {
 public:
     Pose(const SceneItem& item, double seconds) : m_item(item) {
@@ -28,7 +28,7 @@ public:
         return {v[0] * m_cosine[2] - v[1] * m_sine[2], v[0] * m_sine[2] + v[1] * m_cosine[2], v[2]};
     }
 
-    /// On the screen. What comes nearer than a tenth of the way to the eye stays there.
+    /// On the screen. The distance to the eye is at least a tenth of `perspective`.
     std::array<double, 2> seen(const ScenePoint& point) const {
         const Vector v = turned(point);
         const double eye = m_item.perspective;
@@ -52,13 +52,13 @@ double distance_between(const Vector& a, const Vector& b) {
     return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-/// A corner and the item that it belongs to.
+/// A corner and its item.
 struct Corner {
     std::size_t item = 0;
     ScenePoint point;
 };
 
-/// The beam's way to a corner, or its rest there.
+/// The beam's path to a corner, or its dwell there.
 struct Leg {
     std::size_t from = 0;  // corners
     std::size_t to = 0;
@@ -67,7 +67,7 @@ struct Leg {
     double current = 0.0;  // 0: blanked
 };
 
-/// The legs of one drawing, which are the same in all.
+/// The legs of a drawing; the same for each drawing.
 class Timetable {
 public:
     explicit Timetable(const BeamScene& scene) : m_scene(scene) {
@@ -127,15 +127,15 @@ private:
     double m_seconds = 0.0;
 };
 
-/// How finely a scene is cut, and the part of time that is asked for.
+/// Point rate and time span of a trace.
 struct Tracing {
     double rate = 0.0;
     TimeSpan span;
 };
 
-constexpr double span_slack = 1e-9;  // s: ends of spans that were computed in two ways
+constexpr double span_slack = 1e-9;  // s: tolerance for span ends computed in two ways
 
-/// One drawing of a scene, as it stands when the drawing begins.
+/// One drawing of a scene, in the state at its start.
 class DrawnOnce {
 public:
     DrawnOnce(const BeamScene& scene, const Timetable& table, double start)
@@ -189,10 +189,10 @@ private:
     std::vector<Pose> m_poses;
 };
 
-// The first of the drawings, each `length` long, that has points in the span.
+// The first drawing with points in the span; each is `length` long.
 std::int64_t first_drawing(const TimeSpan& span, double length) {
     const auto drawing = static_cast<std::int64_t>(std::floor(std::max(span.start, 0.0) / length));
-    return std::max<std::int64_t>(drawing - 1, 0);  // its last point may fall just after its end
+    return std::max<std::int64_t>(drawing - 1, 0);  // its last point may be just after its end
 }
 
 class SceneSignal : public Signal {
@@ -211,7 +211,7 @@ public:
     }
 
 private:
-    std::shared_ptr<const BeamScene> m_scene;  // shared with what else plays the same file
+    std::shared_ptr<const BeamScene> m_scene;  // shared with other players of the same file
     Timetable m_table;
     double m_rate;
 };

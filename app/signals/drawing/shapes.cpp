@@ -15,7 +15,7 @@ ScenePoint on_circle(double radius, double degrees) {
     return {radius * std::cos(radians), radius * std::sin(radians)};
 }
 
-// The mean light of the picture's box (x0, y0) .. (x1, y1) in px, by ITU-R BT.709's luminance.
+// The mean luminance (ITU-R BT.709) of the picture's box (x0, y0) .. (x1, y1) in px.
 double light_of(const Picture& picture, int x0, int x1, int y0, int y1) {
     const double weights[3] = {0.2126, 0.7152, 0.0722};
     const bool is_grey = picture.channels < 3;
@@ -33,7 +33,7 @@ double light_of(const Picture& picture, int x0, int x1, int y0, int y1) {
     return std::clamp(sum / (static_cast<double>(x1 - x0) * (y1 - y0)), 0.0, 16.0);
 }
 
-// Box `index` of `count` along `length` px: its first pixel, and the one after its last.
+// Box `index` of `count` along `length` px: its first pixel, and one past its last.
 std::array<int, 2> box(int index, int count, int length) {
     const int first = static_cast<int>(static_cast<std::int64_t>(index) * length / count);
     const int end = static_cast<int>(static_cast<std::int64_t>(index + 1) * length / count);
@@ -67,7 +67,7 @@ std::vector<ScenePath> polygon_paths(double radius, int sides, int skip) {
 
 std::vector<ScenePath> grid_paths(double width, double height, int columns, int rows) {
     std::vector<ScenePath> paths;
-    // Every other line backwards, so that the beam has short ways in between.
+    // Every other line is reversed to shorten the moves between lines.
     const auto add = [&paths](ScenePoint from, ScenePoint to, bool is_backwards) {
         if (is_backwards)
             std::swap(from, to);
@@ -132,7 +132,7 @@ std::vector<ScenePath> edge_paths(const std::vector<ScenePoint>& corners,
             edges_at[corner].push_back(i);
     std::vector<bool> is_drawn(edges.size(), false);
     std::vector<ScenePath> paths;
-    // A way from the first open edge may end before it has come over that edge itself.
+    // A path from the first open edge may end before it has covered that edge.
     for (std::size_t first = 0; first < edges.size();) {
         if (is_drawn[first]) {
             ++first;

@@ -7,7 +7,7 @@
 #include <array>
 
 namespace {
-// Each glyph is strokes between spaces, each stroke corners of two digits: 0..4 across, 0..6 up.
+// Glyph: strokes separated by spaces. Stroke: corners of two digits, 0..4 across and 0..6 up.
 struct Glyph {
     char character;
     std::string_view strokes;
@@ -84,7 +84,7 @@ constexpr std::string_view missing_glyph = "0006464000";
 
 constexpr double units_high = 6.0;
 constexpr double units_wide = 4.0;
-constexpr double advance = 6.0;  // from letter to letter
+constexpr double advance = 6.0;  // between letters
 constexpr double line_advance = 10.0;
 constexpr double small_capital = 0.75;
 
@@ -109,8 +109,8 @@ std::string utf8_of(char32_t character) {
     return {static_cast<char>(0xf0u | character >> 18), tail(12), tail(6), tail(0)};
 }
 
-// The characters of a UTF-8 text; 0xFFFD for what is none. Letters with marks of their own behind
-// them (NFD, as file systems write them) become one.
+// Decodes UTF-8; 0xFFFD for invalid bytes. Composes letters followed by combining marks (NFD, as in
+// file names).
 std::vector<char32_t> characters_of(std::string_view text) {
     std::vector<char32_t> characters;
     for (std::size_t i = 0; i < text.size();) {
@@ -139,12 +139,12 @@ bool is_small(char32_t character) {
     return character >= 'a' && character <= 'z';
 }
 
-/// Where the strokes of a glyph come to lie.
+/// Position and scale of a glyph's strokes.
 struct Place {
     double x;
     double y;
     double unit;
-    double height;  // against a capital's
+    double height;  // relative to a capital
 };
 
 void add_strokes(std::string_view strokes, const Place& at, std::vector<ScenePath>& paths) {

@@ -8,10 +8,10 @@
 
 enum class TextAlign { left, middle, right };
 
-/// A text in Afterglow's own stroke font, around 0,0. `height` is a capital's, half screens. Small
-/// letters are small capitals; the letters are those of ASCII, Latin-1 and Latin Extended-A. A
-/// character that the font lacks is a box; "\n" ends a line.
+/// A text in Afterglow's stroke font, centred at 0,0. `height` is the height of a capital in half
+/// screens. Small letters are small capitals. Covers ASCII, Latin-1 and Latin Extended-A. A missing
+/// character is drawn as a box; "\n" ends a line.
 std::vector<ScenePath> text_paths(std::string_view text, double height, TextAlign align);
 
-/// The characters of a text that the font lacks, each once, with blanks between; "": none.
+/// The characters that the font lacks, each once, separated by spaces; "": none.
 std::string missing_letters(std::string_view text);

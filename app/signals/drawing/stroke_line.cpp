@@ -9,7 +9,7 @@ BeamPlace sum(const BeamPlace& a, double factor, const BeamPlace& b) {
     return {a[0] + factor * b[0], a[1] + factor * b[1]};
 }
 
-// Two places on each other have no direction between them.
+// Two equal points have no direction.
 std::vector<BeamPlace> without_repeats(const Stroke& stroke) {
     std::vector<BeamPlace> points;
     for (const BeamPlace& point : stroke.points)
@@ -20,8 +20,8 @@ std::vector<BeamPlace> without_repeats(const Stroke& stroke) {
     return points;
 }
 
-// The way from b to c of the curve through a, b, c, d. Its speed at b and c follows from the knots,
-// which lie apart by the square root of the distance.
+// The curve from b to c through a, b, c, d. The derivatives at b and c depend on the knot spacing,
+// the square root of the distance.
 CurveSpan span_of(const BeamPlace& a, const BeamPlace& b, const BeamPlace& c, const BeamPlace& d) {
     const double before = std::sqrt(distance(a, b));
     const double here = std::sqrt(distance(b, c));
@@ -85,7 +85,7 @@ std::vector<CurveSpan> curve_of(const Stroke& stroke) {
     for (std::size_t i = 0; i < steps; ++i) {
         const BeamPlace& from = points[i];
         const BeamPlace& to = points[(i + 1) % count];
-        // Beyond an end the curve would go on as straight as it began.
+        // Extrapolates a point past each end.
         const BeamPlace before = is_round || i > 0 ? points[(i + count - 1) % count]
                                                    : sum(sum(from, 1.0, from), -1.0, to);
         const BeamPlace after =
@@ -96,7 +96,7 @@ std::vector<CurveSpan> curve_of(const Stroke& stroke) {
 }
 
 std::vector<BeamPlace> line_of(const Stroke& stroke) {
-    constexpr double step = 0.015;  // half screens: the corners of a curve are not seen
+    constexpr double step = 0.015;  // half screens: corners of the curve are not visible
     constexpr double most_steps = 32.0;
     std::vector<BeamPlace> line = without_repeats(stroke);
     if (!stroke.is_smooth) {

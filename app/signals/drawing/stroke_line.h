@@ -2,23 +2,23 @@
 
 #include "signals/drawing/drawing.h"
 
-/// A cubic Bézier curve: where it begins, its two handles, where it ends.
+/// A cubic Bézier curve: start, two control points, end.
 using CurveSpan = std::array<BeamPlace, 4>;
 
-/// A smooth stroke as curves from each of its points to the next: centripetal Catmull-Rom (Yuksel,
-/// Schaefer and Keyser, "Parameterization and Applications of Catmull-Rom Curves", 2011), which
-/// goes through every point and makes no loops between them.
+/// A smooth stroke as curves between consecutive points: centripetal Catmull-Rom. It passes through
+/// every point without loops between them. Source: Yuksel, Schaefer and Keyser, "Parameterization
+/// and Applications of Catmull-Rom Curves", 2011.
 std::vector<CurveSpan> curve_of(const Stroke& stroke);
 
-/// What the beam follows: the stroke's points, or its curve cut so finely that it looks round; back
-/// to its beginning where it is closed.
+/// The polyline that the beam follows: the stroke's points, or its curve finely subdivided. A
+/// closed stroke returns to its start.
 std::vector<BeamPlace> line_of(const Stroke& stroke);
 
-/// The points of an open line that are needed so that none of the others lies further from it than
-/// `tolerance` (Ramer 1972, Douglas and Peucker 1973).
+/// Simplifies an open line so that each removed point is within `tolerance` of it (Ramer 1972,
+/// Douglas and Peucker 1973).
 std::vector<BeamPlace> simplified(const std::vector<BeamPlace>& points, double tolerance);
 
 double distance(const BeamPlace& a, const BeamPlace& b);
 double length_of(const std::vector<BeamPlace>& line);
-/// How far a place is from the nearest of a line.
+/// The distance of a place from the nearest point of a line.
 double distance_to_line(const BeamPlace& place, const std::vector<BeamPlace>& line);

@@ -6,7 +6,7 @@
 #include <cmath>
 
 namespace {
-// Of the n-th harmonic: every one (saw), the odd ones (square), the odd ones with signs in turn
+// Amplitude of the n-th harmonic: all (saw), odd only (square), odd only with alternating signs
 // (triangle).
 double strength(std::string_view shape, int n, double falloff) {
     const double size = std::pow(n, -falloff);
@@ -17,8 +17,8 @@ double strength(std::string_view shape, int n, double falloff) {
     return shape == "triangle" && n % 4 == 3 ? -size : size;
 }
 
-// One period of the sum, its largest value 1, read between the entries by straight lines. With 64
-// harmonics the lines are at most (2 pi 64 / 32768)^2 / 8 = 2e-5 off.
+// One period of the sum, normalised to a peak of 1, with linear interpolation. With 64 harmonics
+// the interpolation error is at most (2 pi 64 / 32768)^2 / 8 = 2e-5.
 class Harmonics {
 public:
     explicit Harmonics(const Settings& settings)
@@ -50,7 +50,7 @@ private:
 
     static constexpr int entries = 32768;
     double m_base;
-    std::vector<double> m_table;  // a period and its first entry again
+    std::vector<double> m_table;  // one period, then its first entry again
 };
 }  // namespace
 

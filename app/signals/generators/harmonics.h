@@ -2,5 +2,5 @@
 
 #include "signals/signal/signal_kind.h"
 
-/// A sum of sines at whole multiples of a base frequency.
+/// A sum of sines at integer multiples of a base frequency.
 SignalKind harmonics_kind();

@@ -7,7 +7,7 @@
 #include <cmath>
 
 namespace {
-// Current 0.3 + 0.7 q, q = 0.05 / (s + 0.05): 1 where the beam rests, 1/21 at its fastest (s = 1).
+// Current 0.3 + 0.7 q, q = 0.05 / (s + 0.05): 1 for a stationary beam, 1/21 at full speed (s = 1).
 double current_at(double speed) {
     constexpr double floor = 0.3;
     constexpr double softness = 0.05;
@@ -41,7 +41,7 @@ public:
     }
 
 private:
-    // Of the beam, against what it would be with both deflections at their fastest.
+    // Speed of the beam relative to both deflections at their maximum speed.
     double relative_speed(double across, double up) const {
         if (m_fastest == 0.0)
             return 0.0;

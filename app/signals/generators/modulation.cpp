@@ -12,7 +12,7 @@ struct Carrier {
           modulator(settings.number("modulator")),
           quarter_period(0.25 / carrier) {}
 
-    double carrier;  // periods in 1/60 s
+    double carrier;  // periods per 1/60 s
     double modulator;
     double quarter_period;
 };

@@ -5,8 +5,8 @@
 
 #include <memory>
 
-/// A signal of one wave, shown over time (yt), or against itself a quarter period before (xy).
-/// `Wave` is called with a time in sweeps of 1/60 s and has a quarter_period in the same unit.
+/// A signal of one wave, drawn over time (yt) or against itself a quarter period earlier (xy).
+/// `Wave` is called with a time in sweeps of 1/60 s. Its quarter_period has the same unit.
 template <class Wave>
 class OneChannel : public Signal {
 public:
@@ -54,5 +54,5 @@ Result<std::unique_ptr<Signal>> make_one_channel(const Settings& settings, const
 /// A frequency in periods across the screen.
 SettingFacts periods_setting(std::string key, std::string label, std::string help, double initial);
 
-/// The kind's own settings followed by those that OneChannel reads.
+/// The kind's own settings, then the settings that OneChannel reads.
 std::vector<SettingFacts> one_channel_settings(std::vector<SettingFacts> own);

@@ -21,7 +21,7 @@ constexpr std::array<NamedShape, 6> named_shapes{{{"sine", Shape::sine},
                                                   {"noise", Shape::noise},
                                                   {"off", Shape::off}}};
 
-// A number in -1 .. 1 that looks random (the finaliser of SplitMix64, Steele et al. 2014).
+// A pseudo-random number in -1 .. 1 (the finaliser of SplitMix64, Steele et al. 2014).
 double random_level(std::int64_t place, std::uint64_t seed) {
     std::uint64_t bits = static_cast<std::uint64_t>(place) + seed * 0x9e3779b97f4a7c15u;
     bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9u;

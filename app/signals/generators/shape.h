@@ -6,17 +6,17 @@
 #include <string_view>
 #include <vector>
 
-/// One period of a wave between -1 and 1; all but noise start at 0 and rise.
+/// A waveform between -1 and 1. All shapes except noise rise through 0 at phase 0.
 enum class Shape { off, sine, triangle, square, saw, noise };
 
-/// Their names in the order of a menu, and the shape of a name that is one of them.
+/// Their names in menu order, and the shape with one of these names.
 std::vector<std::string> shape_names();
 Shape shape_named(std::string_view name);
 
-/// The wave at a phase in turns. Noise is 32 random levels a turn joined by straight lines; it
-/// never repeats and follows from phase and seed alone.
+/// The wave at a phase in turns. Noise is 32 random levels per turn, linearly interpolated. It
+/// never repeats and depends on phase and seed only.
 double wave(Shape shape, double turns, std::uint64_t seed);
 
-/// The phase in turns, 0 .. 1, at which a wave goes through `level` on its way up (or down); none
-/// where it never does. Noise does so at no phase that could be told, hence at once: 0.
+/// The phase in turns, 0 .. 1, at which a wave crosses `level` upwards (or downwards); nullopt when
+/// it never does. Noise has no predictable crossing, so its result is 0.
 std::optional<double> crossing(Shape shape, double level, bool is_rising);

@@ -16,7 +16,7 @@ struct Generator {
     double mean = 0.0;       // V
     double phase = 0.0;      // turns
     std::uint64_t seed = 0;
-    Coupling coupling = Coupling::dc;  // of the channel that it is plugged into
+    Coupling coupling = Coupling::dc;  // of the connected channel
 
     bool is_on() const { return shape != Shape::off; }
     double added() const { return coupling == Coupling::dc ? mean : 0.0; }
@@ -38,7 +38,7 @@ Generator generator_of(const Settings& settings, const std::string& number) {
             .seed = static_cast<std::uint64_t>(settings.whole("seed")) * 2 + (number == "2")};
 }
 
-// Seconds after time 0 at which the generator first fires the trigger; none where it never does.
+// Seconds after time 0 at which the generator first fires the trigger; nullopt when it never does.
 std::optional<double> first_trigger(const Generator& generator, const ScopeChannel& channel,
                                     const Trigger& trigger) {
     if (generator.coupling == Coupling::ground || generator.amplitude <= 0.0 ||
@@ -53,8 +53,8 @@ std::optional<double> first_trigger(const Generator& generator, const ScopeChann
     return (ahead - std::floor(ahead)) / generator.hertz;
 }
 
-// A wave triggers once a period, so the sweeps come evenly: each begins at the first trigger that
-// finds the scope ready again.
+// A wave triggers once per period, so the sweeps are evenly spaced. Each sweep starts at the first
+// trigger after the scope is ready again.
 std::unique_ptr<Sweeps> sweeps_of(const ScopeKnobs& knobs, const std::array<Generator, 2>& inputs,
                                   double rate) {
     const Trigger& trigger = knobs.trigger;
@@ -116,10 +116,10 @@ private:
         return !knobs.is_xy && inputs[0].is_on() && inputs[1].is_on() ? 2.0 : 1.0;
     }
 
-    std::array<Generator, 2> m_inputs;  // by the channel that they are plugged into
+    std::array<Generator, 2> m_inputs;  // by the connected channel
     Scope m_scope;
     std::unique_ptr<Sweeps> m_sweeps;
-    double m_scroll;  // turns a second
+    double m_scroll;  // turns per second
     bool m_is_xy;
 };
 

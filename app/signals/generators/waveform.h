@@ -2,5 +2,5 @@
 
 #include "signals/signal/signal_kind.h"
 
-/// Two wave generators: as two traces over time (yt), or one across and one up (xy).
+/// Two function generators: as two traces over time (yt), or one as x and one as y (xy).
 SignalKind waveform_kind();

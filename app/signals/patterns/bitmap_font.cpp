@@ -7,7 +7,7 @@ namespace {
 constexpr char first_letter = ' ';
 constexpr int letter_count = 95;
 
-// Columns from the left; bit 0 is the top row, bit 7 hangs below the line. From ' ' to '~'.
+// Columns from the left. Bit 0 is the top row, bit 7 the descender row. From ' ' to '~'.
 // clang-format off
 constexpr std::array<std::array<std::uint8_t, bitmap_font::width>, letter_count> letter_columns{{
     {0x00, 0x00, 0x00, 0x00, 0x00}, {0x00, 0x00, 0x5F, 0x00, 0x00}, {0x00, 0x07, 0x00, 0x07, 0x00},

@@ -16,13 +16,13 @@ constexpr Color head_color{0.65f, 1.0f, 0.75f};
 constexpr Color trail_color{0.10f, 0.85f, 0.24f};
 constexpr int drops_in_a_column = 2;
 
-/// One run of glyphs on its way down a column, again and again.
+/// A run of glyphs that falls down a column repeatedly.
 struct Drop {
-    double speed = 0.0;   // cells a second
+    double speed = 0.0;   // cells per second
     double length = 0.0;  // of the trail, cells
-    double way = 0.0;     // cells from start to start, the rows and a pause
+    double way = 0.0;     // cells between starts: the rows and a pause
     double begin = 0.0;   // cells
-    double light = 0.0;   // of all of it; some fall further behind
+    double light = 0.0;   // brightness factor; dimmer drops look more distant
 };
 
 Drop drop_of(std::uint32_t column, std::uint32_t index, int rows) {
@@ -36,7 +36,7 @@ Drop drop_of(std::uint32_t column, std::uint32_t index, int rows) {
     return drop;
 }
 
-/// How bright a cell is: 1 at a head of the front, and less up its trail.
+/// Brightness of a cell: 1 at the head of a drop, decreasing along its trail.
 struct Glow {
     float trail = 0.0f;
     float head = 0.0f;
@@ -58,16 +58,16 @@ Glow glow_at(const std::array<Drop, drops_in_a_column>& drops, int row, double s
     return glow;
 }
 
-// A cell shows another glyph every second or so, each at its own moments.
+// The glyph of a cell changes about once per second, at times that differ between cells.
 char glyph_at(std::uint32_t column, std::uint32_t row, double seconds) {
     const double pace = 0.4 + 1.6 * share_of(column, row, 11);
     const double turn = std::floor(seconds * pace + share_of(column, row, 12));
-    constexpr int glyphs = 60;  // from '!' on: signs, digits, capitals
+    constexpr int glyphs = 60;  // from '!' on: punctuation, digits, capitals
     return static_cast<char>('!' +
                              hash_of(column, row, 100 + static_cast<std::uint32_t>(turn)) % glyphs);
 }
 
-/// Where the picture's cells lie: whole dots of `dot` px, a margin on either side.
+/// Position of the cells: each dot is `dot` px wide, with a margin on each side.
 struct Layout {
     int dot = 1;
     int columns = 0;
@@ -79,7 +79,7 @@ Layout layout_of(Extent extent) {
     return {dot, extent.width / (cell_width * dot) + 1, extent.height / (cell_height * dot) + 1};
 }
 
-// Mirrored, as signs of no known language.
+// Mirrored, so that the glyphs look like an unknown script.
 void draw_glyph(Picture& picture, const Layout& layout, int column, int row, char glyph,
                 const Color& light) {
     const int left = (column * cell_width + 1) * layout.dot;
@@ -115,7 +115,7 @@ void draw_rain(Picture& picture, double seconds) {
     }
 }
 
-/// The picture at a quarter of its size, for a bloom that is wide and soft.
+/// The picture at a quarter of its size, for a wide, soft bloom.
 Picture quartered(const Picture& picture) {
     const Extent extent{(picture.extent.width + 3) / 4, (picture.extent.height + 3) / 4};
     Picture small{extent, 3, Encoding::linear, {}};
@@ -128,8 +128,8 @@ Picture quartered(const Picture& picture) {
     return small;
 }
 
-// A running mean along one axis; three of them are nearly a Gaussian (P. Kovesi, "Fast
-// Almost-Gaussian Filtering", DICTA 2010). Beyond the sides it is dark.
+// A running mean along one axis. Three passes approximate a Gaussian (P. Kovesi, "Fast
+// Almost-Gaussian Filtering", DICTA 2010). Black outside the picture.
 void blur_line(const float* from, float* to, int count, std::size_t step, int reach) {
     const float share = 1.0f / static_cast<float>(2 * reach + 1);
     float sum = 0.0f;
@@ -163,7 +163,7 @@ float between(float low, float high, float share) {
     return low + (high - low) * share;
 }
 
-/// Adds the small picture, read smoothly between its pixels.
+/// Adds the small picture with bilinear interpolation.
 void add_bloom(Picture& picture, const Picture& small, float strength) {
     const auto place = [](int at, int length) {
         const float from = std::clamp((static_cast<float>(at) + 0.5f) / 4.0f - 0.5f, 0.0f,

@@ -12,7 +12,7 @@
 namespace {
 constexpr Extent native{320, 240};
 constexpr int horizon = 146;
-constexpr int quay = 204;  // where the water meets the stones
+constexpr int quay = 204;  // edge between water and stones
 constexpr double tau = 2.0 * std::numbers::pi;
 
 enum Paint : PixelCanvas::Index {
@@ -39,7 +39,7 @@ const std::vector<PixelCanvas::Color> palette{
     0x16264e, 0x2a4a7c, 0x7aa8c8, 0x6a6480, 0x3a3552, 0x70422e, 0xc03440, 0x2c4a3c,
 };
 
-/// Six pictures a second: enough for water and a tail.
+/// Six frames per second, enough for the water and the cat's tail.
 int tick_of(double seconds) {
     return static_cast<int>(std::floor(seconds * 6.0 + 1e-6));
 }
@@ -58,7 +58,7 @@ void draw_sky(PixelCanvas& canvas, int tick) {
         const bool twinkles = (tick / 2 + static_cast<int>(hash_of(i, 4) % 11)) % 11 == 0;
         canvas.set(x, y, twinkles ? plum : i % 3 == 0 ? cream : foam);
     }
-    for (int y = -11; y <= 11; ++y)  // the moon, a new one
+    for (int y = -11; y <= 11; ++y)  // a crescent moon
         for (int x = -11; x <= 11; ++x)
             if (std::hypot(x, y) < 11.4 && std::hypot(x + 5, y + 3) > 10.2)
                 canvas.set(262 + x, 30 + y, cream);
@@ -70,7 +70,7 @@ void draw_sun(PixelCanvas& canvas) {
     constexpr int radius = 33;
     for (int row = -radius; row <= radius; ++row) {
         const int half = static_cast<int>(std::sqrt(radius * radius - row * row));
-        // Bars of haze, wider towards the sea.
+        // Bars of haze, wider towards the horizon.
         const bool is_haze = row > -4 && (row + 4) % 7 < 1 + (row + 4) / 9;
         for (int column = -half; !is_haze && column <= half; ++column)
             canvas.dithered(x + column, y + row, cream, peach,
@@ -103,7 +103,7 @@ double ridge(double x, std::uint32_t key) {
 
 void draw_hills(PixelCanvas& canvas) {
     for (int x = 0; x < canvas.width(); ++x) {
-        const double far_side = std::abs(x - 118) / 200.0;  // lower where the sun stands
+        const double far_side = std::abs(x - 118) / 200.0;  // lower at the sun
         const int far_top =
             horizon - static_cast<int>(8.0 + 20.0 * far_side * ridge(x, 7) + 6.0 * ridge(x, 7));
         for (int y = far_top; y < horizon; ++y)
@@ -120,7 +120,7 @@ void draw_sea(PixelCanvas& canvas, int tick) {
         const double down = static_cast<double>(y - horizon) / (quay - horizon);
         for (int x = 0; x < canvas.width(); ++x)
             canvas.dithered(x, y, sea, deep_sea, 0.15 + 0.9 * down);
-        // Short waves: longer and further apart the nearer they are.
+        // Short waves: longer and more widely spaced in the foreground.
         const int length = 3 + static_cast<int>(9.0 * down);
         for (int i = 0; i < 11; ++i) {
             const auto key = static_cast<std::uint32_t>(y * 16 + i);
@@ -130,7 +130,7 @@ void draw_sea(PixelCanvas& canvas, int tick) {
             for (int column = 0; column < length; ++column)
                 canvas.set(x + column, y, i % 4 == 0 ? plum : sea);
         }
-        // The sun's road over the water.
+        // The reflection of the sun on the water.
         const double spread = 24.0 + 26.0 * down;
         for (int i = 0; i < 9; ++i) {
             const auto key = static_cast<std::uint32_t>(y * 32 + i);
@@ -161,7 +161,7 @@ void draw_boat(PixelCanvas& canvas, int tick) {
     };
     const int bob = static_cast<int>(std::lround(std::sin(tick * tau / 18.0)));
     canvas.sprite(176, 137 + bob, boat);
-    for (int row = 0; row < 14; ++row)  // its picture in the water
+    for (int row = 0; row < 14; ++row)  // reflection in the water
         for (int column = 0; column < 18 - row; ++column)
             if ((row * 7 + column * 3 + tick) % 5 != 0 && row % 3 != 1)
                 canvas.set(179 + column + row / 2 + (row + tick / 2) % 2, 162 + bob + row,
@@ -207,7 +207,7 @@ void draw_lighthouse(PixelCanvas& canvas, int tick) {
             canvas.dithered(x + column, 132 + row, shade, night,
                             0.25 + 0.5 * (column + half) / (2.0 * half) + 0.2 * ((row / 5) % 2));
     }
-    for (int row = 12; row < 72; ++row) {  // the tower, wider below
+    for (int row = 12; row < 72; ++row) {  // the tower, wider at the bottom
         const int half = 7 + row / 14;
         const bool is_red = (row / 12) % 2 == 0;
         for (int column = -half; column <= half; ++column) {
@@ -284,7 +284,7 @@ void draw_quay(PixelCanvas& canvas) {
                 canvas.dithered(x, y, share_of(brick) < 0.5 ? shade : stone, shade,
                                 0.35 + 0.016 * (y - quay));
         }
-    canvas.rectangle(0, quay, canvas.width(), 1, rose);  // the last light on the edge
+    canvas.rectangle(0, quay, canvas.width(), 1, rose);  // light on the edge
     for (int x = 0; x < canvas.width(); ++x)
         if (share_of(static_cast<std::uint32_t>(x), 77) < 0.3)
             canvas.set(x, quay + 1, orange);
@@ -320,7 +320,7 @@ void draw_cat(PixelCanvas& canvas, int tick) {
     };
     constexpr int x = 150;
     constexpr int y = quay - 18;
-    // The tail hangs over the edge, and its end keeps thinking.
+    // The tail hangs over the edge, and its tip sways.
     const double sway = std::sin(tick * tau / 15.0);
     for (int i = 0; i < 19; ++i) {
         const int along = x + 12 + i / 2 + static_cast<int>(std::lround(sway * i * i / 90.0));

@@ -2,6 +2,6 @@
 
 #include "signals/patterns/pattern.h"
 
-/// A harbour at dusk in 320 x 240 pixels and sixteen colours, as a game of the early nineties might
-/// have shown it.
+/// A harbour at dusk in 320 x 240 pixels and sixteen colours, in the style of games of the early
+/// 1990s.
 Pattern harbour_pattern();

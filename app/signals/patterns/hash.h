@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-/// A number that looks random and is the same for the same keys everywhere: the finaliser of
-/// MurmurHash3 (A. Appleby) over each key in turn.
+/// A pseudo-random number that depends only on the keys, on every machine. Applies the finaliser of
+/// MurmurHash3 (A. Appleby) to each key in turn.
 inline std::uint32_t hash_of(std::uint32_t a, std::uint32_t b = 0, std::uint32_t c = 0) {
     const auto mix = [](std::uint32_t key) {
         key ^= key >> 16u;
@@ -15,7 +15,7 @@ inline std::uint32_t hash_of(std::uint32_t a, std::uint32_t b = 0, std::uint32_t
     return mix(c + mix(b + mix(a + 0x9e3779b9u)));
 }
 
-/// The same as a number 0 <= n < 1.
+/// hash_of() scaled to 0 <= n < 1.
 inline double share_of(std::uint32_t a, std::uint32_t b = 0, std::uint32_t c = 0) {
     return hash_of(a, b, c) / 4294967296.0;
 }

@@ -21,7 +21,7 @@ Picture pattern_of_texels(Extent extent, int channels, Texel texel) {
     return picture;
 }
 
-// As an 8-bit file would hold it.
+// Quantised like an 8-bit file.
 float in_bytes(double share) {
     return static_cast<float>(std::floor(share * 256.0) / 255.0);
 }
@@ -37,7 +37,7 @@ Picture draw_grey_noise(Extent extent, double) {
         extent, 3, [](int x, int y, int) { return in_bytes(share_of(number(x), number(y), 4)); });
 }
 
-// Two grounds of fractal noise, one of which bends the other.
+// Two fractal noise fields; one distorts the other.
 Picture draw_stone(Extent extent, double) {
     constexpr std::array<std::array<double, 3>, 2> colors{{{0.20, 0.17, 0.15}, {0.82, 0.72, 0.58}}};
     Picture picture{extent, 3, Encoding::display, {}};
@@ -55,7 +55,8 @@ Picture draw_stone(Extent extent, double) {
     return picture;
 }
 
-// The matrix of order 8 (B. E. Bayer, 1973): the bits of x ^ y and y, mixed from the lowest up.
+// The matrix of order 8 (B. E. Bayer, 1973): the bits of x ^ y and y, interleaved, lowest bit
+// first.
 int bayer_rank(int x, int y) {
     int rank = 0;
     for (int bit = 0; bit < 3; ++bit)

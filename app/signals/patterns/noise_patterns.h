@@ -2,6 +2,6 @@
 
 #include "signals/patterns/pattern.h"
 
-/// What shaders read for chance and grain: independent noise, grey noise, a stone that tiles, and
-/// Bayer's matrix.
+/// Inputs for shaders that need randomness and grain: independent noise, grey noise, a tileable
+/// stone, and the Bayer matrix.
 std::vector<Pattern> noise_patterns();

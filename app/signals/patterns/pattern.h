@@ -3,11 +3,10 @@
 #include "model/look/picture.h"
 #include "signals/patterns/patterns.h"
 
-/// A pattern and how it is made.
+/// A pattern and its draw function.
 struct Pattern {
     PatternFacts facts;
-    Extent initial;  // its size where none is asked for
-    /// `seconds` from the start; only patterns that move read it. The same call gives the same
-    /// bytes.
+    Extent initial;  // default size
+    /// `seconds` since the start; only moving patterns read it. Deterministic.
     Picture (*draw)(Extent extent, double seconds);
 };

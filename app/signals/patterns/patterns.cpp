@@ -47,9 +47,9 @@ Result<PatternSize> size_of(std::string_view text) {
     return PatternSize{{*width, *height}, is_interlaced};
 }
 
-// Rows of the latest field over those of the one before.
+// Interleaves the rows of the latest field and of the previous field.
 Picture woven(const Pattern& pattern, Extent extent, double seconds) {
-    constexpr double fields = 60.0;  // a second
+    constexpr double fields = 60.0;  // per second
     constexpr double rounding = 1e-6;
     const auto field = static_cast<std::int64_t>(std::floor(seconds * fields + rounding));
     const auto drawn = [&](std::int64_t number) {

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-/// Pixels that hold the numbers of a small palette, drawn on as on an old machine: every shape has
-/// hard edges, and shades between two colours are dithered. (0, 0) is the top left pixel.
+/// A picture of indices into a small palette. Shapes have hard edges, and shades between two
+/// colours are dithered. (0, 0) is the top left pixel.
 class PixelCanvas {
 public:
     using Color = std::uint32_t;  // 0xRRGGBB, display values
@@ -24,9 +24,10 @@ public:
     void rectangle(int x, int y, int width, int height, Index color);
     void disc(double x, double y, double radius, Index color);
     void line(int x0, int y0, int x1, int y1, Index color);
-    /// A letter a pixel: 'a' is color 0, 'b' color 1, ...; any other sign leaves what is there.
+    /// One letter per pixel: 'a' is colour 0, 'b' colour 1, ...; other characters are transparent.
     void sprite(int x, int y, std::span<const std::string_view> rows);
-    /// One of the two colours, the second in `share` of all pixels, by a 4 x 4 Bayer matrix.
+    /// Dithers two colours with a 4 x 4 Bayer matrix; `share` is the fraction of pixels of the
+    /// second.
     void dithered(int x, int y, Index first, Index second, double share);
 
     Picture picture() const;

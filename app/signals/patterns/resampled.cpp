@@ -4,7 +4,7 @@
 #include <cmath>
 
 namespace {
-/// A pixel of the old picture along one axis, and its share of a new one.
+/// A pixel of the old picture along one axis and its weight in a new pixel.
 struct Share {
     int at;
     float weight;

@@ -2,6 +2,6 @@
 
 #include "model/look/picture.h"
 
-/// The picture at another size: each new pixel is the mean of what it covers of the old ones, so
-/// that whole multiples stay sharp.
+/// The picture at another size. Each new pixel is the mean of the old area that it covers, so whole
+/// multiples stay sharp.
 Picture resampled(const Picture& picture, Extent extent);

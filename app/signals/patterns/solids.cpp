@@ -35,7 +35,7 @@ LinearColor color_of_sky(const Direction& seen) {
         tiled_fractal_noise({seen.x / length * 0.5, height * 0.9, seen.z / length * 0.5}, 4, 7);
     LinearColor color = mixed(haze, zenith, std::pow(height, 0.6));
     color = mixed(color, cloud, std::clamp((noise - 0.48) * 5.0, 0.0, 0.9) * std::sqrt(height));
-    constexpr double disc = 0.995;  // cosine of its radius
+    constexpr double disc = 0.995;  // cosine of its angular radius
     return mixed(color, sunlight, near > disc ? 1.0 : 0.6 * std::pow(std::max(near, 0.0), 24.0));
 }
 

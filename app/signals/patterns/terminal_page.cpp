@@ -15,7 +15,7 @@ constexpr char cursor = '\x7f';
 
 using Color = std::array<float, 3>;
 
-// A digit after '^' in the page chooses one of these for what follows.
+// '^' and a digit select one of these for the text that follows.
 constexpr std::array<Color, 8> page_colors{{
     {0.70f, 0.72f, 0.72f},  // 0 grey
     {1.00f, 0.42f, 0.36f},  // 1 red
@@ -55,7 +55,7 @@ constexpr std::array<std::string_view, page_lines> page{
     "^4  $ ^7make tea && sleep 600 && wake dome2 ^2\x7f",
 };
 
-// Each dot two rows high, and half as bright once more to its right: the beam is slow to go dark.
+// Each dot is two rows high, followed by a dot of half brightness: the beam decays slowly.
 void draw_character(Picture& picture, char character, int column, int line, const Color& color) {
     const auto lit = [&](int x, int row) {
         if (character == cursor || bitmap_font::has_dot(character, x - 1, row))

@@ -2,5 +2,5 @@
 
 #include "signals/patterns/pattern.h"
 
-/// 80 x 25 characters on a text terminal, in the colours of its day.
+/// A text terminal of 80 x 25 characters in period colours.
 Pattern terminal_page_pattern();

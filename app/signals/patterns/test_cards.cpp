@@ -8,7 +8,7 @@
 namespace {
 using Color = std::array<float, 3>;
 
-/// Where a pixel's centre lies: 0..1 from the left and from the top, and in pixels.
+/// Position of a pixel's centre: 0..1 from the left and from the top, and in pixels.
 struct Place {
     double u = 0.0;
     double v = 0.0;
@@ -26,7 +26,7 @@ Color grey(double level) {
     return {light, light, light};
 }
 
-// Seven bars from grey to blue: green, red and blue halve the picture once, twice and four times.
+// Seven bars from grey to blue. Green changes every four bars, red every two, blue every bar.
 Color bar(int index) {
     const int code = 7 - index;
     return {(code & 2) ? three_quarters : 0.0f, (code & 4) ? three_quarters : 0.0f,
@@ -49,7 +49,7 @@ Color smpte(const Place& place) {
     if (sixths < 3.0)
         return {0.196f, 0.0f, 0.416f};  // +Q
     if (column == 5) {
-        constexpr std::array steps{0.0f, 0.0f, 0.04f};  // blacker than black cannot be shown
+        constexpr std::array steps{0.0f, 0.0f, 0.04f};  // levels below black cannot be shown
         return grey(steps[static_cast<std::size_t>((place.u * 7.0 - 5.0) * 3.0)]);
     }
     return black;
@@ -84,15 +84,15 @@ Color crosshatch(const Place& place) {
                : black;
 }
 
-// How much of a pixel a ring 2 px wide covers.
+// Coverage of a pixel by a ring 2 px wide.
 double ring(const Place& place, double radius) {
     const double x = place.x + 0.5 - 0.5 * place.extent.width;
     const double y = place.y + 0.5 - 0.5 * place.extent.height;
     return std::clamp(1.5 - std::abs(std::hypot(x, y) - radius), 0.0, 1.0);
 }
 
-// Square meshes, twelve up the picture; the circle touches top and bottom, smaller ones the corners
-// of the meshes around the middle.
+// A square grid, twelve cells high. The circle touches top and bottom, smaller circles touch the
+// corners of the cells around the centre.
 Color grid(const Place& place) {
     const double mesh = place.extent.height / 12.0;
     const auto is_on = [mesh](int at, int length) {
@@ -119,8 +119,8 @@ Color checker(const Place& place) {
     return (place.x + place.y) % 2 == 0 ? white : black;
 }
 
-// Rings that grow finer outwards: r / width periods a pixel, the finest that pixels can show at the
-// sides. Rings elsewhere than around the middle come from what is being tested.
+// Concentric rings with r / width periods per pixel, up to the finest that pixels can show at the
+// sides. Rings with other centres are aliasing of the look under test.
 Color zone_plate(const Place& place) {
     const double x = place.x - place.extent.width / 2;
     const double y = place.y - place.extent.height / 2;

@@ -4,5 +4,5 @@
 
 #include <vector>
 
-/// What engineers put on a tube to adjust it: bars, ramps, lines, dots and fields.
+/// Adjustment pictures for display tubes: bars, ramps, lines, dots and fields.
 std::vector<Pattern> test_cards();

@@ -8,7 +8,7 @@ namespace {
 struct Along {
     std::uint32_t before;
     std::uint32_t after;
-    double share;  // of `after`
+    double share;  // weight of `after`
 };
 
 Along cell_along(double place, int cells) {

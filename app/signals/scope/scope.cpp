@@ -32,8 +32,8 @@ Scope::Scope(const ScopeKnobs& knobs, std::array<bool, 2> is_shown, double rate)
     }
 }
 
-// One trace is drawn as time goes by. Two take turns: every stretch of at most 1/60 s is drawn
-// twice as fast, first on one channel and then on the other, so that both have the same light.
+// A single trace is drawn in real time. Two traces alternate: each stretch of at most 1/60 s is
+// drawn at double speed on one channel, then on the other. Both get the same light.
 Scope::Stretch Scope::stretch_of(const Sweep& sweep, std::int64_t point) const {
     const std::int64_t first = sweep.first();
     const std::int64_t samples = sweep.end() - first;
@@ -49,7 +49,8 @@ Scope::Stretch Scope::stretch_of(const Sweep& sweep, std::int64_t point) const {
     return {within < length ? m_first : m_second, first + begin + along, along == 0, length};
 }
 
-// The way to the first point of a stretch is blanked; its light goes to the others.
+// The move to the first point of a stretch is blanked. Its light is distributed over the other
+// points.
 BeamPoint Scope::on_sweep(const Sweep& sweep, const Stretch& stretch, StereoSample volts) const {
     const auto points = static_cast<double>(stretch.points);
     const double light = stretch.is_first_point ? 0.0 : m_charge * points / (points - 1.0);

@@ -5,15 +5,15 @@
 #include "signals/signal/points.h"
 #include "signals/signal/stereo_sample.h"
 
-/// The screen of a two-channel oscilloscope: turns two voltages into the beam's points. Traces over
-/// time go from -1 to 1 across 10 divisions; up, and both ways in xy, a division is 0.25.
+/// The screen of a two-channel oscilloscope: converts two voltages to beam points. Traces over time
+/// go from -1 to 1 across 10 divisions. Vertically, and on both axes in xy, a division is 0.25.
 class Scope {
 public:
-    /// `is_shown` says which channels draw a trace; `rate` is the input's, in samples a second.
+    /// `is_shown`: channels with a trace. `rate`: of the input, in samples per second.
     Scope(const ScopeKnobs& knobs, std::array<bool, 2> is_shown, double rate);
 
-    /// The points of the samples in `span`, up to sample `count`; `volts(k, start)` gives sample k
-    /// behind the coupling, in a sweep that began at `start` seconds.
+    /// Appends the points of the samples in `span`, up to sample `count`. `volts(k, start)` returns
+    /// sample k after the coupling, in a sweep that started at `start` seconds.
     template <class Volts>
     void trace(const TimeSpan& span, std::int64_t count, const Sweeps& sweeps, Beam& beam,
                const Volts& volts) const;
@@ -22,7 +22,7 @@ public:
     double sweep_samples() const { return m_sweep_samples; }
 
 private:
-    /// A stretch of one trace that is drawn without a break.
+    /// A stretch of one trace that is drawn without a gap.
     struct Stretch {
         int channel = 0;
         std::int64_t sample = 0;
@@ -41,8 +41,8 @@ private:
     double m_rate;
     double m_sweep_samples;
     bool m_is_xy;
-    int m_first;   // the channels that are shown, from 0; -1: none
-    int m_second;  // in xy -1
+    int m_first;   // visible channels, from 0; -1: none
+    int m_second;  // -1 in xy
     std::array<float, 2> m_scale;
     std::array<float, 2> m_offset;
     double m_charge;
@@ -70,7 +70,7 @@ void Scope::trace(const TimeSpan& span, std::int64_t count, const Sweeps& sweeps
             sweep_end = sweep ? sweep->end() : 0;
         }
         if (sample >= sweep_end)
-            return BeamPoint{-1.0f, 0.0f, 0.0f};  // waits, dark
+            return BeamPoint{-1.0f, 0.0f, 0.0f};  // blanked while waiting
         const Stretch stretch = stretch_of(*sweep, point);
         return on_sweep(*sweep, stretch, volts(stretch.sample, sweep->start / m_rate));
     });

@@ -4,7 +4,7 @@
 #include <cmath>
 
 namespace {
-constexpr double rounding = 1e-3;  // samples; instants of a long time carry that much
+constexpr double rounding = 1e-3;  // samples; rounding error of instants far from time 0
 }  // namespace
 
 std::int64_t Sweep::sample_after(double instant) {

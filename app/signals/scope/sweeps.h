@@ -3,12 +3,12 @@
 #include <cstdint>
 #include <optional>
 
-/// A sweep of the beam over the samples of an input, where sample k has the instant k + 1: it
-/// covers the instants (start, start + length]. Counted in samples.
+/// A sweep of the beam over input samples, counted in samples. Sample k has the instant k + 1. The
+/// sweep covers the instants (start, start + length].
 struct Sweep {
     double start = 0.0;
     double length = 0.0;
-    std::int64_t cut = INT64_MAX;  // no sample from here on
+    std::int64_t cut = INT64_MAX;  // no samples from here on
 
     std::int64_t first() const { return sample_after(start); }
     std::int64_t end() const;
@@ -17,22 +17,22 @@ struct Sweep {
         return (static_cast<double>(sample + 1) - start) / length;
     }
 
-    /// The first sample with an instant after this one; instants that differ by rounding are one.
+    /// The first sample with an instant after this one, apart from rounding errors.
     static std::int64_t sample_after(double instant);
 };
 
-/// When the sweeps of a scope begin; a pure function of the input.
+/// The start times of a scope's sweeps; a pure function of the input.
 class Sweeps {
 public:
     virtual ~Sweeps() = default;
-    /// The last sweep that begins at this sample or before; it may be over.
+    /// The last sweep that starts at or before this sample; it may have ended.
     virtual std::optional<Sweep> latest(std::int64_t sample) const = 0;
 };
 
-/// Sweeps at an even pace.
+/// Sweeps with a constant period.
 class EvenSweeps : public Sweeps {
 public:
-    static constexpr double once = 0.0;  // as a period: there is one sweep only
+    static constexpr double once = 0.0;  // as a period: a single sweep
 
     EvenSweeps(double start, double period, double length)
         : m_start(start), m_period(period), m_length(length) {}
@@ -45,7 +45,7 @@ private:
     double m_length;
 };
 
-/// No sweep at all.
+/// Never sweeps.
 class NoSweeps : public Sweeps {
 public:
     std::optional<Sweep> latest(std::int64_t) const override { return std::nullopt; }

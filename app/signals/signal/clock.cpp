@@ -9,12 +9,12 @@ TimeSpan frame_span(std::int64_t frame, double fps) {
 }
 
 namespace {
-// How many instants lie at or before `seconds`. An end such as n / 60 times a rate may fall a few
-// units of rounding short of the whole number that is meant.
+// Number of instants at or before `seconds`. An end such as n / 60 times a rate can be a few
+// rounding units below the exact whole number.
 std::int64_t count_until(double seconds, double rate) {
     constexpr double least_slack = 1e-6;
     constexpr double roundings = 8.0 * std::numeric_limits<double>::epsilon();
-    constexpr double most = 9e15;  // whole numbers beyond 2^53 have no neighbours in a double
+    constexpr double most = 9e15;  // doubles above 2^53 skip whole numbers
     const double exact = seconds * rate;
     if (!(exact > 0.0))
         return 0;

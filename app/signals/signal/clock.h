@@ -14,7 +14,7 @@ struct TimeSpan {
 /// Frame n (from 1) of a fixed clock: ((n - 1) / fps, n / fps].
 TimeSpan frame_span(std::int64_t frame, double fps);
 
-/// A run of sample numbers, from 0: first .. end - 1.
+/// A range of sample numbers from 0: first .. end - 1.
 struct Instants {
     std::int64_t first = 0;
     std::int64_t end = 0;
@@ -22,7 +22,7 @@ struct Instants {
     std::int64_t count() const { return end - first; }
 };
 
-/// The samples of a stream whose instants lie in the span, where sample k has the instant
-/// (k + 1) / rate. Adjoining spans share no sample and leave none out, also where a shared end was
-/// computed in two ways that differ by rounding.
+/// The samples of a stream whose instants lie in the span. Sample k has the instant (k + 1) / rate.
+/// Adjoining spans share no sample and skip none, even when their common end was computed in two
+/// ways that differ by rounding.
 Instants instants_in(const TimeSpan& span, double rate);

@@ -8,19 +8,20 @@
 #include <cstdint>
 #include <limits>
 
-/// The charge of one of `rate` points a second at full current; see BeamPoint::intensity.
+/// The charge of one point at full current, with `rate` points per second. See
+/// BeamPoint::intensity.
 inline double charge_of_point(double rate) {
     return 4096.0 * 60.0 / rate;
 }
 
-/// Points that come at an even rate.
+/// Points at a constant rate.
 struct PointStream {
-    double rate = 4096.0 * 60.0;                                    // a second
-    std::int64_t count = std::numeric_limits<std::int64_t>::max();  // in all
+    double rate = 4096.0 * 60.0;                                    // points per second
+    std::int64_t count = std::numeric_limits<std::int64_t>::max();  // total
 };
 
-/// Appends a point for every instant of the stream in the span. `point_at(k)`, called for rising k,
-/// gives place and intensity.
+/// Appends a point for each instant of the stream in the span. `point_at(k)` returns position and
+/// intensity and is called with increasing k.
 template <class PointAt>
 void trace_points(const TimeSpan& span, const PointStream& stream, Beam& beam,
                   const PointAt& point_at) {
@@ -39,14 +40,14 @@ void trace_points(const TimeSpan& span, const PointStream& stream, Beam& beam,
     }
 }
 
-/// A point on a trace that is drawn from left to right again and again.
+/// A point of a trace that is drawn repeatedly from left to right.
 struct SweepPoint {
     double across = 0.0;  // 0 left .. 1 right
     float x = 0.0f;
-    float intensity = 0.0f;  // 0 on the first point: the way back is blanked
+    float intensity = 0.0f;  // 0 on the first point: the retrace is blanked
 };
 
-/// Point `place` (from 0) of a sweep of `length` points that together lay down length * charge.
+/// Point `place` (from 0) of a sweep of `length` points with a total charge of length * charge.
 inline SweepPoint sweep_point(std::int64_t place, std::int64_t length, double charge) {
     const auto points = static_cast<double>(length);
     const double across = static_cast<double>(place + 1) / points;
@@ -54,7 +55,7 @@ inline SweepPoint sweep_point(std::int64_t place, std::int64_t length, double ch
     return {across, static_cast<float>(2.0 * across - 1.0), static_cast<float>(light)};
 }
 
-/// The setting that says how finely a generator's path is cut.
+/// The setting for the number of points along a generator's path.
 inline SettingFacts points_setting() {
     return {.key = "points",
             .label = "Points",

@@ -10,17 +10,18 @@
 #include <limits>
 #include <memory>
 
-/// What drives a scope: a pure function of time, so that real time and offline give the same points
-/// for the same time.
+/// Input of a scope look: a pure function of time. Real-time and offline drawing therefore get the
+/// same points for the same time.
 class Signal {
 public:
     virtual ~Signal() = default;
 
-    /// Appends the points of the beam in `span`, oldest first, ages against span.end. Every sample
-    /// falls into exactly one of adjoining spans; before time 0 there is none.
+    /// Appends the points of the beam in `span`, oldest first. Ages are relative to span.end. Each
+    /// sample belongs to exactly one of several adjoining spans. There are no samples before time
+    /// 0.
     virtual void trace(const TimeSpan& span, Beam& beam) const = 0;
 
-    /// Its length; infinite when it has no end.
+    /// Duration; infinite for a signal without an end.
     virtual double seconds() const { return std::numeric_limits<double>::infinity(); }
 };
 
@@ -28,12 +29,12 @@ struct BeamScene;
 struct Drawing;
 class SentBeam;
 
-/// What a signal may need from outside: files are read by the caller.
+/// External data of a signal. The caller reads the files.
 struct SignalMedia {
-    std::shared_ptr<const Sound> sound = nullptr;      // shared with the sound device's thread
-    std::shared_ptr<const BeamScene> scene = nullptr;  // with the reading thread; never changed
-    std::shared_ptr<const Drawing> drawing = nullptr;  // likewise
-    std::shared_ptr<const LiveSound> live = nullptr;   // with the sound device's thread
-    std::int64_t live_first = 0;                       // its frame at time 0
-    std::shared_ptr<SentBeam> sent = nullptr;          // with the thread that reads it
+    std::shared_ptr<const Sound> sound = nullptr;      // shared with the audio device thread
+    std::shared_ptr<const BeamScene> scene = nullptr;  // shared with the reading thread; immutable
+    std::shared_ptr<const Drawing> drawing = nullptr;  // same
+    std::shared_ptr<const LiveSound> live = nullptr;   // shared with the audio device thread
+    std::int64_t live_first = 0;                       // frame number at time 0
+    std::shared_ptr<SentBeam> sent = nullptr;          // shared with the thread that reads it
 };

@@ -14,43 +14,43 @@ class Settings;
 
 enum class SettingType { number, word, text };
 
-/// When a setting has a say: while another one, a word, is one of these. No key: always.
+/// When a setting has an effect: while the word of another setting is one of these. No key: always.
 struct UsedWhile {
     std::string key = {};
     std::vector<std::string> words = {};
 };
 
-/// One setting of a kind of signal: what a list, a control and the manual say about it.
+/// One setting of a kind of signal, as shown in lists, controls and the manual.
 struct SettingFacts {
     std::string key = {};
     std::string label = {};
     std::string unit = {};
     std::string help = {};
     SettingType type = SettingType::number;
-    double low = 0.0;  // soft ends of a slider
+    double low = 0.0;  // soft limits of a slider
     double high = 1.0;
     double step = 0.0;  // 0: any value; 1: whole numbers only
     double initial = 0.0;
     bool logarithmic = false;
-    Limit limit = {-1e6, 1e6};            // a number beyond it is refused
-    std::vector<std::string> words = {};  // word: all that are allowed
-    std::string initial_word = {};        // word and text; "" where a text must be given
-    std::string group = {};               // a heading that it stands under; "": none
+    Limit limit = {-1e6, 1e6};            // numbers beyond it are an error
+    std::vector<std::string> words = {};  // for type word: all allowed words
+    std::string initial_word = {};        // for word and text; "" where a text is required
+    std::string group = {};               // heading in the form; "": no heading
     UsedWhile used_while = {};
-    bool may_be_empty = false;  // of a text
+    bool may_be_empty = false;  // for type text
     bool is_hidden = false;     // has no control of its own in a form
 };
 
-/// A setting with a few words to choose from, the first of them at the start.
+/// A setting with a few words to choose from. The first word is the default.
 SettingFacts choice_setting(std::string key, std::string label, std::string help,
                             std::vector<std::string> words);
-/// How a signal that draws in x and y lies in the picture: "look", "whole", "stretch" or "crop".
+/// How a signal that draws in x and y fits into the picture: "look", "whole", "stretch" or "crop".
 SettingFacts fit_setting(UsedWhile used_while = {});
-/// The settings under a heading, and only of use while `used_while` holds.
+/// Puts the settings under a heading. They are used only while `used_while` holds.
 std::vector<SettingFacts> in_group(const std::string& group, const UsedWhile& used_while,
                                    std::vector<SettingFacts> settings);
 
-/// A kind of signal; everything about it that is not its formula.
+/// A kind of signal: its description, settings and factory.
 struct SignalKind {
     using Make = Result<std::unique_ptr<Signal>> (*)(const Settings& settings,
                                                      const SignalMedia& media);
@@ -59,13 +59,13 @@ struct SignalKind {
     std::string label = {};
     std::string help = {};
     std::vector<SettingFacts> settings = {};
-    std::string file_setting = {};  // the key that names a file; "": none
-    std::string bare_setting = {};  // the key that a bare first word stands for; "": none
-    bool is_live = false;           // needs a sound that comes in from a device
-    bool is_sent = false;           // needs a beam that another program sends
+    std::string file_setting = {};  // key of the setting that names a file; "": no file
+    std::string bare_setting = {};  // key that a bare first word stands for; "": not allowed
+    bool is_live = false;           // needs a live sound from an audio device
+    bool is_sent = false;           // needs a beam sent by another program
     Make make = nullptr;
 };
 
 const SettingFacts* find_setting(const SignalKind& kind, std::string_view key);
-/// Whether the setting has a say in a completed spec.
+/// Whether the setting has an effect in a completed spec.
 bool is_used(const SettingFacts& setting, const Spec& completed_spec);

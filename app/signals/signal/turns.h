@@ -2,21 +2,24 @@
 
 #include <cstdint>
 
-/// The nearest whole number, for |x| below 2^51: adding 1.5 * 2^52 leaves a double no room for a
-/// fraction.
+/// The nearest whole number, for
+/// x
+/// below 2^51. Adding 1.5 * 2^52 leaves no bits for the fraction of a double.
 inline double nearest(double x) {
     constexpr double shift = 6755399441055744.0;
     return (x + shift) - shift;
 }
 
-/// The part of x after the whole number below it: 0 <= result < 1, for |x| below 2^62.
+/// x - floor(x): 0 <= result < 1, for
+/// x
+/// below 2^62.
 inline double fraction(double x) {
     const double rest = x - static_cast<double>(static_cast<std::int64_t>(x));
     return rest < 0.0 ? rest + 1.0 : rest;
 }
 
-/// sin(2 pi x), x in turns: Taylor's series over a quarter turn, off by less than 1e-11. The same
-/// bits on every machine, and several times faster than the library's sine.
+/// sin(2 pi x), x in turns: Taylor series over a quarter turn, error below 1e-11. Bit-identical on
+/// every machine and several times faster than std::sin.
 inline double sine(double turns) {
     constexpr double two_pi = 6.283185307179586;
     double rest = turns - nearest(turns);
