@@ -12,7 +12,7 @@
 #include <optional>
 
 namespace {
-/// One hint at work on one parameter.
+/// A hint applied to a parameter.
 struct Site {
     Parameter& parameter;
     const Hint& hint;
@@ -47,7 +47,7 @@ bool fits(const NumberType& type, double number) {
     return false;
 }
 
-// All words as numbers of the parameter's type; says what is wrong with one that is none.
+// Parses all words as numbers of the parameter's type; reports words that are not.
 std::optional<std::vector<double>> numbers_of(const Site& site) {
     std::vector<double> numbers;
     NumberType component = site.parameter.type;
@@ -140,7 +140,8 @@ void apply_items(const Site& site) {
                                count - 1, format_number(initial)));
 }
 
-// Former labels, "" where an item had none. One that another item has now would be read as that.
+// Previous labels, "" for an item without one. A previous label must not equal a current label,
+// which would be ambiguous.
 void apply_items_was(const Site& site) {
     std::vector<Item>& items = site.parameter.items;
     if (items.empty())
@@ -172,7 +173,7 @@ void apply_parts(const Site& site) {
     site.parameter.control = Control::slider;
 }
 
-// @color, @point, @angle: no words, and types that they fit; `refusal` has a {} for the name of the
+// @color, @point, @angle: no words, suitable types only. `refusal` has a {} for the name of the
 // parameter and one for its type.
 void apply_control(const Site& site, Control control, std::initializer_list<int> rows,
                    std::string_view refusal) {
@@ -257,7 +258,7 @@ void report(const Hint* hint, std::string message, Diagnostics& errors) {
         errors.push_back({hint->at.file, hint->at.line, std::move(message)});
 }
 
-// What only shows when all hints are known.
+// Checks that need all hints.
 void check_together(const Parameter& parameter, const Hints& hints, Diagnostics& errors) {
     const Hint* const scale = find_hint(hints, "@scale");
     if (parameter.scale == Scale::logarithmic && parameter.range.low <= 0.0)
@@ -282,13 +283,13 @@ void check_together(const Parameter& parameter, const Hints& hints, Diagnostics&
         report(find_hint(hints, "@range"), "@range must lie within @limit", errors);
 }
 
-// Guesses that follow from hints.
+// Completes guesses with the hints.
 void complete(Parameter& parameter, const Hints& hints) {
     const bool has_range = find_hint(hints, "@range") || find_hint(hints, "@items");
     const bool is_angle = find_hint(hints, "@angle") != nullptr;
     if (is_angle && !has_range)
         parameter.range = {-std::numbers::pi, std::numbers::pi, 0.0};
-    // An author who says a range or a unit of their own may well think in degrees.
+    // An author who sets a range or unit may use degrees.
     if (parameter.control == Control::angle && !is_angle &&
         (has_range || find_hint(hints, "@unit")))
         parameter.control = Control::slider;

@@ -10,7 +10,7 @@
 namespace {
 using Words = std::vector<std::string>;
 
-// "beam_color" and "beamColor" are both beam and color.
+// Both "beam_color" and "beamColor" give beam and color.
 Words words_of(const std::string& name) {
     Words words{""};
     for (const char c : name) {
@@ -41,12 +41,12 @@ bool is_angle(const Words& words) {
     return has_any(words, {"angle", "rotation"});
 }
 
-// What goes to both sides of zero.
+// Quantities with positive and negative values.
 bool is_signed(const Words& words) {
     return has_any(words, {"offset", "shift", "direction", "bias", "tilt", "pan"});
 }
 
-// What has no natural end at 1.
+// Quantities without a natural maximum of 1.
 bool is_amount(const Words& words) {
     return has_any(words, {"gain", "exposure", "gamma", "contrast", "brightness", "intensity",
                            "speed", "rate", "scale", "zoom", "size", "radius", "width", "height",
@@ -105,7 +105,7 @@ void guess_angle(Parameter& parameter) {
         parameter.control = Control::angle;
         const double end = size <= turn / 2.0 ? turn / 2.0 : turn;
         parameter.range = {-end, end, 0.0};
-    } else if (size <= 360.0) {  // degrees, then
+    } else if (size <= 360.0) {  // probably degrees
         const double end = size <= 180.0 ? 180.0 : 360.0;
         parameter.range = {-end, end, 0.0};
     }

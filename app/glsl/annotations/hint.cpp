@@ -25,7 +25,8 @@ class HintReader {
 public:
     HintReader(const std::vector<Comment>& comments, const Stage& stage, Diagnostics& errors)
         : m_stage(stage), m_errors(errors) {
-        for (const Comment& comment : comments) {  // the stars at the left of a block are no words
+        for (const Comment& comment : comments) {  // ignores the stars at the left of a block
+                                                   // comment
             int line = comment.line;
             bool is_margin = false;
             for (const char c : comment.text) {
@@ -70,7 +71,7 @@ private:
         return m_text.substr(begin, m_at - begin);
     }
 
-    // A text goes on in the next line behind one blank.
+    // Joins lines of a string with one space.
     static void end_line(std::string& word) {
         constexpr const char* blanks = " \t\r\n\f\v";
         word.resize(word.find_last_not_of(blanks) + 1);
@@ -120,8 +121,8 @@ private:
     std::string m_text;
     std::vector<int> m_lines;  // of each character
     std::size_t m_at = 0;
-    bool m_is_inside = false;  // behind the first '@'
-    bool m_is_known = false;   // the last key
+    bool m_is_inside = false;  // after the first '@'
+    bool m_is_known = false;   // the last key is known
     Hints m_hints;
 };
 }  // namespace

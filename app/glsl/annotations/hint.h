@@ -8,7 +8,7 @@
 
 /// One key of an annotation and its words: `@range 0 1` or `@label "Beam strength"`.
 struct Hint {
-    std::string key;  // with its '@'
+    std::string key;  // including '@'
     std::vector<std::string> words;
     Location at;
 
@@ -17,11 +17,11 @@ struct Hint {
 
 using Hints = std::vector<Hint>;
 
-/// Reads the hints in the comments behind a uniform of `stage`; what stands before the first '@' is
-/// for people. Errors: an unknown key, one given twice, a string that does not end.
+/// Parses the hints in the comments of a uniform of `stage`. Text before the first '@' is ignored.
+/// Errors: an unknown or repeated key, an unterminated string.
 Hints parse_hints(const std::vector<Comment>& comments, const Stage& stage, Diagnostics& errors);
 
 const Hint* find_hint(const Hints& hints, std::string_view key);
 
-/// Adds another declaration's hints to those of the first. What both say must agree.
+/// Merges another declaration's hints. Hints given in both must agree.
 void merge_hints(Hints& hints, const Hints& others, const std::string& name, Diagnostics& errors);

@@ -10,19 +10,19 @@
 namespace {
 constexpr std::size_t most_programs = 512;
 
-// FNV's step; its product first, so that two equal numbers do not undo each other.
+// One FNV-1 step. Multiplying first avoids that two equal numbers cancel.
 std::size_t mixed(std::size_t digest, std::size_t next) {
     return (digest * 0x100000001b3u) ^ next;
 }
 
-// There is room for one more.
+// Makes room for one more entry.
 template <class Known>
 void make_room(Known& known) {
     if (known.size() >= most_programs)
         known.clear();
 }
 
-// Places are part of the answer, so they are part of the question.
+// The result contains source locations, so they are part of the key.
 std::string places_of(const LineMap& lines) {
     std::string places;
     for (const LineMap::Stretch& stretch : lines.stretches())
@@ -36,7 +36,7 @@ std::string digest_of_stage(const Stage& stage) {
     return fmt::format("{:x} {:x} {}", digest_of(stage.text), places, stage.text.size());
 }
 
-/// What is asked about two stages, and the form of its answer as bytes.
+/// A query about two stages, and how to unpack its stored result.
 template <class Answer>
 struct QuestionKind {
     std::string_view name;

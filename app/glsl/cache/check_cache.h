@@ -12,29 +12,29 @@
 #include <memory>
 #include <mutex>
 
-/// Remembers what check_program, translate_from_vulkan and find_notes said about texts, by digest,
-/// so that a reload looks only into what changed. Thread-safe.
+/// Caches the results of check_program, translate_from_vulkan and find_notes by digest of the
+/// texts. A reload therefore processes only changed texts. Thread-safe.
 class CheckCache {
 public:
-    /// What is good is also kept in `kept`, where a former run of the program may have kept it
-    /// already; null: nowhere.
+    /// Successful results are also stored in `kept`, which may hold results of a previous run.
+    /// Null: no store.
     explicit CheckCache(ByteStore* kept = nullptr, const ShaderLimits& limits = {})
         : m_kept(kept), m_limits(limits) {}
 
     const ShaderLimits& limits() const { return m_limits; }
-    /// Whether what is found out from now on is kept for other runs; at first it is.
+    /// Whether new results are stored for later runs; true by default.
     void set_keeping(bool keeps) { m_keeps = keeps; }
-    /// As check_program.
+    /// Like check_program.
     Result<Reflection> check(const Stage& vertex, const Stage& fragment);
-    /// As translate_from_vulkan.
+    /// Like translate_from_vulkan.
     Result<Translation> translate(const Stage& vertex, const Stage& fragment);
-    /// As find_notes.
+    /// Like find_notes.
     std::shared_ptr<const StageNotes> notes(const Stage& stage);
-    /// How many programs were compiled, and not remembered.
+    /// Number of programs compiled because they were not cached.
     int compilations() const { return m_compilations; }
 
 private:
-    // Digests of the text and of its places, and the text's length.
+    // Digests of the text and of its line map, and the text's length.
     using StageKey = std::array<std::size_t, 3>;
     using ProgramKey = std::array<StageKey, 2>;
 
@@ -53,5 +53,5 @@ private:
     std::map<StageKey, std::shared_ptr<const StageNotes>> m_notes;
 };
 
-/// As find_notes; `cache` may be null.
+/// Like find_notes; `cache` may be null.
 std::shared_ptr<const StageNotes> notes_of(const Stage& stage, CheckCache* cache);

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-/// Answers about shaders as bytes and back; none where the bytes are no such answer.
+/// Serialises results about shaders. Unpacking returns nullopt for invalid bytes.
 std::string packed(const Reflection& reflection);
 std::string packed(const Translation& translation);
 std::optional<Reflection> unpacked_reflection(std::string_view bytes);

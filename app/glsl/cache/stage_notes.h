@@ -6,18 +6,18 @@
 #include <string>
 #include <vector>
 
-/// What the comments behind a uniform ask for.
+/// The annotations in the comments of a uniform.
 struct UniformNotes {
     std::string name;
     Location declared;
     Hints hints;
-    Diagnostics errors;  // in the hints
+    Diagnostics errors;  // errors in the hints
 };
 
-/// What the comments of a stage ask for.
+/// The annotations in the comments of a stage.
 struct StageNotes {
     std::vector<WrittenConstant> constants;
-    std::vector<UniformNotes> uniforms;  // those with hints or with errors in them
+    std::vector<UniformNotes> uniforms;  // with hints, or with errors in hints
 };
 
 StageNotes find_notes(const Stage& stage);

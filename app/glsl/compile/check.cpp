@@ -23,7 +23,7 @@ namespace {
 constexpr int glsl_version = 410;
 constexpr EShMessages parse_messages = EShMsgDefault;
 
-// What goes wrong in a line of the program's own is about the author's file as a whole.
+// Errors in built-in lines are reported for the author's file as a whole.
 Location author_place(const Stage& stage, int line) {
     const Location at = place_in(stage, line);
     return at.file.empty() ? Location{stage.file, 0} : at;
@@ -31,14 +31,14 @@ Location author_place(const Stage& stage, int line) {
 
 Diagnostic diagnostic_from(const CompilerMessage& message, const Stage& stage,
                            const std::string& text) {
-    // Link messages have no line; a name in them may still tell where.
+    // Link messages have no line; use the first line with the name in the message.
     const int line = message.line > 0 ? message.line : first_line_of(message.subject, text);
     const Location at = author_place(stage, line);
     return {at.file, at.line, message.text,
             message.is_warning ? Severity::warning : Severity::error};
 }
 
-/// A stage as glslang sees it.
+/// A stage and its glslang shader.
 class Compiled {
 public:
     Compiled(const Stage& stage, EShLanguage language)
@@ -49,8 +49,8 @@ public:
     }
 
     void parse(Diagnostics& problems) {
-        // Before the parse: glslang's preprocessor, which this may need, takes over its memory
-        // pool.
+        // Before the parse: find_uniform_lines() may run glslang's preprocessor, which takes over
+        // the thread's memory pool.
         for (const auto& [name, line] : find_uniform_lines(m_text, m_shader.getStage()))
             m_places.emplace(name, place_in(m_stage, line));
         const bool is_good = m_shader.parse(GetDefaultResources(), glsl_version, ECoreProfile,
@@ -112,7 +112,7 @@ void check_varying_counts(const StageInterface& declared, const Stage& stage,
              fmt::format("the shader has {} varyings; the limit is {}", count, most_varyings)});
 }
 
-// What keeps a text from being given to glslang.
+// Checks that must pass before glslang parses a text.
 void check_text(const Stage& stage, const ShaderLimits& limits, Diagnostics& problems) {
     const Diagnostics version = check_version(stage);
     problems.insert(problems.end(), version.begin(), version.end());
@@ -177,7 +177,8 @@ Result<Reflection> check_program(const Stage& vertex, const Stage& fragment,
         return fail(std::move(problems));
     reflection.uniforms = merged_uniforms(from, to, problems);
     check_varyings(from, to, fragment, problems);
-    reflection.live = live_in(compiled_vertex, compiled_fragment);  // linking takes their memory
+    reflection.live = live_in(compiled_vertex, compiled_fragment);  // before linking, which takes
+                                                                    // over their memory
     if (!has_errors(problems))
         link(compiled_vertex, compiled_fragment, problems);
     if (has_errors(problems))

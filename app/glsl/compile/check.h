@@ -11,50 +11,50 @@ namespace glslang {
 class TShader;
 }
 
-/// A uniform as the shaders of a pass declare it.
+/// A uniform declared by the shaders of a pass.
 struct Uniform {
     enum class Kind { number, sampler, other };
 
-    std::string name;  // a block's own name
+    std::string name;  // for a block, the block's name
     Kind kind = Kind::other;
-    std::string type_name;           // as GLSL writes it: "vec3", "sampler2D", "float[4]"
-    NumberType type;                 // of a number
-    std::string why_no_control;      // of all else but samplers
-    std::optional<Value> initial;    // of a number, when it is initialised
-    std::vector<Location> declared;  // one a stage that declares it
+    std::string type_name;           // as in GLSL: "vec3", "sampler2D", "float[4]"
+    NumberType type;                 // for numbers
+    std::string why_no_control;      // for all kinds except numbers and samplers
+    std::optional<Value> initial;    // for numbers with an initialiser
+    std::vector<Location> declared;  // one per stage that declares it
 
     bool operator==(const Uniform&) const = default;
 };
 
-/// What the stages of a pass declare.
+/// The declarations of a pass's stages.
 struct Reflection {
     std::vector<Uniform> uniforms;  // each name once, in order of declaration, vertex stage first
-    std::vector<std::string> live;  // those of them that some code reads that can be reached
-    Diagnostics warnings;           // glslang's
+    std::vector<std::string> live;  // uniforms read by reachable code
+    Diagnostics warnings;           // from glslang
 
     bool operator==(const Reflection&) const = default;
 };
 
-/// Checks both stages and their fitting together with glslang, as for a driver of OpenGL 4.1 core.
-/// Errors are glslang's messages at the author's file and line; also a missing #version, a default
-/// that no 32-bit float holds, more than 256 varyings, and shaders that exceed a limit.
+/// Checks both stages and their interface with glslang, for an OpenGL 4.1 core driver. Errors are
+/// glslang's messages at the author's file and line. Also errors: a missing #version, a default
+/// that does not fit a 32-bit float, more than 256 varyings, shaders that exceed a limit.
 Result<Reflection> check_program(const Stage& vertex, const Stage& fragment,
                                  const ShaderLimits& limits = {});
 
-/// Refuses a text that glslang would take too much time or memory for, as find_out_of_bounds and
-/// find_large_declaration say.
+/// Reports a text that would take glslang too much time or memory. See find_out_of_bounds() and
+/// find_large_declaration().
 void check_bounds(const Stage& stage, const ShaderLimits& limits, Diagnostics& problems);
 
-/// Refuses a shader that was parsed without errors and that exceeds a limit. The error lies at the
-/// author's line where one is to blame.
+/// Reports a shader, parsed without errors, that exceeds a limit. The error is at the author's line
+/// if a line causes it.
 void check_cost(glslang::TShader& shader, const Stage& stage, const ShaderLimits& limits,
                 Diagnostics& problems);
 
-/// Builds glslang's built-in tables, which the first check would otherwise wait for (20 ms).
+/// Builds glslang's built-in tables ahead of the first check, which would otherwise wait 20 ms.
 void warm_up();
 
-/// "a vec2", "an ivec2": a type in a sentence.
+/// A type name with its article: "a vec2", "an ivec2".
 std::string with_article(const std::string& type_name);
 
-/// The author's place of a line of a stage.
+/// The author's location of a line of a stage.
 Location place_in(const Stage& stage, int line);

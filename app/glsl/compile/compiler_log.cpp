@@ -11,7 +11,7 @@
 namespace {
 using Spelling = std::pair<std::string_view, std::string_view>;
 
-// What glslang's grammar calls a token, and what an author wrote.
+// Token names of glslang's grammar and their spelling in source code.
 constexpr std::array spellings{
     Spelling{"LEFT_PAREN", "'('"},
     Spelling{"RIGHT_PAREN", "')'"},
@@ -73,7 +73,7 @@ std::string spelled(std::string_view word) {
     return is_shouted(word) ? '\'' + to_lower(word) + '\'' : std::string(word);
 }
 
-// "syntax error, unexpected RIGHT_BRACE, expecting COMMA or SEMICOLON"
+// Replaces token names: "syntax error, unexpected RIGHT_BRACE, expecting COMMA or SEMICOLON".
 std::string with_signs_spelled(std::string_view message) {
     std::string text;
     for (std::string_view word : split(message, ' ')) {
@@ -93,10 +93,10 @@ std::string with_single_blanks(std::string_view message) {
     return text;
 }
 
-// Not of which extensions would know one.
+// Without glslang's list of extensions that support strings.
 constexpr std::string_view no_quotes = "GLSL has no strings";
 
-// "'' :  syntax error" and "'foo' : undeclared identifier " -> the words alone.
+// Removes decoration: "'' :  syntax error", "'foo' : undeclared identifier ".
 std::string cleaned(std::string_view message) {
     message = trim(message);
     if (message.starts_with("'' :"))
@@ -110,7 +110,7 @@ std::string cleaned(std::string_view message) {
     return with_single_blanks(message);
 }
 
-// A name that glslang does not know counts as a float, which leads to messages about its type.
+// glslang treats an undeclared name as a float, which causes further type errors.
 bool follows_from(const CompilerMessage& message, const CompilerMessage& before) {
     return message.line == before.line && before.text.ends_with(": undeclared identifier");
 }
@@ -120,7 +120,7 @@ bool is_noise(std::string_view message) {
            message.find("No code generated") != std::string_view::npos;
 }
 
-// "0:12: text": the text's index, its line.
+// Parses "0:12: text": index of the text, line, message.
 CompilerMessage located(std::string_view rest) {
     CompilerMessage message;
     const std::size_t first = rest.find(':');
@@ -144,7 +144,7 @@ CompilerMessage located(std::string_view rest) {
     return message;
 }
 
-// A broken text may make as many messages as it has words. The last of a kind says so.
+// A broken text can cause a message per word. The last message of a kind reports the limit.
 void add_message(std::vector<CompilerMessage>& messages, CompilerMessage message) {
     constexpr std::ptrdiff_t most = 256;
     const auto count =
@@ -158,7 +158,7 @@ void add_message(std::vector<CompilerMessage>& messages, CompilerMessage message
         messages.push_back(std::move(message));
 }
 
-// A line behind a link message, with functions under their inner names: "f(f1; calling g(f1;".
+// Adds a line after a link message, with mangled function names: "f(f1; calling g(f1;".
 void add_detail(CompilerMessage& message, std::string_view detail) {
     std::string plain;
     for (const std::string_view word : split(trim(detail), ' ')) {

@@ -4,17 +4,17 @@
 #include <string_view>
 #include <vector>
 
-/// One problem that glslang reports.
+/// A message of glslang.
 struct CompilerMessage {
-    int line = 0;         // of the text; 0: not known
-    std::string text;     // glslang's words without their trimmings
-    std::string subject;  // a name that the message is about, when it has no line
+    int line = 0;         // of the text; 0: unknown
+    std::string text;     // glslang's message without decoration
+    std::string subject;  // a name in a message without a line
     bool is_warning = false;
-    bool is_about_vertex_stage = false;  // of a link message
+    bool is_about_vertex_stage = false;  // for link messages
 };
 
 inline constexpr const char* refused_without_reason =
     "glslang rejected the shader without giving a reason";
 
-/// Reads glslang's info log: messages without the lines that only count or close them.
+/// Parses glslang's info log, without summary lines.
 std::vector<CompilerMessage> parse_compiler_log(std::string_view log);

@@ -4,18 +4,18 @@
 
 #include <vector>
 
-/// The uniforms of both stages, each name once. Declarations of one name that disagree are reported
-/// at the fragment shader's.
+/// The uniforms of both stages, each name once. Conflicting declarations are reported at the
+/// fragment shader's declaration.
 std::vector<Uniform> merged_uniforms(const StageInterface& vertex, const StageInterface& fragment,
                                      Diagnostics& problems);
 
-/// Reports what the fragment shader reads and the vertex shader does not give, or gives as another
-/// type. `fragment_stage` is where the words of the fragment shader are found.
+/// Reports fragment inputs that the vertex shader does not write, or writes with another type.
+/// `fragment_stage` provides the lines.
 void check_varyings(const StageInterface& vertex, const StageInterface& fragment,
                     const Stage& fragment_stage, Diagnostics& problems);
 
-/// The line of the first use of a name in a text; 1 when there is none.
+/// The line of the first use of a name in a text; 1 if it is not used.
 int first_line_of(std::string_view name, std::string_view text);
 
-/// " (at beam.vert:3)", or nothing for a place in the program's own text.
+/// " (at beam.vert:3)", or "" for a location in built-in text.
 std::string aside(const Location& at);

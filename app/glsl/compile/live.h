@@ -7,7 +7,7 @@ namespace glslang {
 class TShader;
 }
 
-/// The uniforms that a shader reads where it can be reached: in functions that are called, in
-/// branches whose condition is not known to be false. It was parsed without errors; while it and
-/// its memory live.
+/// The uniforms that reachable code reads: in called functions and in branches whose condition is
+/// not a constant false. The shader was parsed without errors, and it and its memory pool must
+/// still exist.
 std::vector<std::string> live_uniforms(glslang::TShader& shader);

@@ -13,7 +13,7 @@ namespace {
 constexpr int default_version = 100;
 constexpr auto vulkan_messages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules);
 
-/// One stage on its way to SPIR-V.
+/// A stage that is compiled to SPIR-V.
 class VulkanStage {
 public:
     VulkanStage(const Stage& stage, EShLanguage language)
@@ -53,7 +53,7 @@ private:
     glslang::TShader m_shader;
 };
 
-// Alone: blocks of one name may have other members in the other stage.
+// Linked separately: blocks with the same name may have different members in the two stages.
 std::vector<std::uint32_t> code_of(VulkanStage& stage, Diagnostics& problems) {
     glslang::TProgram program;
     program.addShader(&stage.shader());

@@ -13,8 +13,8 @@ struct SpirvPair {
     Diagnostics warnings;
 };
 
-/// Compiles GLSL that is written for Vulkan 1.0 (uniform blocks, push constants, locations), as
-/// libretro's shaders are. Errors are glslang's messages at the author's file and line, and limits
-/// that are exceeded. The code holds the lines of the texts that it comes from.
+/// Compiles GLSL for Vulkan 1.0 (uniform blocks, push constants, locations), such as libretro
+/// shaders. Errors are glslang's messages at the author's file and line, and exceeded limits. The
+/// code contains the line numbers of its source.
 Result<SpirvPair> compile_for_vulkan(const Stage& vertex, const Stage& fragment,
                                      const ShaderLimits& limits = {});

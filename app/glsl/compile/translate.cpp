@@ -34,7 +34,7 @@ std::optional<NumberType> number_type(const spirv_cross::SPIRType& type) {
     }
 }
 
-/// One stage of SPIR-V on its way back to GLSL. What the library throws is caught by who calls.
+/// Translates one stage from SPIR-V to GLSL. The caller catches the library's exceptions.
 class Translator {
 public:
     Translator(std::vector<std::uint32_t> code, const Stage& author, std::string_view stage)
@@ -46,7 +46,7 @@ public:
     void check(Diagnostics& problems) const;
     std::set<std::uint32_t> flat_inputs() const;
     void make_flat(const std::set<std::uint32_t>& locations);
-    /// The stage's text, and what it reads.
+    /// Returns the stage's text and adds its members and samplers to `into`.
     Stage translate(Translation& into);
 
 private:
@@ -63,7 +63,7 @@ private:
 };
 
 void Translator::check(Diagnostics& problems) const {
-    // A refusal has a {} for the stage and one for what is too much.
+    // A refusal has a {} for the stage and one for the unsupported resource.
     const auto refuse = [&](const auto& resources, std::size_t most, std::string_view refusal) {
         if (resources.size() > most)
             problems.push_back({m_author.file, 0,
@@ -90,7 +90,7 @@ std::set<std::uint32_t> Translator::flat_inputs() const {
     return flat;
 }
 
-// Drivers want the two ends to agree, which Vulkan does not.
+// Drivers require the same qualifier in both stages; Vulkan does not.
 void Translator::make_flat(const std::set<std::uint32_t>& locations) {
     for (const Resource& output : m_resources.stage_outputs)
         if (locations.contains(m_compiler.get_decoration(output.id, spv::DecorationLocation)))
@@ -99,7 +99,7 @@ void Translator::make_flat(const std::set<std::uint32_t>& locations) {
             m_compiler.unset_decoration(output.id, spv::DecorationFlat);
 }
 
-// Plain uniforms of two stages meet by name, and blocks of one name have other members there.
+// Plain uniforms of both stages are matched by name, and blocks with the same name may differ.
 void Translator::name_block(const Resource& block, std::string_view kind) {
     m_compiler.set_name(block.base_type_id, fmt::format("{}_{}_type", m_stage, kind));
     m_compiler.set_name(block.id, fmt::format("{}_{}", m_stage, kind));
@@ -126,13 +126,13 @@ void Translator::add_members(const Resource& block, const std::vector<std::strin
     }
 }
 
-// GLSL has these functions from 4.20 on.
+// Core since GLSL 4.20.
 bool packs_halves(std::string_view text) {
     return text.find("packHalf2x16(") != std::string_view::npos ||
            text.find("packSnorm2x16(") != std::string_view::npos;
 }
 
-// The library says before each statement where it comes from; this is taken out of the text again.
+// Converts the library's #line directives to source locations and removes them.
 Stage Translator::with_lines(const std::string& text) const {
     constexpr std::string_view mark = "#line ";
     Stage stage{m_author.file, {}, {}};

@@ -7,32 +7,32 @@
 #include <string>
 #include <vector>
 
-/// A number that shaders for Vulkan read from a uniform block or the push constants.
+/// A number that Vulkan shaders read from a uniform block or push constants.
 struct BlockMember {
-    std::string name;                // as its author calls it
-    std::string uniform;             // as the translated program calls it
-    std::optional<NumberType> type;  // none: an array or a structure
+    std::string name;                // in the author's shader
+    std::string uniform;             // in the translated program
+    std::optional<NumberType> type;  // nullopt: an array or a struct
 };
 
-/// A texture that they read.
+/// A texture that Vulkan shaders read.
 struct NamedSampler {
     std::string name;
     std::string uniform;
 };
 
-/// Shaders for Vulkan as GLSL 4.10 with plain uniforms.
+/// Vulkan shaders translated to GLSL 4.10 with plain uniforms.
 struct Translation {
     Stage vertex;
     Stage fragment;
-    std::vector<BlockMember> members;  // that some code reads; one name may be there several times
-    std::vector<NamedSampler> samplers;  // that some code reads
+    std::vector<BlockMember> members;    // read by some code; names may repeat
+    std::vector<NamedSampler> samplers;  // read by some code
     Diagnostics warnings;
 };
 
-/// Translates by way of SPIR-V. Stages fit together by locations, whatever their names are; what
-/// the vertex stage gives takes its interpolation from the fragment stage. A driver's words about
-/// the translated text find the author's lines. Errors: glslang's, at the author's file and line;
-/// what no picture pass of libretro may have (storage, separate samplers, several blocks of a
-/// kind); limits that are exceeded.
+/// Translates via SPIR-V. The stages are matched by location, independent of names. Outputs of the
+/// vertex stage take their interpolation from the fragment stage. Driver messages about the
+/// translated text are mapped to the author's lines. Errors: glslang's, at the author's file and
+/// line; features not allowed in libretro passes (storage, separate samplers, several blocks of a
+/// kind); exceeded limits.
 Result<Translation> translate_from_vulkan(const Stage& vertex, const Stage& fragment,
                                           const ShaderLimits& limits = {});

@@ -57,7 +57,7 @@ std::string type_name_of(const TType& type) {
     return name;
 }
 
-// A {} stands for the uniform's name, another for its type.
+// {} is the uniform's name, a second {} its type.
 std::string_view why_no_control(const TType& type) {
     if (type.isArray())
         return "'{}' ({}) is an array; only single values have controls";
@@ -77,8 +77,8 @@ std::string_view why_no_control(const TType& type) {
     }
 }
 
-// Numbers in the tree are doubles. A uniform holds floats: the shortest decimal of the float is
-// what the author meant, 0.92 as well as 0.1 * 3.0.
+// Numbers in the tree are doubles; a uniform holds floats. The shortest decimal of the float is the
+// intended value, for 0.92 as well as 0.1 * 3.0.
 std::optional<double> number_from(const glslang::TConstUnion& constant) {
     switch (constant.getType()) {
         case glslang::EbtInt:

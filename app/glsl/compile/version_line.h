@@ -2,5 +2,5 @@
 
 #include "model/look/look.h"
 
-/// Whether a stage starts with a #version that an OpenGL core profile takes; else what to write.
+/// Reports a stage without a #version for an OpenGL core profile, with a suggestion.
 Diagnostics check_version(const Stage& stage);

@@ -15,7 +15,7 @@
 namespace {
 using WrittenTokens = std::vector<Token>;
 
-/// One number as it is written.
+/// A number literal.
 struct Literal {
     NumberType type;
     double number = 0.0;
@@ -73,7 +73,7 @@ std::optional<Literal> literal_of(const Token& token) {
     return literal;
 }
 
-// In brackets or not, with a sign or not.
+// With or without brackets and sign.
 std::optional<Literal> literal_in(std::span<const Token> tokens) {
     while (tokens.size() > 2 && tokens.front().is("(") && tokens.back().is(")"))
         tokens = tokens.subspan(1, tokens.size() - 2);
@@ -139,7 +139,7 @@ private:
         });
     }
 
-    // The next token of the code; comments before it go where they belong.
+    // The next code token. Comments before it are added to the current or previous declaration.
     const Token* peek() {
         for (; m_at < m_tokens.size(); ++m_at) {
             const Token& token = m_tokens[m_at];
@@ -159,7 +159,7 @@ private:
         return token;
     }
 
-    // `#define NAME NUMBER`; a name with arguments is none.
+    // Reads `#define NAME NUMBER`; ignores macros with arguments.
     void read_directive() {
         WrittenTokens words;
         for (++m_at; m_at < m_tokens.size(); ++m_at) {
@@ -180,7 +180,7 @@ private:
         m_inside.clear();
     }
 
-    // `const TYPE NAME = NUMBER, NAME = NUMBER;`
+    // Reads `const TYPE NAME = NUMBER, NAME = NUMBER;`
     void read_const() {
         next();
         while (peek() && is_precision(*peek()))
@@ -193,7 +193,7 @@ private:
         }
     }
 
-    // Up to behind its ','; false where the statement ends, or is none.
+    // Reads up to after the ','. False at the end of the statement or for other code.
     bool read_declarator(const TypeWord* type) {
         const Token* const name = next();
         const Token* const equals = name && name->kind == Token::Kind::word ? peek() : nullptr;
@@ -244,8 +244,8 @@ private:
     std::vector<WrittenConstant> m_found;
     std::size_t m_at = 0;
     CommentsBehind m_comments;
-    bool m_is_inside = false;       // of a declaration
-    std::vector<Comment> m_inside;  // its comments
+    bool m_is_inside = false;       // inside a declaration
+    std::vector<Comment> m_inside;  // comments of that declaration
 };
 }  // namespace
 

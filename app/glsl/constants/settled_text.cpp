@@ -27,7 +27,7 @@ bool can_be_written(const SettledUniform& uniform) {
            });
 }
 
-/// `uniform TYPE NAME;` or `uniform TYPE NAME = ...;`
+/// A statement `uniform TYPE NAME;` or `uniform TYPE NAME = ...;`
 struct Statement {
     std::string name;
     std::size_t begin = 0;  // of `uniform`: offsets into the text
@@ -43,7 +43,7 @@ public:
                 m_tokens.push_back(token);
     }
 
-    /// That starts with the token; none where it is of another form.
+    /// The statement that starts at the token; nullopt for other forms.
     std::optional<Statement> read(std::size_t at, const std::string& type) const {
         const bool has_layout = at > 0 && m_tokens[at - 1].is(")");
         if (!m_tokens[at].is("uniform") || has_layout)
@@ -64,7 +64,7 @@ public:
     }
 
     std::size_t size() const { return m_tokens.size(); }
-    /// Where "block.member" is read there: up to this token, its last one.
+    /// If "block.member" starts there: its name and the index of its last token.
     std::optional<std::size_t> member_at(std::size_t at, std::string& name) const {
         const bool is_word = m_tokens[at].kind == Token::Kind::word && is(at + 1, ".");
         if (!is_word || at + 2 >= m_tokens.size() || (at > 0 && is(at - 1, ".")))
@@ -77,7 +77,7 @@ public:
     }
     std::size_t end_of(std::size_t at) const { return begin_of(at) + m_tokens[at].text.size(); }
 
-    /// What a uniform there would be called, were it one of a known form; "" else.
+    /// The name of a uniform declared there, if it has a known form; otherwise "".
     std::string name_at(std::size_t at) const {
         if (!is(at, "uniform"))
             return {};
@@ -92,7 +92,7 @@ private:
         return at < m_tokens.size() && m_tokens[at].is(word);
     }
 
-    // The place of the ';', where only one name is declared.
+    // The index of the ';' if a single name is declared.
     std::optional<std::size_t> end_of_initialiser(std::size_t at) const {
         if (!is(at, "=") && !is(at, ";"))
             return std::nullopt;
@@ -113,7 +113,7 @@ private:
     std::vector<Token> m_tokens;
 };
 
-/// Writes a text anew, all that is not changed as it was.
+/// Copies a text with replacements.
 class Copy {
 public:
     explicit Copy(const std::string& text) : m_text(text) {}

@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-/// What a uniform is to hold for good.
+/// The constant value of a uniform.
 struct SettledUniform {
     NumberType type;
     Value value;
@@ -13,9 +13,9 @@ struct SettledUniform {
     bool operator==(const SettledUniform&) const = default;
 };
 
-/// The text with these uniforms as plain variables of their value, which compilers take as the
-/// constants that they are: what such values switch off costs nothing any more. Only those that
-/// have a statement of their own (`uniform float gain = 1.0;`); others, and values that GLSL cannot
-/// write, stay uniforms. Lines keep their numbers.
+/// Specialises the text: replaces these uniforms by variables with a constant initialiser.
+/// Compilers treat them as constants and remove disabled code. Only uniforms with their own
+/// statement (`uniform float gain = 1.0;`) and values that GLSL can express are replaced. Line
+/// numbers are unchanged.
 std::string settled_text(const std::string& text,
                          const std::map<std::string, SettledUniform>& uniforms);

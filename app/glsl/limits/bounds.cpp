@@ -33,7 +33,7 @@ std::optional<OutOfBounds> find_deep_nesting(std::span<const Token> tokens) {
     return std::nullopt;
 }
 
-// Whether a '(' opens the arguments of a call or constructor, whose commas make a list.
+// Whether a '(' opens the comma-separated arguments of a call or constructor.
 bool opens_list(std::span<const Token> code, std::size_t at) {
     constexpr std::array<std::string_view, 5> statements{"if", "for", "while", "switch", "return"};
     if (at == 0 || !code[at].is("("))
@@ -43,7 +43,7 @@ bool opens_list(std::span<const Token> code, std::size_t at) {
                               std::ranges::find(statements, before.text) == statements.end());
 }
 
-// The tokens from a macro's name to behind the brackets that follow it.
+// The tokens of a macro use: its name and the brackets that follow.
 std::span<const Token> macro_use(std::span<const Token> code) {
     std::size_t end = 1;
     int depth = 0;
@@ -56,8 +56,8 @@ std::span<const Token> macro_use(std::span<const Token> code) {
     return code.first(end);
 }
 
-// The number of tokens, where a list of arguments counts as its longest item: a compiler's tree has
-// the items of a list side by side, so they do not nest. Macros must be balanced.
+// The number of tokens, where an argument list counts as its longest item. The items of a list are
+// siblings in a compiler's tree, so they do not nest. Macros must be balanced.
 double without_lists(std::span<const Token> code, MacroWeights& weights) {
     struct Level {
         bool is_list = false;
@@ -118,7 +118,7 @@ private:
     double m_total = 0.0;
 };
 
-// Statements end at ; { } outside of round brackets: a macro's argument may hold some.
+// Statements end at ; { } outside round brackets; a macro's argument may contain these.
 std::optional<OutOfBounds> find_long_statement(std::span<const Token> code, Measure& measure) {
     std::size_t begin = 0;
     int depth = 0;

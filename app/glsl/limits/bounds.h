@@ -4,12 +4,13 @@
 #include <string>
 #include <string_view>
 
-/// Why a text is not handed to the compiler.
+/// Why a shader text is rejected before compilation.
 struct OutOfBounds {
     int line = 1;
     std::string message;
 };
 
-/// Finds what would make a recursive compiler run out of stack, memory or patience: brackets nested
-/// too deeply, endless statements, macros that multiply. Shaders for a picture stay far below.
+/// Finds code that would exhaust a recursive compiler's stack, memory or time: deeply nested
+/// brackets, endless statements, macros with exponential expansion. Real shaders stay far below the
+/// limits.
 std::optional<OutOfBounds> find_out_of_bounds(std::string_view text);

@@ -17,14 +17,14 @@ struct StructSize {
     double depth = 0.0;
 };
 
-/// Reads structs and switches, in their order, and what each comes to.
+/// Measures structs and switches in source order.
 class DeclarationReader {
 public:
     explicit DeclarationReader(std::span<const Token> code) : m_code(code) {}
 
     /// The first struct or switch that exceeds a limit.
     std::optional<OutOfBounds> read(const ShaderLimits& limits) {
-        double cases = 0.0;  // since a switch began, of those within it as well
+        double cases = 0.0;  // since the last `switch`, nested ones included
         while (m_at < m_code.size()) {
             const Token& token = m_code[m_at++];
             if (token.is("switch"))
@@ -58,7 +58,7 @@ public:
     }
 
 private:
-    // From behind "struct" to behind its '}'.
+    // Parses from after "struct" to after its '}'.
     StructSize read_struct() {
         std::string name;
         while (m_at < m_code.size() && !m_code[m_at].is("{")) {
@@ -75,7 +75,7 @@ private:
         return m_known[name] = size;
     }
 
-    // A declaration up to its ';': its type, and a name for each comma.
+    // Parses a member declaration up to its ';': its type, and one name per comma.
     void add_member(StructSize& size) {
         StructSize type{1.0, 0.0};
         double names = 1.0;
@@ -104,7 +104,8 @@ private:
         return size;
     }
 
-    static constexpr int deepest = 256;  // declared within each other, for this thread's stack
+    static constexpr int deepest = 256;  // maximum nesting of struct declarations, limited by this
+                                         // thread's stack
     std::span<const Token> m_code;
     std::size_t m_at = 0;
     int m_nested = 0;
@@ -120,7 +121,7 @@ std::optional<OutOfBounds> find_in(const std::string& text, const ShaderLimits& 
     return DeclarationReader(code).read(limits);
 }
 
-// What is wrong with a text that cannot be preprocessed glslang says when it parses it.
+// Empty if preprocessing fails; glslang reports the error when it parses the text.
 std::string preprocessed(const std::string& text) {
     start_glslang();
     glslang::TShader shader(EShLangFragment);

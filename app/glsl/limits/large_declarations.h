@@ -5,9 +5,9 @@
 
 #include <string>
 
-/// Finds a struct with more members, structs nested deeper, or a switch with more cases than the
-/// limits allow, with macros expanded. Members of its members count as well, an array as one.
-/// glslang visits each of them for every use, and 30 structs that hold two of the one before have a
-/// thousand million; it compares each case with all others.
+/// Finds a struct with too many members, structs nested too deeply, or a switch with too many
+/// cases, with macros expanded. Members of members count as well; an array counts as one. glslang
+/// visits each of them for every use: 30 structs that each hold two of the previous one have 10^9
+/// members. It compares each case with all others.
 std::optional<OutOfBounds> find_large_declaration(const std::string& text,
                                                   const ShaderLimits& limits);

@@ -26,7 +26,7 @@ bool is_balanced(std::span<const Token> code) {
     return depth == 0;
 }
 
-// 0 x infinite would be no number.
+// Avoids NaN from 0 x infinity.
 double product(double a, double b) {
     return a == 0.0 || b == 0.0 ? 0.0 : a * b;
 }
@@ -48,7 +48,7 @@ MacroWeights::Macro MacroWeights::macro_from(const Directive& define) {
     const Token& name = tokens[0];
     Macro macro;
     macro.body = tokens.subspan(1);
-    // Only a bracket right behind the name opens parameters.
+    // Only a bracket directly after the name starts a parameter list.
     const char* const behind = name.text.data() + name.text.size();
     if (tokens.size() < 2 || !tokens[1].is("(") || tokens[1].text.data() != behind)
         return macro;
@@ -70,7 +70,7 @@ const MacroWeights::Weight& MacroWeights::weight_of_macro(Definitions& definitio
         return definitions.weight;
     static const Weight itself{1.0, {}};
     if (definitions.state == State::open)
-        return itself;  // a macro does not expand within its own expansion
+        return itself;  // a macro is not expanded within its own expansion
     definitions.state = State::open;
     Weight largest{1.0, {}};
     for (const Macro& macro : definitions.all) {
@@ -89,7 +89,7 @@ const MacroWeights::Weight& MacroWeights::weight_of_macro(Definitions& definitio
 
 MacroWeights::Weight MacroWeights::weigh(std::span<const Token> code,
                                          const Parameters& parameters) {
-    // A macro that is handed to another by name may be called there: a guess of what it would be.
+    // A macro passed by name to another macro may be called there; this is an estimate of its size.
     const Weight handed_over{16.0, {4.0, 4.0, 4.0, 4.0}};
     Weight sum{0.0, std::vector<double>(parameters.size())};
     ++m_depth;
@@ -115,7 +115,7 @@ MacroWeights::Weight MacroWeights::weigh(std::span<const Token> code,
     return sum;
 }
 
-// `code` starts at the opening bracket; returns how many tokens the call takes from there.
+// `code` starts at the opening bracket. Returns the number of tokens in the call from there.
 std::size_t MacroWeights::add_call(std::span<const Token> code, const Weight& called,
                                    const Parameters& parameters, Weight& sum) {
     sum.base += called.base;

@@ -7,23 +7,22 @@
 #include <string_view>
 #include <vector>
 
-/// How many tokens code becomes when its macros are expanded, found without expanding them: a few
-/// lines of macros can stand for more tokens than a machine has memory. An upper estimate, with all
-/// branches of #if counted.
+/// Computes the number of tokens after macro expansion, without expanding: a few lines of macros
+/// can expand to more tokens than fit into memory. An upper bound that counts all branches of #if.
 class MacroWeights {
 public:
     explicit MacroWeights(const std::vector<Directive>& directives);
 
-    /// Tokens after expansion; infinite where macros are nested too deeply, or take
-    /// too many arguments, to tell.
+    /// Number of tokens after expansion. Infinite when macros are nested too deeply or have too
+    /// many parameters for an estimate.
     double weight_of(std::span<const Token> code);
     /// Whether a token is the name of a macro.
     bool is_macro(const Token& token) const { return m_macros.contains(token.text); }
-    /// Whether each macro closes the brackets that it opens, and no others.
+    /// Whether the brackets in each macro are balanced.
     bool are_balanced() const { return m_are_balanced; }
 
 private:
-    // Tokens of an expansion: `base`, and for each argument how often it is repeated.
+    // Tokens of an expansion: `base`, and the number of repetitions of each argument.
     struct Weight {
         double base = 0.0;
         std::vector<double> repeats;
@@ -36,9 +35,9 @@ private:
     enum class State { unknown, open, known };
     struct Definitions {
         std::vector<Macro> all;
-        bool takes_arguments = false;  // one of them does
+        bool takes_arguments = false;  // at least one takes arguments
         State state = State::unknown;
-        Weight weight;  // the largest of all
+        Weight weight;  // the maximum over all definitions
     };
     using Parameters = std::vector<std::string_view>;
 

@@ -15,16 +15,16 @@ using glslang::TIntermTyped;
 using glslang::TType;
 
 namespace {
-/// What a value of a type takes.
+/// The cost of one value of a type.
 struct Size {
     double bytes = 0.0;
-    double elements = 0.0;  // that a copy of it moves one by one: vectors and numbers
-    double names = 0.0;     // that a driver lists where it is a uniform
-    double depth = 0.0;     // of structs in structs
+    double elements = 0.0;  // copied individually: vectors and scalars
+    double names = 0.0;     // listed by a driver for a uniform
+    double depth = 0.0;     // nesting of structs
 };
 
-/// Sizes of types. Each struct is measured once: one that holds two of another would double the
-/// time with every level.
+/// Sizes of types. Each struct is measured once, because otherwise the time could double with each
+/// level of nesting.
 class Sizes {
 public:
     Size of(const TType& type) {
@@ -63,7 +63,7 @@ private:
     std::map<const glslang::TTypeList*, Size> m_known;
 };
 
-/// A figure, its limit, and what to say where it exceeds it: {0} is the figure, {1} the limit.
+/// A figure, its limit, and the message for exceeding it: {0} is the figure, {1} the limit.
 struct LimitedFigure {
     double ShaderLimits::*limit;
     StageCost::Figure StageCost::*figure;
@@ -103,7 +103,7 @@ bool is_composite(const TType& type) {
     return type.isArray() || type.isStruct();
 }
 
-// What `a[i].b[j]` is a part of.
+// The root of an access chain such as `a[i].b[j]`.
 TIntermTyped& base_of(TIntermTyped& place) {
     TIntermTyped* base = &place;
     for (;;) {
@@ -117,25 +117,25 @@ TIntermTyped& base_of(TIntermTyped& place) {
     }
 }
 
-// Of what is said outside of functions, and of one function.
+// Cost of one function, or of the code outside functions.
 struct Part {
     double instructions = 0.0;
     double compared_values = 0.0;
-    double number_bytes = 0.0;     // of variables that are no arrays or structs
-    double composite_bytes = 0.0;  // of those that are
+    double number_bytes = 0.0;     // of variables other than arrays and structs
+    double composite_bytes = 0.0;  // of arrays and structs
     double indexed_bytes = 0.0;
     int line = 0;
-    std::vector<std::string> calls;  // each as often as it is made
+    std::vector<std::string> calls;  // one entry per call
 };
 
-/// What a part comes to with its calls inlined.
+/// Cost of a part with its calls inlined.
 struct Inlined {
     double instructions = 0.0;
     double composite_bytes = 0.0;
     double indexed_bytes = 0.0;
     double compared_values = 0.0;
     double calls = 0.0;
-    double depth = 0.0;  // of calls
+    double depth = 0.0;  // call depth
 };
 
 class Reader : public glslang::TIntermTraverser {
@@ -214,12 +214,12 @@ public:
     void visitSymbol(glslang::TIntermSymbol* symbol) override {
         const glslang::TQualifier& qualifier = symbol->getQualifier();
         const bool is_linked = qualifier.isUniformOrBuffer() || qualifier.isPipeInput() ||
-                               qualifier.isPipeOutput();  // the list of linker objects has it
+                               qualifier.isPipeOutput();  // listed as linker objects
         if (!is_linked && m_known.insert(symbol->getId()).second)
             declare_variable(*symbol);
     }
 
-    // Drivers inline within every function, whether main reaches it or not.
+    // Drivers inline within every function, even if main does not reach it.
     StageCost cost() {
         Inlined largest;
         for (const auto& [name, part] : m_parts) {
@@ -255,7 +255,7 @@ private:
             m_part->instructions += m_sizes.of(typed->getType()).elements;
     }
 
-    // Arrays and structs are compared number by number.
+    // Arrays and structs are compared element by element.
     void count_comparison(TIntermTyped& value) {
         count_copy(value);
         constexpr double bytes_of_number = 4.0;
@@ -263,7 +263,7 @@ private:
             m_part->compared_values += m_sizes.of(value.getType()).bytes / bytes_of_number;
     }
 
-    // Uniform blocks and arrays of the driver's own are not variables of the program.
+    // Uniform blocks and the driver's own arrays are not variables of the program.
     void note_index(const glslang::TIntermBinary& node) {
         TIntermTyped& base = base_of(*node.getLeft());
         const glslang::TStorageQualifier storage = base.getType().getQualifier().storage;
@@ -284,7 +284,7 @@ private:
         part.indexed_bytes += m_sizes.of(base.getType()).bytes;
     }
 
-    // A driver holds a table of constants once, however often it is read.
+    // A driver stores a constant table once, however often it is read.
     void note_constant(const glslang::TIntermConstantUnion& table) {
         const glslang::TConstUnionArray& numbers = table.getConstArray();
         if (numbers.empty() || !m_tables.insert(&numbers[0]).second)
@@ -292,7 +292,7 @@ private:
         m_cost.variable_bytes.value += m_sizes.of(table.getType()).bytes;
     }
 
-    // A uniform, an input, an output or a global.
+    // Declares a uniform, an input, an output or a global.
     void declare(const glslang::TIntermSymbol& symbol) {
         const TType& type = symbol.getType();
         if (!m_known.insert(symbol.getId()).second ||
@@ -325,8 +325,8 @@ private:
         m_cost.variable_bytes.line = m_cost.indexed_bytes.line = line;
     }
 
-    // glslang refuses recursion, but only when it links. Calls too deep for this thread's stack are
-    // too deep for a driver as well.
+    // glslang rejects recursion, but only when linking. Call chains too deep for this thread's
+    // stack are also too deep for a driver.
     const Inlined& inlined(const std::string& name) {
         constexpr double deepest = 1024.0;
         const auto [known, is_new] = m_inlined.try_emplace(name);
@@ -363,9 +363,9 @@ private:
     std::map<std::string, Part> m_parts;  // by mangled name; "": outside of functions
     Part* m_part = &m_parts[{}];
     std::map<std::string, Inlined> m_inlined;
-    double m_nested = 0.0;          // calls that inlined() is within
-    std::set<long long> m_known;    // symbols by number
-    std::set<long long> m_indexed;  // likewise
+    double m_nested = 0.0;          // current recursion depth of inlined()
+    std::set<long long> m_known;    // symbols by id
+    std::set<long long> m_indexed;  // symbols by id
     std::set<const glslang::TConstUnion*> m_tables;
 };
 }  // namespace

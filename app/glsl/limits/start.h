@@ -1,4 +1,4 @@
 #pragma once
 
-/// Prepares glslang for the whole process, once; before anything else of it.
+/// Initialises glslang once per process. Call before any other glslang function.
 void start_glslang();

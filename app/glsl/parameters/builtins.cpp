@@ -14,8 +14,8 @@ const std::vector<BuiltinUniform>& builtin_uniforms() {
         {"u_source_columns", {Scalar::floating, 3, 1}},     // the same from the left
         {"u_mouse", {Scalar::floating, 2, 1}},              // pixels from bottom left
         {"u_samples", {Scalar::integer, 1, 1}},             // accumulated so far
-        {"u_view", {Scalar::floating, 4, 4}},               // orbit: the object's turn
-        {"u_camera", {Scalar::floating, 4, 4}},             // orbit: the camera's
+        {"u_view", {Scalar::floating, 4, 4}},               // orbit: rotation of the object
+        {"u_camera", {Scalar::floating, 4, 4}},             // orbit: rotation of the camera
         {"u_drawn_onto", {Scalar::boolean, 1, 1}},          // see "onto" in look.json
     };
     return all;

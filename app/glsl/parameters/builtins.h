@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-/// A uniform that the program sets itself; never a slider.
+/// A uniform that Afterglow sets; it has no control.
 struct BuiltinUniform {
     std::string_view name;
     NumberType type;
@@ -14,5 +14,5 @@ struct BuiltinUniform {
 
 const std::vector<BuiltinUniform>& builtin_uniforms();
 
-/// Null when the name is an author's own.
+/// Null when the name is not built in.
 const BuiltinUniform* find_builtin_uniform(std::string_view name);

@@ -17,7 +17,7 @@ Value zero_of(const NumberType& type) {
     return Value(std::vector<double>(static_cast<std::size_t>(type.size())));
 }
 
-/// All declarations of what becomes one parameter.
+/// All declarations of one parameter.
 struct Candidate {
     std::string name;
     Uniform uniform;
@@ -66,7 +66,7 @@ Parameter parameter_from(const Candidate& candidate, Diagnostics& errors) {
     return parameter;
 }
 
-// `refusal` has {0} for the pass, {1} for the parameter's name and {2} for a similar name.
+// `refusal`: {0} is the pass, {1} the parameter's name, {2} a similar name.
 void check_count(const Pass& pass, const Count& count, const char* refusal,
                  const std::vector<std::string>& names, Diagnostics& errors) {
     const auto* const name = std::get_if<std::string>(&count);
@@ -77,7 +77,7 @@ void check_count(const Pass& pass, const Count& count, const char* refusal,
          fmt::format(fmt::runtime(refusal), pass.name, *name, did_you_mean(*name, names))});
 }
 
-// Of a uniform that is called as a constant of the texts is.
+// Reports uniforms with the name of a constant.
 void check_names(const Look& look, const std::vector<Parameter>& parameters, Diagnostics& errors) {
     for (const Parameter& parameter : parameters)
         if (const Parameter* same = find_parameter(look, parameter.name); same && same->is_constant)
@@ -101,7 +101,7 @@ void check_counts(const Look& look, const std::vector<Parameter>& parameters, Di
     }
 }
 
-/// The passes whose shaders declare the orbit's matrices.
+/// The passes that declare the orbit matrices.
 struct OrbitPasses {
     std::vector<int> view;
     std::vector<int> camera;

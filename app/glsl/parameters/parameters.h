@@ -6,14 +6,14 @@
 
 #include <vector>
 
-/// Every parameter of the look that is a uniform, in order of declaration; the look may have its
-/// constants already. Checks all passes with glslang, reads
-/// annotations, makes one parameter of one uniform name in several passes, applies each pass's
-/// `set` (no parameter there) and `rename`. Built-in uniforms are no parameters; a sampler2D
-/// without an input is a picture to be chosen. Errors: shader errors; mistakes in annotations;
-/// declarations that disagree, on the second one's line; at the pass's place in look.json what
-/// `set`, `rename` and `inputs` name and no shader of the pass declares; other samplers without an
-/// input. `warnings` gets uniforms that cannot have a control, with the reason, and glslang's own.
-/// `cache` may be null.
+/// All uniform parameters of the look, in order of declaration. The look may already have its
+/// constants.
+/// Checks all passes with glslang and reads the annotations. A uniform name in several passes is
+/// one parameter. Applies each pass's `set` (no parameter in that pass) and `rename`. Built-in
+/// uniforms are not parameters. A sampler2D without an input is a picture parameter.
+/// Errors: shader errors; annotation errors; conflicting declarations, on the second one's line;
+/// names in `set`, `rename` and `inputs` that no shader of the pass declares, at the pass in
+/// look.json; other samplers without an input. `warnings` receives uniforms that cannot have a
+/// control, with the reason, and glslang's warnings. `cache` may be null.
 Result<std::vector<Parameter>> find_parameters(const Look& look, CheckCache* cache,
                                                Diagnostics& warnings);

@@ -37,7 +37,7 @@ private:
         m_result.errors.push_back({at.file, at.line, std::move(message)});
     }
 
-    // The uniform that a key of the pass in look.json is about, when it can be.
+    // The uniform named by a key of the pass in look.json; null with an error if unusable.
     const Uniform* find(const std::string& key, const std::string& name,
                         const Reflection& reflection) {
         const auto found = std::ranges::find(reflection.uniforms, name, &Uniform::name);
@@ -114,7 +114,7 @@ private:
         return std::ranges::find(m_pass.inputs, name, &Input::uniform) != m_pass.inputs.end();
     }
 
-    // By the program: Afterglow's own names, or those of another program.
+    // Whether the program sets the uniform: Afterglow's built-ins, or those of another host.
     bool is_told(const std::string& name) const {
         return std::ranges::find(m_pass.built_ins, name, &BuiltInUniform::name) !=
                m_pass.built_ins.end();
@@ -122,7 +122,8 @@ private:
 
     void check_builtin(const Uniform& uniform) {
         m_result.built_in.push_back(uniform.name);
-        const bool is_our_look = m_pass.built_ins == own_built_ins();  // others take any number
+        const bool is_our_look = m_pass.built_ins == own_built_ins();  // other hosts' built-ins
+                                                                       // accept any number type
         const BuiltinUniform* builtin = is_our_look ? find_builtin_uniform(uniform.name) : nullptr;
         const bool is_right =
             !builtin || (uniform.kind == Uniform::Kind::number && uniform.type == builtin->type);

@@ -6,22 +6,22 @@
 #include <string>
 #include <vector>
 
-/// A uniform of one pass that a parameter drives.
+/// A uniform of one pass that is driven by a parameter.
 struct FreeUniform {
-    std::string parameter;  // the uniform's name, or what `rename` says
+    std::string parameter;  // the uniform's name, or its new name in `rename`
     Uniform uniform;
     Hints hints;
     Binding binding;
 };
 
-/// What the shaders of one pass leave for parameters.
+/// The uniforms of one pass.
 struct PassUniforms {
     std::vector<FreeUniform> free;
-    std::vector<std::string> built_in;  // that it declares
+    std::vector<std::string> built_in;  // built-in uniforms that it declares
     Diagnostics errors;
     Diagnostics warnings;
 };
 
-/// Checks a pass and sorts its uniforms: built-in ones, inputs and those that are `set` are not
+/// Checks a pass and classifies its uniforms. Built-in uniforms, inputs and those in `set` are not
 /// free.
 PassUniforms find_pass_uniforms(const Pass& pass, int index, CheckCache* cache);

@@ -11,7 +11,7 @@
 #include <algorithm>
 
 namespace {
-// Of "MAX_STEPS", which nobody would call out, "max_steps".
+// Lower case for names such as "MAX_STEPS", so that the label is not in capitals.
 std::string spoken_name(const std::string& name) {
     const std::string lower = to_lower(name);
     const bool has_small = std::ranges::any_of(name, [](char c) { return c >= 'a' && c <= 'z'; });
@@ -33,7 +33,7 @@ Value TurnedConstants::value_for(const Parameter& guessed, const Hints& hints) c
     return found == m_values->end() ? guessed.initial : clamped(guessed, found->second);
 }
 
-// Null where something is wrong.
+// Null on error.
 TurnedConstants::Constant* TurnedConstants::note(const WrittenConstant& written,
                                                  const Stage& stage) {
     const Location at = place_in(stage, written.line);

@@ -5,31 +5,29 @@
 #include <string>
 #include <vector>
 
-/// The constants of a look's texts that a person may turn. Its texts get the numbers that they are
-/// turned to before anything else reads them; all that follows (checks, programs, what is kept of
-/// them) knows of no constants.
+/// The adjustable constants of a look's texts. Their values are written into the texts first. The
+/// later steps (checks, programs, caches) see ordinary texts.
 class TurnedConstants {
 public:
-    /// By name, or by the name that `@was` says; null: all is as written. `cache` may be null.
+    /// Values by name, or by the name in `@was`; null: the values in the text. `cache` may be null.
     explicit TurnedConstants(const Values* values, CheckCache* cache = nullptr)
         : m_values(values), m_cache(cache) {}
 
-    /// Writes the numbers into a text, each in the place of the author's, on its line. What is
-    /// found, for bind().
+    /// Replaces the numbers in a text, keeping line numbers. Returns the names found, for bind().
     std::vector<std::string> write_into(Stage& stage);
-    /// The text is one of the pass.
+    /// Binds the constants to the pass of their text.
     void bind(const std::vector<std::string>& names, std::size_t pass);
-    /// Both texts of a pass.
+    /// Processes both texts of a pass.
     void write_into(Pass& pass, std::size_t index);
 
-    /// Adds them to the parameters of the look, one a name, and what the texts have to its
-    /// constants. Errors: mistakes in annotations as those of uniforms; numbers or types that
-    /// disagree, and what is no number, at their lines; a name that another parameter has.
+    /// Adds the constants to the parameters of the look, one per name, and their values to
+    /// look.constants. Errors, at their lines: annotation errors as for uniforms, conflicting
+    /// values or types, a value that is not a number, a name already used by another parameter.
     Diagnostics add_to(Look& look) const;
 
 private:
     struct Constant {
-        Parameter parameter;  // as guessed
+        Parameter parameter;  // guessed, without hints
         Hints hints;
         Value value;  // in the texts
     };
@@ -44,5 +42,5 @@ private:
     Diagnostics m_errors;
 };
 
-/// Writes into all passes of a look, and adds its constants.
+/// Writes the values into all passes of a look and adds its constants.
 Diagnostics turn_constants(Look& look, const Values* values, CheckCache* cache = nullptr);

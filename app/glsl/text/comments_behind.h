@@ -3,7 +3,7 @@
 #include "glsl/text/declarations.h"
 #include "glsl/text/tokens.h"
 
-/// Whether a string of a hint is still open where the comments so far end.
+/// Tracks whether a string in a hint is still open at the end of the comments.
 class OpenString {
 public:
     OpenString() = default;
@@ -17,29 +17,29 @@ private:
     bool m_is_open = false;
 };
 
-/// Gives comments to the declarations that they stand behind: on its line, and in the // lines
-/// below that go on with hints. Several declarations on one line, up to 64, share what stands
-/// behind the last.
+/// Assigns comments to the declarations before them: on the same line, and in // lines below that
+/// continue with hints. Up to 64 declarations on one line share the comments after the last one.
 class CommentsBehind {
 public:
-    /// The next declaration ends on `line`; `inside` are the comments within it.
+    /// The next declaration ends on `line`. `inside`: the comments within it.
     void open(int line, std::vector<Comment> inside);
     bool is_behind(const Token& comment) const { return comment.line == m_line; }
-    /// A comment outside of declarations; `before`: the token before it, null at the text's start.
+    /// Adds a comment outside declarations. `before`: the previous token, null at the start of the
+    /// text.
     void add(const Token& comment, const Token* before);
-    /// Of the declaration that was opened as the n-th, from 0.
+    /// The comments of the n-th opened declaration, from 0.
     const std::vector<Comment>& of(std::size_t declaration) const { return m_all[declaration]; }
 
 private:
     bool goes_on(const Token& comment, const Token* before) const;
 
     std::vector<std::vector<Comment>> m_all;
-    std::vector<std::size_t> m_open;  // those whose line may still bring a comment
-    OpenString m_string;              // of the last one's comments
+    std::vector<std::size_t> m_open;  // declarations on whose line a comment may still follow
+    OpenString m_string;              // state of the last declaration's comments
     int m_line = 0;
-    int m_end = 0;  // line where the last comment ends
+    int m_end = 0;  // line on which the last comment ends
     bool m_is_commented = false;
 };
 
-/// What the token says, without // or /* */.
+/// The comment's text without // or /* */.
 Comment comment_from(const Token& token);

@@ -38,7 +38,7 @@ private:
         return token.is(")") || token.is("]") || token.is("}") ? -1 : 0;
     }
 
-    // From `uniform` to behind its ';'.
+    // Reads from `uniform` to after its ';'.
     void read_statement() {
         m_current = {};
         m_has_started = true;
@@ -71,14 +71,14 @@ private:
             m_current.comments.push_back(comment_from(token));
     }
 
-    // A token of the statement that stands in no bracket.
+    // Reads a token of the statement outside brackets.
     void read_token(const Token& token) {
         m_has_started = true;
         if (token.is("struct")) {
             m_is_struct = true;
         } else if (token.is("{") && !m_is_struct) {
             finish(token);
-            m_is_done = true;  // a block; the name behind it is not a uniform's
+            m_is_done = true;  // a block; the name after it is the instance name
         } else if (token.is(",") || token.is(";")) {
             finish(token);
             m_is_initialiser = false;
@@ -103,7 +103,7 @@ private:
     std::vector<Declaration> m_found;
     std::size_t m_at = 0;
 
-    // The declarator that is being read.
+    // The current declarator.
     Declaration m_current;
     bool m_has_started = false;
     bool m_is_initialiser = false;

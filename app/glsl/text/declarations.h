@@ -4,20 +4,21 @@
 #include <string_view>
 #include <vector>
 
-/// A comment and the line of the text that it starts on.
+/// A comment and the line on which it starts.
 struct Comment {
     std::string text;  // without // or /* */
     int line = 1;
 };
 
-/// A uniform as a text declares it, whether or not the preprocessor lets it through.
+/// A uniform declared in the text, whether or not the preprocessor removes it.
 struct Declaration {
     std::string name;
     int line = 1;
-    // Behind it on its line, and the // lines that go on with hints; of at most 64 names a line.
+    // After it on the same line, and // lines below that continue with hints. At most 64 names per
+    // line share comments.
     std::vector<Comment> comments;
 };
 
-/// The uniforms of a text in order, found by their tokens: several in one statement, arrays, layout
-/// qualifiers and uniform blocks (by the block's name) included.
+/// The uniforms of a text in order, found by scanning tokens. Handles several names per statement,
+/// arrays, layout qualifiers, and uniform blocks (by block name).
 std::vector<Declaration> find_declarations(std::string_view text);

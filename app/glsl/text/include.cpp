@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t most_nested_includes = 64;
 constexpr int most_files = 4096;
 constexpr std::size_t most_bytes = ShaderFiles::most_bytes;
-constexpr std::size_t most_bytes_read = 4 * most_bytes;  // also of what says nothing
+constexpr std::size_t most_bytes_read = 4 * most_bytes;  // including files that add no lines
 constexpr std::size_t most_errors = 32;
 constexpr std::size_t most_lines = 200'000;
 
@@ -68,7 +68,7 @@ private:
         m_open.pop_back();
     }
 
-    // What is wrong with a whole file is told where it is included.
+    // Errors about a whole file are reported at the #include.
     void refuse(const fs::path& file, const Location& from, const Diagnostics& reasons) {
         for (const Diagnostic& reason : reasons) {
             if (reason.line > 0 || from.line == 0)
@@ -94,8 +94,8 @@ private:
         add_lines(text.substr(done), line, done > 0);
     }
 
-    // Adds a part of a file. The pieces of a line around an #include count only if they say
-    // something: half of a comment may start or end there.
+    // Adds a part of a file. The rests of a line around an #include are added only if they are not
+    // blank: a comment may start or end there.
     void add_lines(std::string_view part, int first_line, bool starts_inside_line) {
         Location at{m_open.back().path, first_line};
         const auto lines = split(part, '\n');
@@ -192,9 +192,9 @@ private:
     std::vector<fs::path>& m_files;
     Stage m_stage;
     Diagnostics m_errors;
-    std::vector<Open> m_open;                 // from the top file to the one being read
-    std::vector<fs::path> m_once;             // those with #pragma once
-    std::set<fs::path::string_type> m_known;  // those in m_files
+    std::vector<Open> m_open;                 // from the top file to the current file
+    std::vector<fs::path> m_once;             // files with #pragma once
+    std::set<fs::path::string_type> m_known;  // the files in m_files
     std::size_t m_bytes_read = 0;
     int m_included = 0;
     bool m_is_full = false;

@@ -11,33 +11,34 @@
 
 class ShaderFiles;
 
-/// Folders that an #include may read from, besides the including file's own.
+/// Folders from which an #include may read, in addition to the including file's folder.
 struct IncludeRoots {
-    std::filesystem::path look_folder;  // "": the folder of the file that is loaded
+    std::filesystem::path look_folder;  // "": the folder of the loaded file
     IncludeFolders folders;
-    // Of `#include <NAME>`, which stay in the text as they are: what they bring is given elsewhere.
+    // Names of `#include <NAME>` that stay in the text; their content comes from another source.
     std::span<const std::string_view> given = {};
-    std::filesystem::path tree = {};  // the folder that was opened; "": opened_tree()
+    std::filesystem::path tree = {};  // the folder opened by the user; "": opened_tree()
 };
 
-/// The folder within which the includes of a file may go upwards: the nearest one above it that
-/// holds `.git` or `look.json`, else the one above its own. Absolute; links are not followed.
+/// The top folder that a file's includes may reach with `..`. The nearest parent folder that
+/// contains `.git` or `look.json`; otherwise the parent of the file's folder. Absolute; does not
+/// follow links.
 std::filesystem::path opened_tree(const std::filesystem::path& file);
 
-/// Reads `file` and everything it includes. Includes are looked for beside the including file, in
-/// the look's folder, in `include/` beside it, in the shared folder and in the named ones. All that
-/// is included lies in one of these or in the opened tree, by its path: a link counts where it
-/// stands. It has an extension of shader text, also where links lead to. `#pragma once` is obeyed,
-/// `#line` is blanked out.
-/// `files` gets every file that was read, or looked for and missing (for a watcher), also on
-/// failure. Errors name the including line; several at once. `disk`, which may be null, is shared
-/// by the stages of one reading.
+/// Loads `file` and everything it includes.
+/// Search order: the including file's folder, the look's folder, `include/` next to it, the shared
+/// folder, the named folders. Each included path must be in one of these or in the opened tree; a
+/// link counts by its own path. The file and the target of a link must have a shader extension.
+/// Applies `#pragma once`; blanks out `#line`.
+/// `files` receives every file that was read or was missing (for a watcher), also on failure.
+/// Errors, possibly several, name the including line. `disk` (may be null) is shared by the stages
+/// of one reading.
 Result<Stage> load_stage(const std::filesystem::path& file, const IncludeRoots& roots,
                          std::vector<std::filesystem::path>& files, ShaderFiles* disk = nullptr);
 
-/// A stage made from a text of the program's own (no includes).
+/// A stage from a built-in text without includes.
 Stage builtin_stage(std::string text);
 
-/// The program's own vertex shader for `fullscreen` passes without one: one triangle, `out vec2
-/// uv`, (0,0) bottom left.
+/// The built-in vertex shader for `fullscreen` passes without their own: one triangle, `out vec2
+/// uv`, (0,0) at the bottom left.
 const Stage& fullscreen_vertex_stage();

@@ -5,38 +5,39 @@
 #include <optional>
 #include <string_view>
 
-/// Where includes may be found. A path lies in a folder by its name alone: a link counts where it
-/// stands, wherever it leads to.
+/// Finds include files in the permitted folders. A path is checked by name only: a link counts by
+/// its own path, wherever it points.
 class IncludePaths {
 public:
     IncludePaths(const std::filesystem::path& file, const IncludeRoots& roots, ShaderFiles& disk);
 
-    /// What became of the search for an include.
+    /// The result of an include search.
     struct Found {
-        std::optional<std::filesystem::path> file;  // nothing: there is none that may be read
-        std::vector<std::filesystem::path> tried;   // in order, the file among them
-        bool leads_out = false;                     // the place beside the file may not be read
+        std::optional<std::filesystem::path> file;  // nullopt: no readable file found
+        std::vector<std::filesystem::path> tried;   // in order, including the file found
+        bool leads_out = false;                     // the path in the including folder is not
+                                                    // permitted
     };
-    /// The first file called `name` as seen from a file in `beside`.
+    /// The first file called `name`, as included by a file in the folder `beside`.
     Found find(std::string_view name, const std::filesystem::path& beside) const;
 
-    /// " (did you mean 'Noise.glsl'?)" for a file whose name is nearly that of one of `tried`; else
-    /// "".
+    /// " (did you mean 'Noise.glsl'?)" for a file whose name differs from one of `tried` only in
+    /// case; otherwise "".
     static std::string nearest_name(const std::vector<std::filesystem::path>& tried);
 
-    /// The folder that was opened.
+    /// The folder opened by the user.
     const std::filesystem::path& tree() const { return m_tree; }
 
 private:
     bool is_readable(const std::filesystem::path& file) const;
 
     ShaderFiles& m_disk;
-    std::vector<std::filesystem::path> m_folders;  // that are searched
+    std::vector<std::filesystem::path> m_folders;  // searched in order
     std::filesystem::path m_tree;
 };
 
-/// Why nothing may be included under this name; "" when it may.
+/// Why this include name is invalid; "" when it is valid.
 std::string fault_of_include_name(std::string_view name);
 
-/// Whether a file may be included, by its extension.
+/// Whether the file extension allows an include.
 bool is_include_text(const std::filesystem::path& file);

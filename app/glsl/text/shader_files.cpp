@@ -11,7 +11,7 @@
 namespace fs = std::filesystem;
 
 namespace {
-// Compilers disagree on whether a lone CR ends a line; LF alone leaves no doubt.
+// Compilers disagree on whether a single CR ends a line; LF is unambiguous.
 std::string with_plain_line_ends(std::string_view text) {
     std::string plain;
     plain.reserve(text.size());
@@ -28,7 +28,7 @@ bool is_once(const Directive& directive) {
            directive.arguments.front().is("once");
 }
 
-// `<`, words, `>`
+// Parses `<`, words, `>`.
 std::string name_between(const std::vector<Token>& signs) {
     const char* const begin = signs.front().text.data() + 1;
     return {begin, signs.back().text.data()};
@@ -81,8 +81,8 @@ void ShaderFiles::begin_reading() {
     }
 }
 
-// File systems count time in ticks, some of two seconds: a text that was written in the tick in
-// which another was read there has the stamp of that one.
+// File timestamps have a resolution of up to two seconds. A file written twice within one tick has
+// the same stamp, so recent stamps are not used.
 std::optional<ShaderFiles::Stamp> ShaderFiles::stamp_of(const fs::path& file) {
     constexpr std::int64_t longest_tick = 3;  // seconds
     struct stat is = {};

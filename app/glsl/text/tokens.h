@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-/// A piece of GLSL as it is written, comments included; a view into the text that was scanned.
+/// A token of GLSL source text, including comments; a view into the scanned text.
 struct Token {
     enum class Kind { word, number, punctuation, string, comment };
 
@@ -20,27 +20,27 @@ struct Token {
 
 struct Tokens {
     std::vector<Token> all;
-    int unclosed_comment = 0;  // line where a block comment starts that never ends; 0: none
+    int unclosed_comment = 0;  // line where an unterminated block comment starts; 0: none
 };
 
-/// Cuts a text into tokens; never fails. Punctuation is one character a token. Strings exist only
-/// in directives (GLSL has none). `text` must outlive the tokens.
+/// Splits a text into tokens; never fails. Each punctuation character is a token. Strings occur
+/// only in directives (GLSL has none). `text` must outlive the tokens.
 Tokens scan(std::string_view text);
 
-/// A preprocessor line: `#name`, then its tokens without comments.
+/// A preprocessor line: `#name` and its tokens without comments.
 struct Directive {
     std::string_view name;  // "" for a lone '#'
     std::vector<Token> arguments;
     int line = 1;
     std::size_t begin = 0;  // offset of the '#'
-    std::size_t end = 0;    // offset behind the last argument
+    std::size_t end = 0;    // offset after the last argument
 };
 
-/// The directives of `text`, which `tokens` were scanned from.
+/// The directives of `text`. `tokens` must be scanned from it.
 std::vector<Directive> find_directives(std::string_view text, const Tokens& tokens);
 
-/// The text with every `#line` blanked out: it would make compilers count lines from elsewhere.
+/// The text with each `#line` blanked out, because it would change the compiler's line numbers.
 std::string without_line_directives(std::string text);
 
-/// Overwrites a directive with blanks; line ends stay.
+/// Overwrites a directive with spaces; line ends stay.
 void blank_out(std::string& text, std::size_t begin, std::size_t end);

@@ -8,7 +8,7 @@
 #include <algorithm>
 
 namespace {
-// Adds the declarations of a text; false when a name is there twice.
+// Adds the declarations of a text; false when a name occurs twice.
 bool add_lines(const std::string& text, std::map<std::string, int>& lines) {
     bool are_unique = true;
     for (const Declaration& declaration : find_declarations(text))

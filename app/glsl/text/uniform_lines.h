@@ -5,6 +5,6 @@
 #include <map>
 #include <string>
 
-/// The line on which each uniform of a text is declared, found by the text's tokens; where a name
-/// is there twice or may come out of a macro, by those that glslang's preprocessor lets through.
+/// The line of each uniform's declaration, from the text's tokens. If a name is declared twice or a
+/// macro may declare uniforms, glslang's preprocessed text takes precedence.
 std::map<std::string, int> find_uniform_lines(const std::string& text, EShLanguage language);

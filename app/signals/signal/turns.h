@@ -2,17 +2,14 @@
 
 #include <cstdint>
 
-/// The nearest whole number, for
-/// x
-/// below 2^51. Adding 1.5 * 2^52 leaves no bits for the fraction of a double.
+/// The nearest whole number, for |x| below 2^51. Adding 1.5 * 2^52 leaves no bits for the fraction
+/// of a double.
 inline double nearest(double x) {
     constexpr double shift = 6755399441055744.0;
     return (x + shift) - shift;
 }
 
-/// x - floor(x): 0 <= result < 1, for
-/// x
-/// below 2^62.
+/// x - floor(x): 0 <= result < 1, for |x| below 2^62.
 inline double fraction(double x) {
     const double rest = x - static_cast<double>(static_cast<std::int64_t>(x));
     return rest < 0.0 ? rest + 1.0 : rest;
