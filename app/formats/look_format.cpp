@@ -21,7 +21,7 @@
 namespace fs = std::filesystem;
 
 namespace {
-// Loads each file once, however many passes use it, and tells its mistakes once.
+// Loads each file once, even if several passes use it, and reports its errors once.
 class StageLoader {
 public:
     StageLoader(IncludeRoots roots, std::vector<fs::path>& files, ShaderFiles* disk)
@@ -59,8 +59,8 @@ Diagnostics load_stages(Look& look, const IncludeFolders& includes, ShaderFiles*
     return std::move(loader.problems);
 }
 
-// Expressions for sizes speak of parameters, which are known last; any usual size tells their
-// mistakes.
+// Checks the size expressions. They may use parameters, which are known last; any typical size
+// reveals errors.
 Diagnostics check_sizes(const Look& look) {
     constexpr Extent viewport{1280, 720};
     constexpr Extent source{640, 480};
@@ -68,7 +68,7 @@ Diagnostics check_sizes(const Look& look) {
     return plan ? Diagnostics{} : plan.error();
 }
 
-// The headings that the look names come first; a parameter of another one stays where it was.
+// Sorts parameters by the groups that the look lists. Parameters of other groups keep their order.
 void order_by_groups(Look& look, Diagnostics& warnings) {
     const auto place = [&](const Parameter& parameter) {
         const auto found =
@@ -109,7 +109,7 @@ Result<Look> read_look(const fs::path& manifest, const IncludeFolders& includes,
         return fail(std::move(problems));
     return look;
 }
-// ISF's, by its name; whether it has the header is told when it is read.
+// An ISF file by its extension. The header is checked when loading.
 bool is_fs_file(const fs::path& file) {
     return to_lower(file.extension().string()) == ".fs";
 }
@@ -124,7 +124,7 @@ LoadedLook load_any(const fs::path& manifest, const IncludeFolders& includes,
         return load_toy_look(manifest, includes, help);
     if (is_bare_file(manifest))
         return load_bare_look(manifest, includes, help);
-    if (is_fs_file(manifest))  // it tells what is wrong with it
+    if (is_fs_file(manifest))  // reports what is wrong with the header
         return load_isf_look(manifest, help);
     LoadedLook loaded;
     loaded.look = read_look(manifest, includes, help, loaded);

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 constexpr std::size_t most_varyings = 256;
-constexpr int frames_shown = 120;  // two seconds: many begin with black
+constexpr int frames_shown = 120;  // two seconds: many shaders start black
 constexpr const char* source_pattern = "pattern:harbour";
 
 constexpr std::array bare_endings{".frag", ".fsh", ".fs", ".glsl"};
@@ -38,7 +38,7 @@ bool defines_main(std::string_view text) {
     return false;
 }
 
-/// Makes a look of a text, drawing by drawing.
+/// Converts a text to a look, one pass at a time.
 class BareLook {
 public:
     BareLook(const Stage& written, const ReadingHelp& help, Diagnostics& warnings)
@@ -132,7 +132,7 @@ private:
         }
     }
 
-    // A cube or a volume, which a person chooses a flat drawing of.
+    // A cube or volume input. The user chooses a flat picture for it.
     void feed_solid(const Uniform& uniform, std::size_t index) {
         const bool is_cube = uniform.type_name == "samplerCube";
         m_look.passes[index].inputs.push_back(
@@ -155,7 +155,7 @@ private:
         known->bindings.push_back({static_cast<int>(index), uniform.name});
     }
 
-    // `u_tex0Resolution` of `u_tex0`.
+    // Adds the size `u_tex0Resolution` of `u_tex0`.
     static void tell_size(const std::string& name, Pass& pass) {
         constexpr std::string_view asks_size = "Resolution";
         if (!name.starts_with("u_tex") || !name.ends_with(asks_size))

@@ -2,13 +2,12 @@
 
 #include "formats/look/loaded_look.h"
 
-/// Whether a file is a fragment shader alone: a text with main() and no other program's marks. One
-/// that is not there is told by its name.
+/// Whether a file is a single fragment shader: a text with main() and without the marks of another
+/// format. A missing file is judged by its name.
 bool is_bare_file(const std::filesystem::path& file);
 
-/// Reads one as a look of one pass: GLSL ES 1.00 and 3.00 and desktop versions, with the names of
-/// GameMaker, glslViewer, three.js, raylib and Shadertoy. What else it declares becomes parameters,
-/// as in a look of our own. Errors are the includes' and glslang's, at their
-/// lines.
+/// Loads one as a look with one pass: GLSL ES 1.00 and 3.00 and desktop versions, with the uniforms
+/// of GameMaker, glslViewer, three.js, raylib and Shadertoy. Other uniforms become parameters, as
+/// in native looks. Errors from includes and glslang have their lines.
 LoadedLook load_bare_look(const std::filesystem::path& file, const IncludeFolders& includes,
                           const ReadingHelp& help);

@@ -6,7 +6,7 @@
 #include <array>
 
 std::vector<BarePass> bare_passes(const GlslWords& words) {
-    constexpr int most_buffers = 16;  // of a kind
+    constexpr int most_buffers = 16;  // per kind
     std::vector<BarePass> passes;
     const auto add = [&](const char* define, const char* name) {
         for (int i = 0; i < most_buffers; ++i)
@@ -27,7 +27,7 @@ const std::vector<BuiltInUniform>& bare_built_ins() {
                                                  {"u_resolution", BuiltIn::target_resolution},
                                                  {"u_mouse", BuiltIn::mouse},
                                                  {"u_date", BuiltIn::date_from_0},
-                                                 // three.js and its like
+                                                 // three.js and similar hosts
                                                  {"time", BuiltIn::time_before},
                                                  {"resolution", BuiltIn::target_resolution},
                                                  {"uTime", BuiltIn::time_before},

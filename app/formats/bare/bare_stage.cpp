@@ -10,7 +10,7 @@
 #include <array>
 
 namespace {
-/// What versions before 1.30 have without a declaration, and what is it here.
+/// A predeclared name of versions before 1.30 and its replacement.
 struct OldName {
     std::string_view old;
     std::string_view now;
@@ -30,7 +30,7 @@ constexpr auto old_names = std::to_array<OldName>({
     {"gl_NormalMatrix", "mat3(1.0)"},
 });
 
-/// Takes the numbers by which other programs find inputs and uniforms out of layout qualifiers.
+/// Removes locations and bindings, used by other programs, from layout qualifiers.
 class LayoutCleaner {
 public:
     explicit LayoutCleaner(std::string_view text) : m_text(text) {
@@ -47,7 +47,7 @@ public:
     }
 
 private:
-    // Outputs keep theirs: which is the picture's is told by them.
+    // Outputs keep their locations, which identify the picture.
     bool is_of_input_or_uniform(std::size_t behind) const {
         for (std::size_t i = behind; i < m_tokens.size(); ++i) {
             if (m_tokens[i].is("in") || m_tokens[i].is("uniform"))
@@ -94,7 +94,7 @@ private:
         return static_cast<std::size_t>(m_tokens[token].text.data() - m_text.data());
     }
 
-    // On one line.
+    // Joins tokens on one line.
     std::string between(std::size_t first, std::size_t end) const {
         std::string text;
         for (std::size_t i = first; i < end; ++i)
@@ -110,8 +110,8 @@ private:
 
 std::string start_of(const GlslWords& words, const std::string& text, std::string_view define) {
     std::string start = modern_glsl_start(words);
-    // Of 4.20 and later, by drivers that know it: lists of initial values, and `return 1;` of a
-    // float.
+    // Features of 4.20, if the driver supports them: initialiser lists, and `return 1;` in a float
+    // function.
     start += "#extension GL_ARB_shading_language_420pack : enable\n";
     if (!define.empty())
         start += fmt::format("#define {}\n", define);

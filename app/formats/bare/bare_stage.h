@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-/// A fragment shader of another program, as it was written, as GLSL 4.10 with its lines where they
-/// were: with the outputs and inputs that old versions have without declaring them, what hosts
-/// declare for an author, and without the numbers of inputs and uniforms, which are told by their
-/// names here. `define` is defined in it; "": nothing.
+/// Converts a fragment shader of another program to GLSL 4.10, keeping line numbers. Adds the
+/// predeclared inputs and outputs of old versions and the declarations of hosts. Removes the
+/// locations of inputs and uniforms, which are matched by name here. `define` is defined in it; "":
+/// no define.
 Stage bare_fragment_stage(const Stage& written, std::string_view define = {});

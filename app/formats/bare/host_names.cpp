@@ -7,7 +7,7 @@
 #include <set>
 
 namespace {
-/// A name and the line that declares it; of a chunk only where that is included.
+/// A name and its declaration; with a chunk, only if that is included.
 struct HostName {
     std::string_view name;
     std::string_view declaration;
@@ -45,7 +45,7 @@ constexpr auto host_names = std::to_array<HostName>({
      "common"},
     {"rand", "float rand(vec2 at) { return fract(sin(dot(at, vec2(127.1, 311.7))) * 43758.5); }",
      "common"},
-    // The z of a view from near to far (negative), and its depth from 0 to 1, as GL projects.
+    // The z of a view between near and far (negative), and its depth from 0 to 1, as in GL.
     {"perspectiveDepthToViewZ",
      "float perspectiveDepthToViewZ(float depth, float near, float far) "
      "{ return near * far / ((far - near) * depth - far); }",
@@ -64,7 +64,7 @@ constexpr auto host_names = std::to_array<HostName>({
      "packing"},
 });
 
-// Those that do nothing where no fog, clipping or tone mapping is switched on stand here as well.
+// Also lists the chunks that have no effect without fog, clipping or tone mapping.
 constexpr auto chunks = std::to_array<std::string_view>({
     "common",
     "packing",
@@ -85,7 +85,7 @@ constexpr auto chunks = std::to_array<std::string_view>({
     "tonemapping_fragment",
 });
 
-/// What a text uses, declares and includes.
+/// The names that a text uses, declares and includes.
 class NamesOfText {
 public:
     explicit NamesOfText(std::string_view text) {
@@ -109,8 +109,8 @@ public:
     }
 
 private:
-    // In no brackets a name behind another word, or in a list, is being declared where what follows
-    // it may follow a name.
+    // Outside brackets, a name after a word or in a list is a declaration if the next token may
+    // follow a name.
     void add(const Token& token) {
         constexpr std::string_view behind_names = ";,=[(";
         if (token.kind == Token::Kind::word)

@@ -4,10 +4,10 @@
 #include <string>
 #include <string_view>
 
-/// The pieces of three.js's library, `#include <common>`, that a fragment shader may ask for.
+/// The chunks of three.js that a fragment shader can include with `#include <common>`.
 std::span<const std::string_view> host_chunks();
 
-/// What GameMaker and three.js declare for an author, and the functions of the chunks that a text
-/// includes: GLSL 4.10 of our own, of the names that the text uses and does not declare itself. A
-/// scene's facts are those of a flat picture: no fog, no alpha test, a camera that looks at it.
+/// Declarations of GameMaker and three.js, and functions of the included chunks, in our own GLSL
+/// 4.10. Only for names that the text uses and does not declare. Scene values are those of a flat
+/// picture: no fog, no alpha test, a camera that faces it.
 std::string host_declarations(std::string_view text);

@@ -16,7 +16,7 @@ namespace {
 constexpr std::array qualifiers{"lowp",   "mediump",       "highp",    "flat",
                                 "smooth", "noperspective", "centroid", "invariant"};
 
-/// What the preprocessor and constants say of a text, as far as declarations need it.
+/// Macros and integer constants of a text, as far as declarations need them.
 class SmallFacts {
 public:
     explicit SmallFacts(const std::vector<Token>& tokens) {
@@ -64,7 +64,7 @@ private:
     std::map<std::string_view, std::string_view> m_numbers;
 };
 
-/// Reads one statement: `in highp vec2 uv, at[3]` or `in Block { vec2 uv; } name`.
+/// Parses one statement: `in highp vec2 uv, at[3]` or `in Block { vec2 uv; } name`.
 class StatementReader {
 public:
     StatementReader(const std::vector<Token>& words, const SmallFacts& facts)
@@ -87,7 +87,7 @@ private:
         return m_at < m_words.size() && m_words[m_at].is(sign);
     }
 
-    // Whether an `in` is among them.
+    // Whether the qualifiers include `in`.
     bool read_qualifiers(BareVarying& varying) {
         bool is_in = false;
         for (; m_at < m_words.size(); ++m_at) {
@@ -118,7 +118,7 @@ private:
         return size;
     }
 
-    // `uv, at[3];`, each as `first` is but for what it says itself.
+    // Parses `uv, at[3];`. Each name has the attributes of `first`, except its own.
     std::vector<BareVarying> names(const BareVarying& first, std::string_view end) {
         std::vector<BareVarying> found;
         while (m_at < m_words.size() && m_words[m_at].kind == Token::Kind::word) {
@@ -164,7 +164,7 @@ private:
     std::size_t m_at = 0;
 };
 
-/// Cuts a text into its statements.
+/// Splits a text into statements.
 class VaryingFinder {
 public:
     explicit VaryingFinder(std::string_view text) {
@@ -186,7 +186,7 @@ private:
         const bool closes = token.is(")") || token.is("}") || token.is("]");
         m_is_of_in = m_is_of_in || (m_depth == 0 && facts.is_in(token));
         m_depth = std::max(m_depth + (opens ? 1 : 0) - (closes ? 1 : 0), 0);
-        // What is in a function's brackets says nothing here.
+        // Ignores the content of function bodies and brackets.
         if (m_depth == 0 || opens || m_is_of_in)
             m_statement.push_back(token);
         const bool ends_code = token.is("}") && !m_is_of_in;
@@ -202,12 +202,12 @@ private:
     }
 
     std::vector<Token> m_statement;
-    std::set<std::string> m_names;  // of `found`
+    std::set<std::string> m_names;  // names in `found`
     int m_depth = 0;
     bool m_is_of_in = false;
 };
 
-/// What a varying is given, and whether its name says so.
+/// The value of a varying, and whether its name suggests it.
 struct Given {
     std::string value;
     bool is_known = true;
@@ -245,7 +245,7 @@ void warn_of_guess(const BareVarying& varying, const std::string& value, const L
                                with_each(value, "place", "uv")),
              Severity::warning});
 }
-/// Puts a vertex stage together, and knows where each of its lines was written.
+/// Builds a vertex stage and tracks the source location of each line.
 class VertexText {
 public:
     VertexText(const Stage& stage, Diagnostics& warnings) : m_stage(stage), m_warnings(warnings) {}

@@ -6,21 +6,22 @@
 #include <string>
 #include <vector>
 
-/// What a fragment shader reads from a vertex shader that it comes without.
+/// An input of a fragment shader that has no vertex shader.
 struct BareVarying {
-    std::string type;       // "vec2"; of an interface block its name
-    std::string name;       // of a block that of the instance, "": none
-    std::string size = {};  // of an array in its brackets: "[5]"
+    std::string type;       // "vec2"; for an interface block, its name
+    std::string name;       // for a block, the instance name; "": none
+    std::string size = {};  // of an array, in brackets: "[5]"
     bool is_flat = false;
     int line = 1;
-    std::vector<BareVarying> members = {};  // of a block
+    std::vector<BareVarying> members = {};  // for a block
 };
 
-/// Those that a text declares, as `in`, `varying` or by a macro that is one of them, each once.
+/// The varyings of a text, each once, declared with `in`, `varying` or a macro for one of these.
 std::vector<BareVarying> find_varyings(std::string_view text);
 
-/// A vertex stage that gives them over one triangle: two components are the place in the picture,
-/// (0,0) bottom left; a colour is white; a normal looks at us. Its lines are written where `stage`
-/// declares them. `warnings` gets, at those lines, what had to be guessed.
+/// A vertex stage that sets the varyings over one triangle. Two components are the position in the
+/// picture, (0,0) at the bottom left. A colour is white, and a normal faces the viewer. Its lines
+/// have the locations of the declarations in `stage`. `warnings` receives the guesses, at those
+/// lines.
 Stage vertex_stage_for(const std::vector<BareVarying>& varyings, const Stage& stage,
                        Diagnostics& warnings);

@@ -32,7 +32,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 16> old_func
 constexpr const char* word_for_es = "afterglow_es";
 constexpr int es_1 = 100;
 
-// `float smooth =`, `vec2 layout(`: a type before it, and behind it what follows a name.
+// `float smooth =`, `vec2 layout(`: preceded by a type and followed by a token that may follow a
+// name.
 bool is_name_of_author(const std::vector<Token>& tokens, std::size_t at) {
     if (at == 0 || at + 1 >= tokens.size() || tokens[at].in_directive)
         return false;
@@ -53,8 +54,8 @@ bool is_call(const std::vector<Token>& tokens, std::size_t at) {
     return at + 1 < tokens.size() && tokens[at + 1].is("(");
 }
 
-// GLSL below 4.20 knows no backslash at a line's end: such lines become one, and as many empty ones
-// follow it.
+// GLSL below 4.20 has no line continuation. Joins such lines and adds the same number of empty
+// lines after them.
 std::string with_joined_lines(std::string_view text) {
     std::string joined;
     std::size_t owed = 0;
@@ -111,14 +112,14 @@ private:
                                      name.is("include") || name.is("line"));
     }
 
-    // A driver may read `a-b` as a decrement where b is -1.
+    // A driver may parse `a-b` as a decrement when b is -1.
     bool is_sign_of_macro(std::size_t at) const {
         const Token& token = m_tokens[at];
         return token.in_directive && (token.is("-") || token.is("+")) && at + 1 < m_tokens.size() &&
                m_tokens[at + 1].in_directive && m_tokens[at + 1].kind == Token::Kind::word;
     }
 
-    // All of the directive's words, leaving line ends and comments as they are.
+    // Removes all words of the directive; keeps line ends and comments.
     void drop_line(std::size_t& at) {
         put(m_tokens[at], "");
         while (at + 1 < m_tokens.size() && m_tokens[at + 1].in_directive &&
@@ -142,8 +143,8 @@ private:
         return word;
     }
 
-    // What every text since ES 3.00 says for itself may stand in one without #version, too: there
-    // only what is declared is a name.
+    // A text without #version may also use the built-ins of ES 3.00. In it, such a word is a name
+    // only if it is declared.
     bool is_taken(std::string_view word) const {
         constexpr int usual = 330;
         const LaterWord* const later = find_later_word(word);
@@ -181,8 +182,8 @@ private:
     GlslVersion m_version;
     std::vector<Token> m_tokens;
     std::set<std::string_view> m_words;
-    std::set<std::string_view> m_names;               // those that the text declares
-    std::map<std::string, std::string> m_free_names;  // by the words that they stand for
+    std::set<std::string_view> m_names;               // declared in the text
+    std::map<std::string, std::string> m_free_names;  // by the replaced word
     std::string m_done;
     std::size_t m_at = 0;
 };

@@ -15,7 +15,7 @@ constexpr std::size_t largest_text = std::size_t{16} << 20;
 constexpr std::size_t deepest = 128;
 constexpr std::size_t most_values = 1000000;
 
-// An iterator over a text that tells how far the parser has read; the parser itself does not.
+// An iterator that counts the characters read, because the parser does not report its position.
 class CountingIterator {
 public:
     using iterator_category = std::forward_iterator_tag;
@@ -48,8 +48,8 @@ bool is_blank(char letter) {
     return letter == ' ' || letter == '\t' || letter == '\n' || letter == '\r';
 }
 
-// "[json.exception...] parse error at line 1, column 9: syntax error while parsing value - REASON;
-// last read: '...'" without all but the reason: the rest says where, which we say ourselves.
+// Extracts the reason from "[json.exception...] parse error at line 1, column 9: syntax error while
+// parsing value - REASON; last read: '...'". The location is reported separately.
 std::string reason_of(std::string_view message) {
     if (message.find("number overflow") != std::string_view::npos)
         return "the number is too large";
@@ -66,7 +66,7 @@ std::string reason_of(std::string_view message) {
     return fmt::format("invalid JSON: {}", reason);
 }
 
-// Builds the tree while the parser runs, and stops it at the first mistake but for double keys.
+// Builds the tree during parsing. Stops at the first error, except for duplicate keys.
 class Builder : public nlohmann::json_sax<nlohmann::json> {
 public:
     Builder(std::string_view text, const std::filesystem::path& file, DoubleKeys double_keys)
@@ -144,7 +144,7 @@ private:
         return m_line;
     }
 
-    // The token that the parser has just read begins behind the one before.
+    // The current token begins after the previous one.
     void start_token() {
         std::size_t at = m_end;
         while (at < m_text.size() &&
@@ -166,7 +166,7 @@ private:
         start_token();
         m_next.kind = kind;
         m_next.end = m_consumed;
-        // To see where a number ends, the parser reads one letter more.
+        // The parser reads one character past a number.
         while (kind == JsonValue::Kind::number && m_next.end > m_next.begin + 1 &&
                std::string_view("0123456789+-.eE").find(m_text[m_next.end - 1]) ==
                    std::string_view::npos)
@@ -182,7 +182,7 @@ private:
             m_open.back().has_doubles = true;
     }
 
-    // Of equal keys the last one stays, where it stands.
+    // Keeps the last of equal keys, in its position.
     static void drop_doubles(std::vector<JsonValue>& members) {
         std::set<std::string, std::less<>> behind;
         std::vector<JsonValue> last;
@@ -233,10 +233,10 @@ private:
     Diagnostics m_problems;
     JsonValue m_root;
     std::vector<Open> m_open;
-    JsonValue m_next;            // what is known of the value to come
-    bool m_is_member = false;    // its key is read
-    std::size_t m_consumed = 0;  // bytes that the parser has read
-    std::size_t m_end = 0;       // of the token before
+    JsonValue m_next;            // known parts of the next value
+    bool m_is_member = false;    // its key was read
+    std::size_t m_consumed = 0;  // number of bytes read by the parser
+    std::size_t m_end = 0;       // end of the previous token
     std::size_t m_counted = 0;   // m_line is the line of this byte
     int m_line = 1;
     std::size_t m_count = 0;

@@ -11,7 +11,7 @@
 using Json = nlohmann::ordered_json;
 
 namespace {
-// JSON has neither NaN nor infinity; the nearest numbers that it has.
+// JSON has no NaN or infinity: returns 0 or the largest finite number.
 double finite(double number) {
     constexpr double largest = std::numeric_limits<double>::max();
     return std::isnan(number) ? 0.0 : std::clamp(number, -largest, largest);
@@ -29,7 +29,7 @@ bool is_plain_list(const Json& value) {
            });
 }
 
-// What stands between the parts of a container.
+// The separators between the parts of a container.
 enum class Style { indented, compact, on_one_line };
 
 struct Layout {

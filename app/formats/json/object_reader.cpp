@@ -4,7 +4,7 @@
 #include <cmath>
 
 namespace {
-// For a member that is not of the kind: {0} is its key, {1} its value.
+// The message for a member of the wrong kind: {0} is its key, {1} its value.
 std::string_view refusal_of_member(JsonValue::Kind kind) {
     switch (kind) {
         case JsonValue::Kind::boolean:
@@ -23,7 +23,7 @@ std::string_view refusal_of_member(JsonValue::Kind kind) {
     return "'{0}' must be null, got {1}";
 }
 
-// For a whole document or an element of a list: {1} is its value.
+// For a whole document or a list element: {1} is its value.
 std::string_view refusal_of_element(JsonValue::Kind kind) {
     switch (kind) {
         case JsonValue::Kind::boolean:

@@ -11,26 +11,26 @@
 #include <utility>
 #include <vector>
 
-/// A named choice of a key's value.
+/// Named choices of a key's value.
 template <class T>
 using Choices = std::vector<std::pair<std::string_view, T>>;
 
-/// Reads an object member by member and notes every mistake at its line; what is wrong or not there
-/// reads as the fallback. At the end refuse_unknown() notes each key that was never asked for.
+/// Reads an object by member and reports each error with its line. An invalid or missing member
+/// reads as the fallback. At the end, refuse_unknown() reports each key that was not read.
 class ObjectReader {
 public:
-    /// Notes a mistake when `value` is no object, and then has no members. Keeps references.
+    /// Reports an error if `value` is not an object, and then has no members. Keeps references.
     ObjectReader(const JsonValue& value, const std::filesystem::path& file, Diagnostics& problems);
 
-    /// The member, or null; its key counts as known.
+    /// The member, or null. Marks its key as known.
     const JsonValue* find(std::string_view key);
-    /// As find(), but notes when it is not there.
+    /// Like find(), but reports a missing member.
     const JsonValue* require(std::string_view key);
 
     std::string text(std::string_view key, const std::string& fallback = {});
     bool boolean(std::string_view key, bool fallback);
     double number(std::string_view key, double fallback);
-    /// A whole number from `low` to `high`.
+    /// An integer from `low` to `high`.
     int whole(std::string_view key, int fallback, int low, int high);
 
     template <class T>
@@ -48,12 +48,12 @@ public:
         return fallback;
     }
 
-    /// Notes each key that was not asked for, with the nearest one that is known.
+    /// Reports each unknown key, with the most similar known key.
     void refuse_unknown();
 
-    /// Notes a mistake at `value`'s line.
+    /// Reports an error at `value`'s line.
     void problem(const JsonValue& value, std::string message);
-    /// Whether the value is of that kind; notes when it is not.
+    /// Whether the value is of that kind; reports an error if not.
     bool expect(const JsonValue& value, JsonValue::Kind kind);
     const JsonValue& object() const { return m_object; }
     const std::filesystem::path& file() const { return m_file; }
@@ -68,12 +68,12 @@ private:
     std::vector<std::string> m_known;
 };
 
-/// What every document of ours starts with, as "format" and "version".
+/// The "format" and "version" at the start of each Afterglow document.
 struct FileFormat {
     std::string_view name;
     int newest_version = 1;
 };
 
-/// Reads the "format" and "version" of a document. False, and noted, where it is of another format
-/// or newer than ours; then nothing else of it should be read.
+/// Checks the "format" and "version" of a document. False, with an error, for another format or a
+/// newer version; then do not read the rest.
 bool accept_header(ObjectReader& reader, const FileFormat& file_format);

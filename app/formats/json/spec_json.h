@@ -7,10 +7,10 @@
 
 #include <optional>
 
-/// Reads `{"kind": "lissajous", "x": 3}`; kind and settings are checked, and kept as they are
-/// written. Nothing where a mistake was noted.
+/// Reads `{"kind": "lissajous", "x": 3}`. Checks kind and settings, and keeps them as written.
+/// nullopt if an error was reported.
 std::optional<Spec> read_spec(const JsonValue& value, const std::filesystem::path& file,
                               Diagnostics& problems);
 
-/// What read_spec reads as the same signal; a bare first setting goes under its own key.
+/// JSON that read_spec() reads as the same signal. A bare first setting gets its own key.
 nlohmann::ordered_json json_of(const Spec& spec);

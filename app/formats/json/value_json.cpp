@@ -13,7 +13,7 @@ std::optional<double> number_of(const JsonValue& value) {
     return value.is(JsonValue::Kind::number) ? std::optional(value.number) : std::nullopt;
 }
 
-// Empty where the value is no list of 1 to 16 numbers.
+// Empty unless the value is a list of 1 to 16 numbers.
 std::vector<double> numbers_of(const JsonValue& value) {
     constexpr std::size_t most = 16;  // a mat4
     std::vector<double> numbers;
@@ -44,7 +44,7 @@ std::optional<Value> read_value(const JsonValue& value, ObjectReader& reader) {
 }
 
 namespace {
-// The label of a list's item, where that reads as the same value.
+// The label of a list item, if it reads as the same value.
 std::optional<std::string> label_of(const Value& value, const Parameter& parameter) {
     for (const Item& item : parameter.items)
         if (value.numbers.size() == 1 && item.value == value.number())

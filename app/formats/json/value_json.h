@@ -7,9 +7,9 @@
 
 #include <optional>
 
-/// Reads a number, true or false, a list of up to 16 of them, or a text (a path). Nothing, and
-/// noted, where it is none of them.
+/// Reads a number, a boolean, a list of up to 16 of them, or a text (a path). nullopt, with an
+/// error, for other values.
 std::optional<Value> read_value(const JsonValue& value, ObjectReader& reader);
 
-/// What read_value reads as the same value: for a parameter that is a switch true and false.
+/// JSON that read_value() reads as the same value. Switch parameters are written as true and false.
 nlohmann::ordered_json json_of(const Value& value, const Parameter* parameter = nullptr);

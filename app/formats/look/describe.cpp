@@ -37,7 +37,7 @@ Json described(const Pass& pass, const PlannedTarget& target) {
     return json;
 }
 
-// What most passes do not have is only there where a pass has it.
+// Adds rarely used members only where present.
 void add_rarities(const Pass& pass, const Values& values, const Look& look, Json& json) {
     if (!pass.rename.empty())
         json["rename"] = pass.rename;
@@ -58,7 +58,7 @@ bool is_given(const Look& look, int pass, const char* uniform) {
     });
 }
 
-// What the orbit's parameters come to for the pass.
+// Adds the orbit's matrices for the pass.
 void add_orbit(const Look& look, const Values& values, int pass, Json& set) {
     const Orbit orbit = orbit_of(look, values, pass);
     if (is_given(look, pass, "u_view"))

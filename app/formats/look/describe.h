@@ -5,7 +5,7 @@
 
 #include <string>
 
-/// All that is needed to draw a look elsewhere, as JSON: passes with their complete GLSL, target
-/// and inputs, images, and parameters with the values in force.
+/// Everything needed to draw a look elsewhere, as JSON: passes with complete GLSL, target and
+/// inputs; images; parameters with their current values.
 std::string describe_json(const Look& look, const Plan& plan, const Values& values,
                           const Modulations& modulations = {});

@@ -12,25 +12,25 @@ class CheckCache;
 class PassProgress;
 class ShaderFiles;
 
-/// What reading a look may be given; all may be null.
+/// Optional inputs for loading a look; all may be null.
 struct ReadingHelp {
-    CheckCache* cache = nullptr;       // shaders that did not change are not checked again
-    PassProgress* progress = nullptr;  // of looks that are translated; cancelled there, it fails
-    const Values* values = nullptr;    // what constants of its texts are turned to, among others
-    ShaderFiles* disk = nullptr;       // files that did not change are not looked into again
+    CheckCache* cache = nullptr;       // avoids checking unchanged shaders again
+    PassProgress* progress = nullptr;  // for translated looks; cancelling it makes loading fail
+    const Values* values = nullptr;    // values, including those of adjustable constants
+    ShaderFiles* disk = nullptr;       // avoids reading unchanged files again
 };
 
-/// A look as it was read, or why it was not.
+/// A loaded look, or its errors.
 struct LoadedLook {
     Result<Look> look;
     std::vector<std::filesystem::path>
-        files;  // read, or missed: what a watcher watches, also on failure
+        files;  // read or missing files for a watcher; set on failure, too
     Diagnostics warnings;
-    bool is_parsed = false;  // its texts were read, whatever glslang said of them
+    bool is_parsed = false;  // its texts were read, even if glslang reported errors
 };
 
-/// What a look of another program is called in presets and stacks: its file's name, with "%2B" and
-/// "%23" in the place of the signs that stacks are written with.
+/// The id of a foreign look in presets and stacks: its file name with "%2B" for '+' and "%23" for
+/// '#', which separate stacks.
 std::string foreign_look_id(const std::filesystem::path& file);
-/// The name of the file behind such an id.
+/// The file name of such an id.
 std::string foreign_file_name(std::string_view id);

@@ -7,16 +7,16 @@
 #include <string_view>
 #include <vector>
 
-/// The folder of a look: everything that its manifest names lies in it. A link counts where it
-/// stands.
+/// The folder of a look. All files named by its manifest must be in it. A link counts by its own
+/// path.
 class LookFolder {
 public:
-    /// `files` gets every path that is asked for, also those that are missing.
+    /// `files` receives every requested path, also missing ones.
     LookFolder(std::filesystem::path folder, std::vector<std::filesystem::path>& files)
         : m_folder(std::move(folder)), m_files(files) {}
 
-    /// The file that `name`, written in `value`, stands for. Nothing, and noted at the value's
-    /// line, where it is missing, no file, or leads out of the folder (absolute, "..").
+    /// The file for `name`, given in `value`. nullopt, with an error at the value's line, if it is
+    /// missing, not a file, or outside the folder (absolute, "..").
     std::optional<std::filesystem::path> find(std::string_view name, const JsonValue& value,
                                               ObjectReader& reader);
 

@@ -6,16 +6,16 @@
 
 namespace {
 constexpr int most_frames_ago = 64;
-// What every GL 4.1 offers a fragment shader.
+// The minimum that each GL 4.1 implementation provides to fragment shaders.
 constexpr std::size_t most_inputs = 16;
 
-// One input while it is read: what it says, where, and of which pass.
+// Reads one input of a pass.
 class InputReading {
 public:
     InputReading(ObjectReader& reader, const Look& look, std::size_t pass, const JsonValue& at)
         : m_reader(reader), m_look(look), m_pass(pass), m_at(at) {}
 
-    // "NAME", "NAME@n", "source", "source@n".
+    // Parses "NAME", "NAME@n", "source", "source@n".
     void refer(std::string_view reference, Input& input) {
         const std::size_t at = reference.find('@');
         const std::string_view name = reference.substr(0, at);
@@ -89,7 +89,7 @@ private:
     const JsonValue& m_at;
 };
 
-// Whole numbers cannot be averaged; the driver would show black.
+// Integer formats cannot be filtered; the driver would show black.
 void check_texels(ObjectReader& reader, const Look& look, const JsonValue& member, Input& input) {
     const auto pass = find_pass(look, input.name);
     if (input.from != Input::From::pass || !pass ||

@@ -5,6 +5,6 @@
 
 #include <cstddef>
 
-/// Reads the "inputs" of look.passes[pass]; all passes and images are known by then. Notes what
-/// reads nothing that there is, a later pass of the same frame, or what its texels cannot give.
+/// Reads the "inputs" of look.passes[pass]. All passes and images must be known. Errors: an input
+/// that does not exist, a later pass of the same frame, a filter or mipmaps for an integer format.
 void read_inputs(ObjectReader& reader, Look& look, std::size_t pass);

@@ -127,7 +127,7 @@ void read_look(ObjectReader& reader, LookFolder& folder, Look& look) {
 
 }  // namespace
 
-// Also when the folder is given as "." or through a link's name.
+// Also for the folder "." and for links.
 std::string look_id_of(const fs::path& manifest) {
     std::error_code error;
     return fs::absolute(manifest, error).lexically_normal().parent_path().filename().string();

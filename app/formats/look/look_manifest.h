@@ -8,12 +8,12 @@
 
 class ShaderFiles;
 
-/// A look's id: its folder's own name.
+/// The id of a look: the name of its folder.
 std::string look_id_of(const std::filesystem::path& manifest);
 
-/// Reads look.json: everything of a look but the texts of its shaders (its stages name their files)
-/// and its parameters. Files that it names are checked to lie in its folder and become full paths,
-/// also in default_source and default_signal. `files` gets the manifest and all that it names.
-/// Errors have the manifest's lines; all that can be told at once are. `disk` may be null.
+/// Loads look.json: everything except the shader texts (its stages name their files) and the
+/// parameters. Named files must be in the look's folder; they become full paths, also in
+/// default_source and default_signal. `files` receives the manifest and all files that it names.
+/// Errors have the manifest's lines; as many as possible at once. `disk` may be null.
 Result<Look> load_manifest(const std::filesystem::path& manifest,
                            std::vector<std::filesystem::path>& files, ShaderFiles* disk = nullptr);

@@ -13,7 +13,7 @@ constexpr double largest_scale = 64.0;
 constexpr int largest_side = 16384;
 constexpr int most_repeats = 1024;
 constexpr int most_samples = 1 << 24;
-constexpr int largest_modulo = 1 << 24;  // u_frame stays exact as a float
+constexpr int largest_modulo = 1 << 24;  // keeps u_frame exact as a float
 
 bool is_scale(const JsonValue& value) {
     return value.is(JsonValue::Kind::number) && value.number > 0.0 && value.number <= largest_scale;
@@ -70,7 +70,7 @@ void read_size(ObjectReader& reader, const Look& look, Pass& pass) {
         read_side(size->children[i], reader, pass.size[i]);
 }
 
-// "": not there.
+// "" if the key is missing.
 std::string read_expression(ObjectReader& reader, const char* key, const char* example) {
     const JsonValue* when = reader.find(key);
     if (!when || !reader.expect(*when, JsonValue::Kind::text))
@@ -206,7 +206,7 @@ void read_shaders(ObjectReader& reader, LookFolder& folder, const Look& look, Pa
             draw, fmt::format("'draw': '{}' needs a look with 'driven_by': 'signal'", draw.text));
 }
 
-// All but the inputs, which need to know the passes that follow.
+// Everything except the inputs, which may refer to later passes.
 Pass read_pass(ObjectReader& reader, LookFolder& folder, const Look& look, bool is_last) {
     Pass pass;
     pass.declared = {reader.file(), reader.object().line};

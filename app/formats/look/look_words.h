@@ -5,7 +5,7 @@
 
 #include <string_view>
 
-// What look.json and `describe` call the choices of the model.
+// Names of the model's enum values in look.json and `describe`.
 const Choices<Draw>& draw_words();
 const Choices<Blend>& blend_words();
 const Choices<Filter>& filter_words();
@@ -14,7 +14,7 @@ const Choices<Format>& format_words();
 const Choices<Driver>& driver_words();
 const Choices<Encoding>& encoding_words();
 
-/// The word for a choice; every choice has one.
+/// The word for an enum value; each value has one.
 template <class T>
 std::string_view word_of(const Choices<T>& words, T choice) {
     std::size_t at = 0;

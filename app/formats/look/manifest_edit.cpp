@@ -11,7 +11,7 @@
 #include <algorithm>
 
 namespace {
-// Replacements in a text, told by its own bytes, made all at once.
+// Replacements in a text, by byte offsets, applied together.
 class TextEdit {
 public:
     explicit TextEdit(std::string_view text) : m_text(text) {}
@@ -20,8 +20,8 @@ public:
         m_changes.push_back({begin, end, std::move(text)});
     }
 
-    // Gives an object's member a value, written as JSON; a new member comes last, set off as the
-    // one before it is.
+    // Sets an object's member to a JSON value. A new member is appended, with the separator used
+    // before it.
     void set(const JsonValue& object, std::string_view key, const std::string& value) {
         if (const JsonValue* member = find_member(object, key))
             return replace(member->begin, member->end, value);
@@ -29,7 +29,7 @@ public:
         if (object.children.empty())
             return replace(object.begin, object.end, "{ " + written + " }");
         const std::size_t end = object.children.back().end;
-        // Several new members of one object stand in the order of their setting.
+        // New members of one object keep the order of these calls.
         replace(end, end, separator_of(object) + written);
     }
 
@@ -72,7 +72,7 @@ std::string quoted(std::string_view word) {
     return fmt::format("\"{}\"", word);
 }
 
-// What an input reads: "persistence" for "persistence@1".
+// The name that an input reads: "persistence" for "persistence@1".
 std::string_view name_of(const JsonValue& reference) {
     return std::string_view(reference.text).substr(0, reference.text.find('@'));
 }
@@ -151,7 +151,7 @@ Result<void> write_overrides(const std::filesystem::path& manifest,
     const auto text = read_text(manifest);
     if (!bytes || !text)
         return fail(text ? bytes.error() : text.error());
-    // A byte order mark, which is no part of the text, stays too.
+    // Keeps the byte order mark, which is not part of the text.
     const std::size_t mark = bytes->size() - std::min(bytes->size(), text->size());
     const auto edited = with_overrides_written(*text, overrides, manifest);
     if (!edited)

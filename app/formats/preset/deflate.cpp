@@ -13,7 +13,8 @@ unsigned char* bytes_of(std::string_view text) {
 std::string deflated(std::string_view bytes) {
     uLongf size = ::compressBound(static_cast<uLong>(bytes.size()));
     std::string stream(size, '\0');
-    // With room for the bound, only lack of memory could fail it, and that ends in an empty stream.
+    // compress2 fails only without memory, because the buffer has the bound's size. Then the stream
+    // is empty.
     if (::compress2(bytes_of(stream), &size, bytes_of(bytes), static_cast<uLong>(bytes.size()),
                     Z_BEST_COMPRESSION) != Z_OK)
         size = 0;

@@ -5,9 +5,9 @@
 #include <string>
 #include <string_view>
 
-/// The zlib stream (RFC 1950) of bytes, at its densest.
+/// Compresses bytes to a zlib stream (RFC 1950) at the highest level.
 std::string deflated(std::string_view bytes);
 
-/// What a zlib stream holds; nothing where it is damaged, cut short, or holds more than
-/// `most_bytes` (a few bytes can hold gigabytes).
+/// Decompresses a zlib stream. nullopt if it is damaged, truncated, or larger than `most_bytes` (a
+/// few bytes can expand to gigabytes).
 std::optional<std::string> inflated(std::string_view stream, std::size_t most_bytes);

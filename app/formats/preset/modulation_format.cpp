@@ -78,7 +78,7 @@ Json json_of(const Modulations& modulations) {
 Result<Modulations> fitted_modulations(const Look& look, const Preset& preset,
                                        const std::filesystem::path& file) {
     Diagnostics problems;
-    std::optional<std::map<std::string, int>> lines;  // read once, where something does not fit
+    std::optional<std::map<std::string, int>> lines;  // read once, on the first error
     Modulations modulations = renamed(look, preset.modulations);
     for (const auto& [name, modulation] : modulations) {
         const Parameter* parameter = find_parameter(look, name);

@@ -8,14 +8,15 @@
 #include <filesystem>
 
 /// Reads the member "modulation" of a preset: parameter names, each with an object of a kind and
-/// its figures. Unknown keys and numbers beyond their limits are noted at their lines.
+/// its numbers. Reports unknown keys and numbers beyond their limits, with lines.
 Modulations read_modulations(ObjectReader& reader);
 
-/// What read_modulations reads as the same ones.
+/// JSON that read_modulations() reads as the same modulations.
 nlohmann::ordered_json json_of(const Modulation& modulation);
 nlohmann::ordered_json json_of(const Modulations& modulations);
 
-/// The preset's modulations under the names that parameters have now (`@was`); orphans stay. One of
-/// a parameter that cannot move is an error at its line of `file`, where that is the preset's JSON.
+/// The preset's modulations under the current parameter names (`@was`); orphans are kept. Error: a
+/// modulation of a parameter that cannot be modulated, at its line of `file` if that is the
+/// preset's JSON.
 Result<Modulations> fitted_modulations(const Look& look, const Preset& preset,
                                        const std::filesystem::path& file);

@@ -39,7 +39,7 @@ Values read_values(ObjectReader& reader) {
     return values;
 }
 
-// The looks of a stack that draw nothing, each by its key.
+// The bypassed looks of a stack, by key.
 std::vector<std::string> read_bypass(ObjectReader& reader, const std::string& look) {
     std::vector<std::string> bypass;
     const JsonValue* list = reader.find("bypass");
@@ -188,7 +188,7 @@ Preset with_all_values(Preset preset, const Look& look) {
 Result<Values> fitted_values(const Look& look, const Preset& preset,
                              const std::filesystem::path& file) {
     Diagnostics problems;
-    std::optional<std::map<std::string, int>> lines;  // read once, where something does not fit
+    std::optional<std::map<std::string, int>> lines;  // read once, on the first error
     Values values = renamed_values(look, preset.values);
     for (auto& [name, value] : values) {
         const Parameter* parameter = find_parameter(look, name);

@@ -9,42 +9,39 @@
 #include <string>
 #include <string_view>
 
-/// The longest text, in bytes, that is unpacked as a preset.
+/// The maximum size of an unpacked preset, in bytes.
 constexpr std::size_t largest_preset = std::size_t{4} << 20;
 
-/// Reads a preset's JSON. Unknown keys, and kinds and settings of signals that there are not, are
-/// errors with their line; the values are only checked to be numbers, lists of numbers or texts.
-/// A newer version of the format is refused.
+/// Parses a preset's JSON. Errors, with lines: unknown keys, unknown kinds and settings of signals,
+/// a newer format version. Values are only checked to be numbers, lists of numbers or texts.
 Result<Preset> parse_preset(std::string_view text, const std::filesystem::path& file);
 
-/// Reads a preset from a JSON file, a PNG that holds one, or a text file that holds a share line.
+/// Loads a preset from a JSON file, a PNG that contains one, or a text file with a share line.
 Result<Preset> load_preset(const std::filesystem::path& file);
 
-/// The preset as a file: keys sorted, one a line. With the look at hand its switches (bool) are
-/// written as true and false, else as 1 and 0; both read the same.
+/// The text of a preset file, one key per line. With `look`, its switches (bool) are written as
+/// true and false, otherwise as 1 and 0; both read the same.
 std::string preset_to_json(const Preset& preset, const Look* look = nullptr);
 
-/// How numbers are written: as 32-bit floats, or so that they read back as they are.
+/// Precision of numbers: 32-bit float, or exact double.
 enum class Digits { of_float, all };
 
-/// The document that preset_to_json writes.
+/// The document written by preset_to_json().
 nlohmann::ordered_json preset_json(const Preset& preset, const Look* look = nullptr,
                                    Digits digits = Digits::of_float);
 
-/// Writes the file in one step; a crash leaves the old or the new one. A preset that is there keeps
-/// all bytes that say the same.
+/// Writes the file atomically. Updates an existing preset and keeps the bytes of unchanged members.
 Result<void> save_preset(const std::filesystem::path& file, const Preset& preset,
                          const Look* look = nullptr);
 
-/// Whether the files of both would say the same of that look.
+/// Whether both presets give the same file for that look.
 bool is_written_alike(const Preset& one, const Preset& other, const Look& look);
 
-/// The preset with the look's defaults where it says nothing: what a shared preset holds.
+/// The preset with the look's defaults for missing values, as for sharing.
 Preset with_all_values(Preset preset, const Look& look);
 
-/// The preset's values as the look's parameters take them: former names (@was) moved to the new
-/// ones, numbers clamped, texts read as a person would type them ("#ff8000", an item's label).
-/// Orphans stay. What does not fit is an error at its line of `file`, where that is the preset's
-/// JSON.
+/// The preset's values converted for the look's parameters: previous names (@was) replaced, numbers
+/// clamped, texts parsed like user input ("#ff8000", an item's label). Orphans are kept. Values
+/// that do not fit are errors at their line of `file`, if that is the preset's JSON.
 Result<Values> fitted_values(const Look& look, const Preset& preset,
                              const std::filesystem::path& file);

@@ -9,8 +9,8 @@
 #include <optional>
 
 namespace {
-// PNG specification, 11.3.4: keyword, NUL, and for iTXt the flag and method of compression, a
-// language and a translated keyword, each ended by NUL, then the text.
+// PNG specification, 11.3.4: keyword, NUL; for iTXt the compression flag and method, a language and
+// a translated keyword, each ended by NUL; then the text.
 constexpr std::string_view keyword("afterglow-preset\0", 17);
 constexpr std::string_view compressed_header("\1\0\0\0", 4);
 

@@ -12,18 +12,18 @@
 using Json = nlohmann::ordered_json;
 
 namespace {
-/// A member as it is written, with the blanks before it.
+/// The text of a member, with the whitespace before it.
 struct Chunk {
     std::string key;
     std::string text;
 };
 
-/// Writes an object of a text again with the members of another document.
+/// Rewrites the text of an object for the members of another document.
 class ObjectUpdate {
 public:
     ObjectUpdate(std::string_view text, int depth) : m_text(text), m_depth(depth) {}
 
-    /// `before`: what the object says now, `after`: what it is to say.
+    /// `before`: the object's current members; `after`: the new ones.
     std::string updated(const JsonValue& object, const Json& before, const Json& after) const {
         std::vector<Chunk> chunks = kept(object, before, after);
         for (auto member = after.begin(); member != after.end(); ++member)
@@ -50,7 +50,7 @@ private:
         return '\n' + std::string(static_cast<std::size_t>(m_depth) * 2, ' ');
     }
 
-    // The blanks before a member: those behind the brace or comma that it follows.
+    // The whitespace before a member, after the preceding brace or comma.
     std::string blank_before(std::size_t key_begin) const {
         const std::size_t mark = m_text.find_last_not_of(" \t\r\n", key_begin - 1);
         return std::string(slice(mark + 1, key_begin));
@@ -103,8 +103,8 @@ private:
         return text_of(value, is_on_one_line(member));
     }
 
-    // In front of the first member that comes later: at the top in the order of the format, below
-    // by name.
+    // Inserts before the first later member: in the order of the format at the top level, by name
+    // below.
     void insert(std::vector<Chunk>& chunks, Chunk chunk, const Json& after) const {
         const auto place = [&](const std::string& key) {
             return std::distance(after.begin(), after.find(key));

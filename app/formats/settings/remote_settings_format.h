@@ -8,6 +8,6 @@
 #include <string_view>
 
 std::string remote_settings_to_json(const RemoteSettings& settings);
-/// Unknown keys and numbers that are no port are errors with their line.
+/// Errors, with lines: unknown keys and invalid ports.
 Result<RemoteSettings> parse_remote_settings(std::string_view text,
                                              const std::filesystem::path& file);

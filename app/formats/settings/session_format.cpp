@@ -94,7 +94,7 @@ nlohmann::ordered_json json_of(const Comparison& comparison) {
             {"equal_brightness", comparison.has_equal_brightness}};
 }
 
-// Each as a preset, by the slot's name.
+// Each slot as a preset, by its name.
 nlohmann::ordered_json json_of(const LookSlots& looks) {
     nlohmann::ordered_json document = nlohmann::ordered_json::object();
     for (const auto& [look, slots] : looks)
@@ -160,7 +160,7 @@ PassOverride read_override(const JsonValue& value, const std::filesystem::path& 
     return override;
 }
 
-/// Reads sessions out of their JSON; a preset inside is read by its own reader.
+/// Reads a session from JSON. Presets in it are read by parse_preset().
 class SessionReader {
 public:
     SessionReader(std::string_view text, const std::filesystem::path& file)
@@ -194,7 +194,7 @@ private:
         session.speed = reader.number("speed", session.speed);
         session.level = reader.number("level", session.level);
         session.is_playing = reader.boolean("is_playing", session.is_playing);
-        if (reader.boolean("is_wiping", false))  // older programs wrote no more than that
+        if (reader.boolean("is_wiping", false))  // files of older versions contain only this
             session.comparison.mode = CompareMode::wipe;
         if (const JsonValue* comparison = reader.find("comparison"))
             session.comparison = read_comparison(*comparison, m_file, m_problems);

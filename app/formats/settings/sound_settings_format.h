@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-/// The person's sound devices as a file.
+/// The user's audio devices as a file.
 std::string sound_settings_to_json(const SoundSettings& settings);
 Result<SoundSettings> parse_sound_settings(std::string_view text,
                                            const std::filesystem::path& file);

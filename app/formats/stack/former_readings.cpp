@@ -25,7 +25,7 @@ std::optional<LoadedLook> FormerReadings::find(const Question& question, ShaderF
     return std::nullopt;
 }
 
-// Nothing where something was read of which `disk` does not know what it said.
+// nullopt if `disk` does not know the content of some file.
 std::optional<std::vector<FormerReadings::SeenFile>> FormerReadings::files_of(
     const LoadedLook& loaded, ShaderFiles& disk) {
     std::vector<SeenFile> files;

@@ -6,29 +6,28 @@
 #include <deque>
 #include <optional>
 
-/// What looks were read as lately, for files that come to say again what they said then, as undo
-/// brings them. Only what was good, and only where all that it was made of is known: looks of our
-/// own, and fragment shaders alone.
+/// A cache of recently loaded looks, for files that return to previous content, as with undo.
+/// Caches only successful results whose inputs are all known: native looks and single fragment
+/// shaders.
 class FormerReadings {
 public:
-    /// What load_stack is asked for.
+    /// The arguments of load_stack().
     struct Question {
         Stack stack;
         Values values;
         bool operator==(const Question&) const = default;
     };
 
-    /// What came of the question when all files were as this reading of `disk` finds them; nothing:
-    /// they are to be read.
+    /// The cached result if all files match this reading of `disk`; nullopt: load them.
     std::optional<LoadedLook> find(const Question& question, ShaderFiles& disk) const;
-    /// What has come of the question in this reading of `disk`.
+    /// Adds a result of this reading of `disk`.
     void keep(const Question& question, const LoadedLook& loaded, ShaderFiles& disk);
 
 private:
     struct SeenFile {
         std::filesystem::path file;
-        std::filesystem::path place;        // "": it was missing
-        std::optional<std::size_t> digest;  // of its text; nothing: it only has to be there
+        std::filesystem::path place;        // canonical path; "": the file was missing
+        std::optional<std::size_t> digest;  // of its text; nullopt: only its existence matters
     };
     struct Reading {
         Question question;
@@ -39,5 +38,5 @@ private:
     static std::optional<std::vector<SeenFile>> files_of(const LoadedLook& loaded,
                                                          ShaderFiles& disk);
 
-    std::deque<Reading> m_readings;  // the newest first
+    std::deque<Reading> m_readings;  // newest first
 };

@@ -21,7 +21,7 @@ void name_parts(Stack& stack, const std::vector<Look>& looks) {
 }  // namespace
 
 namespace {
-// What the values of a whole stack say of one part, under the part's own names.
+// The values of one part of a stack, under the part's own names.
 Values values_of_part(const Values& values, const Stack& stack, std::size_t part) {
     const std::string scope = scope_of(stack, part);
     Values own;
@@ -31,12 +31,12 @@ Values values_of_part(const Values& values, const Stack& stack, std::size_t part
     return own;
 }
 
-/// Reads the looks of a stack, each once where their values are the same.
+/// Loads the looks of a stack; looks with equal values only once.
 class PartReader {
 public:
     PartReader(Stack stack, const IncludeFolders& includes, const ReadingHelp& help)
         : m_stack(std::move(stack)), m_includes(includes), m_help(help) {
-        for (StackPart& part : m_stack)  // so that values find them
+        for (StackPart& part : m_stack)  // so that values_of_part() finds their values
             if (part.look.empty())
                 part.look = look_id_at(part.place);
     }

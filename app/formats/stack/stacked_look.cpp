@@ -9,8 +9,8 @@
 
 namespace {
 
-// IEC 61966-2-1 between two looks. Light below black and above white goes on by the same curve, as
-// where a source picture is read.
+// Conversion between two looks by IEC 61966-2-1. Values below 0 and above 1 use the same curve, as
+// when a source picture is read.
 constexpr const char* conversion = R"(#version 410 core
 // {0}
 uniform sampler2D image;
@@ -53,7 +53,7 @@ Format format_after(const Pass& pass) {
     return is_fine ? Format::rgba32f : Format::rgba16f;
 }
 
-// Looks are added from the first that is drawn to the last.
+// Adds the looks from the first drawn one to the last.
 class Stacking {
 public:
     Stacking(const std::vector<Look>& looks, const Stack& stack)
@@ -76,7 +76,7 @@ public:
 private:
     const Look& driving() const { return m_looks[m_driving]; }
 
-    // The picture begins at the last look that reads no picture, else at the first.
+    // Drawing starts at the last look that does not use a picture, or at the first look.
     std::size_t first_drawn(Diagnostics& warnings) {
         std::vector<std::size_t> drawn;
         for (std::size_t i = 0; i < m_looks.size(); ++i)
@@ -125,7 +125,7 @@ private:
         m_look.settle_frames = 1;
     }
 
-    // Each look settles on a source that has settled.
+    // Each look settles after its source has settled.
     void add_settling(const Look& look) {
         m_look.settle_frames =
             std::min(m_look.settle_frames + look.settle_frames - 1, most_settle_frames);
@@ -151,17 +151,17 @@ private:
         add_settling(look);
     }
 
-    // Only a screen takes 8 bits: what another look reads keeps its light above 1 and its fine
-    // steps.
+    // 8 bits are only for the screen. For another look, keeps light above 1 and fine steps.
     static void keep_light(Pass& last) {
         if (last.format == Format::rgba8)
             last.format = Format::rgba16f;
     }
 
-    // The pass that stands for the source of the next look.
+    // Adds the pass that is the source of the next look.
     std::string add_conversion(const Look& look, const std::string& scope) {
         const Pass& before = m_look.passes.back();
-        // Repetitions that read themselves turn the ring of pictures that "source@1" is read from.
+        // A repeated pass that reads itself advances its ring of targets within a frame. "source@1"
+        // then needs a copy.
         const bool is_once = before.repeat == std::variant<int, std::string>(1);
         if (m_look.output == look.source_encoding && is_once)
             return before.name;
@@ -239,7 +239,7 @@ private:
         return group.empty() ? name : name + ": " + group;
     }
 
-    // Every part is bypassed: the source goes through, or there is nothing to see.
+    // All parts are bypassed: shows the source, or black.
     void add_nothing() {
         Pass pass;
         pass.name = "bypass";
@@ -263,8 +263,8 @@ private:
     std::vector<std::string> m_keys;
     std::size_t m_driving = 0;
     Look m_look;
-    std::string m_source;  // of the look that is being added; "": the source itself
-    int m_first_pass = 0;  // of that look
+    std::string m_source;  // of the current look; "": the original source
+    int m_first_pass = 0;  // of the current look
 };
 }  // namespace
 
