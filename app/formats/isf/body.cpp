@@ -11,15 +11,14 @@
 namespace {
 const std::string own_prefix = "isf_own_";
 
-// An author of before may have used them as names.
+// An older shader may use such a word as a name.
 bool is_later(std::string_view word, LaterWord::Kind kind) {
     constexpr int first_too_late = 400;
     const LaterWord* const later = find_later_word(word);
     return later && later->kind == kind && later->since >= first_too_late;
 }
 
-// What the language has for itself, and an input may be called where nothing else is meant by it:
-// keywords since GLSL 1.30, and functions.
+// Words of the language that an input may also be called: keywords since GLSL 1.30, and functions.
 const std::set<std::string_view>& language_words() {
     static const std::set<std::string_view> all{
         "abs",          "acos",        "all",           "any",           "asin",
@@ -92,7 +91,7 @@ private:
                       [](const Token& token) { return token.kind == Token::Kind::comment; });
     }
 
-    // "uniform TYPE NAME;" of a name that the program declares.
+    // Blanks out "uniform TYPE NAME;" for names that the program declares.
     void blank_declarations(std::string& text) const {
         const std::vector<Token>& all = m_tokens.all;
         for (std::size_t i = 0; i + 3 < all.size(); ++i) {
@@ -108,7 +107,7 @@ private:
         }
     }
 
-    // A word before and a bracket behind: "float noise1(".
+    // Finds definitions such as "float noise1(".
     void find_own_functions() {
         const std::vector<Token>& all = m_tokens.all;
         for (std::size_t i = 1; i + 1 < all.size(); ++i)
@@ -117,7 +116,7 @@ private:
                 m_own.insert(all[i].text);
     }
 
-    // An input that is called as a function of the language is; an input cannot be called.
+    // Distinguishes an input from a function with the same name. An input cannot be called.
     bool is_declared_input(std::size_t index) const {
         const std::vector<Token>& all = m_tokens.all;
         const bool is_called = index + 1 < all.size() && all[index + 1].is("(");

@@ -6,15 +6,15 @@
 
 enum class IsfStage { vertex, fragment };
 
-/// A name that the header declares as the translated GLSL has it: another one where it became
-/// reserved, or is what the language calls something of its own ("texture", "smooth").
+/// The identifier in the translated GLSL for a name in the header. It differs if the name became
+/// reserved or belongs to the language ("texture", "smooth").
 std::string isf_declared_word(std::string_view name);
-/// The author's name behind such a word.
+/// The author's name for such an identifier.
 std::string_view isf_author_word(std::string_view word);
 
-/// The GLSL of an ISF shader, written for GL 2.1 to 3.3 or GLSL ES, as that of 4.10: names that
-/// went out of use and words that became reserved are replaced, as are `declared` ones that the
-/// language has for itself where they are not called; `#version`, `#extension` and declarations of
-/// what the program declares itself (`declared`) are blanked out. Every line stays where it was.
+/// Converts the GLSL of an ISF shader, for GL 2.1 to 3.3 or GLSL ES, to 4.10, keeping line numbers.
+/// Replaces removed names and words that became reserved. Also replaces `declared` names that
+/// belong to the language, unless they are called. Blanks out `#version`, `#extension` and
+/// declarations that the program adds itself (`declared`).
 std::string isf_body(std::string_view code, IsfStage stage,
                      const std::vector<std::string>& declared);

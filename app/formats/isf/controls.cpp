@@ -10,7 +10,7 @@ double number_at(const std::vector<double>& numbers, std::size_t index, double f
     return index < numbers.size() ? numbers[index] : fallback;
 }
 
-// "blurAmount" is "Blur amount".
+// "blurAmount" becomes "Blur amount".
 std::string isf_label(const IsfInput& input) {
     if (!input.label.empty())
         return input.label;
@@ -29,7 +29,7 @@ bool has_range(const IsfInput& input, std::size_t component) {
     return component < input.low.size() && component < input.high.size();
 }
 
-/// The ends of one component.
+/// The range of one component.
 Range range_at(const IsfInput& input, std::size_t index) {
     const bool is_whole = has_range(input, index);
     const double low = is_whole ? input.low[index] : 0.0;
@@ -44,7 +44,7 @@ void set_number(const IsfInput& input, Parameter& made) {
     made.initial = Value(std::clamp(initial, made.range.low, made.range.high));
 }
 
-// Labels without values are those of 0, 1, 2 and so on.
+// Labels without values have the values 0, 1, 2 and so on.
 std::vector<double> list_values(const IsfInput& input) {
     std::vector<double> values = input.values;
     if (values.empty())
@@ -78,7 +78,7 @@ void set_switch(const IsfInput& input, Parameter& made) {
     made.initial = Value(number_at(input.initial, 0, is_event ? 0.0 : 1.0) != 0.0 ? 1.0 : 0.0);
 }
 
-/// Of a point: without ends of its own wide enough for a default in pixels to lie amid it.
+/// For a point without a range: wide enough to contain a default in pixels.
 Range point_range_at(const IsfInput& input, std::size_t component) {
     Range range = range_at(input, component);
     const double initial = number_at(input.initial, component, 0.5);

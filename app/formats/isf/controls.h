@@ -3,8 +3,8 @@
 #include "formats/isf/header.h"
 #include "model/look/parameter.h"
 
-/// What a person turns for an input that is no sound, by the rules of the format: without a range
-/// 0..1, without a default the middle of the range, a default outside brought into it, a minimum
-/// above the maximum swapped; a point without a range has one that holds its default; a bool
-/// without a default is on. Colours are in the encoding of the display. Without bindings.
+/// The parameter for an input other than sound, by the rules of the format. The default range is
+/// 0..1, and the default value is the middle of the range. A default outside the range is clamped,
+/// and a minimum above the maximum is swapped. A point without a range gets one that contains its
+/// default. A bool without a default is on. Colours are display-encoded. Without bindings.
 Parameter isf_control(const IsfInput& input);

@@ -20,7 +20,7 @@ constexpr std::size_t most_inputs = 1024;
 constexpr std::size_t most_imports = 64;
 constexpr std::size_t most_values = 1024;
 
-/// The first block comment of a text, without its ends.
+/// The content of the first block comment of a text.
 struct HeaderComment {
     std::size_t begin = 0;
     std::size_t end = 0;
@@ -39,7 +39,7 @@ std::optional<HeaderComment> find_comment(std::string_view text) {
     return std::nullopt;
 }
 
-// Whether nothing but comments, #version and #extension stands there, which the program writes.
+// Whether the text has only comments, #version and #extension, which the program adds itself.
 bool says_nothing(std::string_view text) {
     const Tokens tokens = scan(text);
     std::string code(text);
@@ -52,10 +52,10 @@ bool says_nothing(std::string_view text) {
     return true;
 }
 
-// Other readers take "[1, 2, ]", too.
+// Other parsers accept "[1, 2, ]".
 void blank_commas_before_brackets(std::string& json) {
     bool is_text = false;
-    std::size_t comma = std::string::npos;  // behind which only blanks have come
+    std::size_t comma = std::string::npos;  // followed only by whitespace so far
     for (std::size_t i = 0; i < json.size(); ++i) {
         const char letter = json[i];
         if (is_text) {
@@ -75,7 +75,7 @@ void blank_commas_before_brackets(std::string& json) {
     }
 }
 
-// The comment alone, at its place, so that lines are those of the file.
+// The comment alone, at its position, so that lines are those of the file.
 std::string json_of(std::string_view text, const HeaderComment& comment) {
     std::string json(text.substr(0, comment.end));
     blank_out(json, 0, comment.begin);
@@ -91,7 +91,7 @@ std::string text_of(const JsonValue* value) {
     return value->is(JsonKind::number) ? format_number(value->number) : value->text;
 }
 
-// A number however it is written: 1, true, "1", "true".
+// A number in any form: 1, true, "1", "true".
 std::optional<double> written_number(const JsonValue& value) {
     if (value.is(JsonKind::number))
         return value.number;
@@ -107,12 +107,12 @@ std::optional<double> written_number(const JsonValue& value) {
     return parse_number(text);
 }
 
-// What hosts take for true: true, another number than 0, a text that says so.
+// True as in other hosts: true, a number other than 0, or a text with one of these.
 bool is_truthy(const JsonValue* value) {
     return value && written_number(*value).value_or(0.0) != 0.0;
 }
 
-// "#ff8000", "#ff8000cc" and "#f80": the components of a colour, 0 to 1.
+// The components of a colour "#ff8000", "#ff8000cc" or "#f80", 0 to 1.
 std::vector<double> color_numbers(std::string_view text) {
     text = trim(text);
     if (!text.starts_with('#') || text.find_first_not_of("0123456789abcdefABCDEF", 1) != text.npos)
@@ -183,7 +183,7 @@ private:
         add_new(m_problems, {m_file, at.line, message + column_note(m_json, at.begin)});
     }
 
-    // All of them where there are no more than may be; else none, which is told: `refusal` has a {}
+    // All elements if there are at most `most`; otherwise none, with an error. `refusal` has a {}
     // for the number and one for the limit.
     std::span<const JsonValue> few(const std::vector<JsonValue>& all, std::size_t most,
                                    std::string_view refusal) {
@@ -201,7 +201,7 @@ private:
         return member && member->is(JsonKind::array) ? member->children : none;
     }
 
-    // A name becomes a name of the shader.
+    // Checks that a name can be an identifier of the shader.
     bool can_be_name(const std::string& name, const JsonValue& at) {
         static const std::set<std::string_view> taken{"RENDERSIZE",
                                                       "TIME",
@@ -219,7 +219,7 @@ private:
                                                       "IMG_THIS_PIXEL",
                                                       "IMG_THIS_NORM_PIXEL",
                                                       "IMG_SIZE"};
-        // Keywords of the language since its beginning; later ones an input may be called.
+        // Keywords since the first version. Later keywords are allowed as input names.
         static const std::set<std::string_view> keywords{
             "attribute", "bool",     "break",     "bvec2",  "bvec3",     "bvec4",       "centroid",
             "const",     "continue", "discard",   "do",     "else",      "false",       "float",
@@ -346,7 +346,7 @@ private:
                 import);
     }
 
-    // Of version 1: a list of names, or an object of name and size.
+    // Version 1: a list of names, or an object of names and sizes.
     void read_buffers_of_version_1(const JsonValue& json) {
         const JsonValue* buffers = find_member(json, "PERSISTENT_BUFFERS");
         if (!buffers)
@@ -366,8 +366,8 @@ private:
         }
     }
 
-    // Passes of one target draw into one picture: what some say of it is so for all, and of sizes
-    // the last one.
+    // Passes with the same target draw into one image. Flags apply to all of them; the last size is
+    // used.
     void unite_targets() {
         std::map<std::string, IsfPass> united;
         for (const IsfPass& pass : m_header.passes) {

@@ -15,8 +15,8 @@ Result<std::string> read_code(const fs::path& file) {
     return text;
 }
 
-// The vertex shader beside it; the names that it may have are looked at either way, so that one
-// that is put there later is seen.
+// Reads the vertex shader in the same folder. `files` receives its possible names even if it is
+// missing, so that a watcher detects a new file.
 Result<void> read_vertex_code(IsfSource& source, std::vector<fs::path>& files) {
     for (const char* extension : {".vs", ".vert"}) {
         fs::path beside = source.file;

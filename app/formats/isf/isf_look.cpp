@@ -20,14 +20,15 @@ using InputType = IsfInput::Type;
 
 constexpr const char* usual_source = "pattern:harbour";
 constexpr const char* usual_picture = "pattern:harbour";
-constexpr const char* other_picture = "pattern:smpte";  // tells a second picture from the first
+constexpr const char* other_picture = "pattern:smpte";  // distinguishes a second picture from the
+                                                        // first
 constexpr const char* usual_cube = "solid:sky";
 constexpr const char* usual_sound = "waveform:mode=xy,ch1=saw,f1=12,ch2=sine,f2=5";
 constexpr int wave_samples = 512;
 constexpr int spectrum_bins = 256;
 constexpr int most_sound_columns = 8192;
-constexpr Extent usual_extent{1280, 720};  // tells what is wrong with an expression
-constexpr int frames_until_seen = 60;      // of what moves: much begins with nothing
+constexpr Extent usual_extent{1280, 720};  // for checking expressions
+constexpr int frames_until_seen = 60;      // for animations, which often start black
 
 bool is_sound(const IsfInput& input) {
     return input.type == InputType::audio || input.type == InputType::audio_fft;
@@ -49,7 +50,7 @@ SoundTexture sound_texture_of(const IsfInput& input) {
             static_cast<int>(std::clamp(columns, 1.0, 1.0 * most_sound_columns))};
 }
 
-// Sizes are cut to whole texels, and never none; what is no finite number is 1, as in ISF's hosts.
+// Sizes are whole texels, at least 1. A value that is not finite becomes 1, as in ISF's hosts.
 Side side_of(const std::string& expression) {
     if (expression.empty())
         return {};
@@ -93,7 +94,7 @@ public:
         for (const IsfInput& input : m_header.inputs)
             if (!is_sound(input) && input.name != m_source_input)
                 add_parameter(input);
-        // The passes have one text: what is wrong in the first is wrong in all.
+        // The passes share one text, so the errors of the first occur in all.
         const std::size_t before = m_problems.size();
         for (std::size_t i = 0; i < m_header.passes.size() && m_problems.size() == before; ++i)
             make_pass(i);
@@ -156,7 +157,7 @@ private:
         }
     }
 
-    // A last pass has the picture's size, or it is drawn at its own and stretched.
+    // Whether the last pass has its own size and is stretched to the picture.
     bool is_stretched() const {
         const IsfPass& last = m_header.passes.back();
         return !is_whole(last.width, "$WIDTH") || !is_whole(last.height, "$HEIGHT");
@@ -200,7 +201,7 @@ private:
         }
     }
 
-    // One that cannot be read is told when the pictures are, and reads black.
+    // A file that cannot be read is reported when the pictures are loaded, and is black.
     void add_cube(const IsfImport& import, const fs::path& folder) {
         Image image{import.name, folder / import.path, {}};
         for (const std::string& face : import.faces)
@@ -243,7 +244,7 @@ private:
         m_look.passes.push_back(std::move(pass));
     }
 
-    // What a live uniform of a pass reads, or who turns it.
+    // Binds a live uniform of a pass to its parameter or input.
     void bind(const std::string& uniform, std::size_t index, Pass& pass) {
         const std::string name(isf_author_word(uniform));
         const auto parameter = std::ranges::find(m_look.parameters, name, &Parameter::name);
@@ -265,7 +266,7 @@ private:
         return target_input(name, reader);
     }
 
-    // What is drawn last into a target before a pass reads it, in this frame or the one before.
+    // The last pass drawn into a target before `reader`, in this frame or the previous one.
     std::optional<Input> target_input(const std::string& target, std::size_t reader) const {
         std::optional<std::size_t> drawn;
         std::optional<std::size_t> kept;
@@ -281,10 +282,10 @@ private:
             return Input{{}, Input::From::pass, m_names[*drawn], 0, {}};
         if (kept)
             return Input{{}, Input::From::pass, m_names[*kept], 1, {}};
-        return std::nullopt;  // it holds nothing yet: transparent black
+        return std::nullopt;  // not drawn yet: transparent black
     }
 
-    // Uniforms of the author's own, which nobody sets.
+    // Warns of the author's own uniforms, which are never set.
     void warn_of_others(const Reflection& reflection) {
         for (const Uniform& uniform : reflection.uniforms) {
             const Location& at = uniform.declared.front();
@@ -341,7 +342,7 @@ private:
     Diagnostics& m_warnings;
     bool m_listens;
     bool m_moves = m_listens;
-    std::string m_source_input;  // "": none reads the source
+    std::string m_source_input;  // "": no input reads the source
     std::vector<std::string> m_names;
     Look m_look;
     Diagnostics m_problems;

@@ -3,13 +3,13 @@
 #include "formats/isf/stages.h"
 #include "formats/look/loaded_look.h"
 
-/// The look that draws an ISF shader. `inputImage` of a filter and `startImage` of a transition are
-/// the source; other images are a person's choice, a test pattern while there is none. Where a
-/// shader listens, the sound drives the look and its `inputImage` is one of those choices. A pass
-/// reads what is drawn before it, of persistent targets else the frame before; what its own part of
-/// the shader never reads is no input. Passes of one target are
-/// passes of their own here, "t" and "t-2"; one called `picture` stretches a last pass that has a
-/// size over the picture. Errors: glslang's, at the author's
-/// lines; sizes that are no expressions. `files` gets the imports.
+/// The look for an ISF shader. `inputImage` of a filter and `startImage` of a transition are the
+/// source. Other images are picture parameters with a test pattern as default. If a shader has a
+/// sound input, the sound drives the look, and its `inputImage` is a picture parameter, too. A pass
+/// reads a target as drawn earlier in the frame, otherwise a persistent target of the previous
+/// frame. Targets that its part of the shader never reads are not inputs. Passes with the same
+/// target become separate passes, "t" and "t-2". A last pass with its own size is stretched to the
+/// picture by a pass `picture`. Errors: glslang's, at the author's lines; invalid size expressions.
+/// `files` receives the imports.
 Result<Look> look_of_isf(const IsfSource& source, const IsfHeader& header, const ReadingHelp& help,
                          std::vector<std::filesystem::path>& files, Diagnostics& warnings);

@@ -18,7 +18,7 @@ constexpr const char* built_ins =
     "uniform int FRAMEINDEX;\n"
     "uniform vec4 DATE;\n";
 
-// {0} is how a texture is read, {1} and {2} what the form with a bias adds.
+// {0} is the texture function; {1} and {2} are the extra arguments without and with a bias.
 constexpr const char* picture_functions =
     "vec4 IMG_NORM_PIXEL(sampler2D i, vec2 at) {{ return {0}(i, at{1}); }}\n"
     "vec4 IMG_NORM_PIXEL(sampler2D i, vec2 at, float bias) {{ return {0}(i, at{2}); }}\n"
@@ -68,7 +68,7 @@ const char* uniform_type(IsfInput::Type type) {
     return "sampler2D";
 }
 
-/// What the program declares for a shader.
+/// The declarations that the program adds to a shader.
 class Declarations {
 public:
     Declarations(const IsfHeader& header, std::string_view code) {
@@ -101,7 +101,7 @@ private:
             add_facts(name);
     }
 
-    // Not in the specification, but hosts have them and shaders ask.
+    // Not in the specification, but provided by hosts and used by shaders.
     void add_facts(const std::string& name) {
         const auto add = [&](const char* fact, const std::string& value) {
             const std::string asked = fmt::format("_{}_{}", name, fact);
@@ -113,7 +113,7 @@ private:
         add("flip", "false");
     }
 
-    std::set<std::string_view> m_asked;  // words of the code that may be such facts
+    std::set<std::string_view> m_asked;  // words of the code that may be such names
 };
 
 Stage stage_of(const std::filesystem::path& file, const std::string& prefix,
@@ -125,7 +125,7 @@ Stage stage_of(const std::filesystem::path& file, const std::string& prefix,
 }
 
 std::string prefix_of(std::size_t pass, const std::string& varyings, const Declarations& declared) {
-    // Drivers that know it take "return 1;" of a float as older hosts did.
+    // Lets drivers with this extension accept "return 1;" in a float function, as older hosts did.
     return "#version 410 core\n#extension GL_ARB_shading_language_420pack : enable\n" + varyings +
            fmt::format("const int PASSINDEX = {};\n", pass) + built_ins + declared.text;
 }

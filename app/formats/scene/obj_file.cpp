@@ -29,7 +29,7 @@ std::vector<std::string_view> words_of(std::string_view line) {
     return words;
 }
 
-// Files of old programs end their lines with CR alone.
+// Some old files have CR line ends.
 std::string with_line_feeds(std::string_view text) {
     std::string plain(text);
     for (std::size_t i = 0; i < plain.size(); ++i)
@@ -48,7 +48,7 @@ public:
 
     Result<std::vector<ScenePath>> read(std::string_view text) {
         const std::string plain = with_line_feeds(text);
-        std::string joined;  // a line that '\' goes on with
+        std::string joined;  // lines continued with '\'
         for (const std::string_view whole : split_lines(plain)) {
             ++m_line;
             const std::string_view line = trim_end(whole.substr(0, whole.find('#')));
@@ -100,7 +100,7 @@ private:
         m_corners.push_back({numbers[0], numbers[1], numbers[2]});
     }
 
-    // "7", "7/2/3", or counted back from the latest corner "-1".
+    // Parses "7", "7/2/3", or "-1", which counts back from the latest vertex.
     std::optional<std::size_t> corner_of(std::string_view word) {
         const auto index = parse_integer(word.substr(0, word.find('/')));
         const auto count = static_cast<int>(m_corners.size());
@@ -124,8 +124,8 @@ private:
                 return;
             corners.push_back(*corner);
         }
-        // Of one corner, or of the same one again and again, there are no edges: exporters write
-        // such.
+        // Elements with one corner, or with one corner repeated, have no edges. Some exporters
+        // write them.
         if (corners.size() < 2)
             return;
         for (std::size_t i = 0; i + 1 < corners.size(); ++i)

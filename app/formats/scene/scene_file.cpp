@@ -25,7 +25,7 @@ double positive(ObjectReader& reader, std::string_view key, double fallback, boo
     return fallback;
 }
 
-// Ends at the first item that is too much: many small ones together take gigabytes.
+// Stops at the first item beyond the limit: many small items could take gigabytes.
 void read_items(const JsonValue& items, ObjectReader& reader, BeamScene& scene) {
     if (!reader.expect(items, JsonValue::Kind::array))
         return;
@@ -85,9 +85,9 @@ bool is_obj_file(const std::filesystem::path& file) {
     return to_lower(file.extension().string()) == ".obj";
 }
 
-// A model alone, in the middle of the screen.
+// A scene with a single centred model.
 Result<BeamScene> scene_of_model(const std::filesystem::path& file) {
-    constexpr double size = 1.5;  // half screens, of its longest side
+    constexpr double size = 1.5;  // half screens, for its longest side
     auto paths = load_obj(file);
     if (!paths)
         return fail(paths.error());

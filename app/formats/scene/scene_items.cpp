@@ -25,7 +25,7 @@ std::optional<std::vector<double>> numbers_of(ObjectReader& reader, const JsonVa
         }
     if (is_good && numbers.size() >= fewest && numbers.size() <= most)
         return numbers;
-    const char* words = "expected a list of {1} or {2} numbers";  // a point in a list
+    const char* words = "expected a list of {1} or {2} numbers";  // for a point in a list
     if (!value.key.empty())
         words = fewest == most ? "'{0}' must be a list of {1} numbers"
                                : "'{0}' must be a list of {1} or {2} numbers";
@@ -64,7 +64,7 @@ std::array<double, 2> pair_of(ObjectReader& reader, std::string_view key,
     return numbers ? std::array{(*numbers)[0], (*numbers)[1]} : fallback;
 }
 
-// A turn: one number of degrees in the screen, or three about x, y and z.
+// A rotation: one angle in degrees in the screen plane, or three about x, y and z.
 std::array<double, 3> turn_of(ObjectReader& reader, std::string_view key) {
     const JsonValue* value = reader.find(key);
     if (!value)
@@ -151,7 +151,7 @@ std::vector<ScenePath> read_grid(ObjectReader& reader) {
     return grid_paths(size[0], size[1], columns, reader.whole("rows", 10, 1, 200));
 }
 
-// The file that an item names, beside the scene; "" when it names none or one elsewhere.
+// The file named by an item, relative to the scene; "" if it is missing or outside the folder.
 std::filesystem::path file_beside(ObjectReader& reader) {
     const JsonValue* value = reader.require("file");
     if (!value || !reader.expect(*value, JsonValue::Kind::text))
@@ -167,8 +167,7 @@ std::filesystem::path file_beside(ObjectReader& reader) {
     return reader.file().parent_path() / name;
 }
 
-// Takes what was read, or notes why it could not be, with the line of the scene where no other is
-// known.
+// The value, or nullopt with its errors, at the scene's line if they have no line.
 template <class T>
 std::optional<T> taken(ObjectReader& reader, Result<T> read) {
     if (read)
@@ -226,7 +225,7 @@ SceneItem read_scene_item(ObjectReader& reader) {
     item.speed = bounded(reader, "speed", 1.0, 1e-3, 1e3);
     reader.require("shape");
     const auto read = reader.choice<ReadShape>("shape", shapes(), nullptr);
-    // A dot is nothing but the beam's rest.
+    // A dot is only the beam's dwell.
     const double dwell_us = read == read_dot ? 100.0 : 0.0;
     item.dwell_seconds = 1e-6 * bounded(reader, "dwell", dwell_us, 0.0, 1e6);
     if (!read)

@@ -3,5 +3,5 @@
 #include "formats/json/object_reader.h"
 #include "signals/drawing/scene.h"
 
-/// One member of a scene's "items". Mistakes are noted in the reader's problems.
+/// Reads one element of a scene's "items". Reports errors in the reader's problems.
 SceneItem read_scene_item(ObjectReader& reader);

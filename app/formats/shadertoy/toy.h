@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-/// What a channel of a pass reads.
+/// The source of a pass's channel.
 enum class ToyKind {
     nothing,
     buffer,
@@ -23,37 +23,37 @@ enum class ToyKind {
 
 constexpr int toy_channels = 4;
 
-/// A channel of a pass as it is wired.
+/// The connection of a channel of a pass.
 struct ToyInput {
     int channel = 0;
     ToyKind kind = ToyKind::nothing;
-    int buffer = -1;    // of a buffer: its place, as ToyPass::place; below 0: there is none such
-    std::string asset;  // path of what is read, as it is written
+    int buffer = -1;    // for a buffer: see ToyPass::place; below 0: does not exist
+    std::string asset;  // path of the source, as written
     Sampler sampler;
-    bool is_flipped = true;  // its bottom row is read at v = 0
-    bool is_file = false;    // `asset` leads on from the shader's own folder
+    bool is_flipped = true;  // v = 0 is the bottom row
+    bool is_file = false;    // `asset` is relative to the shader's folder
     Location declared;
 };
 
-/// A pass of a shader that was written for Shadertoy.
+/// A pass of a Shadertoy shader.
 struct ToyPass {
     enum class Kind { common, buffer, cube, image, sound };
 
     Kind kind = Kind::image;
-    int place = 0;     // 0..3: Buffer A..D; toy_cube_place; the order in which they are drawn
+    int place = 0;     // 0..3: Buffer A..D; toy_cube_place; defines the drawing order
     std::string name;  // "Buffer A"
-    Stage code;        // as its author wrote it
+    Stage code;        // as written by the author
     std::vector<ToyInput> inputs;
-    // Where nothing says what channels read, those that are not wired read buffers, else pictures.
+    // If false, unconnected channels read the buffer with their number or a picture.
     bool is_wired = true;
 };
 
 constexpr int toy_cube_place = 4;
 
-/// "Buffer A", "Cube A", "Image": what the site calls a pass.
+/// The site's name for a pass: "Buffer A", "Cube A", "Image".
 std::string toy_pass_name(ToyPass::Kind kind, int place);
 
-/// A whole shader of Shadertoy, wherever it was read from.
+/// A complete Shadertoy shader, from any source format.
 struct Toy {
     std::string name;
     std::string author;

@@ -3,13 +3,13 @@
 #include <string>
 #include <string_view>
 
-/// A picture that the site offers to shaders, and what stands for it here.
+/// A picture of the site's library and its replacement.
 struct ToyAsset {
     std::string name;   // of the parameter
-    std::string label;  // what a panel shows
-    std::string made;   // "pattern:noise": as Image::made
+    std::string label;  // shown in panels
+    std::string made;   // such as "pattern:noise", as in Image::made
 };
 
-/// The picture at a path of the site, told by the digest in its name; a name and a stand-in of our
-/// own where it is none of the known ones.
+/// The picture at a path of the site, identified by the digest in its name. Unknown pictures get a
+/// generated name and a default replacement.
 ToyAsset toy_asset(std::string_view path);

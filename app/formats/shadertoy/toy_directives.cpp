@@ -26,7 +26,7 @@ std::string between_quotes(std::string_view text) {
                                            : std::string(text.substr(open + 1, close - open - 1));
 }
 
-// Without "file://", and with blanks that an address writes as %20.
+// Removes "file://" and decodes %20.
 std::string path_of(std::string_view written) {
     constexpr std::string_view scheme = "file://";
     if (written.starts_with(scheme))
@@ -84,7 +84,7 @@ private:
         return m_pass.inputs.emplace_back(std::move(made));
     }
 
-    // `rest` is behind "#iChannel": "0 "file://a.png"", "0::WrapMode "Repeat"".
+    // `rest` follows "#iChannel": "0 "file://a.png"", "0::WrapMode "Repeat"".
     void read_channel(std::string_view rest) {
         if (rest.empty() || rest[0] < '0' || rest[0] >= '0' + toy_channels)
             return warn("expected a channel from #iChannel0 to #iChannel3");
@@ -134,7 +134,7 @@ private:
         }
     }
 
-    // "float gain = 0.5 in { 0.0, 1.0 } step 0.1"
+    // Parses "float gain = 0.5 in { 0.0, 1.0 } step 0.1".
     std::string uniform_of(std::string_view rest) {
         const std::string whole(trim(rest));
         const std::size_t open = whole.find('{');

@@ -16,14 +16,14 @@ using Kind = ToyPass::Kind;
 
 constexpr std::array endings{".glsl", ".frag", ".fsh", ".fs", ".txt"};
 
-/// What a file's name says about a pass.
+/// The pass that a file's name indicates.
 struct NamedPass {
     Kind kind = Kind::image;
     int place = 0;
-    std::string shader;  // what stands before it in the name
+    std::string shader;  // the part of the name before the pass
 };
 
-// "Buffer A", "buf_a" and "BufferA" are one.
+// "Buffer A", "buf_a" and "BufferA" are equivalent.
 std::string plain_name(const fs::path& file) {
     std::string plain;
     for (const char c : to_lower(file.stem().string()))
@@ -114,7 +114,7 @@ private:
         return fs::absolute(file, error).parent_path().filename().string();
     }
 
-    // One file a pass, this one among them.
+    // The files of the shader, one per pass, including this one.
     static std::vector<fs::path> beside(const fs::path& file, const NamedPass& named) {
         std::vector<fs::path> found{file};
         for (const fs::path& other : files_in(file.parent_path())) {
@@ -149,7 +149,7 @@ private:
         m_toy.passes.push_back(std::move(pass));
     }
 
-    // A pass that reads itself is a buffer; so is another file that one reads.
+    // A pass that reads itself is a buffer. Another file read by a pass is a buffer, too.
     int place_of(const fs::path& file, const fs::path& own, const ToyPass& pass) {
         const fs::path named = file.lexically_normal();
         if (named == own && pass.kind != Kind::image)
@@ -160,7 +160,7 @@ private:
         return at < toy_cube_place ? static_cast<int>(at) : -1;
     }
 
-    // Files that directives named, and what these name in their turn.
+    // Adds the files named by directives, recursively.
     void add_named_buffers() {
         for (std::size_t i = 0; i < m_buffers.size() && i < toy_cube_place; ++i) {
             const fs::path file = m_buffers[i];
@@ -172,7 +172,7 @@ private:
         }
     }
 
-    // The picture of a pass that reads itself is that buffer as it is.
+    // An Image pass that reads itself becomes a buffer, and a new Image shows it unchanged.
     void show_as_buffer(ToyPass& image, int place) {
         image.kind = Kind::buffer;
         image.place = place;
@@ -195,7 +195,7 @@ private:
     IncludeRoots m_roots;
     std::vector<fs::path>& m_files;
     Diagnostics& m_warnings;
-    std::vector<fs::path> m_buffers;  // that directives name, by their places
+    std::vector<fs::path> m_buffers;  // named by directives, in order of their places
     Diagnostics m_problems;
     Toy m_toy;
 };

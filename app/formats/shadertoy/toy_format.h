@@ -2,11 +2,11 @@
 
 #include "formats/look/loaded_look.h"
 
-/// Whether a file is a shader of Shadertoy: JSON, told by what it holds (one that is not there by
-/// its name), or a text with mainImage().
+/// Whether a file is a Shadertoy shader: JSON, recognised by its content (a missing file by its
+/// name), or a text with mainImage().
 bool is_toy_file(const std::filesystem::path& file);
 
-/// Reads one as a look. Errors are JSON's, the include's and glslang's, each at its line; in JSON
-/// the file is "FILE/PASS" and the line the author's.
+/// Loads one as a look. Errors of JSON, includes and glslang have their lines. For JSON, the file
+/// of an error is "FILE/PASS" and the line is the author's.
 LoadedLook load_toy_look(const std::filesystem::path& file, const IncludeFolders& includes,
                          const ReadingHelp& help);

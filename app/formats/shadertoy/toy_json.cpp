@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 namespace {
 using Kind = ToyPass::Kind;
 
-constexpr const char* error_key = "Error";  // of an answer without a shader
+constexpr const char* error_key = "Error";  // of a response without a shader
 constexpr std::size_t most_code_bytes = std::size_t{4} << 20;
 
 constexpr auto kind_words =
@@ -35,7 +35,7 @@ constexpr auto pass_words =
                                                       {"sound", Kind::sound},
                                                       {"cubemap", Kind::cube}});
 
-// What the site calls its outputs: in exports, and in answers of its API.
+// The site's ids of outputs in exports and in responses of its API.
 constexpr auto buffer_ids =
     std::to_array<std::pair<std::string_view, int>>({{"4dXGR8", 0},
                                                      {"XsXGR8", 1},
@@ -63,7 +63,7 @@ const JsonValue* member(const JsonValue& object, std::initializer_list<std::stri
     return nullptr;
 }
 
-// Numbers and truths as texts, as the dialects differ in them.
+// Numbers and booleans as text, because the dialects differ.
 std::string text_of(const JsonValue* value) {
     if (!value)
         return {};
@@ -115,7 +115,7 @@ public:
     }
 
 private:
-    // A list, or what the site downloads as all shaders of a person.
+    // A list, or the site's export of all shaders of a user.
     static const JsonValue& list_in(const JsonValue& document) {
         const JsonValue* shaders = find_member(document, "shaders");
         return shaders && shaders->is(JsonValue::Kind::array) ? *shaders : document;
@@ -154,7 +154,8 @@ private:
         return wrapped && wrapped->is(JsonValue::Kind::object) ? wrapped : shader;
     }
 
-    // Buffers are told by the id of their output; those without a known one take what is left.
+    // Buffers are identified by the id of their output. Those with an unknown id get the remaining
+    // places.
     void find_places(const std::vector<JsonValue>& passes) {
         std::array<bool, 4> is_taken{};
         std::vector<std::string> unknown;
@@ -253,7 +254,7 @@ private:
         const auto place = place_of(text_of(find_member(value, "id")));
         if (input.kind == ToyKind::buffer)
             input.buffer = place.value_or(place_in(input.asset));
-        // What Cube A has drawn is listed as a cubemap.
+        // The output of Cube A is listed as a cubemap.
         if (input.kind == ToyKind::cubemap && place == toy_cube_place)
             input.buffer = toy_cube_place;
         pass.inputs.push_back(std::move(input));
@@ -288,7 +289,7 @@ private:
 }  // namespace
 
 bool is_toy_json(std::string_view text) {
-    // Presets and looks say what they are.
+    // Presets and looks have a "format".
     const auto has = [&](const char* key) {
         return text.find(fmt::format("\"{}\"", key)) != std::string_view::npos;
     };

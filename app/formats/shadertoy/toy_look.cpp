@@ -14,15 +14,15 @@ namespace fs = std::filesystem;
 namespace {
 using Kind = ToyPass::Kind;
 
-constexpr double sample_rate = 44100.0;  // Hz; the site's usual
+constexpr double sample_rate = 44100.0;  // Hz; the site's default
 constexpr int frames_of_a_past = 60;
-constexpr int frames_of_a_picture = 120;  // two seconds: many begin with black
+constexpr int frames_of_a_picture = 120;  // two seconds: many shaders start black
 constexpr const char* moving_picture = "pattern:harbour";
 constexpr const char* usual_sound = "waveform:mode=xy,ch1=saw,f1=12,ch2=sine,f2=5";
 constexpr double cube_side = 1024.0;  // px
 constexpr const char* group_of_pictures = "Pictures";
 
-/// Makes a look of a shader, pass by pass.
+/// Converts a shader to a look, one pass at a time.
 class ToyLook {
 public:
     ToyLook(const Toy& toy, const fs::path& folder, Diagnostics& warnings)
@@ -50,8 +50,8 @@ private:
     const fs::path& m_folder;
     Diagnostics& m_warnings;
     const ToyPass* m_common = nullptr;
-    std::vector<const ToyPass*> m_drawn;            // in their order
-    std::map<std::string, std::string> m_pictures;  // by asset and row order: its parameter
+    std::vector<const ToyPass*> m_drawn;            // in drawing order
+    std::map<std::string, std::string> m_pictures;  // parameter by asset and row order
     bool m_hears = false;
     bool m_sees = false;
     Look m_look;
@@ -98,7 +98,7 @@ std::string ToyLook::free_name(const std::string& wanted) const {
 }
 
 namespace {
-// Ours in the place of the site's.
+// Replacements for the site's pictures.
 ToyAsset asset_of(const ToyInput& wired) {
     if (wired.kind == ToyKind::cubemap)
         return {"sky", "Sky", "solid:sky"};
@@ -109,7 +109,7 @@ ToyAsset asset_of(const ToyInput& wired) {
 }
 }  // namespace
 
-// Once a picture and order of rows; several channels and passes share it.
+// One per picture and row order; shared by channels and passes.
 std::string ToyLook::add_picture(const ToyInput& wired) {
     const PictureShape shape = shape_of(wired);
     const bool is_turned = wired.is_flipped && shape == PictureShape::flat;
@@ -168,7 +168,7 @@ std::optional<Input> ToyLook::buffer_of(const ToyPass& toy_pass, const ToyInput&
         {}, Input::From::pass, m_drawn[*read]->name, is_of_last_frame ? 1 : 0, wired.sampler};
 }
 
-// What the person plays; which music the author chose is not known here.
+// The user's sound. The author's choice of music is unknown.
 Input ToyLook::sound_of(const ToyInput& wired) {
     m_hears = true;
     Input input{{}, Input::From::sound, {}, 0, wired.sampler};
@@ -176,7 +176,7 @@ Input ToyLook::sound_of(const ToyInput& wired) {
     return input;
 }
 
-// What the person plays, whose rows lie one way for all who read it.
+// The user's picture. All inputs have the same row order.
 Input ToyLook::source_of(const ToyInput& wired) {
     const RowOrder rows = wired.is_flipped ? RowOrder::bottom_first : RowOrder::top_first;
     if (m_sees && rows != m_look.source_rows)
@@ -242,7 +242,7 @@ ToyChannel ToyLook::feed(const ToyPass& toy_pass, const GlslWords& words, int ch
     return fed;
 }
 
-// Side by side in one target; who reads it as a cube gets one.
+// Draws the six faces side by side into one target. Inputs of type cube read it as a cubemap.
 void make_faces(Pass& pass) {
     constexpr double faces = 6.0;
     pass.format = Format::rgba16f;
@@ -273,7 +273,7 @@ void ToyLook::make_pass(const ToyPass& toy_pass) {
     m_look.passes.push_back(std::move(pass));
 }
 
-// A look is driven by one thing alone.
+// A look has a single driver.
 void ToyLook::choose_driver() {
     if (m_hears) {
         m_look.driven_by = Driver::signal;
@@ -287,7 +287,7 @@ void ToyLook::choose_driver() {
              "a look can't use both sound and video; the video is black");
 }
 
-// A chosen picture knows who reads it.
+// Binds picture parameters to the inputs that read them.
 void ToyLook::finish() {
     for (Parameter& parameter : m_look.parameters)
         for (std::size_t pass = 0; pass < m_look.passes.size(); ++pass)

@@ -2,10 +2,9 @@
 
 #include "formats/shadertoy/toy.h"
 
-/// The passes, images and chosen pictures of a look that draws the shader, without what
-/// find_parameters adds. Buffers are drawn in the order A, B, C, D, Cube A, then the Image; what
-/// has not been drawn yet in a frame is read as of the frame before. `folder` is where pictures
-/// that it names are looked for. Errors: there is no Image. `warnings` gets, by name, each input
-/// and pass that cannot be had here.
+/// The passes, images and picture parameters of a look for the shader, without the parameters of
+/// find_parameters(). Buffers are drawn in the order A, B, C, D, Cube A, then Image. A pass that is
+/// not drawn yet is read from the previous frame. `folder` contains the pictures. Error: the Image
+/// is missing. `warnings` receives each unsupported input and pass, by name.
 Result<Look> look_of_toy(const Toy& toy, const std::filesystem::path& folder,
                          Diagnostics& warnings);

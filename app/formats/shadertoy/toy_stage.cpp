@@ -22,7 +22,7 @@ std::string_view sampler_type(PictureShape shape) {
     return "sampler2D";
 }
 
-/// Puts the pieces of a stage together.
+/// Assembles the parts of a stage.
 class ToyStage {
 public:
     ToyStage(const ToyPass& pass, const ToyPass* common)
@@ -131,7 +131,7 @@ private:
             m_stage.lines.push_back(origin_of(code.lines, static_cast<int>(line) + 1));
     }
 
-    // The site begins with a colour that nobody overlooks, and shows its picture opaque.
+    // As on the site, a missing output is conspicuous and the picture is opaque.
     static std::string_view main_of(Kind kind) {
         if (kind == Kind::cube)
             return "void main() {\n"

@@ -29,7 +29,7 @@ double distance_to_edge(const ScenePoint& point, const ScenePoint& a, const Scen
     return length_of(point, between(a, b, along));
 }
 
-/// Every edge of a region, also that from the last corner of a ring to its first.
+/// Visits each edge of a region, including the closing edge of each ring.
 template <class Visit>
 void each_edge(const ClipRegion& region, std::size_t& tests, Visit visit) {
     for (const ScenePath& ring : region.rings)
@@ -55,7 +55,7 @@ bool lies_in(const ScenePoint& point, const ClipRegion& region, double tolerance
     return is_on_edge || (region.is_even_odd ? crossings % 2 != 0 : winding != 0);
 }
 
-// Where a segment meets the edges of the regions, from 0 to 1.
+// The intersections of a segment with the edges of the regions, from 0 to 1.
 std::vector<double> cuts_of(const ScenePoint& from, const ScenePoint& to,
                             const std::vector<const ClipRegion*>& regions, std::size_t& tests) {
     std::vector<double> cuts{0.0, 1.0};
@@ -75,7 +75,7 @@ std::vector<double> cuts_of(const ScenePoint& from, const ScenePoint& to,
     return cuts;
 }
 
-/// Puts pieces that follow each other together.
+/// Joins consecutive segments.
 class Pieces {
 public:
     void add(const ScenePoint& from, const ScenePoint& to, bool follows) {
@@ -112,7 +112,7 @@ std::vector<ScenePath> clipped(const ScenePath& path, const std::vector<const Cl
         const ScenePoint& from = path.points[i];
         const ScenePoint& to = path.points[i + 1];
         const std::vector<double> cuts = cuts_of(from, to, regions, tests);
-        double begin = 0.0;  // of the part that is seen up to here
+        double begin = 0.0;  // start of the current visible part
         for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
             const ScenePoint middle = between(from, to, 0.5 * (cuts[k] + cuts[k + 1]));
             const bool is_seen = std::ranges::all_of(regions, [&](const ClipRegion* region) {

@@ -17,7 +17,7 @@
 namespace fs = std::filesystem;
 
 namespace {
-// Of the page that librsvg draws on, whose longer side is 32768; Cairo rounds to 1/256.
+// In units of librsvg's page, whose longer side is 32768; Cairo rounds to 1/256.
 constexpr double same_place = 0.25;
 constexpr std::size_t most_clip_tests = 200'000'000;
 constexpr int most_open_groups = 500;
@@ -27,7 +27,7 @@ std::string attribute_of(const XmlTag& tag, const char* name) {
     return found == tag.attributes.end() ? std::string() : found->second;
 }
 
-/// How a path is painted, of its `style`.
+/// The paint properties in a path's `style`.
 class Paint {
 public:
     explicit Paint(const XmlTag& tag) {
@@ -60,7 +60,7 @@ private:
     std::map<std::string, std::string> m_words;
 };
 
-/// Reads what Cairo writes. A group with opacity stands in <defs>, and a <use> in its place.
+/// Reads Cairo's output. A group with opacity is in <defs>, referenced by a <use>.
 class PaintedReader {
 public:
     PaintedReader(const std::vector<XmlTag>& tags, const SvgTransform& to_page)
@@ -87,7 +87,7 @@ public:
         walk(0, m_tags.size(), {});
         return std::move(m_paths);
     }
-    /// Why not all of it could be read; "": all was.
+    /// The error that stopped reading; "": none.
     const std::string& problem() const { return m_problem; }
 
 private:
@@ -199,7 +199,7 @@ private:
         add(m_last, state);
     }
 
-    // A shape that is filled and then outlined is one line.
+    // A shape with fill and outline is drawn once.
     bool is_as_last(const std::vector<ScenePath>& paths) const {
         const auto is_near = [](const ScenePoint& a, const ScenePoint& b) {
             return std::hypot(a.x - b.x, a.y - b.y) <= same_place;
@@ -229,7 +229,7 @@ private:
 
     const std::vector<XmlTag>& m_tags;
     SvgTransform m_to_page;
-    std::vector<std::size_t> m_ends;  // of each tag, that of its closing one
+    std::vector<std::size_t> m_ends;  // index of the closing tag of each tag
     std::map<std::string, std::size_t> m_ids;
     std::vector<std::unique_ptr<ClipRegion>> m_regions;
     std::vector<ScenePath> m_last;
@@ -239,7 +239,8 @@ private:
     std::string m_problem;
 };
 
-// librsvg draws nothing of a list of points with an error, instead of what comes before it.
+// For an invalid list of points, librsvg draws nothing instead of the valid part. Replaces the
+// invalid part with spaces.
 std::string without_broken_points(std::string text) {
     constexpr std::string_view name = "points=";
     for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
@@ -255,7 +256,7 @@ std::string without_broken_points(std::string text) {
     return text;
 }
 
-// What many files leave out, and readers of SVG alone take for granted.
+// Adds the namespaces that many files omit and SVG-only readers assume.
 std::string with_namespaces(std::string text) {
     const std::size_t tag = text.find("<svg");
     const std::size_t end = text.find('>', tag);

@@ -17,19 +17,19 @@
 namespace {
 constexpr std::size_t most_svg_bytes = std::size_t{16} << 20;
 
-/// A path of a drawing of ours.
+/// A path of an Afterglow drawing.
 struct SvgOutline {
     ScenePath path;
-    std::size_t keyframe = 0;  // that it stands in
-    bool is_smooth = false;    // the path holds only the points of its curve
+    std::size_t keyframe = 0;  // the keyframe that contains it
+    bool is_smooth = false;    // the path contains only the points of its curve
 };
 
 struct SvgOutlines {
     std::vector<SvgOutline> outlines;
-    std::size_t keyframes = 0;  // groups that say to be one
+    std::size_t keyframes = 0;  // number of groups marked as keyframes
 };
 
-/// Reads a drawing of ours, which may have been edited by another program since.
+/// Reads an Afterglow drawing, which may have been edited by another program.
 class DrawingReader {
 public:
     explicit DrawingReader(const std::filesystem::path& file) : m_file(file) {}
@@ -80,7 +80,7 @@ private:
                style.find("display:none") == std::string::npos;
     }
 
-    // A keyframe that other programs are not to display is one all the same.
+    // A keyframe counts even if it is hidden for other programs.
     void enter_keyframe(const XmlTag& tag, Level& level) {
         const bool is_keyframe = tag.attributes.count("data-keyframe") != 0;
         if (is_keyframe)
@@ -208,7 +208,7 @@ bool are_same(const BeamPlace& a, const BeamPlace& b) {
     return distance(a, b) <= 1e-9 * (1.0 + std::abs(a[0]) + std::abs(a[1]));
 }
 
-// A path that ends where it began is closed.
+// A path that ends at its start is closed.
 Stroke stroke_of(const ScenePath& path, bool is_smooth) {
     Stroke stroke{.points = {}, .is_smooth = is_smooth};
     for (const ScenePoint& point : path.points)

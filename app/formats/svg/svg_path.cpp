@@ -23,7 +23,7 @@ Place mirrored(Place point, Place around) {
     return {2.0 * around.x - point.x, 2.0 * around.y - point.y};
 }
 
-/// Numbers one after the other, where "1-2" and ".5.5" are two.
+/// Reads consecutive numbers; "1-2" and ".5.5" are two each.
 class NumberReader {
 public:
     explicit NumberReader(std::string_view text) : m_text(text) {}
@@ -72,7 +72,7 @@ public:
         return value;
     }
 
-    // The flags of an arc may stand without a space between them.
+    // The flags of an arc need no separator.
     std::optional<double> flag() {
         skip_separators();
         if (peek() != '0' && peek() != '1')
@@ -109,7 +109,7 @@ public:
     }
 
 private:
-    // Commands and how many numbers each takes.
+    // Runs the command if it has all its numbers.
     bool run() {
         const char kind = static_cast<char>(std::toupper(static_cast<unsigned char>(m_command)));
         const std::size_t place = std::string_view("MLHVCSQTAZ").find(kind);
@@ -131,7 +131,7 @@ private:
 
     void draw(char kind) {
         const Place before = m_here;
-        Place handle = m_here;  // mirrored by a following S or T
+        Place handle = m_here;  // reflected by a following S or T
         switch (kind) {
             case 'M':
                 finish();
@@ -214,7 +214,7 @@ private:
         cubic_to(third(from, handle), third(to, handle), to);
     }
 
-    // From end points to a middle: SVG 1.1, appendix F.6.5.
+    // Endpoint to centre conversion: SVG 1.1, appendix F.6.5.
     void arc_to(Place to) {
         const Place from = m_here;
         double rx = std::abs(m_numbers[0]);

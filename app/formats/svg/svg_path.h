@@ -7,13 +7,13 @@
 #include <string_view>
 #include <vector>
 
-/// The numbers of an SVG list, between spaces and commas; nothing when it holds anything else.
+/// The numbers of an SVG list, separated by spaces and commas; nullopt for other content.
 std::optional<std::vector<double>> parse_svg_numbers(std::string_view text);
 
-/// What such a list begins with, up to its last whole pair of numbers.
+/// The valid start of such a list, up to its last complete pair of numbers.
 std::string_view whole_svg_pairs(std::string_view text);
 
-/// A path's `d` (SVG 1.1, chapter 8) as polylines in its own coordinates, y down. A curve
-/// is cut into as many steps; with 1 only the points that the commands lead to are left. Errors say
-/// what is wrong without a file.
+/// Converts a path's `d` (SVG 1.1, chapter 8) to polylines in its own coordinates, y down. Each
+/// curve is divided into `steps_a_curve` steps; 1 keeps only the end points of commands. Errors
+/// have no file.
 Result<std::vector<ScenePath>> parse_svg_path(std::string_view text, int steps_a_curve = 16);

@@ -1,4 +1,4 @@
-// A drawing as an SVG: see svg_file.h.
+// Writes a drawing as SVG; see svg_file.h.
 #include "base/text.h"
 #include "formats/svg/svg_file.h"
 #include "signals/drawing/stroke_line.h"
@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 namespace {
-// y goes down in an SVG.
+// y points down in SVG.
 std::string pair_text(const BeamPlace& place) {
     return format_number(kept_coordinate(place[0])) + ' ' +
            format_number(kept_coordinate(-place[1]));

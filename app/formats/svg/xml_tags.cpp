@@ -85,7 +85,7 @@ private:
             read_tag();
     }
 
-    // A DOCTYPE may hold declarations of its own in brackets.
+    // A DOCTYPE may contain declarations in brackets.
     void skip_declaration() {
         const std::size_t end = m_text.find('>', m_at);
         const std::size_t bracket = m_text.find('[', m_at);
