@@ -20,8 +20,8 @@ public:
     ChainReader(const fs::path& opened, SlangFiles& files, Diagnostics& warnings)
         : m_opened(opened), m_files(files), m_warnings(warnings) {}
 
-    // What a reference of `file` and everything behind it says, in the order of application: the
-    // owner comes first. Where passes are `wanted` the first file must be an owner, else none may.
+    // The settings of `file` and of its references, in the order of application, the owner first.
+    // If passes are `wanted`, the first file must be an owner; otherwise none may be.
     Result<std::vector<SlangSettings>> read(const fs::path& file, bool are_passes_wanted) {
         auto own = read_slang_settings(file, m_files, m_warnings);
         if (!own)
@@ -69,7 +69,7 @@ private:
             if (are_passes_wanted)
                 return refuse(fmt::format("can't read '{}' ({}): {}{}", reference.value,
                                           file.string(), reason, hint));
-            // RetroArch goes on without a file of values.
+            // Like RetroArch, ignores a missing file of values.
             m_warnings.push_back({at.file, at.line,
                                   fmt::format("can't read '{}' ({}): {}{}; its values are ignored",
                                               reference.value, file.string(), reason, hint),
@@ -115,7 +115,7 @@ private:
     const fs::path& m_opened;
     SlangFiles& m_files;
     Diagnostics& m_warnings;
-    std::vector<fs::path> m_open;  // from the opened preset to the one being read
+    std::vector<fs::path> m_open;  // from the opened preset to the current one
     int m_followed = 0;
 };
 }  // namespace
@@ -123,7 +123,7 @@ private:
 Result<SlangChain> read_slang_chain(const fs::path& file, SlangFiles& files,
                                     Diagnostics& warnings) {
     if (const auto text = files.read(file))
-        files.count_settings(**text);  // alone it is never too large
+        files.count_settings(**text);  // a single file is never too large
     auto all = ChainReader(file, files, warnings).read(file, true);
     if (!all)
         return fail(all.error());

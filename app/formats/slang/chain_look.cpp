@@ -53,7 +53,7 @@ constexpr std::array format_names{FormatName{"R8_UNORM", Format::r8},
                                   FormatName{"R32G32_SINT", Format::rg32i},
                                   FormatName{"R32G32B32A32_SINT", Format::rgba32i}};
 
-// With the corners of all passes: between two texels the last bit of a coordinate decides.
+// With the corners of all passes: between two texels the last bit of a coordinate matters.
 constexpr const char* stretching_corners = R"(#version 410 core
 layout(location = 0) in vec2 position;
 layout(location = 1) in vec2 corner;
@@ -70,7 +70,7 @@ out vec4 color;
 void main() { color = texture(image, at); }
 )";
 
-// By its alias, else after its file.
+// Named by alias, otherwise by file.
 std::vector<std::string> pass_names_of(const WholeChain& chain,
                                        const std::vector<std::string>& aliases) {
     std::vector<std::string> names;
@@ -106,7 +106,7 @@ bool is_missing(const SlangTexture& texture) {
 }
 
 Side side_of(const SlangScale& scale) {
-    constexpr double least = 1e-6;  // px or times; what is smaller still is a texel
+    constexpr double least = 1e-6;  // px or factor; smaller sizes are one texel
     switch (scale.by) {
         case SlangScale::By::viewport:
             return {Side::By::viewport, std::max(scale.factor, least), {}};
@@ -120,7 +120,7 @@ Side side_of(const SlangScale& scale) {
     return {Side::By::before, std::max(scale.factor, least), {}};
 }
 
-/// Makes a look of a chain, pass by pass.
+/// Converts a chain to a look, one pass at a time.
 class ChainLook {
 public:
     ChainLook(const WholeChain& chain, const SlangDefaults& defaults, Diagnostics& warnings)
@@ -177,7 +177,7 @@ void ChainLook::check_aliases() {
                      fmt::format("passes {} and {} are both named '{}'", before, i, m_aliases[i])});
 }
 
-// What feedback of the last pass reads would be gone once it is on the screen.
+// Also if a pass reads feedback of the last pass, which the screen does not keep.
 bool ChainLook::is_stretched() const {
     if (m_chain.preset.passes.back().scale)
         return true;
@@ -251,7 +251,7 @@ std::optional<Input> ChainLook::input_of(const SlangPicture& picture, std::size_
         case Of::output:
             if (picture.number >= passes)
                 return std::nullopt;
-            // A size may be asked for before there is a picture of it.
+            // A size may be requested before the picture is drawn.
             return of_pass(
                 picture.number, 0,
                 picture.number < index ? m_sampling.of_output(picture.number) : Sampler{});
@@ -395,7 +395,7 @@ void ChainLook::add_parameters() {
     m_look.parameters = std::move(controls.parameters);
     for (Parameter& parameter : m_look.parameters) {
         parameter.bindings = std::move(m_bindings[parameter.name]);
-        parameter.is_hidden = parameter.bindings.empty();  // no shader reads it
+        parameter.is_hidden = parameter.bindings.empty();  // not read by any shader
     }
     for (const auto& [name, value] : controls.fixed)
         for (const Binding& binding : m_bindings[name])

@@ -4,23 +4,22 @@
 #include "formats/slang/shader.h"
 #include "glsl/compile/translate.h"
 
-/// A chain with all that was read of it; one shader and one translation a pass.
+/// A chain with its loaded shaders: one shader and one translation per pass.
 struct WholeChain {
     SlangPreset preset;
     std::vector<SlangShader> shaders;
     std::vector<Translation> translations;
 };
 
-/// How the passes read where the preset does not say.
+/// Sampling of passes that the preset does not specify.
 struct SlangDefaults {
     Filter filter = Filter::nearest;
 };
 
-/// The passes and images of a look that draws the chain, by the rules of RetroArch's GL driver:
-/// the state of a sampler belongs to what it reads; a last pass with a size of its own is stretched
-/// over the picture by one pass more. Parameters drive their members in all passes. Errors: two
-/// passes of one alias, a pass that reads what comes after it, formats that there are not, members
-/// of another type than their name has. `warnings` gets names that mean nothing (they read black
-/// or 0) and pictures that are missing.
+/// The passes and images of a look for the chain, by the rules of RetroArch's GL driver. Sampler
+/// states belong to the texture that is read. A last pass with its own size is stretched to the
+/// picture by an additional pass. A parameter drives its members in all passes. Errors: passes with
+/// the same alias, a pass that reads a later one, unknown formats, members whose type does not
+/// match their name. `warnings` receives unknown names (they read black or 0) and missing pictures.
 Result<Look> look_of_chain(const WholeChain& chain, const SlangDefaults& defaults,
                            Diagnostics& warnings);

@@ -49,7 +49,7 @@ bool is_title(std::string_view text) {
     return is_framed || (bare.ends_with(':') && !has_lower_case(bare));
 }
 
-// Prose that explains a parameter beside it.
+// Text that explains another parameter.
 bool is_note(std::string_view text) {
     const std::string_view bare = trim(text);
     const std::string lower = to_lower(bare);
@@ -90,7 +90,7 @@ bool is_off_and_on(const std::vector<Item>& items) {
            both == "false/true";
 }
 
-// Whole numbers that are chosen from, not turned through.
+// A few whole numbers to choose from.
 bool is_choice(const SlangParameter& parameter, const Parameter& made) {
     const double initial = made.initial.number();
     return parameter.step == 1.0 && is_whole(made.range.low) && is_whole(made.range.high) &&
@@ -121,8 +121,8 @@ public:
     }
 
 private:
-    // A heading goes on in the passes of its shader, which lie in its folder, but says nothing
-    // about another shader's parameters.
+    // A heading continues in the passes of its shader, in the same folder. It does not apply to
+    // another shader's parameters.
     void begin_file(const SlangParameter& parameter) {
         const bool is_near =
             m_file && m_file->parent_path() == parameter.declared.file.parent_path();
@@ -223,9 +223,9 @@ private:
     std::string m_group;
     Location m_group_declared;
     std::set<std::string> m_group_names;
-    bool m_has_title = false;         // the group's name is more than a line of prose
-    bool m_is_after_heading = false;  // no control stands between
-    Parameter* m_last = nullptr;      // the control that the next notes are about
+    bool m_has_title = false;         // the group's name is a title, not text
+    bool m_is_after_heading = false;  // without a control in between
+    Parameter* m_last = nullptr;      // the control that the next notes describe
     std::string m_notes;              // for the next control
 };
 }  // namespace

@@ -8,7 +8,7 @@ struct Letter {
     std::size_t size = 0;
 };
 
-// The letter of valid UTF-8 that begins at `at`.
+// The character of valid UTF-8 at `at`.
 Letter letter_at(std::string_view text, std::size_t at) {
     const auto first = static_cast<unsigned char>(text[at]);
     if (first < 0x80)
@@ -20,7 +20,7 @@ Letter letter_at(std::string_view text, std::size_t at) {
     return {code, size};
 }
 
-// Signs, arrows, lines, superscripts; Unicode's blocks of symbols, without letters.
+// Signs, arrows, lines, superscripts: Unicode's blocks of symbols, without letters.
 bool is_symbol(char32_t code) {
     if (code >= 0xa0 && code <= 0xbf)
         return code != 0xaa && code != 0xb5 && code != 0xba;

@@ -2,6 +2,5 @@
 
 #include <string_view>
 
-/// A text in UTF-8 without the blanks, dashes, stars, arrows and footnote signs that decorate it on
-/// both sides.
+/// A UTF-8 text without decoration at both ends: spaces, dashes, stars, arrows and footnote signs.
 std::string_view without_decoration(std::string_view text);

@@ -7,7 +7,7 @@
 namespace {
 using DirectiveKind = SlangDirective::Kind;
 
-// The first word of `text`, which then begins behind it.
+// Takes the first word from `text`.
 std::string_view take_word(std::string_view& text) {
     text = trim(text);
     const std::size_t end = std::min(text.find_first_of(" \t\"'<"), text.size());
@@ -43,7 +43,7 @@ std::optional<Found> pragma_of(std::string_view rest) {
     return std::nullopt;
 }
 
-// Of a line that begins with '#', but for blanks.
+// The directive of a line that starts with '#' after whitespace.
 std::optional<Found> directive_of(std::string_view line) {
     std::string_view rest = trim(line).substr(1);
     const std::string_view word = take_word(rest);
@@ -56,7 +56,7 @@ std::optional<Found> directive_of(std::string_view line) {
     return std::nullopt;
 }
 
-// Whether a comment that goes on is open at the end of a line.
+// Whether a block comment is open at the end of a line.
 bool is_comment_open_after(std::string_view line, bool is_open) {
     const std::size_t first = std::min(line.find(is_open ? '*' : '/'), line.size());
     for (std::size_t i = first; i + 1 < line.size(); ++i) {

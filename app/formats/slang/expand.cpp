@@ -111,7 +111,7 @@ private:
         add(**found);
     }
 
-    // What is wrong with a whole file is told where it is included.
+    // Errors about a whole file are reported at the #include.
     void refuse(const SlangText& text, const SlangDirective& directive, const Diagnostic& reason) {
         if (reason.line > 0) {
             m_errors.push_back(reason);
@@ -122,7 +122,7 @@ private:
                           reason.message, near_file(reason.file, text.file)));
     }
 
-    // "a.inc -> b.inc -> a.inc", or nothing.
+    // "a.inc -> b.inc -> a.inc", or "".
     std::string circle_through(const SlangText& next) const {
         const auto first = std::ranges::find(m_open, &next);
         std::string chain;
@@ -133,11 +133,11 @@ private:
 
     SlangFiles& m_files;
     std::vector<SlangPiece> m_pieces;
-    std::vector<const SlangText*> m_open;  // from the shader to the text being added
+    std::vector<const SlangText*> m_open;  // from the shader to the current text
     Diagnostics m_errors;
     std::size_t m_bytes = 0;
     int m_included = 0;
-    bool m_is_over = false;  // a limit is reached; more would only say the same
+    bool m_is_over = false;  // a limit was exceeded and reported
 };
 }  // namespace
 

@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t most_text_bytes = std::size_t{4} << 20;
 constexpr std::size_t most_settings_bytes = std::size_t{8} << 20;
 
-// "\r\n", a lone "\r" and "\n" all end a line.
+// "\r\n", a single "\r" and "\n" are line ends.
 std::string with_newlines(std::string text) {
     if (text.find('\r') != std::string::npos) {
         std::size_t end = 0;

@@ -12,32 +12,31 @@
 #include <string_view>
 #include <vector>
 
-/// A text of a slang tree with what it asks of the reader.
+/// A text of a slang shader or preset with its directives.
 struct SlangText {
-    std::filesystem::path file;  // as it was first asked for
-    std::filesystem::path real;  // after links; two texts with the same one are one file
+    std::filesystem::path file;  // as first requested
+    std::filesystem::path real;  // with links resolved; equal paths are one file
     std::string text;            // every line ends with '\n'
     int line_count = 0;
     std::vector<SlangDirective> directives;
-    SlangParameters parameters;  // one a directive; none where it is another or cannot be read
+    SlangParameters parameters;  // one per directive; null for other directives and parse errors
 };
 
-/// The texts of presets and shaders, each read once however many passes and includes ask for it.
-/// One object is for one reading of a preset with all its shaders: it never looks at a file again.
+/// The texts of presets and shaders, each read once. Use one object per load of a preset with all
+/// its shaders, because it never reads a file again.
 class SlangFiles {
 public:
-    /// A text of at most 4 MiB; valid as long as this object. The errors are about the whole file.
+    /// A text of at most 4 MiB, valid as long as this object. Errors apply to the whole file.
     Result<const SlangText*> read(const std::filesystem::path& file);
 
-    /// Counts a text whose settings are about to be read, as often as it is. What is wrong where
-    /// they are more than 8 MiB in all, else "".
+    /// Counts the size of a text before each read of its settings. The error if the total exceeds 8
+    /// MiB, otherwise "".
     std::string count_settings(const SlangText& text);
 
-    /// Notes a file that matters though it was not read here: one that is missing, a picture.
+    /// Records a relevant file that is not read here: a missing file, a picture.
     void note(const std::filesystem::path& file);
 
-    /// Every file that was read, or looked for and missing, in that order, each once: for a
-    /// watcher, also after a failure.
+    /// Every file read or missing, in order, each once. For a watcher; valid after a failure, too.
     const std::vector<std::filesystem::path>& seen() const { return m_seen; }
 
 private:
@@ -50,9 +49,9 @@ private:
     std::size_t m_settings_bytes = 0;
 };
 
-/// Whether a file is a shader, and no preset, by its name.
+/// Whether a file is a shader and not a preset, by its name.
 bool is_slang_shader(const std::filesystem::path& file);
 
-/// The path that stands in `file` as `written`, with '/' or '\' between its parts: relative to the
-/// folder of `file`, with `..` resolved.
+/// The path `written` in `file`, with '/' or '\' as separator: relative to the folder of `file`,
+/// with `..` resolved.
 std::filesystem::path path_beside(const std::filesystem::path& file, std::string_view written);

@@ -18,7 +18,7 @@ std::string_view first_word_of(std::string_view label) {
     return label.substr(0, std::min(label.find_first_of(" \t:"), label.size()));
 }
 
-// What follows the first word where all begin with it and go on; else nothing.
+// The labels without their common first word; empty if there is none or nothing remains.
 std::vector<std::string_view> without_first_word(const std::vector<std::string_view>& labels) {
     const std::string_view word = first_word_of(labels.front());
     std::vector<std::string_view> rests;

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-/// Takes the words that all labels of a group begin with ("CRTGeom Curvature", "CRTGeom X Size")
-/// off them, where the group has four parameters at least and every label goes on with a letter.
-/// The label in full becomes the help of a parameter without one.
+/// Removes the words that start all labels of a group ("CRTGeom Curvature", "CRTGeom X Size"). The
+/// group must have at least four parameters, and the rest of each label must start with a letter.
+/// The full label becomes the help of a parameter without one.
 void drop_common_prefixes(std::vector<Parameter>& parameters);

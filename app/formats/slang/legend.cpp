@@ -12,17 +12,18 @@
 
 namespace {
 constexpr std::size_t longest_name = 48;
-constexpr int fewest_names = 3;  // that are no accident where nothing else says that they are names
+constexpr int fewest_names = 3;  // minimum that is unlikely to be a coincidence without other
+                                 // evidence
 
 struct Pair {
     int first = 0;
     int last = 0;
     std::size_t begin = 0;  // of the number in the text
-    std::size_t name = 0;   // where the name begins
-    bool is_loose = false;  // "0-Name", which may be a word, "2-phase"
+    std::size_t name = 0;   // start of the name
+    bool is_loose = false;  // "0-Name", which may be a word such as "2-phase"
 };
 
-// The whole number that `text` has at `at`, which moves behind it: "2", "-1", "1.0".
+// Parses an integer of `text` at `at` and advances `at`: "2", "-1", "1.0".
 std::optional<int> take_whole(std::string_view text, std::size_t& at) {
     int number = 0;
     const auto read = std::from_chars(text.data() + at, text.data() + text.size(), number);
@@ -34,7 +35,7 @@ std::optional<int> take_whole(std::string_view text, std::size_t& at) {
     return number;
 }
 
-// "0:Name", "0 = Name", "1-4: Name", "1/2=Name"; in brackets also "0-Name".
+// Parses "0:Name", "0 = Name", "1-4: Name", "1/2=Name"; in brackets also "0-Name".
 std::optional<Pair> pair_at(std::string_view text, std::size_t at, bool is_in_brackets) {
     Pair pair;
     pair.begin = at;
@@ -110,7 +111,7 @@ bool is_on_off(std::string_view a, std::string_view b) {
     return both == "off/on" || both == "on/off";
 }
 
-// The piece without the number that it stands for, "1: BGR"; nothing where it has another or none.
+// The piece without its number, "1: BGR"; nullopt for another number or none.
 std::optional<std::string_view> without_number(std::string_view piece, int number) {
     std::size_t at = 0;
     const auto own = take_whole(piece, at);
@@ -133,12 +134,12 @@ std::vector<Item> items_of(const std::vector<std::string_view>& pieces, int low)
     return bare.size() == whole.size() ? bare : whole;
 }
 
-// The names in `body`, where there is one for each number.
+// The names in `body` if it has one for each number.
 std::vector<Item> listed_names(std::string_view body, int low, int high) {
     const std::size_t first = body.find_first_of("|;,/");
     if (first == body.npos)
         return {};
-    // The separator that groups most: '|' before ';' before ',' before '/'.
+    // The outermost separator: '|' before ';' before ',' before '/'.
     char separator = '/';
     for (const char other : {',', ';', '|'})
         if (body.find(other) != body.npos)
@@ -154,7 +155,7 @@ std::vector<Item> listed_names(std::string_view body, int low, int high) {
     if (!is_named)
         return {};
     if (separator == '/' && pieces.size() == 2) {
-        // "On/Off" says that it can be switched, not that 0 is on.
+        // "On/Off" indicates a switch; it does not mean that 0 is on.
         if (low != 0 || !is_on_off(pieces[0], pieces[1]))
             return {};
         return {{0.0, "Off"}, {1.0, "On"}};
@@ -162,7 +163,7 @@ std::vector<Item> listed_names(std::string_view body, int low, int high) {
     return items_of(pieces, low);
 }
 
-// Where the label of "Label - A | B" or "Label: A | B" ends and the names begin.
+// The end of the label and the start of the names in "Label - A | B" or "Label: A | B".
 struct Cut {
     std::size_t label_end = 0;
     std::size_t names = 0;
@@ -180,7 +181,7 @@ std::optional<Cut> cut_before_names(std::string_view head) {
     return cut;
 }
 
-// Where the brackets open that close at the end of the text.
+// The position of the bracket that closes at the end of the text.
 std::optional<std::size_t> opening_bracket(std::string_view text) {
     if (text.empty() || (text.back() != ')' && text.back() != ']'))
         return std::nullopt;
@@ -218,7 +219,7 @@ std::optional<SlangLegend> legend_behind_label(std::string_view text, int low, i
     if (cut)
         if (auto items = listed_names(text.substr(cut->names), low, high); !items.empty())
             return legend(text.substr(0, cut->label_end), std::move(items));
-    // Nothing but a legend: "0: OFF | 1: ON".
+    // A legend only: "0: OFF | 1: ON".
     std::size_t at = 0;
     if (bar != text.npos && take_whole(text, at) == low)
         if (auto items = listed_names(text, low, high); !items.empty())
@@ -239,7 +240,7 @@ std::optional<SlangLegend> names_at_the_end(std::string_view text, int low, int 
     return std::nullopt;
 }
 
-// "Range 0-multi 1-hor 2-vert": each number has its name.
+// "Range 0-multi 1-hor 2-vert": each number has a name.
 std::optional<SlangLegend> names_behind_dashes(std::string_view text, int low, int high) {
     auto named = names_behind_numbers(text, low, high, true);
     if (high - low + 1 < fewest_names || !named ||
@@ -248,7 +249,7 @@ std::optional<SlangLegend> names_behind_dashes(std::string_view text, int low, i
     return legend(text.substr(0, named->begin), std::move(named->items));
 }
 
-// "SDR | HDR", "RF, Composite, S-Video"; "Mode  OFF | LOW | HIGH" has its label before two blanks.
+// "SDR | HDR", "RF, Composite, S-Video". In "Mode  OFF | LOW | HIGH" two spaces end the label.
 std::optional<SlangLegend> names_alone(std::string_view text, int low, int high) {
     const std::size_t bar = text.find('|');
     if (bar == text.npos && high - low + 1 < fewest_names)
@@ -257,7 +258,7 @@ std::optional<SlangLegend> names_alone(std::string_view text, int low, int high)
     const bool is_labelled = bar != text.npos && gap != text.npos;
     const std::string_view label = is_labelled ? text.substr(0, gap) : std::string_view();
     if (bar == text.npos && text.find_first_of(",;") == text.npos)
-        return std::nullopt;  // "Y/C/RGB" may be anything
+        return std::nullopt;  // "Y/C/RGB" is ambiguous
     if (auto items = listed_names(text.substr(label.size()), low, high); !items.empty())
         return legend(label, std::move(items));
     return std::nullopt;

@@ -6,19 +6,19 @@
 #include <string_view>
 #include <vector>
 
-/// What a parameter's text says: what it is called, and what its whole numbers mean.
+/// The label and the names of values in a parameter's text.
 struct SlangLegend {
-    std::string label;        // "" where the text is nothing but a legend
-    std::vector<Item> items;  // in order, those that have a name; empty: the text has no legend
+    std::string label;        // "" if the text is only a legend
+    std::vector<Item> items;  // in order, named values only; empty: no legend
 };
 
-/// Reads the legend of a parameter that takes the whole numbers from `low` to `high`. It is
-/// - a list of as many names as there are numbers: in brackets at the end ("Mode (off, fast,
-///   exact)", "LUT [ Off | NTSC ]"), or behind a colon or a dash ("Mask - ALL | TUBE | BEZEL",
-///   "Gamut: sRGB, P22, Trinitron"); between '|', ';', ',' or '/'. Numbers that count along are
-///   dropped ("0: RGB, 1: BGR"). '/' needs three names or more, as two are often no choice
-///   ("Y/C filter"), and counts for "OFF/ON" only;
-/// - or names behind their numbers: "Mask: 0:CGWG, 1-4:Lottes", "Mode (1=Full 2=Cold)". One alone
+/// Parses the legend of a parameter with whole numbers from `low` to `high`. Two forms:
+/// - A list with one name per number, in brackets at the end ("Mode (off, fast, exact)",
+///   "LUT [ Off | NTSC ]"), or after a colon or a dash ("Mask - ALL | TUBE | BEZEL",
+///   "Gamut: sRGB, P22, Trinitron"). Separators are '|', ';', ',' and '/'. Numbers in front of the
+///   names are removed ("0: RGB, 1: BGR"). '/' needs at least three names, because two are often
+///   not a choice ("Y/C filter"), except "OFF/ON".
+/// - Names after their numbers: "Mask: 0:CGWG, 1-4:Lottes", "Mode (1=Full 2=Cold)". A single one
 ///   needs brackets: "Scan (0 = none)".
-/// Where names and numbers do not fit there is no legend.
+/// `items` is empty if names and numbers do not match.
 SlangLegend parse_slang_legend(std::string_view text, int low, int high);

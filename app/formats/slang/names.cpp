@@ -15,7 +15,7 @@ constexpr NumberType three_floats{Scalar::floating, 3, 1};
 constexpr NumberType four_floats{Scalar::floating, 4, 1};
 constexpr NumberType matrix{Scalar::floating, 4, 4};
 
-// Without rewinding, rotation, sub-frames, high dynamic range or sensors these stay as they are.
+// Constant without rewinding, rotation, sub-frames, HDR or sensors.
 constexpr std::array slang_members{
     SlangMember{"MVP", matrix, BuiltIn::quad_to_clip},
     SlangMember{"OutputSize", four_floats, BuiltIn::target_extent},
@@ -41,7 +41,7 @@ constexpr std::array slang_members{
     SlangMember{"AccelerometerRest", three_floats, std::nullopt, 0.0},
 };
 
-// A name of the format that ends with a number; "OriginalHistory" comes before "Original".
+// A name of the format that ends with a number. "OriginalHistory" precedes "Original".
 struct NumberedName {
     std::string_view name;
     Of of;
@@ -51,7 +51,7 @@ constexpr std::array numbered_names{
     NumberedName{"PassFeedback", Of::feedback}, NumberedName{"User", Of::image}};
 
 std::optional<SlangPicture> find_numbered(std::string_view name, std::string_view behind) {
-    constexpr int most = 128;  // frames that RetroArch keeps; passes and textures are fewer
+    constexpr int most = 128;  // history frames of RetroArch; there are fewer passes and textures
     for (const NumberedName& numbered : numbered_names) {
         const std::string prefix = std::string(numbered.name) + std::string(behind);
         if (!name.starts_with(prefix))

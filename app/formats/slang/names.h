@@ -8,25 +8,25 @@
 #include <string_view>
 #include <vector>
 
-/// A texture that shaders of a chain read.
+/// A texture read by shaders of a chain.
 struct SlangPicture {
     enum class Of { original, source, output, feedback, image };
 
     Of of = Of::original;
-    int number = 0;  // original: frames ago; output, feedback: of the pass; image: of the texture
+    int number = 0;  // original: frames ago; output, feedback: pass; image: texture
 
     bool operator==(const SlangPicture&) const = default;
 };
 
-/// The names that mean a texture in one chain: "Source", "PassOutput2", a pass's alias, a
-/// texture's id. Those that the chain gives win over those of the format.
+/// The names of textures in one chain: "Source", "PassOutput2", a pass's alias, a texture's id.
+/// Names of the chain take precedence over those of the format.
 class SlangNames {
 public:
-    /// `aliases` has one name a pass, "" where it has none.
+    /// `aliases` has one name per pass, "" for none.
     SlangNames(std::vector<std::string> aliases, std::vector<std::string> images);
 
     std::optional<SlangPicture> find(std::string_view sampler) const;
-    /// What a member that tells a size is about: "SourceSize", "PassOutputSize2", "AliasSize".
+    /// The texture of a size member: "SourceSize", "PassOutputSize2", "AliasSize".
     std::optional<SlangPicture> find_size(std::string_view member) const;
 
 private:
@@ -36,13 +36,13 @@ private:
     std::vector<std::string> m_images;
 };
 
-/// A member of a block that says the same in every chain.
+/// A block member with the same meaning in each chain.
 struct SlangMember {
     std::string_view name;
     NumberType type;
-    std::optional<BuiltIn> says;  // none: always `number`
+    std::optional<BuiltIn> says;  // nullopt: the constant `number`
     double number = 0.0;
 };
 
-/// "FrameCount", "MVP" and so on; null for all others.
+/// "FrameCount", "MVP" and so on; null for other names.
 const SlangMember* find_slang_member(std::string_view name);

@@ -9,7 +9,7 @@
 namespace fs = std::filesystem;
 
 namespace {
-// The entry of a folder with this name, whatever the case of its letters.
+// The entry of a folder with this name, ignoring case.
 std::optional<fs::path> entry_called(const fs::path& folder, const fs::path& name) {
     constexpr int most_entries = 10000;
     const std::string wanted = to_lower(name.string());

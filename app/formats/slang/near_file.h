@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-/// For a file that is missing: " (did you mean 'shaders/stock.slang'?)" where one stands at its
-/// place in other letters, or one of its name beside `from`, the file that names it; else "". The
-/// path is from the folder of `from` on.
+/// " (did you mean 'shaders/stock.slang'?)" for a missing file, otherwise "". Suggests a file whose
+/// path differs only in case, or one with its name next to `from`, the referencing file. The path
+/// is relative to the folder of `from`.
 std::string near_file(const std::filesystem::path& wanted, const std::filesystem::path& from);

@@ -9,7 +9,7 @@
 #include <unordered_map>
 
 namespace {
-// The numbers that `text` begins with, at most four.
+// The numbers at the start of `text`, at most four.
 std::vector<double> leading_numbers(std::string_view text) {
     std::vector<double> numbers;
     while (numbers.size() < 4) {
@@ -23,7 +23,7 @@ std::vector<double> leading_numbers(std::string_view text) {
     return numbers;
 }
 
-// As the 32-bit floats that a shader gets.
+// Compares as 32-bit floats, as used by shaders.
 bool are_same_numbers(const SlangParameter& a, const SlangParameter& b) {
     const auto is_same = [](double x, double y) {
         return static_cast<float>(x) == static_cast<float>(y);

@@ -18,7 +18,7 @@ constexpr int most_slang_passes = 64;
 constexpr std::size_t most_slang_textures = 64;
 constexpr double largest_count = 1 << 24;
 
-// Keys of the form KEYn, that belong to pass n.
+// Keys of the form KEYn for pass n.
 constexpr std::array<std::string_view, 18> pass_keys{"shader",
                                                      "filter_linear",
                                                      "wrap_mode",
@@ -156,7 +156,8 @@ private:
         return Wrap::border;
     }
 
-    // Where any scale_type is said both sides are scaled; one for both beats one for a side.
+    // With any scale_type, both sides are scaled. A type for both sides takes precedence over one
+    // for a side.
     std::optional<std::array<SlangScale, 2>> scale_of(const std::string& number) {
         std::array<SlangScale, 2> scale;
         bool is_said = false;
@@ -226,7 +227,7 @@ private:
     }
 
     void take_values(const SlangSettings& settings) {
-        // A file may name textures that only another owner has; what has a path is one too.
+        // A file may refer to textures of another owner; a name with a path counts, too.
         std::set<std::string> names = m_texture_names;
         for (std::string& name : names_in(settings.find("textures")))
             names.insert(std::move(name));

@@ -8,13 +8,13 @@ Filter filter_of(std::optional<bool> is_linear, Filter unspecified) {
 }
 }  // namespace
 
-// A pass has smaller levels where the one behind it asks for them.
+// Whether the pass has mipmaps, because the next pass reads them.
 bool SlangSampling::has_levels(int pass) const {
     const std::size_t next = static_cast<std::size_t>(pass) + 1;
     return next < m_preset.passes.size() && m_preset.passes[next].reads_mipmaps;
 }
 
-// Between levels RetroArch goes smoothly only in the state of a pass that has levels itself.
+// RetroArch interpolates between mipmap levels only in the state of a pass with mipmaps.
 Sampler SlangSampling::state_of(int pass, bool is_mipmapped) const {
     const SlangPass& owner = m_preset.passes[static_cast<std::size_t>(pass)];
     Sampler sampler{filter_of(owner.is_linear, m_unspecified), owner.wrap, is_mipmapped};

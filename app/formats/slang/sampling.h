@@ -2,9 +2,9 @@
 
 #include "formats/slang/preset.h"
 
-/// How what a chain's passes read is sampled. As in RetroArch, filter and wrap belong to the
-/// texture and not to its reader: an output has those of the pass behind it, a feedback those of
-/// the pass that drew it, the original those of the first pass.
+/// Sampler states of the textures in a chain. As in RetroArch, filter and wrap belong to the
+/// texture, not to its reader. An output has those of the next pass, a feedback those of its own
+/// pass, the original those of the first pass.
 class SlangSampling {
 public:
     SlangSampling(const SlangPreset& preset, Filter unspecified)

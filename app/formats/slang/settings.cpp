@@ -21,8 +21,8 @@ struct Line {
     std::string_view value;
 };
 
-// What stands in the quotes that `text` begins with, or up to its next blank, without a ';' behind
-// it. Quotes that never close go on to the end of the line.
+// The quoted text at the start of `text`, or its first word without a final ';'. Unclosed quotes
+// extend to the end of the line.
 std::string_view value_of(std::string_view text) {
     if (text.starts_with('"'))
         return trim(text.substr(1, text.find('"', 1) - 1));
@@ -30,7 +30,7 @@ std::string_view value_of(std::string_view text) {
     return text.substr(0, text.find_last_not_of(';') + 1);
 }
 
-// Without what follows '#' outside of quotes.
+// Removes a comment that starts with '#' outside quotes.
 std::string_view without_comment(std::string_view line) {
     bool is_quoted = false;
     for (std::size_t i = 0; i < line.size(); ++i) {
@@ -52,7 +52,7 @@ std::optional<Line> key_and_value(std::string_view line) {
     return Line{line.substr(0, key_end), value_of(trim(rest.substr(1)))};
 }
 
-// What follows `word` on a line that begins with it.
+// The argument after `word` on a line that starts with it.
 std::optional<std::string_view> argument_of(std::string_view line, std::string_view word) {
     if (!line.starts_with(word))
         return std::nullopt;

@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 namespace {
 constexpr std::size_t most_parameters = 16384;
 
-// Shaders declare the uniforms of newer hosts only where the host says that it has them.
+// Shaders declare uniforms of newer hosts only with these definitions.
 constexpr std::array<std::string_view, 4> host_definitions{
     "#define _HAS_ORIGINALASPECT_UNIFORMS\n",
     "#define _HAS_FRAMETIME_UNIFORMS\n",
@@ -68,7 +68,7 @@ private:
         m_placed = piece;
     }
 
-    // Writes down where the last lines come from, those that follow each other at once.
+    // Records the source locations of the last consecutive lines.
     void place_lines() {
         if (m_placed.text)
             for (Stage* stage : {&m_shader.vertex, &m_shader.fragment})
@@ -145,8 +145,8 @@ private:
     }
 
     SlangShader m_shader;
-    Stage* m_only = nullptr;  // the open stage; none: both
-    SlangPiece m_placed;      // lines whose places are not written down yet
+    Stage* m_only = nullptr;  // the open stage; null: both
+    SlangPiece m_placed;      // lines whose locations are not recorded yet
     SlangParameters m_declared;
     Diagnostics m_errors;
 };

@@ -4,24 +4,23 @@
 #include "formats/slang/parameters.h"
 #include "model/look/look.h"
 
-/// A .slang file as its reader understands it: two stages for the compiler, and what the pragmas
-/// say.
+/// A parsed .slang file: two stages for the compiler, and the values of its pragmas.
 struct SlangShader {
-    // GLSL for Vulkan, with the includes in place and without what was for the reader: a pragma's
-    // line is empty. The other stage's lines are left out. `file` is the .slang file.
+    // GLSL for Vulkan with expanded includes. Lines of pragmas are empty. Lines of the other stage
+    // are omitted. `file` is the .slang file.
     Stage vertex;
     Stage fragment;
     std::string alias;   // #pragma name; "": none
-    std::string format;  // #pragma format, the word as it stands there; "": none
+    std::string format;  // #pragma format, as written; "": none
     Location alias_declared;
     Location format_declared;
     SlangParameters parameters;  // in order, each id once
     Diagnostics warnings;
 };
 
-/// Reads a shader with its includes. Text before the first `#pragma stage` belongs to both stages,
-/// and a stage may be opened again. Behind `#version` stand the definitions by which shaders ask
-/// whether the program gives the aspect, frame time, rotation and sensor uniforms. Errors (several
-/// at once, each at its line): what expand_slang says, a first line that is no `#version`, an
-/// unknown stage, a parameter's line that cannot be read, more than 16,384 parameters.
+/// Reads a shader with its includes. Text before the first `#pragma stage` belongs to both stages.
+/// A stage may be reopened. After `#version`, the host definitions for aspect, frame time, rotation
+/// and sensor uniforms are added. Errors, several at once, at their lines: those of expand_slang(),
+/// a first line other than `#version`, an unknown stage, an invalid parameter, more than 16,384
+/// parameters.
 Result<SlangShader> read_slang_shader(const std::filesystem::path& file, SlangFiles& files);

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 namespace {
 constexpr const char* pixel_art = "pattern:harbour";
 
-/// Shaders and their translations, each once however many passes have it.
+/// Loads and translates shaders, each once, even if several passes use it.
 class ChainLoader {
 public:
     ChainLoader(SlangFiles& files, CheckCache* cache, TurnedConstants& constants)
@@ -44,7 +44,7 @@ private:
         std::vector<std::string> constants;
     };
 
-    // Of all that can be wrong with a pass the preset's line is told where its file has none.
+    // Errors without a line in the shader file are reported at the preset's line.
     void refuse(const SlangPass& pass, const Diagnostics& why) {
         const std::string name = pass.alias.empty() ? pass.shader.stem().string() : pass.alias;
         for (Diagnostic problem : why) {
@@ -129,8 +129,8 @@ Filter other_than(Filter filter) {
     return filter == Filter::nearest ? Filter::linear : Filter::nearest;
 }
 
-// A choice that the presets of a chain leave to the host, of all passes that it makes a difference
-// to. With another value the look is another, as with a constant of its texts.
+// Adds a parameter for a choice that presets leave to the host, bound to all affected passes. Its
+// value changes the look, like a constant in the texts.
 void add_filter(const WholeChain& chain, Filter chosen, Look& look) {
     Diagnostics told_already;
     const auto other = look_of_chain(chain, {other_than(chosen)}, told_already);

@@ -2,9 +2,9 @@
 
 #include "formats/look/loaded_look.h"
 
-/// Reads a chain of libretro's shaders as a look: a .slangp preset with all that it refers to, or
-/// one .slang shader. Errors are the files' and glslang's, each at its line; a
-/// shader of several passes tells its own once.
+/// Loads a chain of libretro shaders as a look: a .slangp preset with all its references, or one
+/// .slang shader. Errors of the files and of glslang have their lines. Errors of a shader in
+/// several passes are reported once.
 LoadedLook load_slang_look(const std::filesystem::path& file, const ReadingHelp& help);
 
 /// Whether a file is one of these, by its name.

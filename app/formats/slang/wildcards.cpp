@@ -40,7 +40,7 @@ std::string with_wildcards_replaced(std::string_view written, const fs::path& op
         if (close == written.npos)
             break;
         const auto meaning = meaning_of(written.substr(open + 1, close - open - 1), opened);
-        // The second '$' of what is no token may be the first of one.
+        // The second '$' of an unknown token may start another token.
         const std::size_t done = meaning ? close + 1 : close;
         path += written.substr(0, meaning ? open : close);
         path += meaning.value_or("");

@@ -2,13 +2,12 @@
 
 #include "formats/slang/files.h"
 
-/// A path as a preset writes it, with RetroArch's `$TOKEN$`s replaced by what they are for a
-/// desktop without a game: the driver is glcore, nothing is turned, the view is wide, and
-/// $PRESET$ and $PRESET-DIR$ name `opened` and its folder. $CONTENT-DIR$, $CORE$, $GAME$ and
-/// what is unknown stay.
+/// A path in a preset with RetroArch's `$TOKEN$`s replaced, for a desktop without a game: the
+/// driver is glcore, there is no rotation, the view is wide. $PRESET$ and $PRESET-DIR$ name
+/// `opened` and its folder. $CONTENT-DIR$, $CORE$, $GAME$ and unknown tokens are kept.
 std::string with_wildcards_replaced(std::string_view written, const std::filesystem::path& opened);
 
-/// The file that `written` in `from` names: with its wildcards replaced where there is such a file,
-/// else as it is written. `opened` is the preset that a person opened. Notes what was looked for.
+/// The file that `written` in `from` names: with wildcards replaced if that file exists, otherwise
+/// as written. `opened` is the preset opened by the user. Records both paths in `files`.
 std::filesystem::path find_slang_file(std::string_view written, const std::filesystem::path& from,
                                       const std::filesystem::path& opened, SlangFiles& files);

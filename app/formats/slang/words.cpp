@@ -10,8 +10,8 @@
 #include <limits>
 
 namespace {
-// The bytes of the UTF-8 letter that `bytes` begins with; 0 when it begins with none. Unicode's
-// table 3-7: no letter written longer than it must be, none beyond U+10FFFF, no surrogates.
+// The number of bytes of the UTF-8 character at the start of `bytes`; 0 if invalid. Unicode table
+// 3-7: no overlong forms, no code points above U+10FFFF, no surrogates.
 std::size_t letter_size(std::string_view bytes) {
     const auto byte = [&](std::size_t i) {
         return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0u;

@@ -10,7 +10,7 @@
 namespace fs = std::filesystem;
 
 namespace {
-// Shaders have 32-bit floats; a preset that says more digits would only be harder to read.
+// Shaders use 32-bit floats, so a preset needs no more digits.
 std::string shortest_number(double number) {
     const auto single = static_cast<float>(number);
     return static_cast<double>(single) == number ||
