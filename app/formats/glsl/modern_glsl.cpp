@@ -143,7 +143,7 @@ private:
         return word;
     }
 
-    // A text without #version may also use the built-ins of ES 3.00. In it, such a word is a name
+    // A text without #version may also use the words of ES 3.00. In it, such a word is a name
     // only if it is declared.
     bool is_taken(std::string_view word) const {
         constexpr int usual = 330;

@@ -12,7 +12,7 @@ struct Mark {
     std::string_view bases;       // without it, in the same order
 };
 
-// Latin-1, Latin Extended-A and the letters of Romanian, decomposed as by Unicode.
+// Latin-1, Latin Extended-A and the letters of Romanian, decomposed as in Unicode.
 constexpr std::array marks{
     Mark{0x300, "1230", true, U"ÀÈÌÒÙàèìòù", "AEIOUaeiou"},                              // grave
     Mark{0x301, "1032", true, U"ÁÉÍÓÚÝáéíóúýĆćĹĺŃńŔŕŚśŹź", "AEIOUYaeiouyCcLlNnRrSsZz"},  // acute
