@@ -1,11 +1,11 @@
 #version 410 core
-// The original article's method, mistakes included (docs/looks.md lists them). Linear light, summed;
-// alpha counts the samples.
+// The original article's method, mistakes included (docs/looks.md lists them). Sums linear light.
+// Alpha counts the samples.
 #include "article_scene.glsl"
 #include "camera.glsl"
 #include "noise.glsl"
 
-uniform sampler2D even_numbers;   // and points of the circle
+uniform sampler2D even_numbers;   // red, green: uniform numbers; blue, alpha: points on the circle
 uniform sampler2D sphere_points;
 uniform int u_samples;
 uniform int bounces = 3;
@@ -35,13 +35,13 @@ vec2 circle_point() {
     return point;
 }
 
-// The article compares here (`randState == r3.xy`) instead of adding, so the next number of this kind
-// is the same.
+// The article compares here (`randState == r3.xy`) instead of adding. The next number of this kind
+// is therefore the same.
 vec3 sphere_point_as_written() {
     return numbers_here(sphere_points).xyz;
 }
 
-// The lens is brighter in its middle, as its radius is an even number.
+// The lens is brighter in its middle, because the radius is a uniform random number.
 Ray ray_as_written() {
     vec2 jitter = even_pair() - 0.5;
     vec2 around = circle_point();
@@ -52,12 +52,12 @@ Ray ray_as_written() {
 vec3 light_as_written(Ray ray) {
     vec3 light = vec3(0.0);
     vec3 carried = vec3(1.0);
-    for (int i = 0; i <= bounces; ++i) {  // one more than `bounces` says
+    for (int i = 0; i <= bounces; ++i) {  // one more than `bounces`
         Hit hit = first_hit(ray);
         if (hit.what == nothing)
             return light + ambient * carried;
         if (hit.what == lamp)
-            return light + lamp_color() * carried;  // counted by the shadow ray already
+            return light + lamp_color() * carried;  // already counted by the shadow ray
         Surface surface = surface_at(ray, hit);
         carried *= surface.color;
         light += carried * shadow_ray_as_written(surface, sphere_point_as_written());

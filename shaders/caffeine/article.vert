@@ -1,6 +1,6 @@
 #version 410 core
-// The triangle of the article's passes. It lies off screen unless Original article is on.
-#include "molecule.glsl"  // first, as the panel lists parameters in the order of declaration
+// Full-screen triangle of the article's passes. It is off screen unless Original article is on.
+#include "molecule.glsl"  // first, because the panel lists parameters in declaration order
 #include "as_written.glsl"
 
 void main() {

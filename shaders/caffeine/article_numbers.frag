@@ -1,6 +1,6 @@
 #version 410 core
-// The article's textures of random numbers, drawn once when Original article is on: two uniform
-// numbers in red and green, a point on the circle in blue and alpha.
+// The article's first two textures of random numbers, drawn once when Original article is on. Red
+// and green are two uniform numbers. Blue and alpha are a point on the unit circle.
 #include "noise.glsl"
 
 out vec4 color;

@@ -1,4 +1,4 @@
-// The lamp by the original article's formulas.
+// The lamp with the original article's formulas.
 #ifndef CAFFEINE_ARTICLE_SCENE
 #define CAFFEINE_ARTICLE_SCENE
 
@@ -8,8 +8,8 @@ vec3 lamp_color() {
     return light_color * light_radiance;
 }
 
-// A point anywhere on the lamp, also on its far side; the lamp's size in the sky as the square of an
-// angle, where 2 (1 - cos) is meant.
+// Light from one point of the lamp, which can be on its far side. The article weights it by the
+// square of the lamp's angular radius instead of 2 (1 - cos).
 vec3 shadow_ray_as_written(Surface surface, vec3 on_lamp) {
     vec3 direction = normalize(lamp_center() + light_radius * on_lamp - surface.place);
     if (first_hit(Ray(surface.place, direction)).what != lamp)

@@ -1,6 +1,6 @@
 #version 410 core
-// The article's third texture of random numbers, drawn once when Original article is on: points on the
-// sphere.
+// The article's third texture of random numbers: points on the unit sphere. Drawn once when
+// Original article is on.
 #include "noise.glsl"
 
 out vec4 color;

@@ -1,4 +1,4 @@
-// The camera: a thin lens that orbits its target with the mouse.
+// The camera: a thin lens. The mouse rotates it around its target.
 #ifndef CAFFEINE_CAMERA
 #define CAFFEINE_CAMERA
 
@@ -34,8 +34,8 @@ Camera camera() {
     return Camera(eye, right, cross(right, forward), forward);
 }
 
-// Evenly spread over the disk of radius 1 (P. Shirley and K. Chiu, "A Low Distortion Map Between Disk
-// and Square", JGT 2(3), 1997).
+// Maps a uniform point of the unit square to a uniform point of the unit disk (P. Shirley and K.
+// Chiu, "A Low Distortion Map Between Disk and Square", JGT 2(3), 1997).
 vec2 disk_point(vec2 square) {
     vec2 place = 2.0 * square - 1.0;
     bool is_wide = abs(place.x) > abs(place.y);
@@ -46,7 +46,8 @@ vec2 disk_point(vec2 square) {
     return is_wide ? on_axis : on_axis.yx;
 }
 
-// What a place of a pixel shows sharply: `from_middle` is -0.5..0.5 px.
+// The point in the focal plane that a pixel shows. `from_middle` is the offset from the pixel's
+// centre, -0.5..0.5 px.
 vec3 focus_point(Camera view, vec2 pixel, vec2 from_middle) {
     vec2 place = (2.0 * (pixel + (antialias ? from_middle : vec2(0.0))) - u_resolution) / u_resolution.y;
     place *= tan(radians(0.5 * field_of_view));
@@ -58,7 +59,7 @@ vec3 across_lens(Camera view, vec2 on_lens) {
     return aperture * (on_lens.x * view.right + on_lens.y * view.up);
 }
 
-// `on_lens` lies within a disk of radius 1.
+// `on_lens` is a point of the unit disk.
 Ray lens_ray(Camera view, vec3 focus, vec2 on_lens) {
     vec3 origin = view.eye + across_lens(view, on_lens);
     return Ray(origin, normalize(focus - origin));

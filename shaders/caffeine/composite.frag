@@ -1,12 +1,12 @@
 #version 410 core
-// Composite: the mean of all paths, exposed, tone mapped and display-encoded, once.
+// Composite: the mean of all paths, exposed, tone mapped once and display-encoded.
 #include "as_written.glsl"
 #include "color.glsl"
 #include "noise.glsl"
 #include "tonemap.glsl"
 
-uniform sampler2D sum;      // linear light; alpha: of how many samples
-uniform sampler2D article;  // the same, by the article's method
+uniform sampler2D sum;      // linear light; alpha: number of samples
+uniform sampler2D article;  // the same with the article's method
 
 uniform float exposure = 1.0;    // @range 0.1 10  @limit 0 1000  @scale log  @label "Exposure"  @group "Tone mapping"  @identity 1
                                  // @help "Brightness of the whole picture, before tone mapping. Changing it keeps the samples."
@@ -27,7 +27,7 @@ vec3 mean_of(sampler2D sums) {
 }
 
 void main() {
-    // The article clamps and takes the root, which is not the display's curve.
+    // The article clamps and applies a plain gamma instead of the display's sRGB curve.
     vec3 light = tone_mapped_per_channel(exposure * mean_of(sum), tone_map, white);
     vec3 display = as_written ? pow(clamp(mean_of(article), 0.0, 1.0), vec3(1.0 / article_gamma))
                               : srgb_encode(light);

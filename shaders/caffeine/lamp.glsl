@@ -1,7 +1,7 @@
-// The lamp is a sphere: seen from a point it covers a cone of directions, which is sampled. Its
-// reflection in a surface is sampled both in that cone and in the surface's lobe, and the two are
-// weighted so that the lamp counts once (balance heuristic: E. Veach and L. Guibas,
-// "Optimally Combining Sampling Techniques for Monte Carlo Rendering", SIGGRAPH 1995).
+// The lamp: a sphere. Seen from a point, it covers a cone of directions. Its reflection in a
+// surface is sampled both in that cone and in the surface's lobe. The weights of both make the lamp
+// count once (balance heuristic: E. Veach and L. Guibas, "Optimally Combining Sampling Techniques
+// for Monte Carlo Rendering", SIGGRAPH 1995).
 #ifndef CAFFEINE_LAMP
 #define CAFFEINE_LAMP
 
@@ -14,20 +14,20 @@ vec3 lamp_light() {
     return light_color * (light_intensity * light_radiance);
 }
 
-// Seen by the camera; 1 is the article's.
+// The lamp as the camera sees it. A `light_shown` of 1 is the article's.
 vec3 lamp_shown() {
     return light_color * (light_shown * light_radiance);
 }
 
-// 1 - cos of half the cone's angle; below 0 inside the lamp, where there is no cone. The cone's solid
-// angle is 2 pi times it.
+// 1 - cos of half the cone's angle. Below 0 inside the lamp, where no cone exists. The cone's solid
+// angle is 2 pi times this value.
 float lamp_cone(vec3 place) {
     vec3 away = lamp_center() - place;
     float sine_squared = light_radius * light_radius / dot(away, away);
     return sine_squared < 1.0 ? sine_squared / (1.0 + sqrt(1.0 - sine_squared)) : -1.0;
 }
 
-// How densely lamp_direction() goes to any direction of the cone, a steradian.
+// Probability density of lamp_direction() within the cone, per steradian.
 float lamp_density(float cone) {
     return cone > 0.0 ? 1.0 / (2.0 * pi * cone) : 0.0;
 }
@@ -46,9 +46,9 @@ bool sees_lamp(Ray ray) {
     return sphere_entry(ray, lamp_center(), light_radius) > 0.0 && first_hit(ray).what == lamp;
 }
 
-// All of the lamp's light reflected by a surface, before the surface's colour: a bounce that hits the
-// lamp adds nothing. Each sample takes one direction of the lamp's cone and one of the lobe, so that
-// the choice between diffuse and specular reflection adds no noise.
+// All of the lamp's light that a surface reflects, before the surface's colour. A bounce that hits
+// the lamp therefore adds nothing. Each sample takes one direction of the lamp's cone and one of
+// the lobe. So the choice between diffuse and specular reflection adds no noise.
 vec3 lamp_off(Surface surface, vec2 cone_square, vec2 lobe_square) {
     float cone = lamp_cone(surface.place);
     if (cone <= 0.0)
@@ -56,7 +56,7 @@ vec3 lamp_off(Surface surface, vec2 cone_square, vec2 lobe_square) {
     float density = lamp_density(cone);
     vec3 directions[2] = vec3[](lamp_direction(surface.place, cone, cone_square),
                                 mirrored_direction(surface, lobe_square));
-    vec2 mirrored = vec2(0.0, 1.0);  // how far either way counts for the mirror image
+    vec2 mirrored = vec2(0.0, 1.0);  // weight of each direction in the specular reflection
     if (!is_mirror(surface)) {
         mirrored = vec2(lobe_density(surface, directions[0]), lobe_density(surface, directions[1]));
         mirrored /= density + mirrored;

@@ -1,5 +1,5 @@
-// The lens, split where the edge of the lamp runs across it. Where the lamp is out of focus, rays that
-// just hit or just miss it would otherwise cause most of the noise, as it is very bright.
+// The lens, split where the edge of the lamp crosses it. The lamp is very bright. Where it is out
+// of focus, rays that just hit or just miss it would otherwise cause most of the noise.
 #ifndef CAFFEINE_LENS_CUT
 #define CAFFEINE_LENS_CUT
 
@@ -7,15 +7,16 @@
 #include "scene.glsl"
 
 struct LensCut {
-    float lamp_share;  // of the chord; 0 if it was not split
-    vec2 lamp;         // a point of that share
-    vec2 beside;       // and one of the rest
+    float lamp_share;  // fraction of the chord whose rays hit the lamp; 0 if it is not split
+    vec2 lamp;         // a point of that part
+    vec2 beside;       // a point of the other part
 };
 
-// Where rays through `focus` meet the lamp: the points `from` + s `along` of the lens with s between
-// the two numbers. Rays that touch the lamp are a cone with its tip in `focus`, so its edge on the
-// lens is where (w d)^2 = (w^2 - r^2) d^2 for the ways d from the lens to `focus` and w on to the
-// lamp's middle. None where that is no ellipse.
+// Where rays through `focus` hit the lamp: the points `from` + s `along` of the lens, with s
+// between the two numbers. Rays that touch the lamp form a cone with its tip in `focus`. So its
+// edge on the lens is where (w d)^2 = (w^2 - r^2) d^2. The vector d goes from the lens to `focus`,
+// and w from there to the lamp's centre. Returns (0, 0) if the edge is not an ellipse or the line
+// misses it.
 vec2 lamp_on_lens(Camera view, vec3 focus, vec2 from, vec2 along) {
     const vec2 nowhere = vec2(0.0);
     if (dot(lamp_center() - view.eye, view.forward) <= light_radius)
@@ -35,8 +36,8 @@ vec2 lamp_on_lens(Camera view, vec3 focus, vec2 from, vec2 along) {
     return (-half_b + sqrt(root_squared) * vec2(1.0, -1.0)) / a;
 }
 
-// Across the lamp's edge, on the lens: towards the point where the line through `focus` and the lamp's
-// centre intersects the lens.
+// The direction on the lens across the lamp's edge, of length 1. It points to where the line
+// through `focus` and the lamp's centre intersects the plane of the lens.
 vec2 across_edge(Camera view, vec3 focus) {
     vec3 onward = lamp_center() - focus;
     vec3 way = focus - view.eye;

@@ -1,5 +1,5 @@
-// Materials: a fraction of the light is scattered diffusely (Lambert), the rest into a lobe around the
-// mirrored ray, which widens with roughness.
+// Materials: a fraction of the light is scattered diffusely (Lambert). The rest goes into a lobe
+// around the mirrored ray. The lobe widens with roughness.
 #ifndef CAFFEINE_MATERIAL
 #define CAFFEINE_MATERIAL
 
@@ -17,12 +17,12 @@ uniform float ray_offset = 1e-4;       // @range 0.00001 0.1  @limit 0 1  @scale
                                        // @help "How far above a surface its rays start, so that they don't hit it again."
 
 const float pi = 3.14159265359;
-const float smoothest = 0.005;  // what is smoother is a mirror
+const float smoothest = 0.005;  // a lower roughness counts as a mirror
 
 struct Surface {
     vec3 place;
     vec3 normal;
-    vec3 mirrored;  // the direction of a mirror's ray
+    vec3 mirrored;  // direction of the mirrored ray
     vec3 color;
     float roughness;
     float matt;
@@ -39,30 +39,30 @@ Surface surface_at(Ray ray, Hit hit) {
                    is_coffee ? coffee_matt : atom_matt);
 }
 
-// Evenly spread over the sphere of radius 1 (Archimedes' hat box).
+// Maps a uniform point of the unit square to one of the unit sphere (Archimedes' hat-box theorem).
 vec3 sphere_point(vec2 square) {
     float z = 1.0 - 2.0 * square.x;
     float around = 2.0 * pi * square.y;
     return vec3(sqrt(max(0.0, 1.0 - z * z)) * vec2(cos(around), sin(around)), z);
 }
 
-// The lobe's directions go to the points of a sphere that has moved from the mirrored ray's end to
-// that of the normal and has grown from nothing to radius 1 on the way. At roughness 1 it touches the
-// surface, and the directions are those of Lambert's law.
+// The direction to a point of a sphere. As roughness grows, the sphere moves from the end of the
+// mirrored ray to the end of the normal. Its radius grows from 0 to 1. At roughness 1 it touches
+// the surface, and the directions follow Lambert's law.
 vec3 lobe_direction(Surface surface, float roughness, vec3 on_sphere) {
     vec3 towards = mix(surface.mirrored, surface.normal + on_sphere, roughness);
     float size = length(towards);
     return size > 1e-6 ? towards / size : surface.normal;
 }
 
-// How densely lobe_direction() goes to a direction, a steradian. A sphere's surface of even density
-// 1 / (4 pi r^2) is seen at distances t1 and t2 along the direction, under the cosine `slant` / r:
-// each adds density t^2 / cosine.
+// Probability density of lobe_direction(), per steradian. The sphere's surface has the uniform
+// density 1 / (4 pi r^2). The direction intersects it at the distances t1 and t2, at an angle with
+// the cosine `slant` / r. Each intersection adds density t^2 / cosine.
 float lobe_density(Surface surface, vec3 direction) {
     float roughness = surface.roughness;
     vec3 center = mix(surface.mirrored, surface.normal, roughness);
     float along = dot(center, direction);
-    // |center|^2 - r^2, written so that nothing cancels
+    // |center|^2 - r^2, in a form without cancellation
     float outside = (1.0 - roughness) * (1.0 - roughness)
                   + 2.0 * roughness * (1.0 - roughness) * dot(surface.mirrored, surface.normal);
     float slant_squared = along * along - outside;
@@ -78,7 +78,7 @@ bool is_mirror(Surface surface) {
     return surface.roughness < smoothest;
 }
 
-// How densely Lambert's law sends light to a direction, a steradian.
+// Probability density of Lambert's law, per steradian.
 float even_density(Surface surface, vec3 direction) {
     return max(dot(surface.normal, direction), 0.0) / pi;
 }
@@ -88,11 +88,11 @@ vec3 mirrored_direction(Surface surface, vec2 square) {
                               : lobe_direction(surface, surface.roughness, sphere_point(square));
 }
 
-// Directions are as dense as the scattered light, so the light that returns is only multiplied by the
-// surface's colour.
+// Directions are distributed like the scattered light. So the returning light is only multiplied by
+// the surface's colour.
 vec3 bounced_direction(Surface surface, vec2 square) {
     bool is_even = square.x < surface.matt;
-    // The choice leaves an even number again.
+    // Rescales the number that made the choice, so that it is uniform again.
     square.x = is_even ? square.x / surface.matt
                        : (square.x - surface.matt) / (1.0 - surface.matt);
     return is_even ? lobe_direction(surface, 1.0, sphere_point(square))

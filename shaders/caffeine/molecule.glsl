@@ -1,9 +1,10 @@
-// Caffeine: 24 atoms as spheres. Places as in R. Terrell's "Caffeine path tracing demo & tutorial",
-// 2018, in angstrom; radii are covalent radii (B. Cordero et al., Dalton Trans. 2008, 2832).
+// Caffeine: 24 atoms as spheres. Positions from R. Terrell's "Caffeine path tracing demo &
+// tutorial", 2018, in angstrom. Radii are covalent radii (B. Cordero et al., Dalton Trans. 2008,
+// 2832).
 #ifndef CAFFEINE_MOLECULE
 #define CAFFEINE_MOLECULE
 
-uniform mat4 u_view;  // the molecule, turned by the mouse
+uniform mat4 u_view;  // rotation of the molecule by the mouse
 
 uniform float atom_scale = 1.2;                      // @range 0.5 2.5  @limit 0.05 10  @label "Atom size"  @unit "× radius"  @group "Molecule"
                                                      // @help "Size of the spheres relative to the covalent radii of the atoms. From about 2, they merge."
@@ -34,10 +35,10 @@ struct Ray {
     vec3 direction;  // of length 1
 };
 
-/// The nearest thing on a ray so far.
+/// The nearest intersection of a ray so far.
 struct Hit {
-    float away;  // along the ray
-    vec3 center;  // of the sphere; in the molecule's own axes while atoms are met
+    float away;  // distance along the ray
+    vec3 center;  // of the sphere; in the molecule's axes while its atoms are tested
     int what;
 };
 
@@ -48,9 +49,9 @@ vec3 color_of_atom(int element) {
                                : oxygen_color;
 }
 
-// Where a ray enters a sphere; below 0 where it does not. From the point of the ray that is nearest
-// to the middle, so that nothing is lost where the sphere is small and far (E. Haines et al.,
-// "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, 2019).
+// Distance at which a ray enters a sphere; below 0 if it does not. It is computed from the point of
+// the ray that is nearest to the centre. This keeps precision for small, distant spheres (E. Haines
+// et al., "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, 2019).
 float sphere_entry(Ray ray, vec3 center, float radius) {
     vec3 from_center = ray.origin - center;
     float back = dot(from_center, ray.direction);
@@ -65,7 +66,7 @@ void meet_sphere(Ray ray, int what, float radius, vec3 center, inout Hit hit) {
         hit = Hit(away, center, what);
 }
 
-// The ray is turned into the molecule's axes instead of each atom out of them.
+// Transforms the ray into the molecule's axes, instead of each atom out of them.
 void meet_molecule(Ray world, inout Hit hit) {
     mat3 turn = mat3(u_view);
     Ray ray = Ray(world.origin * turn, world.direction * turn);

@@ -1,5 +1,5 @@
 #version 410 core
-// The Sobol points, drawn once: row n is point n, each texel four dimensions of it, exact fractions.
+// The Sobol points, drawn once. Row n is point n. Each texel holds four dimensions, exactly.
 #include "sobol.glsl"
 
 out vec4 color;

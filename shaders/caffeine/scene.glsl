@@ -1,4 +1,4 @@
-// The scene: the molecule over a plane of coffee, one lamp, and an even light from all sides.
+// The scene: the molecule over a plane of coffee, one lamp, and uniform ambient light.
 #ifndef CAFFEINE_SCENE
 #define CAFFEINE_SCENE
 

@@ -1,7 +1,7 @@
 #version 410 core
-// One light path through each pixel, added to the previous ones. Linear light; alpha counts the paths.
-// The estimate is unbiased: the mean of the paths converges to the picture (path tracing: J. T.
-// Kajiya, "The Rendering Equation", SIGGRAPH 1986).
+// One light path per pixel, added to the previous ones. Linear light. Alpha counts the paths. The
+// estimate is unbiased: the mean of the paths converges to the picture (path tracing: J. T. Kajiya,
+// "The Rendering Equation", SIGGRAPH 1986).
 #include "lamp.glsl"
 #include "lens_cut.glsl"
 #include "sobol.glsl"
@@ -20,10 +20,10 @@ uniform int seed = 0;                 // @range 0 100 1  @limit 0 1000000  @labe
 
 out vec4 color;
 
-const int choice_block = 63;  // of no surface
+const int choice_block = 63;  // not used by any surface
 
-// Four numbers, 0 <= n < 1. Blocks 0 to 4 are the 20 dimensions of one sequence; deeper bounces take
-// those of the first four in another order.
+// Four numbers, 0 <= n < 1. Blocks 0 to 4 are the 20 dimensions of one sequence. Deeper bounces use
+// the dimensions of the first four in another order.
 vec4 sample_numbers(int block) {
     uint index = uint(u_samples) & ((1u << sobol_bits) - 1u);
     uint round = uint(u_samples) >> sobol_bits;
@@ -62,8 +62,8 @@ vec3 light_along(Ray ray) {
     return light;
 }
 
-// The lamp's part of a lens that it cuts is known without a path where nothing hides the lamp. Else
-// the path goes through one part or the other, as often as they are large.
+// If the lamp's edge splits the lens and nothing hides the lamp, its part is known without a path.
+// Otherwise the path goes through one of the parts, with a probability equal to its size.
 void main() {
     vec4 numbers = sample_numbers(0);
     Camera view = camera();

@@ -1,5 +1,5 @@
 #version 410 core
-// The triangle of the path tracer. It lies off screen while Original article is on.
+// Full-screen triangle of the path tracer. It is off screen while Original article is on.
 #include "as_written.glsl"
 
 void main() {

@@ -1,6 +1,6 @@
 #version 410 core
-// CRT: colour fringes, then one tone map, then scanlines. Reads linear light without an upper limit and
-// writes display values.
+// CRT: colour fringes, then one tone map, then scanlines. Reads linear light without an upper
+// limit. Writes display values.
 #include "color.glsl"
 #include "glass.glsl"
 #include "noise.glsl"
@@ -51,7 +51,7 @@ vec3 fringed(vec2 shift) {
     return vec3(texture(scene, uv + shift).r, middle.g, texture(scene, uv - shift).b);
 }
 
-// Down from the top, in px.
+// Distance from the top, in px.
 float scan_place() {
     return (1.0 - uv.y) * u_resolution.y;
 }

@@ -1,16 +1,16 @@
-// Barrel: the curve of a tube's glass that a single number sets, and its inverse. Places are -1..1 in
-// x and y, (0, 0) in the middle. The middles of the sides stay where they are.
+// Barrel distortion of a tube's glass, set by a single number, and its inverse. Positions are -1..1
+// in x and y, with (0, 0) in the middle. The middle of each side stays in place.
 #ifndef AFTERGLOW_BARREL
 #define AFTERGLOW_BARREL
 
-// The place on the tube that shows at `place` of the picture: r' = r ((1 - c) + c r^2). For c from 0
-// to below 1 it grows with r everywhere, so that it can be undone. Places beyond 1 lie off the tube.
+// The position on the tube that is shown at `place` of the picture: r' = r ((1 - c) + c r^2). For 0
+// <= c < 1 it grows with r everywhere, so it has an inverse. Positions beyond 1 are off the tube.
 vec2 barrel_radial(vec2 place, float curvature) {
     return place * (1.0 - curvature + curvature * dot(place, place));
 }
 
-// Where a place of the tube shows in the picture, by Newton's method. It starts beyond the root, where
-// the curve is steeper, so each step lands between the root and where it was.
+// The position in the picture that shows `place` of the tube, by Newton's method. It starts above
+// the root, where the curve is steeper. So each step ends between the root and the previous value.
 vec2 barrel_radial_inverse(vec2 place, float curvature) {
     float radius = length(place);
     if (radius < 1e-7)

@@ -1,15 +1,16 @@
-// The light of a beam that moves along a line at an even speed. Linear light, lengths in px.
+// The light of a beam that moves along a line at constant speed. Linear light, lengths in px.
 //
-// The spot is a Gaussian of unit area. What a segment leaves is such a Gaussian across it, times an
-// integral along it over s, 0 at its start and 1 at its end:
-//   charge(s) exp(-fade (1 - s)) g(along - s length),   g: the Gaussian of unit area in one dimension.
-// `charge` goes evenly from charges.x to charges.y; `fade` is by how many e-folds the start's light has
-// faded more than the end's. Over all pixels this adds up to what is left of the mean charge, for any
-// length, width and direction.
+// The spot is a Gaussian of unit area. The light of a segment is such a Gaussian across it, times
+// an integral along it over s, which is 0 at its start and 1 at its end:
+//   charge(s) exp(-fade (1 - s)) g(along - s length)
+// with the Gaussian g of unit area in one dimension.
+// `charge` changes linearly from charges.x to charges.y. `fade` is the number of e-folds by which
+// the start has faded more than the end. The sum over all pixels is the remaining mean charge, for
+// any length, width and direction.
 //
-// Without decay the integral is a difference of two erf, as woscope draws it (github.com/m1el/woscope);
-// with decay it is equation (1) of "Simulating an XY oscilloscope on the GPU", whose factors are here
-// put together before they can overflow.
+// Without decay, the integral is a difference of two erf, as in woscope (github.com/m1el/woscope).
+// With decay, it is equation (1) of "Simulating an XY oscilloscope on the GPU". Its factors are
+// combined here before they can overflow.
 #ifndef AFTERGLOW_BEAM_SEGMENT
 #define AFTERGLOW_BEAM_SEGMENT
 
@@ -17,13 +18,13 @@
 
 const float beam_root_pi = 1.77245385091;
 
-// How far from the segment light is drawn, px: five sigmas, where a spot has fallen to 4e-6, and half
-// a pixel's diagonal.
+// Distance from the segment up to which light is drawn, px: five sigmas, where a spot has fallen to
+// 4e-6, plus half a pixel's diagonal.
 float beam_segment_reach(float sigma) {
     return 5.0 * sigma + 0.71;
 }
 
-// Where corner 0..3 of a segment's quad (a strip of two triangles) lies, px.
+// Position of corner 0..3 of a segment's quad (a strip of two triangles), px.
 vec2 beam_segment_corner(vec2 start, vec2 end, float reach, int corner) {
     vec2 way = end - start;
     vec2 ahead = length(way) > 0.0 ? normalize(way) : vec2(1.0, 0.0);
@@ -32,11 +33,13 @@ vec2 beam_segment_corner(vec2 start, vec2 end, float reach, int corner) {
     return from + ((corner & 2) == 0 ? -reach : reach) * left;
 }
 
-// Both functions: the integral along the segment for a charge of 1 and for a charge of s. `start` and
-// `end` are how far this place lies past either, in sqrt(2) sigmas.
+// The beam_moments functions return the integral along the segment, for a charge of 1 and for a
+// charge of s. `start` and `end` are the distances of this position past the start and past the
+// end, in sqrt(2) sigmas.
 
-// Gauss and Legendre's rule with three nodes: no difference of near numbers, so good for the shortest
-// segment. For half a sqrt(2) sigma and half an e-fold its remainder is below 5e-6 of the peak.
+// Gauss-Legendre quadrature with three nodes. It has no difference of nearly equal numbers, so it
+// is accurate for the shortest segment. For half a sqrt(2) sigma and half an e-fold, its remainder
+// is below 5e-6 of the peak.
 vec2 beam_moments_by_quadrature(float start, float end, float fade) {
     const vec3 nodes = vec3(0.1127016654, 0.5, 0.8872983346);
     const vec3 weights = vec3(5.0, 8.0, 5.0) / 18.0;
@@ -53,16 +56,16 @@ vec2 beam_moments_without_fade(float start, float end) {
     return vec2(whole, (start * whole + ends) / span);
 }
 
-// The mean s of the light that a beam at rest keeps while the start fades.
+// The mean s of the light that is left of a stationary beam, weighted by exp(-fade (1 - s)).
 float beam_rest_middle(float fade) {
     return fade < 0.1 ? 0.5 + fade * (1.0 / 12.0 - fade * fade / 720.0)
                       : 1.0 / (1.0 - exp(-fade)) - 1.0 / fade;
 }
 
-// exp(end side^2 - end^2) (erf(start side) - erf(end side)), by erfcx where both sides are on one: of
-// the two parts that are left of 1 beyond each side.
+// exp(sides.y^2 - end^2) (erf(sides.x) - erf(sides.y)), computed with erfcx. If both sides have the
+// same sign, it is the difference of the two tails 1 - erf.
 vec2 beam_moments_with_fade(float start, float end, float fade) {
-    float span = max(start - end, 1e-6);  // less is a beam at rest
+    float span = max(start - end, 1e-6);  // below this, the beam is stationary
     float shift = 0.5 * fade / span;
     vec2 sides = vec2(start, end) + shift;
     vec2 fallen = exp(-vec2(start * start + fade, end * end));
@@ -76,7 +79,7 @@ vec2 beam_moments_with_fade(float start, float end, float fade) {
     return vec2(whole, clamp(slope, 0.0, whole));
 }
 
-// By whichever way is exact here.
+// Chooses the accurate method for these arguments.
 vec2 beam_segment_moments(float start, float end, float fade) {
     if (start - end <= 0.5 && fade <= 0.5)
         return beam_moments_by_quadrature(start, end, fade);
@@ -85,8 +88,8 @@ vec2 beam_segment_moments(float start, float end, float fade) {
     return beam_moments_with_fade(start, end, fade);
 }
 
-// Light per px^2 at a place `at.x` px along the segment from its start and `at.y` px beside it: for a
-// charge of 1 all the way, and for one that goes from 0 to 1.
+// Light per px^2 at a position `at.x` px along the segment from its start and `at.y` px across it.
+// x: for a constant charge of 1. y: for a charge from 0 to 1.
 vec2 beam_segment_shares(vec2 at, float segment_length, float sigma, float fade) {
     float scale = inversesqrt(2.0) / sigma;
     vec2 moments = beam_segment_moments(scale * at.x, scale * (at.x - segment_length), fade);
@@ -94,25 +97,25 @@ vec2 beam_segment_shares(vec2 at, float segment_length, float sigma, float fade)
     return moments * (scale * scale * exp(-across * across) / beam_root_pi);
 }
 
-// The same for a charge that goes from charges.x to charges.y.
+// The same for a charge from charges.x to charges.y.
 float beam_segment_light(vec2 at, float segment_length, float sigma, float fade, vec2 charges) {
     vec2 shares = beam_segment_shares(at, segment_length, sigma, fade);
     return charges.x * shares.x + (charges.y - charges.x) * shares.y;
 }
 
-// How many readings on each side of a pixel its mean needs: with spots narrower than 3/4 px the sum
-// over all pixels would depend on where between them the beam runs.
+// Number of samples along each side of a pixel that its mean needs. With one sample and spots
+// narrower than 3/4 px, the sum over all pixels would depend on the beam's position between them.
 int beam_segment_readings(float sigma) {
     return clamp(int(ceil(0.75 / sigma)), 1, 16);
 }
 
-// From a pixel's middle to one of n readings on each side, px.
+// Offset of one of n * n samples from the pixel's centre, px.
 vec2 beam_segment_reading(ivec2 reading, int n) {
     return (vec2(reading) + 0.5) / float(n) - 0.5;
 }
 
-// The next of n * n readings; false after the last one. Call it at the end of a do loop: software GL
-// evaluates the code after a loop's first condition once too often.
+// The next of n * n samples; false after the last one. Call it at the end of a do loop, because
+// software GL evaluates the code after a loop's first condition once too often.
 bool beam_segment_has_next(inout ivec2 reading, int n) {
     reading.x += 1;
     if (reading.x == n)
@@ -120,7 +123,7 @@ bool beam_segment_has_next(inout ivec2 reading, int n) {
     return reading.y < n;
 }
 
-// From px of the picture to px along and beside a segment.
+// Converts px of the picture to px along and across a segment.
 vec2 beam_segment_place(vec2 place, vec2 start, vec2 end) {
     vec2 way = end - start;
     vec2 ahead = length(way) > 0.0 ? normalize(way) : vec2(1.0, 0.0);

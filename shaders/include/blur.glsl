@@ -1,12 +1,14 @@
-// A Gaussian blur along one direction. The weights add up to 1: light inside the picture stays as much.
+// A Gaussian blur along one direction. The weights add up to 1, so light inside the picture is
+// conserved.
 #ifndef AFTERGLOW_BLUR
 #define AFTERGLOW_BLUR
 
-// `texel` is one texel of the image's `level` along the direction, `sigma` and `reach` in texels; the
-// blur ends `reach` texels away. Two neighbours are read at once, between them where linear filtering
-// weighs them right: D. Rakos, "Efficient Gaussian blur with linear sampling", 2010. In a finer level
-// it would weigh what lies elsewhere. Neighbouring weights follow from each other by multiplication:
-// K. Turkowski, "Incremental Computation of the Gaussian", GPU Gems 3, chapter 40.
+// `texel` is one texel of the image's `level` along the direction. `sigma` and `reach` are in
+// texels. The blur ends `reach` texels away. One sample between two neighbours reads both, with
+// their weights from linear filtering: D. Rakos, "Efficient Gaussian blur with linear sampling",
+// 2010. In a finer level, the sample would read other texels. Each weight follows from the previous
+// one by multiplication: K. Turkowski, "Incremental Computation of the Gaussian", GPU Gems 3,
+// chapter 40.
 vec3 gaussian_blur(sampler2D image, vec2 at, vec2 texel, float sigma, int reach, float level) {
     float fall = exp(-0.5 / (sigma * sigma));
     vec3 weight = vec3(1.0, fall, fall * fall);

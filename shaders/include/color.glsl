@@ -2,7 +2,7 @@
 #ifndef AFTERGLOW_COLOR
 #define AFTERGLOW_COLOR
 
-// Linear light 0..1 to display values (sRGB, IEC 61966-2-1). Once, at the end.
+// Linear light 0..1 to display values (sRGB, IEC 61966-2-1). Applied once, at the end.
 vec3 srgb_encode(vec3 linear) {
     vec3 inside = clamp(linear, 0.0, 1.0);
     vec3 curve = 1.055 * pow(inside, vec3(1.0 / 2.4)) - 0.055;
@@ -16,15 +16,15 @@ vec3 srgb_decode(vec3 encoded) {
     return mix(curve, inside / 12.92, lessThanEqual(inside, vec3(0.04045)));
 }
 
-// The same curve without an upper end, for values that no display shows: 1 and less as above.
+// The same curve without an upper limit, for values above 1 that no display shows.
 vec3 srgb_encode_unbounded(vec3 linear) {
     vec3 inside = max(linear, 0.0);
     vec3 curve = 1.055 * pow(inside, vec3(1.0 / 2.4)) - 0.055;
     return mix(curve, 12.92 * inside, lessThanEqual(inside, vec3(0.0031308)));
 }
 
-// What a tube makes of a video voltage 0..1: ITU-R BT.1886, Annex 1. `white` and `black` are the
-// light of 1 and of 0, in cd/m2 or as shares; the curve's gamma is 2.4.
+// Light of a tube for a video voltage 0..1: ITU-R BT.1886, Annex 1. `white` and `black` are the
+// light at 1 and at 0, in cd/m2 or relative. The curve's gamma is 2.4.
 vec3 bt1886_decode(vec3 voltage, float white, float black) {
     float root_white = pow(white, 1.0 / 2.4);
     float root_black = pow(black, 1.0 / 2.4);
@@ -33,7 +33,7 @@ vec3 bt1886_decode(vec3 voltage, float white, float black) {
     return gain * pow(max(voltage + lift, 0.0), vec3(2.4));
 }
 
-// The voltage that gives this light; the inverse of bt1886_decode.
+// The voltage for this light; the inverse of bt1886_decode.
 vec3 bt1886_encode(vec3 light, float white, float black) {
     float root_white = pow(white, 1.0 / 2.4);
     float root_black = pow(black, 1.0 / 2.4);
@@ -41,7 +41,7 @@ vec3 bt1886_encode(vec3 light, float white, float black) {
     return (root - root_black) / (root_white - root_black);
 }
 
-// How bright linear light looks: the Y of sRGB's primaries (ITU-R BT.709).
+// Luminance of linear light: Y of sRGB's primaries (ITU-R BT.709).
 float luminance(vec3 linear) {
     return dot(linear, vec3(0.2126, 0.7152, 0.0722));
 }

@@ -2,8 +2,8 @@
 #ifndef AFTERGLOW_ERF
 #define AFTERGLOW_ERF
 
-// erf by Abramowitz and Stegun, 7.1.28: off by at most 3e-7, and by about 1e-6 in the rounding of
-// 32-bit floats.
+// erf by Abramowitz and Stegun, 7.1.28. The error is at most 3e-7, and about 1e-6 with the rounding
+// of 32-bit floats.
 vec2 erf(vec2 x) {
     vec2 a = abs(x);
     vec2 sum = 1.0 + a * (0.0705230784 + a * (0.0422820123 + a * (0.0092705272 +
@@ -19,9 +19,9 @@ float erf(float x) {
     return erf(vec2(x)).x;
 }
 
-// exp(x x) (1 - erf(x)) for x >= 0: 1 at 0, and falling slowly where the two factors are far too
-// large and too small for a float. A least-maximum fit of its logarithm less that of t, over
-// t = 1 / (1 + x/2); off by at most a 5e-7th of the value.
+// exp(x x) (1 - erf(x)) for x >= 0. It is 1 at 0 and falls slowly, where its factors are too large
+// and too small for a float. A minimax fit of its logarithm minus that of t, over t = 1 / (1 +
+// x/2). The relative error is at most 5e-7.
 vec2 erfcx(vec2 x) {
     vec2 t = 1.0 / (1.0 + 0.5 * x);
     vec2 power = -1.265512311 + t * (1.000037772 + t * (0.3737148406 + t * (0.1006541982 +

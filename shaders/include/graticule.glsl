@@ -1,18 +1,18 @@
-// The graticule of an oscilloscope: divisions, axes with ticks at each fifth of a division.
+// The graticule of an oscilloscope: divisions, and axes with ticks at each fifth of a division.
 #ifndef AFTERGLOW_GRATICULE
 #define AFTERGLOW_GRATICULE
 
-// How much of a pixel a line of `width` px covers whose middle is `distance` px away.
+// Fraction of a pixel that a line of `width` px covers. Its middle is `distance_px` away.
 float line_coverage(float distance_px, float width) {
     return clamp(0.5 * width + 0.5 - abs(distance_px), 0.0, 1.0) * min(width, 1.0);
 }
 
-// Px to the nearest whole multiple of `spacing` (divisions) for each of x and y.
+// Distance in px to the nearest multiple of `spacing` (in divisions), for x and y.
 vec2 distance_to_lines(vec2 place, float spacing, vec2 division_px) {
     return abs(place / spacing - round(place / spacing)) * spacing * division_px;
 }
 
-// Ticks on the axis along x: short strokes across it, each fifth of a division.
+// Ticks on the x axis: short strokes across it at each fifth of a division.
 float ticks_coverage(vec2 place, vec2 division_px, float width) {
     const float half_length = 0.1;  // divisions
     float stroke = line_coverage(distance_to_lines(place, 0.2, division_px).x, width);
@@ -20,11 +20,11 @@ float ticks_coverage(vec2 place, vec2 division_px, float width) {
     return stroke * end;
 }
 
-// The lines at `place` (in divisions from the middle), 0 between them and 1 on them. `divisions` is
-// how many there are in all; the outermost lines are the frame.
+// The lines at `place` (in divisions from the middle): 0 between lines, 0.6 on lines, 1 on axes and
+// ticks. `divisions` is the total number across and up. The outermost lines are the frame.
 float graticule_coverage(vec2 place, vec2 divisions, vec2 division_px, float width) {
     vec2 inside = clamp((0.5 * divisions - abs(place)) * division_px + 0.5 * width + 0.5, 0.0, 1.0);
-    // An odd number of divisions has its lines half a division off the middle.
+    // With an odd number of divisions, the lines are half a division off the middle.
     vec2 shifted = place + 0.5 * mod(divisions, 2.0);
     vec2 away = distance_to_lines(shifted, 1.0, division_px);
     float lines = max(line_coverage(away.x, width), line_coverage(away.y, width));

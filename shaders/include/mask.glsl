@@ -1,26 +1,26 @@
 // The masks of colour tubes: transmission of red, green and blue at a point, averaged over a pixel.
-// Over whole cells the mean of each channel is 1, so a mask moves light and loses none. Peaks are
-// above 1. All lengths are in px of the tube, from its bottom left.
+// The mean of each channel over whole cells is 1, so a mask redistributes light without loss. Peaks
+// are above 1. All lengths are in px of the tube, from its bottom left.
 #ifndef AFTERGLOW_MASK
 #define AFTERGLOW_MASK
 
 const int mask_cells = 0;   // staggered cells of three stripes, dark towards their borders
-const int mask_grille = 1;  // aperture grille: stripes from top to bottom
-const int mask_slot = 2;    // stripes cut by bridges, every other column higher
+const int mask_grille = 1;  // aperture grille: vertical stripes
+const int mask_slot = 2;    // stripes cut by bridges, with every other column higher
 const int mask_dots = 3;    // triads of dots in a hexagonal lattice
 
-const float hexagon_row = 0.86602540378;  // from row to row of a hexagonal lattice, in pitches
+const float hexagon_row = 0.86602540378;  // distance of the rows of a hexagonal lattice, in pitches
 
 struct Mask {
     int kind;
-    float pitch;       // from one red to the next along a line
+    float pitch;       // distance from one red to the next along a line
     float cell_height; // of cells and slots, in pitches
-    float border;      // how dark it is where two stripes meet, 0..1; of dots how small they are
-    float stagger;     // how much higher every other column of cells or slots lies, in their heights
+    float border;      // darkness between two stripes, 0..1; for dots, how small they are
+    float stagger;     // upward offset of every other column of cells or slots, in cell heights
 };
 
-// Light of a row of bumps 1 wide, one each `period`, from 0 up to x. A bump is 1 - border |v|^power
-// over its width -1..1, scaled to the sum 1.
+// Integral from 0 to x of a row of bumps 1 wide, one per `period`. A bump is 1 - border |v|^power
+// over its width, v = -1..1, scaled to the integral 1.
 vec3 bumps_up_to(vec3 x, float period, float border, float power) {
     vec3 whole = floor(x / period);
     vec3 along = clamp(x - whole * period, 0.0, 1.0);
@@ -30,15 +30,15 @@ vec3 bumps_up_to(vec3 x, float period, float border, float power) {
     return whole + part / (1.0 - border / ends);
 }
 
-// The mean of those bumps over `width` around x; the integral is exact, so no width makes a moire.
+// The mean of these bumps over `width` around x. The integral is exact, so no width causes moire.
 vec3 bumps_over(vec3 x, float width, float period, float border, float power) {
-    vec3 near = x - floor(x / period) * period;  // small numbers keep their digits
+    vec3 near = x - floor(x / period) * period;  // small numbers keep their precision
     vec3 low = bumps_up_to(near - 0.5 * width, period, border, power);
     return (bumps_up_to(near + 0.5 * width, period, border, power) - low) / width;
 }
 
-// Stripes of the three channels side by side; y is cut into cells, and every other column of cells
-// lies `stagger` of a cell higher.
+// Stripes of the three channels side by side. y is divided into cells. Every other column of cells
+// is `stagger` of a cell higher.
 vec3 striped_mask(Mask mask, vec2 at, float pixel, vec2 power, float stagger) {
     const vec3 channel = vec3(0.0, 1.0, 2.0);
     float x = 3.0 * at.x / mask.pitch;
@@ -53,7 +53,7 @@ vec3 striped_mask(Mask mask, vec2 at, float pixel, vec2 power, float stagger) {
     return 3.0 * (even * rows.x + odd * rows.y);
 }
 
-// As bumps_up_to, of bumps (1 - v^2)^2 whose middles lie at 0, period, ...
+// As bumps_up_to, for bumps (1 - v^2)^2 with their middles at 0, period, ...
 vec3 dots_up_to(vec3 x, float period, float diameter) {
     vec3 whole = floor(x / period + 0.5);
     vec3 v = clamp(2.0 * (x - whole * period) / diameter, -1.0, 1.0);
@@ -71,7 +71,8 @@ float dot_diameter(Mask mask) {
     return mix(1.0, 0.6, mask.border);  // pitches
 }
 
-// Hexagons of round dots: one profile across times one up, so that its mean over a pixel is exact.
+// Round dots in a hexagonal lattice. A dot is the product of a horizontal and a vertical profile,
+// so that its mean over a pixel is exact.
 vec3 dotted_mask(Mask mask, vec2 at, float pixel) {
     vec2 place = at / mask.pitch;
     float width = pixel / mask.pitch;
@@ -85,12 +86,12 @@ vec3 dotted_mask(Mask mask, vec2 at, float pixel) {
     return hexagon_row * (even + odd);
 }
 
-// A mask of less than 2 px cannot be shown: it fades to an even grey from 3 px down.
+// A pitch below 2 px cannot be shown. The mask fades to a uniform grey from 3 px down to 2 px.
 float mask_visibility(float pitch, float pixel) {
     return clamp(pitch / pixel - 2.0, 0.0, 1.0);
 }
 
-// What comes through at `at`; `pixel` is how wide the picture's pixel is there.
+// Transmission at `at`. `pixel` is the width of the picture's pixel there.
 vec3 mask_light(Mask mask, vec2 at, float pixel) {
     vec3 light;
     if (mask.kind == mask_cells)
@@ -104,7 +105,7 @@ vec3 mask_light(Mask mask, vec2 at, float pixel) {
     return mix(vec3(1.0), light, mask_visibility(mask.pitch, pixel));
 }
 
-// The largest of any channel where a pixel is small; 1 over it is the mean of the bare mask.
+// The largest transmission of any channel for small pixels. 1 over it is the mean of the bare mask.
 float mask_peak(Mask mask) {
     float across = 3.0 / (1.0 - mask.border / (mask.kind == mask_cells ? 3.0 : 5.0));
     if (mask.kind == mask_cells)
@@ -117,7 +118,7 @@ float mask_peak(Mask mask) {
     return hexagon_row / (side * side);
 }
 
-// The middle of the cell that `at` lies in. Stripes without cells have a middle across only.
+// The centre of the cell that contains `at`. Stripes without cells have only a horizontal centre.
 vec2 mask_cell_centre(Mask mask, vec2 at) {
     vec2 cell = vec2(mask.pitch, mask.pitch * mask.cell_height);
     float column = floor(at.x / mask.pitch);
@@ -130,7 +131,7 @@ vec2 mask_cell_centre(Mask mask, vec2 at) {
         return vec2(floor(at.x / mask.pitch - shift) + shift + 0.5, (row + 0.5) * hexagon_row) *
                mask.pitch;
     }
-    float lifted = mask.stagger * mod(column, 2.0);  // as the mask's own columns
+    float lifted = mask.stagger * mod(column, 2.0);  // as in striped_mask
     return vec2(middle, (floor(at.y / cell.y + lifted) + 0.5 - lifted) * cell.y);
 }
 

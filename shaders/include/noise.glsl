@@ -1,4 +1,4 @@
-// Noise without a texture: the same pixel of the same frame gets the same number on every machine.
+// Noise without a texture. The same pixel of the same frame gets the same number on every machine.
 #ifndef AFTERGLOW_NOISE
 #define AFTERGLOW_NOISE
 
@@ -16,13 +16,13 @@ uvec3 hash(uvec3 key) {
     return mixed(key ^ (key >> 16u));
 }
 
-// Three independent numbers, evenly spread over 0 <= n < 1.
+// Three independent uniform numbers, 0 <= n < 1.
 vec3 noise(uvec2 pixel, uint frame) {
     return vec3(hash(uvec3(pixel, frame)) >> 8u) / 16777216.0;
 }
 
-// Noise of at most half a code of an 8-bit display, so that a slow ramp keeps its mean and shows no
-// steps; an even 0 or 1 stays as it is.
+// Adds noise of at most half a code of an 8-bit display, so that a slow ramp keeps its mean and
+// shows no steps. A uniform 0 or 1 is unchanged.
 vec3 dithered(vec3 display, uvec2 pixel, uint frame) {
     return display + (noise(pixel, frame) - 0.5) * (0.998 / 255.0);
 }

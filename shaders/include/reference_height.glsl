@@ -1,4 +1,4 @@
-// Lengths that look the same at any render size are given in px of a picture of this height.
+// Lengths that scale with the render size are given in px of a picture of this height.
 #ifndef AFTERGLOW_REFERENCE_HEIGHT
 #define AFTERGLOW_REFERENCE_HEIGHT
 

@@ -1,5 +1,5 @@
-// Tone mapping: maps linear light without an upper limit to 0..1, still linear. Once per picture, at the
-// end.
+// Tone mapping: maps linear light without an upper limit to 0..1, still linear. Applied once per
+// picture, at the end.
 #ifndef AFTERGLOW_TONEMAP
 #define AFTERGLOW_TONEMAP
 
@@ -18,18 +18,18 @@ vec3 reinhard(vec3 light) {
     return light / (1.0 + light);
 }
 
-// The same paper, equation 4: light of `white` becomes exactly 1.
+// The same paper, equation 4: maps light of `white` to exactly 1.
 vec3 reinhard_to_white(vec3 light, float white) {
     return light * (1.0 + light / (white * white)) / (1.0 + light);
 }
 
-// K. Narkowicz, "ACES Filmic Tone Mapping Curve", 2016: a fit by five numbers; 1 becomes 0.804.
+// K. Narkowicz, "ACES Filmic Tone Mapping Curve", 2016: a fit with five numbers. Maps 1 to 0.804.
 vec3 aces(vec3 light) {
     return light * (2.51 * light + 0.03) / (light * (2.43 * light + 0.59) + 0.14);
 }
 
 // One side of AgX's curve, from its pivot at (10 / 16.5, 0.5) with slope 2 to 0 or to 1. `reach` is
-// how far the side goes in x; the other way it goes 0.5.
+// the length of this side in x. Its length in y is 0.5.
 vec3 agx_side(vec3 away, float reach, float power) {
     const float slope = 2.0;
     float rise = pow(slope * reach / 0.5, power) - 1.0;
@@ -38,9 +38,10 @@ vec3 agx_side(vec3 away, float reach, float power) {
     return scale * x * pow(1.0 + pow(x, vec3(power)), vec3(-1.0 / power));
 }
 
-// AgX by T. Sobotka (github.com/sobotka/AgX): a little of each channel leaks into the others, so that
-// bright colours lose their colour as film does; a curve over 16.5 stops around 0.18; and back. The
-// matrices are those of B. Wrensch, "Minimal AgX Implementation", 2024, for sRGB's primaries.
+// AgX by T. Sobotka (github.com/sobotka/AgX). First a little of each channel is added to the
+// others, so that bright colours desaturate as on film. Then a curve over 16.5 stops around 0.18 is
+// applied, and the channels are separated again. Matrices for sRGB's primaries: B. Wrensch,
+// "Minimal AgX Implementation", 2024.
 vec3 agx(vec3 light) {
     const mat3 inset = mat3(0.842479062253094, 0.0423282422610123, 0.0423756549057051,
                             0.0784335999999992, 0.878468636469772, 0.0784336,
@@ -60,7 +61,8 @@ vec3 agx(vec3 light) {
 }
 
 // Khronos PBR Neutral: "Khronos PBR Neutral Tone Mapper", specification of 2024. Colours up to 0.8
-// stay as they are but for the 0.04 that glass and plastic reflect; brighter ones bend and pale.
+// are unchanged, except for the 0.04 that glass and plastic reflect. Brighter ones are compressed
+// and desaturated.
 vec3 khronos_neutral(vec3 light) {
     const float start = 0.8 - 0.04;
     const float desaturation = 0.15;
@@ -75,9 +77,9 @@ vec3 khronos_neutral(vec3 light) {
     return mix(light * (lowered / peak), vec3(lowered), paled);
 }
 
-// The curves that take each channel by itself; bright colours turn white, as in a camera. `white` is
-// Reinhard's; 0: none. A look that offers no other curve calls this one: software GL, which walks
-// through every branch, has half the work.
+// The curves that map each channel separately. Bright colours turn white, as in a camera. `white`
+// is the white point of Reinhard; 0 turns it off. Looks without other curves call this function:
+// software GL executes every branch, so this halves the work.
 vec3 tone_mapped_per_channel(vec3 light, int curve, float white) {
     vec3 mapped = light;
     if (curve == tone_map_reinhard_to_white || (curve == tone_map_reinhard && white > 0.0))
@@ -89,7 +91,7 @@ vec3 tone_mapped_per_channel(vec3 light, int curve, float white) {
     return clamp(mapped, 0.0, 1.0);
 }
 
-// By any curve.
+// Applies any of the curves.
 vec3 tone_mapped(vec3 light, int curve, float white) {
     if (curve == tone_map_none)
         return light;
@@ -100,8 +102,8 @@ vec3 tone_mapped(vec3 light, int curve, float white) {
     return tone_mapped_per_channel(light, curve, white);
 }
 
-// All three channels by the same factor, which takes the brightest to `brightest_mapped`: the hue
-// stays however bright it gets.
+// Scales all three channels by the same factor, so that the brightest becomes `brightest_mapped`.
+// The hue is kept at any brightness.
 vec3 with_brightest(vec3 light, float brightest_mapped) {
     float brightest = brightest_channel(light);
     if (brightest <= 0.0)

@@ -1,12 +1,13 @@
-// Cathode-ray tubes by the number of their phosphor: how they fade, in which colour. Linear light.
-// A flash of 1 fades as I(t) = w1 e^(-t/T1) + w2 e^(-t/T2) + w3 e^(-t/T3), which goes through the
+// Cathode-ray tubes by the number of their phosphor: decay and colour. Linear light. A flash of 1
+// decays as I(t) = w1 e^(-t/T1) + w2 e^(-t/T2) + w3 e^(-t/T3). The curve passes through the
 // measured times to 10, 1 and 0.1 %: Tektronix, "CRT Data", phosphor decay table, rev. A, 1966.
-// Sulphides: T2 and T3 are half the times to 1 and 0.1 %, the rest is solved. The silicates P1 and
-// P3, nearly exponential, are two terms solved from the same three points.
+// Sulphides: T2 and T3 are half the times to 1 and 0.1 %, and the other values are solved. The
+// silicates P1 and P3 decay nearly exponentially. They have two terms, solved from the same three
+// points.
 #ifndef AFTERGLOW_TUBES
 #define AFTERGLOW_TUBES
 
-const int tube_custom = 0;  // not in the tables; then in their order, from 1
+const int tube_custom = 0;  // not in the tables; tube n is entry n - 1
 
 const vec3 tube_milliseconds[10] = vec3[10](
     vec3(7.7972, 15.3399, 1.0),     // P1
@@ -32,9 +33,9 @@ const vec3 tube_weights[10] = vec3[10](
     vec3(0.959932, 0.0326786, 0.0073889),    // P31
     vec3(0.965564, 0.0270472, 0.00738906));  // P32
 
-// Emission chromaticity x, y to linear sRGB, mixed with neutral until no channel is negative. P1, P3,
-// P4, P7's second layer, P11 and P31 as commonly quoted from EIA TEP116, the others estimates. The
-// luminance is the tube's relative one (P31: 1): Tektronix, "CRT Data", phosphor reference table,
+// Emission chromaticity x, y as linear sRGB, mixed with neutral until no channel is negative. P1,
+// P3, P4, P7's second layer, P11 and P31 are as commonly quoted from EIA TEP116. The others are
+// estimates. The luminance is relative to P31: Tektronix, "CRT Data", phosphor reference table,
 // rev. C, 1966.
 const vec3 tube_flash_colors[10] = vec3[10](
     vec3(0.0, 0.6146, 0.1442),     // P1: .218 .712
@@ -48,7 +49,7 @@ const vec3 tube_flash_colors[10] = vec3[10](
     vec3(0.0, 1.3475, 0.5025),     // P31: .226 .528
     vec3(0.1155, 0.3119, 0.0326)); // P32: .340 .515
 
-// What glows on once the first term is gone: of another colour where a tube has two layers.
+// Colour of the light after the first term. It differs from the flash if a tube has two layers.
 vec3 tube_afterglow_color(int tube) {
     if (tube == 5)
         return vec3(0.2334, 0.5579, 0.0187);  // P7, the yellow-green layer: .357 .537
@@ -57,7 +58,7 @@ vec3 tube_afterglow_color(int tube) {
     return tube_flash_colors[tube - 1];
 }
 
-// 1 - e^-x, to the last digits also for small x: what has been given off after x time constants.
+// 1 - e^-x, accurate also for small x: the fraction emitted after x time constants.
 vec3 spent_after(vec3 x) {
     vec3 series = x * (1.0 - x / 2.0 * (1.0 - x / 3.0 * (1.0 - x / 4.0)));
     return mix(1.0 - exp(-x), series, lessThan(x, vec3(0.05)));

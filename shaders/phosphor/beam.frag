@@ -1,10 +1,11 @@
 #version 410 core
 // The beam: the light of one spot, added to that of all others in the frame. Linear light.
-// For a measured tube it is charge without colour: red, green and blue are the parts that the three
-// terms have emitted by the frame's end, alpha is all of it.
+// For a measured tube, it is charge without colour. Red, green and blue are the parts that the
+// three terms have emitted by the end of the frame. Alpha is all of it.
 // Energy of a point, summed over all pixels (px^2), for any position between them:
 //   beam_gain * intensity * width^2 * pi * (1 / core_sharpness + glow_weight / glow_sharpness)
-// with width = beam_width * height / 512 px, and times beam_color for each channel where the tube is custom.
+// with width = beam_width * height / 512 px. For the custom tube, each channel is also multiplied
+// by beam_color.
 #include "spot.glsl"
 #include "as_written.glsl"
 #include "gaussian.glsl"
@@ -23,7 +24,7 @@ float spot() {
            glow_weight * gaussian_over_pixel(offset, glow_sharpness / px);
 }
 
-// Sampled in the middle of each pixel and cut at the square's edge, at 3 % of the peak.
+// Sampled at the centre of each pixel. Cut off at the square's edge, at 3 % of the peak.
 float spot_as_written() {
     vec2 offset = gl_PointCoord - 0.5;
     float square = dot(offset, offset);

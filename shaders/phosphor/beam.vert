@@ -13,12 +13,12 @@ uniform vec2 u_resolution;
 
 in vec2 position;       // -1..1, y up
 in float intensity;     // 1: full current for 1/4096 of 1/60 s
-in float age_seconds;   // before the frame's end
+in float age_seconds;   // time before the end of the frame
 
 flat out vec2 middle;   // px from the bottom left
 flat out float width;   // px
-flat out vec4 charge;   // custom: intensity, less what has faded since, of each channel; a measured
-                        // tube: what each term has given off of it since, and all of it
+flat out vec4 charge;   // custom tube: the intensity that is left, per channel
+                        // measured tube: the part that each term has emitted; alpha: all of it
 
 vec4 charge_at_the_end() {
     if (as_written)
@@ -27,8 +27,8 @@ vec4 charge_at_the_end() {
     return intensity * vec4(parts, 1.0);
 }
 
-// GL drops a point whose middle is off the picture, and with it the half of the spot that is not.
-// So the square is drawn around the nearest place inside, larger by as much as it was moved.
+// GL drops a point whose centre is outside the picture, even if part of its spot is inside. So the
+// square is moved to the nearest position inside and enlarged by the distance it was moved.
 void place_square(vec2 place, float half_side) {
     vec2 inside = clamp(place, -1.0, 1.0);
     vec2 moved = abs(place - inside) * 0.5 * u_resolution;
@@ -38,7 +38,7 @@ void place_square(vec2 place, float half_side) {
     gl_PointSize = 2.0 * (half_side + moved_px);
 }
 
-// The article's size: at most twice that at 512 lines, and no larger than the spot is called wide.
+// The article's size: at most twice that at 512 lines. The square is only as wide as beam_width.
 void place_as_written(vec2 place) {
     gl_Position = vec4(place, 0.0, 1.0);
     gl_PointSize = beam_width * min(u_resolution.y / reference_height, 2.0);

@@ -1,11 +1,11 @@
 #version 410 core
-// Bloom: the taps upwards, or the last step of the pyramid. Linear light.
+// Bloom: the vertical taps, or the last step of the pyramid. Linear light.
 #include "bloom_width.glsl"
 #include "pyramid.glsl"
 #include "taps.glsl"
 
-uniform sampler2D own;      // at this size, before it is spread
-uniform sampler2D smaller;  // of the pyramid, on its way up
+uniform sampler2D own;      // of this size, on the way down
+uniform sampler2D smaller;  // next smaller level of the pyramid, on the way up
 
 in vec2 uv;
 out vec4 color;

@@ -1,5 +1,5 @@
 #version 410 core
-// Bloom by a pyramid: the light at half the size. Linear light.
+// Bloom pyramid, down: the light at half the size. Linear light.
 #include "bloom_width.glsl"
 #include "pyramid.glsl"
 

@@ -21,8 +21,8 @@ float tap_texels(float height) {
     return bloom_radius * height / (0.5 * reference_height);
 }
 
-// Along one axis, in texels. The article's table has 2.6795 squared distances of its taps, which
-// stand as far apart at every size.
+// Variance along one axis, in squared texels. That of the article's table is 2.6795 squared tap
+// distances. Its taps are the same number of texels apart at every size.
 float bloom_variance(float height) {
     const float variance_as_written = 2.6795;
     return as_written ? variance_as_written * bloom_radius * bloom_radius

@@ -1,5 +1,5 @@
 #version 410 core
-// Bloom by taps, across. Linear light.
+// Bloom by taps, horizontal. Linear light.
 #include "taps.glsl"
 
 in vec2 uv;

@@ -1,6 +1,6 @@
 #version 410 core
-// Composite: the picture on the screen. Light and bloom are added in linear light, tone mapped once,
-// seen through the glass, and display-encoded at the end.
+// Composite: the picture on the screen. Light and bloom are added in linear light and tone mapped
+// once. The effects of the glass follow, and display encoding at the end.
 #include "as_written.glsl"
 #include "color.glsl"
 #include "composite_as_written.glsl"
@@ -49,7 +49,7 @@ uniform vec3 ambient_glass = vec3(0.0, 0.003, 0.0);  // @color  @label "Ambient 
 in vec2 uv;
 out vec4 color;
 
-// Where nothing bends or shifts the picture each pixel is its own texel, to the last digit.
+// True if nothing bends or shifts the picture. Each pixel is then exactly its own texel.
 bool is_straight() {
     return curvature == 0.0 && aberration == 0.0 && textureSize(phosphor, 0) == ivec2(u_resolution);
 }
@@ -58,17 +58,18 @@ vec3 light_at(vec2 at) {
     return light_of(kept_light(phosphor, at)) + bloom_intensity * colored(texture(bloom, at).rgb);
 }
 
-// Red and blue from either side: aberration / width of the picture, as a lens that bends them apart.
+// Red and blue are sampled on opposite sides, aberration / width of the picture away, as a lens
+// refracts them differently.
 vec3 fringed_light(vec2 at) {
     if (is_straight())
         return light_of(kept_texel(phosphor, ivec2(gl_FragCoord.xy))) +
                bloom_intensity * colored(texture(bloom, at).rgb);
-    // Without aberration compilers see that all three are one reading.
+    // Without aberration, compilers merge the three samples into one.
     vec2 shift = aberration == 0.0 ? vec2(0.0) : vec2(aberration / u_resolution.x, 0.0);
     return vec3(light_at(at + shift).r, light_at(at).g, light_at(at - shift).b);
 }
 
-// Light kept by tone_map_every_frame has been tone mapped already.
+// Light stored with tone_map_every_frame is already tone mapped.
 vec3 shown(vec3 light) {
     if (tone_map_every_frame)
         return clamp(light, 0.0, 1.0);

@@ -1,10 +1,10 @@
-// The article's composite. Its output is not display-encoded. Its graticule only darkens, with lines
-// half a division off. Its scanlines are sampled instead of averaged.
+// The article's composite. Its output is not display-encoded. Its graticule only darkens, with
+// lines half a division off. Its scanlines are sampled instead of averaged.
 #include "color.glsl"
 #include "glass.glsl"
 #include "tonemap.glsl"
 
-// Lines in the middle of each division, 0.06 divisions to either side; the two axes are finer.
+// Lines in the middle of each division, 0.06 divisions to either side. The two axes are thinner.
 float graticule_as_written(vec2 at, vec2 divisions, float strength) {
     vec2 away = abs(fract(at * divisions) - 0.5);
     vec2 clear = smoothstep(0.0, 0.06, away);

@@ -1,4 +1,4 @@
-// How the phosphor of the custom tube fades. Linear light.
+// Decay of the custom tube's phosphor. Linear light.
 #ifndef PHOSPHOR_DECAY
 #define PHOSPHOR_DECAY
 
@@ -13,7 +13,7 @@ vec3 fade_speeds() {
     return has_one_color() ? vec3(1.0) : fade_speed;
 }
 
-// What is left of a light of 1 after some seconds, whatever the frame rate.
+// The part of a light of 1 that is left after some seconds, at any frame rate.
 vec3 left_after(float seconds) {
     return pow(vec3(max(decay, 1e-6)), 60.0 * seconds * fade_speeds());
 }

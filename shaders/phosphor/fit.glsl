@@ -7,7 +7,7 @@ uniform int fit = 0;  // @items "Fill the picture" "Keep circles round"  @label 
 uniform float screen_size = 1.0;  // @range 0.5 1  @limit 0.05 2  @label "Size"  @unit "× picture size"  @group "Screen"
                                   // @help "How much of the picture the signal and the graticule cover. 1 is all of it, less leaves a margin."
 
-// Width and height of the signal's -1..1, as shares of the picture's.
+// Width and height of the signal's -1..1, as fractions of the picture's.
 vec2 signal_size(vec2 resolution) {
     vec2 shape = fit == 0 ? vec2(1.0) : min(resolution.x, resolution.y) / resolution;
     return screen_size * shape;

@@ -1,4 +1,4 @@
-// The beam's light of this frame, from the pass that draws it.
+// The beam's light in this frame, from the pass that draws it.
 #include "beam_kind.glsl"
 
 uniform sampler2D current;   // the beam as points

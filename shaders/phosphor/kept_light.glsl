@@ -1,6 +1,6 @@
 // Reads the custom tube's stored light, which persistence keeps without a ceiling. Linear light.
-// The ceiling is applied here, as beams may be drawn straight onto the stored light. Between texels,
-// light is mixed first, as a phosphor saturates at each point and not in cells.
+// The ceiling is applied here, because beams can be drawn directly onto the stored light. Light is
+// interpolated before the ceiling, because a phosphor saturates at each point and not in cells.
 #ifndef PHOSPHOR_KEPT_LIGHT
 #define PHOSPHOR_KEPT_LIGHT
 
@@ -11,7 +11,7 @@
 
 const float largest_half = 65504.0;  // 16-bit storage overflows above it
 
-// The brightest channel reaches the ceiling and takes the others along: the hue stays.
+// Scales all channels so that the brightest is at most `most`. The hue is kept.
 vec3 saturated(vec3 light, float most) {
     return light * min(1.0, most / max(brightest_channel(light), 1e-20));
 }

@@ -11,8 +11,8 @@ uniform vec2 u_resolution;
 in vec2 uv;
 out vec4 color;
 
-// Mean of four texels, each limited to its own ceiling: light above it does not spread. Clamped to the
-// edge.
+// Mean of four texels, each limited to the ceiling first, so light above it does not spread.
+// Clamped to the edge.
 vec3 mean_of_four(vec2 at) {
     if (has_tube())
         return texture(image, at).rgb;
@@ -31,7 +31,7 @@ vec3 mean_of_four(vec2 at) {
     return mix(lower, upper, part.y);
 }
 
-// The light of a texel of the target: all of the picture's that lie in it.
+// The light of a texel of the target: the mean over all texels of the picture within it.
 vec3 mean_light(vec2 at) {
     int n = max(int(round(0.5 / bloom_size)), 1);
     vec2 apart = 1.0 / (float(n) * u_resolution);

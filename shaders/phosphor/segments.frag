@@ -1,7 +1,7 @@
 #version 410 core
-// The beam as segments: the light along the path from one point to the next, in the same form and with
-// the same energy as that of points. Current and age change evenly along it, and light fades inside
-// the segment.
+// The beam as segments: the light along the path from one point to the next, in the same form and
+// with the same energy as points. Current and age change linearly along it. Light fades inside the
+// segment.
 #include "beam_segment.glsl"
 #include "decay.glsl"
 #include "one_color.glsl"
@@ -16,20 +16,20 @@ flat in vec2 areas;
 flat in vec4 colors;
 out vec4 color;
 
-// E-folds a second: of the custom tube's channels or of a measured tube's terms.
+// E-folds per second, of the custom tube's channels or of a measured tube's terms.
 vec3 fade_rates() {
     return has_tube() ? 1.0 / term_seconds() : -60.0 * log(max(decay, 1e-6)) * fade_speeds();
 }
 
-// What is left of a charge of 1, or has been given off by a measured tube.
+// The part of a charge of 1 that is left, or for a measured tube the part that is emitted.
 vec3 part_after(float seconds, vec3 rates) {
     return has_tube() ? spent_after(seconds * rates) : exp(-seconds * rates);
 }
 
-// Fading by so few e-folds within the segment is even to 3 parts in a million.
+// Up to this number of e-folds in the segment, fading is linear to 3 parts in a million.
 const float even_fade = 0.005;
 
-// For one Gaussian of unit area, at one place: the three parts, and all of the charge in alpha.
+// For one Gaussian of unit area, at one position. rgb: the three parts, alpha: the whole charge.
 vec4 charge_at(vec2 place, float sigma, vec3 rates) {
     vec2 at = beam_segment_place(place, ends.xy, ends.zw);
     float segment_length = distance(ends.xy, ends.zw);

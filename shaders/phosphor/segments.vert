@@ -1,6 +1,6 @@
 #version 410 core
-// The beam as segments: one rectangle around the path from each point to the next, with room for the
-// spot's width.
+// The beam as segments: one rectangle around the path from each point to the next, with a margin
+// for the spot's width.
 #include "beam_kind.glsl"
 #include "beam_segment.glsl"
 #include "fit.glsl"
@@ -13,16 +13,16 @@ uniform float u_time_delta;
 
 in vec4 segment;        // -1..1, y up: start, end
 in vec2 intensities;    // 1: full current for 1/4096 of 1/60 s
-in vec2 ages_seconds;   // before the frame's end
+in vec2 ages_seconds;   // time before the end of the frame: start, end
 
 flat out vec4 ends;     // px from the bottom left
-flat out vec2 charges;  // of start and end; their mean is what the beam brings on the way
+flat out vec2 charges;  // at start and end; their mean is the charge of the segment
 flat out vec2 ages;     // s
 flat out vec2 sigmas;   // of core and glow, px
-flat out vec2 areas;    // what a charge of 1 makes of light, px^2
+flat out vec2 areas;    // light of core and glow for a charge of 1, px^2
 flat out vec4 colors;   // of the charge
 
-// A spot narrower than this is lost in the pixel, and costs many readings to hit.
+// Narrower spots look the same within a pixel but need many samples.
 const float least_sigma = 0.25;  // px
 
 const float pi = 3.14159265359;
@@ -34,7 +34,7 @@ void main() {
     ends = (0.5 + 0.5 * segment * signal_size(u_resolution).xyxy) * u_resolution.xyxy;
     charges = intensities;
     colors = tint_of_charge();
-    ages = min(ages_seconds, u_time_delta);  // the way from the last frame's point is this frame's
+    ages = min(ages_seconds, u_time_delta);  // a path from the previous frame counts for this one
     float width = beam_width * u_resolution.y / reference_height;
     vec2 sharpness = vec2(core_sharpness, glow_sharpness);
     areas = pi * width * width * vec2(1.0, glow_weight) / sharpness;

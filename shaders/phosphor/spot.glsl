@@ -1,5 +1,5 @@
-// The spot that the beam makes on the phosphor: two Gaussians around one middle, a sharp core and a
-// wider glow. Sharpness counts lengths in widths of the spot. Linear light.
+// The spot of the beam on the phosphor: two concentric Gaussians, a sharp core and a wider glow.
+// The unit of length for sharpness is the beam width. Linear light.
 #ifndef PHOSPHOR_SPOT
 #define PHOSPHOR_SPOT
 
@@ -16,8 +16,8 @@ uniform float glow_sharpness = 8.0;   // @range 1 40  @limit 0.25 1000  @scale l
 uniform float glow_weight = 0.3;      // @range 0 2  @limit 0 100  @label "Glow weight"  @group "Beam"  @identity 0
                                       // @help "Brightness of the glow relative to the core. 0 leaves only the core."
 
-// Half the side of a square that holds more than 99.9 % of the spot: erf(2.7)^2 = 0.9997 of the wider
-// Gaussian, which has fallen to 7e-4 of its peak where the square ends.
+// Half the side of a square that contains more than 99.9 % of the spot: erf(2.7)^2 = 0.9997 of the
+// wider Gaussian. At the square's edge it has fallen to 7e-4 of its peak.
 float spot_reach() {
     float widest = glow_weight > 0.0 ? min(core_sharpness, glow_sharpness) : core_sharpness;
     return 2.7 / sqrt(widest);

@@ -1,6 +1,6 @@
-// The bloom's blur tap by tap, one direction: a Gaussian of a stated sigma, at the size of its image.
-// Each texel counts on its own, so nothing is left out between the taps, and the weights add up to 1:
-// light that stays inside the picture keeps its energy. Linear light.
+// The bloom's blur by taps, one direction: a Gaussian of a given sigma, at the size of its image.
+// Every texel is read, so nothing is left out between the taps. The weights add up to 1, so light
+// that stays inside the picture keeps its energy. Linear light.
 #include "as_written.glsl"
 #include "bloom_width.glsl"
 #include "blur.glsl"
@@ -11,8 +11,8 @@ uniform vec2 u_resolution;
 uniform int bloom_taps = 13;       // @range 3 25 2  @limit 1 65  @label "Tap count"  @group "Bloom"
                                    // @help "Number of taps across the blur, half on each side. Fewer than four sigmas on each side cut the Gaussian short, but are faster. Only used when Blur is Taps."
 
-// The article's table is meant for readings between texels; at whole taps it has two humps, and what
-// lies between the taps is skipped.
+// The article's table is meant for samples between texels. At whole taps it has two humps, and
+// texels between the taps are skipped.
 vec3 blur_as_written(vec2 uv, vec2 texel) {
     const float weights[7] = float[7](0.19648255, 0.29690696, 0.21959561, 0.04393693, 0.01096343,
                                       0.00183638, 0.00021493);

@@ -1,6 +1,6 @@
-// The tube: how its phosphor stores and emits the energy of the beam. Linear light.
-// Each of three terms holds a charge and emits it exponentially. A picture shows the light of its
-// whole frame, not of an instant: most of P31's is gone in 1 ms.
+// The tube: how its phosphor stores and emits the energy of the beam. Linear light. Each of three
+// terms holds a charge and emits it exponentially. A picture shows the light of its whole frame and
+// not of an instant, because most of P31's is gone in 1 ms.
 #ifndef PHOSPHOR_TUBE
 #define PHOSPHOR_TUBE
 
@@ -18,19 +18,19 @@ bool has_tube() {
     return tube != tube_custom && !as_written;
 }
 
-// Of the three terms. Only where has_tube().
+// Time constants of the three terms. Only if has_tube().
 vec3 term_seconds() {
     return 0.001 * time_scale * tube_milliseconds[tube - 1];
 }
 
-// The light that a charge of 1 gives in all by each term: as measured 1 together.
+// The total light that each term emits for a charge of 1. As measured, their sum is 1.
 vec3 term_light() {
     vec3 light = tube_weights[tube - 1] * tube_milliseconds[tube - 1];
     return light / (light.x + light.y + light.z) * vec3(1.0, tail_gain, tail_gain);
 }
 
-// Brightness of a charge of 1 in a frame in which it gives off all its light. A tube of P31's
-// luminance is then about as bright as the custom one at its default decay: 1 / -ln(0.92) = 12.
+// Brightness of a charge of 1 in a frame in which it emits all its light. A tube of P31's luminance
+// is then about as bright as the custom one at its default decay: 1 / -ln(0.92) = 12.
 float frame_brightness(float frame_seconds) {
     return 12.0 / (60.0 * frame_seconds);
 }

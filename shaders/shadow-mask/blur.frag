@@ -5,7 +5,7 @@
 
 uniform sampler2D image;
 uniform vec2 direction;  // (1, 0) or (0, 1)
-uniform float level;     // of the image's smaller copies: the tube's is half its size, as this pass is
+uniform float level;     // mipmap level of the image; the tube's is half its size, like this pass
 uniform vec2 u_resolution;
 uniform float bloom_radius = 6.0;  // @range 0.5 30  @limit 0.1 100  @label "Radius"  @unit "px at 512 lines"  @group "Bloom"
                                    // @help "How far the light spreads: one standard deviation, in pixels of a picture 512 pixels high."

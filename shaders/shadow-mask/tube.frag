@@ -1,6 +1,6 @@
 #version 410 core
-// Tube: the light that passes the mask. Reads and writes linear light (with Original article: display
-// values). Lengths in px of the tube, from its bottom left.
+// Tube: the light that passes the mask. Reads and writes linear light (with Original article:
+// writes display values). Lengths are in px of the tube, from its bottom left.
 #include "barrel.glsl"
 #include "color.glsl"
 #include "glass.glsl"
@@ -79,7 +79,7 @@ uniform float pulse_rate = 20.0;       // @range 0 40  @limit 0 200  @label "Rat
 uniform float picture_size = 1.0;  // @range 0.8 1.1  @limit 0.1 10  @label "Picture size"  @group "Glass"  @identity 1
                                    // @help "Size of the picture on the glass. Below 1, a dark rim surrounds it. Above 1, its edges are cut off, as on television sets (overscan)."
 
-// Included here, as the panel lists parameters in the order of declaration: the mask's come first.
+// Included here, because the panel lists parameters in declaration order and the mask's come first.
 #include "glass_settings.glsl"
 #include "as_written.glsl"
 #include "tube_as_written.glsl"
@@ -87,13 +87,13 @@ uniform float picture_size = 1.0;  // @range 0.8 1.1  @limit 0.1 10  @label "Pic
 in vec2 uv;
 out vec4 color;
 
-// From one red to the next, px.
+// Distance from one red to the next, px.
 float mask_pitch() {
     float pitch = mask_unit == 0 ? mask_size : u_resolution.x / mask_triads;
     return mask_snap ? max(floor(pitch + 0.5), 1.0) : pitch;
 }
 
-// The place in the picture, 0..1, that the beam draws at a place of the tube.
+// The position in the picture, 0..1, that the beam draws at a position on the tube.
 vec2 picture_place(vec2 px) {
     vec2 place = px / u_resolution;
     return picture_size == 1.0 ? place : (place - 0.5) / picture_size + 0.5;
@@ -103,7 +103,7 @@ vec3 scene_at(vec2 px, float level) {
     return textureLod(scene, picture_place(px), level).rgb;
 }
 
-// Through the tube's own point into the picture; `level` is of its smaller copies.
+// The picture's light at a position on the tube. `level` is the mipmap level.
 vec3 scene_light(vec2 px, float level) {
     return vec3(scene_at(px + red_offset, level).r, scene_at(px + green_offset, level).g,
                 scene_at(px + blue_offset, level).b);
@@ -132,7 +132,7 @@ vec3 through_mask(Mask mask, vec2 px, float pixel) {
     return mix(vec3(1.0), open, mask_strength) * mix(bare, 1.0, brightness_kept);
 }
 
-// 1 where the beam draws the picture, 0 beyond its sides.
+// 1 where the beam draws the picture, 0 beyond its edges.
 float drawn_part(vec2 place) {
     vec2 half_size = u_resolution / u_resolution.y;
     return picture_size < 1.0 ? glass_coverage(place / picture_size, half_size, 0.0) : 1.0;

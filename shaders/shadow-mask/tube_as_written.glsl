@@ -1,5 +1,5 @@
-// The article's mask. A cell is read at its left edge, even columns at their lower edge; stripes are
-// three times as bright, which does not make up for their borders.
+// The article's mask. A cell is read at its left edge, even columns at their lower edge. Stripes
+// are three times as bright, which does not compensate for their borders.
 struct CellsAsWritten {
     vec2 corner;  // px where the picture is read
     vec3 mask;

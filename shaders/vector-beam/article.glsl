@@ -1,5 +1,5 @@
-// The article's fragment shader: equation (1) with its own erf, its profile of unit area in one
-// dimension and its point branch. Lengths in px.
+// The article's fragment shader: equation (1) with its own erf, its one-dimensional profile of unit
+// area and its branch for points. Lengths in px.
 #ifndef VECTOR_BEAM_ARTICLE
 #define VECTOR_BEAM_ARTICLE
 
@@ -14,7 +14,7 @@ float erf_as_written(float x) {
     return sign(x) - sign(x) / (square * square);
 }
 
-// `ages` of start and end in decay times. exp(f f) overflows at f > 9.4, as it did.
+// `ages` of start and end, in decay times. exp(f f) overflows at f > 9.4, as in the article.
 float light_as_written(vec2 at, float segment_length, float sigma, vec2 ages) {
     float fade = ages.x - ages.y;
     if (segment_length <= 1e-5)
@@ -26,9 +26,9 @@ float light_as_written(vec2 at, float segment_length, float sigma, vec2 ages) {
     return sides * exp(power) / (2.0 * segment_length);
 }
 
-// The article's f = 0: light is faded by the time at which the beam was nearest to this place. Right
-// for long segments; beyond the ends of short ones it counts times at which the beam was elsewhere,
-// held here to what a float can show.
+// The article's f = 0: light is faded from the time at which the beam was nearest to this position.
+// This is correct for long segments. Beyond the ends of short ones, the beam was elsewhere at these
+// times. The exponent is clamped to what a float can hold.
 float decay_at_place(float along, float segment_length, float fade) {
     if (segment_length <= 1e-5)
         return 1.0;

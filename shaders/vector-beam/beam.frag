@@ -1,8 +1,8 @@
 #version 410 core
-// The beam: the light of one segment, added to that of all others in the frame. Linear light.
-// Red: the part still to be emitted at the frame's end. Green: all of it. Summed over all pixels, green
-// is intensity * charge * (height / 512)^2, for any length, direction and width of the spot. Blue and
-// alpha: green times the hue (tint.glsl).
+// The beam: the light of one segment, added to that of all others in the frame. Linear light. Red:
+// the part still to be emitted at the end of the frame. Green: all of it. The sum of green over all
+// pixels is intensity * charge * (height / 512)^2, for any length, direction and width of the spot.
+// Blue and alpha: green times the hue (tint.glsl).
 #include "article.glsl"
 #include "as_written.glsl"
 #include "beam_segment.glsl"
@@ -21,7 +21,7 @@ flat in float seconds;
 flat in vec2 hue;
 out vec4 color;
 
-// Light at one place: still to come, and all.
+// Light at one position. x: still to be emitted, y: all of it.
 vec2 light_at(vec2 place, float segment_length) {
     vec2 at = beam_segment_place(place, ends.xy, ends.zw);
     float fade = ages.x - ages.y;
@@ -42,9 +42,9 @@ vec2 light_over_pixel(float segment_length) {
     return sum / float(n * n);
 }
 
-// Scaled so that at the look's defaults, 60 frames a second, a still picture is as bright as by the
-// right formulas: the spot's area is missing in the article's, and it shows what glows at the frame's
-// end instead of what the frame gave.
+// Scaled so that a still picture at the look's defaults and 60 frames per second is as bright as
+// with the correct formulas. The article's formulas lack the spot's area. They show the light at
+// the end of the frame instead of the light emitted during it.
 vec2 article_light(float segment_length) {
     const float default_sigma = 1.2;
     float area = root_of_2_pi * default_sigma * u_resolution.y / reference_height;

@@ -19,7 +19,7 @@ uniform float dwell = 1.0;          // @range 0 8  @limit 0 1000  @label "Dwell 
                                     // @help "Brightness of the dots where the beam stops or slows down. 1 is physically correct, more emphasises corners and ends, 0 hides them."
 uniform float dwell_speed = 20.0;   // @range 1 1000  @limit 0.001 1000000  @scale log  @label "Dwell speed"  @unit "screen heights/s"  @group "Beam"
                                     // @help "Beam speed below which the beam counts as stopped, for Dwell dots."
-// Included here, as the panel lists parameters in the order of declaration: the beam's come first.
+// Included here, because the panel lists parameters in declaration order and the beam's come first.
 #include "decay.glsl"
 uniform int fit = 0;                // @items "Keep circles round" "Fill the picture"  @label "Fit"  @group "Screen"
                                     // @help "Keep circles round draws both axes at the same scale. A wide picture then has margins. Fill the picture stretches the signal over the whole picture."
@@ -29,24 +29,24 @@ uniform float screen_size = 0.9;    // @range 0.5 1  @limit 0.05 4  @label "Size
 
 in vec4 segment;        // -1..1, y up: start, end
 in vec2 intensities;    // 1: full current for 1/4096 of 1/60 s
-in vec2 ages_seconds;   // before the frame's end
-in vec3 tint;           // the beam's own colour, white where its signal gives none
+in vec2 ages_seconds;   // time before the end of the frame: start, end
+in vec3 tint;           // colour of the beam, white if its signal has none
 
 flat out vec4 ends;     // px
-flat out vec2 charges;  // light of start and end, px^2 of the picture
+flat out vec2 charges;  // light at start and end, px^2 of the picture
 flat out vec2 ages;     // in decay times
 flat out float sigma;   // px
-flat out float seconds; // from start to end
+flat out float seconds; // duration from start to end
 flat out vec2 hue;      // see tint.glsl
 
-const float full_current = 4096.0 * 60.0;  // intensity a second
+const float full_current = 4096.0 * 60.0;  // intensity per second
 
 float spot_at(float current) {
     float px = spot_sigma * u_resolution.y / reference_height;
     return as_written ? px : px * (1.0 + spot_growth * pow(current, growth_power));
 }
 
-// More, or less, of the light of a beam that is slower than dwell_speed.
+// Factor for the light of a beam that is slower than dwell_speed.
 float dwell_gain(float way_px) {
     float speed = way_px / max(seconds * dwell_speed * u_resolution.y, 1e-12);
     return mix(1.0, dwell, exp(-speed * speed));

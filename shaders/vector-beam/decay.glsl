@@ -1,4 +1,4 @@
-// How the phosphor fades: the share exp(-t / decay time) of its light is still to come after t.
+// Decay of the phosphor: after time t, exp(-t / decay time) of its light is still to be emitted.
 #ifndef VECTOR_BEAM_DECAY
 #define VECTOR_BEAM_DECAY
 

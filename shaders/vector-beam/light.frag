@@ -14,6 +14,6 @@ void main() {
     vec4 glowing = texture(phosphor, uv);
     float given = glowing.g;
     float light = as_written ? given : given / (60.0 * u_time_delta);
-    // Below the largest half float.
+    // Limited to stay below the largest half float.
     color = vec4(min(min(light, 60000.0) * color_of(glowing.ba), 60000.0), 1.0);
 }

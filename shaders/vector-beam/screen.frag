@@ -40,7 +40,7 @@ vec3 shown(vec3 light) {
                keep_hue);
 }
 
-// The hue between four texels, of which dark ones have none.
+// The hue interpolated between four texels, weighted by their light, as dark texels have no hue.
 vec3 glow_color_at(vec2 hue) {
     if (hue == vec2(0.0))
         return vec3(1.0);
